@@ -1,0 +1,55 @@
+"""What comes in to a scene, and all that comes in: pointer, named action, knob set, effect switched.
+
+Each is stamped with the number of steps made before it acts, so a list of them is a replay (HARD_CASES
+K-H8), and a story or a test is written in the same words as a person's hand.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+PointerKind = Literal["move", "down", "up", "wheel", "cancel"]
+
+
+class Pointer(msgspec.Struct, frozen=True, tag="pointer", forbid_unknown_fields=True):
+    """A pointer in world coordinates. ``cancel`` takes back a drag (Esc, focus lost, resize)."""
+
+    kind: PointerKind
+    x: float
+    y: float
+    button: int = 0  # 1 left, 2 middle, 3 right; for "move" the one held down, 0 if none
+    wheel: float = 0.0  # notches, up is positive
+    shift: bool = False
+    control: bool = False
+
+
+class Action(msgspec.Struct, frozen=True, tag="action", forbid_unknown_fields=True):
+    """A named action that the scene declares, by key, button or gamepad."""
+
+    name: str
+
+
+class SetKnob(msgspec.Struct, frozen=True, tag="knob", forbid_unknown_fields=True):
+    """A parameter, choice or switch set to a value."""
+
+    name: str
+    value: float | bool | str
+
+
+class SetEffect(msgspec.Struct, frozen=True, tag="effect", forbid_unknown_fields=True):
+    """A declared effect switched off or on."""
+
+    name: str
+    on: bool
+
+
+StageEvent = Pointer | Action | SetKnob | SetEffect
+
+
+class Stamped(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """An event and the number of steps made before it acts."""
+
+    step: int
+    event: StageEvent

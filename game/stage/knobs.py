@@ -1,0 +1,174 @@
+"""What a person may change about a scene: numbers, choices and switches, declared as class attributes.
+
+A declared knob checks every value at one door, whoever brings it: panel, level file, command line or
+replay. Controls, help page, level file and command line are made from the declarations alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, Generic, TypeVar, overload
+
+T = TypeVar("T")
+
+
+class KnobError(ValueError):
+    """A value that a knob refuses; the message names the knob, the value and what is allowed."""
+
+
+class Knob(Generic[T]):
+    """One thing that may be changed: a descriptor whose values live in ``scene.values``."""
+
+    name: str = ""
+
+    def __init__(self, default: T, *, label: str = "", help: str = "", group: str = "", rebuild: bool = False):
+        self.default = default
+        self._label = label
+        self.help = help
+        self.group = group
+        self.rebuild = rebuild  # a change builds the scene anew
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+        self.check(self.default)
+
+    @property
+    def label(self) -> str:
+        """Words for the panel: given, or the name itself."""
+        return self._label or self.name.replace("_", " ").capitalize()
+
+    @overload
+    def __get__(self, scene: None, owner: type) -> Knob[T]: ...
+    @overload
+    def __get__(self, scene: Any, owner: type) -> T: ...
+    def __get__(self, scene: Any, owner: type) -> Any:
+        return self if scene is None else scene.values[self.name]
+
+    def __set__(self, scene: Any, value: T) -> None:
+        scene.values[self.name] = self.check(value)
+
+    def check(self, value: Any) -> T:
+        """Return the value in the knob's own type, or raise KnobError."""
+        raise NotImplementedError
+
+    def parse(self, text: str) -> T:
+        """Value of a command line or text field word; KnobError if it is none."""
+        raise NotImplementedError
+
+    def _refuse(self, value: Any, reason: str) -> KnobError:
+        return KnobError(f"{self.name} = {value!r}: {reason}")
+
+
+class Param(Knob[float]):
+    """A number in a closed range, with its unit.
+
+    ``log`` spreads the slider over decades, ``whole`` admits integers only, ``step`` is the slider's grain.
+    """
+
+    def __init__(
+        self,
+        default: float,
+        minimum: float,
+        maximum: float,
+        *,
+        unit: str = "",
+        whole: bool = False,
+        log: bool = False,
+        step: float | None = None,
+        label: str = "",
+        help: str = "",
+        group: str = "",
+        rebuild: bool = False,
+    ):
+        if not minimum < maximum:
+            raise ValueError(f"Param: minimum {minimum} is not below maximum {maximum}")
+        if log and minimum <= 0.0:
+            raise ValueError(f"Param: a logarithmic range needs a minimum above 0, not {minimum}")
+        self.minimum = minimum
+        self.maximum = maximum
+        self.unit = unit
+        self.whole = whole
+        self.log = log
+        self.step = 1.0 if whole and step is None else step
+        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
+
+    def check(self, value: Any) -> float:
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise self._refuse(value, "a number is wanted")
+        number = float(value)
+        if not math.isfinite(number):
+            raise self._refuse(value, "a finite number is wanted")
+        if not self.minimum <= number <= self.maximum:
+            unit = f" {self.unit}" if self.unit else ""
+            raise self._refuse(value, f"outside {self.minimum:g} to {self.maximum:g}{unit}")
+        if self.whole and number != int(number):
+            raise self._refuse(value, "a whole number is wanted")
+        return int(number) if self.whole else number
+
+    def parse(self, text: str) -> float:
+        cleaned = text.strip().replace("\u202f", "").replace("\u2212", "-").replace(",", ".")
+        try:
+            return self.check(float(cleaned))
+        except ValueError as error:
+            if isinstance(error, KnobError):
+                raise
+            raise self._refuse(text, "a number is wanted") from None
+
+
+class Choice(Knob[str]):
+    """One of a few named options."""
+
+    def __init__(
+        self,
+        default: str,
+        options: tuple[str, ...],
+        *,
+        labels: tuple[str, ...] = (),
+        label: str = "",
+        help: str = "",
+        group: str = "",
+        rebuild: bool = False,
+    ):
+        self.options = options
+        self.labels = labels or tuple(option.replace("-", " ").capitalize() for option in options)
+        if len(self.labels) != len(options):
+            raise ValueError("Choice: as many labels as options are wanted")
+        super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
+
+    def check(self, value: Any) -> str:
+        if value not in self.options:
+            raise self._refuse(value, "one of " + ", ".join(self.options) + " is wanted")
+        return str(value)
+
+    def parse(self, text: str) -> str:
+        return self.check(text.strip())
+
+
+class Toggle(Knob[bool]):
+    """A switch."""
+
+    def check(self, value: Any) -> bool:
+        if not isinstance(value, bool):
+            raise self._refuse(value, "true or false is wanted")
+        return value
+
+    def parse(self, text: str) -> bool:
+        word = text.strip().lower()
+        if word in ("true", "on", "yes", "1"):
+            return True
+        if word in ("false", "off", "no", "0"):
+            return False
+        raise self._refuse(text, "true or false is wanted")
+
+
+def knobs_of(scene_type: type) -> dict[str, Knob[Any]]:
+    """All knobs that a scene class declares or inherits, in the order of declaration."""
+    found: dict[str, Knob[Any]] = {}
+    for owner in reversed(scene_type.__mro__):
+        found.update(_own_knobs(owner))
+    return found
+
+
+def _own_knobs(owner: type) -> Iterator[tuple[str, Knob[Any]]]:
+    return ((name, value) for name, value in vars(owner).items() if isinstance(value, Knob))

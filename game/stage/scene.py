@@ -1,0 +1,206 @@
+"""What a scene is, without a screen.
+
+A scene is one class: its attributes declare what may be changed, which effects it calls for and what its
+help page says; its methods build, advance and draw. Controls, level files, command line, replay and
+digest are made from the declarations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple, Protocol
+
+import msgspec
+import numpy as np
+
+from game.lab import Study
+from game.levels import Level
+from game.physics.effects import EffectSet
+from game.stage.events import Pointer
+from game.stage.knobs import Knob, knobs_of
+
+
+class Readout(NamedTuple):
+    """A measured value: name, value, unit (an SI unit takes prefixes in the picture)."""
+
+    name: str
+    value: float
+    unit: str = ""
+
+
+class Strip(NamedTuple):
+    """A strip chart over the last ten seconds: title, unit, and the readouts (by name) that it draws."""
+
+    title: str
+    unit: str
+    series: tuple[str, ...]
+    exact: tuple[str, ...] = ()  # of these, the ones drawn dashed as a reference
+
+
+class Equation(NamedTuple):
+    """A line of the help page: what it says, the formula (see ui/formula.py for the markup), its source."""
+
+    title: str
+    formula: str
+    source: str = ""
+
+
+class Hint(NamedTuple):
+    """Keys or gestures and what they do, for hint bar and help page."""
+
+    keys: tuple[str, ...]
+    text: str
+
+
+class SceneAction(NamedTuple):
+    """A named action of a scene, its words, and the key it has unless the settings say otherwise."""
+
+    name: str
+    label: str
+    key: str
+
+
+class Frame(NamedTuple):
+    """The part of the world that a scene wants in view, m (or its own unit)."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+
+class WarmUp(NamedTuple):
+    """One kernel to compile before a scene opens, and the call that does it."""
+
+    name: str
+    call: Callable[[], Any]
+
+
+class Painter(Protocol):
+    """What a scene draws on; ui/canvas.py is one. Scenes above the ui floor use its full type."""
+
+
+class Scene:
+    """Base of all scenes. Subclasses declare attributes and override what they need."""
+
+    name: ClassVar[str] = ""  # command line name, e.g. "c04"
+    task: ClassVar[str] = ""  # id of the task, e.g. "C04"
+    title: ClassVar[str] = ""
+    effects: ClassVar[EffectSet] = EffectSet(())  # all that is ever computed
+    dt: ClassVar[float] = 1.0 / 120.0  # s, default length of a step
+    unit: ClassVar[str] = "m"
+    y_up: ClassVar[bool] = True
+    quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
+    content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files
+    study: ClassVar[Study | None] = None
+    strips: ClassVar[tuple[Strip, ...]] = ()
+    equations: ClassVar[tuple[Equation, ...]] = ()
+    try_this: ClassVar[tuple[str, ...]] = ()
+    hints: ClassVar[tuple[Hint, ...]] = ()
+    actions: ClassVar[tuple[SceneAction, ...]] = ()
+
+    def __init__(self, level: Level | None = None, parameters: Mapping[str, Any] | None = None):
+        """Make the scene from a level (None: its defaults), with some knobs set otherwise.
+
+        Raises KnobError or LevelError if either says something that the scene refuses.
+        """
+        self.values: dict[str, Any] = {name: knob.default for name, knob in self.knobs().items()}
+        self.active = self.effects
+        self.previous: Any = None  # state before the last step, kept by the stage for the picture
+        self.level = level
+        if level is not None:
+            for key, value in level.parameters.items():
+                self.knob(key).__set__(self, value)
+            for effect in level.effects_off:
+                self.active = self.active.without(self.effect(effect))
+        for key, value in (parameters or {}).items():
+            self.knob(key).__set__(self, value)
+        self.build(level)
+
+    # -- declared things ----------------------------------------------------------------------------
+
+    @classmethod
+    def knobs(cls) -> dict[str, Knob[Any]]:
+        """Knobs by name, in the order of declaration."""
+        return knobs_of(cls)
+
+    @classmethod
+    def knob(cls, name: str) -> Knob[Any]:
+        """The knob of that name; KnobError if there is none."""
+        from game.stage.knobs import KnobError
+
+        knobs = cls.knobs()
+        if name not in knobs:
+            raise KnobError(f"{name}: {cls.name} has no such parameter; it has {', '.join(knobs)}")
+        return knobs[name]
+
+    @classmethod
+    def effect(cls, name: str) -> Any:
+        """The declared effect of that name; KnobError if there is none."""
+        from game.stage.knobs import KnobError
+
+        for effect in cls.effects:
+            if effect.name == name:
+                return effect
+        raise KnobError(f"{name}: {cls.name} declares no such effect; it has {', '.join(e.name for e in cls.effects)}")
+
+    # -- to override --------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        """Make the state from the level's content and the knobs. Called by the constructor and on reset."""
+        raise NotImplementedError
+
+    def advance(self, dt: float) -> None:
+        """One fixed step. No drawing, no wall clock, no global random numbers."""
+        raise NotImplementedError
+
+    def state(self) -> NamedTuple:
+        """A NamedTuple of the arrays (and numbers) that are the state: snapshot, digest, step back."""
+        raise NotImplementedError
+
+    def restore(self, state: Any) -> None:
+        """Take over a state that ``state`` gave (as copies). Default: copy into the arrays in place."""
+        for now, then in zip(self.state(), state, strict=True):
+            if not isinstance(now, np.ndarray) or now.shape != np.shape(then):
+                raise NotImplementedError(f"{type(self).__name__}.restore must set what is not an array of fixed shape")
+            np.copyto(now, then)
+
+    def pointer(self, event: Pointer) -> None:
+        """A pointer event in world coordinates."""
+
+    def action(self, name: str) -> None:
+        """One of ``actions``."""
+
+    def knob_changed(self, name: str) -> None:
+        """A knob without ``rebuild`` has a new value."""
+
+    def effects_changed(self) -> None:
+        """``active`` has changed."""
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        """Draw the state ``alpha`` of the way from ``previous`` to now. Never changes the state."""
+
+    def frame(self) -> Frame:
+        """The part of the world to show."""
+        return Frame(-1.0, -1.0, 1.0, 1.0)
+
+    def readouts(self) -> Sequence[Readout]:
+        """Measured values; the first four are shown in the top bar, those named in strips are charted."""
+        return ()
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        """Rows of the legend: (mark, words, live count or ""); mark is "shape:colour", e.g. "disc:chalk"."""
+        return ()
+
+    def messages(self) -> Sequence[str]:
+        """New things worth telling since the last call (fouls, limits reached); shown as fading messages."""
+        return ()
+
+    def save_content(self) -> msgspec.Struct | None:
+        """The present content as a level's [content], or None if the scene keeps none."""
+        return None
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """Kernels to compile before the scene opens, in order, by calling them on a small input."""
+        return (WarmUp(cls.name, lambda: cls().advance(cls.dt)),)
