@@ -1,0 +1,1 @@
+"""Pictures of one thing each: ball, table, cue, disc."""
