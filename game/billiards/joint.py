@@ -33,8 +33,6 @@ from game.physics.jit import kernel
 
 SPARE_ROUNDS = 16  # impacts within one instant beyond two per contact; then all contacts stop closing at once
 MAX_ITERATIONS = 3_000  # a touching rack needs 250, a ball 10,000 times lighter than its two neighbours 2,500
-    2_000  # of one complementarity problem: a touching rack needs 250, a mass ratio of 1,000 about 1,500
-)
 CLOSING = 1e-13  # of the fastest closing speed; slower ones count as resting
 SETTLED = 2.0**-51  # a change of impulse that is rounding only, relative to the largest demand
 
