@@ -1,0 +1,18 @@
+"""Effects that fill all of space and that several rooms share: gravity, the air, the ground.
+
+Only names and bits stand here; what a room makes of them is in the room.
+"""
+
+from __future__ import annotations
+
+from game.physics.effects import declare_effect
+
+GRAVITY = declare_effect("fields", "gravity", 0, "Gravity", "A constant acceleration downwards.")
+DRAG = declare_effect("fields", "drag", 1, "Air drag", "A force against the motion, in proportion to the speed.")
+WIND = declare_effect("fields", "wind", 2, "Wind", "The air itself moves; felt only by way of drag.")
+QUADRATIC_DRAG = declare_effect(
+    "fields", "quadratic-drag", 3, "Fast drag", "A force against the motion, growing with the speed squared."
+)
+WHIRL = declare_effect("fields", "whirl", 4, "Whirl", "Air that turns about a point; felt only by way of drag.")
+ATTRACTOR = declare_effect("fields", "attractor", 5, "Attractor", "A pull to a point, in proportion to the distance.")
+GROUND = declare_effect("fields", "ground", 6, "Ground", "A level floor that nothing passes.")
