@@ -1,0 +1,285 @@
+"""Discs, rings and arcs; very many small discs; streaks behind moving particles."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from game.physics.jit import kernel
+from game.ui.raster_pixels import (
+    FULL,
+    OPAQUE,
+    blend,
+    blend_four,
+    clip_bounds,
+    is_drawable,
+    strip_coverage,
+    weight_of,
+)
+
+SUBPIXELS = 8  # a stamp is kept for each eighth of a pixel both ways
+LARGEST_STAMP = 3.5  # px; larger discs are drawn one by one
+STREAK_DOTS = 5
+STREAK_FADE = (1.0, 0.5, 0.3, 0.18, 0.1)  # weight of a streak's dots from the particle backwards
+
+
+@kernel
+def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: int, alpha: float) -> None:
+    """A filled disc; below half a pixel of radius it keeps its area and fades."""
+    if not (is_drawable(x) and is_drawable(y) and 0.0 < radius < 1e9):
+        return
+    if radius < 0.5:
+        alpha *= 4.0 * radius * radius
+        radius = 0.5
+    outer = radius + 0.5
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - outer, y - outer, x + outer, y + outer)
+    full = weight_of(1.0, alpha)
+    inner_squared = (radius - 0.5) * (radius - 0.5)
+    outer_squared = outer * outer
+    for row in range(y_low, y_high):
+        dy = row + 0.5 - y
+        rest = outer_squared - dy * dy
+        if rest <= 0.0:
+            continue
+        half = math.sqrt(rest)
+        first = max(x_low, int(max(x - half - 0.5, -1.0)))
+        last = min(x_high, int(min(x + half + 1.5, 1.0 * x_high)))
+        for column in range(first, last):
+            dx = column + 0.5 - x
+            squared = dx * dx + dy * dy
+            if squared <= inner_squared:
+                blend(pixels, row, column, color, full)
+            elif squared < outer_squared:
+                blend(pixels, row, column, color, weight_of(outer - math.sqrt(squared), alpha))
+
+
+@kernel
+def stroke_arc(
+    pixels: Any,
+    clip: Any,
+    x: float,
+    y: float,
+    radius: float,
+    width: float,
+    start: float,
+    sweep: float,
+    color: int,
+    alpha: float,
+) -> None:
+    """Part of a circle from angle ``start`` (rad, from +x towards +y) over ``sweep`` rad, with round ends.
+
+    The line lies half inside and half outside of ``radius``. A sweep of 2 pi or more closes the ring.
+    """  # fmt: skip
+    if not (is_drawable(x) and is_drawable(y) and 0.0 < radius < 1e9 and 0.0 < width < 1e9):
+        return
+    if not (is_drawable(start) and is_drawable(sweep)):
+        return
+    if sweep < 0.0:
+        start, sweep = start + sweep, -sweep
+    half = 0.5 * width
+    outer = radius + half + 0.5
+    gap = max(0.0, radius - half - 0.5)
+    closed = sweep >= 2.0 * math.pi
+    middle_x, middle_y = math.cos(start + 0.5 * sweep), math.sin(start + 0.5 * sweep)
+    limit = math.cos(0.5 * min(sweep, 2.0 * math.pi))
+    ax, ay = x + radius * math.cos(start), y + radius * math.sin(start)
+    bx, by = x + radius * math.cos(start + sweep), y + radius * math.sin(start + sweep)
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - outer, y - outer, x + outer, y + outer)
+    for row in range(y_low, y_high):
+        dy = row + 0.5 - y
+        rest = outer * outer - dy * dy
+        if rest <= 0.0:
+            continue
+        reach = math.sqrt(rest)
+        hole = math.sqrt(max(0.0, gap * gap - dy * dy))
+        column = max(x_low, int(max(x - reach - 0.5, -1.0)))
+        last = min(x_high, int(min(x + reach + 1.5, 1.0 * x_high)))
+        while column < last:
+            dx = column + 0.5 - x
+            if -hole < dx < hole - 1.0:  # nothing inside the ring
+                column = int(min(x + hole - 0.5, 1.0 * last))
+                dx = column + 0.5 - x
+                if column >= last:
+                    break
+            distance = math.sqrt(dx * dx + dy * dy)
+            if closed or dx * middle_x + dy * middle_y >= distance * limit:
+                away = distance - radius
+            else:
+                away = math.sqrt(
+                    min(
+                        (column + 0.5 - ax) * (column + 0.5 - ax) + (row + 0.5 - ay) * (row + 0.5 - ay),
+                        (column + 0.5 - bx) * (column + 0.5 - bx) + (row + 0.5 - by) * (row + 0.5 - by),
+                    )
+                )
+            weight = weight_of(strip_coverage(away, half), alpha)
+            if weight > 0:
+                blend(pixels, row, column, color, weight)
+            column += 1
+
+
+@kernel
+def stroke_ring(
+    pixels: Any, clip: Any, x: float, y: float, radius: float, width: float, color: int, alpha: float
+) -> None:
+    """A circle's line, half inside and half outside of ``radius``."""
+    stroke_arc(pixels, clip, x, y, radius, width, 0.0, 7.0, color, alpha)
+
+
+@kernel
+def fill_discs(pixels: Any, clip: Any, points: Any, radii: Any, colors: Any, alpha: float) -> None:
+    """Discs of any radius: ``points`` (n, 2) px, ``radii`` (n,) px, ``colors`` (n,) uint32."""
+    for i in range(points.shape[0]):
+        fill_disc(pixels, clip, points[i, 0], points[i, 1], radii[i], np.int64(colors[i]), alpha)
+
+
+@kernel
+def _lay_whole_stamp(
+    flat: Any, width: int, left: float, top: float, weights: Any, rows: int, side: int, level: int, color: int
+) -> None:
+    """Lay a stamp of 4 x 4 or ``rows`` x 8 pixels, inside the clip, with its corner at (left, top)."""
+    column, row = int(left), int(top)
+    sub_x, sub_y = int((left - column) * SUBPIXELS), int((top - row) * SUBPIXELS)
+    first = ((level * SUBPIXELS + sub_y) * SUBPIXELS + sub_x) * rows * side * 4
+    place = row * width + column
+    if side == 4:
+        for j in range(4):
+            blend_four(flat, place + j * width, weights, first + 16 * j, color)
+    else:
+        for j in range(rows):
+            blend_four(flat, place + j * width, weights, first + 32 * j, color)
+            blend_four(flat, place + j * width + 4, weights, first + 32 * j + 16, color)
+
+
+@kernel
+def _lay_cut_stamp(
+    pixels: Any,
+    clip: Any,
+    left: float,
+    top: float,
+    weights: Any,
+    rows: int,
+    side: int,
+    level: int,
+    color: int,
+) -> None:
+    """Lay what the clip leaves of a stamp."""
+    if not (clip[0] - side < left < clip[2] and clip[1] - rows < top < clip[3]):
+        return
+    column, row = math.floor(left), math.floor(top)
+    sub_x, sub_y = int((left - column) * SUBPIXELS), int((top - row) * SUBPIXELS)
+    first = ((level * SUBPIXELS + sub_y) * SUBPIXELS + sub_x) * rows * side * 4
+    for j in range(max(0, clip[1] - row), min(rows, clip[3] - row)):
+        for i in range(max(0, clip[0] - column), min(side, clip[2] - column)):
+            blend(pixels, row + j, column + i, color, np.int64(weights[first + 4 * (j * side + i)]))
+
+
+@kernel
+def fill_stamps(
+    pixels: Any, flat: Any, clip: Any, points: Any, colors: Any, weights: Any, rows: int, side: int
+) -> None:
+    """Very many equal small discs: ``points`` (n, 2) px, ``colors`` (n,) uint32, ``weights`` of one stamp.
+
+    ``flat`` is ``pixels.reshape(-1)``; the clip must lie inside the picture. Places are rounded to an eighth
+    of a pixel.
+    """
+    width = pixels.shape[1]
+    x_low, y_low, x_high, y_high = 1.0 * clip[0], 1.0 * clip[1], 1.0 * clip[2] - side, 1.0 * clip[3] - rows
+    corner, rise = 0.5 * side - 0.5, 0.5 * rows - 0.5
+    for i in range(points.shape[0]):
+        color = np.int64(colors[i]) | OPAQUE
+        left, top = points[i, 0] - corner, points[i, 1] - rise
+        if x_low <= left < x_high and y_low <= top < y_high:
+            _lay_whole_stamp(flat, width, left, top, weights, rows, side, 0, color)
+        else:
+            _lay_cut_stamp(pixels, clip, left, top, weights, rows, side, 0, color)
+
+
+@kernel
+def fill_streaks(
+    pixels: Any,
+    flat: Any,
+    clip: Any,
+    points: Any,
+    trails: Any,
+    seconds: float,
+    colors: Any,
+    weights: Any,
+    rows: int,
+    side: int,
+) -> None:
+    """Particles with five fading dots behind them: ``trails`` (n, 2) px/s, the last dot ``seconds`` back.
+
+    ``weights`` hold one stamp a dot, from the particle backwards; the rest as in ``fill_stamps``.
+    """  # fmt: skip
+    width = pixels.shape[1]
+    x_low, y_low, x_high, y_high = 1.0 * clip[0], 1.0 * clip[1], 1.0 * clip[2] - side, 1.0 * clip[3] - rows
+    corner, rise = 0.5 * side - 0.5, 0.5 * rows - 0.5
+    step = seconds / (STREAK_DOTS - 1)
+    for i in range(points.shape[0]):
+        color = np.int64(colors[i]) | OPAQUE
+        for dot in range(STREAK_DOTS - 1, -1, -1):
+            left = points[i, 0] - corner - dot * step * trails[i, 0]
+            top = points[i, 1] - rise - dot * step * trails[i, 1]
+            if x_low <= left < x_high and y_low <= top < y_high:
+                _lay_whole_stamp(flat, width, left, top, weights, rows, side, dot, color)
+            else:
+                _lay_cut_stamp(pixels, clip, left, top, weights, rows, side, dot, color)
+
+
+@kernel
+def color_by_speed(velocities: Any, slow: int, fast: int, top_speed: float, colors: Any) -> None:
+    """Write into ``colors`` (n,) uint32 the mixture of two colours by |velocity| / top_speed."""
+    for i in range(velocities.shape[0]):
+        vx, vy = velocities[i, 0], velocities[i, 1]
+        share = math.sqrt(vx * vx + vy * vy) / top_speed if top_speed > 0.0 else 1.0
+        weight = weight_of(min(share, 1.0), 1.0)
+        keep = FULL - weight
+        red_blue = (((fast & 0xFF00FF) * weight + (slow & 0xFF00FF) * keep + 0x800080) >> 8) & 0xFF00FF
+        green = (((fast & 0xFF00) * weight + (slow & 0xFF00) * keep + 0x8000) >> 8) & 0xFF00
+        colors[i] = red_blue | green
+
+
+@lru_cache(maxsize=32)
+def disc_stamps(radius: float, alphas: tuple[float, ...]) -> tuple[np.ndarray, int, int]:
+    """Weights of a small disc at each subpixel place, for each alpha; the stamp's rows and columns.
+
+    Flat uint16 in the order alpha, eighth down, eighth across, row, column, channel.
+    """
+    if not 0.0 < radius <= LARGEST_STAMP:
+        raise ValueError(f"stamps: radius {radius!r} px is not between 0 and {LARGEST_STAMP}")
+    rows, side = (4, 4) if radius <= 1.5 else (6, 8) if radius <= 2.0 else (8, 8)
+    area = 4.0 * radius * radius if radius < 0.5 else 1.0
+    reach = max(radius, 0.5) + 0.5
+    eighths = (np.arange(SUBPIXELS) + 0.5) / SUBPIXELS
+    across = np.arange(side) - 0.5 * side + 1.0 - eighths[:, None]  # (subpixel, pixel)
+    down = np.arange(rows) - 0.5 * rows + 1.0 - eighths[:, None]
+    distance = np.sqrt(down[:, None, :, None] ** 2 + across[None, :, None, :] ** 2)
+    coverage = np.clip(reach - distance, 0.0, 1.0) * area
+    weights = np.round(np.multiply.outer(np.clip(alphas, 0.0, 1.0), coverage) * FULL)
+    return np.ascontiguousarray(np.repeat(weights.reshape(-1), 4).astype(np.uint16)), rows, side
+
+
+def fill_particles(
+    pixels: np.ndarray, clip: np.ndarray, points: np.ndarray, colors: np.ndarray, radius: float, alpha: float
+) -> None:
+    """Very many discs of one radius up to 3.5 px: ``points`` (n, 2) px, ``colors`` (n,) uint32."""
+    weights, rows, side = disc_stamps(round(radius, 2), (alpha,))
+    fill_stamps(pixels, pixels.reshape(-1), clip, points, colors, weights, rows, side)
+
+
+def fill_particle_streaks(
+    pixels: np.ndarray,
+    clip: np.ndarray,
+    points: np.ndarray,
+    trails: np.ndarray,
+    colors: np.ndarray,
+    radius: float,
+    seconds: float,
+    alpha: float,
+) -> None:
+    """``fill_particles`` with five fading dots along minus ``trails`` (n, 2) px/s over ``seconds``."""
+    weights, rows, side = disc_stamps(round(radius, 2), tuple(alpha * fade for fade in STREAK_FADE))
+    fill_streaks(pixels, pixels.reshape(-1), clip, points, trails, seconds, colors, weights, rows, side)

@@ -1,0 +1,321 @@
+"""Straight lines, chains of them and dashes, any width, anti-aliased and never blended twice with themselves.
+
+A chain of segments is first covered (the larger coverage wins where two overlap), then laid over the picture
+in one go and the cover wiped; so a transparent line has no darker joins or crossings.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from game.physics.jit import kernel
+from game.ui.raster_pixels import blend, is_drawable, strip_coverage, weight_of
+
+SHORTEST_DASH = 0.5  # px; a finer pattern is drawn as a paler solid line
+ROUND = 1  # line ends: a half disc, or (0) cut square
+BUTT = 0
+
+
+@kernel
+def _inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: float) -> Any:
+    """Part (first, last) of a segment, as shares 0 to 1, within the clip widened by ``margin``; else (1, 0).
+
+    Liang and Barsky (1984).
+    """
+    first, last = 0.0, 1.0
+    dx, dy = x1 - x0, y1 - y0
+    for side in range(4):
+        if side == 0:
+            direction, room = -dx, x0 - (clip[0] - margin)
+        elif side == 1:
+            direction, room = dx, (clip[2] + margin) - x0
+        elif side == 2:
+            direction, room = -dy, y0 - (clip[1] - margin)
+        else:
+            direction, room = dy, (clip[3] + margin) - y0
+        if direction == 0.0:
+            if room < 0.0:
+                return 1.0, 0.0
+        elif direction < 0.0:
+            first = max(first, room / direction)
+        else:
+            last = min(last, room / direction)
+    return first, last
+
+
+@kernel
+def _lean(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
+    """Columns that a segment moves in one row, and half the breadth of its band of ``reach`` along a row."""
+    dx, dy = x1 - x0, y1 - y0
+    if abs(dy) <= 1e-9 * abs(dx) or dy == 0.0:
+        return 0.0, abs(dx) + reach
+    return dx / dy, reach * math.sqrt(dx * dx + dy * dy) / abs(dy)
+
+
+@kernel
+def _row_span(
+    middle: float, x0: float, y0: float, x1: float, y1: float, reach: float, lean: float, slack: float
+) -> Any:
+    """Columns (first, last) that a segment widened by ``reach`` may touch in the row with this middle."""
+    if lean == 0.0:
+        return min(x0, x1) - reach, max(x0, x1) + reach
+    low, high = min(y0, y1), max(y0, y1)
+    xa = x0 + (min(high, max(low, middle - reach)) - y0) * lean
+    xb = x0 + (min(high, max(low, middle + reach)) - y0) * lean
+    across = x0 + (middle - y0) * lean
+    return max(min(xa, xb) - reach, across - slack), min(max(xa, xb) + reach, across + slack)
+
+
+@kernel
+def _segment_coverage(
+    px: float, py: float, x0: float, y0: float, ux: float, uy: float, length: float, half: float, ends: int
+) -> float:
+    """Share of the pixel with middle (px, py) under a segment from (x0, y0) along the unit (ux, uy)."""
+    along = (px - x0) * ux + (py - y0) * uy
+    across = (py - y0) * ux - (px - x0) * uy
+    if ends == ROUND:
+        beyond = max(0.0, max(-along, along - length))
+        if beyond > 0.0:
+            return strip_coverage(math.sqrt(across * across + beyond * beyond), half)
+        return strip_coverage(across, half)
+    inside = min(length, along + 0.5) - max(0.0, along - 0.5)
+    if inside <= 0.0:
+        return 0.0
+    return strip_coverage(across, half) * inside
+
+
+@kernel
+def _bounds(pixels: Any, clip: Any) -> Any:
+    """The clip cut to the picture, as four integers."""
+    return max(0, clip[0]), max(0, clip[1]), min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
+
+
+@kernel
+def _column(x: float, low: int, high: int) -> int:
+    """A finite abscissa as a column between ``low`` and ``high``."""
+    return int(min(max(x, 1.0 * low), 1.0 * high))
+
+
+@kernel
+def _cover_segment(
+    cover: Any, pixels: Any, clip: Any, x0: float, y0: float, x1: float, y1: float, half: float, ends: int
+) -> None:
+    """Raise ``cover`` (h, w) uint8 to a segment's coverage where that is more."""
+    if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
+        return
+    reach = half + 0.75
+    first, last = _inside_share(clip, x0, y0, x1, y1, reach + 1.0)
+    if first > last:
+        return
+    dx, dy = x1 - x0, y1 - y0
+    length = math.sqrt(dx * dx + dy * dy)
+    ux, uy = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
+    ax, ay, bx, by = x0 + first * dx, y0 + first * dy, x0 + last * dx, y0 + last * dy
+    x_low, y_low, x_high, y_high = _bounds(pixels, clip)
+    top, bottom = (
+        _column(min(ay, by) - reach, y_low, y_high),
+        _column(max(ay, by) + reach + 1.0, y_low, y_high),
+    )
+    lean, slack = _lean(ax, ay, bx, by, reach)
+    for row in range(top, bottom):
+        left, right = _row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
+        for column in range(_column(left - 0.5, x_low, x_high), _column(right + 1.5, x_low, x_high)):
+            share = _segment_coverage(column + 0.5, row + 0.5, x0, y0, ux, uy, length, half, ends)
+            amount = int(share * 255.0 + 0.5)
+            if amount > cover[row, column]:
+                cover[row, column] = amount
+
+
+@kernel
+def _lay_cover(
+    cover: Any,
+    pixels: Any,
+    clip: Any,
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    half: float,
+    color: int,
+    weight: int,
+) -> None:
+    """Lay what ``cover`` holds along a segment over the picture, and wipe it."""  # fmt: skip
+    if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
+        return
+    reach = half + 0.75
+    first, last = _inside_share(clip, x0, y0, x1, y1, reach + 1.0)
+    if first > last:
+        return
+    dx, dy = x1 - x0, y1 - y0
+    ax, ay, bx, by = x0 + first * dx, y0 + first * dy, x0 + last * dx, y0 + last * dy
+    x_low, y_low, x_high, y_high = _bounds(pixels, clip)
+    top, bottom = (
+        _column(min(ay, by) - reach, y_low, y_high),
+        _column(max(ay, by) + reach + 1.0, y_low, y_high),
+    )
+    lean, slack = _lean(ax, ay, bx, by, reach)
+    for row in range(top, bottom):
+        left, right = _row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
+        for column in range(_column(left - 0.5, x_low, x_high), _column(right + 1.5, x_low, x_high)):
+            amount = np.int64(cover[row, column])
+            if amount > 0:
+                blend(pixels, row, column, color, (amount * weight + 127) // 255)
+                cover[row, column] = 0
+
+
+@kernel
+def stroke_segment(
+    pixels: Any,
+    clip: Any,
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    width: float,
+    ends: int,
+    color: int,
+    alpha: float,
+) -> None:
+    """One straight line with round (1) or square (0) ends; a point with round ends is a disc."""  # fmt: skip
+    if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
+        return
+    if not 0.0 < width < 1e9:
+        return
+    half = 0.5 * width
+    reach = half + 0.75
+    first, last = _inside_share(clip, x0, y0, x1, y1, reach + 1.0)
+    if first > last:
+        return
+    dx, dy = x1 - x0, y1 - y0
+    length = math.sqrt(dx * dx + dy * dy)
+    ux, uy = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
+    ax, ay, bx, by = x0 + first * dx, y0 + first * dy, x0 + last * dx, y0 + last * dy
+    x_low, y_low, x_high, y_high = _bounds(pixels, clip)
+    top, bottom = (
+        _column(min(ay, by) - reach, y_low, y_high),
+        _column(max(ay, by) + reach + 1.0, y_low, y_high),
+    )
+    lean, slack = _lean(ax, ay, bx, by, reach)
+    for row in range(top, bottom):
+        left, right = _row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
+        for column in range(_column(left - 0.5, x_low, x_high), _column(right + 1.5, x_low, x_high)):
+            share = _segment_coverage(column + 0.5, row + 0.5, x0, y0, ux, uy, length, half, ends)
+            weight = weight_of(share, alpha)
+            if weight > 0:
+                blend(pixels, row, column, color, weight)
+
+
+@kernel
+def stroke_segments(
+    pixels: Any, clip: Any, segments: Any, width: float, ends: int, colors: Any, alpha: float
+) -> None:
+    """Many single lines: ``segments`` (n, 4) px as x0, y0, x1, y1, ``colors`` (n,) uint32."""
+    for i in range(segments.shape[0]):
+        stroke_segment(
+            pixels, clip, segments[i, 0], segments[i, 1], segments[i, 2], segments[i, 3], width, ends,
+            np.int64(colors[i]), alpha,
+        )  # fmt: skip
+
+
+@kernel
+def stroke_polyline(
+    pixels: Any, clip: Any, cover: Any, points: Any, width: float, closed: bool, color: int, alpha: float
+) -> None:
+    """A chain of lines through ``points`` (n, 2) px with round joins and ends, blended once.
+
+    ``cover`` is the scratch of ``scratch_for``, all zero before and after. Points that are not finite, or
+    farther than 10^9 px, break the chain.
+    """
+    count = points.shape[0]
+    if count == 0 or not 0.0 < width < 1e9:
+        return
+    half = 0.5 * width
+    weight = weight_of(1.0, alpha)
+    links = count if closed and count > 2 else max(1, count - 1)
+    for phase in range(2):
+        for i in range(links):
+            j = (i + 1) % count
+            x0, y0, x1, y1 = points[i, 0], points[i, 1], points[j, 0], points[j, 1]
+            if phase == 0:
+                _cover_segment(cover, pixels, clip, x0, y0, x1, y1, half, ROUND)
+            else:
+                _lay_cover(cover, pixels, clip, x0, y0, x1, y1, half, color, weight)
+
+
+@kernel
+def _cover_dashes(
+    cover: Any,
+    pixels: Any,
+    clip: Any,
+    x0: float,
+    y0: float,
+    x1: float,
+    y1: float,
+    half: float,
+    travelled: float,
+    dash: float,
+    period: float,
+) -> None:
+    """Cover the dashes on one segment, which starts ``travelled`` px into the pattern."""
+    dx, dy = x1 - x0, y1 - y0
+    length = math.sqrt(dx * dx + dy * dy)
+    first, last = _inside_share(clip, x0, y0, x1, y1, half + 2.0)
+    if first > last or length == 0.0:
+        return
+    ux, uy = dx / length, dy / length
+    begin, end = travelled + first * length, travelled + last * length
+    number = math.floor(begin / period)
+    for i in range(int((end - begin) / period) + 2):
+        start = max(begin, (number + i) * period)
+        stop = min(end, (number + i) * period + dash)
+        if stop > start:
+            a, b = start - travelled, stop - travelled
+            _cover_segment(
+                cover, pixels, clip, x0 + a * ux, y0 + a * uy, x0 + b * ux, y0 + b * uy, half, BUTT
+            )
+
+
+@kernel
+def stroke_dashes(
+    pixels: Any,
+    clip: Any,
+    cover: Any,
+    points: Any,
+    width: float,
+    closed: bool,
+    dash: float,
+    gap: float,
+    offset: float,
+    color: int,
+    alpha: float,
+) -> None:
+    """A dashed chain: ``dash`` px drawn and ``gap`` px not, from ``offset`` px into the pattern.
+
+    The pattern runs on round corners. Dashes have square ends. Without a gap, or with a pattern finer than
+    half a pixel, the line is solid (and as much paler). Else as ``stroke_polyline``.
+    """  # fmt: skip
+    count = points.shape[0]
+    if count < 2 or not 0.0 < width < 1e9 or not 0.0 < dash < 1e9 or not is_drawable(offset):
+        return
+    period = dash + max(gap, 0.0) if is_drawable(gap) else dash
+    if period <= dash or period < SHORTEST_DASH:
+        stroke_polyline(pixels, clip, cover, points, width, closed, color, alpha * dash / period)
+        return
+    half = 0.5 * width
+    weight = weight_of(1.0, alpha)
+    links = count if closed and count > 2 else count - 1
+    for phase in range(2):
+        travelled = offset
+        for i in range(links):
+            j = (i + 1) % count
+            x0, y0, x1, y1 = points[i, 0], points[i, 1], points[j, 0], points[j, 1]
+            if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
+                continue
+            if phase == 0:
+                _cover_dashes(cover, pixels, clip, x0, y0, x1, y1, half, travelled, dash, period)
+                travelled += math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
+            else:
+                _lay_cover(cover, pixels, clip, x0, y0, x1, y1, half, color, weight)
