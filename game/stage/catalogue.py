@@ -49,7 +49,9 @@ class Catalogue:
         for entry in self.entries:
             if entry.name == name:
                 return entry
-        raise KeyError(f"no scene is called {name}; there are {', '.join(entry.name for entry in self.entries)}")
+        raise KeyError(
+            f"no scene is called {name}; there are {', '.join(entry.name for entry in self.entries)}"
+        )
 
     def categories(self) -> tuple[str, ...]:
         """Category names in order of first appearance."""

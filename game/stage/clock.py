@@ -9,6 +9,13 @@ from __future__ import annotations
 import math
 
 
+def checked_dt(dt: float) -> float:
+    """The length of a step, s; ValueError unless it is a finite number above 0."""
+    if isinstance(dt, bool) or not isinstance(dt, (int, float)) or not (math.isfinite(dt) and dt > 0.0):
+        raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+    return float(dt)
+
+
 class FixedStep:
     """Accumulates elapsed time and hands out steps of ``dt``.
 
@@ -16,11 +23,9 @@ class FixedStep:
     """
 
     def __init__(self, dt: float, max_steps: int = 15):
-        if not (math.isfinite(dt) and dt > 0.0):
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
-        if max_steps < 1:
-            raise ValueError(f"max_steps = {max_steps!r}: at least 1 is wanted")
-        self.dt = dt
+        if isinstance(max_steps, bool) or not isinstance(max_steps, int) or max_steps < 1:
+            raise ValueError(f"max_steps = {max_steps!r}: a whole number of at least 1 is wanted")
+        self.dt = checked_dt(dt)
         self.max_steps = max_steps
         self.steps = 0
         self.dropped_s = 0.0
@@ -46,13 +51,23 @@ class FixedStep:
         self._accumulated_s += max(elapsed_s, 0.0)
         whole = self._accumulated_s / self.dt
         if whole >= self.max_steps + 1:
-            kept = self.max_steps * self.dt + math.fmod(self._accumulated_s, self.dt) if math.isfinite(whole) else self.max_steps * self.dt
+            kept = self.max_steps * self.dt
+            if math.isfinite(whole):
+                kept += math.fmod(self._accumulated_s, self.dt)
             self.dropped_s += self._accumulated_s - kept
             self._accumulated_s = kept
         due = min(int(self._accumulated_s / self.dt), self.max_steps)
         self._accumulated_s = max(self._accumulated_s - due * self.dt, 0.0)
         self.steps += due
         return due
+
+    def change_dt(self, dt: float) -> None:
+        """Take steps of another length from now on; what has gathered counts towards the next one.
+
+        ValueError as in the constructor.
+        """
+        self.dt = checked_dt(dt)
+        self._accumulated_s = min(self._accumulated_s, math.nextafter(self.dt, 0.0))
 
     def hold(self) -> None:
         """Forget the part of a step that has gathered: the picture shows the newest state."""

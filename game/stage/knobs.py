@@ -22,7 +22,9 @@ class Knob(Generic[T]):
 
     name: str = ""
 
-    def __init__(self, default: T, *, label: str = "", help: str = "", group: str = "", rebuild: bool = False):
+    def __init__(
+        self, default: T, *, label: str = "", help: str = "", group: str = "", rebuild: bool = False
+    ):
         self.default = default
         self._label = label
         self.help = help

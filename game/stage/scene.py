@@ -7,17 +7,19 @@ digest are made from the declarations.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, ClassVar, NamedTuple, Protocol
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 import msgspec
 import numpy as np
 
-from game.lab import Study
-from game.levels import Level
-from game.physics.effects import EffectSet
+from game.levels import Level, LevelError
+from game.physics.effects import Effect, EffectSet
 from game.stage.events import Pointer
-from game.stage.knobs import Knob, knobs_of
+from game.stage.knobs import Knob, KnobError, knobs_of
+
+if TYPE_CHECKING:
+    from game.lab import Study
 
 
 class Readout(NamedTuple):
@@ -87,7 +89,10 @@ class Scene:
     task: ClassVar[str] = ""  # id of the task, e.g. "C04"
     title: ClassVar[str] = ""
     effects: ClassVar[EffectSet] = EffectSet(())  # all that is ever computed
-    dt: ClassVar[float] = 1.0 / 120.0  # s, default length of a step
+    dt: ClassVar[float] = (
+        1.0 / 120.0
+    )  # s, default length of a step; a knob "step_length" (s) stands in for it
+    may_be_infinite: ClassVar[frozenset[str]] = frozenset()  # fields of the state where inf or NaN is meant
     unit: ClassVar[str] = "m"
     y_up: ClassVar[bool] = True
     quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
@@ -99,23 +104,59 @@ class Scene:
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
 
-    def __init__(self, level: Level | None = None, parameters: Mapping[str, Any] | None = None):
+    def __init__(
+        self,
+        level: Level | None = None,
+        parameters: Mapping[str, Any] | None = None,
+        *,
+        seed: int | None = None,
+        effects_off: Iterable[str] = (),
+        effects: EffectSet | None = None,
+    ):
         """Make the scene from a level (None: its defaults), with some knobs set otherwise.
 
-        Raises KnobError or LevelError if either says something that the scene refuses.
+        ``seed`` stands in for the level's if given; ``effects_off`` are switched off beside those that the
+        level switches off; ``effects`` are active exactly, whatever the level says. Raises LevelError if the
+        level says what the scene refuses, KnobError if the other arguments do.
         """
         self.values: dict[str, Any] = {name: knob.default for name, knob in self.knobs().items()}
         self.active = self.effects
         self.previous: Any = None  # state before the last step, kept by the stage for the picture
         self.level = level
+        self.seed = seed if seed is not None else level.seed if level is not None else 0
         if level is not None:
-            for key, value in level.parameters.items():
-                self.knob(key).__set__(self, value)
-            for effect in level.effects_off:
-                self.active = self.active.without(self.effect(effect))
+            self._take_over(level)
         for key, value in (parameters or {}).items():
             self.knob(key).__set__(self, value)
-        self.build(level)
+        if effects is not None:
+            self.active = effects
+        for name in effects_off:
+            self.active = self.active.without(self.effect(name))
+        try:
+            self.build(level)
+        except (LevelError, KnobError):
+            raise
+        except ValueError as error:
+            if level is None or level.content is None:
+                raise
+            raise LevelError(level.path, "content", str(error)) from error
+
+    def _take_over(self, level: Level) -> None:
+        """Set knobs and effects as the level says; LevelError naming its file and field."""
+        if level.scene != self.name:
+            raise LevelError(level.path, "scene", f"is {level.scene!r}, but {self.name!r} is wanted")
+        for key, value in level.parameters.items():
+            try:
+                self.knob(key).__set__(self, value)
+            except KnobError as error:
+                raise LevelError(
+                    level.path, f"parameters.{key}", str(error).removeprefix(f"{key}: ")
+                ) from None
+        for name in level.effects_off:
+            try:
+                self.active = self.active.without(self.effect(name))
+            except KnobError as error:
+                raise LevelError(level.path, "effects.off", str(error)) from None
 
     # -- declared things ----------------------------------------------------------------------------
 
@@ -127,22 +168,19 @@ class Scene:
     @classmethod
     def knob(cls, name: str) -> Knob[Any]:
         """The knob of that name; KnobError if there is none."""
-        from game.stage.knobs import KnobError
-
         knobs = cls.knobs()
         if name not in knobs:
-            raise KnobError(f"{name}: {cls.name} has no such parameter; it has {', '.join(knobs)}")
+            raise KnobError(f"{name}: {cls.name} has no such parameter; it has {', '.join(knobs) or 'none'}")
         return knobs[name]
 
     @classmethod
-    def effect(cls, name: str) -> Any:
+    def effect(cls, name: str) -> Effect:
         """The declared effect of that name; KnobError if there is none."""
-        from game.stage.knobs import KnobError
-
         for effect in cls.effects:
             if effect.name == name:
                 return effect
-        raise KnobError(f"{name}: {cls.name} declares no such effect; it has {', '.join(e.name for e in cls.effects)}")
+        declared = ", ".join(cls.effects.names) or "none"
+        raise KnobError(f"{name}: {cls.name} declares no such effect; it has {declared}")
 
     # -- to override --------------------------------------------------------------------------------
 
@@ -155,15 +193,28 @@ class Scene:
         raise NotImplementedError
 
     def state(self) -> NamedTuple:
-        """A NamedTuple of the arrays (and numbers) that are the state: snapshot, digest, step back."""
+        """A NamedTuple of the arrays (and numbers) that are the state: snapshot, digest, step back.
+
+        All that later steps depend on, but for knobs and effects and for plain attributes of the scene
+        (numbers, words, and lists of them; see memory.py), which the stage remembers by itself. Arrays are
+        given as they are, not copied. Floats must be finite, but for fields named in ``may_be_infinite``.
+        """
         raise NotImplementedError
 
     def restore(self, state: Any) -> None:
-        """Take over a state that ``state`` gave (as copies). Default: copy into the arrays in place."""
-        for now, then in zip(self.state(), state, strict=True):
-            if not isinstance(now, np.ndarray) or now.shape != np.shape(then):
-                raise NotImplementedError(f"{type(self).__name__}.restore must set what is not an array of fixed shape")
-            np.copyto(now, then)
+        """Take over a state that ``state`` gave (as copies).
+
+        Default: copy into the arrays in place; what has another shape, or is no array, becomes the
+        attribute of its name.
+        """
+        now = self.state()
+        for name, present, then in zip(now._fields, now, state, strict=True):
+            if isinstance(present, np.ndarray) and present.shape == np.shape(then):
+                np.copyto(present, then)
+            elif name in self.__dict__:
+                setattr(self, name, then.copy() if isinstance(then, np.ndarray) else then)
+            else:
+                raise NotImplementedError(f"{type(self).__name__}.restore must set {name}")
 
     def pointer(self, event: Pointer) -> None:
         """A pointer event in world coordinates."""

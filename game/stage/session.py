@@ -1,0 +1,293 @@
+"""A session: the sequence of a scene's states, which steps and events alone decide. No real time in here.
+
+Going back restores the last snapshot before a step and steps again, with the events that acted since; so
+what a knob, an effect or a drag did is undone as well. A step or event that fails (a state that is not
+finite, an exception) is undone the same way: the scene stands at its last good state, and `fault` says why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from time import perf_counter
+from typing import Any, NamedTuple
+
+from game.physics.effects import EffectSet
+from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent
+from game.stage.finite import FiniteWatch
+from game.stage.knobs import KnobError
+from game.stage.memory import recall, remember
+from game.stage.recording import CHECK_INTERVAL, MAX_EVENTS, Check
+from game.stage.scene import Scene
+from game.stage.snapshots import Snapshot, SnapshotRing
+from game.stage.state import copy_state, digest_of, same_shapes
+from game.stage.timeline import Timeline
+from game.stage.timing import StepTimer
+
+STEP_LENGTH = "step_length"  # a knob of this name (s) is the length of a step
+
+Build = Callable[[Mapping[str, Any], EffectSet], Scene]
+
+
+class Fault(NamedTuple):
+    """Why a scene was stopped: the quantity that went wrong, the step that did it, and a line to show.
+
+    ``error`` is the exception, if the scene raised one; ``quantity`` is then its type's name.
+    """
+
+    quantity: str
+    step: int
+    message: str
+    error: Exception | None = None
+
+
+class Session:
+    """A scene from its step 0 on. ``build`` makes it anew with other knobs; ``dt``: s."""
+
+    def __init__(self, scene: Scene, build: Build, dt: float, record: bool, snapshot_bytes: int):
+        self.scene = scene
+        self.step = 0
+        self.fault: Fault | None = None
+        self.timer = StepTimer()
+        self.timeline = Timeline()
+        self.start = (dict(scene.values), scene.active, dt)
+        self._checks: list[Check] = []
+        self._build = build
+        self._dt = dt
+        self._time_base_s = 0.0
+        self._time_base_step = 0
+        self._record = record
+        self._watch = FiniteWatch(scene.may_be_infinite)
+        bad = self._watch.first_bad(scene.state())
+        if bad is not None:
+            raise ValueError(f"{scene.name}: {bad} is not finite in the state it begins with")
+        self._ring = SnapshotRing(snapshot_bytes)
+        self._ring.add(self._snapshot())
+        self._schedule()
+        self.keep_previous()
+
+    @property
+    def dt(self) -> float:
+        """Length of a step, s."""
+        return self._dt
+
+    @property
+    def time_s(self) -> float:
+        """Simulated time: a whole number of steps times their length (since that was last changed)."""
+        return self._time_base_s + (self.step - self._time_base_step) * self._dt
+
+    @property
+    def first_step(self) -> int:
+        """The earliest step that can be gone back to."""
+        return self._ring.first_step
+
+    @property
+    def snapshot_bytes(self) -> int:
+        """What the snapshots take."""
+        return self._ring.bytes
+
+    @property
+    def checks(self) -> list[Check]:
+        """Digests taken up to this step."""
+        return [check for check in self._checks if check.step <= self.step]
+
+    def digest(self) -> str:
+        """Hash of the state and the step number."""
+        return digest_of(self.scene.state(), self.step)
+
+    def keep_previous(self) -> None:
+        """Copy the state for the picture to start from; wanted once a frame, not once a step."""
+        scene = self.scene
+        scene.previous = copy_state(scene.state(), scene.previous)
+
+    # -- forward ------------------------------------------------------------------------------------
+
+    def advance(self) -> bool:
+        """One step, and the events that a repeated future holds for it; False if the scene was stopped."""
+        scene = self.scene
+        began = perf_counter()
+        try:
+            scene.advance(self._dt)
+        except Exception as error:
+            self._stop(self.step + 1, type(error).__name__, error, self.step)
+            return False
+        self.timer.add(perf_counter() - began)
+        self.step += 1
+        bad = self._watch.first_bad(scene.state())
+        if bad is not None:
+            self._stop(self.step, bad, None, self.step - 1)
+            return False
+        if self.step >= self._next_chore:
+            self._do_chores()
+        if self.timeline.has_future:
+            self._repeat_events()
+        return True
+
+    def let_in(self, event: StageEvent) -> None:
+        """Let a checked event act now. KnobError if the scene refuses it; then nothing has changed."""
+        if self.timeline.has_future:
+            held = self.timeline.held()
+            self._give_up_future()
+            if held is not None and not _goes_on(event):
+                # the hand let go in a future that is given up; a drag would stick to the pointer
+                self._try(Pointer("cancel", held.x, held.y))
+        self._try(event)
+
+    def _try(self, event: StageEvent) -> None:
+        try:
+            self._act(event)
+        except ValueError as error:
+            self._return_to(self.step)
+            raise error if isinstance(error, KnobError) else KnobError(str(error)) from error
+        except Exception as error:
+            self._stop(self.step, type(error).__name__, error, self.step)
+            return
+        state = self.scene.state()
+        bad = self._watch.first_bad(state)
+        if bad is not None:
+            self._stop(self.step, bad, None, self.step)
+            return
+        self.timeline.add(self.step, event)
+        if not self._record or len(self.timeline) > MAX_EVENTS:
+            self.timeline.drop_before(self._ring.first_event)
+        if not same_shapes(state, self.scene.previous):
+            self.keep_previous()
+
+    def _act(self, event: StageEvent) -> None:
+        """Hand an event to the scene."""
+        scene = self.scene
+        if isinstance(event, Pointer):
+            scene.pointer(event)
+        elif isinstance(event, Action):
+            scene.action(event.name)
+        elif isinstance(event, SetEffect):
+            scene.active = scene.active.with_(event.name) if event.on else scene.active.without(event.name)
+            scene.effects_changed()
+        else:
+            self._set_knob(event)
+
+    def _set_knob(self, event: SetKnob) -> None:
+        scene = self.scene
+        knob = scene.knob(event.name)
+        value = knob.check(event.value)
+        if knob.rebuild:
+            self.scene = self._build({**scene.values, event.name: value}, scene.active)
+        else:
+            scene.values[event.name] = value
+            scene.knob_changed(event.name)
+        if event.name == STEP_LENGTH:
+            self._time_base_s, self._time_base_step = self.time_s, self.step
+            self._dt = float(value)
+
+    def _repeat_events(self) -> None:
+        """Let the events of this step act again."""
+        while (event := self.timeline.due(self.step)) is not None:
+            self._act(event)
+
+    def _give_up_future(self) -> None:
+        """Drop all that was remembered of later steps."""
+        self.timeline.drop_future()
+        self._ring.forget_after(self.step)
+        self._checks = self.checks
+        self._schedule()
+
+    # -- back ---------------------------------------------------------------------------------------
+
+    def go_back(self) -> bool:
+        """Undo one step and the events since; False at the first remembered step. A fault is forgotten."""
+        if self.step <= self._ring.first_step:
+            return False
+        self.fault = None
+        self._return_to(self.step - 1)
+        return True
+
+    def _return_to(self, step: int) -> None:
+        """Stand at an earlier step, or at this one as it was before an event that failed."""
+        self._put_back(self._ring.before(step))
+        self._repeat_events()
+        while self.step < step:
+            if self.step == step - 1:
+                self.keep_previous()
+            self.scene.advance(self._dt)
+            self.step += 1
+            bad = self._watch.first_bad(self.scene.state())
+            if bad is not None:
+                raise ArithmeticError(f"{bad} is not finite when step {self.step} is repeated")
+            self._ring.add_dense(self._snapshot())
+            self._repeat_events()
+        self._schedule()
+
+    def _put_back(self, snapshot: Snapshot) -> None:
+        """Make the scene what it was; built anew if a knob that shapes it has changed since."""
+        scene, knobs = self.scene, self.scene.knobs()
+        changed = [name for name, value in snapshot.values.items() if scene.values[name] != value]
+        if any(knobs[name].rebuild for name in changed):
+            scene = self.scene = self._build(snapshot.values, snapshot.active)
+        else:
+            scene.values.update(snapshot.values)
+            for name in changed:
+                scene.knob_changed(name)
+        if scene.active != snapshot.active:
+            scene.active = snapshot.active
+            scene.effects_changed()
+        scene.restore(copy_state(snapshot.state))
+        recall(scene, snapshot.memory)
+        if not same_shapes(snapshot.state, scene.previous):
+            self.keep_previous()
+        self.step, self._dt = snapshot.step, snapshot.dt
+        self._time_base_s, self._time_base_step = snapshot.time_base_s, snapshot.time_base_step
+        self.timeline.acted = snapshot.events
+
+    def _stop(self, step: int, quantity: str, error: Exception | None, good_step: int) -> None:
+        """Stand still at the last good state, and say what went wrong."""
+        try:
+            self._return_to(good_step)
+        except Exception:  # what fails did so earlier, unseen: the last snapshot itself is good
+            self._put_back(self._ring.before(good_step))
+            self._give_up_future()
+        if error is None:
+            message = f"{quantity} is not finite at step {step}"
+        else:
+            words = " ".join(str(error).split()) or "no reason given"
+            message = f"step {step} failed: {quantity}: {words[:300]}"
+        self.fault = Fault(quantity, step, message, error)
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def _snapshot(self) -> Snapshot:
+        scene = self.scene
+        return Snapshot(
+            step=self.step,
+            dt=self._dt,
+            time_base_s=self._time_base_s,
+            time_base_step=self._time_base_step,
+            events=self.timeline.acted,
+            values=dict(scene.values),
+            active=scene.active,
+            state=copy_state(scene.state()),
+            memory=remember(scene),
+        )
+
+    def _do_chores(self) -> None:
+        """Snapshots and digests that are due."""
+        if self.step >= self._next_snapshot:
+            self._ring.add(self._snapshot())
+            if not self._record:
+                self.timeline.drop_before(self._ring.first_event)
+        if self._record and self.step % CHECK_INTERVAL == 0:
+            if not self._checks or self._checks[-1].step < self.step:
+                self._checks.append(Check(self.step, self.digest()))
+        self._schedule()
+
+    def _schedule(self) -> None:
+        """When the next chore is due."""
+        latest = self._ring.before(self.step)
+        self._next_snapshot = latest.step + self._ring.interval(latest)
+        self._next_chore = self._next_snapshot
+        if self._record:
+            next_check = self.step + CHECK_INTERVAL - self.step % CHECK_INTERVAL
+            self._next_chore = min(self._next_chore, next_check)
+
+
+def _goes_on(event: StageEvent) -> bool:
+    """Does an event carry on a drag that is under way?"""
+    return isinstance(event, Pointer) and (event.kind in ("up", "cancel") or bool(event.button))

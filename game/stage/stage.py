@@ -1,0 +1,345 @@
+"""The stage: plays a scene in real time, lets events in and keeps a recording.
+
+real time -> clock -> steps -> session (states, events, snapshots) -> picture and readouts
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from game.levels import Level, LevelError, format_level
+from game.physics.effects import EffectSet
+from game.stage.clock import FixedStep
+from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent
+from game.stage.knobs import KnobError
+from game.stage.recording import Recording, RecordingError
+from game.stage.scene import Readout, Scene
+from game.stage.series import StripSeries
+from game.stage.session import STEP_LENGTH, Fault, Session
+from game.stage.state import copy_state
+
+SLOWEST = 1.0 / 16.0
+FASTEST = 4.0
+NEWEST = 1.0 - 2.0**-53  # alpha that shows the newest state
+_POINTER_KINDS = ("move", "down", "up", "wheel", "cancel")
+
+
+class Stage:
+    """One scene in play.
+
+    ``level`` None: the scene's defaults. ``parameters`` and ``seed`` stand in for the level's,
+    ``effects_off`` are switched off beside the level's, ``effects`` are exactly those active. ``dt``: s, else
+    the scene's own. ``record``: keep all events for a recording. ``snapshot_bytes``: what snapshots may take.
+    ``max_steps``: the most steps that one frame makes.
+
+    Raises KnobError, LevelError or ValueError for what the scene refuses.
+    """
+
+    def __init__(
+        self,
+        scene_type: type[Scene],
+        *,
+        level: Level | None = None,
+        parameters: Mapping[str, Any] | None = None,
+        effects_off: Iterable[str] = (),
+        effects: EffectSet | None = None,
+        seed: int | None = None,
+        dt: float | None = None,
+        record: bool = True,
+        snapshot_bytes: int = 64 << 20,
+        max_steps: int = 15,
+    ):
+        self.scene_type = scene_type
+        self.level = level
+        self.series = StripSeries()
+        self._record = record
+        self._snapshot_bytes = snapshot_bytes
+        self._seed = _checked_seed(seed)
+        self._given_dt = dt
+        self._speed = 1.0
+        self._paused = False
+        parameters = {**(parameters or {}), **self._dt_parameter()}
+        scene = scene_type(level, parameters, seed=self._seed, effects_off=effects_off, effects=effects)
+        self.clock = FixedStep(self._dt_of(scene), max_steps)
+        self._begin(scene)
+
+    # -- what it is doing ---------------------------------------------------------------------------
+
+    @property
+    def scene(self) -> Scene:
+        """The scene; another object after a reset, a new level or a knob that builds it anew."""
+        return self._session.scene
+
+    @property
+    def fault(self) -> Fault | None:
+        """Why the scene was stopped at its last good state, or None."""
+        return self._session.fault
+
+    @property
+    def step_number(self) -> int:
+        """Steps made since the beginning."""
+        return self._session.step
+
+    @property
+    def dt(self) -> float:
+        """Length of a step, s."""
+        return self._session.dt
+
+    @property
+    def time_s(self) -> float:
+        """Simulated time, s."""
+        return self._session.time_s
+
+    @property
+    def paused(self) -> bool:
+        """True while it stands still and shows the newest state."""
+        return self._paused
+
+    @paused.setter
+    def paused(self, value: bool) -> None:
+        if value != self._paused:
+            self._paused = value
+            self.clock.hold()
+            self._session.keep_previous()  # the picture goes on from the state it shows
+
+    @property
+    def speed(self) -> float:
+        """Simulated seconds for each real one, 1/16 to 4; ValueError for anything else."""
+        return self._speed
+
+    @speed.setter
+    def speed(self, value: float) -> None:
+        if not SLOWEST <= value <= FASTEST:
+            raise ValueError(f"speed = {value!r}: outside 1/16 to 4")
+        self._speed = float(value)
+
+    @property
+    def alpha(self) -> float:
+        """How far the picture is between the last two states; the newest one when it stands still."""
+        return NEWEST if self._paused or self._session.fault is not None else self.clock.alpha
+
+    @property
+    def dropped_s(self) -> float:
+        """Real time that was dropped because the steps took too long, s."""
+        return self.clock.dropped_s
+
+    @property
+    def step_cost_s(self) -> float:
+        """Running median of the measured time of a step, s; NaN before the first."""
+        return self._session.timer.median_s
+
+    @property
+    def first_step(self) -> int:
+        """The earliest step that `step_back` can reach."""
+        return self._session.first_step
+
+    @property
+    def snapshot_bytes(self) -> int:
+        """What the snapshots take now."""
+        return self._session.snapshot_bytes
+
+    def readouts(self) -> list[Readout]:
+        """The scene's measured values."""
+        return list(self.scene.readouts())
+
+    def digest(self) -> str:
+        """Hash of the state and the step number: equal for equal sessions."""
+        return self._session.digest()
+
+    @property
+    def recording(self) -> Recording:
+        """The session so far, as it can be kept and replayed; RecordingError if it was not recorded whole."""
+        session = self._session
+        if not self._record or not session.timeline.whole:
+            raise RecordingError(None, "events", "this session was not recorded from its beginning")
+        values, active, dt = session.start
+        return Recording(
+            scene=self.scene_type.name,
+            level=format_level(self.level) if self.level is not None else None,
+            seed=self.scene.seed,
+            dt=dt,
+            parameters=values,
+            effects_off=[effect.name for effect in self.scene_type.effects if effect not in active],
+            events=session.timeline.past(),
+            checks=session.checks,
+            steps=session.step,
+            digest=session.digest(),
+        )
+
+    # -- running ------------------------------------------------------------------------------------
+
+    def advance(self, elapsed_s: float) -> int:
+        """Make the steps that a frame of ``elapsed_s`` real seconds asks for; returns how many were made.
+
+        ValueError if ``elapsed_s`` is not a number.
+        """
+        if math.isnan(elapsed_s):
+            raise ValueError("elapsed_s is not a number")
+        if self._paused or self._session.fault is not None:
+            self.clock.hold()
+            return 0
+        due = self.clock.advance(elapsed_s * self._speed)
+        return self._make(due)
+
+    def run(self, steps: int, progress: Callable[[int, int], Any] | None = None) -> int:
+        """Make so many steps as fast as it goes; returns how many were made (fewer after a fault).
+
+        ``progress(done, total)`` is called about a hundred times; if it returns False the run stops.
+        """
+        if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
+            raise ValueError(f"steps = {steps!r}: a whole number, 0 or more, is wanted")
+        # readouts that the charts can no longer show at the end are not taken
+        charted = int(self.series.window_s / self.dt) + 1
+        self._next_sample = max(self._next_sample, self.step_number + steps - charted)
+        made = 0
+        portion = max(1, steps // 100) if progress is not None else steps
+        while made < steps:
+            asked = min(portion, steps - made)
+            done = self._make(asked)
+            made += done
+            if done < asked or (progress is not None and progress(made, steps) is False):
+                break
+        self._next_sample = min(self._next_sample, self.step_number + 1)
+        return made
+
+    def _make(self, steps: int) -> int:
+        """Make steps until one fails; returns how many were made."""
+        session = self._session
+        if session.fault is not None:
+            return 0
+        made = 0
+        while made < steps:
+            if made == steps - 1:
+                session.keep_previous()
+            if not session.advance():
+                break
+            made += 1
+            if session.step >= self._next_sample:
+                self._sample()
+            if session.dt != self.clock.dt:
+                self.clock.change_dt(session.dt)
+        self.clock.steps = session.step
+        return made
+
+    def step(self) -> None:
+        """One step, and pause."""
+        self.paused = True
+        self._make(1)
+
+    def step_back(self) -> bool:
+        """Undo one step and the events since, and pause; False at the first remembered step.
+
+        Steps forward then repeat what was, events included, until a new event takes another way. A fault is
+        undone by going back as well.
+        """
+        self.paused = True
+        if not self._session.go_back():
+            return False
+        self._follow_session()
+        self.series.cut(self.step_number)
+        self._next_sample = self.step_number + 1
+        return True
+
+    # -- events -------------------------------------------------------------------------------------
+
+    def post(self, event: StageEvent) -> None:
+        """Let an event act now, before the next step, and record it.
+
+        Raises KnobError for what is refused; then nothing has changed and nothing is recorded.
+        """
+        self._check_event(event)
+        self._session.let_in(event)
+        self._follow_session()
+
+    def _check_event(self, event: StageEvent) -> None:
+        """KnobError for an event that the scene cannot know."""
+        if isinstance(event, Pointer):
+            if event.kind not in _POINTER_KINDS:
+                raise KnobError(f"pointer: {event.kind!r} is not one of {', '.join(_POINTER_KINDS)}")
+            if not all(map(math.isfinite, (event.x, event.y, event.wheel))):
+                raise KnobError("pointer: finite coordinates are wanted")
+        elif isinstance(event, Action):
+            if event.name not in [action.name for action in self.scene_type.actions]:
+                raise KnobError(f"{event.name}: {self.scene_type.name} has no such action")
+        elif isinstance(event, SetKnob):
+            self.scene_type.knob(event.name).check(event.value)
+        elif isinstance(event, SetEffect):
+            self.scene_type.effect(event.name)
+        else:
+            raise KnobError(f"{type(event).__name__} is no stage event")
+
+    def _follow_session(self) -> None:
+        """Take over step number and step length where the session moved by itself."""
+        self.clock.steps = self._session.step
+        if self._session.dt != self.clock.dt:
+            self.clock.change_dt(self._session.dt)
+
+    # -- beginning ----------------------------------------------------------------------------------
+
+    def reset(self) -> None:
+        """Build the scene anew with the present knobs and effects, and begin a new recording.
+
+        LevelError, KnobError or ValueError if it cannot be built so; then it goes on with what it had.
+        """
+        self._begin(self.build_scene(self.scene.values, self.scene.active))
+
+    def load_level(self, level: Level | None) -> None:
+        """Begin anew with a level, its knobs and its effects (None: the scene's defaults).
+
+        LevelError if the scene refuses it; then it goes on with what it had.
+        """
+        scene = self.scene_type(level, self._dt_parameter())
+        before = self.level, self._seed
+        self.level, self._seed = level, None
+        try:
+            self._begin(scene)
+        except ValueError as error:
+            self.level, self._seed = before
+            if isinstance(error, LevelError):
+                raise
+            raise LevelError(level.path if level else None, "content", str(error)) from None
+
+    def build_scene(self, values: Mapping[str, Any], active: EffectSet) -> Scene:
+        """A new scene of the same level and seed, with the given knobs and effects."""
+        return self.scene_type(self.level, values, seed=self._seed, effects=active)
+
+    def copy_scene(self, active: EffectSet | None = None) -> Scene:
+        """A scene of its own in the present state, with other effects if given; for measurements."""
+        scene = self.build_scene(self.scene.values, self.scene.active if active is None else active)
+        scene.restore(copy_state(self.scene.state()))
+        return scene
+
+    def _begin(self, scene: Scene) -> None:
+        """Step 0 of a new session; ValueError, and nothing changed, if the state is not finite."""
+        self._session = Session(
+            scene, self.build_scene, self._dt_of(scene), self._record, self._snapshot_bytes
+        )
+        self._follow_session()
+        self.clock.hold()
+        self.series.clear()
+        self._sample()
+
+    def _dt_parameter(self) -> dict[str, float]:
+        """The step length that the caller gave, for a scene that has a knob for it."""
+        if self._given_dt is None or STEP_LENGTH not in self.scene_type.knobs():
+            return {}
+        return {STEP_LENGTH: self._given_dt}
+
+    def _dt_of(self, scene: Scene) -> float:
+        """Length of a step as the scene's knob, the caller or the scene's class says."""
+        if STEP_LENGTH in scene.values:
+            return float(scene.values[STEP_LENGTH])
+        return scene.dt if self._given_dt is None else self._given_dt
+
+    def _sample(self) -> None:
+        self.series.sample(self.step_number, self.time_s, self.scene.readouts())
+        self._next_sample = self.step_number + max(1, round(1.0 / (self.series.rate_hz * self.dt)))
+
+
+def _checked_seed(seed: int | None) -> int | None:
+    """The seed; ValueError unless it is None or a whole number, 0 or more, of 63 bits."""
+    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63):
+        raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
+    return seed
