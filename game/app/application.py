@@ -1,0 +1,276 @@
+"""The main loop: events, time, picture, as often as the screen shows one; and what all screens share."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+import pygame
+
+from game.app.frames import Clock, FrameMeter, SystemClock
+from game.app.gamepad import Gamepads
+from game.app.keys import Keys
+from game.app.menu.screen import MenuScreen
+from game.app.pictures import save_picture
+from game.app.scene.opening import Opening
+from game.app.scene.screen import SceneScreen
+from game.app.screens.keys_card import KeysCard
+from game.app.screens.screen import Screen, ScreenStack
+from game.app.screens.settings_card import SettingsCard
+from game.app.settings import Settings, save_settings
+from game.app.transition import OVERLAY_S, SCENE_S, CrossFade
+from game.app.window import Window
+from game.stage.catalogue import Catalogue
+from game.ui.layout import auto_scale
+from game.ui.look import Look
+from game.ui.theme import theme_named
+from game.ui.toasts import Toasts
+
+REPEATED = ("step", "step-back", "slower", "faster")  # commands that a held key gives again and again
+HIDDEN_HZ = 10.0  # a window that nobody sees asks for events only now and then
+LONGEST_FRAME_S = 1.0  # what is longer is a machine that slept; the scene's clock drops more than that itself
+
+
+class App:
+    """The program with its window. ``run`` until quit, or ``frame`` by frame in tests."""
+
+    def __init__(
+        self,
+        window: Window,
+        catalogue: Catalogue,
+        settings: Settings,
+        folder: Path,
+        clock: Clock | None = None,
+        events: Callable[[], Iterable[pygame.Event]] = pygame.event.get,
+    ):
+        self.window = window
+        self.catalogue = catalogue
+        self.settings = settings
+        self.folder = folder
+        self.clock: Clock = clock or SystemClock()
+        self.keys = Keys(settings.keys)
+        self.meter = FrameMeter()
+        self.screens = ScreenStack()
+        self.gamepads = Gamepads()
+        self.running = True
+        self._events = events
+        self._hidden = False
+        self._held: set[int] = set()
+        self._fade = CrossFade()
+        self._backdrop: pygame.Surface | None = None
+        self._last = self.clock.now()
+        self._style()
+
+    # -- what screens share -------------------------------------------------------------------------
+
+    def _style(self) -> None:
+        """Theme, fonts and measures for the present window and settings."""
+        width, height = self.window.size
+        k = auto_scale(width, height, self.settings.ui_scale)
+        theme, less_motion = theme_named(self.settings.theme), self.settings.less_motion
+        look: Look | None = getattr(self, "look", None)
+        if look is None or (look.theme, look.k, look.less_motion) != (theme, k, less_motion):
+            self.look = Look(theme, k, less_motion=less_motion)
+            if hasattr(self, "toasts"):
+                self.toasts.place(self.look)
+            else:
+                self.toasts = Toasts(self.look)
+        self._backdrop = None
+
+    def restyle(self) -> None:
+        """Lay all screens out anew for another size, scale or theme."""
+        self._style()
+        for screen in self.screens:
+            screen.restyle()
+
+    def save_settings(self) -> None:
+        """Keep the settings; what cannot be written is only lost."""
+        with contextlib.suppress(OSError):
+            save_settings(self.settings, self.folder)
+
+    def tell(self, cause: str, consequence: str = "", kind: str = "info") -> None:
+        """A message that fades: kind is "info", "warning" or "marker"."""
+        self.toasts.add(cause, consequence, kind)
+
+    # -- screens ------------------------------------------------------------------------------------
+
+    def open_menu(self, focus: str = "") -> None:
+        """The menu in place of everything, with that scene's card chosen."""
+        self.replace(MenuScreen(self, focus))
+
+    def open_scene(self, name: str, level: Path | None = None, opening: Opening | None = None) -> None:
+        """A scene in place of the menu or of another scene."""
+        self.replace(SceneScreen(self, self.catalogue[name], opening or Opening(level=level)))
+
+    def open_keys(self) -> None:
+        """The card of all keys."""
+        self.push(KeysCard(self))
+
+    def open_settings(self) -> None:
+        """The card of the settings; not over itself."""
+        if not isinstance(self.screens.top, SettingsCard):
+            self.push(SettingsCard(self))
+
+    def push(self, screen: Screen) -> None:
+        """A screen over the present one."""
+        self._begin_change(OVERLAY_S if screen.overlay else SCENE_S)
+        self.screens.push(screen)
+        self._changed()
+
+    def pop(self) -> None:
+        """Back to the screen below; from the last one out of the program."""
+        if len(self.screens) <= 1:
+            self.running = False
+            return
+        self._begin_change(OVERLAY_S if self.screens.top.overlay else SCENE_S)
+        self.screens.pop()
+        self._changed()
+
+    def replace(self, screen: Screen) -> None:
+        """A screen in place of the present one."""
+        if len(self.screens):
+            self._begin_change(SCENE_S)
+        self.screens.replace(screen)
+        self._changed()
+
+    def _begin_change(self, length_s: float) -> None:
+        self._fade.begin(self.window.surface, 0.0 if self.settings.less_motion else length_s)
+
+    def _changed(self) -> None:
+        self._backdrop = None
+        self.meter.clear()
+        self.window.set_title(self.screens.top.title)
+
+    # -- a frame ------------------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Frames until quit."""
+        try:
+            while self.running and len(self.screens):
+                began = self.clock.now()
+                self.frame()
+                hz = HIDDEN_HZ if self._hidden else self.window.refresh_hz
+                self.clock.wait(1.0 / hz - (self.clock.now() - began))
+        finally:
+            self.screens.clear()
+
+    def frame(self) -> None:
+        """Take the events, pass the time, draw and show the picture."""
+        began = self.clock.now()
+        elapsed_s = min(max(began - self._last, 0.0), LONGEST_FRAME_S)
+        self._last = began
+        for event in self._events():
+            self._take(event)
+        for event in self.gamepads.update(elapsed_s, self.screens.top.gamepad, self.window.size):
+            self._give(event)
+        if not self.running:
+            return
+        self.screens.top.update(elapsed_s)
+        self.toasts.update(elapsed_s)
+        if not self._hidden:
+            self._draw(elapsed_s)
+        self.meter.add(self.clock.now() - began)
+
+    def _draw(self, elapsed_s: float) -> None:
+        surface = self.window.surface
+        self._draw_below(surface)
+        self.screens.top.draw(surface)
+        self.toasts.draw(surface, self.screens.visible()[0].message_row())
+        self._fade.update(elapsed_s)
+        self._fade.draw(surface)
+        self.window.flip()
+
+    def _draw_below(self, surface: pygame.Surface) -> None:
+        """What is under an overlay stands still, so it is drawn once and kept."""
+        below = self.screens.visible()[:-1]
+        if not below:
+            return
+        if self._backdrop is None or self._backdrop.get_size() != surface.get_size():
+            for screen in below:
+                screen.draw(surface)
+            self._backdrop = surface.copy()
+        surface.blit(self._backdrop, (0, 0))
+
+    # -- events -------------------------------------------------------------------------------------
+
+    def _take(self, event: pygame.Event) -> None:
+        """An event of the system: of the window, of a gamepad, or one for the top screen."""
+        if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
+            self.running = False
+        elif event.type == pygame.WINDOWSIZECHANGED:
+            self._resized()
+        elif event.type == pygame.WINDOWFOCUSLOST:
+            self.screens.top.cancel()
+        elif event.type in (pygame.WINDOWMINIMIZED, pygame.WINDOWHIDDEN):
+            self._hidden = True
+            self.screens.top.cancel()
+        elif event.type in (pygame.WINDOWRESTORED, pygame.WINDOWSHOWN, pygame.WINDOWMAXIMIZED):
+            self._hidden = False
+        else:
+            translated = self.gamepads.translate(event, self.screens.top.gamepad)
+            for one in [event] if translated is None else translated:
+                self._give(self.window.to_pixels(one))
+
+    def _resized(self) -> None:
+        self.screens.top.cancel()
+        if not self.window.full_screen:
+            width, height = self.window.points
+            self.settings.width, self.settings.height = max(width, 1), max(height, 1)
+        self.restyle()
+
+    def _give(self, event: pygame.Event) -> None:
+        """An event for the top screen; a key may be a command instead, of the screen or of the program."""
+        top = self.screens.top
+        if event.type == pygame.KEYUP:
+            self._held.discard(event.scancode)
+        if event.type != pygame.KEYDOWN:
+            top.handle(event)
+            return
+        repeated = event.scancode in self._held
+        self._held.add(event.scancode)
+        if top.wants_key(event):
+            top.handle(event)
+            return
+        name = self.keys.command(event)
+        if name is not None and repeated and name not in REPEATED:
+            return
+        if name is None or not (self.command(name) or top.command(name)):
+            top.handle(event)
+
+    def command(self, name: str) -> bool:
+        """A command of the whole program; True if it was one."""
+        action = _OWN.get(name)
+        if action is not None:
+            action(self)
+        return action is not None
+
+    def toggle_full_screen(self) -> None:
+        """Window or whole screen."""
+        self.screens.top.cancel()
+        self.settings.full_screen = self.window.toggle_full_screen()
+        self.save_settings()
+
+    def toggle_theme(self) -> None:
+        """Dark or light."""
+        self.settings.theme = "light" if self.settings.theme == "dark" else "dark"
+        self.save_settings()
+        self.restyle()
+
+    def screenshot(self) -> None:
+        """Save what the window shows into the pictures folder and say where."""
+        self._draw(0.0)
+        try:
+            path = save_picture(self.window.surface, self.screens.top.title or "menu")
+        except OSError as error:
+            self.tell("No picture.", str(error.strerror or error), "warning")
+        else:
+            self.tell("Picture saved", str(path))
+
+
+_OWN: dict[str, Callable[[App], None]] = {
+    "full-screen": App.toggle_full_screen,
+    "theme": App.toggle_theme,
+    "screenshot": App.screenshot,
+    "settings": App.open_settings,
+}

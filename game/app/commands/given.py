@@ -1,0 +1,169 @@
+"""What the user gives on the command line, read and checked; a Failure names what is wrong with it."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from game.app.failure import Failure
+
+if TYPE_CHECKING:
+    from game.levels import Level
+    from game.stage import Recording, Scene, Stage
+
+MOST_STEPS = 1_000_000_000
+LARGEST_SIDE = 8192  # px
+MOST_PIXELS = 40_000_000
+
+
+def add_scene_options(parser: argparse.ArgumentParser) -> None:
+    """The options that say how a scene begins: play and run share them."""
+    parser.add_argument("scene", metavar="SCENE", help="name of a scene (see: list)")
+    parser.add_argument("--set", action="append", default=[], metavar="K=V", dest="parameters",
+                        help="set a parameter; may be given several times")  # fmt: skip
+    parser.add_argument("--level", metavar="FILE", help="level file, or the name of one of the scene's levels")
+    parser.add_argument("--effects-off", default="", metavar="A,B", help="effects to leave out")
+    parser.add_argument("--seed", metavar="N", help="seed of the random numbers")
+
+
+def scene_type_named(name: str) -> type[Scene]:
+    """The scene's class."""
+    from game.scenes import CATALOGUE
+
+    try:
+        entry = CATALOGUE[name.lower()]
+    except KeyError as error:
+        raise Failure(str(error.args[0])) from None
+    return entry.load()
+
+
+def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
+    """The stage that the scene options describe."""
+    from game.levels import LevelError
+    from game.stage import KnobError, Stage
+
+    scene_type = scene_type_named(options.scene)
+    level = read_level(scene_type, options.level) if options.level else default_level(scene_type)
+    try:
+        return Stage(
+            scene_type,
+            level=level,
+            parameters=read_parameters(scene_type, options.parameters),
+            effects_off=read_effects(scene_type, options.effects_off),
+            seed=read_seed(options.seed),
+            **more,
+        )
+    except (KnobError, LevelError) as error:
+        raise Failure(str(error)) from None
+    except ValueError as error:
+        raise Failure(f"{options.scene}: {error}") from None
+
+
+def read_parameters(scene_type: type[Scene], words: Iterable[str]) -> dict[str, Any]:
+    """Values by name from ``k=v`` words, each checked by its knob."""
+    from game.stage import KnobError
+
+    values: dict[str, Any] = {}
+    for word in words:
+        name, equals, text = word.partition("=")
+        if not equals or not name.strip():
+            raise Failure(f"--set {word}: NAME=VALUE is wanted")
+        try:
+            values[name.strip()] = scene_type.knob(name.strip()).parse(text)
+        except KnobError as error:
+            raise Failure(f"--set {error}") from None
+    return values
+
+
+def read_effects(scene_type: type[Scene], text: str) -> tuple[str, ...]:
+    """Effect names from a list with commas, each declared by the scene."""
+    from game.stage import KnobError
+
+    names = tuple(word.strip() for word in text.split(",") if word.strip())
+    for name in names:
+        try:
+            scene_type.effect(name)
+        except KnobError as error:
+            raise Failure(f"--effects-off {error}") from None
+    return names
+
+
+def read_seed(text: str | None) -> int | None:
+    """A seed: a whole number of at most 63 bits, not negative."""
+    if text is None:
+        return None
+    try:
+        seed = int(text)
+    except ValueError:
+        raise Failure(f"--seed {text}: a whole number is wanted") from None
+    if not 0 <= seed < 2**63:
+        raise Failure(f"--seed {text}: outside 0 to 2^63 - 1")
+    return seed
+
+
+def read_level(scene_type: type[Scene], word: str) -> Level:
+    """A level by its path, or by the name of one of the scene's own files."""
+    from game.levels import LevelError, level_files, load_level
+
+    path = Path(word)
+    if not path.exists():
+        own = {file.stem: file for file in level_files(scene_type.name)}
+        path = own.get(word, own.get(path.stem if path.suffix == ".toml" and path.parent == Path() else "", path))
+    try:
+        return load_level(path, scene_type.name, scene_type.content_type)
+    except LevelError as error:
+        raise Failure(str(error)) from None
+
+
+def default_level(scene_type: type[Scene]) -> Level | None:
+    """The scene's default level if it has one."""
+    from game.levels import level_files
+
+    files = [file for file in level_files(scene_type.name) if file.stem == "default"]
+    return read_level(scene_type, str(files[0])) if files else None
+
+
+def read_recording(word: str, scene_name: str = "") -> Recording:
+    """A recording from its file, of that scene if one is named."""
+    from game.stage import Recording, RecordingError
+
+    try:
+        recording = Recording.load(word)
+    except RecordingError as error:
+        raise Failure(str(error)) from None
+    if scene_name and recording.scene != scene_name:
+        raise Failure(f"{word}: a recording of {recording.scene}, not of {scene_name}")
+    return recording
+
+
+def read_seconds(text: str, name: str = "--seconds") -> float:
+    """A time that is finite and not negative, s."""
+    try:
+        seconds = float(text)
+    except ValueError:
+        raise Failure(f"{name} {text}: a number is wanted") from None
+    if not math.isfinite(seconds) or seconds < 0.0:
+        raise Failure(f"{name} {text}: a finite number of seconds, 0 or more, is wanted")
+    return seconds
+
+
+def steps_in(seconds: float, dt: float) -> int:
+    """Whole steps in a time; Failure if they are absurdly many."""
+    if seconds / dt > MOST_STEPS:
+        raise Failure(f"--seconds {seconds:g}: that is more than {MOST_STEPS} steps of {dt:g} s")
+    return round(seconds / dt)
+
+
+def read_size(text: str) -> tuple[int, int]:
+    """Width and height of a picture from ``1280x720``, px."""
+    found = re.fullmatch(r"(\d{1,6})[xX×](\d{1,6})", text.strip())
+    if found is None:
+        raise Failure(f"--size {text}: WIDTHxHEIGHT is wanted, such as 1280x720")
+    width, height = int(found[1]), int(found[2])
+    if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE and width * height <= MOST_PIXELS):
+        raise Failure(f"--size {text}: sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels are wanted")
+    return width, height

@@ -1,0 +1,59 @@
+"""Files that commands write: whole or not at all, and refused before a long run, not after it."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from game import files
+from game.app.failure import Failure
+
+STANDARD_OUTPUT = "-"
+
+
+def check_writable(word: str | None, option: str) -> None:
+    """Failure if a file of that name could not be written."""
+    if word is None or word == STANDARD_OUTPUT:
+        return
+    path = Path(word)
+    try:
+        if not word or path.is_dir():
+            raise Failure(f"{option} {word}: a file name is wanted, this is a folder")
+        if not path.parent.is_dir():
+            raise Failure(f"{option} {word}: there is no folder {path.parent}")
+        with tempfile.TemporaryFile(dir=path.parent):
+            pass
+    except OSError as error:
+        raise Failure(f"{option} {word}: {error.strerror or error}") from None
+
+
+def write_text(text: str, word: str, option: str) -> None:
+    """Write a text file by way of a temporary one in the same folder; ``-`` is standard output."""
+    if word == STANDARD_OUTPUT:
+        sys.stdout.write(text)
+        return
+    try:
+        files.write_text(Path(word), text)
+    except files.FileProblem as problem:
+        raise Failure(f"{option} {word}: {problem}") from None
+
+
+def write_json(content: Any, word: str, option: str = "--json") -> None:
+    """Write strict JSON: what is not finite is null."""
+    text = json.dumps(_finite(content), indent=2, ensure_ascii=False, allow_nan=False)
+    write_text(text + "\n", word, option)
+
+
+def _finite(content: Any) -> Any:
+    """The same with null for each number that JSON has no word for."""
+    if isinstance(content, float):
+        return content if math.isfinite(content) else None
+    if isinstance(content, dict):
+        return {str(key): _finite(value) for key, value in content.items()}
+    if isinstance(content, (list, tuple)):
+        return [_finite(value) for value in content]
+    return content

@@ -1,0 +1,91 @@
+"""``play`` and no command at all: the window. Without a display the billiard demo runs headless instead."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import Any
+
+from game.app.commands import given
+from game.app.failure import Failure
+from game.app.window import NoDisplay, Window, display_missing
+
+DEMO_SCENES = ("billiards", "lecture-table")  # the first of these that there is
+PICTURE_SIZE = (1280, 720)
+
+
+def add(commands: Any) -> None:
+    """Declare the command."""
+    parser = commands.add_parser("play", help="open a scene in the window", allow_abbrev=False)
+    given.add_scene_options(parser)
+    parser.add_argument("--replay", metavar="FILE", help="watch a recording made of this scene")
+    parser.set_defaults(execute=execute)
+
+
+def execute_menu(options: argparse.Namespace) -> int:
+    """The menu."""
+    reason = display_missing()
+    if not reason:
+        try:
+            return _run_window("")
+        except NoDisplay as error:
+            reason = str(error)
+    return _play_demo(reason)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """One scene, opened at once."""
+    from game.app.scene.opening import Opening
+
+    scene_type = given.scene_type_named(options.scene)
+    opening = Opening(
+        level=given.read_level(scene_type, options.level).path if options.level else None,
+        parameters=given.read_parameters(scene_type, options.parameters),
+        effects_off=given.read_effects(scene_type, options.effects_off),
+        seed=given.read_seed(options.seed),
+        recording=given.read_recording(options.replay, scene_type.name) if options.replay else None,
+    )
+    reason = display_missing()
+    if reason:
+        raise Failure(f"no display: {reason}; run does the same without a window")
+    try:
+        return _run_window(scene_type.name, opening)
+    except NoDisplay as error:
+        raise Failure(f"no display: {error}; run does the same without a window") from None
+
+
+def _run_window(scene_name: str, opening: Any = None) -> int:
+    """Open the window first and load the rest after it, so that something is seen at once."""
+    from game.app.settings import load_settings
+    from game.folders import user_folder
+
+    loaded = load_settings(user_folder())
+    settings = loaded.settings
+    if loaded.complaint:
+        print(f"carom: {loaded.complaint}", file=sys.stderr)
+    window = Window((settings.width, settings.height), settings.full_screen)
+    try:
+        window.show_start(settings.theme)
+        from game.app.start import start
+
+        start(window, settings, loaded.complaint, scene_name, opening)
+    finally:
+        window.close()
+    return 0
+
+
+def _play_demo(reason: str) -> int:
+    """Say that there is no display, play the table's demo and save a picture of it."""
+    from game.app.headless import demo_picture
+    from game.app.pictures import save_picture
+    from game.scenes import CATALOGUE
+
+    names = [entry.name for entry in CATALOGUE]
+    name = next((name for name in DEMO_SCENES if name in names), names[0])
+    surface = demo_picture(CATALOGUE[name], PICTURE_SIZE)
+    try:
+        path = save_picture(surface, CATALOGUE[name].title)
+    except OSError as error:
+        raise Failure(f"no display ({reason}), and no picture: {error}") from None
+    print(f"carom: no display ({reason}); the demo of {name} ran without one, its picture is {path}")
+    return 0

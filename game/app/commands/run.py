@@ -1,0 +1,110 @@
+"""``run``: a scene without a window, as fast as it goes."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from game.app.commands import given, output
+from game.app.failure import Failure
+
+if TYPE_CHECKING:
+    from game.stage import Stage
+
+
+def add(commands: Any) -> None:
+    """Declare the command."""
+    parser = commands.add_parser("run", help="run a scene without a window", allow_abbrev=False)
+    given.add_scene_options(parser)
+    parser.add_argument("--seconds", default="10", metavar="S", help="simulated time (10)")
+    parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture of the end")
+    parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the picture (1280x720)")
+    parser.add_argument("--theme", default="dark", metavar="NAME", help="dark or light")
+    parser.add_argument("--json", metavar="FILE", help="write what was measured; - is standard output")
+    parser.add_argument("--record", metavar="FILE.json", help="write a recording for replay")
+    parser.set_defaults(execute=execute)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run and write; status 1 if the scene had to be stopped."""
+    seconds, size = given.read_seconds(options.seconds), given.read_size(options.size)
+    if options.theme not in ("dark", "light"):
+        raise Failure(f"--theme {options.theme}: dark or light is wanted")
+    for option in ("screenshot", "json", "record"):
+        output.check_writable(getattr(options, option), f"--{option}")
+    stage = given.make_stage(options)
+    steps = given.steps_in(seconds, stage.dt)
+    began = time.process_time()
+    stage.run(steps)
+    cpu_s = time.process_time() - began
+    report = describe(stage, cpu_s)
+    if options.screenshot:
+        write_screenshot(stage, options.screenshot, size, options.theme)
+    if options.record:
+        write_recording(stage, options.record)
+    if options.json:
+        output.write_json(report, options.json)
+    if options.json != output.STANDARD_OUTPUT:
+        print_report(report)
+    return 1 if stage.fault is not None else 0
+
+
+def describe(stage: Stage, cpu_s: float) -> dict[str, Any]:
+    """What a run comes to, for JSON."""
+    scene = stage.scene
+    report: dict[str, Any] = {
+        "scene": scene.name,
+        "title": scene.title,
+        "level": scene.level.title if scene.level is not None else None,
+        "steps": stage.step_number,
+        "dt": stage.dt,
+        "simulated_s": stage.time_s,
+        "cpu_s": cpu_s,
+        "step_cost_s": stage.step_cost_s,
+        "digest": stage.digest(),
+        "parameters": dict(scene.values),
+        "effects": {effect.name: effect in scene.active for effect in scene.effects},
+        "readouts": {r.name: {"value": float(r.value), "unit": r.unit} for r in stage.readouts()},
+    }
+    if stage.fault is not None:
+        report["fault"] = {
+            "quantity": stage.fault.quantity,
+            "step": stage.fault.step,
+            "message": stage.fault.message,
+        }
+    return report
+
+
+def print_report(report: dict[str, Any]) -> None:
+    """The same for people."""
+    ratio = report["simulated_s"] / report["cpu_s"] if report["cpu_s"] > 0.0 else 0.0
+    print(f"{report['scene']}: {report['steps']} steps, {report['simulated_s']:.6g} s simulated in "
+          f"{report['cpu_s']:.3g} s of CPU time, {ratio:.3g} times real time")  # fmt: skip
+    for name, readout in report["readouts"].items():
+        print(f"  {name:<24} {readout['value']:.6g} {readout['unit']}".rstrip())
+    print(f"  digest {report['digest']}")
+    if "fault" in report:
+        print(f"  stopped at step {report['fault']['step']}: {report['fault']['message']}")
+
+
+def write_screenshot(stage: Stage, word: str, size: tuple[int, int], theme: str) -> None:
+    """Draw the stage into a PNG file of its own size."""
+    from game.app.headless import picture_of_stage
+    from game.app.pictures import write_png
+
+    try:
+        write_png(picture_of_stage(stage, size, theme), Path(word))
+    except OSError as error:
+        raise Failure(f"--screenshot {error}") from None
+
+
+def write_recording(stage: Stage, word: str) -> None:
+    """Save what was done to the stage."""
+    from game.stage import RecordingError
+
+    try:
+        stage.recording.save(word)
+    except RecordingError as error:
+        raise Failure(f"--record {error}") from None

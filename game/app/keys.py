@@ -1,0 +1,130 @@
+"""Keys by their place on the keyboard: what each does, how the settings name it, what is printed on it.
+
+A command belongs to a scancode (the place), so that the keys lie alike on every layout; hints show the
+letter that the layout has there. Settings write the place by its name on a US keyboard: "space", "period",
+"ctrl+s".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import pygame
+
+
+class Chord(NamedTuple):
+    """A key by its place, with or without Ctrl (Cmd on a Mac)."""
+
+    scancode: int
+    control: bool = False
+
+
+class Command(NamedTuple):
+    """Something a key does in the whole program: its name, its words, its key unless the settings differ."""
+
+    name: str
+    label: str
+    key: str
+
+
+COMMANDS = (
+    Command("pause", "pause and go on", "space"),
+    Command("step", "one step", "period"),
+    Command("step-back", "one step back", "comma"),
+    Command("reset", "reset", "backspace"),
+    Command("slower", "slower", "minus"),
+    Command("faster", "faster", "equals"),
+    Command("view", "whole view", "home"),
+    Command("accuracy", "what accuracy costs", "a"),
+    Command("levels", "levels and hard cases", "l"),
+    Command("panel", "panel on and off", "tab"),
+    Command("next", "next scene", "pagedown"),
+    Command("previous", "previous scene", "pageup"),
+    Command("save", "save level and recording", "ctrl+s"),
+    Command("open", "open level or recording", "ctrl+o"),
+    Command("help", "help", "f1"),
+    Command("theme", "dark or light", "f2"),
+    Command("settings", "settings", "f10"),
+    Command("full-screen", "full screen", "f11"),
+    Command("screenshot", "picture", "f12"),
+    Command("back", "back", "escape"),
+)
+
+_PLACES = {
+    name.removeprefix("KSCAN_").lower(): getattr(pygame, name)
+    for name in dir(pygame)
+    if name.startswith("KSCAN_") and name != "KSCAN_UNKNOWN"
+}
+_SHORT = {"escape": "Esc", "return": "Enter", "page down": "PgDn", "page up": "PgUp", "backspace": "Back"}
+_ARROWS = {"left": "←", "right": "→", "up": "↑", "down": "↓"}
+
+
+def parse_chord(text: str) -> Chord:
+    """The chord that a settings word names; ValueError if there is no such key."""
+    words = [word.strip().lower() for word in text.split("+")]
+    control = len(words) == 2 and words[0] in ("ctrl", "cmd")
+    if len(words) != 1 + control or words[-1] not in _PLACES:
+        raise ValueError(f'{text!r} is not a key; keys are named as "a", "space", "f5" or "ctrl+s"')
+    return Chord(_PLACES[words[-1]], control)
+
+
+class Keys:
+    """Which command a key press means, and what to print for a command in a hint."""
+
+    def __init__(self, changed: Mapping[str, str] | None = None):
+        """``changed``: key words by command, for those that differ. ValueError names what is wrong."""
+        words = {command.name: command.key for command in COMMANDS}
+        for name, word in (changed or {}).items():
+            if name not in words:
+                raise ValueError(f"keys.{name}: no such command; there are {', '.join(words)}")
+            words[name] = word
+        self.words = words
+        self.chords: dict[str, Chord] = {}
+        self._commands: dict[Chord, str] = {}
+        for name, word in words.items():
+            try:
+                chord = parse_chord(word)
+            except ValueError as error:
+                raise ValueError(f"keys.{name}: {error}") from None
+            if chord in self._commands:
+                raise ValueError(f"keys.{name}: {word} is also the key of {self._commands[chord]}")
+            self._commands[chord] = name
+            self.chords[name] = chord
+
+    def command(self, event: pygame.Event) -> str | None:
+        """The command of a KEYDOWN event, or None."""
+        return self._commands.get(chord_of(event))
+
+    def label(self, name: str) -> str:
+        """What is printed on the command's key in the present layout."""
+        return chord_label(self.chords[name])
+
+
+def chord_of(event: pygame.Event) -> Chord:
+    """The chord of a KEYDOWN event."""
+    return Chord(event.scancode, bool(event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META)))
+
+
+def chord_label(chord: Chord) -> str:
+    """The key's name in the present keyboard layout, e.g. "Ctrl+S", "Esc", "."."""
+    name = pygame.key.name(_keycodes().get(chord.scancode, 0)) or _place_name(chord.scancode)
+    shown = _SHORT.get(name) or _ARROWS.get(name) or name.capitalize()
+    return f"Ctrl+{shown}" if chord.control else shown
+
+
+def _place_name(scancode: int) -> str:
+    return next((name for name, place in _PLACES.items() if place == scancode), "?")
+
+
+def _keycodes() -> dict[int, int]:
+    """Key codes of the present layout by scancode.
+
+    pygame only looks the other way round (its pressed-keys table takes a code and finds the place), so
+    each code is asked for its place in a table that holds the places' own numbers.
+    """
+    table = pygame.key.ScancodeWrapper(tuple(range(512)))
+    named = [getattr(pygame, name) for name in dir(pygame) if name.startswith("K_")]
+    found = {table[code]: code for code in named}
+    found.update({table[code]: code for code in range(0x21, 0x250)})
+    return found

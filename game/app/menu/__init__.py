@@ -1,0 +1,1 @@
+"""The menu: all scenes as cards, found by eye, by arrow keys or by typing."""

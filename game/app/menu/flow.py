@@ -1,0 +1,136 @@
+"""Where the cards of the menu lie: categories one after another in rows, cards as large as the window lets them.
+
+Design measures: margins 32, header 80, footer 40, gap 16, a card's picture 160:104 with 56 for its words,
+28 for a category's name above.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import pygame
+
+MARGIN, HEADER, FOOTER, GAP, ROW_GAP, HEAD, WORDS = 32, 80, 40, 16, 12, 28, 56  # design px
+NARROWEST, WIDEST = 160, 300  # design px of a card
+PICTURE = 104 / 160  # height of a picture to its width
+LIST_ROW, LIST_COLUMN = 44, 360  # design px
+
+
+class Card(NamedTuple):
+    """A place for a scene's card, window px; ``picture`` is its upper part (a wide one's whole)."""
+
+    name: str
+    rect: pygame.Rect
+    picture: pygame.Rect
+    wide: bool
+
+
+class Head(NamedTuple):
+    """A category's name over its first card: words, how many, left end and middle in window px."""
+
+    text: str
+    count: int
+    at: tuple[int, int]
+
+
+class Flow(NamedTuple):
+    """All cards and heads, and the height they take from the top of the content, window px."""
+
+    cards: tuple[Card, ...]
+    heads: tuple[Head, ...]
+    height: int
+
+
+class Group(NamedTuple):
+    """A category and the names of its scenes."""
+
+    title: str
+    names: tuple[str, ...]
+
+
+def arrange_cards(groups: Sequence[Group], wide: str, width: int, height: int, k: float) -> Flow:
+    """Cards for a content ``width`` x ``height`` window px (without header and footer), at scale k.
+
+    The fewest columns are taken, and so the largest cards, with which nothing needs scrolling; if that
+    cannot be, as many as there is room for. ``wide`` names the scene that takes two columns.
+    """
+    most = max(1, int((width / k - 2 * MARGIN + GAP) // (NARROWEST + GAP)))
+    least = 1
+    while least < most and _card_width(least, width / k) > WIDEST:
+        least += 1
+    flow = _arrange(groups, wide, most, width, k)
+    for columns in range(least, most):
+        larger = _arrange(groups, wide, columns, width, k)
+        if larger.height <= height:
+            return larger
+    return flow
+
+
+def _card_width(columns: int, width: float) -> float:
+    return min((width - 2 * MARGIN - (columns - 1) * GAP) / columns, WIDEST)
+
+
+def _arrange(groups: Sequence[Group], wide: str, columns: int, width: int, k: float) -> Flow:
+    card = max(_card_width(columns, width / k), 40.0) * k
+    picture_height = round(card * PICTURE)
+    card_height = picture_height + round(WORDS * k)
+    pitch = round(HEAD * k) + card_height + round(ROW_GAP * k)
+    cards: list[Card] = []
+    heads: list[Head] = []
+    row = column = 0
+    for group in groups:
+        spans = [2 if name == wide and columns >= 2 else 1 for name in group.names]
+        if column and column + sum(spans) > columns:
+            row, column = row + 1, 0
+        for i, (name, span) in enumerate(zip(group.names, spans, strict=True)):
+            if column + span > columns:
+                row, column = row + 1, 0
+            left = round(MARGIN * k + column * (card + GAP * k))
+            right = round(MARGIN * k + (column + span) * (card + GAP * k) - GAP * k)
+            top = row * pitch + round(HEAD * k)
+            if i == 0:
+                heads.append(Head(group.title, len(group.names), (left, row * pitch + round(12 * k))))
+            rect = pygame.Rect(left, top, right - left, card_height)
+            picture = rect if span == 2 else pygame.Rect(left, top, rect.w, picture_height)
+            cards.append(Card(name, rect, pygame.Rect(picture), span == 2))
+            column += span
+    return Flow(tuple(cards), tuple(heads), (row + 1) * pitch if cards else 0)
+
+
+def arrange_rows(count: int, top: int, width: int, k: float) -> tuple[pygame.Rect, ...]:
+    """Places of list rows in as many columns as fit, line by line, window px."""
+    content = width - 2 * round(MARGIN * k)
+    columns = max(1, int(content // (LIST_COLUMN * k)))
+    column_width = (content - (columns - 1) * GAP * k) / columns
+    places = []
+    for i in range(count):
+        line, column = divmod(i, columns)
+        left = round(MARGIN * k + column * (column_width + GAP * k))
+        places.append(pygame.Rect(left, top + round(line * LIST_ROW * k), round(column_width), round((LIST_ROW - 4) * k)))
+    return tuple(places)
+
+
+def nearest_in_direction(rects: Sequence[pygame.Rect], start: int, dx: int, dy: int) -> int:
+    """Index of the place that an arrow key leads to from ``start``; ``start`` itself if there is none.
+
+    Of the places that lie wholly or mostly that way the nearest is taken, counting what is sideways double.
+    """
+    here = rects[start]
+    best, best_way = start, float("inf")
+    for i, rect in enumerate(rects):
+        along = (rect.centerx - here.centerx) * dx + (rect.centery - here.centery) * dy
+        if i == start or along <= 0:
+            continue
+        if dx:
+            along = (rect.left - here.right if dx > 0 else here.left - rect.right) + 1
+            across = max(rect.top - here.bottom, here.top - rect.bottom, 0) + abs(rect.centery - here.centery) * 0.1
+        else:
+            along = (rect.top - here.bottom if dy > 0 else here.top - rect.bottom) + 1
+            across = max(rect.left - here.right, here.left - rect.right, 0) + abs(rect.centerx - here.centerx) * 0.1
+        if along <= 0:
+            continue
+        way = along + 2.0 * across + (10_000.0 if dx and across > 0.5 * here.h else 0.0)
+        if way < best_way:
+            best, best_way = i, way
+    return best

@@ -1,0 +1,59 @@
+"""What the menu offers and what a search finds in it: scenes and levels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from game.app.level_index import LevelHead, level_heads
+from game.app.menu.flow import Group
+from game.app.menu.search import Field, rank
+from game.stage.catalogue import Catalogue, Entry
+
+WIDE = ("billiards", "lecture-table")  # the first of these that there is takes two places
+
+
+class Found(NamedTuple):
+    """Scenes and levels to be shown, the best first."""
+
+    scenes: tuple[Entry, ...]
+    levels: tuple[LevelHead, ...]
+
+
+class Offer:
+    """All scenes and levels of the catalogue, searchable."""
+
+    def __init__(self, catalogue: Catalogue):
+        self.catalogue = catalogue
+        self.levels = tuple(head for entry in catalogue for head in level_heads(entry.name))
+        names = [entry.name for entry in catalogue]
+        self.wide = next((name for name in WIDE if name in names), "")
+        self._scene_fields = [(entry, _fields_of_entry(entry)) for entry in catalogue]
+        self._level_fields = [(head, self._fields_of_level(head)) for head in self.levels]
+
+    def groups(self) -> list[Group]:
+        """Scenes by category."""
+        return [
+            Group(category, tuple(e.name for e in self.catalogue if e.category == category))
+            for category in self.catalogue.categories()
+        ]
+
+    def find(self, query: str) -> Found:
+        """What a query finds; a level is found by its own words and, less so, by its scene's."""
+        return Found(tuple(rank(query, self._scene_fields)), tuple(rank(query, self._level_fields)))
+
+    def _fields_of_level(self, head: LevelHead) -> Sequence[Field]:
+        entry = self.catalogue[head.scene]
+        own = (Field(head.title, 1.0), Field(head.path.stem, 0.8), Field(head.hard_case, 0.9), Field(head.about, 0.5))
+        return (*own, Field(entry.title, 0.4), Field(entry.name, 0.4))
+
+
+def _fields_of_entry(entry: Entry) -> Sequence[Field]:
+    return (
+        Field(entry.title, 1.0),
+        Field(entry.name, 1.0),
+        Field(entry.task, 0.95),
+        Field(entry.keywords, 0.7),
+        Field(entry.fact, 0.6),
+        Field(entry.category, 0.5),
+    )

@@ -1,0 +1,161 @@
+"""Quiet drawings for the cards of scenes whose kernels are not compiled yet.
+
+Drawn four times larger in a frame of 160 x 104 and reduced, without any kernel.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import pygame
+
+from game.ui.look import Look
+from game.ui.theme import BALL_COLORS, BALL_WHITE, CUE_BALL, FELT, FELT_LINE, FELT_WARM, WOOD_DARK
+
+WIDTH, HEIGHT, FINE = 160.0, 104.0, 4
+
+Point = tuple[float, float]
+
+
+class Pen:
+    """Draws in the frame of 160 x 104, which covers the middle of the picture whatever its shape."""
+
+    def __init__(self, size: tuple[int, int], look: Look):
+        self.look = look
+        self.size = size
+        self.large = pygame.Surface((FINE * size[0], FINE * size[1]), 0, 32)
+        self._scale = FINE * max(size[0] / WIDTH, size[1] / HEIGHT)
+        self._left = 0.5 * (FINE * size[0] - WIDTH * self._scale)
+        self._top = 0.5 * (FINE * size[1] - HEIGHT * self._scale)
+
+    def fill(self, color: str | pygame.Color) -> None:
+        """The ground."""
+        self.large.fill(self.look.color(color))
+
+    def at(self, x: float, y: float) -> Point:
+        """Pixel of a point of the frame."""
+        return self._left + x * self._scale, self._top + y * self._scale
+
+    def line(self, points: Sequence[Point], color: str | pygame.Color, width: float = 1.5, dash: float = 0.0) -> None:
+        """A line through points; ``dash`` is the length of strokes and gaps."""
+        shade, thick = self.look.color(color), max(1, round(width * self._scale))
+        for a, b in zip(points, points[1:], strict=False):
+            for p, q in _strokes(a, b, dash):
+                pygame.draw.line(self.large, shade, self.at(*p), self.at(*q), thick)
+        if not dash:
+            for point in points[1:-1]:
+                pygame.draw.circle(self.large, shade, self.at(*point), 0.5 * thick)
+
+    def disc(self, x: float, y: float, radius: float, color: str | pygame.Color, ring: float = 0.0) -> None:
+        """A disc, or a ring of that width."""
+        width = max(1, round(ring * self._scale)) if ring else 0
+        pygame.draw.circle(self.large, self.look.color(color), self.at(x, y), radius * self._scale, width)
+
+    def box(self, left: float, top: float, width: float, height: float, color: str | pygame.Color, ring: float = 0.0) -> None:
+        """A rectangle, or its outline."""
+        thick = max(1, round(ring * self._scale)) if ring else 0
+        rect = pygame.Rect(self.at(left, top), (width * self._scale, height * self._scale))
+        pygame.draw.rect(self.large, self.look.color(color), rect, thick)
+
+    def arrow(self, tail: Point, tip: Point, color: str | pygame.Color, width: float = 1.8) -> None:
+        """A line with a solid head."""
+        dx, dy = tip[0] - tail[0], tip[1] - tail[1]
+        length = math.sqrt(dx * dx + dy * dy)
+        ux, uy = dx / length, dy / length
+        neck = (tip[0] - ux * 4.5 * width, tip[1] - uy * 4.5 * width)
+        self.line((tail, neck), color, width)
+        side = 1.6 * width
+        corners = (tip, (neck[0] - uy * side, neck[1] + ux * side), (neck[0] + uy * side, neck[1] - ux * side))
+        pygame.draw.polygon(self.large, self.look.color(color), [self.at(*corner) for corner in corners])
+
+    def ball(self, x: float, y: float, radius: float, number: int) -> None:
+        """A billiard ball in flat colours."""
+        self.disc(x + 0.25 * radius, y + 0.4 * radius, radius, pygame.Color("#14504A"))
+        striped = number > 8
+        self.disc(x, y, radius, BALL_WHITE if striped else BALL_COLORS[number])
+        if striped:
+            self.box(x - 0.8 * radius, y - 0.55 * radius, 1.6 * radius, 1.1 * radius, BALL_COLORS[number])
+        if number:
+            self.disc(x, y, 0.45 * radius, BALL_WHITE)
+        else:
+            self.disc(x + 0.3 * radius, y - 0.2 * radius, 0.16 * radius, pygame.Color("#9E2112"))
+
+    def finished(self) -> pygame.Surface:
+        """The picture in its true size."""
+        return pygame.transform.smoothscale(self.large, self.size)
+
+
+def _strokes(a: Point, b: Point, dash: float) -> list[tuple[Point, Point]]:
+    if not dash:
+        return [(a, b)]
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    length = math.sqrt(dx * dx + dy * dy)
+    count = max(1, round(length / (2.0 * dash)))
+    marks = [(i / count, (i + 0.5) / count) for i in range(count)]
+    return [((a[0] + dx * s, a[1] + dy * s), (a[0] + dx * t, a[1] + dy * t)) for s, t in marks]
+
+
+def _lecture_balls(pen: Pen) -> None:
+    pen.fill("stage")
+    pen.line(((20.0, 88.0), (140.0, 16.0)), "ghost", 0.8, dash=3.0)
+    for i, x in enumerate((18.0, 30.0, 44.0)):
+        pen.disc(x, 70.0 - 0.25 * i, 13.0, "line" if i < 2 else "line2", ring=0.8)
+    pen.disc(64.0, 61.6, 16.0, "body")
+    pen.disc(64.0, 61.6, 16.0, "text1", ring=1.6)
+    pen.disc(91.4, 45.1, 16.0, "body")
+    pen.disc(91.4, 45.1, 16.0, "chalk", ring=1.6)
+    pen.disc(77.7, 53.4, 2.6, "amber")
+    pen.arrow((64.0, 61.6), (50.0, 40.0), "text1")
+    pen.arrow((91.4, 45.1), (132.0, 20.7), "chalk")
+
+
+def _table(pen: Pen) -> None:
+    pen.fill(WOOD_DARK)
+    pen.box(-80.0, 5.0, 320.0, 94.0, FELT.lerp(pygame.Color("black"), 0.3))
+    pen.box(-80.0, 8.0, 320.0, 88.0, FELT)
+    pen.line(((30.0, 52.0), (80.0, 52.0)), FELT_LINE, 0.8, dash=3.0)
+    pen.ball(26.0, 52.0, 6.2, 0)
+    numbers = iter((1, 9, 2, 10, 8, 3, 11, 7, 14, 4, 5, 13, 15, 6, 12))
+    for row in range(5):
+        for i in range(row + 1):
+            pen.ball(90.0 + 10.9 * row, 52.0 + 12.6 * (i - 0.5 * row), 6.2, next(numbers))
+
+
+def _three_tables(pen: Pen) -> None:
+    pen.fill("stage")
+    for left, top in ((10.0, 10.0), (84.0, 10.0), (47.0, 56.0)):
+        pen.box(left, top, 66.0, 38.0, WOOD_DARK)
+        pen.box(left + 3.0, top + 3.0, 60.0, 32.0, FELT)
+        pen.line(((left + 12, top + 27), (left + 50, top + 14), (left + 40, top + 3)), FELT_WARM, 0.9, dash=2.0)
+        pen.disc(left + 12, top + 27, 2.4, CUE_BALL)
+
+
+def _unknown(pen: Pen) -> None:
+    """A thrown ball in a grid: for a scene that has no drawing of its own."""
+    pen.fill("stage")
+    for x in range(-80, 241, 20):
+        pen.line(((x, -40.0), (x, 144.0)), "grid", 0.6)
+    for y in range(-38, 144, 20):
+        pen.line(((-80.0, y), (240.0, y)), "grid", 0.6)
+    path = [(20.0 + 6.0 * t, 84.0 - 9.6 * t + 0.42 * t * t) for t in range(21)]
+    pen.line(path, "ghost", 1.0)
+    for t in (3, 7, 11):
+        pen.disc(*path[t], 6.0, "line2", ring=0.9)
+    pen.disc(*path[15], 6.5, "body")
+    pen.disc(*path[15], 6.5, "chalk", ring=1.5)
+
+
+SKETCHES: dict[str, Callable[[Pen], None]] = {
+    "lecture-balls": _lecture_balls,
+    "lecture-table": _table,
+    "billiards": _table,
+    "three-tables": _three_tables,
+}
+
+
+def sketch(name: str, size: tuple[int, int], look: Look) -> pygame.Surface:
+    """The drawing of a scene in that size, window px."""
+    pen = Pen((max(1, size[0]), max(1, size[1])), look)
+    SKETCHES.get(name, _unknown)(pen)
+    return pen.finished()

@@ -1,0 +1,139 @@
+"""Live pictures for the menu's cards: the scenes themselves, drawn small; the chosen one moves.
+
+Only scenes whose kernels are ready are drawn, so that the menu never waits for the compiler. What was drawn
+is kept in the cache folder: the next start shows it at once, before the compiler is even imported.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import threading
+from typing import TYPE_CHECKING
+
+import pygame
+
+from game.app.pictures import write_png
+from game.app.readiness import any_notes, is_ready
+from game.folders import cache_folder
+from game.stage.catalogue import Catalogue, Entry
+from game.ui.look import Look
+
+if TYPE_CHECKING:
+    from game.app.menu.live import LiveScene
+
+SETTLED_S = 0.5  # s of the menu standing before the compiler is imported behind it
+Key = tuple[str, str, int, int]  # scene, theme, width, height
+
+
+class Thumbnails:
+    """Pictures by scene; ``update`` once a frame, ``picture`` when one is wanted."""
+
+    def __init__(self, catalogue: Catalogue):
+        self._catalogue = catalogue
+        self._pictures: dict[Key, pygame.Surface | None] = {}
+        self._live: dict[str, LiveScene] = {}
+        self._drawn: set[Key] = set()
+        self._made: queue.SimpleQueue[LiveScene] = queue.SimpleQueue()
+        self._stop = threading.Event()
+        self._thread: threading.Thread | None = None
+        self._age_s = 0.0
+        self._asked = False
+
+    def picture(self, name: str, size: tuple[int, int], look: Look) -> pygame.Surface | None:
+        """The picture of a scene in that size and theme, or None if there is none yet."""
+        key = (name, look.theme.name, *size)
+        if key not in self._pictures:
+            self._pictures[key] = _load(key)
+        return self._pictures[key]
+
+    def update(self, elapsed_s: float, sizes: dict[str, tuple[int, int]], look: Look, moving: str) -> bool:
+        """Let time pass; ``moving`` is the card that lives. True if pictures of others have changed."""
+        self._age_s += elapsed_s
+        if not self._asked and self._age_s > SETTLED_S and any_notes():
+            self._asked = True
+            self._thread = threading.Thread(target=self._prepare, name="thumbnails", daemon=True)
+            self._thread.start()
+        with contextlib.suppress(queue.Empty):
+            live = self._made.get_nowait()
+            self._live[live.entry.name] = live
+        if moving in self._live and moving in sizes:
+            live = self._live[moving]
+            live.advance(elapsed_s)
+            self._draw(live, sizes[moving], look)
+            return False
+        return self._draw_one_more(sizes, look)
+
+    def _draw_one_more(self, sizes: dict[str, tuple[int, int]], look: Look) -> bool:
+        """Draw one picture that was not drawn in this size and theme yet."""
+        for name, live in self._live.items():
+            if name in sizes and (name, look.theme.name, *sizes[name]) not in self._drawn:
+                self._draw(live, sizes[name], look)
+                return True
+        return False
+
+    def _draw(self, live: LiveScene, size: tuple[int, int], look: Look) -> None:
+        key = (live.entry.name, look.theme.name, *size)
+        picture = live.draw(size, look)
+        if picture is None:
+            del self._live[live.entry.name]
+            return
+        if key not in self._drawn:
+            _keep(key, picture)
+        self._drawn.add(key)
+        self._pictures[key] = picture
+
+    def _prepare(self) -> None:
+        """Build the scenes that are ready, one after another, and let them come to something worth seeing."""
+        for entry in self._catalogue:
+            if self._stop.is_set():
+                return
+            if is_ready(entry):
+                live = _build(entry)
+                if live is not None:
+                    self._made.put(live)
+
+    def words(self) -> str:
+        """How many scenes open at once, for the menu's foot."""
+        return f"{len(self._catalogue)} scenes" if len(self._catalogue) != 1 else "1 scene"
+
+    def wake(self) -> None:
+        """The menu is on top again: what was opened meanwhile may be ready now."""
+        self._asked = False
+        self._age_s = 0.0
+
+    def close(self) -> None:
+        """Let the thread end after the scene that it is building."""
+        self._stop.set()
+
+
+def _build(entry: Entry) -> LiveScene | None:
+    """A scene for its card, or None if it cannot be built: opening it will say why."""
+    from game.app.menu.live import LiveScene
+
+    try:
+        return LiveScene(entry)
+    except Exception:  # a scene's own code may raise anything; its card then keeps its drawing
+        return None
+
+
+def _path(key: Key):
+    name, theme, width, height = key
+    return cache_folder() / "thumbnails" / f"{name}-{theme}-{width}x{height}.png"
+
+
+def _load(key: Key) -> pygame.Surface | None:
+    """A picture of an earlier session, if it is whole."""
+    path = _path(key)
+    try:
+        picture = pygame.image.load(str(path)) if path.is_file() else None
+    except (pygame.error, OSError):
+        return None
+    return picture if picture is not None and picture.get_size() == key[2:] else None
+
+
+def _keep(key: Key, picture: pygame.Surface) -> None:
+    path = _path(key)
+    with contextlib.suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_png(picture, path)

@@ -1,0 +1,1 @@
+"""The screen of a scene: loading, shell, pointer, files, study."""

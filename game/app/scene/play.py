@@ -1,0 +1,266 @@
+"""A scene in play: its stage, its camera, the hand in it, what is drawn of it."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pygame
+
+from game.app.keys import chord_of, parse_chord
+from game.app.scene import files
+from game.app.scene.banner import FaultBanner
+from game.app.scene.opening import Opening
+from game.app.scene.pointer import ScenePointer
+from game.app.script import Script
+from game.app.view import StageView
+from game.levels import LevelError, load_level
+from game.stage import (
+    Action,
+    EffectMeter,
+    KnobError,
+    Recording,
+    RecordingError,
+    SetKnob,
+    Stage,
+    StageEvent,
+)
+from game.ui.commands import Command
+
+if TYPE_CHECKING:
+    from game.app.application import App
+    from game.app.scene.shell import Shell
+
+SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
+METER_BUDGET_S = 0.0004  # s a frame for measuring what effects cost
+
+
+class ScenePlay:
+    """The living part of a scene's screen."""
+
+    def __init__(self, app: App, shell: Shell, stage: Stage, opening: Opening):
+        self.app = app
+        self.shell = shell
+        self.stage = stage
+        self.script = Script(stage, opening.recording.events) if opening.recording is not None else None
+        self.view = StageView(stage, app.look)
+        self.hand = ScenePointer(stage.scene_type, self.view.camera)
+        self.banner = FaultBanner(app)
+        self.meter = EffectMeter(stage)
+        self.drawing_error = ""
+        self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
+        shell.open(stage, files.level_rows(stage.scene_type))
+        self.restyle()
+
+    @property
+    def typing(self) -> bool:
+        """Whether the panel has a field that takes letters."""
+        return self.shell.panel is not None and self.shell.panel.typing
+
+    def restyle(self) -> None:
+        """Window, scale or theme has changed."""
+        self.view.place(self.shell.layout.free_stage, self.app.look)
+        self.banner.place(self.shell.layout.free_stage)
+
+    def close(self) -> None:
+        """The scene is left."""
+        if self.shell.panel is not None:
+            self.shell.panel.close()
+
+    # -- events -------------------------------------------------------------------------------------
+
+    def handle(self, event: pygame.Event) -> list[Command]:
+        """An event for panel, bar, banner or the scene; the commands that are not done here."""
+        if self.banner.handle(event):
+            return [Command("reset")]
+        dragging = bool(self.hand.held)
+        taken, wishes = (False, []) if dragging else self.shell.handle(event)
+        if not taken:
+            self.hand.handle(event, self.shell.layout.free_stage)
+        commands = []
+        for wish in wishes:
+            if isinstance(wish, Command):
+                commands.append(wish)
+            else:
+                self.post(wish)
+        return commands
+
+    def post(self, event: StageEvent) -> bool:
+        """Let an event act; a refused one is told, and False."""
+        try:
+            self.stage.post(event)
+        except KnobError as error:
+            self.app.tell("Not taken.", str(error), "warning")
+            return False
+        return True
+
+    def action_of(self, event: pygame.Event) -> str | None:
+        """The scene's own action of a key, if it has one."""
+        return self._chords.get(chord_of(event))
+
+    def act(self, name: str) -> None:
+        """One of the scene's named actions."""
+        self._post_hand()
+        self.post(Action(name))
+
+    def cancel(self) -> bool:
+        """Take back a drag; False if there was none."""
+        begun = self.hand.cancel()
+        self._post_hand()
+        return begun
+
+    def _post_hand(self) -> None:
+        for event in self.hand.take():
+            self.post(event)
+
+    # -- commands -----------------------------------------------------------------------------------
+
+    def command(self, name: str) -> bool:
+        """A key command; False if it is none of these."""
+        stage = self.stage
+        if name == "pause":
+            if stage.paused:
+                stage.resume()
+            else:
+                stage.pause()
+        elif name == "step":
+            self._post_hand()
+            stage.step()
+        elif name == "step-back":
+            if not stage.step_back():
+                self.app.tell("No further back.", "This is the first step that is remembered.")
+        elif name == "reset":
+            self.reset()
+        elif name in ("slower", "faster"):
+            self.change_speed(-1 if name == "slower" else 1)
+        elif name == "view":
+            self.view.camera.home(smooth=not self.app.look.less_motion)
+        elif name == "save":
+            self.save()
+        else:
+            return False
+        return True
+
+    def change_speed(self, way: int) -> None:
+        """One notch slower or faster, or normal for 0."""
+        nearest = min(range(len(SPEEDS)), key=lambda i: abs(SPEEDS[i] - self.stage.speed))
+        index = min(max(nearest + way, 0), len(SPEEDS) - 1) if way else SPEEDS.index(1.0)
+        self.stage.speed = SPEEDS[index]
+
+    def reset(self) -> None:
+        """Build the scene anew with its present knobs."""
+        self.hand.cancel()
+        self.hand.take()
+        self.script = None
+        self.drawing_error = ""
+        try:
+            self.stage.reset()
+        except ValueError as error:
+            self.app.tell("Not reset.", str(error), "warning")
+
+    def set_defaults(self) -> None:
+        """All knobs as the level has them, or as declared."""
+        level = self.stage.level
+        given = dict(level.parameters) if level is not None else {}
+        for name, knob in self.stage.scene.knobs().items():
+            value = knob.check(given.get(name, knob.default))
+            if self.stage.scene.values[name] != value:
+                self.post(SetKnob(name, value))
+
+    # -- files --------------------------------------------------------------------------------------
+
+    @property
+    def present_level(self) -> Path | None:
+        """File of the level in play."""
+        return self.stage.level.path if self.stage.level is not None else None
+
+    def level_rows(self) -> list[Any]:
+        """Rows of the gallery."""
+        return files.level_rows(self.stage.scene_type)
+
+    def saved_rows(self) -> list[Any]:
+        """Rows of what was saved."""
+        return files.saved_rows(self.stage.scene_type.name)
+
+    def open_file(self, path: Path) -> None:
+        """A level or a recording; what is broken is told, and the scene goes on with what it had."""
+        self.cancel()
+        try:
+            if Path(path).suffix == ".json":
+                self._watch(Recording.load(path))
+            else:
+                scene_type = self.stage.scene_type
+                self.stage.load_level(load_level(path, scene_type.name, scene_type.content_type))
+                self.script = None
+        except (LevelError, RecordingError, KnobError) as error:
+            self.app.tell("Not opened.", str(error), "warning")
+            return
+        self.drawing_error = ""
+        self._opened()
+
+    def _watch(self, recording: Recording) -> None:
+        """Play a recording before the user's eyes."""
+        if recording.scene != self.stage.scene_type.name:
+            raise RecordingError(None, "scene", f"of {recording.scene}")
+        self.stage = Opening(recording=recording).make_stage(self.stage.scene_type)
+        self.script = Script(self.stage, recording.events)
+        self.meter = EffectMeter(self.stage)
+        self.view.stage = self.stage
+        self.app.tell("Replaying", f"{recording.steps} steps as they were recorded")
+
+    def _opened(self) -> None:
+        """What depends on the scene's frame and level follows."""
+        self.view.place(self.shell.layout.free_stage, self.app.look)
+        self.view.camera.home(smooth=False)
+        level = self.stage.level
+        if level is not None and level.about:
+            self.app.tell(level.title or "Level", level.about, "marker" if level.hard_case else "info")
+
+    def save(self) -> None:
+        """Keep the present content as a level, and the session as a recording."""
+        try:
+            path = files.save_all(self.stage)
+        except (LevelError, RecordingError) as error:
+            self.app.tell("Not saved.", str(error), "warning")
+        else:
+            self.app.tell("Saved", f"{path.stem} in {path.parent}")
+
+    # -- time and picture ---------------------------------------------------------------------------
+
+    def update(self, elapsed_s: float) -> None:
+        """Events of the hand, then the steps that are due, then what is shown of them."""
+        self._post_hand()
+        if self.script is not None:
+            self.script.advance(elapsed_s)
+        else:
+            self.stage.advance(elapsed_s)
+        if not self.stage.paused and self.stage.fault is None and self.app.settings.panel:
+            self.meter.slice(METER_BUDGET_S)
+        self.view.camera.update(0.0 if self.app.look.less_motion else elapsed_s)
+        for message in self.stage.scene.messages():
+            cause, _, consequence = message.partition(". ")
+            self.app.tell(cause + ("." if consequence else ""), consequence, "marker")
+        self.shell.update(elapsed_s, self.stage, self.meter)
+        self.banner.update(elapsed_s, self.trouble)
+
+    @property
+    def trouble(self) -> str:
+        """Why the scene stands still, if something went wrong."""
+        if self.stage.fault is not None:
+            return f"Stopped at step {self.stage.fault.step}. {self.stage.fault.message}"
+        return self.drawing_error
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """The scene and its shell."""
+        surface.fill(self.app.look.theme.stage, self.shell.layout.stage)
+        if not self.drawing_error:
+            try:
+                self.view.draw(surface)
+            except Exception as error:  # a scene's slip must not take the program with it
+                traceback.print_exc(file=sys.stderr)
+                surface.set_clip(None)
+                self.drawing_error = f"The picture cannot be drawn: {error}"
+        self.shell.draw(surface, self.stage, self.stage.scene.legend())
+        self.banner.draw(surface)

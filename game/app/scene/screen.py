@@ -1,0 +1,171 @@
+"""The screen of one scene: opens it, lets hand and keys in, runs its stage, draws it in its shell."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+import pygame
+
+from game.app.scene.loader import Loader
+from game.app.scene.opening import Opening
+from game.app.scene.shell import Shell
+from game.app.screens.choices import ChoiceCard, Row
+from game.app.screens.screen import Screen
+from game.ui.commands import Command
+
+if TYPE_CHECKING:
+    from game.app.application import App
+    from game.app.scene.play import ScenePlay
+    from game.stage.catalogue import Entry
+
+
+class SceneScreen(Screen):
+    """While the scene loads, its shell with the loading card; then the scene itself."""
+
+    gamepad: ClassVar[Literal["keys", "pointer"]] = "pointer"
+
+    def __init__(self, app: App, entry: Entry, opening: Opening):
+        super().__init__(app)
+        self.entry = entry
+        self.opening = opening
+        self.shell = Shell(app, entry)
+        self.loader: Loader | None = Loader(entry, opening)
+        self.play: ScenePlay | None = None
+        self._error = ""
+
+    @property
+    def title(self) -> str:
+        return self.entry.title
+
+    def restyle(self) -> None:
+        self.shell.place()
+        if self.play is not None:
+            self.play.restyle()
+
+    def message_row(self) -> pygame.Rect:
+        return self.shell.layout.hint_bar
+
+    # -- life ---------------------------------------------------------------------------------------
+
+    def update(self, elapsed_s: float) -> None:
+        if self.loader is not None:
+            self.shell.loading.update(elapsed_s, self.loader.done, self.loader.total)
+            if self.loader.finished:
+                self._open(self.loader)
+        if self.play is not None:
+            self.play.update(elapsed_s)
+        else:
+            self.shell.update(elapsed_s, None, None)
+
+    def _open(self, loader: Loader) -> None:
+        """The scene is there, or it is not: then say why and go back to the menu."""
+        self.loader = None
+        if loader.stage is None:
+            self.app.open_menu(self.entry.name)
+            self.app.tell(f"{self.entry.title} cannot be opened.", loader.error, "warning")
+            return
+        from game.app.scene.play import ScenePlay
+
+        self.play = ScenePlay(self.app, self.shell, loader.stage, self.opening)
+
+    def closed(self) -> None:
+        if self.loader is not None:
+            self.loader.stop()
+        if self.play is not None:
+            self.play.close()
+
+    def cancel(self) -> None:
+        if self.play is not None:
+            self.play.cancel()
+
+    # -- events -------------------------------------------------------------------------------------
+
+    def wants_key(self, event: pygame.Event) -> bool:
+        if self.play is None:
+            return False
+        return self.play.typing or self.play.action_of(event) is not None
+
+    def handle(self, event: pygame.Event) -> None:
+        if self.play is None:
+            _, wishes = self.shell.handle(event)
+            for wish in wishes:
+                if wish.name in ("back", "panel", "help"):
+                    self.command(wish.name)
+            return
+        name = self.play.action_of(event) if event.type == pygame.KEYDOWN and not self.play.typing else None
+        if name is not None:
+            self.play.act(name)
+            return
+        for wish in self.play.handle(event):
+            self._fulfil(wish)
+
+    def _fulfil(self, wish: Command) -> None:
+        """What a widget asks for: the names of game/ui/commands.py."""
+        play = self.play
+        if play is None:
+            return
+        if wish.name == "speed":
+            play.change_speed(wish.value)
+        elif wish.name == "level":
+            play.open_file(wish.value)
+        elif wish.name in ("refused", "toast"):
+            self.app.tell("Not taken." if wish.name == "refused" else str(wish.value),
+                          str(wish.value) if wish.name == "refused" else "", "warning")  # fmt: skip
+        elif wish.name == "defaults":
+            play.set_defaults()
+        else:
+            name = {"play": "pause", "picture": "screenshot"}.get(wish.name, wish.name)
+            if not self.app.command(name):
+                self.command(name)
+
+    def command(self, name: str) -> bool:
+        if name == "back":
+            if self.play is None or not self.play.cancel():
+                self.app.open_menu(self.entry.name)
+        elif name in ("next", "previous"):
+            self.app.open_scene(self.app.catalogue.neighbour(self.entry.name, 1 if name == "next" else -1).name)
+        elif name == "panel":
+            self.app.settings.panel = not self.app.settings.panel
+            self.restyle()
+        elif self.play is not None:
+            return self._command_in_play(self.play, name)
+        else:
+            return False
+        return True
+
+    def _command_in_play(self, play: ScenePlay, name: str) -> bool:
+        if name == "levels":
+            self._choose("Levels and hard cases", play.level_rows(), play.present_level)
+        elif name == "open":
+            self._choose("Saved levels and recordings", play.saved_rows(), None)
+        elif name == "help":
+            from game.app.scene.help_card import HelpCard
+
+            self.app.push(HelpCard(self.app, type(play.stage.scene)))
+        elif name == "accuracy":
+            self._open_accuracy(play)
+        else:
+            return play.command(name)
+        return True
+
+    def _choose(self, heading: str, rows: list[Row], present: Any) -> None:
+        assert self.play is not None
+        self.app.push(ChoiceCard(self.app, heading, rows, self.play.open_file, present))
+
+    def _open_accuracy(self, play: ScenePlay) -> None:
+        if type(play.stage.scene).study is None:
+            self.app.tell("No study.", "This scene has none yet.")
+            return
+        from game.app.scene.accuracy_card import AccuracyCard
+
+        self.app.push(AccuracyCard(self.app, play.stage))
+
+    # -- picture ------------------------------------------------------------------------------------
+
+    def draw(self, surface: pygame.Surface) -> None:
+        if self.play is not None:
+            self.play.draw(surface)
+        elif self.loader is not None:
+            self.shell.draw_loading(surface, self.loader)
+        else:
+            surface.fill(self.app.look.theme.bg)

@@ -1,0 +1,150 @@
+"""Everything around a scene's picture: bar, panel, charts, hints, legend, tool tips; laid out, fed, drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import pygame
+
+from game.ui.commands import Command
+from game.ui.hintbar import HintBar
+from game.ui.layout import arrange
+from game.ui.legend import Legend
+from game.ui.loading import LoadingCard, draw_shell
+from game.ui.panel import Panel
+from game.ui.strips import Strips
+from game.ui.tooltips import ToolTip
+from game.ui.topbar import BarState, TopBar
+
+if TYPE_CHECKING:
+    from game.app.application import App
+    from game.app.scene.loader import Loader
+    from game.stage import Scene, Stage
+    from game.stage.catalogue import Entry
+
+BEFORE_OWN = (("pause", "pause"), ("step", "step"), ("step-back", "step back"))
+AFTER_OWN = (("accuracy", "accuracy"), ("levels", "levels"), ("help", "help"))
+
+
+class Shell:
+    """The widgets of a scene's screen."""
+
+    def __init__(self, app: App, entry: Entry):
+        self.app = app
+        self.entry = entry
+        look = app.look
+        self.bar = TopBar(look)
+        self.hints = HintBar(look)
+        self.legend = Legend(look)
+        self.tip = ToolTip(look)
+        self.loading = LoadingCard(look)
+        self.strips: Strips | None = None
+        self.panel: Panel | None = None
+        self.place()
+        self.hints.show([((app.keys.label("back"),), "back to the menu")])
+
+    def open(self, stage: Stage, levels: Any) -> None:
+        """The scene is there: make what is built from its declarations."""
+        scene_type = type(stage.scene)
+        self.strips = Strips(self.app.look, scene_type.strips)
+        self.panel = Panel(self.app.look, scene_type, levels)
+        self.hints.show(self._hint_rows(scene_type))
+        self.place()
+
+    def _hint_rows(self, scene_type: type[Scene]) -> list[tuple[tuple[str, ...], str]]:
+        label = self.app.keys.label
+        rows = [((label(name),), words) for name, words in BEFORE_OWN]
+        rows += [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
+        if "wheel" not in getattr(scene_type, "takes", ()):
+            rows.append((("Wheel",), "zoom"))
+        after = [(name, words) for name, words in AFTER_OWN if name != "accuracy" or scene_type.study is not None]
+        return rows + [((label(name),), words) for name, words in after]
+
+    def place(self) -> None:
+        """Lay out for the present window, scale and theme."""
+        app, look = self.app, self.app.look
+        strips = len(self.strips.strips) if self.strips is not None else 3
+        self.layout = arrange(*app.window.size, look.k, panel=app.settings.panel, strips=strips)
+        self.bar.place(self.layout.top_bar, look)
+        self.hints.place(self.layout.hint_bar, look)
+        for widget in (self.legend, self.tip, self.loading):
+            widget.place(look)
+        if self.strips is not None:
+            self.strips.place(self.layout, look)
+        if self.panel is not None:
+            self.panel.place(self.layout.panel, look)
+
+    # -- events -------------------------------------------------------------------------------------
+
+    def handle(self, event: pygame.Event) -> tuple[bool, list[Any]]:
+        """Whether a widget took the event, and what it asks for: commands and stage events."""
+        wishes: list[Any] = []
+        if self.panel is not None and self.layout.panel.w:
+            wishes += self.panel.handle(event)
+        command = self.bar.handle(event)
+        if command is not None:
+            wishes.append(command)
+        taken = bool(wishes) or self._inside_a_widget(event)
+        return taken, wishes
+
+    def _inside_a_widget(self, event: pygame.Event) -> bool:
+        """Whether a mouse event belongs to what lies beside or over the stage."""
+        position = getattr(event, "pos", None)
+        if position is None:
+            return False
+        return not self.layout.stage.collidepoint(position) or bool(
+            self.layout.drawer and self.layout.panel.collidepoint(position)
+        )
+
+    # -- time and picture ---------------------------------------------------------------------------
+
+    def update(self, elapsed_s: float, stage: Stage | None, costs: Any) -> None:
+        """Let time pass and show what the stage is like now."""
+        self.bar.update(elapsed_s, self._bar_state(stage))
+        self.hints.update(elapsed_s)
+        if stage is not None and self.panel is not None and self.strips is not None:
+            self.panel.update(elapsed_s, stage, costs)
+            self.strips.update(elapsed_s, stage)
+        about = self.bar.tip()
+        if about is None and self.panel is not None:
+            about = self.panel.tip()
+        self.tip.update(elapsed_s, about)
+
+    def _bar_state(self, stage: Stage | None) -> BarState:
+        panel = bool(self.layout.panel.w)
+        frame = ("frame", self.app.meter.median_s, "s")
+        if stage is None:
+            empty = (("time", 0.0, "s"), ("step", 0.0, "s"), frame)
+            return BarState(self.entry.task, self.entry.title, True, 1.0, panel, empty, ready=False)
+        own = tuple((r.name, float(r.value), r.unit) for r in tuple(stage.readouts())[:1])
+        readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
+        return BarState(self.entry.task, self.entry.title, stage.paused, stage.speed, panel, readouts)
+
+    def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
+        """Draw the widgets round and over the picture of the scene."""
+        self.legend.draw(surface, self.layout.free_stage, tuple(legend))
+        if self.strips is not None:
+            self.strips.draw(surface)
+        self.draw_foot(surface)
+        if self.panel is not None:
+            self.panel.draw(surface)
+        self.bar.draw(surface)
+        self.tip.draw(surface)
+
+    def draw_foot(self, surface: pygame.Surface) -> None:
+        """The row of hints, cut where a message stands."""
+        row = self.layout.hint_bar
+        taken = self.app.toasts.width(row.w)
+        self.hints.draw(surface, row.w - taken - self.app.look.px(16) if taken else None)
+
+    def draw_loading(self, surface: pygame.Surface, loader: Loader) -> None:
+        """The shell before there is a scene, and how far its kernels are."""
+        draw_shell(surface, self.layout, self.app.look)
+        self.loading.draw(
+            surface, self.layout.free_stage, self.entry.title, loader.done, loader.total, loader.name, loader.seconds
+        )
+        self.draw_foot(surface)
+        self.bar.draw(surface)
+
+

@@ -1,0 +1,112 @@
+"""The card of the settings: theme, size of the interface, motion, full screen."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import pygame
+
+from game.app.screens.card import HEAD, CardScreen
+from game.app.settings import settings_path
+from game.ui.hotspots import Hotspot
+from game.ui.shapes import draw_box
+
+if TYPE_CHECKING:
+    from game.app.application import App
+
+ROW = 56  # design px
+SCALES = (0.75, 0.9, 1.0, 1.25, 1.5, 2.0)
+
+
+class _Line(NamedTuple):
+    label: str
+    about: str
+    options: tuple[tuple[str, str], ...]  # name of the place, words
+
+
+LINES = (
+    _Line("Theme", "colours of the interface", (("theme-dark", "Dark"), ("theme-light", "Light"))),
+    _Line("Size", "of letters and controls", tuple((f"scale-{s:g}", f"{s * 100:.0f} %") for s in SCALES)),
+    _Line("Motion", "fades and lifts of the interface", (("motion-all", "All"), ("motion-less", "Less"))),
+    _Line("Window", "as it is, or the whole screen", (("screen-window", "Window"), ("screen-full", "Full screen"))),
+)
+
+
+class SettingsCard(CardScreen):
+    """Segments; a press acts at once and is kept."""
+
+    def __init__(self, app: App):
+        super().__init__(app)
+        self.veil.size = (self.width, HEAD + ROW * len(LINES) + 64)
+        self.restyle()
+
+    @property
+    def heading(self) -> str:
+        return "Settings"
+
+    def _chosen(self) -> set[str]:
+        settings = self.app.settings
+        return {
+            f"theme-{settings.theme}",
+            f"scale-{settings.ui_scale:g}",
+            "motion-less" if settings.less_motion else "motion-all",
+            "screen-full" if self.app.window.full_screen else "screen-window",
+        }
+
+    def state(self) -> object:
+        return tuple(sorted(self._chosen()))
+
+    def places(self) -> list[Hotspot]:
+        px, card = self.app.look.px, self.veil.card
+        spots = []
+        left = card.x + px(260)
+        room = max(card.right - px(32) - left, 1)
+        for i, line in enumerate(LINES):
+            y = card.y + px(HEAD) + i * px(ROW) + px(8)
+            for j, (name, _) in enumerate(line.options):
+                x0, x1 = (left + room * n // len(line.options) for n in (j, j + 1))
+                spots.append(Hotspot(name, pygame.Rect(x0, y, max(x1 - x0, 1), px(32))))
+        return spots
+
+    def pressed(self, name: str) -> None:
+        kind, _, value = name.partition("-")
+        settings = self.app.settings
+        if kind == "theme":
+            settings.theme = "light" if value == "light" else "dark"
+        elif kind == "scale":
+            settings.ui_scale = float(value)
+        elif kind == "motion":
+            settings.less_motion = value == "less"
+        elif (value == "full") != self.app.window.full_screen:
+            self.app.toggle_full_screen()
+        self.app.save_settings()
+        self.app.restyle()
+
+    def paint(self, picture: pygame.Surface) -> None:
+        look, px = self.app.look, self.app.look.px
+        chosen = self._chosen()
+        for i, line in enumerate(LINES):
+            y = px(HEAD) + i * px(ROW) + px(24)
+            look.text(picture, line.label, (px(32), y - px(9)), 13, "semibold", "text1")
+            look.text(picture, line.about, (px(32), y + px(9)), 12, "medium", "text3")
+            rects = [self.inner(spot.rect) for name, _ in line.options if (spot := self.spots.find(name))]
+            draw_box(picture, rects[0].unionall(rects[1:]), px(8), look.theme.inset)
+            for (name, words), rect in zip(line.options, rects, strict=True):
+                self._paint_segment(picture, rect, words, name in chosen, self.spots.hover(name))
+                if self.spots.focused == name:
+                    draw_box(picture, rect.inflate(px(4), px(4)), px(10), None, look.theme.accent, max(2, px(2)))
+        where = f"Kept in {settings_path(self.app.folder)}"
+        where = look.fonts.fit(where, 12, "medium", picture.get_width() - px(64))
+        look.text(picture, where, (px(32), picture.get_height() - px(28)), 12, "medium", "text3")
+
+    def _paint_segment(self, picture: pygame.Surface, rect: pygame.Rect, words: str, on: bool, lit: float) -> None:
+        look, px, theme = self.app.look, self.app.look.px, self.app.look.theme
+        inner = rect.inflate(-px(4), -px(4))
+        color = theme.text2
+        if on:
+            draw_box(picture, inner, px(6), theme.accent)
+            color = theme.on_accent
+        elif lit:
+            draw_box(picture, inner, px(6), theme.inset.lerp(theme.hover, lit))
+        weight = "semibold" if on else "medium"
+        look.text(picture, look.fonts.fit(words, 13, weight, inner.w), rect.center, 13, weight, color, "center")

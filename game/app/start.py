@@ -1,0 +1,29 @@
+"""From an open window to the running program."""
+
+from __future__ import annotations
+
+import pygame
+
+from game.app.application import App
+from game.app.scene.opening import Opening
+from game.app.settings import Settings
+from game.app.window import Window
+from game.folders import user_folder
+from game.scenes import CATALOGUE
+from game.ui.icons import logo
+
+REPEAT_AFTER_MS, REPEAT_MS = 350, 50
+
+
+def start(window: Window, settings: Settings, complaint: str, scene_name: str = "", opening: Opening | None = None) -> None:
+    """Run the program until its window is closed, beginning with the menu or with a scene."""
+    pygame.key.set_repeat(REPEAT_AFTER_MS, REPEAT_MS)
+    app = App(window, CATALOGUE, settings, user_folder())
+    window.set_icon(logo(64, app.look.theme))
+    app.open_menu()
+    if scene_name:
+        app.open_scene(scene_name, opening=opening)
+    if complaint:
+        app.tell("Settings not read.", complaint, kind="warning")
+    app.run()
+    app.save_settings()

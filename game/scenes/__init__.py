@@ -1,0 +1,28 @@
+"""The catalogue: one row for each scene, in the order of the menu. A row names its module and imports nothing."""
+
+from game.stage.catalogue import Catalogue, Entry
+
+CATALOGUE = Catalogue(
+    (
+        Entry(
+            name="lecture-balls",
+            task="L",
+            title="Two balls",
+            fact="one collision, step by step",
+            category="Billiards",
+            module="game.scenes.lecture_balls",
+            class_name="LectureBalls",
+            keywords="lecture collision overlap line of centres overshoot momentum energy as printed conserving",
+        ),
+        Entry(
+            name="lecture-table",
+            task="L",
+            title="Lecture table",
+            fact="pool by the lecture's laws",
+            category="Billiards",
+            module="game.scenes.lecture_table",
+            class_name="LectureTable",
+            keywords="billiards pool cue pockets break rack tunnelling substeps friction bounce",
+        ),
+    )
+)
