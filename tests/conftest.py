@@ -1,0 +1,42 @@
+"""What all tests share: no screen, no sound, no files but temporary ones, kernels compiled once for all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+import hypothesis
+
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
+os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
+os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+os.environ.setdefault("MPLBACKEND", "Agg")
+
+# Machine code is kept between sessions: its folders are named by the sources, so old code is never taken.
+if not os.environ.get("CAROM_CACHE_DIR"):
+    kept = Path(__file__).resolve().parents[1] / ".pytest_cache" / "carom"
+    try:
+        kept.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        kept = Path(tempfile.mkdtemp(prefix="carom-tests-"))
+    os.environ["CAROM_CACHE_DIR"] = str(kept)
+
+# Set before anything of the game is imported, so that no test sees or writes the files of a person.
+_home = tempfile.TemporaryDirectory(prefix="carom-home-")
+os.environ["CAROM_HOME"] = _home.name
+
+# The same examples in every run, and none that fails because a machine is slow.
+hypothesis.settings.register_profile(
+    "carom",
+    deadline=None,
+    derandomize=True,
+    database=None,
+    suppress_health_check=[hypothesis.HealthCheck.too_slow],
+)
+hypothesis.settings.load_profile("carom")
+
+
+def pytest_unconfigure() -> None:
+    """Remove the temporary home."""
+    _home.cleanup()
