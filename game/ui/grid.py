@@ -1,0 +1,74 @@
+"""The grid of the stage: lines at round numbers of the world's unit, and the numbers themselves."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from game.ui.numerals import MINUS, format_number
+
+if TYPE_CHECKING:
+    from game.ui.canvas import Canvas
+
+CLOSEST = 72.0  # design px between lines
+MOST_LINES = 400
+
+
+def round_spacing(least: float) -> float:
+    """The smallest of 1, 2, 5, 10, ... times a power of ten that is at least ``least``."""
+    if not (math.isfinite(least) and least > 0.0):
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(least))
+    for factor in (1.0, 2.0, 5.0, 10.0):
+        if factor * power >= least * (1.0 - 1e-9):
+            return factor * power
+    return 10.0 * power
+
+
+def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
+    """Draw lines 1 px wide on whole pixels; at the right the heights, at the foot the widths."""
+    camera, rect, surface = canvas.camera, canvas.rect, canvas.surface
+    if spacing is None or not (math.isfinite(spacing) and spacing > 0.0):
+        spacing = round_spacing(CLOSEST * canvas.k / camera.scale)
+    seen, color = camera.visible(), canvas.color("grid")
+    marks: list[tuple[float, bool, str]] = []  # px, whether the line is upright, world value
+    for axis, low, high in (("x", seen.left, seen.right), ("y", seen.bottom, seen.top)):
+        first, last = math.ceil(low / spacing), math.floor(high / spacing)
+        if last - first > MOST_LINES:
+            continue
+        for i in range(first, last + 1):
+            value = i * spacing
+            x, y = camera.to_screen(value, value)
+            x0, y0 = camera.to_screen(value, 0.0) if axis == "x" else camera.to_screen(0.0, value)
+            x1, y1 = camera.to_screen(value, 1.0) if axis == "x" else camera.to_screen(1.0, value)
+            upright = abs(x1 - x0) < abs(y1 - y0)
+            place = math.floor(x0 if upright else y0)
+            line = (place, rect.y, 1, rect.h) if upright else (rect.x, place, rect.w, 1)
+            surface.fill(color, line)
+            if axis in labels:
+                marks.append((place, upright, _number(value, spacing)))
+    for place, upright, number in marks:
+        _draw_number(canvas, place, upright, f"{number} {canvas.unit}".rstrip())
+
+
+def _number(value: float, spacing: float) -> str:
+    """A round coordinate with as many decimals as its grid needs."""
+    if not 1e-4 <= spacing < 1e7:
+        return format_number(value)
+    decimals = max(0, -math.floor(math.log10(spacing) + 1e-9))
+    return f"{value:.{decimals}f}".replace("-", MINUS) if abs(value) > 0.5 * spacing else "0"
+
+
+def _draw_number(canvas: Canvas, place: float, upright: bool, text: str) -> None:
+    """A number with its unit: above its line at the right end, or at the foot of an upright line."""
+    rect, k, insets = canvas.rect, canvas.k, canvas.insets
+    if upright:
+        at = (place + 5 * k, rect.bottom - insets[3] - 10 * k)
+        room = rect.x + insets[0] + 24 * k < place < rect.right - insets[2] - 64 * k
+        align = "left"
+    else:
+        at, align = (rect.right - insets[2] - 12 * k, place - 9 * k), "right"
+        room = rect.y + insets[1] + 24 * k < place < rect.bottom - insets[3] - 8 * k
+    if room:
+        fonts, theme = canvas.fonts, canvas.theme
+        fonts.draw(canvas.surface, text, at, 11, "medium", theme.text3, align, theme.stage)

@@ -1,0 +1,354 @@
+"""Rows of the panel: controls that live in pygame_gui's tree and paint themselves.
+
+A row is as wide as the panel. It repaints only when what it shows has changed, and says what a person did
+by sending a stage event or a command; it never changes a value itself, but follows the scene's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import pygame
+from pygame_gui import UIManager
+from pygame_gui.core import UIElement
+
+from game.stage import Choice, Knob, SetKnob, StageEvent, Toggle
+from game.ui import motion
+from game.ui.commands import Command
+from game.ui.look import Look
+from game.ui.numerals import quantity
+from game.ui.shapes import draw_box, draw_disc, draw_polygon
+
+PADDING, VALUE_INSET, UNIT_INSET = 16, 42, 32  # design px: sides; value and unit from the right
+DOUBLE_CLICK_S = 0.35
+
+
+class Context(NamedTuple):
+    """What rows share: manager, appearance, width in window px, and where wishes go."""
+
+    manager: UIManager
+    look: Look
+    width: int
+    send: Callable[[StageEvent | Command], None]
+
+
+class Row(UIElement):
+    """A row at a height of the panel; subclasses say what they show and how it is painted."""
+
+    height = 24  # design px
+    tip = ""
+
+    def __init__(self, context: Context, top: int) -> None:
+        self.context = context
+        self.look = context.look
+        self.held = False
+        self._lit = motion.Fade(0.0 if self.look.less_motion else motion.HOVER_S)
+        self._shown: tuple[object, ...] | None = None
+        self.painted = False  # since the panel last looked
+        super().__init__(
+            pygame.Rect(0, top, context.width, self.look.px(self.height)), context.manager, None,
+            starting_height=1, layer_thickness=1, element_id=["row"],
+        )  # fmt: skip
+
+    # -- for subclasses -----------------------------------------------------------------------------
+
+    def shows(self) -> tuple[object, ...]:
+        """All that the picture depends on."""
+        return ()
+
+    def paint(self, surface: pygame.Surface) -> None:
+        """Paint on a surface filled with the panel's colour."""
+        raise NotImplementedError
+
+    def press(self, x: float, y: float) -> None:
+        """The pointer went down here (window px in the row)."""
+
+    def drag(self, x: float, y: float) -> None:
+        """It moved while down."""
+
+    def release(self, x: float, y: float) -> None:
+        """It came up."""
+
+    def key(self, key: int) -> None:
+        """A key while the row has the keyboard focus."""
+
+    def advance(self, dt_s: float) -> None:
+        """Let time pass."""
+
+    # -- pygame_gui ---------------------------------------------------------------------------------
+
+    def process_event(self, event: pygame.event.Event) -> bool:
+        """Follow the pointer from press to release."""
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and self.rect.collidepoint(event.pos):
+            self.held = True
+            self.press(event.pos[0] - self.rect.x, event.pos[1] - self.rect.y)
+            return True
+        if self.held and event.type == pygame.MOUSEMOTION:
+            self.drag(event.pos[0] - self.rect.x, event.pos[1] - self.rect.y)
+            return True
+        if self.held and event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+            self.held = False
+            self.release(event.pos[0] - self.rect.x, event.pos[1] - self.rect.y)
+            return True
+        return False
+
+    def update(self, time_delta: float) -> None:
+        """Let hover light and slides move on, and repaint if anything shown has changed."""
+        super().update(time_delta)
+        self._lit.update(time_delta, self.hovered)
+        self.advance(time_delta)
+        wanted = (*self.shows(), self._lit.amount, self.is_focused)
+        if wanted != self._shown:
+            self._shown = wanted
+            surface = pygame.Surface(self.rect.size, pygame.SRCALPHA, 32)
+            surface.fill(self.look.theme.panel)
+            self.paint(surface)
+            if self.is_focused:
+                inside = surface.get_rect().inflate(-2 * self.look.px(6), 0)
+                draw_box(
+                    surface, inside, self.look.px(6), None, self.look.theme.accent, max(1, self.look.px(1))
+                )
+            self._set_image(surface)
+            self.painted = True
+
+    @property
+    def left(self) -> int:
+        """Left edge of the content, window px."""
+        return self.look.px(PADDING)
+
+    @property
+    def right(self) -> int:
+        """Right edge of the content."""
+        return self.rect.w - self.look.px(PADDING)
+
+
+class Heading(Row):
+    """A section's name, and a word about it at the right."""
+
+    height = 32
+
+    def __init__(self, context: Context, top: int, title: str) -> None:
+        self.title = title
+        self.note = ""
+        super().__init__(context, top)
+
+    def shows(self) -> tuple[object, ...]:
+        return (self.title, self.note)
+
+    def paint(self, surface: pygame.Surface) -> None:
+        y = self.look.px(17)
+        self.look.text(surface, self.title, (self.left, y), 12, "semibold")
+        if self.note:
+            self.look.text(surface, self.note, (self.right, y), 12, "medium", "text3", "right")
+
+
+class Caption(Row):
+    """The name of a choice that stands below it."""
+
+    height = 24
+
+    def __init__(self, context: Context, top: int, knob: Knob[Any], changed: Callable[[], bool]) -> None:
+        self.knob = knob
+        self.tip = knob.help
+        self._changed = changed
+        super().__init__(context, top)
+
+    def shows(self) -> tuple[object, ...]:
+        return (self._changed(),)
+
+    def paint(self, surface: pygame.Surface) -> None:
+        y = self.look.px(10)
+        self.look.text(surface, self.knob.label, (self.left, y), 13, "medium", "text2")
+        if self._changed():
+            draw_changed(surface, self.look, y)
+
+
+class Measure(Row):
+    """A measured value that the top bar has no room for."""
+
+    def __init__(self, context: Context, top: int, name: str) -> None:
+        self.name = name
+        self.value, self.unit = 0.0, ""
+        super().__init__(context, top)
+
+    def shows(self) -> tuple[object, ...]:
+        return tuple(quantity(self.value, self.unit))
+
+    def paint(self, surface: pygame.Surface) -> None:
+        y = self.look.px(10)
+        number, unit = quantity(self.value, self.unit)
+        words = number if unit in ("", "°") else f"{number} {unit}"
+        words += unit if unit == "°" else ""
+        taken = self.look.text(surface, words, (self.right, y), 13, "semibold", "text1", "right").w
+        room = self.right - taken - self.look.px(12) - self.left
+        name = self.look.fonts.fit(self.name[:1].upper() + self.name[1:], 13, "medium", max(room, 0))
+        self.look.text(surface, name, (self.left, y), 13, "medium", "text2")
+
+
+class SwitchRow(Row):
+    """A switch with its words."""
+
+    height = 32
+
+    def __init__(
+        self, context: Context, top: int, label: str, tip: str, is_on: Callable[[], bool],
+        changed: Callable[[], bool], wish: Callable[[bool], StageEvent],
+    ) -> None:  # fmt: skip
+        self.label, self.tip = label, tip
+        self.is_on, self.changed, self.wish = is_on, changed, wish
+        self._slide = motion.Fade(0.0 if context.look.less_motion else motion.SEGMENT_S, is_on())
+        super().__init__(context, top)
+
+    def advance(self, dt_s: float) -> None:
+        self._slide.update(dt_s, self.is_on())
+
+    def shows(self) -> tuple[object, ...]:
+        return (self.is_on(), self._slide.amount, self.changed())
+
+    def release(self, x: float, y: float) -> None:
+        if 0 <= x < self.rect.w and 0 <= y < self.rect.h:
+            self.context.send(self.wish(not self.is_on()))
+
+    def key(self, key: int) -> None:
+        if key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE):
+            self.context.send(self.wish(not self.is_on()))
+        elif key in (pygame.K_LEFT, pygame.K_RIGHT) and self.is_on() != (key == pygame.K_RIGHT):
+            self.context.send(self.wish(key == pygame.K_RIGHT))
+
+    def paint(self, surface: pygame.Surface) -> None:
+        middle = self.rect.h / 2
+        draw_switch(surface, self.look, (self.left, round(middle)), self._slide.amount, self._lit.amount)
+        color = "text1" if self.is_on() else "text3"
+        room = self.right - self.left - self.look.px(44)
+        label = self.look.fonts.fit(self.label, 13, "medium", room)
+        self.look.text(surface, label, (self.left + self.look.px(44), middle), 13, "medium", color)
+        if self.changed():
+            draw_changed(surface, self.look, middle)
+
+
+class SegmentsRow(Row):
+    """Up to three short options side by side; the chosen one filled."""
+
+    height = 40
+
+    def __init__(self, context: Context, top: int, knob: Choice, values: dict[str, Any]) -> None:
+        self.knob = knob
+        self.tip = knob.help
+        self.values = values
+        self._place = float(self._index())
+        self._under = -1
+        super().__init__(context, top)
+
+    def _index(self) -> int:
+        return self.knob.options.index(self.values[self.knob.name])
+
+    def _tray(self) -> pygame.Rect:
+        return pygame.Rect(self.left, 0, self.right - self.left, self.look.px(32))
+
+    def _segment_at(self, x: float, y: float) -> int:
+        tray = self._tray()
+        if not tray.collidepoint(x, y):
+            return -1
+        return min(int((x - tray.x) / tray.w * len(self.knob.options)), len(self.knob.options) - 1)
+
+    def advance(self, dt_s: float) -> None:
+        gap = self._index() - self._place
+        if self.look.less_motion or abs(gap) < 0.01:
+            self._place = float(self._index())
+        else:
+            self._place += gap * min(1.0, dt_s * 4.0 / motion.SEGMENT_S)
+        x, y = self.context.manager.get_mouse_position()
+        self._under = self._segment_at(x - self.rect.x, y - self.rect.y) if self.hovered else -1
+
+    def shows(self) -> tuple[object, ...]:
+        return (self._index(), self._place, self._under)
+
+    def release(self, x: float, y: float) -> None:
+        i = self._segment_at(x, y)
+        if i >= 0 and i != self._index():
+            self.context.send(SetKnob(self.knob.name, self.knob.options[i]))
+
+    def key(self, key: int) -> None:
+        i = self._index() + {pygame.K_LEFT: -1, pygame.K_RIGHT: 1}.get(key, 0)
+        if i != self._index() and 0 <= i < len(self.knob.options):
+            self.context.send(SetKnob(self.knob.name, self.knob.options[i]))
+
+    def paint(self, surface: pygame.Surface) -> None:
+        look, theme, px = self.look, self.look.theme, self.look.px
+        tray = self._tray()
+        draw_box(surface, tray, px(8), theme.inset)
+        inner = tray.inflate(-2 * px(2), -2 * px(2))
+        width = inner.w / len(self.knob.options)
+        if self._under >= 0 and self._under != self._index():
+            hovered = pygame.Rect(round(inner.x + self._under * width), inner.y, round(width), inner.h)
+            draw_box(surface, hovered, px(6), theme.hover)
+        chosen = pygame.Rect(round(inner.x + self._place * width), inner.y, round(width), inner.h)
+        draw_box(surface, chosen, px(6), theme.accent)
+        for i, label in enumerate(self.knob.labels):
+            center = (inner.x + (i + 0.5) * width, inner.centery)
+            lit = abs(i - self._place) < 0.5
+            color = theme.on_accent if lit else theme.text1 if i == self._under else theme.text2
+            label = look.fonts.fit(label, 12, "medium", round(width) - px(4))
+            look.text(surface, label, center, 12, "medium", color, "center")
+
+
+def toggle_row(context: Context, top: int, knob: Toggle, values: dict[str, Any]) -> SwitchRow:
+    """The switch of a knob."""
+    return SwitchRow(
+        context, top, knob.label, knob.help,
+        is_on=lambda: values[knob.name],
+        changed=lambda: values[knob.name] != knob.default,
+        wish=lambda on: SetKnob(knob.name, on),
+    )  # fmt: skip
+
+
+def fits_in_segments(look: Look, knob: Choice, width: int) -> bool:
+    """Whether the options are few and short enough to stand side by side."""
+    room = (width - 2 * look.px(PADDING)) / max(len(knob.options), 1) - look.px(12)
+    return 2 <= len(knob.options) <= 3 and all(look.fonts.size(label, 12)[0] <= room for label in knob.labels)
+
+
+def draw_changed(surface: pygame.Surface, look: Look, y: float) -> None:
+    """The amber dot of a value that is not its default."""
+    draw_disc(surface, (look.px(8), y), 2.6 * look.k, look.color("amber"))
+
+
+def draw_switch(
+    surface: pygame.Surface, look: Look, left_middle: tuple[int, int], amount: float, lit: float
+) -> None:
+    """A switch whose ball is ``amount`` of the way to on; a tick shows when it is there."""
+    theme, px = look.theme, look.px
+    rect = pygame.Rect(left_middle[0], 0, px(32), px(18))
+    rect.centery = left_middle[1]
+    off = theme.hover.lerp(theme.line2, 0.3 * lit)
+    fill = off.lerp(theme.accent, amount)
+    edge = theme.line2.lerp(theme.accent, max(amount, 0.6 * lit))
+    draw_box(surface, rect, rect.h / 2, fill, edge, look.border)
+    radius = 6.8 * look.k
+    x = rect.x + rect.h / 2 + amount * (rect.w - rect.h)
+    ball = theme.text2.lerp(theme.knob, amount) if theme.name == "dark" else theme.knob
+    outline = None if theme.name == "dark" else edge
+    draw_disc(surface, (x, rect.y + rect.h / 2), radius, ball, outline)
+    if amount > 0.5:
+        draw_tick(
+            surface,
+            (x, rect.y + rect.h / 2),
+            0.52 * radius,
+            theme.panel if theme.name == "dark" else theme.accent,
+        )
+
+
+def draw_tick(surface: pygame.Surface, center: tuple[float, float], size: float, color: pygame.Color) -> None:
+    """A small tick about a centre."""
+    x, y = center
+    w = 0.32 * size
+    points = [
+        (-1.0, 0.05),
+        (-0.25, 0.8),
+        (1.0, -0.65),
+        (1.0 - w, -0.65 - w),
+        (-0.25, 0.8 - 2.2 * w),
+        (-1.0 + w, 0.05 - w),
+    ]
+    draw_polygon(surface, [(x + px * size, y + py * size) for px, py in points], color)

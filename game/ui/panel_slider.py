@@ -1,0 +1,238 @@
+"""A number in the panel: dragged along a track, typed into a field, put back by a double click.
+
+The track is linear or by decades, in whole numbers or in grains; what is typed goes through the knob's own
+check and is refused with its message, the old value staying.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pygame
+
+from game.stage import KnobError, Param, SetKnob
+from game.ui.commands import Command
+from game.ui.look import Look
+from game.ui.numerals import NARROW_SPACE, Quantity, format_number, quantity
+from game.ui.panel_rows import DOUBLE_CLICK_S, UNIT_INSET, VALUE_INSET, Context, Row, draw_changed
+from game.ui.shapes import draw_box, draw_disc
+
+_FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
+_MANY = 272  # places on a track at scale 1
+
+
+def value_at(knob: Param, share: float) -> float:
+    """The value ``share`` (0 to 1) along the track, rounded to the knob's grain or to a neat number."""
+    share = min(max(share, 0.0), 1.0)
+    low, high = knob.minimum, knob.maximum
+    if knob.log:
+        value = low * (high / low) ** share
+        if knob.step is None:
+            value = float(f"{value:.2e}")
+    else:
+        value = low + share * (high - low)
+        if knob.step is None:
+            grain = 10.0 ** math.floor(math.log10((high - low) / _MANY))
+            value = float(f"{round(value / grain) * grain:.12g}")
+    if knob.step is not None:
+        base = low if not knob.log else 0.0
+        value = float(f"{base + round((value - base) / knob.step) * knob.step:.12g}")
+    return min(max(value, low), high)
+
+
+def share_of(knob: Param, value: float) -> float:
+    """How far along the track a value is, 0 to 1."""
+    if knob.log:
+        share = math.log(max(value, knob.minimum) / knob.minimum) / math.log(knob.maximum / knob.minimum)
+    else:
+        share = (value - knob.minimum) / (knob.maximum - knob.minimum)
+    return min(max(share, 0.0), 1.0)
+
+
+def shown_value(knob: Param, value: float) -> Quantity:
+    """Number and unit as the panel writes them: whole, with the grain's decimals, or three digits."""
+    if knob.whole:
+        return Quantity(format_number(int(value)), knob.unit)
+    number, unit = quantity(value, knob.unit)
+    if knob.step is not None and unit == knob.unit and 1e-6 < knob.step < 1e6:
+        decimals = min(max(0, -math.floor(math.log10(knob.step) + 1e-9)), 6)
+        sign = "−" if round(value, decimals) < 0 else ""
+        whole, point, fraction = f"{abs(value):.{decimals}f}".partition(".")
+        number = sign + f"{int(whole):,}".replace(",", NARROW_SPACE) + point + fraction
+    return Quantity(number, unit)
+
+
+def read_value(knob: Param, text: str, shown_unit: str) -> float:
+    """The value of typed words; a unit may follow the number, else the one shown is meant.
+
+    Raises KnobError for what is no number or outside the knob's range.
+    """
+    words = text.strip().replace(NARROW_SPACE, "").replace(" ", "").replace("−", "-").replace("μ", "µ")
+    for prefix, factor in _FACTORS.items():
+        unit = prefix + knob.unit
+        if knob.unit and words.endswith(unit) and words[: -len(unit)][-1:].isdigit():
+            return knob.check(_number(knob, words[: -len(unit)]) * factor)
+    factor = _FACTORS.get(shown_unit.removesuffix(knob.unit), 1.0) if knob.unit else 1.0
+    return knob.check(_number(knob, words) * factor)
+
+
+def _number(knob: Param, words: str) -> float:
+    try:
+        number = float(words.replace(",", "."))
+    except ValueError:
+        raise KnobError(f"{knob.label}: {words!r} is not a number") from None
+    return int(number) if knob.whole and number == math.floor(number) and math.isfinite(number) else number
+
+
+class SliderRow(Row):
+    """Label, value, unit and track of one Param."""
+
+    height = 40
+
+    def __init__(self, context: Context, top: int, knob: Param, values: dict[str, Any]) -> None:
+        self.knob = knob
+        self.values = values
+        low, high = (" ".join(shown_value(knob, v)).strip() for v in (knob.minimum, knob.maximum))
+        self.tip = (f"{knob.help}\n" if knob.help else "") + f"{low} to {high}"
+        self.typed = False  # the panel's text field is over the value
+        self.wants_field = False
+        self._pending: float | None = None  # dragged to, not yet sent: the scene would be built anew
+        self._dragging = False
+        self._click_age_s = math.inf
+        self._over_value = False
+        super().__init__(context, top)
+
+    @property
+    def value(self) -> float:
+        """The value shown."""
+        return self._pending if self._pending is not None else self.values[self.knob.name]
+
+    def value_rect(self) -> pygame.Rect:
+        """Where the number stands, window px in the row."""
+        px = self.look.px
+        width = max(
+            self.look.fonts.size(shown_value(self.knob, self.value).number, 13, "semibold")[0], px(24)
+        )
+        rect = pygame.Rect(0, px(-2), width + 2 * px(6), px(24))
+        rect.right = self.right - px(VALUE_INSET) + px(6)
+        return rect
+
+    def field_rect(self) -> pygame.Rect:
+        """Where the text field goes, window px in the panel's sheet."""
+        px = self.look.px
+        return pygame.Rect(self.right - px(VALUE_INSET) - px(84), self.rect.y - px(2), px(92), px(25))
+
+    def advance(self, dt_s: float) -> None:
+        self._click_age_s += dt_s
+        x, y = self.context.manager.get_mouse_position()
+        self._over_value = self.hovered and self.value_rect().collidepoint(x - self.rect.x, y - self.rect.y)
+
+    def shows(self) -> tuple[object, ...]:
+        return (self.value, self.typed, self._over_value, self._dragging)
+
+    def press(self, x: float, y: float) -> None:
+        if self._click_age_s < DOUBLE_CLICK_S:
+            self._click_age_s = math.inf
+            self._pending = None
+            self._send(self.knob.default)
+            return
+        if self.value_rect().collidepoint(x, y):
+            self.wants_field = True
+            return
+        self._click_age_s = 0.0
+        if y >= self.look.px(18):
+            self._dragging = True
+            self.drag(x, y)
+
+    def drag(self, x: float, y: float) -> None:
+        if not self._dragging:
+            return
+        start, end = self.left + self.look.px(8), self.right - self.look.px(8)
+        value = value_at(self.knob, (x - start) / max(end - start, 1))
+        if self.knob.rebuild:
+            self._pending = value
+        elif value != self.values[self.knob.name]:
+            self._send(value)
+
+    def release(self, x: float, y: float) -> None:
+        self._dragging = False
+        if self._pending is not None:
+            pending, self._pending = self._pending, None
+            if pending != self.values[self.knob.name]:
+                self._send(pending)
+
+    def cancel(self) -> None:
+        """Forget a drag that has not been sent."""
+        self._dragging = self.held = False
+        self._pending = None
+
+    def key(self, key: int) -> None:
+        if key in (pygame.K_RETURN, pygame.K_KP_ENTER):
+            self.wants_field = True
+            return
+        direction = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1}.get(key, 0)
+        if direction:
+            here = self.values[self.knob.name]
+            for places in (1, 2, 4, 8, 16, 32, 64, 128, 256):  # until a coarse grain moves
+                value = value_at(self.knob, share_of(self.knob, here) + direction * places / _MANY)
+                if value != here:
+                    self._send(value)
+                    return
+
+    def type(self, text: str) -> None:
+        """Take over what was typed, or say why not."""
+        try:
+            value = read_value(self.knob, text, shown_value(self.knob, self.value).unit)
+        except KnobError as error:
+            self.context.send(Command("refused", str(error)))
+            return
+        if value != self.values[self.knob.name]:
+            self._send(value)
+
+    def _send(self, value: float) -> None:
+        self.context.send(SetKnob(self.knob.name, int(value) if self.knob.whole else value))
+
+    def paint(self, surface: pygame.Surface) -> None:
+        look, px, y = self.look, self.look.px, self.look.px(10)
+        number, unit = shown_value(self.knob, self.value)
+        if self._over_value and not self.typed:
+            draw_box(surface, self.value_rect(), px(6), look.theme.inset, look.theme.line, look.border)
+        if not self.typed:
+            look.text(surface, number, (self.right - px(VALUE_INSET), y), 13, "semibold", "text1", "right")
+        unit = look.fonts.fit(unit, 13, "medium", px(UNIT_INSET + 8))
+        look.text(surface, unit, (self.right - px(UNIT_INSET), y), 13, "medium", "text3")
+        room = self.value_rect().x - self.left
+        look.text(
+            surface,
+            look.fonts.fit(self.knob.label, 13, "medium", room),
+            (self.left, y),
+            13,
+            "medium",
+            "text2",
+        )
+        if self.value != self.knob.default:
+            draw_changed(surface, look, y)
+        draw_track(
+            surface, look, self.left, self.right, px(30), share_of(self.knob, self.value), self._grip()
+        )
+
+    def _grip(self) -> float:
+        return 1.0 if self._dragging else self._lit.amount * (0.0 if self._over_value else 1.0)
+
+
+def draw_track(
+    surface: pygame.Surface, look: Look, left: int, right: int, y: int, share: float, lit: float
+) -> None:
+    """A track filled to ``share`` with its ivory knob."""
+    theme, px = look.theme, look.px
+    track = pygame.Rect(left, 0, right - left, px(4))
+    track.centery = y
+    draw_box(surface, track, track.h / 2, theme.hover)
+    x = left + px(8) + share * (right - left - 2 * px(8))
+    filled = track.copy()
+    filled.w = max(round(x - left), 1)
+    draw_box(surface, filled, track.h / 2, theme.accent)
+    ring = (theme.bg if theme.name == "dark" else theme.line2).lerp(theme.accent, lit)
+    center = (x, track.y + track.h / 2)
+    draw_disc(surface, center, 8.0 * look.k, theme.knob, ring, max(1.0, look.k))
