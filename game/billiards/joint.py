@@ -38,15 +38,16 @@ SETTLED = 2.0**-51  # a change of impulse that is rounding only, relative to the
 
 # columns of the scratch array of balls
 _COARSE_X, _FINE_X, _COARSE_Y, _FINE_Y, _VALENCE = 0, 1, 2, 3, 4
-# columns of the scratch array of contacts
-_DEMAND, _STEP, _NOW, _BEFORE, _AHEAD, _SLOPE = 0, 1, 2, 3, 4, 5
+# columns of the scratch array of contacts; the first three are for callers
+DEMAND, STEP, SPEED, _NOW, _BEFORE, _AHEAD, _SLOPE = 0, 1, 2, 3, 4, 5, 6
+CONTACT_COLUMNS, BALL_COLUMNS = 7, 5
 
 
 class JointScratch(NamedTuple):
-    """Room to work in: balls (n, 5), contacts (m, 6)."""
+    """Room to work in: contacts (m, CONTACT_COLUMNS), balls (n, BALL_COLUMNS)."""
 
-    balls: NDArray[np.float64]
     contacts: NDArray[np.float64]
+    balls: NDArray[np.float64]
 
 
 def joint_scratch(balls: int, contacts: int) -> JointScratch:
@@ -55,52 +56,31 @@ def joint_scratch(balls: int, contacts: int) -> JointScratch:
         raise ValueError(
             f"joint scratch: numbers must not be negative, got {balls!r} balls, {contacts!r} contacts"
         )
-    return JointScratch(np.zeros((balls, 5)), np.zeros((contacts, 6)))
+    return JointScratch(np.zeros((contacts, CONTACT_COLUMNS)), np.zeros((balls, BALL_COLUMNS)))
 
 
 @kernel
-def closing_speed(i, first, second, normals, velocities):
-    """Speed at which contact i closes, m/s; negative where it opens."""
-    a = first[i]
-    b = second[i]
-    if b < 0:
-        return velocities[a, 0] * normals[i, 0] + velocities[a, 1] * normals[i, 1]
-    dvx = velocities[a, 0] - velocities[b, 0]
-    dvy = velocities[a, 1] - velocities[b, 1]
-    return dvx * normals[i, 0] + dvy * normals[i, 1]
-
-
-@kernel
-def _power_above(magnitude):
-    """Power of two above a positive magnitude; 0 for 0, and for what is not finite."""
-    if not (magnitude > 0.0 and magnitude < 1e300):
-        return 0.0
-    return math.ldexp(1.0, math.frexp(magnitude)[1])
-
-
-@kernel
-def _sum_impulses(count, first, second, normals, inverse_masses, column, contacts, balls):
-    """Change of velocity of each ball by the impulses in a column, to `balls`; order-free.
+def _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, ahead):
+    """Change of velocity of each ball by the impulses (_AHEAD or _NOW), to `balls`; order-free.
 
     Each addend is split into a coarse part, a multiple of 2^-32 of a power of two above all of them, and a
     fine part, a multiple of 2^-80: sums of either are exact, so any order gives the same bits (two-fold
     reproducible summation; Demmel and Nguyen 2015).
     """
+    column = _AHEAD if ahead else _NOW
     largest = 0.0
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
-            mass = inverse_masses[first[i]]
-            if second[i] >= 0:
-                mass = max(mass, inverse_masses[second[i]])
-            largest = max(largest, abs(contacts[i, column]) * mass)
-            balls[first[i], _COARSE_X:_VALENCE] = 0.0
-            if second[i] >= 0:
-                balls[second[i], _COARSE_X:_VALENCE] = 0.0
-    unit = _power_above(largest)
+        if contacts[i, STEP] > 0.0:
+            for side in range(2):
+                ball = first[i] if side == 0 else second[i]
+                if ball >= 0:
+                    largest = max(largest, abs(contacts[i, column]) * inverse_masses[ball])
+                    balls[ball, :_VALENCE] = 0.0
+    unit = math.ldexp(1.0, math.frexp(largest)[1]) if largest < 1e300 else 0.0
     coarse = 1.5 * unit * 2.0**20  # adding and subtracting it rounds to its last place, unit * 2^-32
     fine = 1.5 * unit * 2.0**-28
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
+        if contacts[i, STEP] > 0.0:
             for side in range(2):
                 ball = first[i] if side == 0 else second[i]
                 if ball >= 0 and inverse_masses[ball] > 0.0:
@@ -115,46 +95,32 @@ def _sum_impulses(count, first, second, normals, inverse_masses, column, contact
 
 
 @kernel
-def _steepness(count, first, second, inverse_masses, contacts, balls):
+def _share_out(count, first, second, inverse_masses, contacts, balls):
     """Step length of each contact by mass splitting (Tonge, Benevolenski, Voroshilov 2012); True if coupled.
 
     A ball of k contacts is shared out among them, k times as light; the steps then never overshoot jointly.
-    Contacts with nothing to move, or nothing demanded (step 0), take no part.
+    Contacts with nothing to move get step 0 and take no part.
     """
     for i in range(count):
         balls[first[i], _VALENCE] = 0.0
         if second[i] >= 0:
             balls[second[i], _VALENCE] = 0.0
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
+        if contacts[i, STEP] > 0.0:
             balls[first[i], _VALENCE] += 1.0
             if second[i] >= 0:
                 balls[second[i], _VALENCE] += 1.0
     coupled = False
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
-            a = first[i]
-            b = second[i]
-            shared = inverse_masses[a] * balls[a, _VALENCE]
-            coupled = coupled or (balls[a, _VALENCE] > 1.0 and inverse_masses[a] > 0.0)
-            if b >= 0:
-                shared += inverse_masses[b] * balls[b, _VALENCE]
-                coupled = coupled or (balls[b, _VALENCE] > 1.0 and inverse_masses[b] > 0.0)
-            contacts[i, _STEP] = 1.0 / shared if shared > 0.0 else 0.0
+        if contacts[i, STEP] > 0.0:
+            shared = 0.0
+            for side in range(2):
+                ball = first[i] if side == 0 else second[i]
+                if ball >= 0 and inverse_masses[ball] > 0.0:
+                    shared += inverse_masses[ball] * balls[ball, _VALENCE]
+                    coupled = coupled or balls[ball, _VALENCE] > 1.0
+            contacts[i, STEP] = 1.0 / shared if shared > 0.0 else 0.0
     return coupled
-
-
-@kernel
-def _closing_change(i, first, second, normals, balls):
-    """How much the summed impulses change the closing speed of contact i, m/s."""
-    a = first[i]
-    b = second[i]
-    dvx = balls[a, _COARSE_X] + balls[a, _FINE_X]
-    dvy = balls[a, _COARSE_Y] + balls[a, _FINE_Y]
-    if b >= 0:
-        dvx -= balls[b, _COARSE_X] + balls[b, _FINE_X]
-        dvy -= balls[b, _COARSE_Y] + balls[b, _FINE_Y]
-    return dvx * normals[i, 0] + dvy * normals[i, 1]
 
 
 @kernel
@@ -166,14 +132,21 @@ def _descend(count, first, second, normals, contacts, balls):
     moved = 0.0
     scale = 0.0
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
-            change = _closing_change(i, first, second, normals, balls)
+        if contacts[i, STEP] > 0.0:
+            a = first[i]
+            b = second[i]
+            vx = balls[a, _COARSE_X] + balls[a, _FINE_X]
+            vy = balls[a, _COARSE_Y] + balls[a, _FINE_Y]
+            if b >= 0:
+                vx -= balls[b, _COARSE_X] + balls[b, _FINE_X]
+                vy -= balls[b, _COARSE_Y] + balls[b, _FINE_Y]
+            change = vx * normals[i, 0] + vy * normals[i, 1]
             ahead = contacts[i, _AHEAD]
-            wanted = max(0.0, ahead + contacts[i, _STEP] * (contacts[i, _DEMAND] + change))
+            wanted = max(0.0, ahead + contacts[i, STEP] * (contacts[i, DEMAND] + change))
             contacts[i, _BEFORE] = contacts[i, _NOW]
             contacts[i, _NOW] = wanted
-            moved = max(moved, abs(wanted - ahead) / contacts[i, _STEP])
-            scale = max(scale, abs(contacts[i, _DEMAND]), abs(change))
+            moved = max(moved, abs(wanted - ahead) / contacts[i, STEP])
+            scale = max(scale, abs(contacts[i, DEMAND]), abs(change))
     return moved, scale
 
 
@@ -182,38 +155,41 @@ def _turns_back(count, contacts):
     """True if the last step went against the momentum (restart test of O'Donoghue and Candes 2015)."""
     largest = 0.0
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
+        if contacts[i, STEP] > 0.0:
             onward = contacts[i, _NOW] - contacts[i, _BEFORE]
-            contacts[i, _SLOPE] = (contacts[i, _AHEAD] - contacts[i, _NOW]) * onward / contacts[i, _STEP]
+            contacts[i, _SLOPE] = (contacts[i, _AHEAD] - contacts[i, _NOW]) * onward / contacts[i, STEP]
             largest = max(largest, abs(contacts[i, _SLOPE]))
-    rounding = 1.5 * _power_above(largest) * 2.0**20
+    rounding = 1.5 * math.ldexp(1.0, math.frexp(largest)[1]) * 2.0**20 if largest < 1e300 else 0.0
     uphill = 0.0
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
+        if contacts[i, STEP] > 0.0:
             uphill += (contacts[i, _SLOPE] + rounding) - rounding
     return uphill > 0.0
 
 
 @kernel
-def solve_complementarity(count, first, second, normals, inverse_masses, contacts, balls, max_iterations):
-    """Least impulses J >= 0 that meet each contact's demand: A J >= d, J . (A J - d) = 0.
+def solve_complementarity(
+    count, first, second, normals, inverse_masses, targets, impulses, contacts, balls, max_iterations
+):
+    """Least impulses J >= 0 that meet each contact's demand: A J >= d, J . (A J - d) = 0; and apply them.
 
-    contacts[:, _DEMAND] d and contacts[:, _STEP] > 0 for those that take part are read; contacts[:, _NOW]
-    and the sums of the balls are written. A demand is a change of closing speed (m/s), or, to part balls
-    that overlap, a distance (m). Accelerated projected gradient (Nesterov 1983; Mazhar, Heyn, Negrut,
-    Tasora 2015) whose every sum and test is independent of the order of the contacts. Contradictory demands
-    (a ball between walls too narrow for it) end as a compromise after `max_iterations`. Returns iterations.
+    contacts[:, DEMAND] d and contacts[:, STEP] > 0 for those that take part are read. targets (n, 2 or
+    more): velocities, if a demand is a change of closing speed (m/s), or positions, if it is a distance by
+    which to part what overlaps (m); columns 0 and 1 are changed. impulses (m,): added to. Accelerated
+    projected gradient (Nesterov 1983; Mazhar, Heyn, Negrut, Tasora 2015) whose every sum and test is
+    independent of the order of the contacts. Contradictory demands (a ball between walls too narrow for it)
+    end as a compromise after `max_iterations`. Returns iterations.
     """
-    coupled = _steepness(count, first, second, inverse_masses, contacts, balls)
+    coupled = _share_out(count, first, second, inverse_masses, contacts, balls)
     for i in range(count):
-        if contacts[i, _STEP] > 0.0:
+        if contacts[i, STEP] > 0.0:
             contacts[i, _BEFORE] = 0.0
-            contacts[i, _NOW] = max(0.0, contacts[i, _DEMAND] * contacts[i, _STEP])
+            contacts[i, _NOW] = max(0.0, contacts[i, DEMAND] * contacts[i, STEP])
             contacts[i, _AHEAD] = contacts[i, _NOW]
     iterations = 1
     momentum = 1.0
     while coupled and iterations < max_iterations:
-        _sum_impulses(count, first, second, normals, inverse_masses, _AHEAD, contacts, balls)
+        _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, True)
         moved, scale = _descend(count, first, second, normals, contacts, balls)
         iterations += 1
         if not (moved > SETTLED * scale):
@@ -225,46 +201,34 @@ def solve_complementarity(count, first, second, normals, inverse_masses, contact
             momentum = 1.0
             gain = 0.0
         for i in range(count):
-            if contacts[i, _STEP] > 0.0:
+            if contacts[i, STEP] > 0.0:
                 contacts[i, _AHEAD] = contacts[i, _NOW] + gain * (contacts[i, _NOW] - contacts[i, _BEFORE])
-    _sum_impulses(count, first, second, normals, inverse_masses, _NOW, contacts, balls)
+    _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, False)
+    for i in range(count):
+        if contacts[i, STEP] > 0.0:
+            impulses[i] += contacts[i, _NOW]
+            for side in range(2):
+                ball = first[i] if side == 0 else second[i]
+                if ball >= 0:  # a ball of several contacts gets its sum once
+                    targets[ball, 0] += balls[ball, _COARSE_X] + balls[ball, _FINE_X]
+                    targets[ball, 1] += balls[ball, _COARSE_Y] + balls[ball, _FINE_Y]
+                    balls[ball, :_VALENCE] = 0.0
     return iterations
 
 
 @kernel
-def _choose_contacts(count, first, second, normals, restitutions, velocities, join_resting, contacts):
-    """Set demand and participation for one round; returns the number of contacts that close."""
+def _measure_closing(count, first, second, normals, velocities, contacts):
+    """Write the speed at which each contact closes, m/s, to DEMAND; returns the fastest, either way."""
     fastest = 0.0
     for i in range(count):
-        speed = closing_speed(i, first, second, normals, velocities)
-        contacts[i, _DEMAND] = speed
-        fastest = max(fastest, abs(speed))
-    threshold = CLOSING * fastest
-    closing = 0
-    for i in range(count):
-        speed = contacts[i, _DEMAND]
-        contacts[i, _STEP] = 0.0
-        if speed > threshold:
-            closing += 1
-            contacts[i, _STEP] = 1.0
-            contacts[i, _DEMAND] = (1.0 + restitutions[i]) * speed
-        elif (join_resting or restitutions[i] == 0.0) and speed >= -threshold:
-            contacts[i, _STEP] = 1.0
-    return closing
-
-
-@kernel
-def _apply_impulses(count, first, second, inverse_masses, contacts, balls, velocities, impulses):
-    """Add the round's impulses to the totals, and their sums to the velocities of the balls, once each."""
-    for i in range(count):
-        if contacts[i, _STEP] > 0.0:
-            impulses[i] += contacts[i, _NOW]
-            for side in range(2):
-                ball = first[i] if side == 0 else second[i]
-                if ball >= 0:
-                    velocities[ball, 0] += balls[ball, _COARSE_X] + balls[ball, _FINE_X]
-                    velocities[ball, 1] += balls[ball, _COARSE_Y] + balls[ball, _FINE_Y]
-                    balls[ball, _COARSE_X:_VALENCE] = 0.0
+        vx = velocities[first[i], 0]
+        vy = velocities[first[i], 1]
+        if second[i] >= 0:
+            vx -= velocities[second[i], 0]
+            vy -= velocities[second[i], 1]
+        contacts[i, DEMAND] = vx * normals[i, 0] + vy * normals[i, 1]
+        fastest = max(fastest, abs(contacts[i, DEMAND]))
+    return fastest
 
 
 @kernel
@@ -284,25 +248,45 @@ def solve_joint_impulses(
     """Resolve `count` simultaneous impacts, in rounds, until no contact closes; returns the rounds.
 
     first, second (m,) int: balls of each contact; second -1 is a wall. normals (m, 2): unit, from first to
-    second (into the wall). restitutions (m,): 0 to 1. inverse_masses (n,) 1/kg, 0 does not yield.
-    velocities (n, 2 or more) m/s: columns 0 and 1 are changed. impulses (m,) N s: total of each contact,
-    written. join_resting: see the module. contacts, balls: `joint_scratch`.
+    second (into the wall); (0, 0) leaves a contact out. restitutions (m,): 0 to 1. inverse_masses (n,)
+    1/kg, 0 does not yield. velocities (n, 2 or more) m/s: columns 0 and 1 are changed. impulses (m,) N s:
+    total of each contact, written. join_resting: bool, see the module. contacts, balls: `joint_scratch`;
+    contacts[:, SPEED] is left with the closing speeds before the first round, m/s.
 
     If impacts go on without end (e < 1 between touching balls), the last of 2 m + SPARE_ROUNDS rounds lets
     every contact stop closing without rebound; that too conserves momentum and cannot raise the energy.
     """
-    impulses[:count] = 0.0
     limit = 2 * count + SPARE_ROUNDS
     for rounds in range(limit):
-        closing = _choose_contacts(
-            count, first, second, normals, restitutions, velocities, join_resting, contacts
-        )
+        fastest = _measure_closing(count, first, second, normals, velocities, contacts)
+        closing = 0
+        for i in range(count):
+            speed = contacts[i, DEMAND]
+            if rounds == 0:
+                impulses[i] = 0.0
+                contacts[i, SPEED] = speed
+            contacts[i, STEP] = 0.0
+            if speed > CLOSING * fastest:
+                closing += 1
+                contacts[i, STEP] = 1.0
+                contacts[i, DEMAND] = (1.0 + restitutions[i]) * speed
+            elif (join_resting or restitutions[i] == 0.0) and speed >= -CLOSING * fastest:
+                contacts[i, STEP] = 1.0
+            if rounds == limit - 1:
+                contacts[i, STEP] = 1.0
+                contacts[i, DEMAND] = speed
         if closing == 0:
             return rounds
-        if rounds == limit - 1:
-            for i in range(count):
-                contacts[i, _STEP] = 1.0
-                contacts[i, _DEMAND] = closing_speed(i, first, second, normals, velocities)
-        solve_complementarity(count, first, second, normals, inverse_masses, contacts, balls, MAX_ITERATIONS)
-        _apply_impulses(count, first, second, inverse_masses, contacts, balls, velocities, impulses)
+        solve_complementarity(
+            count,
+            first,
+            second,
+            normals,
+            inverse_masses,
+            velocities,
+            impulses,
+            contacts,
+            balls,
+            np.int64(MAX_ITERATIONS),  # a bare number would be compiled in, and the kernel twice
+        )
     return limit
