@@ -43,7 +43,7 @@ def remember(scene: Any) -> Memory:
         if name in KEPT_ELSEWHERE:
             continue
         if isinstance(value, np.random.Generator):
-            kept[name] = _GeneratorState(copy.deepcopy(value.bit_generator.state))
+            kept[name] = _GeneratorState(copy.deepcopy(dict(value.bit_generator.state)))
             weight += 600
             continue
         items = _count(value, _MAX_DEPTH)

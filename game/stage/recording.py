@@ -16,7 +16,6 @@ from game import __version__
 from game.files import FileProblem, read_text, write_text
 from game.stage.events import Pointer, SetKnob, Stamped
 
-FORMAT = 1
 MAX_BYTES = 256 << 20
 MAX_EVENTS = 1_000_000
 MAX_STEPS = 10**9
@@ -24,7 +23,7 @@ CHECK_INTERVAL = 120  # steps between digests
 
 
 class RecordingError(ValueError):
-    """A recording that cannot be read, written or replayed: ``file``, ``field`` and ``reason``, in one line."""
+    """A recording that cannot be read, written or replayed: file, field and reason, in one line."""
 
     def __init__(self, file: Path | str | None, field: str, reason: str):
         self.file = str(file) if file else "recording"
@@ -44,7 +43,7 @@ class Check(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A session of a scene from its beginning, as it is kept in a file."""
 
-    format: Literal[1] = FORMAT
+    format: Literal[1] = 1
     version: Annotated[str, msgspec.Meta(max_length=40)] = __version__  # of Carom
     scene: Annotated[str, msgspec.Meta(max_length=40)]
     level: Annotated[str, msgspec.Meta(max_length=1 << 20)] | None = None  # text of the level's file

@@ -15,7 +15,7 @@ RATE_HZ = 60.0
 class StripSeries:
     """Samples of readouts by name, with the step and simulated time they were taken at.
 
-    ``window_s``: s of simulated time that are kept. ``rate_hz``: the most samples a second that are asked for.
+    ``window_s``: s of simulated time that are kept. ``rate_hz``: the most samples for each of them.
     """
 
     def __init__(self, window_s: float = WINDOW_S, rate_hz: float = RATE_HZ):
@@ -62,10 +62,9 @@ class StripSeries:
         for column in self._values.values():
             column[index] = np.nan
         for readout in readouts:
-            column = self._values.get(readout.name)
-            if column is None:
-                column = self._values[readout.name] = np.full(2 * self._room, np.nan)
-            column[index] = readout.value
+            if readout.name not in self._values:
+                self._values[readout.name] = np.full(2 * self._room, np.nan)
+            self._values[readout.name][index] = readout.value
         while self._times[self._first] < time_s - self.window_s or len(self) > self._room:
             self._first += 1
 

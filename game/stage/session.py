@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 
 from game.physics.effects import EffectSet
 from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent
-from game.stage.finite import FiniteWatch
 from game.stage.knobs import KnobError
 from game.stage.memory import recall, remember
 from game.stage.recording import CHECK_INTERVAL, MAX_EVENTS, Check
@@ -22,6 +21,7 @@ from game.stage.snapshots import Snapshot, SnapshotRing
 from game.stage.state import copy_state, digest_of, same_shapes
 from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
+from game.stage.watch import FiniteWatch
 
 STEP_LENGTH = "step_length"  # a knob of this name (s) is the length of a step
 
@@ -273,9 +273,9 @@ class Session:
             self._ring.add(self._snapshot())
             if not self._record:
                 self.timeline.drop_before(self._ring.first_event)
-        if self._record and self.step % CHECK_INTERVAL == 0:
-            if not self._checks or self._checks[-1].step < self.step:
-                self._checks.append(Check(self.step, self.digest()))
+        due = self._record and self.step % CHECK_INTERVAL == 0
+        if due and (not self._checks or self._checks[-1].step < self.step):
+            self._checks.append(Check(self.step, self.digest()))
         self._schedule()
 
     def _schedule(self) -> None:

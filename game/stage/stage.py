@@ -60,6 +60,7 @@ class Stage:
         self._given_dt = dt
         self._speed = 1.0
         self._paused = False
+        self._next_sample = 0
         parameters = {**(parameters or {}), **self._dt_parameter()}
         scene = scene_type(level, parameters, seed=self._seed, effects_off=effects_off, effects=effects)
         self.clock = FixedStep(self._dt_of(scene), max_steps)

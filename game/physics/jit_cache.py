@@ -1,0 +1,161 @@
+"""Machine code kept on disk: one file for each kernel, argument types, processor and closure.
+
+    <cache>/kernels/game.billiards.lecture-4f1c.../step_lecture-88-9a0b....py311.code
+
+There is no index and nothing is locked. A file's name says all that its content depends on; it is written
+beside its place and then moved there, so whoever reads finds a whole file or none, and of two processes
+that compile the same kernel the later one writes the same again. A checksum is read with the code: a
+damaged file counts as none, and is written anew. No failure here does more than cost time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import pickle
+import shutil
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+
+SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
+STALE_AFTER_S = 7 * 86_400.0  # s; a folder of other sources that another checkout may still use is younger
+MAX_BYTES = 512 << 20  # of all folders together
+_CHECKSUM = 16  # bytes at the head of a file
+
+
+class KernelCache(NullCache):
+    """Where a dispatcher of numba finds and keeps the machine code of one function.
+
+    ``folder`` belongs to the function's module and sources; ``options``: what it was declared with.
+    """
+
+    def __init__(self, function: Callable[..., Any], folder: Path, options: str):
+        code = function.__code__
+        self._folder = folder
+        self._stem = f"{function.__qualname__.replace('<locals>.', '')}-{code.co_firstlineno}"
+        cells = [
+            (type(cell.cell_contents).__name__, cell.cell_contents) for cell in function.__closure__ or ()
+        ]
+        defaults = function.__defaults__, function.__kwdefaults__
+        self._function_key = f"{code.co_code.hex()}|{cells!r}|{defaults!r}|{options}"
+
+    @property
+    def cache_path(self) -> str:
+        return str(self._folder)
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The compiled function for these types, or None if there is none that can be used."""
+        target_context.refresh()
+        try:
+            path = self._path(sig, target_context.codegen())
+            if path is None:
+                return None
+            data = path.read_bytes()
+            _mark_used(self._folder)
+            if _checksum(data[_CHECKSUM:]) != data[:_CHECKSUM]:
+                return None
+            return CompileResult._rebuild(target_context, *pickle.loads(data[_CHECKSUM:]))
+        except Exception:  # missing, unreadable, written by who knows what: compiling mends it
+            return None
+
+    def save_overload(self, sig: Any, cres: Any) -> None:
+        """Keep a compiled function, if it can be kept and there is a place."""
+        with contextlib.suppress(Exception):
+            path = self._path(sig, cres.codegen)
+            if path is None or cres.lifted or cres.library.has_dynamic_globals:
+                return
+            data = dumps(cres._reduce())
+            self._folder.mkdir(parents=True, exist_ok=True)
+            _write(path, _checksum(data) + data)
+            remove_old_folders(self._folder)
+
+    def _path(self, sig: Any, codegen: Any) -> Path | None:
+        """File for these argument types on this processor; None if types have no lasting name."""
+        types = sig if isinstance(sig, tuple) else (sig.return_type, *sig.args)
+        described = "; ".join(_describe(item) for item in types)
+        if " at 0x" in described or " at 0x" in self._function_key:
+            return None
+        key = f"{described}|{codegen.magic_tuple()!r}|{self._function_key}"
+        digest = hashlib.blake2b(key.encode(), digest_size=10).hexdigest()
+        return self._folder / f"{self._stem}-{digest}{SUFFIX}"
+
+
+def _describe(type_: Any) -> str:
+    """A type in words that differ when the types differ, also for two NamedTuples of one name."""
+    words = repr(type_)
+    owner = getattr(type_, "instance_class", None)
+    if owner is not None:
+        words += f"<{owner.__module__}.{owner.__qualname__}{getattr(owner, '_fields', '')}>"
+    inner = getattr(type_, "types", None)
+    if isinstance(inner, tuple):
+        words += "(" + ", ".join(_describe(item) for item in inner) + ")"
+    return words
+
+
+def _checksum(data: bytes) -> bytes:
+    return hashlib.blake2b(data, digest_size=_CHECKSUM).digest()
+
+
+def _write(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all."""
+    handle, name = tempfile.mkstemp(prefix=".", suffix=".part", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+@cache
+def _mark_used(folder: Path) -> None:
+    """Once in a process: folders are given up by when they were last used."""
+    with contextlib.suppress(OSError):
+        os.utime(folder)
+
+
+@cache
+def remove_old_folders(current: Path) -> None:
+    """Once in a process and folder: remove what is stale, then what is too much, never the current folder.
+
+    Stale is a folder of the same module with other sources that was not used for `STALE_AFTER_S`; the
+    folders used longest ago go first until all take less than `MAX_BYTES`.
+    """
+    with contextlib.suppress(OSError):
+        os.utime(current)
+        stem = current.name.rpartition("-")[0]
+        found = []
+        for folder in current.parent.iterdir():
+            used = folder.stat().st_mtime
+            if folder == current or not folder.is_dir():
+                continue
+            if folder.name.rpartition("-")[0] == stem and used < time.time() - STALE_AFTER_S:
+                shutil.rmtree(folder, ignore_errors=True)
+            else:
+                found.append((used, folder, _weight(folder)))
+        total = _weight(current) + sum(weight for _, _, weight in found)
+        for _, folder, weight in sorted(found):
+            if total <= MAX_BYTES:
+                break
+            shutil.rmtree(folder, ignore_errors=True)
+            total -= weight
+
+
+def _weight(folder: Path) -> int:
+    """Bytes of the files in a folder; one that vanishes meanwhile counts as far as it was seen."""
+    total = 0
+    with contextlib.suppress(OSError):
+        for entry in os.scandir(folder):
+            total += entry.stat().st_size
+    return total
