@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 
-class FileProblem(ValueError):
+class FileProblem(ValueError):  # noqa: N818  a problem to be told, whatever caused it
     """A file that cannot be read or written; the message is the bare reason, in a few words."""
 
 
@@ -21,7 +21,7 @@ def read_text(path: Path, limit: int) -> str:
     """
     try:
         handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
-        with open(handle, "rb") as file:
+        with os.fdopen(handle, "rb") as file:
             if not stat.S_ISREG(os.fstat(handle).st_mode):
                 raise FileProblem("not a regular file")
             data = file.read(limit + 1)
@@ -62,7 +62,7 @@ def _replace(path: Path, data: bytes) -> None:
     """Put a new file holding ``data`` in the place of ``path``; OSError if that fails anywhere on the way."""
     handle, name = tempfile.mkstemp(prefix=".", suffix=".part", dir=path.parent)
     try:
-        with open(handle, "wb") as file:
+        with os.fdopen(handle, "wb") as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())

@@ -44,10 +44,12 @@ def pictures_folder() -> Path:
 
 
 def cache_folder() -> Path:
-    """What can be made again at any time (machine code, thumbnails): ``CAROM_CACHE_DIR`` or the system's place."""
-    return _chosen("CAROM_CACHE_DIR") or _absolute(
-        platformdirs.user_cache_dir("carom", appauthor=False), "cache"
-    )
+    """What can be made again at any time (machine code, thumbnails).
+
+    ``CAROM_CACHE_DIR`` or the system's place.
+    """
+    system = platformdirs.user_cache_dir("carom", appauthor=False)
+    return _chosen("CAROM_CACHE_DIR") or _absolute(system, "cache")
 
 
 def _chosen(variable: str) -> Path | None:
@@ -69,7 +71,7 @@ def _temporary_home() -> Path:
     """A folder among the temporary files that is this user's alone.
 
     The cache holds machine code, so a folder that somebody else made or may write to is not taken: then a
-    fresh one is made, and lost with the process's end of use.
+    fresh one is made for this process alone.
     """
     name = f"carom-{os.getuid()}" if hasattr(os, "getuid") else "carom"
     folder = Path(tempfile.gettempdir()) / name

@@ -26,9 +26,10 @@ from numba import config
 from numba.core import event
 
 from game.folders import cache_folder
-from game.physics import jit_cache, jit_sources
+from game.physics.jit_cache import KernelCache
+from game.physics.jit_sources import module_name, source_digest
 
-_OWN_FILES = tuple(Path(module.__file__ or "").resolve() for module in (jit_cache, jit_sources))
+__all__ = ["Compiling", "code_folder", "compiling", "kernel", "source_digest"]
 
 
 class Compiling(NamedTuple):
@@ -77,13 +78,9 @@ def compiling() -> Compiling:
 def code_folder(file: Path) -> Path | None:
     """Folder of the machine code of the kernels that stand in ``file``; None if theirs cannot be kept."""
     try:
-        name = jit_sources.module_name(file)
-        digest = jit_sources.source_digest(file, (Path(__file__).resolve(), *_OWN_FILES)) if name else None
-    except (OSError, ValueError):  # no readable sources, as within a zip file
+        return cache_folder() / "kernels" / f"{module_name(file)}-{source_digest(file)}"
+    except (OSError, ValueError):  # not of this package, no readable sources (in a zip file), or just edited
         return None
-    if digest is None:
-        return None
-    return cache_folder() / "kernels" / f"{name}-{digest}"
 
 
 def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
@@ -105,7 +102,7 @@ def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
         if folder is not None:
             said = f"{sorted(options.items())}|{numba.__version__}|{config.OPT}|{config.BOUNDSCHECK}"
             with contextlib.suppress(ValueError):
-                dispatcher._cache = jit_cache.KernelCache(py_function, folder, said)
+                dispatcher._cache = KernelCache(py_function, folder, said)
         return dispatcher
 
     return compile_lazily if function is None else compile_lazily(function)

@@ -14,6 +14,9 @@ from functools import cache
 from pathlib import Path
 
 PACKAGE_ROOT = Path(__file__).resolve().parents[1]
+COMPILER_FILES = tuple(
+    PACKAGE_ROOT / "physics" / name for name in ("jit.py", "jit_cache.py", "jit_sources.py")
+)
 
 # Found anywhere in the text, even in a comment: a module too many costs a compilation, one too few is wrong.
 _FROM = re.compile(r"\bfrom\s+(\.*[\w.]*)\s+import\s*(\((?:[^()#]|#[^\n]*)*\)|[^\n;]+)")
@@ -112,28 +115,27 @@ def _imports_of_file(file: Path) -> tuple[Path, ...]:
 
 
 @cache
-def source_digest(file: Path, always: tuple[Path, ...] = ()) -> str | None:
-    """Hash of all sources that a module depends on, and of the files ``always``.
+def source_digest(file: Path) -> str:
+    """Hash of all sources that the kernels of a module depend on, the compiler's options here included.
 
-    None if one of them was edited since this process began: what was loaded is then unknown, and must not
-    be kept under the new text's name. ValueError and OSError as for `closure_of`.
+    ValueError if one of them was edited since this process began: what was loaded is then unknown, and must
+    not be kept under the new text's name. ValueError and OSError as for `closure_of`.
     """
     hasher = hashlib.blake2b(digest_size=10)
-    for path in sorted({*closure_of(file), *always}):
-        text = _source_digest(path)
-        if text is None:
-            return None
+    for path in sorted({*closure_of(file), *COMPILER_FILES}):
         hasher.update(f"{module_name(path)}|".encode())
-        hasher.update(text)
+        hasher.update(_text_digest(path))
     return hasher.hexdigest()
 
 
 @cache
-def _source_digest(file: Path) -> bytes | None:
-    """Hash of one file's text; None if it was edited since this process began."""
+def _text_digest(file: Path) -> bytes:
+    """Hash of one file's text; ValueError if it was edited since this process began."""
     text = _source(file)
     stamp = _stamp(file)
-    return hashlib.blake2b(text).digest() if _STAMPS.get(file, stamp) == stamp else None
+    if _STAMPS.get(file, stamp) != stamp:
+        raise ValueError(f"{file} was edited since this process began")
+    return hashlib.blake2b(text).digest()
 
 
 def _stamp(path: Path) -> tuple[int, int]:

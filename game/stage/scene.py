@@ -15,7 +15,7 @@ import numpy as np
 
 from game.levels import Level, LevelError
 from game.physics.effects import Effect, EffectSet
-from game.stage.events import Pointer
+from game.stage.events import Pointer, Stamped
 from game.stage.knobs import Knob, KnobError, knobs_of
 
 if TYPE_CHECKING:
@@ -103,6 +103,7 @@ class Scene:
     try_this: ClassVar[tuple[str, ...]] = ()
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
+    demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
     def __init__(
         self,

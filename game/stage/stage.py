@@ -105,6 +105,14 @@ class Stage:
             self.clock.hold()
             self._session.keep_previous()  # the picture goes on from the state it shows
 
+    def pause(self) -> None:
+        """Stand still."""
+        self.paused = True
+
+    def resume(self) -> None:
+        """Go on from the state that is shown."""
+        self.paused = False
+
     @property
     def speed(self) -> float:
         """Simulated seconds for each real one, 1/16 to 4; ValueError for anything else."""

@@ -1,0 +1,148 @@
+"""What each effect costs per step: measured on copies of the scene, a little in every frame.
+
+A cost is the difference of two measurements made in turn, with the effect and without it, from the same
+state; the median of several such differences is given, so that neither a drifting processor speed nor one
+interruption moves it much. The scene in play is only read.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from statistics import median
+from time import perf_counter
+from typing import Any
+
+from game.physics.effects import EffectSet
+from game.stage.scene import Scene, WarmUp
+from game.stage.stage import Stage
+from game.stage.state import copy_state
+from game.stage.warming import Warming
+
+ROUNDS = 15  # pairs of measurements for one effect
+MOST_STEPS = 64  # of one measurement, however cheap a step is
+BARE = ""  # name of the variant with every effect off
+
+
+class EffectMeter:
+    """Measures the effects of a stage's scene one after the other, as long as `slice` is called.
+
+    `costs`: s per step by effect, for one that is on the time saved without it, for one that is off the
+    time added with it; effects not measured yet are missing. `bare`: s of a step with all effects off, NaN
+    until measured. `done`: True when all have been measured; changing knobs or effects begins anew.
+
+    ``clock`` gives s. Code of a variant not used before compiles in a thread meanwhile.
+    """
+
+    def __init__(self, stage: Stage, clock: Callable[[], float] = perf_counter):
+        self._stage = stage
+        self._clock = clock
+        self.costs: dict[str, float] = {}
+        self.bare = math.nan
+        self.done = False
+        self._key: Any = None
+        self._waiting: list[str] = []
+        self._measuring: _Comparison | None = None
+
+    def slice(self, budget_s: float) -> None:
+        """Measure for about so many seconds, or not at all while code compiles; building a copy may take longer."""
+        if self._stage.fault is not None:
+            return
+        end = self._clock() + budget_s
+        self._begin_anew_if_changed()
+        while not self.done:
+            if self._measuring is None:
+                self._measuring = self._next()
+            comparison = self._measuring
+            if comparison is None or not comparison.ready:
+                return
+            if not comparison.measure(self._stage.scene.state(), budget_s):
+                self._note(comparison)
+                self._measuring = None
+                self.done = not self._waiting
+            if self._clock() >= end:
+                return
+
+    def _begin_anew_if_changed(self) -> None:
+        scene = self._stage.scene
+        key = (id(self._stage.scene_type), scene.level, dict(scene.values), scene.active)
+        if key != self._key:
+            self._key = key
+            self._measuring = None
+            self._waiting = [BARE, *self._stage.scene_type.effects.names]
+            self.costs = {name: cost for name, cost in self.costs.items() if name in self._waiting}
+            self.done = False
+
+    def _next(self) -> _Comparison | None:
+        """The next comparison, its copies just made; None if a copy cannot be made."""
+        name = self._waiting.pop(0)
+        active = self._stage.scene.active
+        other = (
+            EffectSet() if name == BARE else active.without(name) if name in active else active.with_(name)
+        )
+        try:
+            return _Comparison(name, self._stage, other, self._clock)
+        except Exception:  # a scene that cannot do without an effect has no cost to show for it
+            self.done = not self._waiting
+            return None
+
+    def _note(self, comparison: _Comparison) -> None:
+        if not comparison.differences:
+            return
+        if comparison.name == BARE:
+            self.bare = median(comparison.others)
+            return
+        more = median(comparison.differences)  # of the other variant
+        self.costs[comparison.name] = -more if comparison.name in self._stage.scene.active else more
+
+
+class _Comparison:
+    """Two copies of the scene, one with other effects; measured in turn, from the present state."""
+
+    def __init__(self, name: str, stage: Stage, active: EffectSet, clock: Callable[[], float]):
+        self.name = name
+        self.differences: list[float] = []
+        self.others: list[float] = []
+        self._clock = clock
+        self._dt = stage.dt
+        self._present = stage.copy_scene()
+        self._other = stage.copy_scene(active)
+        self._steps = 0
+        self._warming = Warming([WarmUp(name, self._compile)])
+
+    def _compile(self) -> None:
+        for copy in (self._present, self._other):
+            copy.advance(self._dt)
+
+    @property
+    def ready(self) -> bool:
+        """True when the code of both variants is compiled."""
+        return self._warming.finished
+
+    def measure(self, state: Any, budget_s: float) -> bool:
+        """Take one pair of measurements; False when there are enough, or the scene will not be measured."""
+        if self._warming.errors:
+            return False
+        try:
+            if not self._steps:
+                cost = max(self._time(self._present, state, 1), 1e-9)
+                self._steps = max(1, min(MOST_STEPS, int(0.25 * budget_s / cost)))
+            if len(self.differences) % 2:
+                now = self._time(self._present, state, self._steps)
+                other = self._time(self._other, state, self._steps)
+            else:
+                other = self._time(self._other, state, self._steps)
+                now = self._time(self._present, state, self._steps)
+        except Exception:  # without an effect a scene may run into what it is not made for
+            return False
+        self.differences.append(other - now)
+        self.others.append(other)
+        return len(self.differences) < ROUNDS
+
+    def _time(self, scene: Scene, state: Any, steps: int) -> float:
+        """Seconds of a step, from a state, on average over ``steps``."""
+        scene.restore(copy_state(state))
+        began = self._clock()
+        for _ in range(steps):
+            scene.advance(self._dt)
+        return (self._clock() - began) / steps
