@@ -18,10 +18,23 @@ from game.ui.assets import asset
 from game.ui.measures import Metrics, auto_scale, border_width, metrics
 
 __all__ = [
+    "BALL_COLORS",
+    "BALL_WHITE",
+    "CUE_BALL",
+    "CUE_BALL_SPOT",
+    "CUE_CHALK",
     "DARK",
+    "FELT",
+    "FELT_COOL",
+    "FELT_LINE",
+    "FELT_WARM",
+    "INLAY",
     "LIGHT",
+    "POCKET_RING",
     "SERIES",
     "THEMES",
+    "WOOD_DARK",
+    "WOOD_LIGHT",
     "DataColor",
     "Metrics",
     "Series",

@@ -19,7 +19,7 @@ def test_each_sign_at_each_size(name, size):
     if size >= 14:
         share = alpha.mean()
         assert 0.02 < share < 0.5
-        assert alpha.max() > 0.8
+        assert alpha.max() > 0.55  # a thin line may lie across two pixels
     rgb = pygame.surfarray.array3d(picture)
     assert (rgb[alpha > 0] == tuple(INK)[:3]).all()
 

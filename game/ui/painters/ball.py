@@ -1,0 +1,350 @@
+"""All balls of a table, shaded and rolling, straight into the pixels: one sample a pixel.
+
+For each pixel of a ball: the unit normal, its place in the ball's own frame (number, stripe or spots), light
+from two long lamps and from the cloth, their mirror images, and the share of the pixel that the ball covers.
+All shadows are laid before all balls. ``ball_picture`` is the plain numpy twin; colours, markings and lamps
+are in ``ball_look``.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import pygame
+
+from game.physics.jit import kernel
+from game.ui.painters import ball_look as look
+from game.ui.raster_pixels import blend, clip_bounds, is_drawable, weight_of
+
+Array = np.ndarray
+LARGEST_RADIUS = 1000.0  # px
+
+
+@kernel
+def _share(depth: float) -> float:
+    """Covered share of a pixel that lies ``depth`` px inside an edge."""
+    return min(1.0, max(0.0, 0.5 + depth))
+
+
+@kernel
+def _soft_strip(distance: float, half: float, soft: float) -> float:
+    """Share of a window ``soft`` wide that a strip of half width ``half`` covers."""
+    return max(0.0, min(half, distance + 0.5 * soft) - max(-half, distance - 0.5 * soft)) / soft
+
+
+@kernel
+def _digit(texture: Any, number: int, x: float, y: float) -> float:
+    """Coverage 0 to 1 of the number's digits at a place of its disc, between the texture's pixels."""
+    side = texture.shape[1]
+    scale = side * look.DISC_IN_TEXTURE / look.DISC
+    column, row = 0.5 * side + x * scale - 0.5, 0.5 * side - y * scale - 0.5
+    if not (-1.0 < column < side and -1.0 < row < side):
+        return 0.0
+    i, j = math.floor(column), math.floor(row)
+    a, b = column - i, row - j
+    total = 0.0
+    for dj in range(2):
+        for di in range(2):
+            if 0 <= i + di < side and 0 <= j + dj < side:
+                part = (a if di == 1 else 1.0 - a) * (b if dj == 1 else 1.0 - b)
+                total += part * texture[number, j + dj, i + di]
+    return total / 255.0
+
+
+@kernel
+def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -> Any:
+    """Colour in linear light of the resin at a unit vector of the ball's frame; ``px`` pixels a radius."""
+    red, green, blue = look.BASE[number, 0], look.BASE[number, 1], look.BASE[number, 2]
+    if number == 0:
+        most = max(abs(x), max(abs(y), abs(z)))
+        cover = _share((look.SPOT - math.sqrt(max(0.0, 1.0 - most * most))) * px)
+        red += cover * (look.SPOT_INK[0] - red)
+        green += cover * (look.SPOT_INK[1] - green)
+        blue += cover * (look.SPOT_INK[2] - blue)
+        return red, green, blue
+    from_pole = x * x + y * y
+    disc = 0.0
+    if (look.DISC * look.DISC - from_pole) * px > -1.2:  # else farther than the soft edge reaches
+        disc = _share((look.DISC - math.sqrt(from_pole)) * px)
+    white = disc
+    if number > 8:
+        white = max(disc, _share((abs(y) - look.STRIPE) * px))
+    red += white * (look.WHITE[0] - red)
+    green += white * (look.WHITE[1] - green)
+    blue += white * (look.WHITE[2] - blue)
+    if disc > 0.0:
+        ink = disc * _digit(texture, number, -x if z < 0.0 else x, y)
+        red += ink * (look.INK[0] - red)
+        green += ink * (look.INK[1] - green)
+        blue += ink * (look.INK[2] - blue)
+    return red, green, blue
+
+
+@kernel
+def _lamp_offset(lamp: int, place_x: float, place_y: float) -> Any:
+    """From a ball to a lamp: its middle (x, y), and its nearest point (x, y), in metres along the table."""
+    dx, dy = look.LAMPS[lamp, 0] - place_x, look.LAMPS[lamp, 1] - place_y
+    half_x, half_y = look.LAMPS[lamp, 2], look.LAMPS[lamp, 3]
+    return dx, dy, dx - min(max(dx, -half_x), half_x), dy - min(max(dy, -half_y), half_y)
+
+
+@kernel
+def _beam(lamp: int, place_x: float, place_y: float) -> Any:
+    """A lamp as a ball sees it: unit vector to its nearest point, and its middle over its height."""
+    dx, dy, lx, ly = _lamp_offset(lamp, place_x, place_y)
+    height = look.LAMPS[lamp, 4]
+    length = math.sqrt(lx * lx + ly * ly + height * height)
+    return lx / length, ly / length, height / length, dx / height, dy / height
+
+
+@kernel
+def _diffuse(facing: float) -> float:
+    """Light of unit strength on a surface by the cosine towards it, reaching past the terminator."""
+    bright = (facing + look.WRAP) * 0.8
+    return bright * math.sqrt(bright) if bright > 0.0 else 0.0
+
+
+@kernel
+def _glare(lamp: int, rx: float, ry: float, middle_x: float, middle_y: float, soft: float) -> float:
+    """Mirror image of a lamp where a ray (rx, ry, 1) from the ball meets its plane; ``soft`` is its blur."""
+    height = look.LAMPS[lamp, 4]
+    wide = max(0.06 / height, soft)
+    across = _soft_strip(ry - middle_y, look.LAMPS[lamp, 3] / height, wide)
+    if across <= 0.0:
+        return 0.0
+    return look.LAMPS[lamp, 5] * across * _soft_strip(rx - middle_x, look.LAMPS[lamp, 2] / height, wide)
+
+
+@kernel
+def _tone(light: float) -> int:
+    """A channel 0 to 255 from linear light that is not negative."""
+    return look.TONES[int(min(light, look.BRIGHTEST) * look.TONE_STEPS)]
+
+
+@kernel
+def _paint_ball(
+    pixels: Any,
+    clip: Any,
+    x: float,
+    y: float,
+    radius: float,
+    number: int,
+    turn: Any,
+    opacity: float,
+    place_x: float,
+    place_y: float,
+    texture: Any,
+    felt: Any,
+) -> None:
+    """One ball; ``turn`` (3, 3) from its frame to the screen's, felt (3,) in linear light."""  # fmt: skip
+    reach = radius + 0.5
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
+    ax, ay, az, ax_mirror, ay_mirror = _beam(0, place_x, place_y)
+    bx, by, bz, bx_mirror, by_mirror = _beam(1, place_x, place_y)
+    felt_red, felt_green, felt_blue = felt[0], felt[1], felt[2]
+    inner = max(0.0, 1.0 - 0.5 / radius)  # of the radius: from here on the rim shows
+    for row in range(y_low, y_high):
+        v = (y - row - 0.5) / radius
+        for column in range(x_low, x_high):
+            u = (column + 0.5 - x) / radius
+            squared = u * u + v * v
+            cover, nx, ny = 1.0, u, v
+            if squared > inner * inner:
+                s = math.sqrt(squared)
+                cover = _share((1.0 - s) * radius)
+                if cover <= 0.0:
+                    continue
+                if s > look.RIM:
+                    nx, ny = u * look.RIM / s, v * look.RIM / s
+            nz = math.sqrt(max(0.0, 1.0 - nx * nx - ny * ny))
+            px = turn[0, 0] * nx + turn[1, 0] * ny + turn[2, 0] * nz
+            py = turn[0, 1] * nx + turn[1, 1] * ny + turn[2, 1] * nz
+            pz = turn[0, 2] * nx + turn[1, 2] * ny + turn[2, 2] * nz
+            red, green, blue = _resin(texture, number, px, py, pz, radius * max(look.SOFTEST, nz))
+            lit = look.LAMPS[0, 5] * _diffuse(nx * ax + ny * ay + nz * az)
+            lit += look.LAMPS[1, 5] * _diffuse(nx * bx + ny * by + nz * bz)
+            rim = 1.0 - nz
+            grazing = (1.0 - look.FRESNEL) * rim * rim * rim * rim * rim
+            fresnel = look.FRESNEL + grazing
+            falling = (look.AMBIENT + look.FROM_ABOVE * nz + look.DIFFUSE * lit) * (1.0 - grazing)
+            bounce = look.BOUNCE * rim * math.sqrt(rim) * (1.0 - grazing)
+            down = 1.0 - 2.0 * nz * nz  # how far the mirrored ray points at the cloth
+            mirrored, shine = fresnel * max(0.0, down), 0.0
+            if down < -0.02:
+                steep = -1.0 / down
+                rx, ry, soft = 2.0 * nz * nx * steep, 2.0 * nz * ny * steep, 2.0 * steep * steep / radius
+                shine = _glare(0, rx, ry, ax_mirror, ay_mirror, soft)
+                shine += _glare(1, rx, ry, bx_mirror, by_mirror, soft)
+                shine *= fresnel * look.GLARE
+            color = _tone(red * (falling + bounce * felt_red) + mirrored * felt_red + shine) << 16
+            color |= _tone(green * (falling + bounce * felt_green) + mirrored * felt_green + shine) << 8
+            color |= _tone(blue * (falling + bounce * felt_blue) + mirrored * felt_blue + shine)
+            blend(pixels, row, column, color, weight_of(cover, opacity))
+
+
+@kernel
+def _paint_blob(
+    pixels: Any, clip: Any, x: float, y: float, radius: float, profile: Any, opacity: float
+) -> None:
+    """A round shadow that ends at ``radius``; ``profile`` is its strength by the square of the distance."""
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - radius, y - radius, x + radius, y + radius)
+    steps = profile.shape[0] / (radius * radius)
+    strength = 256.0 * min(1.0, max(0.0, opacity))
+    for row in range(y_low, y_high):
+        dy = row + 0.5 - y
+        for column in range(x_low, x_high):
+            dx = column + 0.5 - x
+            step = int((dx * dx + dy * dy) * steps)
+            if step < profile.shape[0]:
+                blend(pixels, row, column, 0, int(profile[step] * strength + 0.5))
+
+
+@kernel
+def paint_shadows(pixels: Any, clip: Any, points: Any, radii: Any, places: Any, opacities: Any) -> None:
+    """Shadows of balls: the dark spot they stand on, and the one that the nearer lamp casts.
+
+    ``points`` (n, 2) px, ``radii`` (n,) px, ``places`` (n, 2) m from the table's middle, x right, y up;
+    ``opacities`` (n,) 0 to 1.
+    """
+    for i in range(points.shape[0]):
+        x, y, r, opacity = points[i, 0], points[i, 1], radii[i], opacities[i]
+        if not (is_drawable(x) and is_drawable(y) and 0.5 <= r <= LARGEST_RADIUS):
+            continue
+        if is_drawable(places[i, 0]) and is_drawable(places[i, 1]):
+            _, _, lx, ly = _lamp_offset(0, places[i, 0], places[i, 1])
+            shift = look.CAST_SHIFT * r / look.LAMPS[0, 4]
+            cast_x, cast_y = x - shift * lx, y + shift * ly
+            _paint_blob(
+                pixels,
+                clip,
+                cast_x,
+                cast_y,
+                look.CAST_RADIUS * r,
+                look.CAST_BLUR * r,
+                look.CAST_SHADE * opacity,
+            )
+        _paint_blob(
+            pixels, clip, x, y, look.CONTACT_RADIUS * r, look.CONTACT_BLUR * r, look.CONTACT_SHADE * opacity
+        )
+
+
+@kernel
+def paint_balls(
+    pixels: Any,
+    clip: Any,
+    points: Any,
+    radii: Any,
+    numbers: Any,
+    turns: Any,
+    places: Any,
+    opacities: Any,
+    texture: Any,
+    side: int,
+    felt: Any,
+) -> None:
+    """Balls whose digit texture has this ``side``; later ones on top.
+
+    ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 15 (others are left out), ``turns``
+    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``places`` (n, 2) m from
+    the table's middle, ``opacities`` (n,), ``texture`` (16, side, side) uint8, ``felt`` (3,) linear light.
+    """  # fmt: skip
+    for i in range(points.shape[0]):
+        x, y, radius, number = points[i, 0], points[i, 1], radii[i], numbers[i]
+        if not (is_drawable(x) and is_drawable(y) and 0.5 <= radius <= LARGEST_RADIUS and 0 <= number < 16):
+            continue
+        if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != side:
+            continue
+        _paint_ball(
+            pixels, clip, x, y, radius, number, turns[i], opacities[i], places[i, 0], places[i, 1], texture,
+            felt,
+        )  # fmt: skip
+
+
+@lru_cache(maxsize=8)
+def texture_stack(side: int) -> Array:
+    """Digit textures (16, side, side) uint8 of all balls."""
+    return np.stack([look.digit_texture(number, side) for number in range(look.NUMBERS)])
+
+
+class BallPainter:
+    """Draws the balls of one table; ``felt`` is the cloth's colour, which they mirror."""
+
+    def __init__(self, felt: pygame.Color) -> None:
+        self._felt = np.array([felt.r, felt.g, felt.b]) / 255.0
+        self._felt *= self._felt
+        self._places = np.zeros((0, 2))
+        self._opaque = np.ones(0)
+        self._sides: tuple[int, ...] = ()
+        self._radii = b""
+
+    def draw(
+        self,
+        pixels: Array,
+        clip: Array,
+        points: Array,
+        radii: Array,
+        numbers: Array,
+        turns: Array,
+        middle: tuple[float, float],
+        scale: float,
+        opacities: Array | None = None,
+        shadows: bool = True,
+    ) -> None:
+        """Shadows, then balls. Arrays as for ``paint_balls``; ``opacities`` None means solid.
+
+        ``middle`` px is where the table's middle lies on the screen and ``scale`` its px per metre: they
+        place the lamps. ValueError if the arrays do not fit each other.
+        """
+        count = points.shape[0]
+        if points.shape != (count, 2) or radii.shape != (count,) or numbers.shape != (count,):
+            raise ValueError("balls: points (n, 2), radii (n,) and numbers (n,) must have one n")
+        if turns.shape != (count, 3, 3):
+            raise ValueError(f"balls: turns must be ({count}, 3, 3), not {turns.shape}")
+        if not (math.isfinite(scale) and scale > 0.0):
+            raise ValueError(f"balls: scale {scale!r} px/m is not positive and finite")
+        if count != self._places.shape[0]:
+            self._places, self._opaque = np.zeros((count, 2)), np.ones(count)
+        places = self._places
+        np.subtract(points, middle, out=places)
+        places *= (1.0 / scale, -1.0 / scale)
+        solid = self._opaque if opacities is None else opacities
+        if shadows:
+            paint_shadows(pixels, clip, points, radii, places, solid)
+        for side in self._texture_sides(radii):
+            paint_balls(
+                pixels,
+                clip,
+                points,
+                radii,
+                numbers,
+                turns,
+                places,
+                solid,
+                texture_stack(side),
+                side,
+                self._felt,
+            )
+
+    def _texture_sides(self, radii: Array) -> tuple[int, ...]:
+        """Sides of the textures that these radii need, from small to large."""
+        if radii.tobytes() != self._radii:
+            self._radii = radii.tobytes()
+            usable = [float(r) for r in radii if 0.5 <= r <= LARGEST_RADIUS]
+            self._sides = tuple(sorted({look.texture_side(r) for r in usable}))
+        return self._sides
+
+
+def _warm_up() -> None:
+    """Compile the kernels on a picture of 8 x 8 pixels."""
+    pixels, clip = np.zeros((8, 8), np.uint32), np.array((0, 0, 8, 8), np.int64)
+    painter = BallPainter(pygame.Color(0, 0, 0))
+    painter.draw(
+        pixels, clip, np.full((1, 2), 4.0), np.full(1, 2.0), np.ones(1, np.int64), np.eye(3)[None].copy(),
+        (4.0, 4.0), 100.0,
+    )  # fmt: skip
+
+
+WARM_UPS = [("paint_balls", _warm_up)]
