@@ -1,0 +1,335 @@
+"""The lecture's billiard table, playable: real proportions, a mouse cue, and every knob of the model."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.lecture import LectureTable as Table
+from game.billiards.lecture_state import (
+    BALL_BALL,
+    BALL_POCKET,
+    EVENT_X,
+    EVENT_Y,
+    FIRST,
+    FRICTION_LAWS,
+    IMPULSE,
+    KIND,
+    LECTURE_EFFECTS,
+    ORDERS,
+    REPOSITIONINGS,
+    RULES,
+    LectureSettings,
+)
+from game.billiards.rack import HEAD_SPOT
+from game.lab.studies.lecture_table import lecture_table_study
+from game.levels import Level
+from game.scenes import table_view
+from game.scenes.cue_control import CueControl
+from game.scenes.demo_shots import choose_stroke
+from game.scenes.lecture_table_level import BallEntry, LectureTableContent, layout_of
+from game.stage import Choice, Equation, Frame, Hint, Param, Pointer, Readout, Scene, SceneAction, Strip, Toggle
+
+Array = NDArray[np.float64]
+
+NEXT_STROKE_S = 1.2  # s of rest before the table's own next stroke
+NEW_RACK_S = 2.0  # s of rest on an empty table before the balls come back
+SUNK_S = 0.35  # s in which a pocketed ball drops out of sight
+MARKS = 24  # contacts remembered for the picture
+MARK_S = 0.7  # s that a contact is shown
+
+
+class LectureTableState(NamedTuple):
+    """Table as in billiards.lecture_state; cue (7,); sunk_s (n,) s since a ball fell; marks (24, 4) x, y, age, impulse."""
+
+    offsets: Array
+    velocities: Array
+    orientations: Array
+    in_play: NDArray[np.bool_]
+    pocketed_by: NDArray[np.int64]
+    cue: Array
+    sunk_s: Array
+    marks: Array
+
+
+class LectureTable(Scene):
+    """The billiard table as the lecture builds it. In each step a ball's velocity is added to its position;
+    what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round, two balls that
+    overlap are moved apart and exchange the parts of their velocities along the line of centres, every speed
+    shrinks by a friction factor, and what is slower than a minimum stops.
+
+    That is simple, and it fails in ways that can be seen here. A fast ball jumps over a ball or a cushion
+    between two steps; contacts resolved one after the other break the symmetry of a break; a friction factor
+    per frame makes the table faster or slower with the frame rate. Substeps, joint contacts and a factor per
+    second mend each of them, at the price shown under "What accuracy costs".
+    """
+
+    name = "lecture-table"
+    task = "L"
+    title = "Lecture table"
+    effects = LECTURE_EFFECTS
+    quarter_turns = 1
+    content_type = LectureTableContent
+    study = lecture_table_study
+
+    rule = Choice("conserving", RULES, labels=("Conserving", "Scaled", "As printed"), group="Collision",
+                  help="what two balls do to each other: restitution on the normal part; both velocities scaled; the printed listing")  # fmt: skip
+    order = Choice("joint", ORDERS, labels=("Jointly", "Pair by pair"), group="Collision",
+                   help="contacts of one moment solved together, or one pair after the other by number")  # fmt: skip
+    restitution = Param(0.95, 0.0, 1.0, group="Collision", help="normal speed kept when two balls part")
+    passes = Param(4, 1, 50, whole=True, group="Collision", help="rounds of moving overlapping balls apart")
+
+    bounce = Param(0.8, 0.0, 1.0, group="Cushions", label="Bounce factor", help="speed kept at a cushion")
+    repositioning = Choice("exact", REPOSITIONINGS, group="Cushions",
+                           help="where a ball is put that overshot: where it would be, mirrored, or at the wall")  # fmt: skip
+
+    friction = Param(0.992, 0.9, 1.0, group="Cloth", label="Friction factor",
+                     help="speed kept from frame to frame, at 60 frames a second")  # fmt: skip
+    friction_law = Choice("consistent", FRICTION_LAWS, labels=("Per second", "Per frame"), group="Cloth",
+                          help="the same slowing at any step length, or the factor once each step as printed")  # fmt: skip
+    minimum_speed = Param(0.02, 0.0, 0.5, unit="m/s", group="Cloth", help="what is slower stops")
+
+    step_length = Param(1 / 120, 1 / 2000, 1 / 20, unit="s", log=True, group="Time", label="Step")
+    substeps = Param(0, 0, 64, whole=True, group="Time",
+                     help="parts of a step; 0: as many as keep a ball from moving over half its radius in one")  # fmt: skip
+
+    radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much the radii differ")
+    mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
+    aim_line = Toggle(True, group="Balls", label="Aim line", help="ghost ball and the straight lines after it")
+
+    strips = (
+        Strip("Energy", "J", ("energy",)),
+        Strip("Momentum", "kg m/s", ("along", "across")),
+        Strip("Overlap", "m", ("overlap",)),
+    )
+    hints = (
+        Hint(("Move",), "aim"),
+        Hint(("Drag",), "pull back"),
+        Hint(("Shift",), "fine aim"),
+        Hint(("Esc",), "take back"),
+    )
+    actions = (SceneAction("rack", "new rack", "R"), SceneAction("demo", "plays itself", "D"))
+    equations = (
+        Equation("Motion", r"\v{x}_{n+1} = \v{x}_n + \v{v}_n \Delta t", "the lecture, Euler"),
+        Equation("Cushion", r"x' = w - e (x - w), v' = -e v", "overshoot given back"),
+        Equation("Impulse along the line of centres", r"j = \frac{(1+e) m_1 m_2}{m_1 + m_2} (\v{v}_1 - \v{v}_2) \cdot \v{n}", "Newton 1687"),  # fmt: skip
+        Equation("Friction", r"\v{v}_{n+1} = f^{60 \Delta t} \v{v}_n", "the lecture, per second"),
+    )
+    try_this = (
+        "Load the level of the tunnelling break: with one substep the white ball jumps through the rack.",
+        "Set the order to pair by pair and break straight on: left and right no longer mirror each other.",
+        "Set friction to per frame and change the step: the same stroke runs a different way.",
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        self.content = level.content if level is not None and level.content is not None else None
+        content = self.content or LectureTableContent(plays_itself=True)
+        layout = layout_of(content, self.radius_spread, self.mass_spread, self.seed)
+        self.numbers = layout.numbers
+        self.table = Table(
+            layout.table, layout.positions, layout.radii, layout.masses, layout.velocities, self.active, self._settings()
+        )  # fmt: skip
+        self.start = layout.positions
+        self.cue = CueControl(0.5 * math.pi)
+        self.sunk_s = np.full(len(layout.numbers), SUNK_S)
+        self.marks = np.zeros((MARKS, 4))
+        self.marks[:, 2] = MARK_S
+        self.next_mark = 0
+        self.strokes = 0
+        self.player = 0
+        self.down_before = 0
+        self.rest_s = 0.0
+        self.plays_itself = content.plays_itself
+        self.stroke = content.stroke
+        self.worst_overlap = 0.0
+        self.told: deque[str] = deque(maxlen=8)
+
+    def _settings(self) -> LectureSettings:
+        return LectureSettings(
+            bounce=self.bounce,
+            restitution=self.restitution,
+            friction=self.friction,
+            minimum_speed=self.minimum_speed,
+            substeps=int(self.substeps),
+            passes=int(self.passes),
+            rule=self.rule,
+            # a joint solution is one of impulses, which only the conserving rule knows
+            order=self.order if self.rule == "conserving" else "pairwise",
+            repositioning=self.repositioning,
+            friction_law=self.friction_law,
+        )
+
+    def knob_changed(self, name: str) -> None:
+        if name not in ("step_length", "aim_line"):
+            self.table.configure(**{field: getattr(self._settings(), field) for field in LectureSettings.__dataclass_fields__})  # fmt: skip
+
+    def effects_changed(self) -> None:
+        self.table.effects = self.active
+
+    def state(self) -> LectureTableState:
+        state = self.table.state
+        return LectureTableState(
+            state.offsets, state.velocities, state.orientations, state.in_play, state.pocketed_by,
+            self.cue.data, self.sunk_s, self.marks,
+        )  # fmt: skip
+
+    # -- stepping -----------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        if self.cue.advance(dt) and self.white_ready:
+            aim, speed = self.cue.aim, self.cue.speed
+            self.table.strike(0, (speed * math.cos(aim), speed * math.sin(aim)))
+            self.strokes += 1
+            self.rest_s = 0.0
+        self.table.step(dt)
+        self.sunk_s += dt
+        np.minimum(self.sunk_s, SUNK_S, out=self.sunk_s)
+        self.marks[:, 2] += dt
+        np.minimum(self.marks[:, 2], MARK_S, out=self.marks[:, 2])
+        self._take_events()
+        if self.table.moving:
+            self.rest_s = 0.0
+        else:
+            if self.rest_s == 0.0 and self.strokes:
+                self._turn_ends()
+            self.rest_s += dt
+            self._play_by_itself()
+
+    def _take_events(self) -> None:
+        for row in self.table.event_rows.tolist():
+            if row[KIND] == BALL_POCKET:
+                self.sunk_s[int(row[FIRST])] = 0.0
+            elif row[IMPULSE] > 1e-3:
+                self.marks[self.next_mark] = (row[EVENT_X], row[EVENT_Y], 0.0, row[IMPULSE] * (1.0 if row[KIND] == BALL_BALL else -1.0))  # fmt: skip
+                self.next_mark = (self.next_mark + 1) % MARKS
+
+    def _turn_ends(self) -> None:
+        """All balls have come to rest: the white one comes back, and who potted nothing passes the cue."""
+        down = self.balls_down
+        if self.has_white and not self.table.state.in_play[0]:
+            self._put_back_white()
+            self.told.append("The white ball comes back to the head spot.")
+            self.player = 1 - self.player
+        elif down == self.down_before:
+            self.player = 1 - self.player
+        if down and down == len(self.numbers) - 1 and len(self.numbers) > 2:
+            self.told.append(f"The table is empty after {self.strokes} strokes.")
+        self.down_before = down
+
+    def _put_back_white(self) -> None:
+        """The head spot, or the free place nearest to it along the middle of the table."""
+        bed = self.table.table
+        spot = np.array([0.5 * bed.width, HEAD_SPOT * bed.length])
+        radius = float(self.table.state.radii[0])
+        for k in range(400):
+            place = spot + np.array([0.0, (k + 1) // 2 * (-1) ** k * 0.5 * radius])
+            if self.table.is_clear(0, place):
+                self.table.place(0, place)
+                return
+
+    def _play_by_itself(self) -> None:
+        """Strokes of the level's own, and a new rack when the table is empty."""
+        if self.down_before and self.down_before == len(self.numbers) - 1:
+            if self.rest_s > NEW_RACK_S:
+                self.action("rack")
+            return
+        if not self.white_ready or self.cue.phase != 0.0:
+            return
+        if self.stroke is not None:
+            if self.rest_s >= self.stroke.after_s and self.strokes == 0:
+                self.cue.strike(math.radians(self.stroke.angle_deg), self.stroke.speed)
+        elif self.plays_itself and self.rest_s > NEXT_STROKE_S:
+            chosen = choose_stroke(
+                self.table.positions, self.table.state.radii, self.table.state.in_play, self.table.table,
+                self.seed, self.strokes,
+            )  # fmt: skip
+            self.cue.strike(chosen.aim, chosen.speed)
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    @property
+    def has_white(self) -> bool:
+        """True if ball 0 is the white one."""
+        return bool(self.numbers[0] == 0)
+
+    @property
+    def white_ready(self) -> bool:
+        """The white ball lies at rest, and so do all others."""
+        return self.has_white and bool(self.table.state.in_play[0]) and not self.table.moving
+
+    @property
+    def balls_down(self) -> int:
+        """Numbered balls in the pockets."""
+        return int(np.count_nonzero(~self.table.state.in_play[1:]))
+
+    def pointer(self, event: Pointer) -> None:
+        if not self.has_white:
+            return
+        if event.kind == "down" and event.button == 1 and self.plays_itself:
+            self.plays_itself = False
+            self.told.append("The cue is yours: pull back and let go.")
+        if self.plays_itself:
+            return
+        white = self.table.positions[0]
+        self.cue.pointer(event, float(white[0]), float(white[1]), self.white_ready)
+
+    def action(self, name: str) -> None:
+        if name == "rack":
+            plays, player = self.plays_itself, self.player
+            self.build(self.level)
+            self.plays_itself, self.player = plays, player
+        elif name == "demo":
+            self.plays_itself = not self.plays_itself
+            self.cue.let_go()
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return table_view.frame_of(self.table.table)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        table_view.draw_lecture_table(self, canvas, alpha)
+
+    def readouts(self) -> tuple[Readout, ...]:
+        along, across = self.table.momentum[1], self.table.momentum[0]
+        white = self.table.velocities[0]
+        return (
+            Readout("balls down", self.balls_down),
+            Readout("white ball", math.sqrt(float(white @ white)), "m/s"),
+            Readout("energy", self.table.energy, "J"),
+            Readout("along", along, "kg m/s"),
+            Readout("across", across, "kg m/s"),
+            Readout("overlap", self.table.deepest_overlap, "m"),
+            Readout("substeps", self.table.counters["substeps"]),
+            Readout("strokes", self.strokes),
+        )
+
+    def messages(self) -> list[str]:
+        told = list(self.told)
+        self.told.clear()
+        return told
+
+    def save_content(self) -> LectureTableContent:
+        """The table as it lies now."""
+        state = self.table.state
+        base = self.content or LectureTableContent()
+        rows = [
+            BallEntry(
+                number=int(self.numbers[i]),
+                position=(float(x), float(y)),
+                velocity=(float(state.velocities[i, 0]), float(state.velocities[i, 1])),
+                radius=float(state.radii[i]),
+                mass=float(self.table.masses[i]),
+            )
+            for i, (x, y) in enumerate(self.table.positions.tolist())
+            if state.in_play[i]
+        ]
+        return LectureTableContent(
+            table=base.table, width=base.width, length=base.length, rack=False, balls=rows, plays_itself=self.plays_itself
+        )  # fmt: skip
