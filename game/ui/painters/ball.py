@@ -217,18 +217,10 @@ def paint_shadows(pixels: Any, clip: Any, points: Any, radii: Any, places: Any, 
             _, _, lx, ly = _lamp_offset(0, places[i, 0], places[i, 1])
             shift = look.CAST_SHIFT * r / look.LAMPS[0, 4]
             cast_x, cast_y = x - shift * lx, y + shift * ly
-            _paint_blob(
-                pixels,
-                clip,
-                cast_x,
-                cast_y,
-                look.CAST_RADIUS * r,
-                look.CAST_BLUR * r,
-                look.CAST_SHADE * opacity,
-            )
-        _paint_blob(
-            pixels, clip, x, y, look.CONTACT_RADIUS * r, look.CONTACT_BLUR * r, look.CONTACT_SHADE * opacity
-        )
+            reach = (look.CAST_RADIUS + look.CAST_BLUR) * r
+            _paint_blob(pixels, clip, cast_x, cast_y, reach, look.CAST_PROFILE, look.CAST_SHADE * opacity)
+        reach = (look.CONTACT_RADIUS + look.CONTACT_BLUR) * r
+        _paint_blob(pixels, clip, x, y, reach, look.CONTACT_PROFILE, look.CONTACT_SHADE * opacity)
 
 
 @kernel
