@@ -189,7 +189,7 @@ def solve_complementarity(
     iterations = 1
     momentum = 1.0
     while coupled and iterations < max_iterations:
-        _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, True)
+        _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, np.bool_(True))
         moved, scale = _descend(count, first, second, normals, contacts, balls)
         iterations += 1
         if not (moved > SETTLED * scale):
@@ -203,7 +203,7 @@ def solve_complementarity(
         for i in range(count):
             if contacts[i, STEP] > 0.0:
                 contacts[i, _AHEAD] = contacts[i, _NOW] + gain * (contacts[i, _NOW] - contacts[i, _BEFORE])
-    _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, False)
+    _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, np.bool_(False))
     for i in range(count):
         if contacts[i, STEP] > 0.0:
             impulses[i] += contacts[i, _NOW]

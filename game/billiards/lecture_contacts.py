@@ -125,7 +125,7 @@ def collide_in_index_order(state, geometry, model, journal, time):
         if not touched:
             return
         if model.walls_again != 0:
-            bounce_off_walls(state, geometry, model, journal, True, time)
+            bounce_off_walls(state, geometry, model, journal, np.bool_(True), time)
 
 
 @kernel
@@ -149,7 +149,7 @@ def _list_ball_contacts(state, model, contacts):
     radii = state.radii
     in_play = state.in_play
     n = radii.shape[0]
-    count = 0
+    count = np.int64(0)
     least = 1e300
     for i in range(n - 1):
         if not in_play[i]:

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game.billiards.joint import (
@@ -173,7 +173,6 @@ def jacobian(contacts, n):
     return rows.reshape(len(rows), -1)
 
 
-@settings(deadline=None)
 @given(clusters())
 def test_complementarity_against_enumeration(cluster):
     contacts, velocities, inverse = cluster
@@ -200,7 +199,6 @@ def test_complementarity_against_enumeration(cluster):
         assert np.abs(impulses - enumerate_solution(matrix, demand)).max() < 1e-6 * size
 
 
-@settings(deadline=None)
 @given(clusters(), st.floats(0.0, 1.0), st.booleans())
 def test_invariants(cluster, e, join_resting):
     contacts, velocities, inverse = cluster
