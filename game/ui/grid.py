@@ -42,7 +42,7 @@ def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
             x0, y0 = camera.to_screen(value, 0.0) if axis == "x" else camera.to_screen(0.0, value)
             x1, y1 = camera.to_screen(value, 1.0) if axis == "x" else camera.to_screen(1.0, value)
             upright = abs(x1 - x0) < abs(y1 - y0)
-            place = math.floor(x0 if upright else y0)
+            place = int(x0 if upright else y0)
             line = (place, rect.y, 1, rect.h) if upright else (rect.x, place, rect.w, 1)
             surface.fill(color, line)
             if axis in labels:

@@ -61,7 +61,7 @@ class LoadingCard:
         if card.w < px(160) or stage.h < card.h:
             return
         card.center = stage.center
-        draw_shadow(surface, card, 14.0 * look.k, 8.0 * look.k, 0.45)
+        draw_shadow(surface, card, 14.0 * look.k, 8.0 * look.k, 0.45 if look.theme.name == "dark" else 0.2)
         draw_box(surface, card, px(16), look.theme.panel, look.theme.line2, look.border)
         left, right = card.x + px(32), card.right - px(32)
         words = look.fonts.fit(f"Preparing {title[:1].lower()}{title[1:]}", 20, "display", right - left)

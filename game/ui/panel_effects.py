@@ -14,7 +14,7 @@ import pygame
 
 from game.stage import SetEffect
 from game.ui.numerals import NOTHING, format_si
-from game.ui.panel_rows import Context, Row, SwitchRow
+from game.ui.panel_rows import Context, Row, Source, SwitchRow
 from game.ui.shapes import draw_box
 
 COLORS = ("chalk", "pink", "violet", "green", "yellow", "vermilion")
@@ -41,13 +41,13 @@ class EffectRow(SwitchRow):
     """Switch, name, bar and cost of one effect."""
 
     def __init__(
-        self, context: Context, top: int, scene: Any, effect: Any, color: str, costs: EffectCosts
+        self, context: Context, top: int, source: Source, effect: Any, color: str, costs: EffectCosts
     ) -> None:
         self.effect, self.color, self.costs = effect, color, costs
         self._most = [math.nan]
         super().__init__(
             context, top, effect.label, effect.help,
-            is_on=lambda: effect in scene.active,
+            is_on=lambda: effect in source.scene.active,
             changed=lambda: False,
             wish=lambda on: SetEffect(effect.name, on),
         )  # fmt: skip
@@ -94,18 +94,18 @@ class CostBar(Row):
 
     height = 16
 
-    def __init__(self, context: Context, top: int, scene: Any, costs: EffectCosts) -> None:
-        self.scene, self.costs = scene, costs
+    def __init__(self, context: Context, top: int, source: Source, costs: EffectCosts) -> None:
+        self.source, self.costs = source, costs
         self.tip = "Time of a step: grey without any effect, then each effect, hollow those that are off"
         super().__init__(context, top)
 
     def _parts(self) -> list[tuple[float, str, bool]]:
         """(cost, colour, on): the bare step, effects that are on, effects that are off."""
         parts = [(max(self.costs.bare, 0.0), "ghost", True)]
-        effects = list(enumerate(self.scene.effects))
+        effects = list(enumerate(self.source.scene.effects))
         for wanted in (True, False):
             for i, effect in effects:
-                if (effect in self.scene.active) == wanted:
+                if (effect in self.source.scene.active) == wanted:
                     parts.append((self.costs.of(effect.name), COLORS[i % len(COLORS)], wanted))
         return [part for part in parts if part[0] > 0.0]
 

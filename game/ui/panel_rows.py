@@ -13,7 +13,7 @@ import pygame
 from pygame_gui import UIManager
 from pygame_gui.core import UIElement
 
-from game.stage import Choice, Knob, SetKnob, StageEvent, Toggle
+from game.stage import Choice, Knob, Scene, SetKnob, StageEvent, Toggle
 from game.ui import motion
 from game.ui.commands import Command
 from game.ui.look import Look
@@ -33,6 +33,27 @@ class Context(NamedTuple):
     send: Callable[[StageEvent | Command], None]
 
 
+class Source:
+    """The scene that a panel shows; another scene of the same type may take its place."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """Present values of the knobs."""
+        return self.scene.values
+
+    def base(self, knob: Knob[Any]) -> Any:
+        """What a knob goes back to: the level's value, or its default."""
+        level = self.scene.level
+        return knob.default if level is None else level.parameters.get(knob.name, knob.default)
+
+    def changed(self, knob: Knob[Any]) -> bool:
+        """Whether a knob is not at its base."""
+        return bool(self.scene.values[knob.name] != self.base(knob))
+
+
 class Row(UIElement):
     """A row at a height of the panel; subclasses say what they show and how it is painted."""
 
@@ -45,7 +66,7 @@ class Row(UIElement):
         self.held = False
         self._lit = motion.Fade(0.0 if self.look.less_motion else motion.HOVER_S)
         self._shown: tuple[object, ...] | None = None
-        self.painted = False  # since the panel last looked
+        self.stale = True  # what it shows may have changed
         super().__init__(
             pygame.Rect(0, top, context.width, self.look.px(self.height)), context.manager, None,
             starting_height=1, layer_thickness=1, element_id=["row"],
@@ -73,8 +94,9 @@ class Row(UIElement):
     def key(self, key: int) -> None:
         """A key while the row has the keyboard focus."""
 
-    def advance(self, dt_s: float) -> None:
-        """Let time pass."""
+    def advance(self, dt_s: float) -> bool:
+        """Let time pass; True while something moves by itself."""
+        return False
 
     # -- pygame_gui ---------------------------------------------------------------------------------
 
@@ -95,9 +117,11 @@ class Row(UIElement):
 
     def update(self, time_delta: float) -> None:
         """Let hover light and slides move on, and repaint if anything shown has changed."""
-        super().update(time_delta)
-        self._lit.update(time_delta, self.hovered)
-        self.advance(time_delta)
+        moves = self._lit.update(time_delta, self.hovered)
+        moves |= self.advance(time_delta)
+        if not (moves or self.stale or self.hovered or self.held):
+            return
+        self.stale = False
         wanted = (*self.shows(), self._lit.amount, self.is_focused)
         if wanted != self._shown:
             self._shown = wanted
@@ -110,7 +134,6 @@ class Row(UIElement):
                     surface, inside, self.look.px(6), None, self.look.theme.accent, max(1, self.look.px(1))
                 )
             self._set_image(surface)
-            self.painted = True
 
     @property
     def left(self) -> int:
@@ -148,19 +171,19 @@ class Caption(Row):
 
     height = 24
 
-    def __init__(self, context: Context, top: int, knob: Knob[Any], changed: Callable[[], bool]) -> None:
+    def __init__(self, context: Context, top: int, knob: Knob[Any], source: Source) -> None:
         self.knob = knob
         self.tip = knob.help
-        self._changed = changed
+        self.source = source
         super().__init__(context, top)
 
     def shows(self) -> tuple[object, ...]:
-        return (self._changed(),)
+        return (self.source.changed(self.knob),)
 
     def paint(self, surface: pygame.Surface) -> None:
         y = self.look.px(10)
         self.look.text(surface, self.knob.label, (self.left, y), 13, "medium", "text2")
-        if self._changed():
+        if self.source.changed(self.knob):
             draw_changed(surface, self.look, y)
 
 
@@ -200,8 +223,8 @@ class SwitchRow(Row):
         self._slide = motion.Fade(0.0 if context.look.less_motion else motion.SEGMENT_S, is_on())
         super().__init__(context, top)
 
-    def advance(self, dt_s: float) -> None:
-        self._slide.update(dt_s, self.is_on())
+    def advance(self, dt_s: float) -> bool:
+        return self._slide.update(dt_s, self.is_on())
 
     def shows(self) -> tuple[object, ...]:
         return (self.is_on(), self._slide.amount, self.changed())
@@ -232,16 +255,16 @@ class SegmentsRow(Row):
 
     height = 40
 
-    def __init__(self, context: Context, top: int, knob: Choice, values: dict[str, Any]) -> None:
+    def __init__(self, context: Context, top: int, knob: Choice, source: Source) -> None:
         self.knob = knob
         self.tip = knob.help
-        self.values = values
+        self.source = source
         self._place = float(self._index())
         self._under = -1
         super().__init__(context, top)
 
     def _index(self) -> int:
-        return self.knob.options.index(self.values[self.knob.name])
+        return self.knob.options.index(self.source.values[self.knob.name])
 
     def _tray(self) -> pygame.Rect:
         return pygame.Rect(self.left, 0, self.right - self.left, self.look.px(32))
@@ -252,14 +275,16 @@ class SegmentsRow(Row):
             return -1
         return min(int((x - tray.x) / tray.w * len(self.knob.options)), len(self.knob.options) - 1)
 
-    def advance(self, dt_s: float) -> None:
+    def advance(self, dt_s: float) -> bool:
         gap = self._index() - self._place
+        under = self._under
         if self.look.less_motion or abs(gap) < 0.01:
             self._place = float(self._index())
         else:
             self._place += gap * min(1.0, dt_s * 4.0 / motion.SEGMENT_S)
         x, y = self.context.manager.get_mouse_position()
         self._under = self._segment_at(x - self.rect.x, y - self.rect.y) if self.hovered else -1
+        return gap != 0.0 or under != self._under
 
     def shows(self) -> tuple[object, ...]:
         return (self._index(), self._place, self._under)
@@ -293,12 +318,12 @@ class SegmentsRow(Row):
             look.text(surface, label, center, 12, "medium", color, "center")
 
 
-def toggle_row(context: Context, top: int, knob: Toggle, values: dict[str, Any]) -> SwitchRow:
+def toggle_row(context: Context, top: int, knob: Toggle, source: Source) -> SwitchRow:
     """The switch of a knob."""
     return SwitchRow(
         context, top, knob.label, knob.help,
-        is_on=lambda: values[knob.name],
-        changed=lambda: values[knob.name] != knob.default,
+        is_on=lambda: source.values[knob.name],
+        changed=lambda: source.changed(knob),
         wish=lambda on: SetKnob(knob.name, on),
     )  # fmt: skip
 
@@ -342,13 +367,5 @@ def draw_switch(
 def draw_tick(surface: pygame.Surface, center: tuple[float, float], size: float, color: pygame.Color) -> None:
     """A small tick about a centre."""
     x, y = center
-    w = 0.32 * size
-    points = [
-        (-1.0, 0.05),
-        (-0.25, 0.8),
-        (1.0, -0.65),
-        (1.0 - w, -0.65 - w),
-        (-0.25, 0.8 - 2.2 * w),
-        (-1.0 + w, 0.05 - w),
-    ]
-    draw_polygon(surface, [(x + px * size, y + py * size) for px, py in points], color)
+    outline = ((-1.0, 0.1), (-0.3, 0.8), (1.0, -0.5), (0.68, -0.82), (-0.3, 0.16), (-0.68, -0.22))
+    draw_polygon(surface, [(x + dx * size, y + dy * size) for dx, dy in outline], color)

@@ -7,7 +7,6 @@ check and is refused with its message, the old value staying.
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import pygame
 
@@ -15,7 +14,7 @@ from game.stage import KnobError, Param, SetKnob
 from game.ui.commands import Command
 from game.ui.look import Look
 from game.ui.numerals import NARROW_SPACE, Quantity, format_number, quantity
-from game.ui.panel_rows import DOUBLE_CLICK_S, UNIT_INSET, VALUE_INSET, Context, Row, draw_changed
+from game.ui.panel_rows import DOUBLE_CLICK_S, UNIT_INSET, VALUE_INSET, Context, Row, Source, draw_changed
 from game.ui.shapes import draw_box, draw_disc
 
 _FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
@@ -90,9 +89,9 @@ class SliderRow(Row):
 
     height = 40
 
-    def __init__(self, context: Context, top: int, knob: Param, values: dict[str, Any]) -> None:
+    def __init__(self, context: Context, top: int, knob: Param, source: Source) -> None:
         self.knob = knob
-        self.values = values
+        self.source = source
         low, high = (" ".join(shown_value(knob, v)).strip() for v in (knob.minimum, knob.maximum))
         self.tip = (f"{knob.help}\n" if knob.help else "") + f"{low} to {high}"
         self.typed = False  # the panel's text field is over the value
@@ -106,7 +105,7 @@ class SliderRow(Row):
     @property
     def value(self) -> float:
         """The value shown."""
-        return self._pending if self._pending is not None else self.values[self.knob.name]
+        return self._pending if self._pending is not None else self.source.values[self.knob.name]
 
     def value_rect(self) -> pygame.Rect:
         """Where the number stands, window px in the row."""
@@ -123,10 +122,13 @@ class SliderRow(Row):
         px = self.look.px
         return pygame.Rect(self.right - px(VALUE_INSET) - px(84), self.rect.y - px(2), px(92), px(25))
 
-    def advance(self, dt_s: float) -> None:
+    def advance(self, dt_s: float) -> bool:
         self._click_age_s += dt_s
-        x, y = self.context.manager.get_mouse_position()
-        self._over_value = self.hovered and self.value_rect().collidepoint(x - self.rect.x, y - self.rect.y)
+        was_over, self._over_value = self._over_value, False
+        if self.hovered:
+            x, y = self.context.manager.get_mouse_position()
+            self._over_value = self.value_rect().collidepoint(x - self.rect.x, y - self.rect.y)
+        return self._over_value != was_over
 
     def shows(self) -> tuple[object, ...]:
         return (self.value, self.typed, self._over_value, self._dragging)
@@ -135,7 +137,7 @@ class SliderRow(Row):
         if self._click_age_s < DOUBLE_CLICK_S:
             self._click_age_s = math.inf
             self._pending = None
-            self._send(self.knob.default)
+            self._send(self.source.base(self.knob))
             return
         if self.value_rect().collidepoint(x, y):
             self.wants_field = True
@@ -152,14 +154,14 @@ class SliderRow(Row):
         value = value_at(self.knob, (x - start) / max(end - start, 1))
         if self.knob.rebuild:
             self._pending = value
-        elif value != self.values[self.knob.name]:
+        elif value != self.source.values[self.knob.name]:
             self._send(value)
 
     def release(self, x: float, y: float) -> None:
         self._dragging = False
         if self._pending is not None:
             pending, self._pending = self._pending, None
-            if pending != self.values[self.knob.name]:
+            if pending != self.source.values[self.knob.name]:
                 self._send(pending)
 
     def cancel(self) -> None:
@@ -173,7 +175,7 @@ class SliderRow(Row):
             return
         direction = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1}.get(key, 0)
         if direction:
-            here = self.values[self.knob.name]
+            here = self.source.values[self.knob.name]
             for places in (1, 2, 4, 8, 16, 32, 64, 128, 256):  # until a coarse grain moves
                 value = value_at(self.knob, share_of(self.knob, here) + direction * places / _MANY)
                 if value != here:
@@ -187,7 +189,7 @@ class SliderRow(Row):
         except KnobError as error:
             self.context.send(Command("refused", str(error)))
             return
-        if value != self.values[self.knob.name]:
+        if value != self.source.values[self.knob.name]:
             self._send(value)
 
     def _send(self, value: float) -> None:
@@ -211,7 +213,7 @@ class SliderRow(Row):
             "medium",
             "text2",
         )
-        if self.value != self.knob.default:
+        if self.value != self.source.base(self.knob):
             draw_changed(surface, look, y)
         draw_track(
             surface, look, self.left, self.right, px(30), share_of(self.knob, self.value), self._grip()

@@ -1,0 +1,119 @@
+"""pygame_gui's manager, as the panel needs it: themed, in the panel's own coordinates, moved by events alone.
+
+The stock manager reads the real mouse each frame; this one believes only what it is told, so that a posted
+event and a hand do the same, with or without a screen.
+"""
+
+from __future__ import annotations
+
+import pygame
+import pygame_gui
+from pygame_gui import UIManager
+from pygame_gui.core.interfaces import IUIElementInterface
+from pygame_gui.elements import UIDropDownMenu
+
+from game.ui.assets import asset
+from game.ui.look import Look
+from game.ui.theme import gui_theme
+
+QUEUED = (
+    pygame_gui.UI_BUTTON_START_PRESS, pygame_gui.UI_BUTTON_PRESSED, pygame_gui.UI_BUTTON_DOUBLE_CLICKED,
+    pygame_gui.UI_BUTTON_ON_HOVERED, pygame_gui.UI_BUTTON_ON_UNHOVERED, pygame_gui.UI_DROP_DOWN_MENU_CHANGED,
+    pygame_gui.UI_SELECTION_LIST_NEW_SELECTION, pygame_gui.UI_SELECTION_LIST_DROPPED_SELECTION,
+    pygame_gui.UI_TEXT_ENTRY_CHANGED, pygame_gui.UI_TEXT_ENTRY_FINISHED,
+)  # fmt: skip
+MOST_ROUNDS = 6  # of events that answer events
+
+
+class PanelManager(UIManager):
+    """A manager for a sheet of so many window px."""
+
+    def __init__(self, size: tuple[int, int], look: Look) -> None:
+        super().__init__(size, enable_live_theme_updates=False)
+        fonts = [
+            str(asset("fonts", f"CaromSans-{face}.otf"))
+            for face in ("Medium", "SemiBold", "Italic", "SemiBold")
+        ]
+        self.add_font_paths("carom_sans", *fonts)
+        self.get_theme().load_theme(gui_theme(look.theme, look.k))
+        self.mouse_position = (-1, -1)
+
+    def _update_mouse_position(self) -> None:
+        """The position is set by ``point``."""
+
+    def point(self, position: tuple[int, int]) -> None:
+        """The pointer is here now, px of the sheet."""
+        self.mouse_position = position
+
+    def tell(self, event: pygame.event.Event) -> None:
+        """Let an event act, and what elements post in answer, until nothing more is said."""
+        self.process_events(event)
+        if event.type == pygame.MOUSEMOTION:
+            return
+        for _ in range(MOST_ROUNDS):
+            self.update(0.0)
+            answers = pygame.event.get(QUEUED)
+            if not answers:
+                return
+            for answer in answers:
+                self.process_events(answer)
+
+    def pictures(self) -> list[tuple[object, tuple[int, ...]]]:
+        """The picture and place of every visible element: if they are the same, so is the sheet."""
+        return [(data[0], tuple(data[1])) for data in self.ui_group.visible]
+
+    def element_under(self, position: tuple[int, int]) -> IUIElementInterface | None:
+        """The topmost element at a place, without the root."""
+        found = None
+        for element in self.ui_group.sprites():
+            if element is not self.root_container and element.visible and element.rect.collidepoint(position):
+                found = element
+        return found
+
+
+class DropDown(UIDropDownMenu):
+    """A drop-down of labelled values; ``taken`` gives a newly chosen one once."""
+
+    def __init__(
+        self,
+        options: list[tuple[str, str]],
+        chosen: str,
+        rect: pygame.Rect,
+        manager: PanelManager,
+        tip: str = "",
+    ) -> None:
+        start = next((option for option in options if option[1] == chosen), options[0])
+        super().__init__(list(options), start, rect, manager)
+        self.options = options
+        self.tip = tip
+        self._known = start[1]
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the list is shown."""
+        return self.current_state is self.menu_states["expanded"]
+
+    @property
+    def foot(self) -> int:
+        """Lower end of the list while it is open, else of the box; px of the sheet."""
+        rows = getattr(self.menu_states["expanded"], "options_selection_list", None)
+        return rows.rect.bottom if self.is_open and rows is not None else self.rect.bottom
+
+    def update(self, time_delta: float) -> None:
+        """Keep an open list as wide as its box, with its lower edge."""
+        super().update(time_delta)
+        rows = getattr(self.menu_states["expanded"], "options_selection_list", None)
+        if self.is_open and rows is not None and rows.rect.w != self.rect.w:
+            rows.set_dimensions((self.rect.w, rows.rect.h))
+
+    def taken(self) -> str | None:
+        """The value chosen since the last look, if there is a new one."""
+        value = str(self.selected_option[1])
+        if value == self._known:
+            return None
+        self._known = value
+        return value
+
+    def follow(self, value: str) -> bool:
+        """Show a value that was set elsewhere; True if it is not shown already and the box must be made anew."""
+        return value != self._known and any(option[1] == value for option in self.options)

@@ -1,0 +1,288 @@
+"""Strip charts: measured values over the last ten seconds, below the stage.
+
+Three rules, a line for each series with its last point, the first one over a fading ground, exact values
+dashed; name and value stand at the line's end, pushed apart. In a low window only the last values are shown.
+The picture is drawn anew twenty times a second, which is one pixel of a chart's way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+
+from game.stage import Stage, Strip
+from game.ui import raster
+from game.ui.layout import Layout
+from game.ui.look import Look
+from game.ui.numerals import MINUS, format_number, quantity
+from game.ui.raster import packed
+
+SPAN_S = 10.0
+REFRESH_S = 0.05
+COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
+EXACT = "text1"
+APART = 15  # design px between value labels
+LABELS = 84  # design px right of the curves
+_TOPS = (1.0, 1.2, 1.6, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)
+_FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
+
+
+class Axis(NamedTuple):
+    """Lower and upper end of a chart, in the series' unit."""
+
+    low: float
+    high: float
+
+
+def round_top(value: float) -> float:
+    """A round number a little above ``value``, whose half is neat as well; 1 for nothing."""
+    if not (math.isfinite(value) and value > 0.0):
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(value))
+    for factor in _TOPS:
+        if factor * power >= value * 1.04:
+            return factor * power
+    return 12.0 * power
+
+
+def axis_for(low: float, high: float, before: Axis | None) -> Axis:
+    """Ends that hold the values; the old ones stay while they fit and are not far too wide."""
+    if not (math.isfinite(low) and math.isfinite(high)):
+        return before or Axis(0.0, 1.0)
+    if before is not None and before.low <= low and high <= before.high:
+        room = before.high - before.low
+        used = max(high, 0.0) - min(low, 0.0)
+        if used > 0.3 * room:
+            return before
+    top = round_top(max(high, 0.0)) if high > 0.0 or low >= 0.0 else 0.0
+    bottom = -round_top(-low) if low < 0.0 else 0.0
+    if bottom < 0.0 < top:  # the middle rule is zero
+        top = max(top, -bottom)
+        bottom = -top
+    return Axis(bottom, top)
+
+
+def spread(places: Sequence[float], apart: float, low: float, high: float) -> list[float]:
+    """Heights near the wanted ones, in the same order, at least ``apart`` from each other, within the ends."""
+    order = sorted(range(len(places)), key=lambda i: places[i])
+    put = [min(max(places[i], low), high) for i in order]
+    for _ in range(2):
+        for n in range(1, len(put)):
+            put[n] = max(put[n], put[n - 1] + apart)
+        if put and put[-1] > high:
+            put[-1] = high
+            for n in range(len(put) - 2, -1, -1):
+                put[n] = min(put[n], put[n + 1] - apart)
+    found = [0.0] * len(places)
+    for n, i in enumerate(order):
+        found[i] = put[n]
+    return found
+
+
+class Strips:
+    """The charts of a scene, as the layout gives them room."""
+
+    def __init__(self, look: Look, strips: Sequence[Strip]) -> None:
+        self.look = look
+        self.strips = tuple(strips)
+        self.layout: Layout | None = None
+        self._axes: dict[int, Axis] = {}
+        self._picture: pygame.Surface | None = None
+        self._since_s = math.inf
+        self._step = -1
+        self._stage: Stage | None = None
+
+    def place(self, layout: Layout, look: Look) -> None:
+        """Take a place in the window and an appearance."""
+        self.layout, self.look = layout, look
+        self._picture = None
+
+    def update(self, dt_s: float, stage: Stage) -> None:
+        """Look at the stage; the picture is made anew when there is something new in it."""
+        self._since_s += dt_s
+        if stage is not self._stage:
+            self._stage, self._step, self._axes = stage, -1, {}
+        if self._since_s >= REFRESH_S and stage.step_number != self._step:
+            self._picture = None
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Show the charts."""
+        layout = self.layout
+        if layout is None or layout.strips.h < 1 or self._stage is None:
+            return
+        if self._picture is None:
+            self._picture = self._paint(layout, self._stage)
+            self._since_s, self._step = 0.0, self._stage.step_number
+        surface.blit(self._picture, layout.strips)
+
+    def _paint(self, layout: Layout, stage: Stage) -> pygame.Surface:
+        look, strips = self.look, layout.strips
+        picture = pygame.Surface(strips.size, 0, 32)
+        picture.fill(look.theme.panel)
+        picture.fill(look.theme.line, (0, 0, strips.w, look.border))
+        for i, column in enumerate(layout.charts[: len(self.strips)]):
+            place = column.move(-strips.x, -strips.y)
+            if i:
+                x = place.x - look.px(16)
+                inset = look.px(16) if not layout.values_only else look.px(8)
+                picture.fill(look.theme.line, (x, inset, look.border, strips.h - 2 * inset))
+            if layout.values_only:
+                self._paint_values(picture, place, self.strips[i], stage)
+            else:
+                self._paint_chart(picture, place, i, stage)
+        return picture
+
+    def _paint_values(self, picture: pygame.Surface, place: pygame.Rect, strip: Strip, stage: Stage) -> None:
+        """Only title and last values, in one row."""
+        look, y = self.look, place.h / 2
+        x = place.x + look.text(picture, strip.title, (place.x, y), 12, "semibold").w + look.px(8)
+        for i, name in enumerate(strip.series):
+            values = _values(stage, name)
+            number, unit = quantity(float(values[-1]), strip.unit) if values.size else ("–", "")
+            color = EXACT if name in strip.exact else COLORS[i % len(COLORS)]
+            words = f"{name} "
+            if x + look.fonts.size(words + number + unit, 12)[0] > place.right:
+                return
+            x += look.text(picture, words, (x, y), 12, "medium", color).w
+            x += look.text(picture, f"{number} {unit}".rstrip(), (x, y), 12, "semibold").w + look.px(8)
+
+    def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
+        look, px, strip = self.look, self.look.px, self.strips[i]
+        box = pygame.Rect(place.x, place.y + px(32), max(place.w - px(LABELS), px(24)), px(72))
+        series = [(name, _values(stage, name)) for name in strip.series]
+        axis = self._axes[i] = self._axis(i, [values for _, values in series])
+        unit, factor = _scale(axis, strip.unit)
+        taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
+        look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
+        self._paint_rules(picture, box, axis, factor)
+        times = stage.series.times
+        curves = [(name, _curve(times, values, box, axis)) for name, values in series if values.size]
+        self._paint_curves(picture, box, strip, curves)
+        self._paint_labels(
+            picture, box, strip, [(name, values) for name, values in series if values.size], axis, factor
+        )
+
+    def _axis(self, i: int, series: Sequence[np.ndarray]) -> Axis:
+        finite = [values[np.isfinite(values)] for values in series]
+        finite = [values for values in finite if values.size]
+        if not finite:
+            return self._axes.get(i, Axis(0.0, 1.0))
+        low = min(float(values.min()) for values in finite)
+        high = max(float(values.max()) for values in finite)
+        return axis_for(low, high, self._axes.get(i))
+
+    def _paint_rules(self, picture: pygame.Surface, box: pygame.Rect, axis: Axis, factor: float) -> None:
+        look, px, theme = self.look, self.look.px, self.look.theme
+        for share, color in ((0.0, theme.inset), (0.5, theme.inset), (1.0, theme.hover)):
+            picture.fill(color, (box.x, box.y + round(share * box.h), box.w, 1))
+        middle = 0.5 * (axis.low + axis.high)
+        for value, y in ((axis.high, box.y + px(8)), (middle, box.centery - px(7))):
+            look.text(picture, _rule(value / factor), (box.x + px(3), y), 11, "medium", "text3")
+        if axis.low < 0.0:
+            look.text(
+                picture, _rule(axis.low / factor), (box.x + px(3), box.bottom - px(7)), 11, "medium", "text3"
+            )
+        y = box.bottom + px(11)
+        look.text(picture, "−10 s", (box.x, y), 11, "medium", "text3")
+        look.text(picture, "now", (box.right, y), 11, "medium", "text3", "right")
+
+    def _paint_curves(
+        self,
+        picture: pygame.Surface,
+        box: pygame.Rect,
+        strip: Strip,
+        curves: Sequence[tuple[str, np.ndarray]],
+    ) -> None:
+        """Ground of the first measured series, then the lines, the first on top."""
+        pixels, k = raster.pixels_of(picture), self.look.k
+        clip = np.array((box.x, box.y - 2, box.right + 8, box.bottom + 2), np.int64)
+        cover, _, _ = raster.scratch_for(pixels)
+        measured = [(name, points) for name, points in curves if name not in strip.exact]
+        if measured:
+            name, points = measured[0]
+            top = float(np.nanmin(points[:, 1])) if np.isfinite(points[:, 1]).any() else float(box.y)
+            ink = packed(self._color(strip, name))
+            raster.fill_under(pixels, clip, points, float(box.bottom), top, ink, 0.16)
+        for name, points in reversed(curves):
+            ink = packed(self._color(strip, name))
+            width = float(1.6 * k)
+            if name in strip.exact:
+                dash = float(6.0 * k)
+                raster.stroke_dashes(
+                    pixels, clip, cover, points, float(1.4 * k), False, dash, dash, 0.0, ink, 0.75
+                )
+                continue
+            raster.stroke_polyline(pixels, clip, cover, points, width, False, ink, 1.0)
+            wide = np.array(
+                (box.x, box.y - round(4 * k), box.right + round(4 * k) + 1, box.bottom + round(4 * k)),
+                np.int64,
+            )
+            raster.fill_disc(pixels, wide, points[-1, 0], points[-1, 1], 3.0 * k, ink, 1.0)
+
+    def _color(self, strip: Strip, name: str) -> pygame.Color:
+        if name in strip.exact:
+            return self.look.color(EXACT)
+        return self.look.color(COLORS[strip.series.index(name) % len(COLORS)])
+
+    def _paint_labels(
+        self, picture: pygame.Surface, box: pygame.Rect, strip: Strip, series: Sequence[tuple[str, np.ndarray]],
+        axis: Axis, factor: float,
+    ) -> None:  # fmt: skip
+        """Names and last values at the right end, none over another."""
+        look, px = self.look, self.look.px
+        wanted = [_height(float(values[-1]), box, axis) for _, values in series]
+        wanted = [y if math.isfinite(y) else float(box.bottom) for y in wanted]
+        for (name, values), y in zip(series, spread(wanted, px(APART), box.y, box.bottom), strict=True):
+            color = EXACT if name in strip.exact else COLORS[strip.series.index(name) % len(COLORS)]
+            number = _number(float(values[-1]) / factor, max(abs(axis.low), abs(axis.high)) / factor)
+            room = px(LABELS) - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
+            words = look.fonts.fit(name, 12, "medium", max(room, 0))
+            x = box.right + px(10)
+            if len(words) > 1 or words == name:
+                x += look.text(picture, words + " ", (x, y), 12, "medium", color).w
+            look.text(picture, number, (x, y), 12, "semibold")
+
+
+def _values(stage: Stage, name: str) -> np.ndarray:
+    """Samples of a readout, or none if the scene does not give it."""
+    return stage.series.values(name) if name in stage.series.names else np.empty(0)
+
+
+def _scale(axis: Axis, unit: str) -> tuple[str, float]:
+    """Unit with an SI prefix for the axis, and what a shown 1 is worth."""
+    shown = quantity(max(abs(axis.low), abs(axis.high)), unit).unit
+    prefix = shown.removesuffix(unit) if unit and shown.endswith(unit) else ""
+    return (shown, _FACTORS[prefix]) if prefix in _FACTORS and prefix else (unit, 1.0)
+
+
+def _number(value: float, most: float) -> str:
+    """A value with as many decimals as three digits of the axis' end have."""
+    if not (math.isfinite(value) and 1e-4 < most < 1e7):
+        return format_number(value)
+    decimals = max(0, 2 - math.floor(math.log10(most)))
+    number = f"{abs(value):.{decimals}f}"
+    return (MINUS if value < 0.0 and float(number) > 0.0 else "") + number
+
+
+def _rule(value: float) -> str:
+    """A round number at a rule."""
+    return f"{value:.3g}".replace("-", MINUS) if 1e-3 < abs(value) < 1e5 else format_number(round(value, 9))
+
+
+def _height(value: float, box: pygame.Rect, axis: Axis) -> float:
+    """Pixel of a value; the middle of the rule's row for its ends."""
+    share = (value - axis.low) / max(axis.high - axis.low, 1e-300)
+    return box.bottom + 0.5 - share * box.h
+
+
+def _curve(times: np.ndarray, values: np.ndarray, box: pygame.Rect, axis: Axis) -> np.ndarray:
+    """Pixels (n, 2) of a series whose newest sample is at the right end."""
+    points = np.empty((values.size, 2))
+    points[:, 0] = box.right + (times - times[-1]) * (box.w / SPAN_S)
+    with np.errstate(all="ignore"):
+        points[:, 1] = box.bottom + 0.5 - (values - axis.low) * (box.h / max(axis.high - axis.low, 1e-300))
+    return points

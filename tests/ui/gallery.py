@@ -1,0 +1,134 @@
+"""Draws every widget into pictures, to be looked at: ``python tests/ui/gallery.py FOLDER``."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
+os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
+sys.path.insert(0, str(Path(__file__).parent))
+
+import pygame
+from sample_scene import Sample
+
+from game.stage import Stage
+from game.ui.camera import Camera
+from game.ui.canvas import Canvas
+from game.ui.hintbar import HintBar
+from game.ui.layout import arrange, auto_scale
+from game.ui.legend import Legend
+from game.ui.loading import LoadingCard, draw_shell
+from game.ui.look import Look
+from game.ui.panel import Panel
+from game.ui.strips import Strips
+from game.ui.theme import DARK, LIGHT
+from game.ui.toasts import Toasts
+from game.ui.topbar import BarState, TopBar
+
+HINTS = (
+    (("Space",), "pause"), ((".",), "step"), ((",",), "step back"), (("Drag",), "move stone"), (("Wheel",), "zoom"),
+    (("A",), "accuracy"), (("L",), "levels"), (("F1",), "help"),
+)  # fmt: skip
+LEVELS = (
+    SimpleNamespace(title="Fountain over a stone", value="a"),
+    SimpleNamespace(title="Storm: 100 000 particles", value="b"),
+    SimpleNamespace(title="Hard: grazing contact", value="c"),
+)
+METER = SimpleNamespace(
+    costs={"sample-pull": 4.6e-6, "sample-floor": 21.3e-6, "sample-air": 9.8e-6}, bare=26.1e-6
+)
+
+
+def sample_stage() -> Stage:
+    """The sample scene after twelve seconds."""
+    stage = Stage(Sample, parameters={"restitution": 0.62}, effects_off=("sample-air",))
+    for _ in range(750):
+        stage.advance(1 / 60)
+    return stage
+
+
+def draw_scene(surface: pygame.Surface, look: Look, stage: Stage) -> None:
+    """The whole screen of a scene."""
+    layout = arrange(*surface.get_size(), look.k)
+    camera = Camera()
+    camera.fit(stage.scene.frame(), layout.free_stage, 20 * look.k)
+    canvas = Canvas(look)
+    canvas.begin(surface, layout.free_stage, camera)
+    stage.scene.draw(canvas, 1.0)
+    canvas.end()
+    Legend(look).draw(surface, layout.free_stage, stage.scene.legend())
+    strips = Strips(look, stage.scene.strips)
+    strips.place(layout, look)
+    strips.update(0.1, stage)
+    strips.draw(surface)
+    hints = HintBar(look)
+    hints.place(layout.hint_bar, look)
+    hints.show(HINTS)
+    hints.draw(surface)
+    panel = Panel(look, Sample, LEVELS)
+    panel.place(layout.panel, look)
+    panel.update(0.3, stage, METER)
+    panel.update(0.3, stage, METER)
+    panel.draw(surface)
+    panel.close()
+    bar = TopBar(look)
+    bar.place(layout.top_bar, look)
+    readouts = (
+        ("time", 12.48, "s"),
+        ("particles", 12112.0, ""),
+        ("step", 52e-6, "s"),
+        ("frame", 0.0031, "s"),
+    )
+    bar.update(0.3, BarState("C04", "Particle fountain", readouts=readouts))
+    bar.draw(surface)
+
+
+def draw_loading(surface: pygame.Surface, look: Look) -> None:
+    """The loading card on its shell."""
+    layout = arrange(*surface.get_size(), look.k)
+    draw_shell(surface, layout, look)
+    card = LoadingCard(look)
+    for _ in range(100):
+        card.update(0.1, 5, 12)
+    card.draw(surface, layout.stage, "Sweep and prune", 5, 12, "sort_endpoints", 2.3)
+    bar = TopBar(look)
+    bar.place(layout.top_bar, look)
+    bar.update(0.1, BarState("C07", "Sweep and prune", ready=False, readouts=(("time", 0.0, "s"),) * 4))
+    bar.draw(surface)
+    hints = HintBar(look)
+    hints.place(layout.hint_bar, look)
+    hints.show(((("Esc",), "back to the menu"),))
+    hints.draw(surface)
+    toasts = Toasts(look)
+    toasts.add("Foul by Ada.", "The 12 was touched first. Ball in hand for Ben.", "warning")
+    toasts.update(0.3)
+    toasts.draw(surface, layout.hint_bar)
+
+
+def main(folder: Path) -> None:
+    """Draw all pictures in both themes and several sizes."""
+    pygame.display.init()
+    pygame.display.set_mode((1280, 720))
+    stage = sample_stage()
+    for theme, size in (
+        (DARK, (1280, 720)),
+        (LIGHT, (1280, 720)),
+        (DARK, (1920, 1080)),
+        (DARK, (2560, 1440)),
+        (DARK, (760, 480)),
+    ):
+        look = Look(theme, auto_scale(*size))
+        for name, draw in (
+            ("scene", lambda s, look=look: draw_scene(s, look, stage)),
+            ("loading", lambda s, look=look: draw_loading(s, look)),
+        ):
+            surface = pygame.Surface(size, 0, 32)
+            draw(surface)
+            pygame.image.save(surface, folder / f"canvas-{name}-{theme.name}-{size[0]}.png")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "/tmp"))
