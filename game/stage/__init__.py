@@ -1,18 +1,27 @@
-"""What a scene is, without a screen: declarations, input events, fixed-step clock, snapshots, replay."""
+"""What a scene is, without a screen: declarations, input events, fixed-step clock, snapshots, replay.
+
+What runs a scene needs the compiler, whose import takes most of a second; it is imported when it is first
+asked for, so that a menu or a list that only names scenes is there at once.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.clock import FixedStep
-from game.stage.effect_costs import EffectMeter
 from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent, Stamped
-from game.stage.interpolation import blend, blend_angles, blend_quaternions, jumped
 from game.stage.knobs import Choice, Knob, KnobError, Param, Toggle
 from game.stage.recording import Recording, RecordingError
-from game.stage.replay import begin, replay, replay_scene
 from game.stage.scene import Equation, Frame, Hint, Readout, Scene, SceneAction, Strip, WarmUp
 from game.stage.series import StripSeries
-from game.stage.session import Fault
-from game.stage.stage import FASTEST, SLOWEST, Stage
-from game.stage.warming import Warming, WarmingProgress
+
+if TYPE_CHECKING:
+    from game.stage.effect_costs import EffectMeter
+    from game.stage.interpolation import blend, blend_angles, blend_quaternions, jumped
+    from game.stage.replaying import begin, replay, replay_scene
+    from game.stage.session import Fault
+    from game.stage.stage import FASTEST, SLOWEST, Stage
+    from game.stage.warming import Warming, WarmingProgress
 
 __all__ = [
     "FASTEST",
@@ -55,3 +64,28 @@ __all__ = [
     "replay",
     "replay_scene",
 ]
+
+_LATER = {
+    "EffectMeter": "game.stage.effect_costs",
+    "FASTEST": "game.stage.stage",
+    "Fault": "game.stage.session",
+    "SLOWEST": "game.stage.stage",
+    "Stage": "game.stage.stage",
+    "Warming": "game.stage.warming",
+    "WarmingProgress": "game.stage.warming",
+    "begin": "game.stage.replaying",
+    "blend": "game.stage.interpolation",
+    "blend_angles": "game.stage.interpolation",
+    "blend_quaternions": "game.stage.interpolation",
+    "jumped": "game.stage.interpolation",
+    "replay": "game.stage.replaying",
+    "replay_scene": "game.stage.replaying",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """A name of ``_LATER``, imported now and kept."""
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = globals()[name] = getattr(import_module(_LATER[name]), name)
+    return value
