@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pygame
 
+from game.app.canvas_warming import CanvasWarming
 from game.app.frames import Clock, FrameMeter, SystemClock
 from game.app.gamepad import Gamepads
 from game.app.keys import Keys
@@ -43,7 +44,9 @@ class App:
         folder: Path,
         clock: Clock | None = None,
         events: Callable[[], Iterable[pygame.Event]] = pygame.event.get,
+        background: bool = True,
     ):
+        """``background``: whether the menu compiles and builds things behind the window's back."""
         self.window = window
         self.catalogue = catalogue
         self.settings = settings
@@ -53,7 +56,9 @@ class App:
         self.meter = FrameMeter()
         self.screens = ScreenStack()
         self.gamepads = Gamepads()
+        self.canvas_warming = CanvasWarming()
         self.running = True
+        self.background = background
         self._events = events
         self._hidden = False
         self._held: set[int] = set()

@@ -27,7 +27,7 @@ def round_corners(picture: pygame.Surface, look: Look, below: int) -> pygame.Sur
 def paint_card(surface: pygame.Surface, look: Look, card: Card, entry: Entry, picture: pygame.Surface, at: tuple[int, int]) -> None:
     """Draw a whole card with its left upper corner there."""
     rect = pygame.Rect(at, card.rect.size)
-    draw_shadow(surface, rect, look.px(RADIUS), 2.5 * look.k, 2 * look.k, 0.25)
+    draw_shadow(surface, rect, 2.5 * look.k, 2 * look.k, 0.25)
     draw_box(surface, rect, look.px(RADIUS), look.theme.panel)
     surface.blit(round_corners(picture, look, card.rect.h - card.picture.h), rect)
     if card.wide:
@@ -85,7 +85,7 @@ def _shade(size: tuple[int, int]) -> pygame.Surface:
 def paint_focused(surface: pygame.Surface, look: Look, card: Card, entry: Entry, picture: pygame.Surface, lift: float, top: int) -> None:
     """The card under the pointer or the keyboard focus: lifted, with a ring. ``top``: scroll, window px."""
     rect = card.rect.move(0, top - round(LIFT * look.k * lift))
-    draw_shadow(surface, rect, look.px(RADIUS), 7 * look.k, 8 * look.k, 0.45 * lift)
+    draw_shadow(surface, rect, 7 * look.k, 8 * look.k, 0.45 * lift)
     paint_card(surface, look, card, entry, picture, rect.topleft)
     draw_ring(surface, look, rect, RADIUS)
 

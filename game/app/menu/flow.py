@@ -12,7 +12,7 @@ from typing import NamedTuple
 import pygame
 
 MARGIN, HEADER, FOOTER, GAP, ROW_GAP, HEAD, WORDS = 32, 80, 40, 16, 12, 28, 56  # design px
-NARROWEST, WIDEST = 160, 300  # design px of a card
+NARROWEST, WIDEST = 160, 400  # design px of a card
 PICTURE = 104 / 160  # height of a picture to its width
 LIST_ROW, LIST_COLUMN = 44, 360  # design px
 
@@ -57,7 +57,7 @@ def arrange_cards(groups: Sequence[Group], wide: str, width: int, height: int, k
     """
     most = max(1, int((width / k - 2 * MARGIN + GAP) // (NARROWEST + GAP)))
     least = 1
-    while least < most and _card_width(least, width / k) > WIDEST:
+    while least < most and _share(least, width / k) > WIDEST:
         least += 1
     flow = _arrange(groups, wide, most, width, k)
     for columns in range(least, most):
@@ -67,12 +67,13 @@ def arrange_cards(groups: Sequence[Group], wide: str, width: int, height: int, k
     return flow
 
 
-def _card_width(columns: int, width: float) -> float:
-    return min((width - 2 * MARGIN - (columns - 1) * GAP) / columns, WIDEST)
+def _share(columns: int, width: float) -> float:
+    """Width of a card of so many beside each other, design px."""
+    return (width - 2 * MARGIN - (columns - 1) * GAP) / columns
 
 
 def _arrange(groups: Sequence[Group], wide: str, columns: int, width: int, k: float) -> Flow:
-    card = max(_card_width(columns, width / k), 40.0) * k
+    card = max(min(_share(columns, width / k), WIDEST), 40.0) * k
     picture_height = round(card * PICTURE)
     card_height = picture_height + round(WORDS * k)
     pitch = round(HEAD * k) + card_height + round(ROW_GAP * k)

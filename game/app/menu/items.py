@@ -32,11 +32,14 @@ class Offer:
         self._level_fields = [(head, self._fields_of_level(head)) for head in self.levels]
 
     def groups(self) -> list[Group]:
-        """Scenes by category."""
+        """Scenes by category, the wide card first."""
         return [
-            Group(category, tuple(e.name for e in self.catalogue if e.category == category))
+            Group(category, tuple(sorted(self._names(category), key=lambda name: name != self.wide)))
             for category in self.catalogue.categories()
         ]
+
+    def _names(self, category: str) -> list[str]:
+        return [entry.name for entry in self.catalogue if entry.category == category]
 
     def find(self, query: str) -> Found:
         """What a query finds; a level is found by its own words and, less so, by its scene's."""

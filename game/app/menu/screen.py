@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 LEVELS_SHOWN = 60  # of those found; more is no list to read
+SETTLED_S = 0.4  # s of the menu standing before the compiler is imported behind it
 WHEEL = 60  # design px for a notch
 
 
@@ -42,7 +43,7 @@ class MenuScreen(Screen):
         super().__init__(app)
         self.offer = Offer(app.catalogue)
         self.header = Header(app)
-        self.thumbnails = Thumbnails(app.catalogue)
+        self.thumbnails = Thumbnails(app.catalogue, app.canvas_warming)
         self.query = ""
         self.items: list[Item] = []
         self.focus = 0
@@ -50,6 +51,7 @@ class MenuScreen(Screen):
         self._scroll = 0
         self._content_height = 0
         self._lift = Fade(LIFT_S)
+        self._age_s = 0.0
         self._picture: pygame.Surface | None = None
         self._wanted_focus = focus
         self.restyle()
@@ -218,6 +220,10 @@ class MenuScreen(Screen):
 
     def update(self, elapsed_s: float) -> None:
         self.header.update(elapsed_s)
+        self._age_s += elapsed_s
+        if self._age_s > SETTLED_S and self.app.background:
+            self.app.canvas_warming.begin()
+            self.thumbnails.begin()
         self._lift.update(elapsed_s, True)
         live = self.items[self.focus] if self.focus < len(self.items) else None
         name = live.entry.name if live is not None and live.card is not None else ""

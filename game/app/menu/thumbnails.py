@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 
+from game.app.canvas_warming import CanvasWarming
 from game.app.pictures import write_png
 from game.app.readiness import any_notes, is_ready
 from game.folders import cache_folder
@@ -22,22 +23,21 @@ from game.ui.look import Look
 if TYPE_CHECKING:
     from game.app.menu.live import LiveScene
 
-SETTLED_S = 0.5  # s of the menu standing before the compiler is imported behind it
 Key = tuple[str, str, int, int]  # scene, theme, width, height
 
 
 class Thumbnails:
     """Pictures by scene; ``update`` once a frame, ``picture`` when one is wanted."""
 
-    def __init__(self, catalogue: Catalogue):
+    def __init__(self, catalogue: Catalogue, canvas: CanvasWarming):
         self._catalogue = catalogue
+        self._canvas = canvas
         self._pictures: dict[Key, pygame.Surface | None] = {}
         self._live: dict[str, LiveScene] = {}
         self._drawn: set[Key] = set()
         self._made: queue.SimpleQueue[LiveScene] = queue.SimpleQueue()
         self._stop = threading.Event()
         self._thread: threading.Thread | None = None
-        self._age_s = 0.0
         self._asked = False
 
     def picture(self, name: str, size: tuple[int, int], look: Look) -> pygame.Surface | None:
@@ -49,11 +49,6 @@ class Thumbnails:
 
     def update(self, elapsed_s: float, sizes: dict[str, tuple[int, int]], look: Look, moving: str) -> bool:
         """Let time pass; ``moving`` is the card that lives. True if pictures of others have changed."""
-        self._age_s += elapsed_s
-        if not self._asked and self._age_s > SETTLED_S and any_notes():
-            self._asked = True
-            self._thread = threading.Thread(target=self._prepare, name="thumbnails", daemon=True)
-            self._thread.start()
         with contextlib.suppress(queue.Empty):
             live = self._made.get_nowait()
             self._live[live.entry.name] = live
@@ -63,6 +58,13 @@ class Thumbnails:
             self._draw(live, sizes[moving], look)
             return False
         return self._draw_one_more(sizes, look)
+
+    def begin(self) -> None:
+        """Start to build the scenes that are ready, if that has not been done yet."""
+        if not self._asked and any_notes():
+            self._asked = True
+            self._thread = threading.Thread(target=self._prepare, name="thumbnails", daemon=True)
+            self._thread.start()
 
     def _draw_one_more(self, sizes: dict[str, tuple[int, int]], look: Look) -> bool:
         """Draw one picture that was not drawn in this size and theme yet."""
@@ -85,10 +87,13 @@ class Thumbnails:
 
     def _prepare(self) -> None:
         """Build the scenes that are ready, one after another, and let them come to something worth seeing."""
+        while not self._canvas.wait(0.05):
+            if self._stop.is_set():
+                return
         for entry in self._catalogue:
             if self._stop.is_set():
                 return
-            if is_ready(entry):
+            if entry.name not in self._live and is_ready(entry):
                 live = _build(entry)
                 if live is not None:
                     self._made.put(live)
@@ -100,7 +105,6 @@ class Thumbnails:
     def wake(self) -> None:
         """The menu is on top again: what was opened meanwhile may be ready now."""
         self._asked = False
-        self._age_s = 0.0
 
     def close(self) -> None:
         """Let the thread end after the scene that it is building."""

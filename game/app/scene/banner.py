@@ -54,7 +54,7 @@ class FaultBanner:
         if not self.text or self.rect.w < self.app.look.px(160):
             return
         look, px, theme, rect = self.app.look, self.app.look.px, self.app.look.theme, self.rect
-        draw_shadow(surface, rect, px(10), 5 * look.k, 2 * look.k, 0.4)
+        draw_shadow(surface, rect, 5 * look.k, 2 * look.k, 0.4)
         draw_box(surface, rect, px(10), theme.panel, look.color("vermilion"), max(1, px(1.5)))
         sign = icon("warning", px(20), look.color("vermilion"))
         surface.blit(sign, sign.get_rect(center=(rect.x + px(24), rect.centery)))

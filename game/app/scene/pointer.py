@@ -51,12 +51,12 @@ class ScenePointer:
     def take(self) -> list[Pointer]:
         """The events gathered since the last call; of moves that follow each other only the last."""
         events, self.waiting = self.waiting, []
-        kept = [
+        last = len(events) - 1
+        return [
             event
-            for event, following in zip(events, [*events[1:], None], strict=True)
-            if not (following is not None and event.kind == "move" and following.kind == "move")
+            for i, event in enumerate(events)
+            if not (event.kind == "move" and i < last and events[i + 1].kind == "move")
         ]
-        return kept
 
     def _add(self, kind: str, position: tuple[int, int], button: int, wheel: float = 0.0) -> None:
         x, y = self.camera.to_world(position[0] + 0.5, position[1] + 0.5)

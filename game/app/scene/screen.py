@@ -29,7 +29,7 @@ class SceneScreen(Screen):
         self.entry = entry
         self.opening = opening
         self.shell = Shell(app, entry)
-        self.loader: Loader | None = Loader(entry, opening)
+        self.loader: Loader | None = Loader(entry, opening, app.canvas_warming)
         self.play: ScenePlay | None = None
         self._error = ""
 

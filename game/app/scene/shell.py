@@ -7,13 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import pygame
 
-from game.ui.commands import Command
 from game.ui.hintbar import HintBar
 from game.ui.layout import arrange
 from game.ui.legend import Legend
 from game.ui.loading import LoadingCard, draw_shell
-from game.ui.panel import Panel
-from game.ui.strips import Strips
 from game.ui.tooltips import ToolTip
 from game.ui.topbar import BarState, TopBar
 
@@ -22,6 +19,8 @@ if TYPE_CHECKING:
     from game.app.scene.loader import Loader
     from game.stage import Scene, Stage
     from game.stage.catalogue import Entry
+    from game.ui.panel import Panel
+    from game.ui.strips import Strips
 
 BEFORE_OWN = (("pause", "pause"), ("step", "step"), ("step-back", "step back"))
 AFTER_OWN = (("accuracy", "accuracy"), ("levels", "levels"), ("help", "help"))
@@ -41,11 +40,15 @@ class Shell:
         self.loading = LoadingCard(look)
         self.strips: Strips | None = None
         self.panel: Panel | None = None
+        self._grabbed = False
         self.place()
         self.hints.show([((app.keys.label("back"),), "back to the menu")])
 
     def open(self, stage: Stage, levels: Any) -> None:
         """The scene is there: make what is built from its declarations."""
+        from game.ui.panel import Panel
+        from game.ui.strips import Strips
+
         scene_type = type(stage.scene)
         self.strips = Strips(self.app.look, scene_type.strips)
         self.panel = Panel(self.app.look, scene_type, levels)
@@ -85,7 +88,12 @@ class Shell:
         command = self.bar.handle(event)
         if command is not None:
             wishes.append(command)
-        taken = bool(wishes) or self._inside_a_widget(event)
+        inside = self._inside_a_widget(event)
+        taken = bool(wishes) or inside or self._grabbed
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            self._grabbed = inside  # what was pressed here is not the scene's until it is let go
+        elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+            self._grabbed = False
         return taken, wishes
 
     def _inside_a_widget(self, event: pygame.Event) -> bool:

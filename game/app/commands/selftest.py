@@ -1,0 +1,149 @@
+"""``selftest``: each scene with each level steps, goes back, steps again, and must come to the same state."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from game.app.commands import given, output
+from game.app.failure import Failure
+from game.app.script import Script, demo_of
+
+if TYPE_CHECKING:
+    from game.stage import Scene, Stage
+
+HALF_STEPS = 120  # of each run: that many, a restored state, that many again
+STEPS_BACK = 3
+GOLDEN_FILE = "scenes.json"
+
+
+class Result(NamedTuple):
+    """What came of one level: the digest at its end, or what went wrong."""
+
+    scene: str
+    level: str
+    digest: str
+    trouble: str
+
+    @property
+    def name(self) -> str:
+        """Key among the golden digests."""
+        return f"{self.scene}/{self.level}"
+
+
+def add(commands: Any) -> None:
+    """Declare the command."""
+    parser = commands.add_parser("selftest", help="test every scene and level", allow_abbrev=False)
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="only these")
+    parser.add_argument("--json", metavar="FILE", help="write the results; - is standard output")
+    parser.add_argument("--golden", metavar="FILE", help="compare with the digests kept in this file")
+    parser.add_argument("--update-golden", metavar="FILE", nargs="?", const="", default=None,
+                        help="write the digests (to tests/golden/scenes.json of a checkout)")  # fmt: skip
+    parser.set_defaults(execute=execute)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Test and print a table; status 1 if anything failed."""
+    output.check_writable(options.json, "--json")
+    golden_file = _golden_file(options)
+    expected = _read_golden(options.golden) if options.golden else {}
+    quiet = options.json == output.STANDARD_OUTPUT
+    results = []
+    for result in check_scenes(options.scenes):
+        if result.name in expected and not result.trouble and expected[result.name] != result.digest:
+            result = result._replace(trouble=f"the kept digest is {expected[result.name]}")
+        results.append(result)
+        if not quiet:
+            print(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
+    failed = [result for result in results if result.trouble]
+    if options.json:
+        output.write_json({"results": [r._asdict() for r in results], "failed": len(failed)}, options.json)
+    if golden_file is not None and not failed:
+        golden_file.parent.mkdir(parents=True, exist_ok=True)
+        output.write_json({r.name: r.digest for r in results}, str(golden_file), "--update-golden")
+    if not quiet:
+        print(f"{len(results)} levels, {len(failed)} failed")
+    return 1 if failed else 0
+
+
+def check_scenes(names: list[str]) -> Iterator[Result]:
+    """Results of all levels of these scenes, or of all."""
+    from game.levels import level_files
+    from game.scenes import CATALOGUE
+
+    types = [given.scene_type_named(name) for name in names] or [entry.load() for entry in CATALOGUE]
+    for scene_type in types:
+        files = level_files(scene_type.name)
+        if not any(file.stem == "default" for file in files):
+            yield check_level(scene_type, None)
+        for file in files:
+            yield check_level(scene_type, file)
+
+
+def check_level(scene_type: type[Scene], file: Path | None) -> Result:
+    """Run one level twice, the second time by way of steps back; compare the digests."""
+    name = file.stem if file is not None else "(none)"
+    try:
+        first = _begin(scene_type, file)
+        straight = _run(first, 2 * HALF_STEPS)
+        other = _begin(scene_type, file)
+        script = Script(other, demo_of(scene_type))
+        script.run(HALF_STEPS)
+        for _ in range(STEPS_BACK):
+            other.step_back()
+        other.resume()
+        script.run(2 * HALF_STEPS - other.step_number)
+        trouble = _compare(first, other, straight)
+    except Exception as error:  # whatever a scene raises is its result, and the next one is still tested
+        return Result(scene_type.name, name, "", f"{type(error).__name__}: " + " ".join(str(error).split()))
+    return Result(scene_type.name, name, straight, trouble)
+
+
+def _begin(scene_type: type[Scene], file: Path | None) -> Stage:
+    from game.app.scene.opening import Opening
+
+    return Opening(level=file).make_stage(scene_type)
+
+
+def _run(stage: Stage, steps: int) -> str:
+    Script(stage, demo_of(stage.scene_type)).run(steps)
+    return stage.digest()
+
+
+def _compare(first: Stage, other: Stage, straight: str) -> str:
+    """What is wrong, empty if nothing is."""
+    for stage in (first, other):
+        if stage.fault is not None:
+            return f"stopped at step {stage.fault.step}: {stage.fault.message}"
+    if other.digest() != straight:
+        return "after steps back it came to another state"
+    return ""
+
+
+def _golden_file(options: argparse.Namespace) -> Path | None:
+    """Where digests are to be written, if they are."""
+    if options.update_golden is None:
+        return None
+    if options.scenes:
+        raise Failure("--update-golden: writes the digests of all scenes, so none may be named")
+    if options.update_golden:
+        output.check_writable(options.update_golden, "--update-golden")
+        return Path(options.update_golden)
+    folder = Path(__file__).resolve().parents[3] / "tests"
+    if not folder.is_dir():
+        raise Failure("--update-golden: there is no tests folder here; name a file")
+    return folder / "golden" / GOLDEN_FILE
+
+
+def _read_golden(word: str) -> dict[str, str]:
+    """Kept digests by name."""
+    import msgspec
+
+    from game.files import FileProblem, read_text
+
+    try:
+        return msgspec.json.decode(read_text(Path(word), 1 << 20), type=dict[str, str])
+    except (FileProblem, msgspec.MsgspecError) as error:
+        raise Failure(f"--golden {word}: {error}") from None
