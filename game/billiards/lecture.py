@@ -42,7 +42,7 @@ from game.billiards.lecture_state import (
 from game.billiards.lecture_step import step_kernel
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table import Table
-from game.physics.effects import EffectSet
+from game.physics.effects import Effect, EffectSet
 
 
 class TableEvent(NamedTuple):
@@ -76,7 +76,7 @@ class LectureTable:
         radii: ArrayLike = BALL_RADIUS,
         masses: ArrayLike = BALL_MASS,
         velocities: ArrayLike | None = None,
-        effects: EffectSet = LECTURE_EFFECTS,
+        effects: EffectSet | Effect = LECTURE_EFFECTS,
         settings: LectureSettings | None = None,
     ) -> None:
         n = len(np.atleast_1d(np.asarray(positions)))
@@ -102,7 +102,7 @@ class LectureTable:
         self._scratch = scratch_for(n)
         self._settings = LectureSettings() if settings is None else settings
         self._knobs = np.array(self._settings.model(), dtype=np.float64)
-        self.effects = effects
+        self._set_effects(EffectSet() | effects)
 
     # -- what is computed, and how
 
@@ -111,7 +111,10 @@ class LectureTable:
         return self._effects
 
     @effects.setter
-    def effects(self, effects: EffectSet) -> None:
+    def effects(self, effects: EffectSet | Effect) -> None:
+        self._set_effects(EffectSet() | effects)
+
+    def _set_effects(self, effects: EffectSet) -> None:
         foreign = [effect.name for effect in effects if effect not in LECTURE_EFFECTS]
         if foreign:
             raise ValueError(f"effects: the lecture's table knows no {', '.join(foreign)}")

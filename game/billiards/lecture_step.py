@@ -1,7 +1,7 @@
 """One step of the lecture's table: the order of things, and the small kernels in between.
 
-Move, take what is over a pocket, turn round what is beyond a wall, part what overlaps, slow down: substep by
-substep within one call.
+Move, take what is over a pocket, turn round what is beyond a wall, part what overlaps: substep by substep
+within one call. Slow down: once, at the end, as the lecture does once a frame.
 """
 
 from __future__ import annotations
@@ -151,8 +151,7 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
         h = dt / substeps
         factor = 1.0
         if mask & _FRICTION:
-            power = FRAME_RATE * h if model.friction_law == 0 else 1.0 / substeps
-            factor = model.friction if power == 1.0 else model.friction**power
+            factor = model.friction ** (FRAME_RATE * dt) if model.friction_law == 0 else model.friction
         for k in range(substeps):
             time = k * h
             for i in range(radii.shape[0]):
@@ -172,8 +171,8 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
                         bounce_off_walls(state, geometry, model, journal, np.bool_(True), time)
                 else:
                     collide_in_index_order(state, geometry, model, journal, time)
-            if mask & (_FRICTION | _MINIMUM):
-                slow_down(velocities, factor, model.minimum_speed if mask & _MINIMUM else 0.0)
+        if mask & (_FRICTION | _MINIMUM):
+            slow_down(velocities, factor, model.minimum_speed if mask & _MINIMUM else 0.0)
         if mask & _ROLLING:
             roll(orientations, radii, rolled)
         counters[NOT_FINITE] = first_not_finite(offsets, velocities)
