@@ -28,11 +28,10 @@ def draw_key(surface: pygame.Surface, look: Look, left: int, center_y: int, key:
     rect.centery = center_y
     theme = look.theme
     radius = look.px(4)
-    draw_box(surface, rect, radius, theme.line2)  # the side of the cap, seen below its top
+    edge = theme.line.lerp(theme.line2, 0.4)
+    draw_box(surface, rect, radius, edge)  # the side of the cap, seen below its top
     top = pygame.Rect(rect.x, rect.y, rect.w, rect.h - max(1, look.px(1)))
-    draw_box(
-        surface, top, radius, theme.inset, theme.line2 if theme.name == "light" else theme.line2, look.border
-    )
+    draw_box(surface, top, radius, theme.inset, edge, look.border)
     look.text(surface, key, top.center, 11, "medium", "text1", "center")
     return rect.w
 
