@@ -95,6 +95,15 @@ class Canvas:
         """Window px to a world unit."""
         return self._scale
 
+    @property
+    def raster_target(self) -> tuple[np.ndarray, np.ndarray]:
+        """Pixels and clip as the raster kernels take them, for painters with kernels of their own."""
+        return self._pixels, self._clip
+
+    def place(self, point: Point) -> tuple[float, float]:
+        """Place of a world point in ``raster_target``, px."""
+        return self._place(point)
+
     def _ink(self, token: Token) -> tuple[int, float]:
         key = token if isinstance(token, str) else tuple(token)
         found = self._inks.get(key)  # type: ignore[arg-type]
