@@ -62,8 +62,8 @@ class LectureSettings:
     bounce: speed kept at a wall, 0 to 1 (the lecture's bounce factor; above 1 energy would grow for ever).
     restitution: of two balls, 0 to 1; the rules `scaled` and `as-printed` multiply whole velocities by it.
     friction: factor per frame at 60 frames/s, 0 to 1. minimum_speed: m/s. substeps: 0 is automatic.
-    passes: rounds of parting balls that overlap. walls_again: push balls back from the walls after balls
-    have pushed them (False, as in the lecture, lets a pressed ball sink into the cushion).
+    passes: rounds of parting balls that overlap (one by the rule as-printed). walls_again: push balls back
+    from the walls after balls have pushed them (False, as in the lecture, lets a pressed ball sink in).
     """
 
     bounce: float = 0.8
