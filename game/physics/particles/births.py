@@ -1,0 +1,148 @@
+"""Births and deaths within a step: each particle begins at its own instant, and none is lost unseen.
+
+The n-th particle of an emitter of constant rate is born at n / rate: so after any time T exactly
+floor(rate T) have been born, whatever the step. A change of rate keeps the fraction of the particle that was
+under way. The pool is a ring in the order of birth: those that die of age are always at its head.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.jit import kernel
+from game.physics.particles.effects import REPORTS_BIT
+from game.physics.particles.encounters import (
+    BORN,
+    COUNT,
+    DIED,
+    DROPPED,
+    DURATION,
+    HEAD,
+    IDENTITY,
+    START,
+)
+from game.physics.particles.random_numbers import uniform_pair
+
+# an emitter's row: position at the end of the step and at its beginning (m), axis (rad from +y, clockwise),
+# spread (rad to each side), speed (m/s) and half its range (part of it), width of the nozzle (m), rate (1/s),
+# fraction of a particle under way when the rate was set, and that instant (s)
+POSITION_X, POSITION_Y, FROM_X, FROM_Y, AXIS, SPREAD, SPEED, SPEED_RANGE, WIDTH, RATE, CARRY, SINCE = range(12)
+EMITTER_COLUMNS = 12
+MADE, SERIAL = 0, 1  # births since the rate was set; births ever: columns of the emitters' int64 array
+IDENTITY_STEP = 1 << 40  # identity = emitter * IDENTITY_STEP + serial number; exact as a float for 8192 emitters
+SLACK = 2.0**-48  # relative: an instant that differs from a step's end by rounding only belongs to the step
+
+
+@kernel
+def births_until(rate, carry, since, now):
+    """Whole particles of one emitter from the setting of its rate (s) until now (s)."""
+    phase = carry + rate * max(now - since, 0.0)
+    return int(math.floor(phase + SLACK * (phase + rate * abs(now))))
+
+
+@kernel
+def retire(mask, fields, tags, tallies, capacity, life, now, h, hits, who, found):
+    """Take those whose life (s) ends in this step from the ring's head; the next free place of the list.
+
+    With reports wanted, each goes to the list to be flown to the instant of its death; if the list is full,
+    the rest waits for another call.
+    """
+    end = now + h
+    limit = end + SLACK * (abs(end) + life)
+    while tallies[COUNT] > 0 and found < who.shape[0]:
+        place = tallies[HEAD]
+        instant = fields[4, place] + life
+        if instant > limit:
+            break
+        if mask & REPORTS_BIT:
+            for row in range(4):
+                hits[row, found] = fields[row, place]
+            hits[START, found] = 0.0
+            hits[DURATION, found] = min(max(instant - now, 0.0), h)
+            hits[IDENTITY, found] = tags[0, place]
+            who[found] = -1
+            found += 1
+        tallies[HEAD] = place + 1 if place + 1 < capacity else 0
+        tallies[COUNT] -= 1
+        tallies[DIED] += 1
+    return found
+
+
+@kernel
+def launch(emitter, seed, stream, serial, part, hits, entry):
+    """Write where and how particle number ``serial`` of an emitter starts to the list.
+
+    ``part``: how far into the step it is born, 0 to 1, for an emitter that moves.
+    """
+    angle, across = uniform_pair(seed, stream, 2 * serial)
+    faster, _ = uniform_pair(seed, stream, 2 * serial + 1)
+    direction = emitter[AXIS] + emitter[SPREAD] * (2.0 * angle - 1.0)
+    speed = emitter[SPEED] * (1.0 + emitter[SPEED_RANGE] * (2.0 * faster - 1.0))
+    aside = emitter[WIDTH] * (across - 0.5)
+    x = emitter[FROM_X] + part * (emitter[POSITION_X] - emitter[FROM_X])
+    y = emitter[FROM_Y] + part * (emitter[POSITION_Y] - emitter[FROM_Y])
+    hits[0, entry] = x + aside * math.cos(emitter[AXIS])
+    hits[1, entry] = y - aside * math.sin(emitter[AXIS])
+    hits[2, entry] = speed * math.sin(direction)
+    hits[3, entry] = speed * math.cos(direction)
+
+
+@kernel
+def next_birth(emitters, counts, due):
+    """The emitter whose next particle is born first, and when: (index or -1, instant in s)."""
+    chosen = -1
+    first = math.inf
+    for e in range(emitters.shape[0]):
+        if counts[e, MADE] < due[e]:
+            rate = emitters[e, RATE]
+            instant = emitters[e, SINCE] + (counts[e, MADE] + 1 - emitters[e, CARRY]) / rate
+            if instant < first:
+                first = instant
+                chosen = e
+    return chosen, first
+
+
+@kernel
+def emit(mask, fields, tags, tallies, capacity, emitters, counts, due, seed, life, now, h, hits, who, found):
+    """Give birth to all particles due in this step, in the order of their instants; the list's next place.
+
+    Written: counts (m, 2), tallies, and for each survivor its instant of birth, tags and a line of the list.
+    Without room in the ring one is dropped and counted. One whose life is over within the step is born and
+    dies in it. If the list is full, the rest waits for another call. ``due`` (m,) is scratch.
+    """
+    end = now + h
+    for e in range(emitters.shape[0]):
+        due[e] = 0
+        if emitters[e, RATE] > 0.0:
+            due[e] = births_until(emitters[e, RATE], emitters[e, CARRY], emitters[e, SINCE], end)
+    while found < who.shape[0]:
+        e, instant = next_birth(emitters, counts, due)
+        if e < 0:
+            break
+        serial = counts[e, SERIAL]
+        counts[e, MADE] += 1
+        counts[e, SERIAL] += 1
+        age = min(max(end - instant, 0.0), h)
+        stillborn = age >= life
+        if not stillborn and tallies[COUNT] == capacity:
+            tallies[DROPPED] += 1
+            continue
+        tallies[BORN] += 1
+        if stillborn:
+            tallies[DIED] += 1
+            if mask & REPORTS_BIT == 0:
+                continue
+        launch(emitters[e], seed, e, serial, 1.0 - age / h, hits, found)
+        hits[START, found] = h - age
+        hits[DURATION, found] = min(age, life)
+        hits[IDENTITY, found] = e * IDENTITY_STEP + serial
+        who[found] = -1
+        if not stillborn:
+            place = (tallies[HEAD] + tallies[COUNT]) % capacity
+            fields[4, place] = instant
+            tags[0, place] = e * IDENTITY_STEP + serial
+            tags[1, place] = -1
+            who[found] = place
+            tallies[COUNT] += 1
+        found += 1
+    return found

@@ -1,0 +1,80 @@
+"""The few particles of a step that need care: near a solid, just born, or dying with a report wanted.
+
+`advance`, `births` and `deaths` write them to one list; here each is flown among the solids for its own part
+of the step.
+
+A row of the list: x, y, vx, vy at the beginning; when it begins (s into the step); how long it flies (s);
+its identity. Its place in the pool is in ``who``; -1: it dies at the end of its flight.
+"""
+
+from __future__ import annotations
+
+from game.physics.jit import kernel
+from game.physics.particles.contacts import Rules, fly_among_solids
+from game.physics.particles.effects import REPORTS_BIT
+from game.physics.particles.forces import unpack_forces
+
+START, DURATION, IDENTITY = 4, 5, 6
+LIST_ROWS = 7
+
+# counters of a system, in the int64 array ``tallies``
+HEAD, COUNT, STEP, BORN, DIED, DROPPED, IMPACTS, CUT_SHORT, REPORTED, UNREPORTED = range(10)
+TALLIES = 10
+
+# a report: kind, identity, instant (s), x, y, vx, vy, impulse (m/s) or 0
+REPORT_COLUMNS = 8
+DEATH, IMPACT = 0.0, 1.0
+
+
+@kernel
+def report(reports, tallies, kind, identity, instant, x, y, vx, vy, amount):
+    """Add a line to the reports of this step; what does not fit is counted."""
+    line = tallies[REPORTED]
+    if line >= reports.shape[0]:
+        tallies[UNREPORTED] += 1
+        return
+    reports[line, 0] = kind
+    reports[line, 1] = identity
+    reports[line, 2] = instant
+    reports[line, 3] = x
+    reports[line, 4] = y
+    reports[line, 5] = vx
+    reports[line, 6] = vy
+    reports[line, 7] = amount
+    tallies[REPORTED] = line + 1
+
+
+@kernel
+def resolve_encounters(
+    mode, method, mask, fields, tags, tallies, hits, who, found, forces, solids, ground, h, now, impulses, reports
+):
+    """Fly the first ``found`` of the list among the solids and write what becomes of them.
+
+    fields (>= 4, n): x, y, vx, vy are written. tags (2, n): identity; step of the last impact, written.
+    ground: (height m, restitution). now: s at the beginning of the step. impulses (k, 2): added to.
+    """
+    law = unpack_forces(forces)
+    rules = Rules(mode, method, mask, ground[0], ground[1], h)
+    for entry in range(found):
+        begin = hits[START, entry]
+        left = hits[DURATION, entry]
+        x, y, vx, vy, impulse, met, lost = fly_among_solids(
+            rules, law, solids, hits[0, entry], hits[1, entry], hits[2, entry], hits[3, entry], begin, left, impulses
+        )
+        place = who[entry]
+        if lost > 0.0:
+            tallies[CUT_SHORT] += 1
+        if impulse > 0.0:
+            tallies[IMPACTS] += 1
+        if place >= 0:
+            fields[0, place] = x
+            fields[1, place] = y
+            fields[2, place] = vx
+            fields[3, place] = vy
+            if met >= 0:
+                fresh = tags[1, place] < tallies[STEP]
+                tags[1, place] = tallies[STEP] + 1
+                if mask & REPORTS_BIT and fresh and impulse > 0.0:
+                    report(reports, tallies, IMPACT, hits[IDENTITY, entry], now + begin + left, x, y, vx, vy, impulse)
+        elif mask & REPORTS_BIT:
+            report(reports, tallies, DEATH, hits[IDENTITY, entry], now + begin + left, x, y, vx, vy, 0.0)
