@@ -1,0 +1,244 @@
+"""What a table is made of: cloth under a pool of light, wood with its grain, pockets. Kernels on pixels.
+
+Lengths are px of the picture unless named otherwise; colours are (3,) float64, 0 to 255.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from game.physics.jit import kernel
+from game.ui.raster_pixels import OPAQUE, blend, clip_bounds, weight_of
+
+LIGHT_HALF = 0.79  # m; the pool of light is even over this half length
+LIGHT_SHIFT = 0.11  # m; its middle lies so far towards the upper rail
+SHADE_TOP, SHADE_SIDE, SHADE_BOTTOM = 0.030, 0.023, 0.021  # m; reach of the cushions' shade on the cloth
+GRAIN_ACROSS = 110.0  # 1/m; streaks of the wood, 30 times as long as broad
+CORNER = 0.048  # m; radius of the frame's corners
+
+
+@kernel
+def _random(i: int, j: int, seed: int) -> float:
+    """A number 0 to 1 that belongs to a lattice point: the same in every run."""
+    h = (i * 374761393 + j * 668265263 + seed * 144269504) & 0xFFFFFFFF
+    h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
+    return (h ^ (h >> 16)) / 4294967296.0
+
+
+@kernel
+def _noise(x: float, y: float, seed: int) -> float:
+    """Value noise 0 to 1, smooth between lattice points."""
+    i, j = math.floor(x), math.floor(y)
+    a, b = x - i, y - j
+    a, b = a * a * (3.0 - 2.0 * a), b * b * (3.0 - 2.0 * b)
+    low = _random(i, j, seed) * (1.0 - a) + _random(i + 1, j, seed) * a
+    high = _random(i, j + 1, seed) * (1.0 - a) + _random(i + 1, j + 1, seed) * a
+    return low * (1.0 - b) + high * b
+
+
+@kernel
+def _channel(value: float) -> int:
+    """A colour channel as an integer 0 to 255."""
+    return int(min(255.0, max(0.0, value + 0.5)))
+
+
+@kernel
+def _cloth(x: float, y: float, half_x: float, half_y: float, scale: float, column: int, row: int) -> float:
+    """Brightness of the cloth at a place in metres from the middle of the bed (x right, y up)."""
+    dx, dy = max(0.0, abs(x) - LIGHT_HALF * half_x / 1.27), y - LIGHT_SHIFT
+    light = 0.40 + 0.74 * 0.91 / (1.0 + dx * dx + dy * dy)
+    top, bottom, side = (half_y - y) / SHADE_TOP, (half_y + y) / SHADE_BOTTOM, (half_x - abs(x)) / SHADE_SIDE
+    light *= 1.0 - 0.27 * max(0.0, 1.0 - abs(top))
+    light *= 1.0 - 0.19 * max(0.0, 1.0 - abs(bottom))
+    light *= 1.0 - 0.25 * max(0.0, 1.0 - abs(side))
+    fuzz = _random(column, row, 1) + _random((column + row) >> 1, (column - row) >> 1, 2) - 1.0
+    return light * (1.0 + 0.028 * fuzz)
+
+
+@kernel
+def _timber(along: float, across: float, seed: int) -> float:
+    """Grain, about 0 to 1, of a rail at metres along and across it."""
+    broad = _noise(across * GRAIN_ACROSS, along * GRAIN_ACROSS / 30.0, seed)
+    fine = _noise(across * GRAIN_ACROSS * 3.1, along * GRAIN_ACROSS / 12.0, seed + 7)
+    return 0.5 + 1.3 * (0.76 * broad + 0.24 * fine - 0.5)
+
+
+@kernel
+def _frame_depth(x: float, y: float, half_x: float, half_y: float, corner: float) -> float:
+    """How far inside a box with round corners a point lies."""
+    qx, qy = abs(x) - half_x + corner, abs(y) - half_y + corner
+    ox, oy = max(qx, 0.0), max(qy, 0.0)
+    return corner - math.sqrt(ox * ox + oy * oy) - min(max(qx, qy), 0.0)
+
+
+@kernel
+def _wood(
+    x: float, y: float, outer: float, inner: float, slack: float, half_x: float, half_y: float, scale: float
+) -> Any:
+    """Grain, brightness and gleam of the frame at (x, y) m; ``outer``, ``inner`` px from its edges."""
+    if slack > 0.0:
+        grain = _timber(x, y, 11 if y > 0.0 else 12)
+        edge, gleam, rim = (0.31, 0.20, 1.05) if y > 0.0 else (0.02, 0.06, 0.52)
+    else:
+        grain = _timber(y, x, 13 if x > 0.0 else 14)
+        edge, gleam, rim = (0.12, 0.13, 0.76) if x > 0.0 else (0.05, 0.12, 0.72)
+    unit = max(1.0, scale / 403.0)  # a line of the drawing at 1280 x 720
+    bevel = min(1.0, max(0.0, 2.0 - 0.5 * outer / unit))
+    outline = min(1.0, max(0.0, unit + 0.5 - outer))
+    brightness = (1.0 + edge * bevel) * (1.0 - outline) + rim * outline
+    if inner < 3.0 * unit:
+        brightness *= 0.90
+    if abs(slack) < 0.6 * unit:
+        brightness *= 0.62  # the mitre
+    return grain, brightness, gleam * min(1.0, max(0.0, 0.5 * unit + 0.5 - abs(outer - 1.5 * unit)))
+
+
+@kernel
+def paint_glow(pixels: Any, middle_x: float, middle_y: float, color: int, lift: float) -> None:
+    """A floor of one colour, a little lighter (``lift`` of 255) round a place, fading over the picture."""
+    wide, high = 0.5 * pixels.shape[1], 1.0 * pixels.shape[0]
+    for row in range(pixels.shape[0]):
+        v = (row + 0.5 - middle_y) / high
+        for column in range(pixels.shape[1]):
+            u = (column + 0.5 - middle_x) / wide
+            more = lift / (1.0 + 3.5 * (u * u * u * u + v * v)) + 0.6 * _random(column, row, 3) - 0.3
+            pixels[row, column] = (
+                OPAQUE
+                | (_channel((color >> 16 & 0xFF) + more) << 16)
+                | (_channel((color >> 8 & 0xFF) + more) << 8)
+                | _channel((color & 0xFF) + more)
+            )
+
+
+@kernel
+def paint_cloth_and_wood(
+    pixels: Any,
+    middle_x: float,
+    middle_y: float,
+    half_x: float,
+    half_y: float,
+    scale: float,
+    cushion: float,
+    wood: float,
+    felt: Any,
+    dark: Any,
+    light: Any,
+    glow: float,
+) -> None:
+    """Bed and frame: the bed of half sides ``half_x``, ``half_y`` px round its middle, ``scale`` px/m.
+
+    ``cushion`` and ``wood`` px are the breadths of what surrounds it, ``glow`` the brightness of the wood.
+    Where the cushions will lie the cloth goes on. Outside of the frame nothing changes.
+    """  # fmt: skip
+    reach_x, reach_y = half_x + cushion, half_y + cushion
+    frame_x, frame_y = reach_x + wood, reach_y + wood
+    corner = min(CORNER * scale, 0.9 * wood)
+    bed_x, bed_y = half_x / scale, half_y / scale
+    unit = max(1.0, scale / 403.0)
+    top, bottom = max(0, math.floor(middle_y - frame_y)), min(pixels.shape[0], math.ceil(middle_y + frame_y))
+    left, right = max(0, math.floor(middle_x - frame_x)), min(pixels.shape[1], math.ceil(middle_x + frame_x))
+    for row in range(top, bottom):
+        py = middle_y - row - 0.5
+        for column in range(left, right):
+            px = column + 0.5 - middle_x
+            inner = max(abs(px) - reach_x, abs(py) - reach_y)
+            if inner <= 0.0:
+                b = _cloth(px / scale, py / scale, bed_x, bed_y, scale, column, row)
+                pixels[row, column] = (
+                    OPAQUE
+                    | (_channel(felt[0] * b) << 16)
+                    | (_channel(felt[1] * b) << 8)
+                    | _channel(felt[2] * b)
+                )
+                continue
+            outer = _frame_depth(px, py, frame_x, frame_y, corner)
+            if outer <= -0.5:
+                continue
+            slack = (abs(py) - reach_y) - (abs(px) - reach_x)  # > 0 on the long rails
+            grain, b, gleam = _wood(px / scale, py / scale, outer, inner, slack, bed_x, bed_y, scale)
+            b *= glow
+            red = (dark[0] + grain * (light[0] - dark[0])) * b
+            green = (dark[1] + grain * (light[1] - dark[1])) * b
+            blue = (dark[2] + grain * (light[2] - dark[2])) * b
+            if inner <= unit:
+                red, green, blue = 37.0, 30.0, 22.0  # the joint to the cushion
+            red, green, blue = (
+                red + gleam * (255 - red),
+                green + gleam * (205 - green),
+                blue + gleam * (165 - blue),
+            )
+            color = (_channel(red) << 16) | (_channel(green) << 8) | _channel(blue)
+            blend(pixels, row, column, color, weight_of(min(1.0, outer + 0.5), 1.0))
+
+
+@kernel
+def _ring_share(distance: float, radius: float, width: float) -> float:
+    """Coverage of a ring's line."""
+    away = abs(distance - radius)
+    return min(1.0, max(0.0, 0.5 * width + 0.5 - away))
+
+
+@kernel
+def paint_pocket(
+    pixels: Any,
+    clip: Any,
+    x: float,
+    y: float,
+    radius: float,
+    unit: float,
+    wood_left: float,
+    wood_top: float,
+    wood_right: float,
+    wood_bottom: float,
+    brass: int,
+) -> None:
+    """A hole, its leather liner and brass arc where it cuts the wood, shade where it cuts the cloth.
+
+    ``unit`` px is a line of the drawing at 1280 x 720; the wood lies outside of the given box.
+    """  # fmt: skip
+    reach = radius + 12.0 * unit
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
+    for row in range(y_low, y_high):
+        for column in range(x_low, x_high):
+            px, py = column + 0.5, row + 0.5
+            dx, dy = px - x, py - y
+            d = math.sqrt(dx * dx + dy * dy)
+            if d > reach:
+                continue
+            if px < wood_left or px > wood_right or py < wood_top or py > wood_bottom:
+                outside = (d - radius - 7.5 * unit) / (3.0 * unit)
+                blend(pixels, row, column, 0, weight_of(0.16 * max(0.0, 1.0 - abs(outside)), 1.0))
+                blend(
+                    pixels,
+                    row,
+                    column,
+                    0x2A211B,
+                    weight_of(min(1.0, max(0.0, radius + 6.9 * unit + 0.5 - d)), 1.0),
+                )
+                blend(
+                    pixels,
+                    row,
+                    column,
+                    0x43362C,
+                    weight_of(_ring_share(d, radius + 1.6 * unit, 1.8 * unit), 1.0),
+                )
+                blend(
+                    pixels,
+                    row,
+                    column,
+                    brass,
+                    weight_of(_ring_share(d, radius + 6.4 * unit, 1.3 * unit), 1.0),
+                )
+            else:
+                shade = 1.0 - max(0.0, d - radius) / (3.6 * unit)
+                blend(pixels, row, column, 0, weight_of(0.62 * max(0.0, shade) * max(0.0, shade), 1.0))
+                blend(
+                    pixels, row, column, 0x3F362E, weight_of(_ring_share(d, radius - 0.2 * unit, unit), 0.9)
+                )
+            depth = min(1.0, max(0.0, (radius - d) / (10.0 * unit)))
+            grey = int(8.0 - 5.0 * depth)
+            hole = (grey << 16) | ((grey + 1) << 8) | (grey + 1)
+            blend(
+                pixels, row, column, hole, weight_of(min(1.0, max(0.0, radius - 0.4 * unit + 0.5 - d)), 1.0)
+            )
