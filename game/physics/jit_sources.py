@@ -21,7 +21,7 @@ COMPILER_FILES = tuple(
 # Found anywhere in the text, even in a comment: a module too many costs a compilation, one too few is wrong.
 _FROM = re.compile(r"\bfrom\s+(\.*[\w.]*)\s+import\s*(\((?:[^()#]|#[^\n]*)*\)|[^\n;]+)")
 _IMPORT = re.compile(r"\bimport\s+([\w.][\w., \t]*)")
-_BY_NAME = re.compile(r"(?:import_module|__import__)\(\s*[\"']([\w.]+)[\"']")
+_QUOTED = re.compile(r"[\"'](\.*[A-Za-z_]\w*(?:\.\w+)*)[\"']")  # for import_module and lazy packages
 _CONTINUED = re.compile(r"\\\r?\n")
 _COMMENT = re.compile(r"#[^\n]*")
 
@@ -34,17 +34,22 @@ def imports_of(text: str, module: str, is_package: bool) -> set[str]:
     text = _CONTINUED.sub(" ", text)
     parts = module.split(".")
     inside = parts if is_package else parts[:-1]
-    found: set[str] = set(_BY_NAME.findall(text))
+    found = {_absolute(name, inside) for name in _QUOTED.findall(text) if "." in name}
     for names in _IMPORT.findall(text):
         found.update(_first_words(names))
     for origin, names in _FROM.findall(text):
-        dots = len(origin) - len(origin.lstrip("."))
-        above = inside[: len(inside) - dots + 1] if dots else []
-        base = ".".join([*above, *filter(None, [origin[dots:]])])
+        base = _absolute(origin, inside)
         found.add(base)
         found.update(f"{base}.{name}" for name in _first_words(_COMMENT.sub("", names).strip("()")))
     found.discard("")
     return found
+
+
+def _absolute(name: str, inside: list[str]) -> str:
+    """A name in full; one that begins with dots counts from the package ``inside``."""
+    dots = len(name) - len(name.lstrip("."))
+    above = inside[: len(inside) - dots + 1] if dots else []
+    return ".".join([*above, *filter(None, [name[dots:]])])
 
 
 def _first_words(names: str) -> Iterator[str]:

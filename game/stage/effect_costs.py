@@ -45,7 +45,7 @@ class EffectMeter:
         self._measuring: _Comparison | None = None
 
     def slice(self, budget_s: float) -> None:
-        """Measure for about so many seconds, or not at all while code compiles; building a copy may take longer."""
+        """Measure for about so many seconds (a copy may take longer); nothing while code compiles."""
         if self._stage.fault is not None:
             return
         end = self._clock() + budget_s

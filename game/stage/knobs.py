@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from numbers import Real
 from typing import Any, Generic, TypeVar, overload
 
 T = TypeVar("T")
@@ -33,7 +34,7 @@ class Knob(Generic[T]):
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
-        self.check(self.default)
+        self.default = self.check(self.default)  # in the knob's own type, so that kernels see one type only
 
     @property
     def label(self) -> str:
@@ -83,6 +84,8 @@ class Param(Knob[float]):
         group: str = "",
         rebuild: bool = False,
     ):
+        if not (math.isfinite(minimum) and math.isfinite(maximum)):
+            raise ValueError(f"Param: the range {minimum} to {maximum} is not finite")
         if not minimum < maximum:
             raise ValueError(f"Param: minimum {minimum} is not below maximum {maximum}")
         if log and minimum <= 0.0:
@@ -96,9 +99,12 @@ class Param(Knob[float]):
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> float:
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
+        if isinstance(value, bool) or not isinstance(value, Real):
             raise self._refuse(value, "a number is wanted")
-        number = float(value)
+        try:
+            number = float(value) + 0.0  # no negative zero
+        except OverflowError:
+            raise self._refuse(math.inf, "too large") from None
         if not math.isfinite(number):
             raise self._refuse(value, "a finite number is wanted")
         if not self.minimum <= number <= self.maximum:
@@ -139,7 +145,7 @@ class Choice(Knob[str]):
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> str:
-        if value not in self.options:
+        if not isinstance(value, str) or value not in self.options:
             raise self._refuse(value, "one of " + ", ".join(self.options) + " is wanted")
         return str(value)
 

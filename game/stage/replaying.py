@@ -68,7 +68,7 @@ def begin(recording: Recording, scene_type: type[Scene], *, record: bool = True)
             record=record,
         )
     except LevelError as error:
-        raise RecordingError(None, f"level.{error.field}", error.reason) from None
+        raise RecordingError(None, f"level.{error.field}".rstrip("."), error.reason) from None
     except KnobError as error:
         raise RecordingError(None, "parameters", str(error)) from None
     except ValueError as error:

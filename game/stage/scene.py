@@ -78,6 +78,9 @@ class WarmUp(NamedTuple):
     call: Callable[[], Any]
 
 
+_OWN = frozenset(("values", "active", "previous", "level", "seed"))  # attributes that each scene object has
+
+
 class Painter(Protocol):
     """What a scene draws on; ui/canvas.py is one. Scenes above the ui floor use its full type."""
 
@@ -104,6 +107,12 @@ class Scene:
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
+
+    def __init_subclass__(cls) -> None:
+        """Refuse a knob whose name would hide something that every scene has."""
+        for name, value in vars(cls).items():
+            if isinstance(value, Knob) and (hasattr(Scene, name) or name in _OWN):
+                raise TypeError(f"{cls.__name__}.{name}: a parameter cannot have this name")
 
     def __init__(
         self,

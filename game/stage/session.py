@@ -56,6 +56,7 @@ class Session:
         self._time_base_s = 0.0
         self._time_base_step = 0
         self._record = record
+        self._repeating = False  # stepping through a future that is remembered
         self._watch = FiniteWatch(scene.may_be_infinite)
         bad = self._watch.first_bad(scene.state())
         if bad is not None:
@@ -118,8 +119,9 @@ class Session:
             return False
         if self.step >= self._next_chore:
             self._do_chores()
-        if self.timeline.has_future:
+        if self._repeating:
             self._repeat_events()
+            self._repeating = self.timeline.has_future
         return True
 
     def let_in(self, event: StageEvent) -> None:
@@ -188,6 +190,7 @@ class Session:
         self.timeline.drop_future()
         self._ring.forget_after(self.step)
         self._checks = self.checks
+        self._repeating = False
         self._schedule()
 
     # -- back ---------------------------------------------------------------------------------------
@@ -198,6 +201,7 @@ class Session:
             return False
         self.fault = None
         self._return_to(self.step - 1)
+        self._repeating = self.timeline.has_future
         return True
 
     def _return_to(self, step: int) -> None:

@@ -11,7 +11,7 @@ from game.stage.scene import WarmUp
 
 
 class WarmingProgress(NamedTuple):
-    """How far it is: warm-ups ended, of how many, the name of the one under way (else ""), s since the start."""
+    """How far it is: warm-ups ended, of how many, the one under way (or ""), s since the start."""
 
     done: int
     total: int

@@ -1,0 +1,159 @@
+"""Stepping back and forward again: whatever happened, the same states come back."""
+
+from __future__ import annotations
+
+import pytest
+from stage.example_scene import KICK, BouncingBall
+from stage.odd_scenes import BURST, Cloud
+
+from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+
+CLOUD_EVENTS = [
+    SetKnob("births", 0.9),
+    Pointer("down", 0.5, 0.5, 1),
+    Pointer("move", 0.7, 0.1, 1),
+    BURST,
+    SetKnob("step_length", 0.02),
+    Pointer("up", 0.7, 0.1, 1),
+    SetKnob("first", 20),
+    Action("clear"),
+    BURST,
+    SetKnob("step_length", 0.005),
+]
+BALL_EVENTS = [
+    SetKnob("gravity", 2.0),
+    KICK,
+    SetEffect("example-ground", False),
+    Pointer("down", 0.0, 3.0, 1),
+    Pointer("move", 1.0, 3.0, 1),
+    Pointer("up", 1.0, 3.0, 1),
+    SetKnob("height", 7.0),
+    SetEffect("example-ground", True),
+    SetKnob("frozen", True),
+    SetKnob("frozen", False),
+]
+
+
+@pytest.mark.parametrize(("scene", "events"), [(BouncingBall, BALL_EVENTS), (Cloud, CLOUD_EVENTS)])
+@pytest.mark.parametrize("gap", [1, 7, 45])
+class TestThereAndBack:
+    def play(self, scene, events, gap: int) -> tuple[Stage, list[tuple[str, float, dict]]]:
+        stage = Stage(scene)
+        seen = []
+        for event in events:
+            stage.post(event)
+            for _ in range(gap):
+                stage.step()
+                seen.append((stage.digest(), stage.time_s, dict(stage.scene.values)))
+        return stage, seen
+
+    def test_each_step_back_undoes_one_step_and_its_events(self, scene, events, gap) -> None:
+        stage, seen = self.play(scene, events, gap)
+        stage.post(events[0])  # undone by the first step back
+        for step in range(len(seen) - 1, 0, -1):
+            assert stage.step_back()
+            assert stage.step_number == step
+            digest, time_s, values = seen[step - 1]
+            if step % gap == 0:
+                continue  # the events of this step have acted again, as they had before the step after it
+            assert (stage.digest(), stage.time_s, stage.scene.values) == (digest, time_s, values)
+
+    def test_forward_again_repeats_everything(self, scene, events, gap) -> None:
+        stage, seen = self.play(scene, events, gap)
+        end, recording = stage.digest(), stage.recording
+        for _ in range(min(len(seen), 100)):
+            stage.step_back()
+        stage.run(len(seen) - stage.step_number)
+        assert stage.digest() == end
+        assert stage.recording == recording
+        assert stage.time_s == seen[-1][1]
+
+    def test_it_ends_at_the_beginning(self, scene, events, gap) -> None:
+        stage, _ = self.play(scene, events[:3], gap)
+        begin = Stage(scene)
+        begin.post(events[0])
+        while stage.step_back():
+            pass
+        assert stage.step_number == 0
+        assert stage.digest() == begin.digest()
+        assert not stage.step_back()
+
+
+class TestAnotherWay:
+    def test_a_new_event_drops_what_was_to_come(self) -> None:
+        stage, twin = Stage(BouncingBall), Stage(BouncingBall)
+        stage.run(50)
+        stage.post(KICK)
+        stage.run(300)
+        for _ in range(320):
+            stage.step_back()
+        stage.post(SetKnob("gravity", 1.0))
+        stage.run(400)
+        twin.run(30)
+        twin.post(SetKnob("gravity", 1.0))
+        twin.run(400)
+        assert stage.digest() == twin.digest()
+        assert stage.recording == twin.recording
+
+    def test_a_drag_whose_end_is_dropped_is_cancelled(self) -> None:
+        stage = Stage(BouncingBall)
+        stage.post(Pointer("down", 0.0, 1.0, 1))
+        stage.run(5)
+        stage.post(Pointer("up", 0.0, 1.0, 1))
+        stage.run(5)
+        for _ in range(8):
+            stage.step_back()
+        assert stage.scene.held
+        stage.post(SetKnob("gravity", 1.0))
+        assert not stage.scene.held
+        kinds = [getattr(stamped.event, "kind", "knob") for stamped in stage.recording.events]
+        assert kinds == ["down", "cancel", "knob"]
+
+    def test_a_drag_that_goes_on_is_not(self) -> None:
+        stage = Stage(BouncingBall)
+        stage.post(Pointer("down", 0.0, 1.0, 1))
+        stage.run(5)
+        stage.post(Pointer("move", 0.5, 1.0, 1))
+        stage.run(5)
+        stage.step_back()
+        for _ in range(6):
+            stage.step_back()
+        stage.post(Pointer("move", 0.9, 1.0, 1))
+        assert stage.scene.held
+
+    def test_a_refused_event_changes_nothing_but_the_future(self) -> None:
+        stage = Stage(BouncingBall)
+        stage.run(20)
+        stage.step_back()
+        digest = stage.digest()
+        with pytest.raises(ValueError, match="gravity"):
+            stage.post(SetKnob("gravity", -1.0))
+        assert stage.digest() == digest
+        assert stage.recording.events == []
+
+
+class TestMemory:
+    def test_what_the_scene_keeps_beside_its_state_goes_back_as_well(self) -> None:
+        stage = Stage(Cloud)
+        stage.run(40)
+        log, trail, time_s = list(stage.scene.log), list(stage.scene.trail), stage.time_s
+        stage.post(BURST)
+        stage.run(35)
+        for _ in range(36):
+            stage.step_back()
+        stage.step()
+        assert (stage.scene.log[: len(log)], list(stage.scene.trail)) == (log, trail)
+        assert stage.time_s == time_s
+
+    def test_without_a_recording_it_still_goes_back(self) -> None:
+        stage = Stage(Cloud, record=False)
+        digests = []
+        for _ in range(200):
+            stage.post(BURST)
+            stage.step()
+            digests.append(stage.digest())
+        for step in range(199, 100, -1):
+            stage.step_back()
+            assert stage.step_number == step
+        stage.run(99)
+        assert stage.digest() == digests[-1]
