@@ -36,7 +36,7 @@ def exchange_as_lectured(vx1, vy1, vx2, vy2, cosa, sina, loss, printed):
 
     Normal parts are exchanged, tangential parts kept, then both whole velocities are shortened by `loss`:
     the total momentum comes out multiplied by it. `printed`: the listing to the letter, with its three slips
-    (game.billiards.ball.SLIPS tells them).
+    (game.billiards.lecture_slips tells them).
     """
     px1 = cosa * vx1 + sina * vy1
     px2 = cosa * vx2 + sina * vy2
