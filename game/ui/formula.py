@@ -6,13 +6,14 @@ measured. Spacing follows TeX's classes (Knuth 1984, The TeXbook, chapters 17 an
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from itertools import pairwise
 
 import pygame
 
 from game.ui.fonts import FontBook
+from game.ui.formula_boxes import Box, Glyphs, Stroke, moved, paint_box
 from game.ui.markup import FormulaError, Node, parse
-from game.ui.shapes import SurfaceStore, draw_line
+from game.ui.shapes import SurfaceStore
 
 __all__ = ["FormulaError", "measure", "render_formula"]
 
@@ -21,33 +22,6 @@ SMALLEST = 10.0  # design px of any letter
 AXIS = 0.25  # em above the baseline: middle of signs, fraction bars, brackets
 _THICK, _MEDIUM, _THIN = 5 / 18, 4 / 18, 3 / 18  # em
 _ACCENT_SIGNS = {"dot": "˙", "ddot": "¨", "hat": "ˆ", "bar": "¯", "tilde": "˜"}
-
-
-class Glyphs(NamedTuple):
-    x: float
-    y: float  # of the baseline, down from the box's
-    text: str
-    size: float
-    face: str
-
-
-class Stroke(NamedTuple):
-    ax: float
-    ay: float
-    bx: float
-    by: float
-    width: float
-
-
-class Box(NamedTuple):
-    """Measures in window px, and what is drawn relative to the left end of the baseline."""
-
-    width: float
-    height: float
-    depth: float
-    marks: tuple[Glyphs | Stroke, ...] = ()
-    kind: str = "ordinary"
-    slant: float = 0.0  # how far a superscript must move right
 
 
 _store = SurfaceStore(2_000_000)
@@ -59,7 +33,7 @@ def render_formula(fonts: FontBook, text: str, color: pygame.Color, size: float 
     ``size``: design px of its letters. Raises FormulaError for what cannot be read.
     """
     key = (text, fonts.k, tuple(color), size)
-    return _store.get(key, lambda: _paint(_row(parse(text), _Setter(fonts, size)), fonts, color))
+    return _store.get(key, lambda: paint_box(_row(parse(text), _Setter(fonts, size)), fonts, color))
 
 
 def measure(fonts: FontBook, text: str, size: float = 20.0) -> tuple[float, float, float]:
@@ -162,7 +136,7 @@ def _row(node: Node, at: _Setter) -> Box:
             previous = kind
         if slant and kind == "close":
             x += 0.5 * slant
-        marks += _moved(box.marks, x, 0.0)
+        marks += moved(box.marks, x, 0.0)
         x += box.width
         height, depth, slant = max(height, box.height), max(depth, box.depth), box.slant
         kinds.append(kind)
@@ -180,12 +154,12 @@ def _fraction(above: Node, below: Node, at: _Setter) -> Box:
     up = axis + 0.5 * rule + clearance + top.depth
     down = -axis + 0.5 * rule + clearance + bottom.height
     marks = (
-        *_moved(top.marks, 0.5 * (width - top.width), -up),
-        *_moved(bottom.marks, 0.5 * (width - bottom.width), down),
+        *moved(top.marks, 0.5 * (width - top.width), -up),
+        *moved(bottom.marks, 0.5 * (width - bottom.width), down),
         Stroke(0.0, -axis, width, -axis, rule),
     )
     outer = 0.08 * at.em
-    return Box(width + 2 * outer, up + top.height, down + bottom.depth, _moved(marks, outer, 0.0), "ordinary")
+    return Box(width + 2 * outer, up + top.height, down + bottom.depth, moved(marks, outer, 0.0), "ordinary")
 
 
 def _script(base: Node, below: Node | None, above: Node | None, at: _Setter) -> Box:
@@ -205,10 +179,10 @@ def _script(base: Node, below: Node | None, above: Node | None, at: _Setter) -> 
     gap = 0.05 * at.em
     if sup:
         shift = body.width + body.slant + gap
-        marks += _moved(sup.marks, shift, -up)
+        marks += moved(sup.marks, shift, -up)
         width, height = max(width, shift + sup.width), max(height, up + sup.height)
     if sub:
-        marks += _moved(sub.marks, body.width + gap, down)
+        marks += moved(sub.marks, body.width + gap, down)
         width, depth = max(width, body.width + gap + sub.width), max(depth, down + sub.depth)
     return Box(width + 0.03 * at.em, height, depth, tuple(marks), body.kind)
 
@@ -218,16 +192,16 @@ def _limits(body: Box, below: Node | None, above: Node | None, at: _Setter) -> B
     small = at.smaller()
     parts = [_set(node, small) if node is not None else None for node in (below, above)]
     width = max([body.width, *(part.width for part in parts if part)])
-    marks = list(_moved(body.marks, 0.5 * (width - body.width), 0.0))
+    marks = list(moved(body.marks, 0.5 * (width - body.width), 0.0))
     height, depth, gap = body.height, body.depth, 0.1 * at.em
     under, over = parts
     if under:
         y = body.depth + gap + under.height
-        marks += _moved(under.marks, 0.5 * (width - under.width), y)
+        marks += moved(under.marks, 0.5 * (width - under.width), y)
         depth = y + under.depth
     if over:
         y = body.height + gap + over.depth
-        marks += _moved(over.marks, 0.5 * (width - over.width), -y)
+        marks += moved(over.marks, 0.5 * (width - over.width), -y)
         height = y + over.height
     return Box(width, height, depth, tuple(marks), "large")
 
@@ -253,7 +227,7 @@ def _root(inside: Node, at: _Setter) -> Box:
         ),
     )
     width = x0 + body.width + body.slant + 0.14 * at.em
-    return Box(width, top, foot, (*strokes, *_moved(body.marks, x0 + 0.05 * at.em, 0.0)))
+    return Box(width, top, foot, (*strokes, *moved(body.marks, x0 + 0.05 * at.em, 0.0)))
 
 
 def _accent(name: str, inside: Node, at: _Setter) -> Box:
@@ -267,7 +241,7 @@ def _accent(name: str, inside: Node, at: _Setter) -> Box:
     sign = _symbol(_ACCENT_SIGNS[name], "formula", "ordinary", at)
     low = -sign.depth  # how far the sign's ink starts above the baseline
     lift = body.height + 0.08 * at.em - low
-    marks = (*body.marks, *_moved(sign.marks, middle - 0.5 * sign.width, -lift))
+    marks = (*body.marks, *moved(sign.marks, middle - 0.5 * sign.width, -lift))
     return body._replace(height=lift + sign.height, marks=marks)
 
 
@@ -276,14 +250,15 @@ def _fence(left: str, inside: Node, right: str, at: _Setter) -> Box:
     body = _set(inside, at)
     axis = AXIS * at.em
     half = max(body.height - axis, body.depth + axis, 0.55 * at.em) + 0.06 * at.em
-    x, marks = 0.0, []
+    x = 0.0
+    marks: list[Glyphs | Stroke] = []
     for sign in (left, None, right):
         if sign is None:
-            marks += _moved(body.marks, x, 0.0)
+            marks += moved(body.marks, x, 0.0)
             x += body.width + body.slant
         elif sign:
             strokes, width = _bracket(sign, half, at)
-            marks += _moved(strokes, x, -axis)
+            marks += moved(strokes, x, -axis)
             x += width
     return Box(x, axis + half, half - axis, tuple(marks), "ordinary")
 
@@ -300,14 +275,16 @@ def _bracket(sign: str, half: float, at: _Setter) -> tuple[tuple[Stroke, ...], f
     if sign in "[]":
         a, b = (near, far) if sign == "[" else (width - near, width - far)
         return (
-            Stroke(b, -half, a, -half, w), Stroke(a, -half - 0.5 * w, a, half + 0.5 * w, w), Stroke(a, half, b, half, w)
-        ), width  # fmt: skip
+            Stroke(b, -half, a, -half, w),
+            Stroke(a, -half - 0.5 * w, a, half + 0.5 * w, w),
+            Stroke(a, half, b, half, w),
+        ), width
     if sign in "{}":
         xs, ys = (0.30, 0.2, 0.2, 0.08, 0.2, 0.2, 0.30), (-1.0, -0.86, -0.14, 0.0, 0.14, 0.86, 1.0)
     else:
         xs, ys = (0.28, 0.16, 0.1, 0.09, 0.1, 0.16, 0.28), (-1.0, -0.72, -0.35, 0.0, 0.35, 0.72, 1.0)
     points = [((x if sign in "({⟨" else 0.34 - x) * em, y * half) for x, y in zip(xs, ys, strict=True)]
-    return tuple(Stroke(*a, *b, 1.2 * w) for a, b in zip(points, points[1:], strict=False)), width
+    return tuple(Stroke(*a, *b, 1.2 * w) for a, b in pairwise(points)), width
 
 
 def _matrix(rows: tuple[tuple[Node, ...], ...], at: _Setter) -> Box:
@@ -318,52 +295,15 @@ def _matrix(rows: tuple[tuple[Node, ...], ...], at: _Setter) -> Box:
     heights = [max(max(cell.height for cell in row), 0.5 * at.em) for row in cells]
     depths = [max(max(cell.depth for cell in row), 0.15 * at.em) for row in cells]
     total = sum(heights) + sum(depths) + gap_y * (len(cells) - 1)
-    y, marks = -0.5 * total - AXIS * at.em, []
+    y = -0.5 * total - AXIS * at.em
+    marks: list[Glyphs | Stroke] = []
     for row, height, depth in zip(cells, heights, depths, strict=True):
         y += height
         x = 0.0
         for cell, width in zip(row, widths, strict=False):
-            marks += _moved(cell.marks, x + 0.5 * (width - cell.width), y)
+            marks += moved(cell.marks, x + 0.5 * (width - cell.width), y)
             x += width + gap_x
         y += depth + gap_y
     width = sum(widths) + gap_x * (count - 1)
     half, axis = 0.5 * total, AXIS * at.em
     return Box(width, half + axis, half - axis, tuple(marks))
-
-
-def _moved(marks: tuple[Glyphs | Stroke, ...], dx: float, dy: float) -> tuple[Glyphs | Stroke, ...]:
-    return tuple(
-        m._replace(x=m.x + dx, y=m.y + dy)
-        if isinstance(m, Glyphs)
-        else Stroke(m.ax + dx, m.ay + dy, m.bx + dx, m.by + dy, m.width)
-        for m in marks
-    )
-
-
-def _paint(box: Box, fonts: FontBook, color: pygame.Color) -> pygame.Surface:
-    margin = max(2, round(2 * fonts.k))
-    size = (round(box.width) + 4 * margin, round(box.height + box.depth) + 2 * margin)
-    surface = pygame.Surface(size, pygame.SRCALPHA, 32)
-    surface.fill((color.r, color.g, color.b, 0))
-    baseline = margin + round(box.height)
-    for mark in box.marks:
-        if isinstance(mark, Glyphs):
-            letters = fonts.render(mark.text, mark.size, mark.face, color)
-            top = baseline + mark.y - fonts.ascent(mark.size, mark.face)
-            surface.blit(letters, (round(margin + mark.x), round(top)))
-        else:
-            _draw_stroke(surface, mark, margin, baseline, color)
-    return surface
-
-
-def _draw_stroke(surface: pygame.Surface, s: Stroke, left: int, baseline: int, color: pygame.Color) -> None:
-    if s.ay == s.by or s.ax == s.bx:  # along the grid: whole pixels
-        x, y = min(s.ax, s.bx), min(s.ay, s.by)
-        w, h = abs(s.bx - s.ax), abs(s.by - s.ay)
-        if w == 0.0:
-            rect = (round(left + x - 0.5 * s.width), round(baseline + y), round(s.width), round(h))
-        else:
-            rect = (round(left + x), round(baseline + y - 0.5 * s.width), round(w), round(s.width))
-        surface.fill(color, rect)
-    else:
-        draw_line(surface, color, (left + s.ax, baseline + s.ay), (left + s.bx, baseline + s.by), s.width)

@@ -38,7 +38,6 @@ def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
             continue
         for i in range(first, last + 1):
             value = i * spacing
-            x, y = camera.to_screen(value, value)
             x0, y0 = camera.to_screen(value, 0.0) if axis == "x" else camera.to_screen(0.0, value)
             x1, y1 = camera.to_screen(value, 1.0) if axis == "x" else camera.to_screen(1.0, value)
             upright = abs(x1 - x0) < abs(y1 - y0)
@@ -47,8 +46,8 @@ def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
             surface.fill(color, line)
             if axis in labels:
                 marks.append((place, upright, _number(value, spacing)))
-    for place, upright, number in marks:
-        _draw_number(canvas, place, upright, f"{number} {canvas.unit}".rstrip())
+    for spot, upright, number in marks:
+        _draw_number(canvas, spot, upright, f"{number} {canvas.unit}".rstrip())
 
 
 def _number(value: float, spacing: float) -> str:

@@ -1,4 +1,4 @@
-"""The help page of a scene, made from its declarations: what you see, the equations, the controls, what to try.
+"""The help page of a scene, made from its declarations: what you see, equations, controls, what to try.
 
 Three columns side by side, or fewer below each other in a narrow window; what does not fit scrolls.
 """
@@ -121,7 +121,9 @@ class Column:
                     break
             return picture
         except FormulaError:
-            return look.fonts.render(look.fonts.fit(markup, 13, "italic", room), 13, "italic", look.theme.text1)
+            return look.fonts.render(
+                look.fonts.fit(markup, 13, "italic", room), 13, "italic", look.theme.text1
+            )
 
 
 class HelpPage:
@@ -244,7 +246,9 @@ class HelpPage:
         width = self.overlay.card.w / look.k
         if width >= 1056 - 8:
             columns = [Column(look, sheet, px(PADDING + left), top, px(wide)) for wide, left in COLUMNS]
-            return max(_written(section, column) for section, column in zip(sections, columns, strict=True)) + px(16)
+            return max(
+                _written(section, column) for section, column in zip(sections, columns, strict=True)
+            ) + px(16)
         if width >= 640:
             half = (width - 2 * PADDING - 40) / 2
             left = Column(look, sheet, px(PADDING), top, px(half))

@@ -85,7 +85,7 @@ def arrange(width: int, height: int, k: float, *, panel: bool = True, strips: in
 
 
 def overlay_rect(window: Rect, k: float, height: float, width: float = 1056.0) -> Rect:
-    """A card in the middle: at most ``width`` wide, 32 free at its sides and 48 above and below (design px)."""
+    """A card in the middle: at most ``width`` wide, 32 free at its sides, 48 above and below (design px)."""
     w = max(1, min(round(width * k), window.w - round(64 * k)))
     h = max(1, min(round(height * k), window.h - round(96 * k)))
     card = Rect(0, 0, w, h)

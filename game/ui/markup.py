@@ -147,7 +147,7 @@ class _Reader:
                 raise self.fail(f"{' or '.join(stops)} is missing")
             if not rest or any(stop and rest.startswith(stop) for stop in stops):
                 break
-            if rest[0] in "}&" or rest.startswith("\\\\") or rest.startswith("\\right"):
+            if rest[0] in "}&" or rest.startswith(("\\\\", "\\right")):
                 raise self.fail(f"{rest[0]} without a beginning")
             nodes.append(self.scripted())
         self.depth -= 1
@@ -307,8 +307,8 @@ def _named(name: str) -> Node | None:
     if name in _SPACES:
         return ("space", _SPACES[name])
     for table, kind in (
-        (_GREEK_CAPITALS, "ordinary"), (_RELATIONS, "relation"), (_OPERATORS, "operator"), (_SIGNS, "ordinary"),
-        (_LARGE, "large"),
+        (_GREEK_CAPITALS, "ordinary"), (_RELATIONS, "relation"), (_OPERATORS, "operator"),
+        (_SIGNS, "ordinary"), (_LARGE, "large"),
     ):  # fmt: skip
         if name in table:
             return ("symbol", table[name], "formula", kind)

@@ -17,7 +17,7 @@ BLUR, DOWN, SHADE = 26.0, 12.0, 0.5
 
 
 class Overlay:
-    """Veil and card. The owner draws on the picture that ``background`` makes and hands it to ``draw_card``."""
+    """Veil and card. The owner draws on what ``background`` makes and hands it to ``draw_card``."""
 
     def __init__(self, look: Look, height: float, width: float = 1056.0) -> None:
         self.look = look

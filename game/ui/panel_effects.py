@@ -14,7 +14,8 @@ import pygame
 
 from game.stage import SetEffect
 from game.ui.numerals import NOTHING, format_si
-from game.ui.panel_rows import Context, Row, Source, SwitchRow
+from game.ui.panel_rows import Context, Row, Source
+from game.ui.panel_switch import SwitchRow
 from game.ui.shapes import draw_box
 
 COLORS = ("chalk", "pink", "violet", "green", "yellow", "vermilion")

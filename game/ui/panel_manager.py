@@ -115,5 +115,5 @@ class DropDown(UIDropDownMenu):
         return value
 
     def follow(self, value: str) -> bool:
-        """Show a value that was set elsewhere; True if it is not shown already and the box must be made anew."""
+        """True if a value was set elsewhere, so that the box must be made anew."""
         return value != self._known and any(option[1] == value for option in self.options)

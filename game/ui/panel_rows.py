@@ -13,12 +13,12 @@ import pygame
 from pygame_gui import UIManager
 from pygame_gui.core import UIElement
 
-from game.stage import Choice, Knob, Scene, SetKnob, StageEvent, Toggle
+from game.stage import Choice, Knob, Scene, SetKnob, StageEvent
 from game.ui import motion
 from game.ui.commands import Command
 from game.ui.look import Look
 from game.ui.numerals import quantity
-from game.ui.shapes import draw_box, draw_disc, draw_polygon
+from game.ui.shapes import draw_box, draw_disc
 
 PADDING, VALUE_INSET, UNIT_INSET = 16, 42, 32  # design px: sides; value and unit from the right
 DOUBLE_CLICK_S = 0.35
@@ -90,6 +90,9 @@ class Row(UIElement):
 
     def release(self, x: float, y: float) -> None:
         """It came up."""
+
+    def cancel(self) -> None:
+        """Forget what is being dragged."""
 
     def key(self, key: int) -> None:
         """A key while the row has the keyboard focus."""
@@ -209,47 +212,6 @@ class Measure(Row):
         self.look.text(surface, name, (self.left, y), 13, "medium", "text2")
 
 
-class SwitchRow(Row):
-    """A switch with its words."""
-
-    height = 32
-
-    def __init__(
-        self, context: Context, top: int, label: str, tip: str, is_on: Callable[[], bool],
-        changed: Callable[[], bool], wish: Callable[[bool], StageEvent],
-    ) -> None:  # fmt: skip
-        self.label, self.tip = label, tip
-        self.is_on, self.changed, self.wish = is_on, changed, wish
-        self._slide = motion.Fade(0.0 if context.look.less_motion else motion.SEGMENT_S, is_on())
-        super().__init__(context, top)
-
-    def advance(self, dt_s: float) -> bool:
-        return self._slide.update(dt_s, self.is_on())
-
-    def shows(self) -> tuple[object, ...]:
-        return (self.is_on(), self._slide.amount, self.changed())
-
-    def release(self, x: float, y: float) -> None:
-        if 0 <= x < self.rect.w and 0 <= y < self.rect.h:
-            self.context.send(self.wish(not self.is_on()))
-
-    def key(self, key: int) -> None:
-        if key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE):
-            self.context.send(self.wish(not self.is_on()))
-        elif key in (pygame.K_LEFT, pygame.K_RIGHT) and self.is_on() != (key == pygame.K_RIGHT):
-            self.context.send(self.wish(key == pygame.K_RIGHT))
-
-    def paint(self, surface: pygame.Surface) -> None:
-        middle = self.rect.h / 2
-        draw_switch(surface, self.look, (self.left, round(middle)), self._slide.amount, self._lit.amount)
-        color = "text1" if self.is_on() else "text3"
-        room = self.right - self.left - self.look.px(44)
-        label = self.look.fonts.fit(self.label, 13, "medium", room)
-        self.look.text(surface, label, (self.left + self.look.px(44), middle), 13, "medium", color)
-        if self.changed():
-            draw_changed(surface, self.look, middle)
-
-
 class SegmentsRow(Row):
     """Up to three short options side by side; the chosen one filled."""
 
@@ -318,16 +280,6 @@ class SegmentsRow(Row):
             look.text(surface, label, center, 12, "medium", color, "center")
 
 
-def toggle_row(context: Context, top: int, knob: Toggle, source: Source) -> SwitchRow:
-    """The switch of a knob."""
-    return SwitchRow(
-        context, top, knob.label, knob.help,
-        is_on=lambda: source.values[knob.name],
-        changed=lambda: source.changed(knob),
-        wish=lambda on: SetKnob(knob.name, on),
-    )  # fmt: skip
-
-
 def fits_in_segments(look: Look, knob: Choice, width: int) -> bool:
     """Whether the options are few and short enough to stand side by side."""
     room = (width - 2 * look.px(PADDING)) / max(len(knob.options), 1) - look.px(12)
@@ -337,35 +289,3 @@ def fits_in_segments(look: Look, knob: Choice, width: int) -> bool:
 def draw_changed(surface: pygame.Surface, look: Look, y: float) -> None:
     """The amber dot of a value that is not its default."""
     draw_disc(surface, (look.px(8), y), 2.6 * look.k, look.color("amber"))
-
-
-def draw_switch(
-    surface: pygame.Surface, look: Look, left_middle: tuple[int, int], amount: float, lit: float
-) -> None:
-    """A switch whose ball is ``amount`` of the way to on; a tick shows when it is there."""
-    theme, px = look.theme, look.px
-    rect = pygame.Rect(left_middle[0], 0, px(32), px(18))
-    rect.centery = left_middle[1]
-    off = theme.hover.lerp(theme.line2, 0.3 * lit)
-    fill = off.lerp(theme.accent, amount)
-    edge = theme.line2.lerp(theme.accent, max(amount, 0.6 * lit))
-    draw_box(surface, rect, rect.h / 2, fill, edge, look.border)
-    radius = 6.8 * look.k
-    x = rect.x + rect.h / 2 + amount * (rect.w - rect.h)
-    ball = theme.text2.lerp(theme.knob, amount) if theme.name == "dark" else theme.knob
-    outline = None if theme.name == "dark" else edge
-    draw_disc(surface, (x, rect.y + rect.h / 2), radius, ball, outline)
-    if amount > 0.5:
-        draw_tick(
-            surface,
-            (x, rect.y + rect.h / 2),
-            0.52 * radius,
-            theme.panel if theme.name == "dark" else theme.accent,
-        )
-
-
-def draw_tick(surface: pygame.Surface, center: tuple[float, float], size: float, color: pygame.Color) -> None:
-    """A small tick about a centre."""
-    x, y = center
-    outline = ((-1.0, 0.1), (-0.3, 0.8), (1.0, -0.5), (0.68, -0.82), (-0.3, 0.16), (-0.68, -0.22))
-    draw_polygon(surface, [(x + dx * size, y + dy * size) for dx, dy in outline], color)

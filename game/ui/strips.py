@@ -67,7 +67,7 @@ def axis_for(low: float, high: float, before: Axis | None) -> Axis:
 
 
 def spread(places: Sequence[float], apart: float, low: float, high: float) -> list[float]:
-    """Heights near the wanted ones, in the same order, at least ``apart`` from each other, within the ends."""
+    """Heights near the wanted ones, in the same order, ``apart`` from each other, within the ends."""
     order = sorted(range(len(places)), key=lambda i: places[i])
     put = [min(max(places[i], low), high) for i in order]
     for _ in range(2):
@@ -229,8 +229,8 @@ class Strips:
         return self.look.color(COLORS[strip.series.index(name) % len(COLORS)])
 
     def _paint_labels(
-        self, picture: pygame.Surface, box: pygame.Rect, strip: Strip, series: Sequence[tuple[str, np.ndarray]],
-        axis: Axis, factor: float,
+        self, picture: pygame.Surface, box: pygame.Rect, strip: Strip,
+        series: Sequence[tuple[str, np.ndarray]], axis: Axis, factor: float,
     ) -> None:  # fmt: skip
         """Names and last values at the right end, none over another."""
         look, px = self.look, self.look.px

@@ -33,7 +33,7 @@ COMMANDS = {
 
 
 class BarState(NamedTuple):
-    """What the bar shows. ``readouts``: (caption, value, unit), at most four; ``ready`` False greys it out."""
+    """What the bar shows. ``readouts``: at most four (caption, value, unit); not ``ready`` greys it out."""
 
     task: str
     title: str

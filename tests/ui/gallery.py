@@ -29,8 +29,8 @@ from game.ui.toasts import Toasts
 from game.ui.topbar import BarState, TopBar
 
 HINTS = (
-    (("Space",), "pause"), ((".",), "step"), ((",",), "step back"), (("Drag",), "move stone"), (("Wheel",), "zoom"),
-    (("A",), "accuracy"), (("L",), "levels"), (("F1",), "help"),
+    (("Space",), "pause"), ((".",), "step"), ((",",), "step back"), (("Drag",), "move stone"),
+    (("Wheel",), "zoom"), (("A",), "accuracy"), (("L",), "levels"), (("F1",), "help"),
 )  # fmt: skip
 LEVELS = (
     SimpleNamespace(title="Fountain over a stone", value="a"),

@@ -93,8 +93,9 @@ class Sample(Scene):
     def readouts(self):
         height, speed = float(self.body[0]), float(self.body[1])
         return (
-            Readout("balls", 12112.0), Readout("pot.", 9.81 * height, "J"), Readout("kin.", 0.5 * speed * speed, "J"),
-            Readout("now", height, "m"), Readout("exact", self.drop, "m"), Readout("step", 52e-6 + 4e-6 * math.sin(9 * height), "s"),
+            Readout("balls", 12112.0), Readout("pot.", 9.81 * height, "J"),
+            Readout("kin.", 0.5 * speed * speed, "J"), Readout("now", height, "m"),
+            Readout("exact", self.drop, "m"), Readout("step", 52e-6 + 4e-6 * math.sin(9 * height), "s"),
         )  # fmt: skip
 
     def legend(self):

@@ -1,0 +1,290 @@
+"""What accuracy costs, as an overlay: the plot, a table of orders and costs, a sentence, the progress.
+
+The overlay knows nothing of how a study is run: it is given ``AccuracyData`` and how far the runs are, and
+gives back commands: ``stop``, ``save-csv``, ``save-picture``, ``close``, and ``point`` with the parameters
+of the point that was clicked.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pygame
+
+from game.ui.accuracy_data import AccuracyData, Progress, TableRow
+from game.ui.buttons import HEIGHT as BUTTON
+from game.ui.buttons import draw_button
+from game.ui.commands import Command
+from game.ui.hotspots import Hotspot, Hotspots
+from game.ui.legend import draw_mark
+from game.ui.loading import seconds_text
+from game.ui.look import Look
+from game.ui.numerals import NOTHING, format_number, format_si
+from game.ui.overlay import Overlay, draw_close
+from game.ui.plot import WorkPrecisionPlot
+from game.ui.plot_data import PlotSeries
+from game.ui.shapes import draw_box
+
+CARD, PADDING, FOOT = 608, 32, 72  # design px
+TABLE = 320  # design px that the table takes at the right
+WORDS = {"stop": ("Stop", 72), "save-csv": ("Save CSV", 96), "save-picture": ("Save picture", 112)}
+
+
+class AccuracyPage:
+    """The overlay as a widget."""
+
+    def __init__(self, look: Look, data: AccuracyData) -> None:
+        self.look = look
+        self.data = data
+        self.progress = Progress()
+        self.plot = WorkPrecisionPlot(look, data.error_unit)
+        self.overlay = Overlay(look, CARD)
+        self.spots = Hotspots()
+        self._point: tuple[int, int] | None = None
+        self._pressed: tuple[int, int] | None = None
+        self._card: pygame.Surface | None = None
+        self._drawn: object = None
+        self.show(data)
+
+    def place(self, window: pygame.Rect, look: Look) -> None:
+        """Take a window and an appearance."""
+        self.look = self.plot.look = look
+        self.overlay.place(window, look)
+        self._place_spots()
+        self._card = None
+
+    def show(self, data: AccuracyData) -> None:
+        """New data, as runs come in."""
+        self.data = data
+        self.plot.error_unit = data.error_unit
+        self.plot.show(data.series, data.present, data.target)
+        self._point = None
+        self._card = None
+
+    def report(self, progress: Progress) -> None:
+        """How far the runs are now."""
+        if progress != self.progress:
+            changed = (progress.running, bool(progress.done)) != (
+                self.progress.running,
+                bool(self.progress.done),
+            )
+            self.progress = progress
+            self._card = None
+            if changed:
+                self._place_spots()
+
+    def leave(self) -> None:
+        """Start to fade out."""
+        self.overlay.leave()
+
+    def update(self, dt_s: float) -> bool:
+        """Let time pass; False when the card has gone."""
+        self.spots.update(dt_s, self.look)
+        return self.overlay.update(dt_s)
+
+    def handle(self, event: pygame.event.Event) -> Command | None:
+        """The command of an event, if it makes one."""
+        if event.type in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+            at = (event.pos[0] - self.overlay.card.x, event.pos[1] - self.overlay.card.y)
+            self._point = self._clickable(self.plot.hit(at))
+            if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+                self._pressed = self._point
+                if not self.overlay.card.collidepoint(event.pos):
+                    return Command("close")
+            elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+                pressed, self._pressed = self._pressed, None
+                if pressed is not None and pressed == self._point:
+                    i, j = pressed
+                    return Command("point", dict(self.data.series[i].points[j].parameters))
+        name = self.spots.handle(event)
+        return Command(name) if name is not None else None
+
+    def _clickable(self, hit: tuple[int, int] | None) -> tuple[int, int] | None:
+        """Only a point that says how to set the scene."""
+        if hit is None or not self.data.series[hit[0]].points[hit[1]].parameters:
+            return None
+        return hit
+
+    def tip(self) -> tuple[str, pygame.Rect] | None:
+        """What the point under the pointer is."""
+        if self._point is None:
+            return None
+        i, j = self._point
+        one, point = self.data.series[i], self.data.series[i].points[j]
+        x, y = self.plot.place(i, point)
+        error = "diverged" if point.diverged else self.plot.error_text(point.error)
+        words = f"{one.name}, {point.words}" if point.words else one.name
+        place = pygame.Rect(0, 0, 2 * self.look.px(8), 2 * self.look.px(8))
+        place.center = (round(x) + self.overlay.card.x, round(y) + self.overlay.card.y)
+        return f"{words}\n{error} for {format_si(point.cpu_s, 's')}", place
+
+    # -- places -------------------------------------------------------------------------------------
+
+    def _place_spots(self) -> None:
+        px, card = self.look.px, self.overlay.card
+        spots: list[Hotspot] = []
+        right = card.right - px(PADDING)
+        for name in ("save-picture", "save-csv", "stop"):
+            place = pygame.Rect(0, 0, px(WORDS[name][1]), px(BUTTON))
+            place.midright = (right, card.bottom - px(FOOT) + px(32))
+            right = place.x - px(8)
+            enabled = self.progress.running if name == "stop" else self.progress.done > 0
+            spots.insert(0, Hotspot(name, place, enabled))
+        self.spots.place([*spots, self.overlay.close_spot()])
+
+    def _plot_rect(self) -> pygame.Rect:
+        """The plot on the card."""
+        px, card = self.look.px, self.overlay.card
+        right = card.w - px(PADDING) - (px(TABLE) if self._has_table() else 0)
+        top, bottom = px(104), card.h - px(FOOT) - px(56)
+        return pygame.Rect(px(88), top, max(1, right - px(88)), max(1, bottom - top))
+
+    def _has_table(self) -> bool:
+        return self.overlay.card.w >= self.look.px(760)
+
+    # -- picture ------------------------------------------------------------------------------------
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Draw veil and card; the card's picture is kept while nothing changes."""
+        self.overlay.draw_veil(surface)
+        state = (self.spots.state(), self._point)
+        if self._card is None or state != self._drawn:
+            self._drawn = state
+            self._card = self._paint()
+        self.overlay.draw_card(surface, self._card)
+
+    def picture(self) -> pygame.Surface:
+        """The card alone, to be saved."""
+        return self._paint()
+
+    def _paint(self) -> pygame.Surface:
+        look, px = self.look, self.look.px
+        card = self.overlay.background()
+        flat = pygame.Surface(card.get_size(), 0, 32)  # the plot's kernels want an opaque ground
+        flat.fill(look.theme.panel)
+        room = card.get_width() - px(PADDING) - px(64)
+        look.text(flat, "What accuracy costs", (px(PADDING), px(36)), 22, "display")
+        words = ". ".join(part for part in (self.data.title, self.data.subtitle) if part)
+        look.text(
+            flat, look.fonts.fit(words, 13, "medium", room), (px(PADDING), px(62)), 13, "medium", "text2"
+        )
+        self.plot.draw(flat, self._plot_rect(), self._point)
+        if self._has_table():
+            self._paint_table(flat)
+        self._paint_foot(flat)
+        inside = card.get_rect().inflate(-2 * look.border, -2 * look.border)
+        corner = px(PADDING) // 2
+        for part in (inside.inflate(-2 * corner, 0), inside.inflate(0, -2 * corner)):
+            card.blit(flat, part, part)
+        return card
+
+    def _paint_table(self, flat: pygame.Surface) -> None:
+        """Methods with mark, order and cost, the present one on an amber ground; then the sentence."""
+        look, px, theme = self.look, self.look.px, self.look.theme
+        left, right = flat.get_width() - px(TABLE), flat.get_width() - px(PADDING)
+        y = px(104)
+        header = f"for {self.plot.error_text(self.data.target, 1)}" if math.isfinite(self.data.target) else ""
+        look.text(flat, "Method", (left, y), 12, "medium", "text2")
+        look.text(flat, "order", (right - px(74), y), 12, "medium", "text2", "right")
+        look.text(flat, header, (right, y), 12, "medium", "text2", "right")
+        flat.fill(theme.line, (left, y + px(14), right - left, look.border))
+        y += px(36)
+        present = self.data.present.series if self.data.present is not None else -1
+        limit = flat.get_height() - px(FOOT)
+        for i, (row, series) in enumerate(zip(self.data.rows, self.data.series, strict=False)):
+            if y + px(18) > limit:
+                return
+            self._paint_row(flat, left, right, y, row, series, i == present)
+            y += px(36)
+        flat.fill(theme.line, (left, y - px(8), right - left, look.border))
+        self._paint_sentence(flat, left, right, y + px(20), limit)
+
+    def _paint_row(
+        self,
+        flat: pygame.Surface,
+        left: int,
+        right: int,
+        y: int,
+        row: TableRow,
+        series: PlotSeries,
+        present: bool,
+    ) -> None:
+        look, px, theme = self.look, self.look.px, self.look.theme
+        if present:
+            ground = pygame.Rect(left - px(12), 0, right - left + 2 * px(12), px(36))
+            ground.centery = y
+            draw_box(flat, ground, px(8), theme.panel.lerp(look.color("amber"), 0.15))
+        draw_mark(flat, look, f"{series.marker}:{series.color}", (left + px(6), y), 0.92)
+        order = f"{row.order:.2f}" if math.isfinite(row.order) else NOTHING
+        expected = f"of {format_number(row.expected)}" if math.isfinite(row.expected) else ""
+        expected = expected.replace(".00", "")
+        x = right - px(74)
+        if expected:
+            look.text(flat, expected, (x, y), 13, "medium", "text3", "right")
+            x -= px(29)
+        width = look.text(flat, order, (x, y), 13, "medium", "text1", "right").w
+        room = x - width - px(8) - (left + px(22))
+        look.text(flat, look.fonts.fit(row.name, 13, "medium", room), (left + px(22), y), 13)
+        cost = format_si(row.cost_s, "s") if math.isfinite(row.cost_s) else NOTHING
+        look.text(flat, cost, (right, y), 13, "semibold", "text1", "right")
+
+    def _paint_sentence(self, flat: pygame.Surface, left: int, right: int, y: int, limit: int) -> None:
+        look, px = self.look, self.look.px
+        for text, size, color, line in (
+            (self.data.sentence, 13, "text1", 20),
+            *((n, 12, "text3", 18) for n in self.data.notes),
+        ):
+            for words in look.fonts.wrap(text, size, "medium", right - left) if text else ():
+                if y + px(10) > limit:
+                    return
+                look.text(flat, words, (left, y), size, "medium", color)
+                y += px(line)
+            if size == 13 and text:
+                y += px(12)
+
+    def _paint_foot(self, flat: pygame.Surface) -> None:
+        """Progress at the left, buttons at the right."""
+        look, px, card = self.look, self.look.px, self.overlay.card
+        top = flat.get_height() - px(FOOT)
+        flat.fill(look.theme.line, (0, top, flat.get_width(), look.border))
+        stop = self.spots.find("stop")
+        end = (stop.rect.x - card.x if stop is not None else flat.get_width()) - px(24)
+        room = min(px(440), end - px(PADDING))
+        if room > px(80):
+            self._paint_progress(flat, px(PADDING), top, room)
+        for spot in self.spots.spots:
+            rect = spot.rect.move(-card.x, -card.y)
+            if spot.name == "close":
+                draw_close(flat, look, rect, self.spots.hover("close"))
+                continue
+            draw_button(
+                flat, look, rect, WORDS[spot.name][0], lit=self.spots.hover(spot.name),
+                pressed=self.spots.pressed == spot.name, enabled=spot.enabled,
+            )  # fmt: skip
+
+    def _paint_progress(self, flat: pygame.Surface, left: int, top: int, room: int) -> None:
+        look, px, p = self.look, self.look.px, self.progress
+        words = (
+            f"Measuring {p.label}"
+            if p.running
+            else "All runs measured"
+            if p.done and p.done == p.total
+            else "Stopped"
+        )
+        if not p.total:
+            words = "Nothing measured yet"
+        x = (
+            left
+            + look.text(flat, look.fonts.fit(words, 13, "medium", room), (left, top + px(20)), 13).w
+            + px(10)
+        )
+        rest = f"{p.done} of {p.total} runs" if p.total else ""
+        if p.running and math.isfinite(p.left_s):
+            rest += f", {seconds_text(p.left_s)} left"
+        rest = look.fonts.fit(rest, 13, "medium", max(0, left + room - x))
+        look.text(flat, rest, (x, top + px(20)), 13, "medium", "text3")
+        bar = pygame.Rect(left, top + px(38), room, px(6))
+        draw_box(flat, bar, px(3), look.theme.hover)
+        if p.total > 0 and p.done > 0:
+            bar.w = max(bar.h, round(room * min(p.done / p.total, 1.0)))
+            draw_box(flat, bar, px(3), look.theme.accent)

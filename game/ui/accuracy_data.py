@@ -1,0 +1,57 @@
+"""What the accuracy overlay shows of a study: series, table, present setting, words, progress."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from game.ui.numerals import format_number
+from game.ui.plot_data import PlotSeries, Present
+
+
+class TableRow(NamedTuple):
+    """One method: its fitted order and the expected one (nan if unknown), the cost of the round error."""
+
+    name: str
+    order: float
+    expected: float
+    cost_s: float
+
+
+class AccuracyData(NamedTuple):
+    """All that the overlay shows of a study. ``target``: the round error that the costs are for."""
+
+    title: str  # scene and level
+    subtitle: str  # what error, against what
+    error_unit: str
+    series: tuple[PlotSeries, ...] = ()
+    rows: tuple[TableRow, ...] = ()  # one for each series
+    present: Present | None = None
+    target: float = math.nan
+    sentence: str = ""
+    notes: tuple[str, ...] = ()
+
+
+class Progress(NamedTuple):
+    """How far the runs are."""
+
+    done: int = 0
+    total: int = 0
+    label: str = ""
+    left_s: float = math.nan
+    running: bool = False
+
+
+def sentence_for(rows: Sequence[TableRow], target: str) -> str:
+    """One sentence about the cheapest and the dearest method that reach an error; empty unless two do."""
+    reached = sorted(
+        (row for row in rows if math.isfinite(row.cost_s) and row.cost_s > 0.0), key=lambda row: row.cost_s
+    )
+    if len(reached) < 2:
+        return ""
+    best, worst = reached[0], reached[-1]
+    times = worst.cost_s / best.cost_s
+    if times < 1.2:
+        return f"For {target}, {best.name} and {worst.name} cost about the same."
+    return f"For {target}, {best.name} is {format_number(times, 2)} times cheaper than {worst.name}."

@@ -1,0 +1,59 @@
+"""What a work-precision plot shows: runs, methods, the present setting; and axes of whole decades."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+Parameters = Mapping[str, Any]
+MOST_DECADES = 16
+
+
+class PlotPoint(NamedTuple):
+    """One run. ``error`` in the study's unit, ``cpu_s`` for a simulated second."""
+
+    cpu_s: float
+    error: float
+    diverged: bool = False
+    pending: bool = False  # still to be measured: the place is an estimate
+    parameters: Parameters = {}  # that set the scene to it
+    words: str = ""  # what it is, e.g. "240 steps a second"
+
+
+class PlotSeries(NamedTuple):
+    """A method: its runs in order of cost, its fitted order (nan if unknown) and how it is drawn."""
+
+    name: str
+    points: tuple[PlotPoint, ...]
+    order: float = math.nan
+    color: str = "chalk"
+    marker: str = "disc"
+
+
+class Present(NamedTuple):
+    """The scene's own setting in the plot: its point and its words."""
+
+    series: int
+    point: PlotPoint
+    words: str = ""
+
+
+class Range(NamedTuple):
+    """Whole decades of one axis."""
+
+    low: int
+    high: int
+
+
+def decades(values: Sequence[float], least: int = 2) -> Range:
+    """Whole decades that hold all positive finite values, at least so many."""
+    logs = [math.log10(value) for value in values if math.isfinite(value) and value > 0.0]
+    if not logs:
+        return Range(-least, 0)
+    low, high = math.floor(min(logs) + 1e-9), math.ceil(max(logs) - 1e-9)
+    while high - low < least:
+        low, high = (low, high + 1) if (high - low) % 2 else (low - 1, high)
+    if high - low > MOST_DECADES:
+        low = high - MOST_DECADES
+    return Range(low, high)
