@@ -20,7 +20,7 @@ BUTT = 0
 
 
 @kernel
-def _inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: float) -> Any:
+def inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: float) -> Any:
     """Part (first, last) of a segment, as shares 0 to 1, within the clip widened by ``margin``; else (1, 0).
 
     Liang and Barsky (1984).
@@ -47,7 +47,7 @@ def _inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin:
 
 
 @kernel
-def _lean(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
+def lean_of(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
     """Columns that a segment moves in one row, and half the breadth of its band of ``reach`` along a row."""
     dx, dy = x1 - x0, y1 - y0
     if abs(dy) <= 1e-9 * abs(dx) or dy == 0.0:
@@ -56,7 +56,7 @@ def _lean(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
 
 
 @kernel
-def _row_span(
+def row_span(
     middle: float, x0: float, y0: float, x1: float, y1: float, reach: float, lean: float, slack: float
 ) -> Any:
     """Columns (first, last) that a segment widened by ``reach`` may touch in the row with this middle."""
@@ -88,13 +88,13 @@ def _segment_coverage(
 
 
 @kernel
-def _bounds(pixels: Any, clip: Any) -> Any:
+def bounds_of(pixels: Any, clip: Any) -> Any:
     """The clip cut to the picture, as four integers."""
     return max(0, clip[0]), max(0, clip[1]), min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
 
 
 @kernel
-def _column(x: float, low: int, high: int) -> int:
+def column_within(x: float, low: int, high: int) -> int:
     """A finite abscissa as a column between ``low`` and ``high``."""
     return int(min(max(x, 1.0 * low), 1.0 * high))
 
@@ -107,22 +107,24 @@ def _cover_segment(
     if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
         return
     reach = half + 0.75
-    first, last = _inside_share(clip, x0, y0, x1, y1, reach + 1.0)
+    first, last = inside_share(clip, x0, y0, x1, y1, reach + 1.0)
     if first > last:
         return
     dx, dy = x1 - x0, y1 - y0
     length = math.sqrt(dx * dx + dy * dy)
     ux, uy = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
     ax, ay, bx, by = x0 + first * dx, y0 + first * dy, x0 + last * dx, y0 + last * dy
-    x_low, y_low, x_high, y_high = _bounds(pixels, clip)
+    x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     top, bottom = (
-        _column(min(ay, by) - reach, y_low, y_high),
-        _column(max(ay, by) + reach + 1.0, y_low, y_high),
+        column_within(min(ay, by) - reach, y_low, y_high),
+        column_within(max(ay, by) + reach + 1.0, y_low, y_high),
     )
-    lean, slack = _lean(ax, ay, bx, by, reach)
+    lean, slack = lean_of(ax, ay, bx, by, reach)
     for row in range(top, bottom):
-        left, right = _row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
-        for column in range(_column(left - 0.5, x_low, x_high), _column(right + 1.5, x_low, x_high)):
+        left, right = row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
+        for column in range(
+            column_within(left - 0.5, x_low, x_high), column_within(right + 1.5, x_low, x_high)
+        ):
             share = _segment_coverage(column + 0.5, row + 0.5, x0, y0, ux, uy, length, half, ends)
             amount = int(share * 255.0 + 0.5)
             if amount > cover[row, column]:
@@ -146,20 +148,22 @@ def _lay_cover(
     if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
         return
     reach = half + 0.75
-    first, last = _inside_share(clip, x0, y0, x1, y1, reach + 1.0)
+    first, last = inside_share(clip, x0, y0, x1, y1, reach + 1.0)
     if first > last:
         return
     dx, dy = x1 - x0, y1 - y0
     ax, ay, bx, by = x0 + first * dx, y0 + first * dy, x0 + last * dx, y0 + last * dy
-    x_low, y_low, x_high, y_high = _bounds(pixels, clip)
+    x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     top, bottom = (
-        _column(min(ay, by) - reach, y_low, y_high),
-        _column(max(ay, by) + reach + 1.0, y_low, y_high),
+        column_within(min(ay, by) - reach, y_low, y_high),
+        column_within(max(ay, by) + reach + 1.0, y_low, y_high),
     )
-    lean, slack = _lean(ax, ay, bx, by, reach)
+    lean, slack = lean_of(ax, ay, bx, by, reach)
     for row in range(top, bottom):
-        left, right = _row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
-        for column in range(_column(left - 0.5, x_low, x_high), _column(right + 1.5, x_low, x_high)):
+        left, right = row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
+        for column in range(
+            column_within(left - 0.5, x_low, x_high), column_within(right + 1.5, x_low, x_high)
+        ):
             amount = np.int64(cover[row, column])
             if amount > 0:
                 blend(pixels, row, column, color, (amount * weight + 127) // 255)
@@ -186,22 +190,24 @@ def stroke_segment(
         return
     half = 0.5 * width
     reach = half + 0.75
-    first, last = _inside_share(clip, x0, y0, x1, y1, reach + 1.0)
+    first, last = inside_share(clip, x0, y0, x1, y1, reach + 1.0)
     if first > last:
         return
     dx, dy = x1 - x0, y1 - y0
     length = math.sqrt(dx * dx + dy * dy)
     ux, uy = (dx / length, dy / length) if length > 0.0 else (1.0, 0.0)
     ax, ay, bx, by = x0 + first * dx, y0 + first * dy, x0 + last * dx, y0 + last * dy
-    x_low, y_low, x_high, y_high = _bounds(pixels, clip)
+    x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     top, bottom = (
-        _column(min(ay, by) - reach, y_low, y_high),
-        _column(max(ay, by) + reach + 1.0, y_low, y_high),
+        column_within(min(ay, by) - reach, y_low, y_high),
+        column_within(max(ay, by) + reach + 1.0, y_low, y_high),
     )
-    lean, slack = _lean(ax, ay, bx, by, reach)
+    lean, slack = lean_of(ax, ay, bx, by, reach)
     for row in range(top, bottom):
-        left, right = _row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
-        for column in range(_column(left - 0.5, x_low, x_high), _column(right + 1.5, x_low, x_high)):
+        left, right = row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
+        for column in range(
+            column_within(left - 0.5, x_low, x_high), column_within(right + 1.5, x_low, x_high)
+        ):
             share = _segment_coverage(column + 0.5, row + 0.5, x0, y0, ux, uy, length, half, ends)
             weight = weight_of(share, alpha)
             if weight > 0:
@@ -262,7 +268,7 @@ def _cover_dashes(
     """Cover the dashes on one segment, which starts ``travelled`` px into the pattern."""
     dx, dy = x1 - x0, y1 - y0
     length = math.sqrt(dx * dx + dy * dy)
-    first, last = _inside_share(clip, x0, y0, x1, y1, half + 2.0)
+    first, last = inside_share(clip, x0, y0, x1, y1, half + 2.0)
     if first > last or length == 0.0:
         return
     ux, uy = dx / length, dy / length

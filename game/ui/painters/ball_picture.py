@@ -6,6 +6,7 @@ The same recipe as the kernel in ``ball``, which draws all balls of a table at o
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -32,6 +33,31 @@ def ball_picture(
     """
     if not 0 <= number < look.NUMBERS:
         raise ValueError(f"ball: number {number!r} is not between 0 and {look.NUMBERS - 1}")
+    turn = np.asarray(rotation, float).T
+
+    def resin(normal: Array) -> Array:
+        return _surface(number, radius, np.tensordot(turn, normal, 1), normal[2])
+
+    return _picture(radius, resin, felt, place, subpixel)
+
+
+def plain_ball_picture(radius: float, felt: pygame.Color) -> pygame.Surface:
+    """A cue ball without spots, for the picture of where the tip strikes; as ``ball_picture``."""
+
+    def resin(normal: Array) -> Array:
+        return look.BASE[0].reshape(3, 1, 1) + np.zeros_like(normal)
+
+    return _picture(radius, resin, felt, (0.0, 0.0), (0.0, 0.0))
+
+
+def _picture(
+    radius: float,
+    resin: Callable[[Array], Array],
+    felt: pygame.Color,
+    place: tuple[float, float],
+    subpixel: tuple[float, float],
+) -> pygame.Surface:
+    """A shaded ball; ``resin`` gives its colour in linear light at unit normals (3, n, n)."""
     if not 1.0 <= radius <= 400.0:
         raise ValueError(f"ball: radius {radius!r} px is not between 1 and 400")
     side = 2 * math.ceil(radius) + 4
@@ -41,9 +67,8 @@ def ball_picture(
     inside = np.where(s > look.RIM, look.RIM / np.maximum(s, 1e-12), 1.0)
     normal = np.stack([u * inside, v * inside, np.zeros_like(u)])
     normal[2] = np.sqrt(1.0 - normal[0] ** 2 - normal[1] ** 2)
-    body = np.tensordot(np.asarray(rotation, float).T, normal, 1)
     felt_light = np.array([felt.r, felt.g, felt.b]) / 255.0
-    light = _lit(_surface(number, radius, body, normal[2]), normal, felt_light**2, place, radius)
+    light = _lit(resin(normal), normal, felt_light**2, place, radius)
     picture = pygame.Surface((side, side), pygame.SRCALPHA, 32)
     pixels = pygame.surfarray.pixels3d(picture)
     pixels[:] = look.toned(light).transpose(1, 2, 0)

@@ -1,0 +1,174 @@
+"""Instruments of a stroke: the power bar, the ball that shows where the tip strikes, the dial of elevation.
+
+All measures are design px times the book's scale.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+import pygame
+
+from game.ui.fonts import FontBook, format_number
+from game.ui.numerals import NOTHING
+from game.ui.painters.ball_picture import plain_ball_picture
+from game.ui.raster import (
+    BUTT,
+    ROUND,
+    clip_of,
+    fill_box,
+    fill_disc,
+    fill_polygon,
+    packed,
+    pixels_of,
+    scratch_for,
+    stroke_arc,
+    stroke_box,
+    stroke_ring,
+    stroke_segment,
+)
+from game.ui.theme import CUE_CHALK, Theme
+
+POWER_WIDTH = 16.0
+SPIN_RADIUS = 30.0
+DIAL_RADIUS = 40.0
+
+
+def draw_power(
+    surface: pygame.Surface, rect: pygame.Rect, speed: float, top_speed: float, theme: Theme, book: FontBook
+) -> None:
+    """A bar from 0 to ``top_speed`` m/s inside ``rect``, with its scale, a pointer and the figure below it.
+
+    The bar stands in the middle of ``rect``, which should be 64 design px wide; "Power" stands above, the
+    figure below.
+    """
+    k = book.k
+    share = min(1.0, max(0.0, speed / top_speed)) if math.isfinite(speed) and top_speed > 0.0 else 0.0
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    ox, oy = surface.get_abs_offset()
+    left = float(round(rect.centerx - 0.5 * POWER_WIDTH * k))
+    right = left + round(POWER_WIDTH * k)
+    high, low = float(rect.y + round(44 * k)), float(rect.bottom - round(60 * k))
+    if low - high < 32.0 * k:
+        return
+    line, radius = max(1.0, float(math.floor(k + 0.5))), 0.5 * (right - left)
+    inner = 8.0 * k  # the round ends lie beyond 0 and the top
+    level = low - inner - share * (low - high - 2.0 * inner)
+    a, b = ox + left, ox + right
+    fill_box(pixels, clip, a, oy + high, b, oy + low, radius, packed(theme.inset), 1.0)
+    bar = np.array(
+        (max(clip[0], int(a)), max(clip[1], int(oy + level)), min(clip[2], int(b)), clip[3]), np.int64
+    )
+    fill_box(
+        pixels,
+        bar,
+        a + 2 * line,
+        oy + high,
+        b - 2 * line,
+        oy + low - 2 * line,
+        radius,
+        packed(theme.accent),
+        1.0,
+    )
+    stroke_box(pixels, clip, a, oy + high, b, oy + low, radius, line, packed(theme.line2), 1.0)
+    cut = math.floor(oy + level)
+    fill_box(pixels, clip, a + line, float(cut), b - line, cut + line, 0.0, packed(theme.text1), 1.0)
+    _, area, extent = scratch_for(pixels)
+    x = b + 6.0 * k
+    mark = np.array(((x, cut + 0.5), (x + 9.0 * k, cut - 5.5 * k), (x + 9.0 * k, cut + 6.5 * k)))
+    fill_polygon(pixels, clip, area, extent, mark, packed(theme.text1), 1.0)
+    for i in range(11):
+        y = float(math.floor(low - inner - (low - high - 2.0 * inner) * i / 10.0))
+        reach = 7.0 if i % 2 == 0 else 4.0
+        if abs(oy + y - cut) > 8.0 * k:
+            fill_box(
+                pixels,
+                clip,
+                b + 4 * k,
+                oy + y,
+                b + (4 + reach) * k,
+                oy + y + line,
+                0.0,
+                packed(theme.line2),
+                1.0,
+            )
+        if i % 2 == 0:
+            book.draw(
+                surface,
+                format_number(round(top_speed * i / 10.0)),
+                (left - 8 * k, y),
+                12,
+                "medium",
+                theme.text2,
+                "right",
+            )
+    book.draw(surface, "Power", (rect.centerx, rect.y + 8 * k), 13, "medium", theme.text2, "center")
+    figure = f"{speed:.1f}" if math.isfinite(speed) else NOTHING
+    book.draw(surface, figure, (rect.centerx, low + 24 * k), 18, "semibold", theme.text1, "center")
+    book.draw(surface, "m/s", (rect.centerx, low + 46 * k), 12, "medium", theme.text2, "center")
+
+
+@lru_cache(maxsize=8)
+def _spin_ball(radius: float, backdrop: tuple[int, int, int]) -> pygame.Surface:
+    """The cue ball as the player sees it from behind, without its spots."""
+    return plain_ball_picture(radius, pygame.Color(*backdrop))
+
+
+def draw_spin(
+    surface: pygame.Surface,
+    middle: tuple[float, float],
+    side: float,
+    height: float,
+    theme: Theme,
+    book: FontBook,
+) -> None:
+    """The cue ball with cross-hairs, and the tip's mark at (side, height) in shares of the radius.
+
+    ``side`` counts to the right, ``height`` upwards; the mark stays on the ball.
+    """
+    k = book.k
+    radius = SPIN_RADIUS * k
+    picture = _spin_ball(radius, (theme.bg.r, theme.bg.g, theme.bg.b))
+    x0, y0 = round(middle[0]), round(middle[1])
+    surface.blit(picture, picture.get_rect(center=(x0, y0)))
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    ox, oy = surface.get_abs_offset()
+    x, y = float(x0 + ox), float(y0 + oy)
+    ink = 0x6B7178
+    reach = radius - 2.0 * k
+    stroke_segment(pixels, clip, x - reach, y, x + reach, y, 1.0 * k, BUTT, ink, 0.45)
+    stroke_segment(pixels, clip, x, y - reach, x, y + reach, 1.0 * k, BUTT, ink, 0.45)
+    stroke_ring(pixels, clip, x, y, 0.5 * radius, 1.0 * k, ink, 0.5)
+    length = math.sqrt(side * side + height * height)
+    if not math.isfinite(length):
+        return
+    shrink = min(1.0, 0.98 / length) if length > 0.0 else 1.0
+    tx, ty = x + side * shrink * radius, y - height * shrink * radius
+    fill_disc(pixels, clip, tx, ty, 5.5 * k, 0x123A57, 1.0)
+    fill_disc(pixels, clip, tx, ty, 4.3 * k, packed(CUE_CHALK), 1.0)
+
+
+def draw_elevation(
+    surface: pygame.Surface, pivot: tuple[float, float], angle: float, theme: Theme, book: FontBook
+) -> None:
+    """A quarter dial over its pivot: ticks each 15 degrees, the cue as an amber hand at ``angle`` rad."""
+    k = book.k
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    ox, oy = surface.get_abs_offset()
+    x, y = round(pivot[0]) + ox + 0.5, round(pivot[1]) + oy + 0.5
+    radius, line = DIAL_RADIUS * k, packed(theme.line2)
+    stroke_arc(pixels, clip, x, y, radius, 1.0 * k, -0.5 * math.pi, 0.5 * math.pi, line, 1.0)
+    stroke_segment(pixels, clip, x, y, x + radius + 6.0 * k, y, 1.0 * k, BUTT, line, 1.0)
+    for i in range(7):
+        c, s = math.cos(math.radians(15.0 * i)), -math.sin(math.radians(15.0 * i))
+        a, b = radius - 3.0 * k, radius + 3.0 * k
+        stroke_segment(pixels, clip, x + a * c, y + a * s, x + b * c, y + b * s, 1.0 * k, BUTT, line, 1.0)
+    if math.isfinite(angle):
+        c, s = math.cos(angle), -math.sin(angle)
+        reach = radius + 5.0 * k
+        stroke_segment(
+            pixels, clip, x, y, x + reach * c, y + reach * s, 2.0 * k, ROUND, packed(theme.amber.mark), 1.0
+        )
+    fill_disc(pixels, clip, x, y, 3.0 * k, packed(theme.text1), 1.0)
