@@ -1,0 +1,126 @@
+"""Play a shot, or many, on the exact table: buffers, errors, results."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from game.billiards.exact import Batch, Log, Workspace, play_shots, workspace
+from game.billiards.shot import Shot
+from game.billiards.shot_file import load_shot
+from game.billiards.state import EVENT_LIMIT, IN_COLUMNS, NOT_FINITE, SEG_X, SEG_Y, SEGMENT_COLUMNS
+from game.billiards.trajectory import Trajectory
+
+MAX_EVENTS = 20_000  # of one shot; breaks have about 150
+FIRST_CAPACITY = 1024  # events in a log
+
+_room = threading.local()
+
+
+class SimulationError(RuntimeError):
+    """A shot that did not come to an end, or lost its numbers."""
+
+
+def room_for(n: int) -> Workspace:
+    """This thread's workspace for n balls."""
+    rooms = _room.__dict__.setdefault("rooms", {})
+    if n not in rooms:
+        rooms[n] = workspace(n)
+    return rooms[n]
+
+
+def log_for(shots: int, n: int, capacity: int) -> Log:
+    """An empty log for so many shots and events."""
+    return Log(
+        np.empty(capacity),
+        np.empty((capacity, 3), np.int64),
+        np.empty((2 * capacity + shots * n, SEGMENT_COLUMNS)),
+        np.empty((shots, 4), np.int64),
+        np.empty(shots, np.int64),
+        np.empty((shots, n, IN_COLUMNS)),
+        np.empty(shots),
+    )
+
+
+def _log_of_one(n: int, capacity: int) -> Log:
+    """This thread's log for single shots of n balls."""
+    logs = _room.__dict__.setdefault("logs", {})
+    if n not in logs or len(logs[n].times) < capacity:
+        logs[n] = log_for(1, n, capacity)
+    return logs[n]
+
+
+def check_status(status: int, time: float, max_events: int) -> None:
+    """SimulationError if a shot did not finish."""
+    if status == EVENT_LIMIT:
+        raise SimulationError(f"more than {max_events} events by {time:.6g} s; the shot was given up")
+    if status == NOT_FINITE:
+        raise SimulationError("a number of the shot's end state is not finite")
+
+
+def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EVENTS) -> Trajectory:
+    """Play a shot from event to event, at most to the time `until` (s).
+
+    SimulationError if there are more than `max_events` events.
+    """
+    n = len(shot.balls)
+    batch: Batch = shot.batch
+    capacity = max(FIRST_CAPACITY, 4 * n * n)
+    log = _log_of_one(n, capacity)
+    while play_shots(room_for(n), batch, log, 0, until, max_events) == 0:
+        log = _log_of_one(n, 4 * len(log.times))
+    check_status(int(log.status[0]), float(log.end_times[0]), max_events)
+    return cut_from_log(shot, log, 0)
+
+
+def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:
+    """The trajectory of one shot of a log, in arrays of its own, in the table's frame."""
+    events_start, events_end, segments_start, segments_end = log.ranges[number].tolist()
+    segments = log.segments[segments_start:segments_end].copy()
+    final = log.final[number].copy()
+    x, y = shot.layout.middle
+    segments[:, SEG_X] += x
+    segments[:, SEG_Y] += y
+    final[:, 0] += x
+    final[:, 1] += y
+    return Trajectory(
+        shot,
+        log.times[events_start:events_end].copy(),
+        log.events[events_start:events_end].copy(),
+        segments,
+        final,
+        float(log.end_times[number]),
+    )
+
+
+def simulate(shot: Shot, model: str = "exact", **options: Any) -> Trajectory:
+    """Play a shot under one of the MODELS: "exact", from event to event.
+
+    options: those of the model (`simulate_exact`). ValueError for an unknown model.
+    """
+    if model not in MODELS:
+        raise ValueError(f"model: must be one of {', '.join(MODELS)}, got {model!r}")
+    return MODELS[model](shot, **options)
+
+
+MODELS: dict[str, Callable[..., Trajectory]] = {"exact": simulate_exact}
+
+
+def run_shot_file(path: str | Path, model: str = "exact") -> dict[str, Any]:
+    """Play a shot file: events (type, time, ids), final (id to [x, y] or "pocketed"), end_time, digest.
+
+    ShotError names what is missing or wrong in the file.
+    """
+    trajectory = simulate(load_shot(path), model)
+    return {
+        "model": model,
+        "events": [{"type": e.type, "time": e.time, "ids": list(e.ids)} for e in trajectory.events],
+        "final": {name: p if isinstance(p, str) else list(p) for name, p in trajectory.final.items()},
+        "end_time": trajectory.end_time,
+        "digest": trajectory.digest,
+    }
