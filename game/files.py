@@ -50,6 +50,8 @@ def write_text(path: Path, text: str) -> None:
             raise FileProblem("a symbolic link; not written over")
         if path.exists() and not path.is_file():
             raise FileProblem("there is something of that name that is not a regular file")
+        if path.parent.exists() and not path.parent.is_dir():
+            raise FileProblem("its folder is not a directory")
         path.parent.mkdir(parents=True, exist_ok=True)
         _replace(path, text.encode("utf-8"))
     except OSError as error:

@@ -1,0 +1,131 @@
+"""The floors of the house: each imports only those above it, and the lower ones know no screen."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import game
+
+ROOT = Path(game.__file__).resolve().parent
+FLOORS = (
+    *("folders", "files"),  # where things lie and how they are read and written: for every floor
+    *("physics", "billiards", "level_checks", "levels", "lab", "stage", "ui", "scenes", "app", "__main__"),
+)
+SCREENLESS = FLOORS[: FLOORS.index("ui")]
+# what touches files in physics/ is the kernels' disk cache and nothing else
+MACHINERY = {"physics/jit.py", "physics/jit_cache.py", "physics/jit_sources.py"}
+NOT_IN_PHYSICS = {"time", "datetime", "io", "os", "shutil", "pathlib", "tempfile", "random", "platformdirs"}
+
+
+def modules() -> Iterator[tuple[str, ast.Module]]:
+    """Every module of the package: its path within it, and its syntax tree."""
+    for path in sorted(ROOT.rglob("*.py")):
+        yield path.relative_to(ROOT).as_posix(), ast.parse(path.read_text(encoding="utf-8"))
+
+
+def imported(tree: ast.AST, where: str, typing_too: bool = True) -> Iterator[str]:
+    """Dotted names that a module imports, relative ones in full."""
+    package = ["game", *where.split("/")[:-1]]
+    skipped = set()
+    if not typing_too:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
+                skipped.update(id(inner) for inner in ast.walk(node))
+    for node in ast.walk(tree):
+        if id(node) in skipped:
+            continue
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else []
+            name = ".".join([*base, *filter(None, [node.module])])
+            yield name
+            yield from (f"{name}.{alias.name}" for alias in node.names)
+
+
+def floor_of(name: str) -> str | None:
+    """Floor of a dotted name or a path in the package; None outside it or for the package itself."""
+    parts = name.removesuffix(".py").replace("/", ".").removeprefix("game.").split(".")
+    return parts[0] if parts[0] in FLOORS else None
+
+
+def roots(tree: ast.AST, where: str, typing_too: bool = True) -> set[str]:
+    """First parts of the names that a module imports."""
+    return {name.split(".")[0] for name in imported(tree, where, typing_too)}
+
+
+def calls(tree: ast.AST) -> set[str]:
+    """Names of what a module calls."""
+    return {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+
+
+MODULES = list(modules())
+
+
+def test_every_module_stands_on_a_floor() -> None:
+    assert [where for where, _ in MODULES if floor_of(where) is None] == ["__init__.py"]
+
+
+def test_each_floor_imports_only_those_above() -> None:
+    wrong = []
+    for where, tree in MODULES:
+        own = floor_of(where)
+        for name in imported(tree, where):
+            floor = floor_of(name) if name.split(".")[0] == "game" else None
+            if own is not None and floor is not None and FLOORS.index(floor) > FLOORS.index(own):
+                wrong.append(f"{where} imports {name}")
+    assert wrong == []
+
+
+def test_no_screen_below_the_ui() -> None:
+    lower = [(where, tree) for where, tree in MODULES if floor_of(where) in SCREENLESS]
+    assert len(lower) > 20
+    assert [where for where, tree in lower if roots(tree, where) & {"pygame", "pygame_gui"}] == []
+
+
+def test_physics_is_numbers_only() -> None:
+    physics = [
+        (where, tree) for where, tree in MODULES if floor_of(where) == "physics" and where not in MACHINERY
+    ]
+    assert len(physics) > 3
+    wrong = [where for where, tree in physics if roots(tree, where, typing_too=False) & NOT_IN_PHYSICS]
+    assert wrong == []
+
+
+def test_what_computes_does_not_talk() -> None:
+    lower = [(where, tree) for where, tree in MODULES if floor_of(where) in ("physics", "billiards", "stage")]
+    assert [where for where, tree in lower if calls(tree) & {"print", "input", "breakpoint"}] == []
+
+
+def test_nothing_is_executed_from_data() -> None:
+    assert [where for where, tree in MODULES if calls(tree) & {"eval", "exec", "compile"}] == []
+    loaders = {"pickle", "marshal", "shelve", "dill"}
+    assert [where for where, tree in MODULES if roots(tree, where) & loaders] == ["physics/jit_cache.py"]
+
+
+def test_kernels_come_from_the_one_decorator() -> None:
+    wrong = []
+    for where, tree in MODULES:
+        if where == "physics/jit.py":
+            continue
+        for node in ast.walk(tree):
+            named = [ast.unparse(item) for item in getattr(node, "decorator_list", [])]
+            wrong += [f"{where}: @{name}" for name in named if "jit" in name or name.startswith("numba.")]
+    assert wrong == []
+
+
+def test_no_scipy_at_run_time() -> None:
+    assert [where for where, tree in MODULES if "scipy" in roots(tree, where)] == []
+
+
+def test_the_floors_without_a_screen_import_without_one() -> None:
+    """Importing the stage brings no pygame, whatever it imports in turn."""
+    code = (
+        "import sys, game.stage.stage, game.billiards, game.levels, game.lab; print('pygame' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "False"
