@@ -5,8 +5,9 @@ from game.physics.particles.effects import OBSTACLES, REPORTS
 from game.physics.particles.emitter import Emitter
 from game.physics.particles.flight import EVALUATIONS, METHODS, ORDERS, STABILITY_LIMITS
 from game.physics.particles.forces import Forces
+from game.physics.particles.settings import CALM, KNOWN
 from game.physics.particles.solids import Discs
-from game.physics.particles.system import CALM, KNOWN, ParticleState, ParticleSystem
+from game.physics.particles.system import ParticleState, ParticleSystem
 
 __all__ = [
     "CALM",

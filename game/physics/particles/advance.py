@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ import numpy as np
 from game.physics.jit import kernel
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT
 from game.physics.particles.flight import decay_over, fly
-from game.physics.particles.forces import SIDEWAYS_BITS, unpack_forces
+from game.physics.particles.forces import DRAG_BIT, SIDEWAYS_BITS, unpack_forces
 
 BLOCK = 512  # particles; their four fields take 16 KiB, half of a first-level cache
 
@@ -49,7 +49,7 @@ def mark_near_ground(y, vy, marks, floor, slack, h):
 
 @kernel
 def note_marked(x, y, vx, vy, marks, begin, hits, who, found):
-    """Write the state and index (``begin`` on) of marked particles from place ``found`` on; the next place."""
+    """Write state and index (``begin`` on) of marked particles from place ``found`` on; the next place."""
     for i in range(marks.shape[0]):
         if marks[i]:
             who[found] = begin + i
@@ -61,7 +61,7 @@ def note_marked(x, y, vx, vy, marks, begin, hits, who, found):
     return found
 
 
-@lru_cache(maxsize=None)
+@cache
 def make_advance(method: int, mask: int) -> Callable[..., Any]:
     """The kernel ``advance(fields, low, high, forces, solids, floor, slack, h, marks, hits, who, found)``.
 
@@ -75,7 +75,7 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
     @kernel
     def advance(fields, low, high, forces, solids, floor, slack, h, marks, hits, who, found):
         law = unpack_forces(forces)
-        decay = decay_over(law.drag, h)
+        decay = decay_over(law.drag if mask & DRAG_BIT else 0.0, h)
         # literals would have every helper compiled for each; as plain integers they are folded all the same
         which = np.int64(method)
         terms = np.int64(mask)

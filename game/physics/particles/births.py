@@ -26,10 +26,11 @@ from game.physics.particles.random_numbers import uniform_pair
 # an emitter's row: position at the end of the step and at its beginning (m), axis (rad from +y, clockwise),
 # spread (rad to each side), speed (m/s) and half its range (part of it), width of the nozzle (m), rate (1/s),
 # fraction of a particle under way when the rate was set, and that instant (s)
-POSITION_X, POSITION_Y, FROM_X, FROM_Y, AXIS, SPREAD, SPEED, SPEED_RANGE, WIDTH, RATE, CARRY, SINCE = range(12)
+POSITION_X, POSITION_Y, FROM_X, FROM_Y, AXIS, SPREAD = range(6)
+SPEED, SPEED_RANGE, WIDTH, RATE, CARRY, SINCE = range(6, 12)
 EMITTER_COLUMNS = 12
 MADE, SERIAL = 0, 1  # births since the rate was set; births ever: columns of the emitters' int64 array
-IDENTITY_STEP = 1 << 40  # identity = emitter * IDENTITY_STEP + serial number; exact as a float for 8192 emitters
+IDENTITY_STEP = 1 << 40  # identity = emitter * IDENTITY_STEP + serial number; exact as a float
 SLACK = 2.0**-48  # relative: an instant that differs from a step's end by rounding only belongs to the step
 
 
@@ -37,7 +38,7 @@ SLACK = 2.0**-48  # relative: an instant that differs from a step's end by round
 def births_until(rate, carry, since, now):
     """Whole particles of one emitter from the setting of its rate (s) until now (s)."""
     phase = carry + rate * max(now - since, 0.0)
-    return int(math.floor(phase + SLACK * (phase + rate * abs(now))))
+    return math.floor(phase + SLACK * (phase + rate * abs(now)))
 
 
 @kernel

@@ -62,7 +62,7 @@ def strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses):
     A particle that leaves is left alone. ``spring``: part of the restitution that holds, 1 or 0. What the
     solid gets (kg m/s for 1 kg) is added to ``impulses`` (k, 2).
     """
-    gap, nx, ny = surface(solids, j, rules.floor, x, y, t)
+    _, nx, ny = surface(solids, j, rules.floor, x, y, t)
     ux, uy = surface_velocity(solids, j)
     approach = -((vx - ux) * nx + (vy - uy) * ny)
     if approach <= 0.0:
@@ -105,7 +105,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
                 continue
             x -= gap * nx
             y -= gap * ny
-            vx, vy, change, stays = strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses)
+            vx, vy, change, _ = strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses)
             impulse = max(impulse, change)
             last = j
             inside = inside or gap < -TOUCH
@@ -116,7 +116,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
 
 @kernel
 def nearest_part(solids, j, x0, y0, x1, y1, t, left):
-    """Part of a straight way, in [0, 1], at which it is nearest to the centre of disc j, and the chord's terms.
+    """Part of a straight way, in [0, 1], at which it is nearest to the centre of disc j, and terms.
 
     Returns (part, along, length, outside) with along = -m·d, length = d·d, outside = m·m - R².
     """
@@ -147,9 +147,8 @@ def chord_time(rules, solids, j, x0, y0, x1, y1, t, left):
 @kernel
 def gap_after(rules, law, solids, j, x, y, vx, vy, t, flown):
     """Distance (m) to solid j after a flight of ``flown`` (s) that begins t (s) into the step."""
-    x1, y1, ux, uy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, flown)
-    gap, nx, ny = surface(solids, j, rules.floor, x1, y1, t + flown)
-    return gap
+    x1, y1, _, _ = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, flown)
+    return surface(solids, j, rules.floor, x1, y1, t + flown)[0]
 
 
 @kernel
@@ -195,7 +194,7 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
     """The first solid on the way from (x, y) to (x1, y1): (index or -1, flight time in s until then).
 
     A particle that touches and approaches meets it at once; one that touches and leaves does not, unless it
-    ends inside: then at the end.
+    ends inside: then at the end. For one that begins inside the time is -1.
     """
     earliest = 2.0 * left
     which = -1
@@ -203,6 +202,8 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
         if not is_there(rules, solids, j):
             continue
         gap, nx, ny = surface(solids, j, rules.floor, x, y, t)
+        if gap < -TOUCH:
+            return j, -1.0
         if gap <= TOUCH:
             ux, uy = surface_velocity(solids, j)
             if (vx - ux) * nx + (vy - uy) * ny < 0.0:
@@ -227,18 +228,19 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
     """
     last = -1
     impulse = 0.0
-    if rules.mode != END:
-        x, y, vx, vy, change, last = push_out(rules, law, solids, x, y, vx, vy, t, impulses)
     stays = rules.mode == END
     for _ in range(MAX_CONTACTS):
         x1, y1, ux, uy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, left)
-        which = -1
-        when = left
-        if not stays:
-            which, when = first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left)
-        if which < 0:
+        if stays:
             x, y, vx, vy, change, met = push_out(rules, law, solids, x1, y1, ux, uy, t + left, impulses)
             return x, y, vx, vy, max(impulse, change), max(last, met), 0.0
+        which, when = first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left)
+        if which < 0:
+            return x1, y1, ux, uy, impulse, last, 0.0
+        if when < 0.0:
+            x, y, vx, vy, change, last = push_out(rules, law, solids, x, y, vx, vy, t, impulses)
+            impulse = max(impulse, change)
+            continue
         if rules.mode == ROOT:
             x, y, vx, vy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, when)
         else:

@@ -10,7 +10,7 @@ its identity. Its place in the pool is in ``who``; -1: it dies at the end of its
 from __future__ import annotations
 
 from game.physics.jit import kernel
-from game.physics.particles.contacts import Rules, fly_among_solids
+from game.physics.particles.contacts import fly_among_solids
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.forces import unpack_forces
 
@@ -46,26 +46,26 @@ def report(reports, tallies, kind, identity, instant, x, y, vx, vy, amount):
 
 @kernel
 def resolve_encounters(
-    mode, method, mask, fields, tags, tallies, hits, who, found, forces, solids, ground, h, now, impulses, reports
+    rules, fields, tags, tallies, hits, who, found, forces, solids, now, impulses, reports
 ):
     """Fly the first ``found`` of the list among the solids and write what becomes of them.
 
     fields (>= 4, n): x, y, vx, vy are written. tags (2, n): identity; step of the last impact, written.
-    ground: (height m, restitution). now: s at the beginning of the step. impulses (k, 2): added to.
+    now: s at the beginning of the step. impulses (k, 2): added to.
     """
     law = unpack_forces(forces)
-    rules = Rules(mode, method, mask, ground[0], ground[1], h)
+    reporting = rules.mask & REPORTS_BIT
     for entry in range(found):
         begin = hits[START, entry]
         left = hits[DURATION, entry]
+        end = now + begin + left
+        x, y, vx, vy = hits[0, entry], hits[1, entry], hits[2, entry], hits[3, entry]
         x, y, vx, vy, impulse, met, lost = fly_among_solids(
-            rules, law, solids, hits[0, entry], hits[1, entry], hits[2, entry], hits[3, entry], begin, left, impulses
+            rules, law, solids, x, y, vx, vy, begin, left, impulses
         )
         place = who[entry]
-        if lost > 0.0:
-            tallies[CUT_SHORT] += 1
-        if impulse > 0.0:
-            tallies[IMPACTS] += 1
+        tallies[CUT_SHORT] += lost > 0.0
+        tallies[IMPACTS] += impulse > 0.0
         if place >= 0:
             fields[0, place] = x
             fields[1, place] = y
@@ -74,7 +74,7 @@ def resolve_encounters(
             if met >= 0:
                 fresh = tags[1, place] < tallies[STEP]
                 tags[1, place] = tallies[STEP] + 1
-                if mask & REPORTS_BIT and fresh and impulse > 0.0:
-                    report(reports, tallies, IMPACT, hits[IDENTITY, entry], now + begin + left, x, y, vx, vy, impulse)
-        elif mask & REPORTS_BIT:
-            report(reports, tallies, DEATH, hits[IDENTITY, entry], now + begin + left, x, y, vx, vy, 0.0)
+                if reporting and fresh and impulse > 0.0:
+                    report(reports, tallies, IMPACT, float(tags[0, place]), end, x, y, vx, vy, impulse)
+        elif reporting:
+            report(reports, tallies, DEATH, hits[IDENTITY, entry], end, x, y, vx, vy, 0.0)

@@ -32,9 +32,10 @@ METHODS = (
     "rk4",
     "exponential",
 )
-ORDERS = (1, 1, 2, 2, 2, 4, 2)  # in free flight; exponential is exact for gravity, linear drag and steady wind
+ORDERS = (1, 1, 2, 2, 2, 4, 2)  # in free flight; the last is exact for gravity, linear drag, steady wind
 EVALUATIONS = (1, 1, 2, 2, 2, 4, 1)  # of the force in a step
-STABILITY_LIMITS = (2.0, 2.0, 2.0, 2.0, math.inf, 2.785293563405282, math.inf)  # largest stable drag times step
+# the largest stable product of drag and step
+STABILITY_LIMITS = (2.0, 2.0, 2.0, 2.0, math.inf, 2.785293563405282, math.inf)
 
 EXPLICIT_EULER, SEMI_IMPLICIT_EULER, MIDPOINT, VERLET, STORMER_VERLET, RK4, EXPONENTIAL = range(7)
 
@@ -195,4 +196,7 @@ def fly(method, mask, forces, decay, x, y, vx, vy, h):
 @kernel
 def fly_alone(method, mask, forces, x, y, vx, vy, h):
     """`fly` for one particle with any method and mask, not specialised."""
-    return fly(method, mask, forces, decay_over(forces.drag, h), x, y, vx, vy, h)
+    decay = Decay(1.0, h, 0.5 * h * h)
+    if method == EXPONENTIAL and mask & DRAG_BIT:
+        decay = decay_over(forces.drag, h)
+    return fly(method, mask, forces, decay, x, y, vx, vy, h)

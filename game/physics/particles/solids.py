@@ -146,7 +146,7 @@ class Discs:
     def sample(
         self, points: ArrayLike
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Distance (n,) m, outward normal (n, 2) and velocity (n, 2) m/s of the nearest surface to points (n, 2).
+        """Distance (n,) m, outward normal (n, 2) and velocity (n, 2) m/s of the surface nearest to points.
 
         Negative inside; infinitely far, with a zero normal, if there are no discs.
         """

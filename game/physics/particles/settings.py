@@ -1,0 +1,179 @@
+"""How particles are to be moved: effects, method, forces, solids, each checked at the door."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.physics.effects import EffectSet
+from game.physics.fields import DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
+from game.physics.particles.contacts import CONTACTS
+from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT, REPORTS_BIT
+from game.physics.particles.flight import METHODS, STABILITY_LIMITS
+from game.physics.particles.forces import FORCE_BITS, Forces
+from game.physics.particles.solids import LARGEST, Discs
+
+KNOWN = EffectSet.from_mask(FORCE_BITS | GROUND_BIT | OBSTACLES_BIT | REPORTS_BIT)
+CALM = Forces(9.81, 0.1, 0.02, 0.0, 0.0, 0.0, 2.0, 0.0, 0.5, 0.0, 0.0, 0.0)
+SMOOTH = 0.25  # drag times substep at which an explicit method is within 1 % of the exact decay
+MAX_SUBSTEPS = 64
+
+
+class Settings:
+    """What a step does with particles. Every setter raises ValueError, naming the field, for nonsense.
+
+    effects: of KNOWN. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`. floor: m.
+    floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and smooth.
+    """
+
+    def __init__(
+        self,
+        solids: Discs,
+        effects: EffectSet,
+        method: str,
+        contact: str,
+        life: float,
+        forces: Forces,
+        floor: float,
+        floor_restitution: float,
+        substeps: int,
+    ):
+        self.solids = solids
+        self.effects = effects
+        self.method = method
+        self.contact = contact
+        self.life = life
+        self.forces = forces
+        self.substeps = substeps
+        self.set_ground(floor, floor_restitution)
+
+    @property
+    def effects(self) -> EffectSet:
+        """What a step computes."""
+        return self._effects
+
+    @effects.setter
+    def effects(self, effects: EffectSet) -> None:
+        unknown = [effect.name for effect in effects if effect not in KNOWN]
+        if unknown:
+            raise ValueError(f"effects: particles know nothing of {', '.join(unknown)}")
+        self._effects = effects
+        self.mask = effects.mask
+
+    @property
+    def method(self) -> str:
+        """The integrator, of METHODS."""
+        return METHODS[self._method]
+
+    @method.setter
+    def method(self, name: str) -> None:
+        if name not in METHODS:
+            raise ValueError(f"method = {name!r}: one of {', '.join(METHODS)} is wanted")
+        self._method = METHODS.index(name)
+
+    @property
+    def contact(self) -> str:
+        """How impacts are found, of CONTACTS."""
+        return CONTACTS[self._contact]
+
+    @contact.setter
+    def contact(self, name: str) -> None:
+        if name not in CONTACTS:
+            raise ValueError(f"contact = {name!r}: one of {', '.join(CONTACTS)} is wanted")
+        self._contact = CONTACTS.index(name)
+
+    @property
+    def life(self) -> float:
+        """How long each particle lives, s; a change holds for those alive too."""
+        return self._life
+
+    @life.setter
+    def life(self, value: float) -> None:
+        if not 0.0 < value < math.inf:
+            raise ValueError(f"life = {value!r}: a finite number above 0 s is wanted")
+        self._life = float(value)
+
+    @property
+    def forces(self) -> Forces:
+        """The numbers of the force law; change them by `forces._replace(...)`."""
+        return self._forces
+
+    @forces.setter
+    def forces(self, forces: Forces) -> None:
+        for name, value in forces._asdict().items():
+            least = 0.0 if name in ("drag", "quadratic_drag", "pull") else -LARGEST
+            if not least <= value <= LARGEST:
+                raise ValueError(f"{name} = {value!r}: {least:g} to {LARGEST:g} is wanted")
+        if forces.whirl_core <= 0.0:
+            raise ValueError(f"whirl_core = {forces.whirl_core!r}: more than 0 m is wanted")
+        self._forces = Forces(*map(float, forces))
+        self._law = np.array(self._forces)
+
+    @property
+    def substeps(self) -> int:
+        """Substeps of a step; 0: as many as drag needs."""
+        return self._substeps
+
+    @substeps.setter
+    def substeps(self, value: int) -> None:
+        if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAX_SUBSTEPS:
+            raise ValueError(f"substeps = {value!r}: a whole number, 0 to {MAX_SUBSTEPS}, is wanted")
+        self._substeps = value
+
+    @property
+    def floor(self) -> float:
+        """Height of the floor, m."""
+        return self._floor
+
+    @property
+    def floor_restitution(self) -> float:
+        return self._floor_restitution
+
+    def set_ground(self, floor: float, restitution: float) -> None:
+        """Height of the floor (m) and its restitution, 0 to 1."""
+        if not abs(floor) <= LARGEST:
+            raise ValueError(f"floor = {floor!r}: a finite number up to {LARGEST:g} is wanted")
+        if not 0.0 <= restitution <= 1.0:
+            raise ValueError(f"floor_restitution = {restitution!r}: 0 to 1 is wanted")
+        self._floor, self._floor_restitution = float(floor), float(restitution)
+
+    # -- what follows from them ---------------------------------------------------------------------
+
+    def fastest_birth(self) -> float:
+        """The greatest speed (m/s) at which a particle starts; 0 without emitters."""
+        return 0.0
+
+    def air_speed(self) -> float:
+        """The greatest speed (m/s) of the air anywhere."""
+        forces, speed = self._forces, 0.0
+        if WIND in self._effects:
+            speed = math.sqrt(forces.wind_x * forces.wind_x + forces.wind_y * forces.wind_y)
+        if WHIRL in self._effects:
+            speed += abs(forces.whirl_strength) / (2.0 * forces.whirl_core)
+        return speed
+
+    def stiffness(self) -> float:
+        """The fastest rate (1/s) at which drag slows anything that is sent out."""
+        rate = self._forces.drag if DRAG in self._effects else 0.0
+        if QUADRATIC_DRAG in self._effects:
+            rate += 2.0 * self._forces.quadratic_drag * (self.fastest_birth() + self.air_speed())
+        return rate
+
+    def substeps_for(self, dt: float) -> int:
+        """Substeps that a step of dt (s) is divided into."""
+        if self._substeps:
+            return self._substeps
+        if math.isinf(STABILITY_LIMITS[self._method]):
+            return 1
+        return min(max(math.ceil(self.stiffness() * dt / SMOOTH), 1), MAX_SUBSTEPS)
+
+    def slack(self, h: float) -> float:
+        """How much farther than h |v| (m) a particle near a solid may get in h (s)."""
+        forces, solids = self._forces, self.solids
+        push = abs(forces.gravity) if GRAVITY in self._effects else 0.0
+        if forces.pull:
+            arms = np.abs(solids.centres - (forces.pull_x, forces.pull_y)).sum(axis=1) + solids.radii
+            arm = max(float(np.max(arms, initial=0.0)), abs(self.floor - forces.pull_y))
+            push += forces.pull * (1.0 + arm)
+        return h * (h * push + self.air_speed())
