@@ -101,7 +101,9 @@ class CueControl:
 
     def _move(self, event: Pointer, ball_x: float, ball_y: float) -> None:
         if self.phase == PULLING:
-            back = -(event.x - self.data[3]) * math.cos(self.aim) - (event.y - self.data[4]) * math.sin(self.aim)
+            back = -(event.x - self.data[3]) * math.cos(self.aim) - (event.y - self.data[4]) * math.sin(
+                self.aim
+            )
             self.data[1] = MAX_SPEED * min(max(back / FULL_PULL, 0.0), 1.0)
             self.data[6] = self._gap_of_pull()
             return

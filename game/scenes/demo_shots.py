@@ -1,4 +1,7 @@
-"""Strokes that a table plays by itself while nobody holds the cue: simple, sound, the same for the same seed."""
+"""What a table does by itself: balls turned as somebody left them, strokes while nobody holds the cue.
+
+Both are the same for the same seed.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,16 @@ Array = NDArray[np.float64]
 
 STEEPEST_CUT = math.radians(65.0)
 BREAK_SPEED = 7.5  # m/s
+
+
+def scattered_orientations(count: int, seed: int) -> Array:
+    """Unit quaternions (count, 4) of balls with the number up, upright as the table is drawn, a little tilted."""
+    random = np.random.default_rng((seed, count))
+    axes = random.normal(size=(count, 3))
+    halves = random.uniform(0.1, 0.35, count)
+    x, y, z = (np.sin(halves) * axes.T) / np.sqrt((axes * axes).sum(axis=1))
+    w, quarter = np.cos(halves), math.sqrt(0.5)  # after a quarter turn about z, half of which has this sine
+    return np.stack((w - z, x + y, y - x, z + w), axis=1) * quarter
 
 
 class Stroke(NamedTuple):
@@ -47,7 +60,9 @@ def choose_stroke(
                 best = pot
     if best is None:
         nearest = min(others, key=lambda ball: float(np.sum((positions[ball] - white) ** 2)))
-        return Stroke(_bearing(white, positions[nearest]) + random.normal(0.0, 0.01), 3.0 + 2.0 * random.random())
+        return Stroke(
+            _bearing(white, positions[nearest]) + random.normal(0.0, 0.01), 3.0 + 2.0 * random.random()
+        )
     return Stroke(best[1] + random.normal(0.0, 0.0015), best[2])
 
 

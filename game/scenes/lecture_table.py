@@ -29,13 +29,26 @@ from game.billiards.rack import HEAD_SPOT
 from game.lab.studies.lecture_table import lecture_table_study
 from game.levels import Level
 from game.scenes import table_view
-from game.scenes.cue_control import CueControl
-from game.scenes.demo_shots import choose_stroke
+from game.scenes.cue_control import AIMING, STRIKING, CueControl
+from game.scenes.demo_shots import choose_stroke, scattered_orientations
 from game.scenes.lecture_table_level import BallEntry, LectureTableContent, layout_of
-from game.stage import Choice, Equation, Frame, Hint, Param, Pointer, Readout, Scene, SceneAction, Strip, Toggle
+from game.stage import (
+    Choice,
+    Equation,
+    Frame,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
 
 Array = NDArray[np.float64]
 
+TURN_ENDS_S = 0.4  # s of rest before the turn is over
 NEXT_STROKE_S = 1.2  # s of rest before the table's own next stroke
 NEW_RACK_S = 2.0  # s of rest on an empty table before the balls come back
 SUNK_S = 0.35  # s in which a pocketed ball drops out of sight
@@ -99,7 +112,9 @@ class LectureTable(Scene):
 
     radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much the radii differ")
     mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
-    aim_line = Toggle(True, group="Balls", label="Aim line", help="ghost ball and the straight lines after it")
+    aim_line = Toggle(
+        True, group="Balls", label="Aim line", help="ghost ball and the straight lines after it"
+    )
 
     strips = (
         Strip("Energy", "J", ("energy",)),
@@ -116,7 +131,11 @@ class LectureTable(Scene):
     equations = (
         Equation("Motion", r"\v{x}_{n+1} = \v{x}_n + \v{v}_n \Delta t", "the lecture, Euler"),
         Equation("Cushion", r"x' = w - e (x - w), v' = -e v", "overshoot given back"),
-        Equation("Impulse along the line of centres", r"j = \frac{(1+e) m_1 m_2}{m_1 + m_2} (\v{v}_1 - \v{v}_2) \cdot \v{n}", "Newton 1687"),  # fmt: skip
+        Equation(
+            "Impulse along the line of centres",
+            r"j = \frac{(1+e) m_1 m_2}{m_1 + m_2} (\v{v}_1 - \v{v}_2) \cdot \v{n}",
+            "Newton 1687",
+        ),  # fmt: skip
         Equation("Friction", r"\v{v}_{n+1} = f^{60 \Delta t} \v{v}_n", "the lecture, per second"),
     )
     try_this = (
@@ -135,7 +154,7 @@ class LectureTable(Scene):
         self.table = Table(
             layout.table, layout.positions, layout.radii, layout.masses, layout.velocities, self.active, self._settings()
         )  # fmt: skip
-        self.start = layout.positions
+        self.table.state.orientations[:] = scattered_orientations(len(layout.numbers), self.seed)
         self.cue = CueControl(0.5 * math.pi)
         self.sunk_s = np.full(len(layout.numbers), SUNK_S)
         self.marks = np.zeros((MARKS, 4))
@@ -145,9 +164,9 @@ class LectureTable(Scene):
         self.player = 0
         self.down_before = 0
         self.rest_s = 0.0
+        self.turn_open = False
         self.plays_itself = content.plays_itself
         self.stroke = content.stroke
-        self.worst_overlap = 0.0
         self.told: deque[str] = deque(maxlen=8)
 
     def _settings(self) -> LectureSettings:
@@ -186,19 +205,19 @@ class LectureTable(Scene):
             aim, speed = self.cue.aim, self.cue.speed
             self.table.strike(0, (speed * math.cos(aim), speed * math.sin(aim)))
             self.strokes += 1
-            self.rest_s = 0.0
+            self.turn_open = True
         self.table.step(dt)
         self.sunk_s += dt
         np.minimum(self.sunk_s, SUNK_S, out=self.sunk_s)
         self.marks[:, 2] += dt
         np.minimum(self.marks[:, 2], MARK_S, out=self.marks[:, 2])
         self._take_events()
-        if self.table.moving:
+        if self.table.moving or self.cue.phase == STRIKING:
             self.rest_s = 0.0
         else:
-            if self.rest_s == 0.0 and self.strokes:
-                self._turn_ends()
             self.rest_s += dt
+            if self.turn_open and self.rest_s > TURN_ENDS_S:
+                self._turn_ends()
             self._play_by_itself()
 
     def _take_events(self) -> None:
@@ -211,6 +230,7 @@ class LectureTable(Scene):
 
     def _turn_ends(self) -> None:
         """All balls have come to rest: the white one comes back, and who potted nothing passes the cue."""
+        self.turn_open = False
         down = self.balls_down
         if self.has_white and not self.table.state.in_play[0]:
             self._put_back_white()
@@ -239,7 +259,7 @@ class LectureTable(Scene):
             if self.rest_s > NEW_RACK_S:
                 self.action("rack")
             return
-        if not self.white_ready or self.cue.phase != 0.0:
+        if not self.white_ready or self.cue.phase != AIMING:
             return
         if self.stroke is not None:
             if self.rest_s >= self.stroke.after_s and self.strokes == 0:

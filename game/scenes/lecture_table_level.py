@@ -77,7 +77,9 @@ def layout_of(content: LectureTableContent, radius_spread: float, mass_spread: f
         return _racked(table, content.rack_gap, radius_spread, mass_spread, seed)
     rows.sort(key=lambda row: row.number != 0)
     for row in rows:
-        inside = all(0.0 <= at <= edge for at, edge in zip(row.position, (table.width, table.length), strict=True))
+        inside = all(
+            0.0 <= at <= edge for at, edge in zip(row.position, (table.width, table.length), strict=True)
+        )
         if not inside:
             raise ValueError(f"balls: number {row.number} at {row.position} lies outside the bed")
     if not rows:

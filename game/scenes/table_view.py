@@ -15,7 +15,7 @@ from game.scenes.cue_control import PULLING, STRIKING, CueControl
 from game.stage import Frame
 from game.ui.canvas import Canvas
 from game.ui.painters.ball import BallPainter
-from game.ui.painters.cue import CuePainter
+from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import TablePainter, TableView
 from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
@@ -24,13 +24,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+CUE_LENGTH = 1.47  # m
+WOOD = 0.074  # m, breadth of the frame outside the cushions
 SURROUND = 0.20  # m of floor and frame shown around the bed
 KEPT_TABLES = 4  # pictures of tables kept: the scene's and a few thumbnails of the menu
 TELEPORT = 0.25  # m; a ball that moved farther in one step was put there, and is not drawn in between
 QUARTER_TURN = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # table frame to screen frame
 
 _ball_painter = BallPainter(FELT)
-_cue_painter = CuePainter()
 _table_painters: dict[tuple[int, int], TablePainter] = {}
 
 
@@ -108,9 +109,7 @@ def draw_split(canvas: Canvas, table: Table, first: FirstContact, balls: Balls, 
     target = balls.positions[first.target]
     canvas.circle(target, float(balls.radii[first.target]) * 1.25, outline=FELT_COOL, width=1.5)
     in_play = balls.opacities > 0.99
-    onward = first_contact(
-        first.target, math.atan2(n[1], n[0]), balls.positions, balls.radii, in_play, table
-    )
+    onward = first_contact(first.target, math.atan2(n[1], n[0]), balls.positions, balls.radii, in_play, table)
     reach = min(onward.distance, 2.0) * max(math.cos(first.cut), 0.05)
     if onward.kind == "pocket":
         reach = onward.distance
@@ -189,15 +188,23 @@ def _draw_cue(scene: LectureTable, canvas: Canvas, balls: Balls) -> None:
     """The cue of who plays, behind the white ball; while pulled, the speed that it would give."""
     white, radius = balls.positions[0], float(balls.radii[0])
     back = radius + scene.cue.gap
-    direction = (math.cos(scene.cue.aim), math.sin(scene.cue.aim))
-    tip = (white[0] - back * direction[0], white[1] - back * direction[1])
-    _cue_painter.draw(canvas, tip, direction, scene.player)
+    way = (math.cos(scene.cue.aim), math.sin(scene.cue.aim))
+    _stick(canvas, scene.table.table, (white[0] - back * way[0], white[1] - back * way[1]), way)
     if scene.cue.phase == PULLING:
         canvas.label(white, f"{scene.cue.speed:.1f} m/s", FELT_WARM, 13, "semibold", offset=(0.0, -28.0))
 
 
 def _draw_resting_cue(scene: LectureTable, canvas: Canvas, table: Table) -> None:
     """The other player's cue, laid beside the table."""
-    x = table.width + CUSHION_DEPTH + 0.074 + 0.04
-    middle = 0.5 * table.length
-    _cue_painter.draw(canvas, (x, middle + 0.735), (0.0, 1.0), 1 - scene.player)
+    x = table.width + CUSHION_DEPTH + WOOD + 0.035
+    _stick(canvas, table, (x, 0.5 * table.length + (1 - 2 * scene.player) * 0.5 * CUE_LENGTH), (0.0, 1.0 - 2 * scene.player))
+
+
+def _stick(canvas: Canvas, table: Table, tip: tuple[float, float], way: tuple[float, float]) -> None:
+    """A cue with its tip at a point of the table, pointing along a unit vector."""
+    pixels, clip = canvas.raster_target
+    x, y = canvas.place(tip)
+    far_x, far_y = canvas.place((tip[0] - way[0], tip[1] - way[1]))
+    scale = canvas.pixels_per_unit
+    middle = canvas.place((0.5 * table.width, 0.5 * table.length))
+    draw_cue(pixels, clip, (x, y), ((far_x - x) / scale, (far_y - y) / scale), scale, 0.0, middle)

@@ -1,0 +1,337 @@
+"""The two-ball program of the lecture, with every step of its collision made visible."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.ball import Ball, Collision, Overshoot
+from game.billiards.lecture_slips import SLIPS
+from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
+from game.levels import Level
+from game.scenes import lecture_balls_view as view
+from game.scenes.lecture_balls_level import HEIGHT, WIDTH, BallEntry, LectureBallsContent
+from game.stage import (
+    Choice,
+    Equation,
+    Frame,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
+
+Array = NDArray[np.float64]
+
+FRAME_RATE = 30.0  # 1/s, of the lecture's main loop
+METRES = 0.004  # m to a pixel, where the lecture's window is taken as a table
+REACH = 14.0  # px, how near to a ball's arrow head the pointer takes it
+ARROW = 4.0  # px of arrow for a pixel per frame
+NEXT_START_S = 2.5  # s at rest before the balls set off again
+
+# what is remembered of the last collision, for the picture: one row of numbers each
+ANGLE, OVERLAP, RULE, EXCHANGED, CONTACT_X, CONTACT_Y = range(6)
+POSITIONS, AFTER, VELOCITIES, NEW_VELOCITIES = slice(6, 10), slice(10, 14), slice(14, 18), slice(18, 22)
+PARTS, NEW_PARTS, MOMENTA, ENERGIES = slice(22, 26), slice(26, 30), slice(30, 34), slice(34, 36)
+
+
+class LectureBallsState(NamedTuple):
+    """positions, velocities (2, 2); last (36,) of the last collision; walls (2, 3) place and depth of the last
+    overshoot of each ball (in the scene's unit) and its age in s."""  # fmt: skip
+
+    positions: Array
+    velocities: Array
+    last: Array
+    walls: Array
+
+
+class LectureBalls(Scene):
+    """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the position in
+    every frame. A ball beyond a wall is put back by its overshoot and turned round. When the circles overlap, the
+    program finds the angle of the line of centres, moves both balls by half of the overlap, turns the velocities
+    into the frame of the collision, changes the parts along the line, and turns them back.
+
+    The window on the right holds the last collision and shows these steps one by one. Choose "as printed" to run
+    the listing as the slides have it: in two places x and y are not swapped, one assignment exchanges what should
+    stay, and the loss is taken from the whole velocities. The strip shows the momentum that disappears; with the
+    conserving rule, restitution acts on the normal part alone, and momentum is kept to rounding.
+    """
+
+    name = "lecture-balls"
+    task = "L"
+    title = "Two balls"
+    effects = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED
+    dt = 1.0 / FRAME_RATE
+    unit = "px"
+    y_up = False
+    content_type = LectureBallsContent
+
+    rule = Choice("conserving", RULES, labels=("Conserving", "Scaled", "As printed"), group="Collision",
+                  help="restitution on the normal part; both velocities scaled; or the printed listing with its slips")  # fmt: skip
+    restitution = Param(
+        0.9, 0.0, 1.0, group="Collision", help="kept when two balls part (bounce_loss in the listing)"
+    )
+    hold = Param(2.5, 0.0, 10.0, unit="s", group="Collision", label="Hold", help="how long a collision is held to be looked at")  # fmt: skip
+    radius_1 = Param(34.0, 5.0, 90.0, unit="px", group="Balls", label="Radius of 1", rebuild=True)
+    radius_2 = Param(34.0, 5.0, 90.0, unit="px", group="Balls", label="Radius of 2", rebuild=True)
+    mass_ratio = Param(
+        1.0, 0.01, 100.0, log=True, group="Balls", rebuild=True, help="mass of ball 2 over mass of ball 1"
+    )
+    bounce = Param(0.9, 0.0, 1.0, group="Window", label="Bounce factor", help="speed kept at a wall")
+    friction = Param(
+        0.996, 0.8, 1.0, group="Window", label="Friction factor", help="speed kept from frame to frame"
+    )
+    minimum_speed = Param(0.15, 0.0, 5.0, unit="px/frame", group="Window", help="what is slower stops")
+    units = Choice(
+        "pixels", ("pixels", "metres"), group="Shown", help="pixels per frame as in the lecture, or SI"
+    )
+    vectors = Toggle(True, group="Shown", label="Velocities", help="arrows; drag their heads")
+    again = Toggle(True, group="Shown", label="Start again", help="set off again when both balls rest")
+
+    strips = (
+        Strip("Momentum", "", ("right", "down")),
+        Strip("Energy", "", ("energy",)),
+        Strip("Momentum lost", "", ("momentum lost",)),
+    )
+    hints = (Hint(("Drag",), "move a ball, or its arrow"), Hint(("H",), "go on from a held collision"))
+    actions = (
+        SceneAction("release", "go on", "H"),
+        SceneAction("again", "start again", "R"),
+    )
+    equations = (
+        Equation("Line of centres", r"\alpha = \atan2(y_1 - y_2, x_1 - x_2)", "the lecture"),
+        Equation(
+            "Into its frame",
+            r"p_x = v_x \cos\alpha + v_y \sin\alpha,  p_y = v_y \cos\alpha - v_x \sin\alpha",
+            "rotation by −α",
+        ),  # fmt: skip
+        Equation("Equal masses, no loss", r"p_{1x}' = p_{2x},  p_{2x}' = p_{1x}", "the lecture"),
+        Equation(
+            "Any masses, restitution e", r"j = \frac{(1+e)(p_{2x} - p_{1x})}{1/m_1 + 1/m_2}", "Newton 1687"
+        ),
+        Equation(
+            "Back again",
+            r"v_x = p_x \cos\alpha - p_y \sin\alpha,  v_y = p_y \cos\alpha + p_x \sin\alpha",
+            "rotation by α",
+        ),  # fmt: skip
+    )
+    try_this = (
+        "Choose as printed and watch the momentum: " + SLIPS[0].effect,
+        "Drag an arrow's head to aim one ball past the other: the thinner the hit, the less is exchanged.",
+        "Make ball 2 a hundred times heavier: the light ball bounces off, the sum of momenta stays.",
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else LectureBallsContent()
+        self.content: LectureBallsContent = content
+        self.starts = 0
+        self.collisions = 0
+        self.frames = 0
+        self.hold_s = 0.0
+        self.rest_s = 0.0
+        self.momentum_lost = 0.0
+        self.energy_lost = 0.0
+        self.dragged = -1  # ball 0 or 1 held, 2 or 3 its arrow, -1 nothing
+        self.told: deque[str] = deque(maxlen=8)
+        self.last = np.zeros(36)
+        self.walls = np.zeros((2, 3))
+        self.walls[:, 2] = 9.0
+        self.balls = self._new_balls()
+
+    def _new_balls(self) -> list[Ball]:
+        """The balls at their start, with walls, friction and minimum speed as the effects have them."""
+        balls = []
+        for entry, radius, mass in zip(
+            (self.content.ball_1, self.content.ball_2), (self.radius_1, self.radius_2), (1.0, self.mass_ratio), strict=True
+        ):  # fmt: skip
+            ball = Ball(
+                entry.position[0], entry.position[1], radius, mass=mass, bounce=self.bounce,
+                friction=self.friction if FRICTION in self.active else 1.0,
+                minimum_speed=self.minimum_speed if MINIMUM_SPEED in self.active else 0.0,
+            )  # fmt: skip
+            if WALLS in self.active:
+                ball.set_bounds(0.0, WIDTH, 0.0, HEIGHT)
+            ball.velocity = entry.velocity
+            balls.append(ball)
+        return balls
+
+    def _renew_balls(self) -> None:
+        """Balls with the present settings, where they are."""
+        old = self.balls
+        self.balls = self._new_balls()
+        for ball, before in zip(self.balls, old, strict=True):
+            ball.position, ball.velocity = before.position, before.velocity
+
+    def knob_changed(self, name: str) -> None:
+        if name in ("bounce", "friction", "minimum_speed"):
+            self._renew_balls()
+
+    def effects_changed(self) -> None:
+        self._renew_balls()
+
+    def state(self) -> LectureBallsState:
+        return LectureBallsState(
+            np.array([ball.position for ball in self.balls]),
+            np.array([ball.velocity for ball in self.balls]),
+            self.last,
+            self.walls,
+        )
+
+    def restore(self, state: LectureBallsState) -> None:
+        self._renew_balls()
+        for ball, position, velocity in zip(
+            self.balls, state.positions.tolist(), state.velocities.tolist(), strict=True
+        ):
+            ball.position, ball.velocity = tuple(position), tuple(velocity)
+        self.last[:] = state.last
+        self.walls[:] = state.walls
+
+    # -- one frame ----------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.walls[:, 2] = np.minimum(self.walls[:, 2] + dt, 9.0)
+        if self.hold_s > 0.0:
+            self.hold_s = max(self.hold_s - dt, 0.0)
+            return
+        self.frames += 1
+        for index, ball in enumerate(self.balls):
+            if self.dragged != index:
+                overshoot = ball.update()
+                if overshoot is not None:
+                    self._note_wall(index, ball, overshoot)
+        if BALL_COLLISIONS in self.active:
+            collision = self.balls[0].handle_collision(self.balls[1], self.rule, self.restitution)
+            if collision is not None:
+                self._note_collision(collision)
+        self._start_again(dt)
+
+    def _note_wall(self, index: int, ball: Ball, overshoot: Overshoot) -> None:
+        """Remember how deep the ball was beyond the wall, and which way it was put back."""
+        deep_x, deep_y = max(overshoot.left, overshoot.right, 0.0), max(overshoot.low, overshoot.high, 0.0)
+        if deep_x > 0.0 or deep_y > 0.0:
+            sign_x = -1.0 if overshoot.left > 0.0 else 1.0
+            sign_y = -1.0 if overshoot.low > 0.0 else 1.0
+            self.walls[index] = (sign_x * deep_x, sign_y * deep_y, 0.0)
+
+    def _note_collision(self, c: Collision) -> None:
+        """Keep the record of a collision, and hold the picture if asked to."""
+        if c.exchanged:
+            self.collisions += 1
+            lost = (c.momentum_after[0] - c.momentum_before[0], c.momentum_after[1] - c.momentum_before[1])
+            self.momentum_lost += math.sqrt(lost[0] * lost[0] + lost[1] * lost[1])
+            self.energy_lost += c.energy_before - c.energy_after
+            self.hold_s = self.hold
+        if not c.exchanged and self.last[OVERLAP] > 0.0:
+            return
+        row = self.last
+        row[:6] = c.angle, c.overlap, RULES.index(c.rule), c.exchanged, *c.contact
+        row[POSITIONS] = np.ravel(c.positions_before)
+        row[AFTER] = np.ravel(c.positions_after)
+        row[VELOCITIES] = np.ravel(c.velocities_before)
+        row[NEW_VELOCITIES] = np.ravel(c.velocities_after)
+        row[PARTS] = np.ravel(c.parts_before)
+        row[NEW_PARTS] = np.ravel(c.parts_after)
+        row[MOMENTA] = *c.momentum_before, *c.momentum_after
+        row[ENERGIES] = c.energy_before, c.energy_after
+
+    def _start_again(self, dt: float) -> None:
+        """After a while at rest both balls set off once more, with other velocities."""
+        resting = all(ball.speed == 0.0 for ball in self.balls)
+        self.rest_s = self.rest_s + dt if resting else 0.0
+        if self.again and self.rest_s > NEXT_START_S and self.dragged < 0:
+            self.action("again")
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    def pointer(self, event: Pointer) -> None:
+        if event.kind == "down" and event.button == 1:
+            self.dragged = self._what_is_at(event.x, event.y)
+        elif event.kind in ("up", "cancel"):
+            self.dragged = -1
+        elif event.kind == "move" and self.dragged >= 0:
+            ball = self.balls[self.dragged % 2]
+            if self.dragged < 2:
+                r = ball.radius
+                ball.position = (min(max(event.x, r), WIDTH - r), min(max(event.y, r), HEIGHT - r))
+            else:
+                x, y = ball.position
+                ball.velocity = (self._limited(event.x - x), self._limited(event.y - y))
+
+    def _limited(self, way: float) -> float:
+        return min(max(way / ARROW, -60.0), 60.0)
+
+    def _what_is_at(self, x: float, y: float) -> int:
+        for index, ball in enumerate(self.balls):
+            head = (ball.position[0] + ARROW * ball.velocity[0], ball.position[1] + ARROW * ball.velocity[1])
+            if (
+                self.vectors
+                and math.dist(head, (x, y)) < REACH
+                and math.dist(head, ball.position) > 0.5 * ball.radius
+            ):
+                return index + 2
+        for index, ball in enumerate(self.balls):
+            if math.dist(ball.position, (x, y)) <= ball.radius:
+                return index
+        return -1
+
+    def action(self, name: str) -> None:
+        if name == "release":
+            self.hold_s = 0.0
+        elif name == "again":
+            self.starts += 1
+            self.rest_s = self.hold_s = 0.0
+            random = np.random.default_rng((self.seed, self.starts))
+            for ball in self.balls:
+                ball.set_speed_and_angle(random.uniform(8.0, 22.0), random.uniform(-math.pi, math.pi))
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return view.FRAME
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        view.draw(self, canvas, alpha)
+
+    def legend(self) -> tuple[tuple[str, str, str], ...]:
+        return ()
+
+    def readouts(self) -> tuple[Readout, ...]:
+        speed_unit, momentum_unit, energy_unit, speed, energy = self.measures()
+        px = sum(ball.momentum[0] for ball in self.balls)
+        py = sum(ball.momentum[1] for ball in self.balls)
+        return (
+            Readout("collisions", self.collisions),
+            Readout("speed of 1", self.balls[0].speed * speed, speed_unit),
+            Readout("speed of 2", self.balls[1].speed * speed, speed_unit),
+            Readout("energy", sum(ball.energy for ball in self.balls) * energy, energy_unit),
+            Readout("right", px * speed, momentum_unit),
+            Readout("down", py * speed, momentum_unit),
+            Readout("momentum lost", self.momentum_lost * speed, momentum_unit),
+            Readout("energy lost", self.energy_lost * energy, energy_unit),
+        )
+
+    def measures(self) -> tuple[str, str, str, float, float]:
+        """Units of speed, momentum and energy, and the factors that take pixels per frame to them."""
+        if self.units == "pixels":
+            return "px/frame", "kg px/frame", "kg px²/frame²", 1.0, 1.0
+        factor = METRES * FRAME_RATE
+        return "m/s", "kg m/s", "J", factor, factor * factor
+
+    def messages(self) -> list[str]:
+        told = list(self.told)
+        self.told.clear()
+        return told
+
+    def save_content(self) -> LectureBallsContent:
+        first, second = (BallEntry(position=ball.position, velocity=ball.velocity) for ball in self.balls)
+        return LectureBallsContent(ball_1=first, ball_2=second)
