@@ -212,15 +212,20 @@ class LectureTable:
 
     # -- stepping
 
-    def step(self, dt: float) -> None:
-        """Advance by dt s. ValueError if dt is not positive, finite, and at most 10 s."""
+    def step(self, dt: float, steps: int = 1) -> None:
+        """Advance by dt s, so many times. ValueError if dt is not positive and at most 10 s, or steps < 1.
+
+        Events and counters afterwards are those of all these steps.
+        """
         if not 0.0 < dt <= 10.0:
             raise ValueError(f"dt: must be above 0 and at most 10 s, got {dt!r}")
-        self._step(*self.state, self._knobs, *self._geometry, *self._scratch, float(dt))
+        if isinstance(steps, bool) or not isinstance(steps, int | np.integer) or steps < 1:
+            raise ValueError(f"steps: must be a whole number from 1, got {steps!r}")
+        self._step(*self.state, self._knobs, *self._geometry, *self._scratch, int(steps), float(dt))
 
     @property
     def counters(self) -> dict[str, int]:
-        """Of the last step: events, events lost, substeps, pair tests, contacts, rounds, iterations."""
+        """Of the last call of `step`, by name: how much happened, and how much work it was."""
         names = ("events", "events_lost", "substeps", "pair_tests", "contacts", "rounds", "iterations")
         return dict(zip(names, self._scratch.counters[:7].tolist(), strict=True))
 

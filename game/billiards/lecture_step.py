@@ -130,15 +130,15 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
     """The step for the effects of a mask and an order of contacts; what is not in it is not compiled in.
 
     Its arguments are the fields of LectureState, the model as numbers, the half width and length with
-    cushions, jaws and pockets, the fields of LectureScratch, and dt: plain arrays, because handing over a
-    NamedTuple from Python takes four times as long.
+    cushions, jaws and pockets, the fields of LectureScratch, the number of steps and their length: plain
+    arrays, because handing over a NamedTuple from Python takes four times as long.
     """
 
     @kernel
     def step_table(
         offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses,
         knobs, half, cushions, jaws, pockets,
-        events, counters, rolled, links, columns, normals, work, sums, dt,
+        events, counters, rolled, links, columns, normals, work, sums, steps, dt,
     ):  # fmt: skip
         state = LectureState(offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses)
         geometry = LectureGeometry(half[0], half[1], cushions, jaws, pockets)
@@ -146,35 +146,35 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
         journal = Journal(events, counters)
         contacts = ContactList(links[0], links[1], normals, columns[0], columns[1], columns[2], work, sums)
         counters[:] = 0
-        substeps = count_substeps(state, model, dt)
-        counters[SUBSTEPS] = substeps
-        h = dt / substeps
         factor = 1.0
         if mask & _FRICTION:
             factor = model.friction ** (FRAME_RATE * dt) if model.friction_law == 0 else model.friction
-        for k in range(substeps):
-            time = k * h
-            for i in range(radii.shape[0]):
-                for axis in range(2):
-                    way = velocities[i, axis] * h
-                    offsets[i, axis] += way
-                    if mask & _ROLLING:
-                        rolled[i, axis] += way
-            if mask & _POCKETS:
-                swallow(state, geometry, journal, h, time)
-            if mask & _WALLS:
-                bounce_off_walls(state, geometry, model, journal, np.bool_(False), time)
-            if mask & _BALLS:
-                if order == 0:
+        for number in range(steps):
+            substeps = count_substeps(state, model, dt)
+            counters[SUBSTEPS] += substeps
+            h = dt / substeps
+            for k in range(substeps):
+                time = number * dt + k * h
+                for i in range(radii.shape[0]):
+                    for axis in range(2):
+                        way = velocities[i, axis] * h
+                        offsets[i, axis] += way
+                        if mask & _ROLLING:
+                            rolled[i, axis] += way
+                if mask & _POCKETS:
+                    swallow(state, geometry, journal, h, time)
+                if mask & _WALLS:
+                    bounce_off_walls(state, geometry, model, journal, np.bool_(False), time)
+                if mask & _BALLS and order == 0:
                     collide_jointly(state, geometry, model, contacts, journal, time)
                     if mask & _WALLS and model.walls_again != 0:
                         bounce_off_walls(state, geometry, model, journal, np.bool_(True), time)
-                else:
+                elif mask & _BALLS:
                     collide_in_index_order(state, geometry, model, journal, time)
-        if mask & (_FRICTION | _MINIMUM):
-            slow_down(velocities, factor, model.minimum_speed if mask & _MINIMUM else 0.0)
-        if mask & _ROLLING:
-            roll(orientations, radii, rolled)
+            if mask & (_FRICTION | _MINIMUM):
+                slow_down(velocities, factor, model.minimum_speed if mask & _MINIMUM else 0.0)
+            if mask & _ROLLING:
+                roll(orientations, radii, rolled)
         counters[NOT_FINITE] = first_not_finite(offsets, velocities)
 
     return step_table

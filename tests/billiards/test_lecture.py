@@ -250,6 +250,19 @@ def test_equal_input_gives_equal_bits_also_after_a_restore():
     assert all((a == b).all() for a, b in zip(one.state, other.state, strict=True))
 
 
+def test_several_steps_in_one_call_are_the_same_steps():
+    one, other = broken_rack(), broken_rack()
+    events = []
+    for _ in range(30):
+        one.step(FRAME)
+        events += [event[:3] for event in one.events]
+    other.step(FRAME, 30)
+    assert all((a == b).all() for a, b in zip(one.state, other.state, strict=True))
+    assert [event[:3] for event in other.events] == events
+    with pytest.raises(ValueError, match="steps"):
+        one.step(FRAME, 0)
+
+
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 def test_same_bits_as_plain_python(order):
     """The kernels uncompiled, in a process of their own."""
