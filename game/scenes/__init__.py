@@ -1,4 +1,4 @@
-"""The catalogue: one row for each scene, in the order of the menu. A row names its module and imports nothing."""
+"""The catalogue: a row for each scene, in the order of the menu; a row names a module and imports nothing."""
 
 from game.stage.catalogue import Catalogue, Entry
 
@@ -12,7 +12,7 @@ CATALOGUE = Catalogue(
             category="Billiards",
             module="game.scenes.lecture_balls",
             class_name="LectureBalls",
-            keywords="lecture collision overlap line of centres overshoot momentum energy as printed conserving",
+            keywords="lecture collision overlap line of centres overshoot momentum energy as printed",
         ),
         Entry(
             name="lecture-table",

@@ -54,7 +54,7 @@ class CueControl:
         self.data[0] = math.remainder(aim, 2.0 * math.pi)
 
     def pointer(self, event: Pointer, ball_x: float, ball_y: float, ready: bool) -> None:
-        """Take a pointer event; the ball to strike lies at (ball_x, ball_y) m; ``ready``: it may be struck."""
+        """Take a pointer event; the ball lies at (ball_x, ball_y) m; ``ready``: it may be struck now."""
         if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
             self.let_go()
         elif event.kind == "move":

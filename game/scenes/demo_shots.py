@@ -21,7 +21,7 @@ BREAK_SPEED = 7.5  # m/s
 
 
 def scattered_orientations(count: int, seed: int) -> Array:
-    """Unit quaternions (count, 4) of balls with the number up, upright as the table is drawn, a little tilted."""
+    """Unit quaternions (count, 4) of balls with their numbers up, as the table is drawn, a little tilted."""
     random = np.random.default_rng((seed, count))
     axes = random.normal(size=(count, 3))
     halves = random.uniform(0.1, 0.35, count)

@@ -44,8 +44,10 @@ PARTS, NEW_PARTS, MOMENTA, ENERGIES = slice(22, 26), slice(26, 30), slice(30, 34
 
 
 class LectureBallsState(NamedTuple):
-    """positions, velocities (2, 2); last (36,) of the last collision; walls (2, 3) place and depth of the last
-    overshoot of each ball (in the scene's unit) and its age in s."""  # fmt: skip
+    """positions, velocities (2, 2) px and px/frame; last (36,), the record of the last collision.
+
+    walls (2, 3): depth of each ball's last overshoot in x and y, and its age in s.
+    """
 
     positions: Array
     velocities: Array
@@ -54,15 +56,17 @@ class LectureBallsState(NamedTuple):
 
 
 class LectureBalls(Scene):
-    """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the position in
-    every frame. A ball beyond a wall is put back by its overshoot and turned round. When the circles overlap, the
-    program finds the angle of the line of centres, moves both balls by half of the overlap, turns the velocities
-    into the frame of the collision, changes the parts along the line, and turns them back.
+    """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the
+    position in every frame. A ball beyond a wall is put back by its overshoot and turned round. When the
+    circles overlap, the program finds the angle of the line of centres, moves both balls by half of the
+    overlap, turns the velocities into the frame of the collision, changes the parts along the line, and
+    turns them back.
 
-    The window on the right holds the last collision and shows these steps one by one. Choose "as printed" to run
-    the listing as the slides have it: in two places x and y are not swapped, one assignment exchanges what should
-    stay, and the loss is taken from the whole velocities. The strip shows the momentum that disappears; with the
-    conserving rule, restitution acts on the normal part alone, and momentum is kept to rounding.
+    On the right the last collision is held and these steps are shown one by one. Choose "as printed" to
+    run the listing as the slides have it: in two places x and y are not swapped, one assignment exchanges
+    what should stay, and the loss is taken from the whole velocities. The strip shows the momentum that
+    disappears; with the conserving rule, restitution acts on the normal part alone, and momentum is kept to
+    rounding.
     """
 
     name = "lecture-balls"
@@ -74,12 +78,25 @@ class LectureBalls(Scene):
     y_up = False
     content_type = LectureBallsContent
 
-    rule = Choice("conserving", RULES, labels=("Conserving", "Scaled", "As printed"), group="Collision",
-                  help="restitution on the normal part; both velocities scaled; or the printed listing with its slips")  # fmt: skip
+    rule = Choice(
+        "conserving",
+        RULES,
+        labels=("Conserving", "Scaled", "As printed"),
+        group="Collision",
+        help="restitution on the normal part; both velocities scaled; or the printed listing",
+    )
     restitution = Param(
         0.9, 0.0, 1.0, group="Collision", help="kept when two balls part (bounce_loss in the listing)"
     )
-    hold = Param(2.5, 0.0, 10.0, unit="s", group="Collision", label="Hold", help="how long a collision is held to be looked at")  # fmt: skip
+    hold = Param(
+        2.5,
+        0.0,
+        10.0,
+        unit="s",
+        group="Collision",
+        label="Hold",
+        help="how long a collision is held to be looked at",
+    )
     radius_1 = Param(34.0, 5.0, 90.0, unit="px", group="Balls", label="Radius of 1", rebuild=True)
     radius_2 = Param(34.0, 5.0, 90.0, unit="px", group="Balls", label="Radius of 2", rebuild=True)
     mass_ratio = Param(
@@ -112,7 +129,7 @@ class LectureBalls(Scene):
             "Into its frame",
             r"p_x = v_x \cos\alpha + v_y \sin\alpha,  p_y = v_y \cos\alpha - v_x \sin\alpha",
             "rotation by −α",
-        ),  # fmt: skip
+        ),
         Equation("Equal masses, no loss", r"p_{1x}' = p_{2x},  p_{2x}' = p_{1x}", "the lecture"),
         Equation(
             "Any masses, restitution e", r"j = \frac{(1+e)(p_{2x} - p_{1x})}{1/m_1 + 1/m_2}", "Newton 1687"
@@ -121,7 +138,7 @@ class LectureBalls(Scene):
             "Back again",
             r"v_x = p_x \cos\alpha - p_y \sin\alpha,  v_y = p_y \cos\alpha + p_x \sin\alpha",
             "rotation by α",
-        ),  # fmt: skip
+        ),
     )
     try_this = (
         "Choose as printed and watch the momentum: " + SLIPS[0].effect,
@@ -152,13 +169,20 @@ class LectureBalls(Scene):
         """The balls at their start, with walls, friction and minimum speed as the effects have them."""
         balls = []
         for entry, radius, mass in zip(
-            (self.content.ball_1, self.content.ball_2), (self.radius_1, self.radius_2), (1.0, self.mass_ratio), strict=True
-        ):  # fmt: skip
+            (self.content.ball_1, self.content.ball_2),
+            (self.radius_1, self.radius_2),
+            (1.0, self.mass_ratio),
+            strict=True,
+        ):
             ball = Ball(
-                entry.position[0], entry.position[1], radius, mass=mass, bounce=self.bounce,
+                entry.position[0],
+                entry.position[1],
+                radius,
+                mass=mass,
+                bounce=self.bounce,
                 friction=self.friction if FRICTION in self.active else 1.0,
                 minimum_speed=self.minimum_speed if MINIMUM_SPEED in self.active else 0.0,
-            )  # fmt: skip
+            )
             if WALLS in self.active:
                 ball.set_bounds(0.0, WIDTH, 0.0, HEIGHT)
             ball.velocity = entry.velocity

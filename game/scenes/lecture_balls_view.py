@@ -1,4 +1,4 @@
-"""How the two-ball program is drawn: the window with its balls, and the last collision magnified, step by step."""
+"""How the two-ball program is drawn: the window, and the last collision magnified, step by step."""
 
 from __future__ import annotations
 
@@ -70,7 +70,16 @@ def _draw_balls(scene: LectureBalls, canvas: Canvas, places: Array) -> None:
     # turn is taken from the place: it looks rolled and costs no state
     turns = np.array([_rolled(places[i] / radii[i]) for i in range(2)])
     metre = 640.0 / 2.54  # px of the window to a metre of the table whose lamps shine here
-    _ball_painter.draw(pixels, clip, points, radii * scale, NUMBERS, turns, canvas.place((WIDTH / 2, HEIGHT / 2)), scale * metre)  # fmt: skip
+    _ball_painter.draw(
+        pixels,
+        clip,
+        points,
+        radii * scale,
+        NUMBERS,
+        turns,
+        canvas.place((WIDTH / 2, HEIGHT / 2)),
+        scale * metre,
+    )
 
 
 def _rolled(way: Array) -> Array:
@@ -103,7 +112,9 @@ def _draw_walls(scene: LectureBalls, canvas: Canvas) -> None:
             _draw_depth(canvas, (x, far_y), (x, far_y + deep_y), abs(deep_y), strength)
 
 
-def _draw_depth(canvas: Canvas, wall: tuple[float, float], end: tuple[float, float], depth: float, strength: float) -> None:  # fmt: skip
+def _draw_depth(
+    canvas: Canvas, wall: tuple[float, float], end: tuple[float, float], depth: float, strength: float
+) -> None:
     canvas.line(wall, end, FELT_WARM, 3.0, alpha=strength)
     inward = (WIDTH / 2 - wall[0], HEIGHT / 2 - wall[1])
     length = math.sqrt(inward[0] ** 2 + inward[1] ** 2) or 1.0
@@ -170,7 +181,14 @@ def _draw_lens(scene: LectureBalls, canvas: Canvas, phase: int, rows: object) ->
                 n,
                 scale,
             )
-        canvas.arrow(centres[index], old[index], COLORS[index], f"v_{index + 1}", scale=scale, alpha=1.0 if phase < 4 else 0.35)  # fmt: skip
+        canvas.arrow(
+            centres[index],
+            old[index],
+            COLORS[index],
+            f"v_{index + 1}",
+            scale=scale,
+            alpha=1.0 if phase < 4 else 0.35,
+        )
         if phase == 4:
             canvas.arrow(centres[index], new[index], "green", f"v_{index + 1}'", scale=scale)
 
@@ -193,7 +211,7 @@ def _draw_parts(canvas: Canvas, centre: Array, parts: Array, n: Array, scale: fl
 def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, rows: object, left: float) -> None:
     """What was computed, in rows: before, after."""
     row = scene.last
-    unit, momentum_unit, _, speed, energy = scene.measures()
+    unit, momentum_unit, _, speed, _ = scene.measures()
     parts, new = row[22:26].reshape(2, 2) * speed, row[26:30].reshape(2, 2) * speed
     px, py, qx, qy = row[30:34] * speed
     lost = math.sqrt((qx - px) ** 2 + (qy - py) ** 2)
@@ -221,7 +239,13 @@ def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, rows: object,
     y += 26.0
     verdict = "momentum kept to rounding" if kept else f"momentum lost: {lost:.3g} {momentum_unit}"
     canvas.label((x1, y), verdict, "green" if kept else "vermilion", 13, "semibold", anchor="left")
-    canvas.label((x1, y + 19.0), f"energy {'lost' if gone >= 0 else 'gained'}: {abs(gone) * 100:.1f} %", "text2", 13, anchor="left")  # fmt: skip
+    canvas.label(
+        (x1, y + 19.0),
+        f"energy {'lost' if gone >= 0 else 'gained'}: {abs(gone) * 100:.1f} %",
+        "text2",
+        13,
+        anchor="left",
+    )
     canvas.label((x1, y + 36.0), f"velocities in {unit}", "text3", 11, anchor="left")
 
 

@@ -57,7 +57,10 @@ MARK_S = 0.7  # s that a contact is shown
 
 
 class LectureTableState(NamedTuple):
-    """Table as in billiards.lecture_state; cue (7,); sunk_s (n,) s since a ball fell; marks (24, 4) x, y, age, impulse."""
+    """The table as in billiards.lecture_state, and what is around it.
+
+    cue (7,) as in cue_control; sunk_s (n,) s since a ball fell; marks (24, 4): x, y, age, impulse.
+    """
 
     offsets: Array
     velocities: Array
@@ -71,9 +74,9 @@ class LectureTableState(NamedTuple):
 
 class LectureTable(Scene):
     """The billiard table as the lecture builds it. In each step a ball's velocity is added to its position;
-    what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round, two balls that
-    overlap are moved apart and exchange the parts of their velocities along the line of centres, every speed
-    shrinks by a friction factor, and what is slower than a minimum stops.
+    what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round, two balls
+    that overlap are moved apart and exchange the parts of their velocities along the line of centres, every
+    speed shrinks by a friction factor, and what is slower than a minimum stops.
 
     That is simple, and it fails in ways that can be seen here. A fast ball jumps over a ball or a cushion
     between two steps; contacts resolved one after the other break the symmetry of a break; a friction factor
@@ -89,26 +92,57 @@ class LectureTable(Scene):
     content_type = LectureTableContent
     study = lecture_table_study
 
-    rule = Choice("conserving", RULES, labels=("Conserving", "Scaled", "As printed"), group="Collision",
-                  help="what two balls do to each other: restitution on the normal part; both velocities scaled; the printed listing")  # fmt: skip
-    order = Choice("joint", ORDERS, labels=("Jointly", "Pair by pair"), group="Collision",
-                   help="contacts of one moment solved together, or one pair after the other by number")  # fmt: skip
+    rule = Choice(
+        "conserving",
+        RULES,
+        labels=("Conserving", "Scaled", "As printed"),
+        group="Collision",
+        help="restitution on the normal part; both velocities scaled; the printed listing",
+    )
+    order = Choice(
+        "joint",
+        ORDERS,
+        labels=("Jointly", "Pair by pair"),
+        group="Collision",
+        help="contacts of one moment solved together, or one pair after the other by number",
+    )
     restitution = Param(0.95, 0.0, 1.0, group="Collision", help="normal speed kept when two balls part")
     passes = Param(4, 1, 50, whole=True, group="Collision", help="rounds of moving overlapping balls apart")
 
     bounce = Param(0.8, 0.0, 1.0, group="Cushions", label="Bounce factor", help="speed kept at a cushion")
-    repositioning = Choice("exact", REPOSITIONINGS, group="Cushions",
-                           help="where a ball is put that overshot: where it would be, mirrored, or at the wall")  # fmt: skip
+    repositioning = Choice(
+        "exact",
+        REPOSITIONINGS,
+        group="Cushions",
+        help="where a ball is put that overshot: where it would be, mirrored, or at the wall",
+    )
 
-    friction = Param(0.992, 0.9, 1.0, group="Cloth", label="Friction factor",
-                     help="speed kept from frame to frame, at 60 frames a second")  # fmt: skip
-    friction_law = Choice("consistent", FRICTION_LAWS, labels=("Per second", "Per frame"), group="Cloth",
-                          help="the same slowing at any step length, or the factor once each step as printed")  # fmt: skip
+    friction = Param(
+        0.992,
+        0.9,
+        1.0,
+        group="Cloth",
+        label="Friction factor",
+        help="speed kept from frame to frame, at 60 frames a second",
+    )
+    friction_law = Choice(
+        "consistent",
+        FRICTION_LAWS,
+        labels=("Per second", "Per frame"),
+        group="Cloth",
+        help="the same slowing at any step length, or the factor once each step as printed",
+    )
     minimum_speed = Param(0.02, 0.0, 0.5, unit="m/s", group="Cloth", help="what is slower stops")
 
     step_length = Param(1 / 120, 1 / 2000, 1 / 20, unit="s", log=True, group="Time", label="Step")
-    substeps = Param(0, 0, 64, whole=True, group="Time",
-                     help="parts of a step; 0: as many as keep a ball from moving over half its radius in one")  # fmt: skip
+    substeps = Param(
+        0,
+        0,
+        64,
+        whole=True,
+        group="Time",
+        help="parts of a step; 0: as many as keep a ball from moving over half its radius in one",
+    )
 
     radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much the radii differ")
     mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
@@ -135,7 +169,7 @@ class LectureTable(Scene):
             "Impulse along the line of centres",
             r"j = \frac{(1+e) m_1 m_2}{m_1 + m_2} (\v{v}_1 - \v{v}_2) \cdot \v{n}",
             "Newton 1687",
-        ),  # fmt: skip
+        ),
         Equation("Friction", r"\v{v}_{n+1} = f^{60 \Delta t} \v{v}_n", "the lecture, per second"),
     )
     try_this = (
@@ -152,8 +186,14 @@ class LectureTable(Scene):
         layout = layout_of(content, self.radius_spread, self.mass_spread, self.seed)
         self.numbers = layout.numbers
         self.table = Table(
-            layout.table, layout.positions, layout.radii, layout.masses, layout.velocities, self.active, self._settings()
-        )  # fmt: skip
+            layout.table,
+            layout.positions,
+            layout.radii,
+            layout.masses,
+            layout.velocities,
+            self.active,
+            self._settings(),
+        )
         self.table.state.orientations[:] = scattered_orientations(len(layout.numbers), self.seed)
         self.cue = CueControl(0.5 * math.pi)
         self.sunk_s = np.full(len(layout.numbers), SUNK_S)
@@ -186,7 +226,9 @@ class LectureTable(Scene):
 
     def knob_changed(self, name: str) -> None:
         if name not in ("step_length", "aim_line"):
-            self.table.configure(**{field: getattr(self._settings(), field) for field in LectureSettings.__dataclass_fields__})  # fmt: skip
+            self.table.configure(
+                **{field: getattr(self._settings(), field) for field in LectureSettings.__dataclass_fields__}
+            )
 
     def effects_changed(self) -> None:
         self.table.effects = self.active
@@ -194,9 +236,15 @@ class LectureTable(Scene):
     def state(self) -> LectureTableState:
         state = self.table.state
         return LectureTableState(
-            state.offsets, state.velocities, state.orientations, state.in_play, state.pocketed_by,
-            self.cue.data, self.sunk_s, self.marks,
-        )  # fmt: skip
+            state.offsets,
+            state.velocities,
+            state.orientations,
+            state.in_play,
+            state.pocketed_by,
+            self.cue.data,
+            self.sunk_s,
+            self.marks,
+        )
 
     # -- stepping -----------------------------------------------------------------------------------
 
@@ -225,7 +273,12 @@ class LectureTable(Scene):
             if row[KIND] == BALL_POCKET:
                 self.sunk_s[int(row[FIRST])] = 0.0
             elif row[IMPULSE] > 1e-3:
-                self.marks[self.next_mark] = (row[EVENT_X], row[EVENT_Y], 0.0, row[IMPULSE] * (1.0 if row[KIND] == BALL_BALL else -1.0))  # fmt: skip
+                self.marks[self.next_mark] = (
+                    row[EVENT_X],
+                    row[EVENT_Y],
+                    0.0,
+                    row[IMPULSE] * (1.0 if row[KIND] == BALL_BALL else -1.0),
+                )
                 self.next_mark = (self.next_mark + 1) % MARKS
 
     def _turn_ends(self) -> None:
@@ -266,9 +319,13 @@ class LectureTable(Scene):
                 self.cue.strike(math.radians(self.stroke.angle_deg), self.stroke.speed)
         elif self.plays_itself and self.rest_s > NEXT_STROKE_S:
             chosen = choose_stroke(
-                self.table.positions, self.table.state.radii, self.table.state.in_play, self.table.table,
-                self.seed, self.strokes,
-            )  # fmt: skip
+                self.table.positions,
+                self.table.state.radii,
+                self.table.state.in_play,
+                self.table.table,
+                self.seed,
+                self.strokes,
+            )
             self.cue.strike(chosen.aim, chosen.speed)
 
     # -- the hand -----------------------------------------------------------------------------------
@@ -351,5 +408,10 @@ class LectureTable(Scene):
             if state.in_play[i]
         ]
         return LectureTableContent(
-            table=base.table, width=base.width, length=base.length, rack=False, balls=rows, plays_itself=self.plays_itself
-        )  # fmt: skip
+            table=base.table,
+            width=base.width,
+            length=base.length,
+            rack=False,
+            balls=rows,
+            plays_itself=self.plays_itself,
+        )

@@ -52,7 +52,7 @@ class LectureTableContent(msgspec.Struct, forbid_unknown_fields=True, frozen=Tru
 
 
 class Layout(NamedTuple):
-    """Balls as arrays: numbers (n,), positions (n, 2) m, velocities (n, 2) m/s, radii (n,) m, masses (n,) kg."""
+    """Balls as arrays: numbers (n,), positions (n, 2) m, velocities (n, 2) m/s, radii (n,) m, masses (n,)."""
 
     table: Table
     numbers: NDArray[np.int64]

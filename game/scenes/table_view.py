@@ -36,7 +36,7 @@ _table_painters: dict[tuple[int, int], TablePainter] = {}
 
 
 class Balls(NamedTuple):
-    """What is drawn of balls: positions (n, 2) m, radii (n,) m, numbers (n,), orientations (n, 4), opacity (n,)."""
+    """What is drawn of balls: positions (n, 2) m, radii (n,) m, numbers, orientations (n, 4), opacities."""
 
     positions: Array
     radii: Array
@@ -83,9 +83,16 @@ def draw_balls(canvas: Canvas, balls: Balls, table: Table) -> None:
     middle = canvas.place((0.5 * table.width, 0.5 * table.length))
     scale = canvas.pixels_per_unit
     _ball_painter.draw(
-        pixels, clip, points, balls.radii * scale, balls.numbers, np.ascontiguousarray(turns), middle, scale,
+        pixels,
+        clip,
+        points,
+        balls.radii * scale,
+        balls.numbers,
+        np.ascontiguousarray(turns),
+        middle,
+        scale,
         balls.opacities,
-    )  # fmt: skip
+    )
 
 
 def draw_aim(canvas: Canvas, first: FirstContact, start: Array, radius: float, cue: CueControl) -> None:
@@ -123,7 +130,13 @@ def draw_split(canvas: Canvas, table: Table, first: FirstContact, balls: Balls, 
     canvas.label(place, f"cut {math.degrees(first.cut):.0f}°", FELT_LINE)
 
 
-def _dashed_way(canvas: Canvas, start: Array | tuple[float, float], way: Array | tuple[float, float], length: float, color: pygame.Color) -> None:  # fmt: skip
+def _dashed_way(
+    canvas: Canvas,
+    start: Array | tuple[float, float],
+    way: Array | tuple[float, float],
+    length: float,
+    color: pygame.Color,
+) -> None:
     if not math.isfinite(length):
         return
     end = (start[0] + way[0] * length, start[1] + way[1] * length)
@@ -131,7 +144,7 @@ def _dashed_way(canvas: Canvas, start: Array | tuple[float, float], way: Array |
 
 
 def draw_lecture_table(scene: LectureTable, canvas: Canvas, alpha: float) -> None:
-    """The whole picture of the lecture's table, ``alpha`` of the way from the state before to the state now."""
+    """The lecture's table, ``alpha`` of the way from the state before to the state now."""
     table = scene.table.table
     draw_table(canvas, table)
     canvas.halo = FELT
@@ -197,7 +210,12 @@ def _draw_cue(scene: LectureTable, canvas: Canvas, balls: Balls) -> None:
 def _draw_resting_cue(scene: LectureTable, canvas: Canvas, table: Table) -> None:
     """The other player's cue, laid beside the table."""
     x = table.width + CUSHION_DEPTH + WOOD + 0.035
-    _stick(canvas, table, (x, 0.5 * table.length + (1 - 2 * scene.player) * 0.5 * CUE_LENGTH), (0.0, 1.0 - 2 * scene.player))
+    _stick(
+        canvas,
+        table,
+        (x, 0.5 * table.length + (1 - 2 * scene.player) * 0.5 * CUE_LENGTH),
+        (0.0, 1.0 - 2 * scene.player),
+    )
 
 
 def _stick(canvas: Canvas, table: Table, tip: tuple[float, float], way: tuple[float, float]) -> None:

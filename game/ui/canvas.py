@@ -20,6 +20,7 @@ from game.ui.grid import draw_grid
 from game.ui.projection import as_points, map_points
 from game.ui.vector_label import vector_label
 
+STAMP_PX = 3.5  # largest radius of the quick small discs
 EXACT_DASH, PREDICTION_DASH = (6.0, 6.0), (8.0, 6.0)  # design px on, off
 _ANCHORS = {
     "center": (0.5, 0.5), "left": (0.0, 0.5), "right": (1.0, 0.5), "top": (0.5, 0.0), "bottom": (0.5, 1.0),
@@ -210,8 +211,10 @@ class Canvas(CanvasBase):
         mapped = self._map(positions)
         n = mapped.shape[0]
         inks, opacity = self._color_array(colors, n)
-        if np.ndim(radius) == 0 and float(radius) * self._scale <= 3.5:
-            r = float(radius) * self._scale
+        if np.ndim(radius) == 0 and not float(radius) * self._scale > STAMP_PX:
+            r = max(float(radius) * self._scale, 0.05)
+            if not radius > 0.0:
+                return
             raster.fill_particles(self._pixels, self._clip, mapped, inks, r, float(opacity * alpha))
             return
         radii = np.ascontiguousarray(np.broadcast_to(np.asarray(radius, np.float64) * self._scale, (n,)))
@@ -223,7 +226,7 @@ class Canvas(CanvasBase):
         """Very many small discs of one size in design px."""
         mapped = self._map(positions)
         inks, opacity = self._color_array(colors, mapped.shape[0])
-        r = min(float(radius_px * self.k), 3.5)
+        r = min(max(float(radius_px * self.k), 0.05), STAMP_PX)
         raster.fill_particles(self._pixels, self._clip, mapped, inks, r, float(opacity * alpha))
 
     def streaks(
@@ -236,7 +239,7 @@ class Canvas(CanvasBase):
         trails = self._second.take(n)
         map_points(velocities[:n], self._a, self._b, self._c, self._d, 0.0, 0.0, trails)
         inks, opacity = self._color_array(colors, n)
-        r = min(float(radius_px * self.k), 3.5)
+        r = min(max(float(radius_px * self.k), 0.05), STAMP_PX)
         raster.fill_particle_streaks(
             self._pixels, self._clip, mapped[:n], trails, inks, r, float(seconds), float(opacity * alpha)
         )

@@ -14,7 +14,7 @@ from game.ui.look import Look
 from game.ui.projection import PointBuffer, as_points, map_points
 from game.ui.raster import packed
 
-Point = Sequence[float]
+Point = Sequence[float] | np.ndarray  # (2,)
 Token = str | pygame.Color
 Dash = tuple[float, float]
 _FAR = 30_000.0  # px; a blit takes 16 bit places
