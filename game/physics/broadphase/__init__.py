@@ -1,0 +1,35 @@
+"""Broad phases: which of many boxes overlap, found without testing every box against every other.
+
+All broad phases take the same calls and give the same answers; closed boxes, so touching overlaps:
+
+=====================  ==============================================================  ==================
+``NaiveBroadPhase``    every box against every other                                   below 30 boxes
+``UniformGrid``        a dense matrix of cells                                         boxes alike in size
+``CoveringGrid``       the same, each box in all cells it covers                       to compare with
+``HierarchicalGrid``   hash tables, a grid for every size                              boxes of any size
+``SweepAndPrune``      end points kept sorted on two axes                              slow motion
+=====================  ==============================================================  ==================
+
+``MatrixPairs`` and ``HashedPairs`` keep pairs from step to step and tell which began and which ended.
+"""
+
+from game.physics.broadphase.boxes import BroadPhase
+from game.physics.broadphase.covering_grid import CoveringGrid
+from game.physics.broadphase.hierarchical_grid import HierarchicalGrid
+from game.physics.broadphase.naive import NaiveBroadPhase
+from game.physics.broadphase.pairs import HashedPairs, MatrixPairs, PairEvents, PairManager
+from game.physics.broadphase.sweep_and_prune import SweepAndPrune
+from game.physics.broadphase.uniform_grid import UniformGrid
+
+__all__ = [
+    "BroadPhase",
+    "CoveringGrid",
+    "HashedPairs",
+    "HierarchicalGrid",
+    "MatrixPairs",
+    "NaiveBroadPhase",
+    "PairEvents",
+    "PairManager",
+    "SweepAndPrune",
+    "UniformGrid",
+]

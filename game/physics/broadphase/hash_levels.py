@@ -1,0 +1,195 @@
+"""Levels of a hierarchical grid: which level a box stands on, and the hash tables that hold the cells.
+
+Cells of level k are 2^(k - 32) m wide. A box stands on the finest level whose cells are not smaller than
+itself (so one of size 2^k exactly stands on the level of that cell size), in the cell of its lower corner,
+and reaches no further than into the next cell. What is larger than 2^30 m, floors without end among it,
+stands on a last level that is one cell.
+
+The hash ``(column + P row) mod size`` keeps a row's neighbours neighbours: three cells side by side are
+three buckets in a run, read like a row of a dense grid. P is next to the golden section of the size, so
+that rows spread evenly over the table (Knuth, TAOCP 3, 6.4, theorem S), and it is 3 mod 8. Then, with at
+least 16 buckets, those of any 3 x 3 neighbouring cells are distinct: P is in 3 .. size - 5, and 2 P mod
+size in 6 .. size - 10. So boxes of other cells that share a bucket cost a test, but no pair is met twice,
+and no cell has to be compared.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.broadphase.uniform_grid import ID_MASK
+from game.physics.jit import kernel
+
+LEVELS = 64
+TOP = LEVELS - 1  # the level that is one cell
+LOWEST = -32  # cells of level 0 are 2^-32 m wide
+FARTHEST = 2.0**62  # cells; coordinates beyond are clamped, which keeps their order
+LEAST_SIZE = 16  # buckets
+SPREAD = 1  # buckets a box, at least, when all boxes are sorted
+LIST_SPREAD = 2  # and in the tables of lists, which are added to
+GOLDEN = 0.6180339887498949
+GUARD = 2  # buckets after the last, copies of the first: a run of three never wraps
+# Columns of a layout: where a level's table begins, its size - 1, its boxes, and the factor of its hash.
+OFFSET, MASK, COUNT, FACTOR = 0, 1, 2, 3
+
+
+@kernel(inline="always")
+def cell_at(x, scale):
+    """Column (or row) of a coordinate, m, at ``scale`` cells per m; 0 on the level of one cell."""
+    return math.floor(min(max(float(x) * scale, -FARTHEST), FARTHEST)) if scale > 0.0 else 0
+
+
+@kernel(inline="always")
+def bucket_of(column, row, mask, factor):
+    """Bucket of a cell in a table of ``mask`` + 1 buckets; any 64 bit column and row."""
+    return (int(column) + int(row) * int(factor)) & int(mask)
+
+
+@kernel
+def level_of(x0, y0, x1, y1, step, scales):
+    """Level of a box, m: the finest whose cells hold it, among every ``step``-th one.
+
+    The size is rounded, the cells of the corners are not: so these have the last word.
+    """
+    size = max(float(x1) - float(x0), float(y1) - float(y0))
+    if not size < math.inf:
+        return TOP
+    level = 0
+    if size > 0.0:
+        mantissa, exponent = math.frexp(size)
+        level = max((exponent - 1 if mantissa == 0.5 else exponent) - LOWEST, 0)
+        level += (-level) % step
+    while level < TOP and (
+        cell_at(x1, scales[level]) - cell_at(x0, scales[level]) > 1
+        or cell_at(y1, scales[level]) - cell_at(y0, scales[level]) > 1
+    ):
+        level += step
+    return min(level, TOP)
+
+
+@kernel
+def find_levels(boxes, alive, top, step, scales, levels, layout):
+    """Write every box's level, -1 for ids not in use, and the number of boxes of each into ``layout``."""
+    for level in range(LEVELS):
+        layout[level, COUNT] = 0
+    for box in range(top):
+        if alive[box]:
+            level = level_of(boxes[box, 0], boxes[box, 1], boxes[box, 2], boxes[box, 3], step, scales)
+            levels[box] = level
+            layout[level, COUNT] += 1
+        else:
+            levels[box] = -1
+
+
+@kernel
+def lay_out(layout, spread):
+    """Give each level that has boxes a table of ``spread`` buckets a box or more; returns all buckets.
+
+    ``layout``: (64, 4), counts read, the rest written. A level without boxes has mask -1.
+    """
+    total = 0
+    for level in range(LEVELS):
+        layout[level, OFFSET] = total
+        layout[level, MASK] = -1
+        if layout[level, COUNT] > 0:
+            size = LEAST_SIZE
+            while size < spread * layout[level, COUNT]:
+                size *= 2
+            layout[level, MASK] = size - 1
+            layout[level, FACTOR] = (int(size * GOLDEN) & ~7) + 3
+            total += size + GUARD + 1
+    return total
+
+
+@kernel
+def place_boxes(boxes, alive, top, step, scales, levels, layout, buckets, start):
+    """Find every box's level and bucket, and count the boxes of each.
+
+    ``levels``: (capacity,) read as a first guess, for few boxes change size, and written, -1 for ids not in
+    use. ``layout``: counts written. ``buckets``: (capacity,) and ``start``: (all buckets,) written: boxes
+    per bucket. Returns False if a level has no table, or one that is much too small or large now: then
+    only levels and counts are right.
+    """
+    for level in range(LEVELS):
+        layout[level, COUNT] = 0
+    for bucket in range(len(start)):
+        start[bucket] = 0
+    smallest = 0.5**step
+    fits = True
+    for box in range(top):
+        if alive[box] == 0:
+            levels[box] = -1
+            continue
+        x0, y0, x1, y1 = (
+            float(boxes[box, 0]),
+            float(boxes[box, 1]),
+            float(boxes[box, 2]),
+            float(boxes[box, 3]),
+        )
+        level = max(levels[box], 0)
+        scale = scales[level]
+        column, row = cell_at(x0, scale), cell_at(y0, scale)
+        share = max(x1 - x0, y1 - y0) * scale if scale > 0.0 else 0.0
+        if (
+            not (smallest < share <= 1.0)
+            or cell_at(x1, scale) - column > 1
+            or cell_at(y1, scale) - row > 1
+        ):  # fmt: skip
+            level = level_of(x0, y0, x1, y1, step, scales)
+            scale = scales[level]
+            column, row = cell_at(x0, scale), cell_at(y0, scale)
+        levels[box] = level
+        layout[level, COUNT] += 1
+        mask = layout[level, MASK]
+        if mask < 0:
+            fits = False
+        else:
+            bucket = layout[level, OFFSET] + bucket_of(column, row, mask, layout[level, FACTOR])
+            buckets[box] = bucket
+            start[bucket] += 1
+    for level in range(LEVELS):
+        count = layout[level, COUNT]
+        size = layout[level, MASK] + 1
+        if size < SPREAD * count or size > max(8 * SPREAD * count, LEAST_SIZE):
+            fits = False
+    return fits
+
+
+@kernel
+def sort_by_bucket(boxes, top, levels, layout, buckets, start, order, sorted_boxes):
+    """Counting sort of the boxes by level and bucket; within a bucket by id.
+
+    ``start``: boxes per bucket; becomes the first place of each. ``order``: (2 capacity + padding,)
+    written: ``bucket << 32 | id``; ``sorted_boxes``: (2 capacity + padding, 4) m, written. After a level's
+    boxes come copies of those in its first two buckets.
+    """
+    total = 0
+    for level in range(LEVELS):
+        if layout[level, COUNT] == 0:
+            continue
+        first = layout[level, OFFSET]
+        after = first + layout[level, MASK] + 1
+        copies = start[first], start[first + 1]
+        for bucket in range(first, after):
+            total += start[bucket]
+            start[bucket] = total
+        start[after] = total
+        start[after + 1] = total + copies[0]
+        total += copies[0] + copies[1]
+        start[after + 2] = total
+    for box in range(top - 1, -1, -1):
+        if levels[box] >= 0:
+            place = start[buckets[box]] - 1
+            start[buckets[box]] = place
+            order[place] = (int(buckets[box]) << 32) | box
+    for level in range(LEVELS):
+        if layout[level, COUNT] > 0:
+            after = layout[level, OFFSET] + layout[level, MASK] + 1
+            for i in range(start[after + 2] - start[after]):
+                order[start[after] + i] = order[start[layout[level, OFFSET]] + i]
+    for place in range(total):
+        box = order[place] & ID_MASK
+        sorted_boxes[place, 0] = boxes[box, 0]
+        sorted_boxes[place, 1] = boxes[box, 1]
+        sorted_boxes[place, 2] = boxes[box, 2]
+        sorted_boxes[place, 3] = boxes[box, 3]

@@ -1,0 +1,100 @@
+"""The naive broad phase: every box against every other, n(n - 1)/2 tests.
+
+It needs no structure and no tuning, it is right by its looks, and so it judges all the others. Below some
+thirty boxes it is also the fastest of them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.broadphase.boxes import BroadPhase, Corners, Ids, Pairs
+from game.physics.jit import kernel
+
+
+@kernel
+def pack_boxes(boxes, alive, top, packed, ids):
+    """Copy the boxes in use, in the order of their ids. Returns their number.
+
+    ``boxes``: (capacity, 4) m. ``alive``: (capacity,). ``packed``: (capacity, 4) m and ``ids``:
+    (capacity,), both written.
+    """
+    count = 0
+    for box in range(top):
+        if alive[box]:
+            packed[count, 0] = boxes[box, 0]
+            packed[count, 1] = boxes[box, 1]
+            packed[count, 2] = boxes[box, 2]
+            packed[count, 3] = boxes[box, 3]
+            ids[count] = box
+            count += 1
+    return count
+
+
+@kernel
+def test_all_pairs(packed, ids, count, pairs):
+    """Test every box against all later ones; returns the number of pairs, or -1 if ``pairs`` is too short.
+
+    ``packed``: (>= count, 4) m. ``ids``: (>= count,), ascending. ``pairs``: (room, 2), written, sorted.
+    A pair is written before it is known to be one and kept only if it is: no branch to mispredict.
+    """
+    found = 0
+    for i in range(count):
+        if found + count - i > len(pairs):
+            return -1
+        x0 = packed[i, 0]
+        y0 = packed[i, 1]
+        x1 = packed[i, 2]
+        y1 = packed[i, 3]
+        a = ids[i]
+        for j in range(i + 1, count):
+            pairs[found, 0] = a
+            pairs[found, 1] = ids[j]
+            found += (packed[j, 0] <= x1) & (x0 <= packed[j, 2]) & (packed[j, 1] <= y1) & (y0 <= packed[j, 3])
+    return found
+
+
+@kernel
+def scan_boxes(boxes, alive, top, x0, y0, x1, y1, ids):
+    """Find the boxes that overlap the box given, m; returns their number. ``ids``: written, ascending."""
+    found = 0
+    for box in range(top):
+        if (
+            alive[box]
+            and boxes[box, 0] <= x1
+            and x0 <= boxes[box, 2]
+            and boxes[box, 1] <= y1
+            and y0 <= boxes[box, 3]
+        ):
+            ids[found] = box
+            found += 1
+    return found
+
+
+class NaiveBroadPhase(BroadPhase):
+    """Tests every box against every other one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._packed: Corners = np.empty((16, 4))
+        self._ids: NDArray[np.int64] = np.empty(16, dtype=np.int64)
+        self._pairs: Pairs = np.empty((64, 2), dtype=np.int64)
+
+    def _grow(self, capacity: int) -> None:
+        super()._grow(capacity)
+        self._packed = np.empty((capacity, 4))
+        self._ids = np.empty(capacity, dtype=np.int64)
+
+    def _find_pairs(self) -> Pairs:
+        count = pack_boxes(self.boxes, self.alive, self.top, self._packed, self._ids)
+        self.tests = count * (count - 1) // 2
+        found = test_all_pairs(self._packed, self._ids, count, self._pairs)
+        while found < 0:
+            self._pairs = np.empty((max(2 * len(self._pairs), 2 * count), 2), dtype=np.int64)
+            found = test_all_pairs(self._packed, self._ids, count, self._pairs)
+        return self._pairs[:found].copy()
+
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+        found = scan_boxes(self.boxes, self.alive, self.top, x0, y0, x1, y1, self._ids)
+        return self._ids[:found].copy()

@@ -1,0 +1,91 @@
+"""Sorting of pairs: by first id, then by second, in time proportional to their number.
+
+A pair of ids below 2^31 is one integer, ``a << 32 | b``. Such keys are sorted digit by digit from the
+least one up (radix sort: Knuth, The Art of Computer Programming 3, 5.2.5), which does not care how many
+partners one box has.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.jit import kernel
+
+LOW_HALF = 0x7FFFFFFF  # the second id of a key
+WHOLE_DIGIT = 12  # bits; ids of more bits are sorted in two digits, so that the counters stay in the L1 cache
+
+
+@kernel
+def sort_pairs(keys, count, spare, counters, bits, pairs):
+    """Sort pair keys and write them as rows of two ids.
+
+    ``keys``, ``spare``: (>= count,) int64, overwritten. ``counters``: (4, >= 2^digit) int64, overwritten.
+    ``bits``: bits of the greatest id. ``pairs``: (count, 2) int64, written, sorted.
+    """
+    digit = bits if bits <= WHOLE_DIGIT else (bits + 1) // 2
+    size = 1 << digit
+    mask = size - 1
+    for i in range(size):
+        counters[0, i] = 0
+        counters[1, i] = 0
+        counters[2, i] = 0
+        counters[3, i] = 0
+    for i in range(count):
+        key = keys[i]
+        counters[0, key & mask] += 1
+        counters[1, ((key & LOW_HALF) >> digit) & mask] += 1
+        counters[2, (key >> 32) & mask] += 1
+        counters[3, (key >> (32 + digit)) & mask] += 1
+    source = keys
+    target = spare
+    for place in range(4):
+        if bits <= WHOLE_DIGIT and (place == 1 or place == 3):
+            continue
+        total = 0
+        for i in range(size):
+            here = counters[place, i]
+            counters[place, i] = total
+            total += here
+        shift = (place & 1) * digit + (place >> 1) * 32
+        for i in range(count):
+            key = source[i]
+            value = (((key & LOW_HALF) if place < 2 else key) >> shift) & mask
+            position = counters[place, value]
+            counters[place, value] = position + 1
+            target[position] = key
+        source, target = target, source
+    for i in range(count):
+        key = source[i]
+        pairs[i, 0] = key >> 32
+        pairs[i, 1] = key & LOW_HALF
+
+
+class PairSorter:
+    """Sorts keys of pairs, keeping its buffers from one time to the next."""
+
+    def __init__(self) -> None:
+        self.keys: NDArray[np.int64] = np.empty(64, dtype=np.int64)
+        self._spare: NDArray[np.int64] = np.empty(64, dtype=np.int64)
+        self._counters: NDArray[np.int64] = np.empty((4, 1 << WHOLE_DIGIT), dtype=np.int64)
+
+    def reserve(self, count: int) -> None:
+        """Make room for so many keys in ``keys``; what it held is lost."""
+        if count > len(self.keys):
+            size = max(count, 2 * len(self.keys))
+            self.keys = np.empty(size, dtype=np.int64)
+            self._spare = np.empty(size, dtype=np.int64)
+
+    def sorted(self, count: int, top: int) -> NDArray[np.int64]:
+        """The first ``count`` of ``keys`` as (count, 2) sorted pairs of ids below ``top``."""
+        bits = max(int(top - 1).bit_length(), 1)
+        digit = bits if bits <= WHOLE_DIGIT else (bits + 1) // 2
+        if 1 << digit > self._counters.shape[1]:
+            self._counters = np.empty((4, 1 << digit), dtype=np.int64)
+        pairs = np.empty((count, 2), dtype=np.int64)
+        sort_pairs(self.keys, count, self._spare, self._counters, bits, pairs)
+        return pairs
+
+    def memory(self) -> int:
+        """Bytes in its buffers."""
+        return self.keys.nbytes + self._spare.nbytes + self._counters.nbytes

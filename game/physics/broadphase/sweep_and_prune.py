@@ -1,0 +1,270 @@
+"""Incremental sweep and prune on two axes: the order of end points is kept from step to step.
+
+Boxes that moved a little are put in order by few swaps, and a pair can only begin or end where two end
+points swap. So the cost follows the motion: nearly nothing for boxes at rest, n^2 for boxes that all jump.
+When the swaps of a step grow dearer than sorting anew, the rest is left: both axes are merge sorted and
+one sweep along the axis with fewer overlaps finds all pairs.
+
+Sources: Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies (1992); Cohen, Lin, Manocha and
+Ponamgi, I-COLLIDE (1995); Ericson, Real-Time Collision Detection (2005), 7.5.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.broadphase.boxes import BroadPhase, Ids, Pairs, first_bad_box, grown, id_array
+from game.physics.broadphase.endpoints import (
+    FULL,
+    ID,
+    SORTED,
+    TOO_MANY,
+    UPPER,
+    find_end_point,
+    insertion_sort,
+    keep_alive,
+    merge_sort,
+    open_gap,
+    overlaps_on_axis,
+    read_axis,
+    shift_end_point,
+    sweep,
+)
+from game.physics.broadphase.pair_table import cut_gone
+from game.physics.broadphase.pairs import HashedPairs, PairManager
+from game.physics.jit import kernel
+
+FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
+NEVER = 1 << 62  # swaps
+MOST_CHANGES = 1 << 20  # noted before they are handed to the pair manager
+# Relative costs, measured: one swap of insertion, one comparison of merge sort, one test of a sweep.
+SWAP_COST, MERGE_COST, TEST_COST = 12.0, 8.0, 3.0
+
+
+@kernel
+def scan_end_points(boxes, codes, begin, end, last_is_upper, x0, y0, x1, y1, ids):
+    """Boxes that overlap the box given, m, among end points of one kind in a run; returns their number."""
+    found = 0
+    for i in range(begin, end):
+        if (codes[i] & UPPER > 0) != last_is_upper:
+            continue
+        box = codes[i] & ID
+        if boxes[box, 0] <= x1 and x0 <= boxes[box, 2] and boxes[box, 1] <= y1 and y0 <= boxes[box, 3]:
+            ids[found] = box
+            found += 1
+    return found
+
+
+@kernel
+def sort_axes(boxes, values, codes, count, progress, limit, changes):
+    """Read the boxes' new coordinates and sort both axes by insertion, noting the pairs that change.
+
+    ``values``: (2, room) m, ``codes``: (2, room), both written. ``progress``: (4,) axis, where on it, swaps
+    so far, changes noted in ``changes``; written, zeros to begin with. Returns SORTED, or FULL or TOO_MANY:
+    calling again goes on.
+    """
+    while progress[0] < 2:
+        axis = progress[0]
+        if progress[1] == 0:
+            read_axis(boxes, axis, values[axis], codes[axis], count)
+        ended, place, swaps, changed = insertion_sort(
+            boxes, values[axis], codes[axis], count, progress[1], limit - progress[2], changes, progress[3]
+        )
+        progress[1] = place
+        progress[2] += swaps
+        progress[3] = changed
+        if ended != SORTED:
+            return ended
+        progress[0] = axis + 1
+        progress[1] = 0
+    return SORTED
+
+
+class SweepAndPrune(BroadPhase):
+    """Keeps the boxes' end points sorted on both axes, and the pairs in a pair manager.
+
+    ``manager``: where pairs are kept and events are taken from; a new ``HashedPairs`` if none is given.
+    ``resort``: whether a step with too many swaps is finished by sorting anew. ``swaps`` counts all swaps
+    so far (those that sorting anew spared, too), ``resorts`` how often that was done.
+    """
+
+    def __init__(self, manager: PairManager | None = None, resort: bool = True):
+        super().__init__()
+        self.manager = HashedPairs() if manager is None else manager
+        if len(self.manager):
+            raise ValueError("manager: an empty pair manager is wanted")
+        self.resort = resort
+        self.swaps = 0
+        self.resorts = 0
+        self._values: NDArray[np.float64] = np.zeros((2, 2 * self.capacity))
+        self._codes: NDArray[np.int32] = np.zeros((2, 2 * self.capacity), dtype=np.int32)
+        self._progress = np.zeros(4, dtype=np.int64)
+        self._changes: NDArray[np.int64] = np.empty(1024, dtype=np.int64)
+
+    def end_points(self, axis: int) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.bool_]]:
+        """Sorted end points of an axis: coordinates in m, ids, and whether each is an upper end."""
+        codes = self._codes[axis, : 2 * len(self)]
+        return self._values[axis, : 2 * len(self)].copy(), (codes & ID).astype(np.int64), codes >= UPPER
+
+    def update_boxes(self, ids: ArrayLike, lowers: ArrayLike, uppers: ArrayLike) -> None:
+        """As for every broad phase; when only few boxes move, each is moved by itself."""
+        chosen = id_array(ids)
+        if FEW * len(chosen) >= len(self):
+            super().update_boxes(chosen, lowers, uppers)
+            return
+        low, high = self._many(lowers, uppers)
+        if len(chosen) != len(low):
+            raise ValueError(f"ids: {len(chosen)} ids for {len(low)} boxes")
+        for box in chosen.tolist():
+            self._known(box)
+        bad = first_bad_box(low, high)
+        if bad >= 0:
+            raise ValueError(self._why(bad, low, high))
+        self._found = None
+        for box, lower, upper in zip(chosen.tolist(), low.tolist(), high.tolist(), strict=True):
+            self._moved(box, *lower, *upper)
+
+    def _make_room(self, needed: int) -> None:
+        if needed > self.manager.greatest + 1:
+            raise ValueError(f"boxes: the pair manager has room for {self.manager.greatest + 1} ids only")
+        super()._make_room(needed)
+
+    def _grow(self, capacity: int) -> None:
+        super()._grow(capacity)
+        self._values = np.stack([grown(row, 2 * capacity) for row in self._values])
+        self._codes = np.stack([grown(row, 2 * capacity) for row in self._codes])
+
+    def _added(self, box: int) -> None:
+        count = 2 * (len(self) - 1)
+        for axis in range(2):
+            values, codes = self._values[axis], self._codes[axis]
+            for code, place in ((box, axis), (box | UPPER, axis + 2)):
+                value = float(self.boxes[box, place])
+                open_gap(values, codes, count, find_end_point(values, codes, count, value, code), value, code)
+                count += 1
+            count -= 2
+        others = self.partners(box)
+        self.manager.add_pairs(np.stack([np.full(len(others), box), others], axis=1))
+
+    def _added_many(self, ids: Ids) -> None:
+        count = 2 * (len(self) - len(ids))
+        for axis in range(2):
+            self._codes[axis, count : count + len(ids)] = ids
+            self._codes[axis, count + len(ids) : count + 2 * len(ids)] = ids | UPPER
+        self._sort_anew()
+
+    def _removed(self, box: int) -> None:
+        self._removed_many(np.array([box]))
+
+    def _removed_many(self, ids: Ids) -> None:
+        self.alive[ids] = 0
+        for axis in range(2):
+            keep_alive(self._values[axis], self._codes[axis], 2 * len(self), self.alive)
+        cut_gone(*self.manager.table, self.alive)
+
+    def _moved(self, box: int, x0: float, y0: float, x1: float, y1: float) -> None:
+        before = self.boxes[box].tolist()
+        super()._moved(box, x0, y0, x1, y1)
+        count = 2 * len(self)
+        if len(self._changes) < 4 * count:
+            self._changes = np.empty(8 * count, dtype=np.int64)
+        changed = 0
+        for place, value in enumerate((x0, y0, x1, y1)):
+            values, codes = self._values[place % 2], self._codes[place % 2]
+            code = box if place < 2 else box | UPPER
+            i = find_end_point(values, codes, count, before[place], code)
+            swaps, changed = shift_end_point(
+                self.boxes, values, codes, count, i, value, self._changes, changed
+            )
+            self.swaps += swaps
+        self.manager.change_pairs(self._changes, changed)
+
+    def _moved_many(self, ids: Ids) -> None:
+        count = 2 * len(self)
+        self._progress[:] = 0
+        comparisons = count * max(count.bit_length(), 1)
+        limit = comparisons if self.resort else NEVER
+        estimated = False
+        while True:
+            ended = sort_axes(
+                self.boxes, self._values, self._codes, count, self._progress, limit, self._changes
+            )
+            self.manager.change_pairs(self._changes, int(self._progress[3]))
+            self._progress[3] = 0
+            if ended == FULL:
+                self._reserve(2 * len(self._changes))
+            elif ended == TOO_MANY and not estimated:
+                tests = min(overlaps_on_axis(self._codes[0], count), overlaps_on_axis(self._codes[1], count))
+                limit = int((2 * MERGE_COST * comparisons + TEST_COST * max(tests, 0)) / SWAP_COST)
+                estimated = True
+            else:
+                break
+        self.swaps += int(self._progress[2])
+        if ended == TOO_MANY:
+            self.resorts += 1
+            self.swaps += self._sort_anew()
+
+    def _reserve(self, room: int) -> None:
+        """Make room to note changes; beyond MOST_CHANGES they are rather handed on more often."""
+        if len(self._changes) < min(room, MOST_CHANGES):
+            self._changes = np.empty(room, dtype=np.int64)
+
+    def _sort_anew(self) -> int:
+        """Sort both axes and find all pairs by one sweep; returns the swaps that this stands for."""
+        count = 2 * len(self)
+        spare_values, spare_codes = np.empty(count), np.empty(count, dtype=np.int32)
+        inversions = 0
+        for axis in range(2):
+            read_axis(self.boxes, axis, self._values[axis], self._codes[axis], count)
+            inversions += merge_sort(self._values[axis], self._codes[axis], count, spare_values, spare_codes)
+        tests = [overlaps_on_axis(codes, count) for codes in self._codes]
+        codes = self._codes[0 if tests[0] <= tests[1] else 1]
+        active, places = np.empty(len(self), dtype=np.int64), np.empty(self.capacity, dtype=np.int64)
+        while (found := sweep(self.boxes, codes, count, active, places, self._sorter.keys)) < 0:
+            self._sorter.reserve(max(2 * len(self._sorter.keys), 4 * len(self)))
+        self.tests = min(tests)
+        self.manager.set_pairs(self._sorter.sorted(found, self.top))
+        return inversions
+
+    def _find_pairs(self) -> Pairs:
+        return self.manager.pairs()
+
+    def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:
+        count = 2 * len(self)
+        runs = []
+        for axis, low, high in ((0, x0, x1), (1, y0, y1)):
+            values, codes = self._values[axis], self._codes[axis]
+            runs.append((find_end_point(values, codes, count, high, UPPER), axis, False))
+            runs.append((count - find_end_point(values, codes, count, low, UPPER), axis, True))
+        length, axis, upper = min(runs)
+        begin, end = (count - length, count) if upper else (0, length)
+        ids = np.empty(length, dtype=np.int64)
+        found = scan_end_points(self.boxes, self._codes[axis], begin, end, upper, x0, y0, x1, y1, ids)
+        return np.sort(ids[:found], kind="stable")
+
+    def memory(self) -> int:
+        """Bytes in the arrays of end points, boxes and pairs."""
+        return super().memory() + self.manager.memory()
+
+    def check(self) -> None:
+        """Check store, order of end points on both axes, and that the pairs kept do overlap."""
+        super().check()
+        self.manager.check()
+        for axis in range(2):
+            values, ids, upper = self.end_points(axis)
+            codes = self._codes[axis, : len(values)]
+            later = (values[1:] > values[:-1]) | ((values[1:] == values[:-1]) & (codes[1:] > codes[:-1]))
+            assert later.all(), "each axis is sorted"
+            assert (self.boxes[ids, axis + 2 * upper] == values).all(), "end points are where the boxes end"
+            assert (np.bincount(ids, minlength=self.top) == 2 * self.alive[: self.top]).all(), (
+                "two ends a box"
+            )
+            first = np.full(self.top, -1)
+            first[ids[~upper]] = np.flatnonzero(~upper)
+            assert (first[ids[upper]] < np.flatnonzero(upper)).all(), (
+                "each lower end comes before its upper one"
+            )
+        a, b = self.manager.pairs().T
+        apart = (self.boxes[a, :2] > self.boxes[b, 2:]) | (self.boxes[b, :2] > self.boxes[a, 2:])
+        assert not apart.any(), "the pairs kept overlap"
