@@ -91,9 +91,12 @@ def _set(node: Node, at: _Setter) -> Box:
 def _symbol(text: str, face: str, kind: str, at: _Setter) -> Box:
     size = at.size * (1.35 if kind == "large" else 1.0)
     font = at.fonts.font(size, face)
-    extents = [m for m in font.metrics(text) if m is not None]
+    extents = [m or (0, 0, 0, 0, 0) for m in font.metrics(text)]
+    for letter, (left, right, low, high, _) in zip(text, extents, strict=False):
+        if left == right and low == high and not letter.isspace():
+            raise FormulaError(f"formula: the font has no {letter!r}")
     if not extents:
-        raise FormulaError(f"formula: the font has no {text!r}")
+        return Box(0.0, 0.0, 0.0)
     height = float(max(m[3] for m in extents))
     depth = float(-min(m[2] for m in extents))
     width = float(font.size(text)[0])

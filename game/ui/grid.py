@@ -33,9 +33,9 @@ def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
     seen, color = camera.visible(), canvas.color("grid")
     marks: list[tuple[float, bool, str]] = []  # px, whether the line is upright, world value
     for axis, low, high in (("x", seen.left, seen.right), ("y", seen.bottom, seen.top)):
+        if not (high - low) / spacing < MOST_LINES or abs(low) + abs(high) > 1e15 * spacing:
+            continue  # too many to see, or too far for steps of this size
         first, last = math.ceil(low / spacing), math.floor(high / spacing)
-        if last - first > MOST_LINES:
-            continue
         for i in range(first, last + 1):
             value = i * spacing
             x0, y0 = camera.to_screen(value, 0.0) if axis == "x" else camera.to_screen(0.0, value)

@@ -6,11 +6,13 @@ event and a hand do the same, with or without a screen.
 
 from __future__ import annotations
 
+from typing import Any
+
 import pygame
 import pygame_gui
 from pygame_gui import UIManager
 from pygame_gui.core.interfaces import IUIElementInterface
-from pygame_gui.elements import UIDropDownMenu
+from pygame_gui.elements import UIDropDownMenu, UISelectionList
 
 from game.ui.assets import asset
 from game.ui.look import Look
@@ -22,6 +24,7 @@ QUEUED = (
     pygame_gui.UI_SELECTION_LIST_NEW_SELECTION, pygame_gui.UI_SELECTION_LIST_DROPPED_SELECTION,
     pygame_gui.UI_TEXT_ENTRY_CHANGED, pygame_gui.UI_TEXT_ENTRY_FINISHED,
 )  # fmt: skip
+CORNERS = 6  # px
 MOST_ROUNDS = 6  # of events that answer events
 
 
@@ -100,11 +103,21 @@ class DropDown(UIDropDownMenu):
         return rows.rect.bottom if self.is_open and rows is not None else self.rect.bottom
 
     def update(self, time_delta: float) -> None:
-        """Keep an open list as wide as its box, with its lower edge."""
+        """Give a list that has just opened the width of its box, and room for its round lower corners."""
         super().update(time_delta)
-        rows = getattr(self.menu_states["expanded"], "options_selection_list", None)
-        if self.is_open and rows is not None and rows.rect.w != self.rect.w:
-            rows.set_dimensions((self.rect.w, rows.rect.h))
+        opened: Any = self.menu_states["expanded"]
+        if not self.is_open or opened.options_selection_list.rect.w == self.rect.w:
+            return
+        opened.options_selection_list.kill()
+        room = self.ui_container.get_container().get_relative_rect().h - opened.option_list_y_pos
+        height = min(opened.options_list_height + CORNERS, room)
+        rows = opened.options_selection_list = UISelectionList(
+            pygame.Rect(self.relative_rect.x, opened.option_list_y_pos, self.relative_rect.w, height),
+            opened.options_list, self.ui_manager, container=self.ui_container, starting_height=3,
+            parent_element=self, object_id="#drop_down_options_list", default_selection=self.selected_option,
+            allow_double_clicks=False,
+        )  # fmt: skip
+        self.join_focus_sets(rows)
 
     def taken(self) -> str | None:
         """The value chosen since the last look, if there is a new one."""

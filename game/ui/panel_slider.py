@@ -55,11 +55,19 @@ def shown_value(knob: Param, value: float) -> Quantity:
         return Quantity(format_number(int(value)), knob.unit)
     number, unit = quantity(value, knob.unit)
     if knob.step is not None and unit == knob.unit and 1e-6 < knob.step < 1e6:
-        decimals = min(max(0, -math.floor(math.log10(knob.step) + 1e-9)), 6)
+        decimals = _decimals(knob.step, knob.minimum)
         sign = "−" if round(value, decimals) < 0 else ""
         whole, point, fraction = f"{abs(value):.{decimals}f}".partition(".")
         number = sign + f"{int(whole):,}".replace(",", NARROW_SPACE) + point + fraction
     return Quantity(number, unit)
+
+
+def _decimals(step: float, minimum: float) -> int:
+    """Decimals in which every place of a grain can be written, at most 6."""
+    for decimals in range(6):
+        if all(abs(round(x, decimals) - x) < 1e-9 for x in (step, minimum)):
+            return decimals
+    return 6
 
 
 def read_value(knob: Param, text: str, shown_unit: str) -> float:
@@ -98,7 +106,7 @@ class SliderRow(Row):
         self.wants_field = False
         self._pending: float | None = None  # dragged to, not yet sent: the scene would be built anew
         self._dragging = False
-        self._click_age_s = math.inf
+        self._click_age_s, self._click_at = math.inf, (0.0, 0.0)
         self._over_value = False
         super().__init__(context, top)
 
@@ -134,7 +142,8 @@ class SliderRow(Row):
         return (self.value, self.typed, self._over_value, self._dragging)
 
     def press(self, x: float, y: float) -> None:
-        if self._click_age_s < DOUBLE_CLICK_S:
+        near = max(abs(x - self._click_at[0]), abs(y - self._click_at[1])) <= self.look.px(4)
+        if near and self._click_age_s < DOUBLE_CLICK_S:
             self._click_age_s = math.inf
             self._pending = None
             self._send(self.source.base(self.knob))
@@ -142,7 +151,7 @@ class SliderRow(Row):
         if self.value_rect().collidepoint(x, y):
             self.wants_field = True
             return
-        self._click_age_s = 0.0
+        self._click_age_s, self._click_at = 0.0, (x, y)
         if y >= self.look.px(18):
             self._dragging = True
             self.drag(x, y)

@@ -1,0 +1,342 @@
+"""The panel: what the pointer and the keys do to it comes out as stage events; values from elsewhere show."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pygame
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pointing import click, down, event, move, press, up
+from sample_scene import Sample
+
+from game.stage import KnobError, Param, SetEffect, SetKnob, Stage
+from game.ui.commands import Command
+from game.ui.look import Look
+from game.ui.panel import Panel
+from game.ui.panel_effects import EffectRow
+from game.ui.panel_rows import Measure, SegmentsRow
+from game.ui.panel_slider import SliderRow, read_value, share_of, shown_value, value_at
+from game.ui.panel_switch import SwitchRow
+from game.ui.theme import DARK
+
+RECT = pygame.Rect(960, 48, 320, 672)
+LEVELS = [SimpleNamespace(title="First", value="a"), SimpleNamespace(title="Second", value="b")]
+METER = SimpleNamespace(costs={"sample-pull": 4e-6, "sample-floor": 20e-6, "sample-air": 9e-6}, bare=8e-6)
+
+
+class Desk:
+    """A panel on a stage, as the window has it."""
+
+    def __init__(self, look=None, rect=RECT, **options):
+        self.look = look or Look(DARK)
+        self.stage = Stage(Sample, **options)
+        self.panel = Panel(self.look, Sample, LEVELS)
+        self.panel.place(rect, self.look)
+        self.surface = pygame.Surface((rect.right, rect.bottom), 0, 32)
+        self.frame(0.3)
+
+    def frame(self, dt=1 / 60):
+        self.panel.update(dt, self.stage, METER)
+        self.panel.draw(self.surface)
+
+    def row(self, kind, name):
+        for row in self.panel._sheet.rows:
+            if isinstance(row, kind) and name in (
+                getattr(getattr(row, "knob", None), "name", None),
+                getattr(getattr(row, "effect", None), "name", None),
+                getattr(row, "label", None),
+            ):
+                return row
+        raise AssertionError(f"no row {name}")
+
+    def place(self, row, x, y):
+        """Window pixel of a place in a row, after scrolling it into view."""
+        self.panel._reveal((row.rect.top, row.rect.bottom))
+        return (
+            self.panel.rect.x + x,
+            self.panel.rect.y + row.rect.y + y - self.panel.scroll,
+        )
+
+    def apply(self, wishes):
+        """Do what the app does with wishes: post the stage events, keep the rest."""
+        rest = []
+        for wish in wishes:
+            if isinstance(wish, Command):
+                rest.append(wish)
+            else:
+                self.stage.post(wish)
+        self.frame()
+        return rest
+
+    def picture(self):
+        self.frame(0.3)
+        return pygame.image.tobytes(self.surface.subsurface(self.panel.rect), "RGB")
+
+
+@pytest.fixture
+def desk():
+    made = Desk()
+    yield made
+    made.panel.close()
+
+
+def test_a_click_on_the_track_sets_the_value(desk):
+    row = desk.row(SliderRow, "restitution")
+    assert click(desk.panel, desk.place(row, 16 + 8 + 272, 30)) == [SetKnob("restitution", 1.0)]
+    wishes = click(desk.panel, desk.place(row, 16 + 8, 30))
+    assert wishes == [SetKnob("restitution", 0.0)]
+    desk.apply(wishes)
+    assert row.value == 0.0
+
+
+def test_a_drag_follows_the_pointer_even_outside_and_ends_with_the_button(desk):
+    row = desk.row(SliderRow, "restitution")
+    x, y = desk.place(row, 24, 30)
+    desk.apply(desk.panel.handle(down(x, y)))
+    desk.apply(desk.panel.handle(move(x + 1000, y - 400)))
+    assert desk.stage.scene.restitution == 1.0
+    desk.apply(desk.panel.handle(up(x + 1000, y)))
+    desk.apply(desk.panel.handle(move(x, y)))
+    assert desk.stage.scene.restitution == 1.0
+
+
+def test_a_knob_that_rebuilds_is_sent_on_release(desk):
+    row = desk.row(SliderRow, "drop")
+    x, y = desk.place(row, 24, 30)
+    assert desk.panel.handle(down(x, y)) == []
+    assert row.value == 0.5  # shown while dragged
+    assert desk.panel.handle(up(x, y)) == [SetKnob("drop", 0.5)]
+
+
+def test_losing_the_window_drops_a_drag(desk):
+    row = desk.row(SliderRow, "drop")
+    x, y = desk.place(row, 24, 30)
+    desk.panel.handle(down(x, y))
+    assert desk.panel.handle(event(pygame.WINDOWFOCUSLOST)) == []
+    assert row.value == 3.0 and not row.held
+    assert desk.panel.handle(move(x + 50, y)) == []
+
+
+def test_a_double_click_goes_back_to_the_default(desk):
+    row = desk.row(SliderRow, "restitution")
+    desk.apply([SetKnob("restitution", 0.9)])
+    place = desk.place(row, 60, 10)
+    assert click(desk.panel, place) == []
+    assert click(desk.panel, place) == [SetKnob("restitution", 0.5)]
+
+
+def type_in(desk, row, text, key=pygame.K_RETURN):
+    click(desk.panel, desk.place(row, 262, 10))
+    assert desk.panel.typing
+    for letter in text:
+        desk.panel.handle(event(pygame.TEXTINPUT, text=letter))
+    desk.frame()
+    wishes = desk.panel.handle(press(key))
+    assert not desk.panel.typing
+    return wishes
+
+
+def test_a_number_is_typed_in_the_unit_shown(desk):
+    row = desk.row(SliderRow, "hold")
+    assert shown_value(row.knob, row.value) == ("4.00", "ms")
+    assert type_in(desk, row, "25") == [SetKnob("hold", 0.025)]
+    assert type_in(desk, row, "0.05 s") == [SetKnob("hold", 0.05)]
+    assert type_in(desk, row, "7", pygame.K_ESCAPE) == []
+
+
+@pytest.mark.parametrize("text", ["1.5", "nan", "inf", "abc", "-0.1", "1e400"])
+def test_a_refused_number_is_told_and_the_old_value_stays(desk, text):
+    wishes = type_in(desk, desk.row(SliderRow, "restitution"), text)
+    assert [wish.name for wish in wishes] == ["refused"]
+    assert "\n" not in wishes[0].value
+    assert desk.stage.scene.restitution == 0.5
+
+
+def test_a_click_elsewhere_takes_over_what_was_typed(desk):
+    row = desk.row(SliderRow, "restitution")
+    click(desk.panel, desk.place(row, 262, 10))
+    desk.panel.handle(event(pygame.TEXTINPUT, text="1"))
+    wishes = click(desk.panel, desk.place(desk.row(SliderRow, "rate"), 40, 10))
+    assert SetKnob("restitution", 1.0) in wishes and not desk.panel.typing
+
+
+def test_segments_switches_and_effects(desk):
+    row = desk.row(SegmentsRow, "method")
+    assert click(desk.panel, desk.place(row, 40, 16)) == [SetKnob("method", "explicit-euler")]
+    assert click(desk.panel, desk.place(row, 280, 16)) == []  # already chosen
+    assert click(desk.panel, desk.place(desk.row(SwitchRow, "shadow".capitalize()), 30, 16)) == [
+        SetKnob("shadow", False)
+    ]
+    row = desk.row(EffectRow, "sample-pull")
+    wishes = click(desk.panel, desk.place(row, 30, 16))
+    assert wishes == [SetEffect("sample-pull", False)]
+    desk.apply(wishes)
+    assert not row.is_on()
+
+
+def test_letting_go_beside_a_switch_changes_nothing(desk):
+    x, y = desk.place(desk.row(SwitchRow, "Shadow"), 30, 16)
+    desk.panel.handle(down(x, y))
+    assert desk.panel.handle(up(x, y + 60)) == []
+
+
+def test_a_level_is_chosen_from_the_list(desk):
+    menu = desk.panel._sheet.menus[""]
+    click(desk.panel, (RECT.x + 100, RECT.y + 30))
+    desk.frame()
+    assert menu.is_open
+    wishes = click(desk.panel, (RECT.x + 100, RECT.y + 16 + 32 + 48))
+    assert wishes == [Command("level", "b")]
+
+
+def test_a_long_choice_is_a_list_and_opens_within_reach(desk):
+    menu = desk.panel._sheet.menus["order"]
+    desk.panel._reveal((menu.rect.top, menu.rect.bottom))
+    place = (RECT.x + 100, RECT.y + menu.rect.centery - desk.panel.scroll)
+    click(desk.panel, place)
+    desk.frame()
+    desk.panel.handle(move(*place))
+    assert menu.is_open and menu.foot <= desk.panel.scroll + desk.panel.view.h
+    row = (RECT.x + 100, RECT.y + menu.rect.bottom + 32 * 3 + 16 - desk.panel.scroll)
+    assert click(desk.panel, row) == [SetKnob("order", "as-printed")]
+
+
+def test_values_from_elsewhere_show(desk):
+    before = desk.picture()
+    desk.stage.post(SetKnob("restitution", 0.9))
+    changed = desk.picture()
+    assert changed != before
+    desk.stage.post(SetKnob("order", "joint"))
+    desk.picture()
+    assert desk.panel._sheet.menus["order"].selected_option[1] == "joint"
+    desk.stage.post(SetKnob("order", "pairwise"))
+    desk.stage.post(SetKnob("restitution", 0.5))
+    assert desk.picture() == before
+
+
+def test_another_scene_of_the_type_takes_over_without_a_new_sheet(desk):
+    sheet = desk.panel._sheet
+    desk.stage.reset()
+    desk.frame(0.3)
+    assert desk.panel._sheet is sheet
+    desk.stage.post(SetKnob("restitution", 0.25))
+    desk.frame()
+    assert desk.row(SliderRow, "restitution").value == 0.25
+
+
+def test_measures_show_what_the_bar_has_no_room_for(desk):
+    names = [row.name for row in desk.panel._sheet.rows if isinstance(row, Measure)]
+    assert names == ["pot.", "kin.", "now", "exact", "step"]
+    row = next(row for row in desk.panel._sheet.rows if isinstance(row, Measure) and row.name == "now")
+    assert row.value == pytest.approx(3.0)
+
+
+def test_keys_move_the_focused_control(desk):
+    assert desk.panel.focus_next()
+    assert desk.panel.handle(press(pygame.K_RIGHT)) == [SetKnob("drop", 3.1)]
+    assert desk.panel.focus_next()
+    wishes = desk.panel.handle(press(pygame.K_LEFT))
+    assert wishes[0].name == "rate" and wishes[0].value < 8000
+    rounds = 0
+    while desk.panel.focus_next():
+        rounds += 1
+    assert rounds > 5
+    assert desk.panel.handle(press(pygame.K_RIGHT)) == []
+
+
+def test_wheel_and_thumb_scroll_within_the_ends(desk):
+    desk.panel.handle(move(RECT.x + 100, RECT.y + 300))
+    desk.panel.handle(event(pygame.MOUSEWHEEL, y=-100, x=0))
+    low = desk.panel.scroll
+    assert low == desk.panel._reach() - desk.panel.view.h > 0
+    thumb = desk.panel._thumb()
+    desk.panel.handle(down(*thumb.center))
+    desk.panel.handle(move(thumb.centerx, -500))
+    desk.panel.handle(up(thumb.centerx, -500))
+    assert desk.panel.scroll == 0
+
+
+def test_foot_and_tips(desk):
+    reset = desk.panel.foot.spots.find("defaults")
+    assert click(desk.panel, reset.rect.center) == [Command("defaults")]
+    row = desk.row(SliderRow, "rate")
+    desk.panel.handle(move(*desk.place(row, 60, 10)))
+    assert desk.panel.tip()[0] == "Particles each second.\n1 1/s to 26 000 1/s".replace(" 000", "\u202f000")
+
+
+def test_an_idle_frame_paints_nothing(desk):
+    for _ in range(30):
+        desk.frame(0.02)
+    drawn = desk.panel._sheet._drawn
+    desk.frame(0.001)
+    assert desk.panel._sheet._drawn is drawn
+
+
+@pytest.mark.parametrize("size", [(1, 1), (320, 10), (5, 600), (200, 120), (640, 1400)])
+def test_any_size(any_look, size):
+    desk = Desk(any_look, pygame.Rect(10, 10, *size))
+    for place in ((12, 12), (100, 60)):
+        click(desk.panel, place)
+    desk.panel.handle(event(pygame.MOUSEWHEEL, y=-3, x=0))
+    desk.frame()
+    desk.panel.place(pygame.Rect(0, 0, 320, 500), any_look)
+    desk.frame()
+    desk.panel.close()
+
+
+def test_a_thousand_random_events(desk):
+    rng = np.random.default_rng(3)
+    kinds = [move, down, up]
+    for _ in range(1000):
+        x, y = int(rng.integers(RECT.x - 40, RECT.right)), int(rng.integers(RECT.y - 20, RECT.bottom + 10))
+        roll = rng.random()
+        if roll < 0.9:
+            made = kinds[int(rng.integers(3))](x, y)
+        elif roll < 0.95:
+            made = event(pygame.MOUSEWHEEL, y=int(rng.integers(-3, 4)), x=0)
+        else:
+            made = press(
+                int(rng.choice([pygame.K_RETURN, pygame.K_LEFT, pygame.K_ESCAPE, pygame.K_BACKSPACE]))
+            )
+        desk.apply(desk.panel.handle(made))
+
+
+# -- numbers on a track --------------------------------------------------------------------------------
+
+PARAMS = (
+    Param(1.0, 0.0, 10.0),
+    Param(5, 1, 64, whole=True),
+    Param(1e-3, 1e-6, 1.0, log=True, unit="s"),
+    Param(0.5, -1.0, 1.0, step=0.01),
+    Param(100, 1, 100000, whole=True, log=True),
+    Param(0.3, 0.1, 0.9, step=0.25),
+)
+
+
+@given(st.sampled_from(PARAMS), st.floats(-0.5, 1.5))
+def test_every_place_on_a_track_is_a_value_the_knob_takes(knob, share):
+    value = value_at(knob, share)
+    assert knob.check(int(value) if knob.whole else value) == value
+    assert abs(share_of(knob, value) - min(max(share, 0.0), 1.0)) < 0.5
+
+
+@given(st.sampled_from(PARAMS))
+def test_the_ends_of_a_track_are_the_ends_of_the_range(knob):
+    assert value_at(knob, 0.0) == knob.minimum
+    assert knob.maximum - value_at(knob, 1.0) < (knob.step or 1e-9)
+
+
+@given(st.sampled_from(PARAMS), st.floats(0.0, 1.0))
+def test_what_is_shown_can_be_typed_back(knob, share):
+    value = value_at(knob, share)
+    number, unit = shown_value(knob, value)
+    for text in (number, f"{number} {unit}"):
+        try:
+            back = read_value(knob, text, unit)
+        except KnobError:
+            assert abs(value - knob.minimum) < 1e-6  # three digits of it may lie below the range
+            continue
+        assert abs(back - value) <= 6e-3 * abs(value) + 1e-12

@@ -1,0 +1,112 @@
+"""Strip charts: round axes that stay, labels pushed apart, charts of a stage in any window."""
+
+from __future__ import annotations
+
+import math
+
+import pygame
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from sample_scene import Sample
+
+from game.stage import Stage
+from game.ui.layout import arrange
+from game.ui.look import Look
+from game.ui.strips import Axis, Strips, axis_for, round_top, spread
+from game.ui.theme import DARK
+
+
+@given(st.floats(1e-12, 1e12))
+def test_the_top_of_an_axis_is_round_and_a_little_above(value):
+    top = round_top(value)
+    assert 1.03 * value < top <= 1.9 * value
+    assert float(f"{top:.2g}") == pytest.approx(top)
+
+
+@given(st.floats(-1e9, 1e9), st.floats(0, 1e9))
+def test_an_axis_holds_its_values_and_zero(low, span):
+    assume(abs(low) > 1e-9 or span > 1e-9)
+    axis = axis_for(low, low + span, None)
+    assert axis.low <= min(low, 0.0) and axis.high >= max(low + span, 0.0) and axis.low < axis.high
+    if axis.low < 0.0 < axis.high:
+        assert axis.low == -axis.high  # the middle rule is zero
+
+
+def test_an_axis_stays_until_it_is_too_small_or_far_too_large():
+    axis = axis_for(0.0, 100.0, None)
+    assert axis_for(0.0, 110.0, axis) == axis
+    assert axis_for(0.0, 50.0, axis) == axis
+    assert axis_for(0.0, 130.0, axis).high > axis.high
+    assert axis_for(0.0, 10.0, axis).high < axis.high
+    assert axis_for(math.nan, 1.0, axis) == axis and axis_for(math.inf, 1.0, None) == Axis(0.0, 1.0)
+
+
+@given(st.lists(st.floats(0, 72), max_size=5))
+def test_labels_are_apart_inside_and_in_order(places):
+    put = spread(places, 15.0, 0.0, 72.0)
+    order = sorted(range(len(places)), key=lambda i: places[i])
+    assert all(put[b] - put[a] >= 15.0 - 1e-9 for a, b in zip(order, order[1:], strict=False))
+    assert all(y <= 72.0 for y in put)
+    if all(b - a >= 15.0 for a, b in zip(sorted(places), sorted(places)[1:], strict=False)):
+        assert put == places
+
+
+@pytest.fixture(scope="module")
+def stage():
+    made = Stage(Sample)
+    for _ in range(240):
+        made.advance(1 / 60)
+    return made
+
+
+def painted(look, size, stage, count=3):
+    strips = Strips(look, Sample.strips[:count])
+    strips.place(arrange(*size, look.k, strips=count), look)
+    strips.update(0.1, stage)
+    surface = pygame.Surface(size, 0, 32)
+    strips.draw(surface)
+    return strips, surface
+
+
+@pytest.mark.parametrize("size", [(1, 1), (320, 240), (640, 480), (900, 720), (1280, 720), (1280, 560)])
+def test_charts_in_any_window(any_look, stage, size):
+    strips, surface = painted(any_look, size, stage)
+    room = strips.layout.strips
+    if room.h:
+        assert len(set(pygame.image.tobytes(surface.subsurface(room), "RGB"))) > 10
+        surface.fill("black", room)
+    assert not pygame.surfarray.array3d(surface).any()  # nothing beside them
+
+
+def test_a_curve_ends_at_its_last_value(stage):
+    look = Look(DARK)
+    strips, surface = painted(look, (1280, 720), stage)
+    column, axis = strips.layout.charts[1], strips._axes[1]
+    height = stage.readouts()[3].value
+    x, y = column.x + column.w - look.px(84), column.y + 32 + 72.5 - height / axis.high * 72
+    assert surface.get_at((x, round(y - 0.5)))[:3] == DARK.chalk.mark[:3]
+
+
+def test_the_picture_is_made_anew_only_for_new_steps_and_twenty_times_a_second(stage):
+    strips, surface = painted(Look(DARK), (1280, 720), stage)
+    first = strips._picture
+    strips.update(1.0, stage)
+    assert strips._picture is first
+    stage.step()
+    strips.update(1.0, stage)
+    assert strips._picture is None
+    strips.draw(surface)
+    stage.step()
+    strips.update(0.01, stage)
+    assert strips._picture is not None
+
+
+def test_no_samples_yet_and_names_that_are_not_given():
+    class Quiet(Sample):
+        name = "quiet"
+
+        def readouts(self):
+            return ()
+
+    painted(Look(DARK), (1280, 720), Stage(Quiet))
