@@ -250,6 +250,10 @@ class App:
             action(self)
         return action is not None
 
+    def quit(self) -> None:
+        """Leave after this frame."""
+        self.running = False
+
     def toggle_full_screen(self) -> None:
         """Window or whole screen."""
         self.screens.top.cancel()
@@ -278,4 +282,5 @@ _OWN: dict[str, Callable[[App], None]] = {
     "theme": App.toggle_theme,
     "screenshot": App.screenshot,
     "settings": App.open_settings,
+    "quit": App.quit,
 }

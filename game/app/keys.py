@@ -49,6 +49,7 @@ COMMANDS = (
     Command("full-screen", "full screen", "f11"),
     Command("screenshot", "picture", "f12"),
     Command("back", "back", "escape"),
+    Command("quit", "leave Carom", "ctrl+q"),
 )
 
 _PLACES = {

@@ -18,7 +18,7 @@ from game.files import read_text, write_text
 
 FILE_NAME = "settings.toml"
 LARGEST_BYTES = 100_000
-HEAD = "# Carom. Keys are named by their place on a US keyboard: pause = \"space\", save = \"ctrl+s\".\n"
+HEAD = '# Carom. Keys are named by their place on a US keyboard: pause = "space", save = "ctrl+s".\n'
 
 Scale = Annotated[float, msgspec.Meta(ge=0.75, le=2.0)]
 Side = Annotated[int, msgspec.Meta(ge=1, le=16_384)]

@@ -15,7 +15,9 @@ from game.ui.icons import logo
 REPEAT_AFTER_MS, REPEAT_MS = 350, 50
 
 
-def start(window: Window, settings: Settings, complaint: str, scene_name: str = "", opening: Opening | None = None) -> None:
+def start(
+    window: Window, settings: Settings, complaint: str, scene_name: str = "", opening: Opening | None = None
+) -> None:
     """Run the program until its window is closed, beginning with the menu or with a scene."""
     pygame.key.set_repeat(REPEAT_AFTER_MS, REPEAT_MS)
     app = App(window, CATALOGUE, settings, user_folder())

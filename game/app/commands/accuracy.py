@@ -66,4 +66,9 @@ def _measure(scene_type: Any, folder: Path) -> None:
 def _show_progress(done: int, total: int, label: str, seconds_left: float) -> None:
     """One line that is written over, where somebody looks at it."""
     if sys.stderr.isatty():
-        print(f"\r{done} of {total}  {label:<40} {seconds_left:4.0f} s left ", end="", file=sys.stderr, flush=True)
+        print(
+            f"\r{done} of {total}  {label:<40} {seconds_left:4.0f} s left ",
+            end="",
+            file=sys.stderr,
+            flush=True,
+        )

@@ -25,7 +25,9 @@ def add_scene_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", metavar="SCENE", help="name of a scene (see: list)")
     parser.add_argument("--set", action="append", default=[], metavar="K=V", dest="parameters",
                         help="set a parameter; may be given several times")  # fmt: skip
-    parser.add_argument("--level", metavar="FILE", help="level file, or the name of one of the scene's levels")
+    parser.add_argument(
+        "--level", metavar="FILE", help="level file, or the name of one of the scene's levels"
+    )
     parser.add_argument("--effects-off", default="", metavar="A,B", help="effects to leave out")
     parser.add_argument("--seed", metavar="N", help="seed of the random numbers")
 
@@ -112,7 +114,9 @@ def read_level(scene_type: type[Scene], word: str) -> Level:
     path = Path(word)
     if not path.exists():
         own = {file.stem: file for file in level_files(scene_type.name)}
-        path = own.get(word, own.get(path.stem if path.suffix == ".toml" and path.parent == Path() else "", path))
+        path = own.get(
+            word, own.get(path.stem if path.suffix == ".toml" and path.parent == Path() else "", path)
+        )
     try:
         return load_level(path, scene_type.name, scene_type.content_type)
     except LevelError as error:
@@ -165,5 +169,7 @@ def read_size(text: str) -> tuple[int, int]:
         raise Failure(f"--size {text}: WIDTHxHEIGHT is wanted, such as 1280x720")
     width, height = int(found[1]), int(found[2])
     if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE and width * height <= MOST_PIXELS):
-        raise Failure(f"--size {text}: sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels are wanted")
+        raise Failure(
+            f"--size {text}: sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels are wanted"
+        )
     return width, height

@@ -68,7 +68,10 @@ def _describe_knob(knob: Any) -> dict[str, Any]:
 def _describe_levels(scene_name: str) -> list[dict[str, str]]:
     from game.app.level_index import level_heads
 
-    return [{"name": head.path.stem, "title": head.title, "file": str(head.path)} for head in level_heads(scene_name)]
+    return [
+        {"name": head.path.stem, "title": head.title, "file": str(head.path)}
+        for head in level_heads(scene_name)
+    ]
 
 
 def print_scene(row: dict[str, Any], in_full: bool) -> None:

@@ -24,7 +24,14 @@ def round_corners(picture: pygame.Surface, look: Look, below: int) -> pygame.Sur
     return rounded
 
 
-def paint_card(surface: pygame.Surface, look: Look, card: Card, entry: Entry, picture: pygame.Surface, at: tuple[int, int]) -> None:
+def paint_card(
+    surface: pygame.Surface,
+    look: Look,
+    card: Card,
+    entry: Entry,
+    picture: pygame.Surface,
+    at: tuple[int, int],
+) -> None:
     """Draw a whole card with its left upper corner there."""
     rect = pygame.Rect(at, card.rect.size)
     draw_shadow(surface, rect, 2.5 * look.k, 2 * look.k, 0.25)
@@ -37,7 +44,9 @@ def paint_card(surface: pygame.Surface, look: Look, card: Card, entry: Entry, pi
     draw_box(surface, rect, look.px(RADIUS), None, look.theme.line, look.border)
 
 
-def _paint_words(surface: pygame.Surface, look: Look, rect: pygame.Rect, picture_height: int, entry: Entry) -> None:
+def _paint_words(
+    surface: pygame.Surface, look: Look, rect: pygame.Rect, picture_height: int, entry: Entry
+) -> None:
     theme, px = look.theme, look.px
     surface.fill(theme.line, (rect.x + 1, rect.y + picture_height, rect.w - 2, look.border))
     x, room = rect.x + px(12), rect.w - 2 * px(12)
@@ -45,7 +54,9 @@ def _paint_words(surface: pygame.Surface, look: Look, rect: pygame.Rect, picture
     look.text(surface, title, (x, rect.y + picture_height + px(20)), 13, "semibold", "text1")
     y = rect.y + picture_height + px(39)
     used = look.text(surface, entry.task, (x, y), 11, "semibold", "accent").w + px(7)
-    look.text(surface, look.fonts.fit(entry.fact, 11, "medium", room - used), (x + used, y), 11, "medium", "text3")
+    look.text(
+        surface, look.fonts.fit(entry.fact, 11, "medium", room - used), (x + used, y), 11, "medium", "text3"
+    )
 
 
 def _paint_wide_words(surface: pygame.Surface, look: Look, rect: pygame.Rect, entry: Entry) -> None:
@@ -56,7 +67,14 @@ def _paint_wide_words(surface: pygame.Surface, look: Look, rect: pygame.Rect, en
     light = pygame.Color("#ECE8DE")
     look.text(surface, entry.title, (rect.x + px(16), rect.bottom - px(44)), 20, "display", light)
     room = rect.w - px(16 + 64)
-    look.text(surface, look.fonts.fit(entry.fact, 12, "medium", room), (rect.x + px(16), rect.bottom - px(21)), 12, "medium", light)
+    look.text(
+        surface,
+        look.fonts.fit(entry.fact, 12, "medium", room),
+        (rect.x + px(16), rect.bottom - px(21)),
+        12,
+        "medium",
+        light,
+    )
     center = (rect.right - px(32), rect.bottom - px(32))
     blue = pygame.Color("#5FBAF9")
     draw_disc(surface, center, px(18), blue)
@@ -82,7 +100,15 @@ def _shade(size: tuple[int, int]) -> pygame.Surface:
     return shade
 
 
-def paint_focused(surface: pygame.Surface, look: Look, card: Card, entry: Entry, picture: pygame.Surface, lift: float, top: int) -> None:
+def paint_focused(
+    surface: pygame.Surface,
+    look: Look,
+    card: Card,
+    entry: Entry,
+    picture: pygame.Surface,
+    lift: float,
+    top: int,
+) -> None:
     """The card under the pointer or the keyboard focus: lifted, with a ring. ``top``: scroll, window px."""
     rect = card.rect.move(0, top - round(LIFT * look.k * lift))
     draw_shadow(surface, rect, 7 * look.k, 8 * look.k, 0.45 * lift)
@@ -98,7 +124,16 @@ def draw_ring(surface: pygame.Surface, look: Look, rect: pygame.Rect, radius: in
     draw_box(surface, ring, look.px(radius) + reach, None, look.theme.accent, width)
 
 
-def paint_row(surface: pygame.Surface, look: Look, rect: pygame.Rect, scene_id: str, title: str, about: str, hard: bool, lit: bool) -> None:
+def paint_row(
+    surface: pygame.Surface,
+    look: Look,
+    rect: pygame.Rect,
+    scene_id: str,
+    title: str,
+    about: str,
+    hard: bool,
+    lit: bool,
+) -> None:
     """A level in a list: id of its scene, title, and what it is about."""
     px, theme = look.px, look.theme
     draw_box(surface, rect, look.px(8), theme.hover if lit else theme.panel, theme.line, look.border)

@@ -108,30 +108,35 @@ def arrange_rows(count: int, top: int, width: int, k: float) -> tuple[pygame.Rec
     for i in range(count):
         line, column = divmod(i, columns)
         left = round(MARGIN * k + column * (column_width + GAP * k))
-        places.append(pygame.Rect(left, top + round(line * LIST_ROW * k), round(column_width), round((LIST_ROW - 4) * k)))
+        places.append(
+            pygame.Rect(
+                left, top + round(line * LIST_ROW * k), round(column_width), round((LIST_ROW - 4) * k)
+            )
+        )
     return tuple(places)
 
 
 def nearest_in_direction(rects: Sequence[pygame.Rect], start: int, dx: int, dy: int) -> int:
     """Index of the place that an arrow key leads to from ``start``; ``start`` itself if there is none.
 
-    Of the places that lie wholly or mostly that way the nearest is taken, counting what is sideways double.
+    Left and right stay in the row. Up and down take the nearest, counting what is sideways double.
     """
     here = rects[start]
     best, best_way = start, float("inf")
     for i, rect in enumerate(rects):
-        along = (rect.centerx - here.centerx) * dx + (rect.centery - here.centery) * dy
-        if i == start or along <= 0:
+        along, aside, offset = _way(here, rect, dx, dy)
+        if i == start or along < 0 or (dx and aside > 0):
             continue
-        if dx:
-            along = (rect.left - here.right if dx > 0 else here.left - rect.right) + 1
-            across = max(rect.top - here.bottom, here.top - rect.bottom, 0) + abs(rect.centery - here.centery) * 0.1
-        else:
-            along = (rect.top - here.bottom if dy > 0 else here.top - rect.bottom) + 1
-            across = max(rect.left - here.right, here.left - rect.right, 0) + abs(rect.centerx - here.centerx) * 0.1
-        if along <= 0:
-            continue
-        way = along + 2.0 * across + (10_000.0 if dx and across > 0.5 * here.h else 0.0)
+        way = along + 2.0 * aside + 0.1 * offset
         if way < best_way:
             best, best_way = i, way
     return best
+
+
+def _way(here: pygame.Rect, there: pygame.Rect, dx: int, dy: int) -> tuple[int, int, int]:
+    """Gap in the arrow's direction (below 0: not that way), gap across it, and offset of the middles across it."""
+    right, left = there.left - here.right, here.left - there.right
+    below, above = there.top - here.bottom, here.top - there.bottom
+    if dx:
+        return (right if dx > 0 else left), max(below, above, 0), abs(there.centery - here.centery)
+    return (below if dy > 0 else above), max(right, left, 0), abs(there.centerx - here.centerx)

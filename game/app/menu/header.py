@@ -43,7 +43,10 @@ class Header:
             spots.append(Hotspot(name, place, True, name.capitalize()))
         left, right = px(196), rect.right - px(164)
         self.field = pygame.Rect(0, 0, max(1, min(px(FIELD_WIDTH), right - left)), px(FIELD_HEIGHT))
-        self.field.center = (max(left + self.field.w // 2, min(rect.centerx, right - self.field.w // 2)), middle)
+        self.field.center = (
+            max(left + self.field.w // 2, min(rect.centerx, right - self.field.w // 2)),
+            middle,
+        )
         if self.query:
             cross = pygame.Rect(0, 0, px(32), px(32))
             cross.center = (self.field.right - px(22), middle)

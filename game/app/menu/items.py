@@ -47,7 +47,12 @@ class Offer:
 
     def _fields_of_level(self, head: LevelHead) -> Sequence[Field]:
         entry = self.catalogue[head.scene]
-        own = (Field(head.title, 1.0), Field(head.path.stem, 0.8), Field(head.hard_case, 0.9), Field(head.about, 0.5))
+        own = (
+            Field(head.title, 1.0),
+            Field(head.path.stem, 0.8),
+            Field(head.hard_case, 0.9),
+            Field(head.about, 0.5),
+        )
         return (*own, Field(entry.title, 0.4), Field(entry.name, 0.4))
 
 

@@ -250,7 +250,9 @@ class MenuScreen(Screen):
         down = self._top - self._scroll
         if item.card is not None:
             picture = self._thumbnail(item)
-            cards.paint_focused(surface, self.app.look, item.card, item.entry, picture, self._lift.amount, down)
+            cards.paint_focused(
+                surface, self.app.look, item.card, item.entry, picture, self._lift.amount, down
+            )
         else:
             self._paint_row(surface, item, item.rect.move(0, down), lit=True)
             cards.draw_ring(surface, self.app.look, item.rect.move(0, down), 8)
@@ -289,7 +291,9 @@ class MenuScreen(Screen):
     def _paint_row(self, surface: pygame.Surface, item: Item, rect: pygame.Rect, lit: bool) -> None:
         assert item.level is not None
         head = item.level
-        cards.paint_row(surface, self.app.look, rect, item.entry.task, head.title, head.about, bool(head.hard_case), lit)
+        cards.paint_row(
+            surface, self.app.look, rect, item.entry.task, head.title, head.about, bool(head.hard_case), lit
+        )
 
     def _paint_foot(self, picture: pygame.Surface) -> None:
         look, px = self.app.look, self.app.look.px
@@ -300,7 +304,9 @@ class MenuScreen(Screen):
         said = self.thumbnails.words()
         right = foot.right - px(flow.MARGIN)
         if width >= px(900):
-            right -= look.text(picture, said, (right, foot.centery), 12, "medium", "text3", "right").w + px(24)
+            right -= look.text(picture, said, (right, foot.centery), 12, "medium", "text3", "right").w + px(
+                24
+            )
         x = px(flow.MARGIN)
         for keys, words in self._hints():
             end = x + keycap.keys_width(look, keys) + px(8) + look.fonts.size(words, 12)[0]

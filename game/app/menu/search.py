@@ -34,7 +34,9 @@ def rank(query: str, candidates: Iterable[tuple[T, Sequence[Field]]]) -> list[T]
     found: list[tuple[float, int, T]] = []
     for i, (candidate, fields) in enumerate(candidates):
         texts = [(plain(field.text), field.weight) for field in fields]
-        scores = [max((weight * score_word(word, text) for text, weight in texts), default=0.0) for word in words]
+        scores = [
+            max((weight * score_word(word, text) for text, weight in texts), default=0.0) for word in words
+        ]
         if min(scores) > 0.0:
             found.append((-sum(scores), i, candidate))
     found.sort(key=lambda row: row[:2])

@@ -37,7 +37,9 @@ class Pen:
         """Pixel of a point of the frame."""
         return self._left + x * self._scale, self._top + y * self._scale
 
-    def line(self, points: Sequence[Point], color: str | pygame.Color, width: float = 1.5, dash: float = 0.0) -> None:
+    def line(
+        self, points: Sequence[Point], color: str | pygame.Color, width: float = 1.5, dash: float = 0.0
+    ) -> None:
         """A line through points; ``dash`` is the length of strokes and gaps."""
         shade, thick = self.look.color(color), max(1, round(width * self._scale))
         for a, b in zip(points, points[1:], strict=False):
@@ -52,7 +54,15 @@ class Pen:
         width = max(1, round(ring * self._scale)) if ring else 0
         pygame.draw.circle(self.large, self.look.color(color), self.at(x, y), radius * self._scale, width)
 
-    def box(self, left: float, top: float, width: float, height: float, color: str | pygame.Color, ring: float = 0.0) -> None:
+    def box(
+        self,
+        left: float,
+        top: float,
+        width: float,
+        height: float,
+        color: str | pygame.Color,
+        ring: float = 0.0,
+    ) -> None:
         """A rectangle, or its outline."""
         thick = max(1, round(ring * self._scale)) if ring else 0
         rect = pygame.Rect(self.at(left, top), (width * self._scale, height * self._scale))
@@ -66,16 +76,23 @@ class Pen:
         neck = (tip[0] - ux * 4.5 * width, tip[1] - uy * 4.5 * width)
         self.line((tail, neck), color, width)
         side = 1.6 * width
-        corners = (tip, (neck[0] - uy * side, neck[1] + ux * side), (neck[0] + uy * side, neck[1] - ux * side))
+        corners = (
+            tip,
+            (neck[0] - uy * side, neck[1] + ux * side),
+            (neck[0] + uy * side, neck[1] - ux * side),
+        )
         pygame.draw.polygon(self.large, self.look.color(color), [self.at(*corner) for corner in corners])
 
     def ball(self, x: float, y: float, radius: float, number: int) -> None:
         """A billiard ball in flat colours."""
         self.disc(x + 0.25 * radius, y + 0.4 * radius, radius, pygame.Color("#14504A"))
-        striped = number > 8
-        self.disc(x, y, radius, BALL_WHITE if striped else BALL_COLORS[number])
-        if striped:
-            self.box(x - 0.8 * radius, y - 0.55 * radius, 1.6 * radius, 1.1 * radius, BALL_COLORS[number])
+        self.disc(x, y, radius, BALL_COLORS[number])
+        if number > 8:
+            for top in (y - radius, y + 0.55 * radius):
+                left, right = self.at(x - radius, top), self.at(x + radius, top + 0.45 * radius)
+                self.large.set_clip(pygame.Rect(left, (right[0] - left[0], right[1] - left[1])))
+                self.disc(x, y, radius, BALL_WHITE)
+            self.large.set_clip(None)
         if number:
             self.disc(x, y, 0.45 * radius, BALL_WHITE)
         else:
@@ -127,7 +144,9 @@ def _three_tables(pen: Pen) -> None:
     for left, top in ((10.0, 10.0), (84.0, 10.0), (47.0, 56.0)):
         pen.box(left, top, 66.0, 38.0, WOOD_DARK)
         pen.box(left + 3.0, top + 3.0, 60.0, 32.0, FELT)
-        pen.line(((left + 12, top + 27), (left + 50, top + 14), (left + 40, top + 3)), FELT_WARM, 0.9, dash=2.0)
+        pen.line(
+            ((left + 12, top + 27), (left + 50, top + 14), (left + 40, top + 3)), FELT_WARM, 0.9, dash=2.0
+        )
         pen.disc(left + 12, top + 27, 2.4, CUE_BALL)
 
 

@@ -63,7 +63,9 @@ class FaultBanner:
         lines = look.fonts.wrap(self.text, 12, "medium", button.x - px(12) - x)[:2]
         for i, line in enumerate(lines):
             y = rect.centery + (i - 0.5 * (len(lines) - 1)) * px(17)
-            look.text(surface, look.fonts.fit(line, 12, "medium", button.x - px(12) - x), (x, y), 12, "medium")
+            look.text(
+                surface, look.fonts.fit(line, 12, "medium", button.x - px(12) - x), (x, y), 12, "medium"
+            )
         lit = self.spots.hover("reset")
         draw_box(surface, button, px(8), theme.accent.lerp(theme.text1, 0.15 * lit))
         look.text(surface, "Reset", button.center, 13, "semibold", theme.on_accent, "center")

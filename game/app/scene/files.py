@@ -23,7 +23,9 @@ def recordings_folder() -> Path:
 def present_level(stage: Stage, title: str) -> Level:
     """The scene as it is now: the knobs that are not at their defaults, effects, seed, content."""
     scene = stage.scene
-    changed = {name: scene.values[name] for name, knob in scene.knobs().items() if scene.values[name] != knob.default}
+    changed = {
+        name: scene.values[name] for name, knob in scene.knobs().items() if scene.values[name] != knob.default
+    }
     return Level(
         scene=scene.name,
         title=title,

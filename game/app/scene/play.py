@@ -249,7 +249,7 @@ class ScenePlay:
     def trouble(self) -> str:
         """Why the scene stands still, if something went wrong."""
         if self.stage.fault is not None:
-            return f"Stopped at step {self.stage.fault.step}. {self.stage.fault.message}"
+            return f"Stopped: {self.stage.fault.message}."
         return self.drawing_error
 
     def draw(self, surface: pygame.Surface) -> None:

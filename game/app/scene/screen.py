@@ -123,7 +123,9 @@ class SceneScreen(Screen):
             if self.play is None or not self.play.cancel():
                 self.app.open_menu(self.entry.name)
         elif name in ("next", "previous"):
-            self.app.open_scene(self.app.catalogue.neighbour(self.entry.name, 1 if name == "next" else -1).name)
+            self.app.open_scene(
+                self.app.catalogue.neighbour(self.entry.name, 1 if name == "next" else -1).name
+            )
         elif name == "panel":
             self.app.settings.panel = not self.app.settings.panel
             self.restyle()

@@ -61,7 +61,9 @@ class Shell:
         rows += [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
         if "wheel" not in getattr(scene_type, "takes", ()):
             rows.append((("Wheel",), "zoom"))
-        after = [(name, words) for name, words in AFTER_OWN if name != "accuracy" or scene_type.study is not None]
+        after = [
+            (name, words) for name, words in AFTER_OWN if name != "accuracy" or scene_type.study is not None
+        ]
         return rows + [((label(name),), words) for name, words in after]
 
     def place(self) -> None:
@@ -150,9 +152,13 @@ class Shell:
         """The shell before there is a scene, and how far its kernels are."""
         draw_shell(surface, self.layout, self.app.look)
         self.loading.draw(
-            surface, self.layout.free_stage, self.entry.title, loader.done, loader.total, loader.name, loader.seconds
+            surface,
+            self.layout.free_stage,
+            self.entry.title,
+            loader.done,
+            loader.total,
+            loader.name,
+            loader.seconds,
         )
         self.draw_foot(surface)
         self.bar.draw(surface)
-
-

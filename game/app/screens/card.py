@@ -112,7 +112,9 @@ class CardScreen(Screen):
     def _paint_head(self, picture: pygame.Surface) -> None:
         look, px = self.app.look, self.app.look.px
         room = picture.get_width() - px(32 + 64)
-        look.text(picture, look.fonts.fit(self.heading, 20, "display", room), (px(32), px(TITLE_Y)), 20, "display")
+        look.text(
+            picture, look.fonts.fit(self.heading, 20, "display", room), (px(32), px(TITLE_Y)), 20, "display"
+        )
         spot = self.spots.find("close")
         if spot is not None:
             draw_close(picture, look, self.inner(spot.rect), self.spots.hover("close"))
@@ -134,4 +136,6 @@ class CardScreen(Screen):
         look.text(picture, words, rect.center, 13, "semibold" if primary else "medium", color, "center")
         if self.spots.focused == name:
             reach = px(1) + max(2, px(2))
-            draw_box(picture, rect.inflate(2 * reach, 2 * reach), px(8) + reach, None, theme.accent, max(2, px(2)))
+            draw_box(
+                picture, rect.inflate(2 * reach, 2 * reach), px(8) + reach, None, theme.accent, max(2, px(2))
+            )

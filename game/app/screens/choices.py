@@ -32,7 +32,9 @@ class ChoiceCard(CardScreen):
 
     width = 720.0
 
-    def __init__(self, app: App, heading: str, rows: Sequence[Row], chosen: Callable[[Any], None], present: Any = None):
+    def __init__(
+        self, app: App, heading: str, rows: Sequence[Row], chosen: Callable[[Any], None], present: Any = None
+    ):
         self._heading = heading
         self.rows = tuple(rows)
         self._chosen = chosen

@@ -50,7 +50,9 @@ class KeysCard(CardScreen):
                 continue
             keycap.draw_keys(picture, look, x, y, keys)
             room = column - px(112)
-            look.text(picture, look.fonts.fit(words, 13, "medium", room), (x + px(104), y), 13, "medium", "text2")
+            look.text(
+                picture, look.fonts.fit(words, 13, "medium", room), (x + px(104), y), 13, "medium", "text2"
+            )
         where = f"Keys may be changed in {settings_path(self.app.folder)}"
         where = look.fonts.fit(where, 12, "medium", picture.get_width() - px(64))
         look.text(picture, where, (px(32), picture.get_height() - px(24)), 12, "medium", "text3")

@@ -28,7 +28,11 @@ LINES = (
     _Line("Theme", "colours of the interface", (("theme-dark", "Dark"), ("theme-light", "Light"))),
     _Line("Size", "of letters and controls", tuple((f"scale-{s:g}", f"{s * 100:.0f} %") for s in SCALES)),
     _Line("Motion", "fades and lifts of the interface", (("motion-all", "All"), ("motion-less", "Less"))),
-    _Line("Window", "as it is, or the whole screen", (("screen-window", "Window"), ("screen-full", "Full screen"))),
+    _Line(
+        "Window",
+        "as it is, or the whole screen",
+        (("screen-window", "Window"), ("screen-full", "Full screen")),
+    ),
 )
 
 
@@ -94,12 +98,16 @@ class SettingsCard(CardScreen):
             for (name, words), rect in zip(line.options, rects, strict=True):
                 self._paint_segment(picture, rect, words, name in chosen, self.spots.hover(name))
                 if self.spots.focused == name:
-                    draw_box(picture, rect.inflate(px(4), px(4)), px(10), None, look.theme.accent, max(2, px(2)))
+                    draw_box(
+                        picture, rect.inflate(px(4), px(4)), px(10), None, look.theme.accent, max(2, px(2))
+                    )
         where = f"Kept in {settings_path(self.app.folder)}"
         where = look.fonts.fit(where, 12, "medium", picture.get_width() - px(64))
         look.text(picture, where, (px(32), picture.get_height() - px(28)), 12, "medium", "text3")
 
-    def _paint_segment(self, picture: pygame.Surface, rect: pygame.Rect, words: str, on: bool, lit: float) -> None:
+    def _paint_segment(
+        self, picture: pygame.Surface, rect: pygame.Rect, words: str, on: bool, lit: float
+    ) -> None:
         look, px, theme = self.app.look, self.app.look.px, self.app.look.theme
         inner = rect.inflate(-px(4), -px(4))
         color = theme.text2
@@ -109,4 +117,6 @@ class SettingsCard(CardScreen):
         elif lit:
             draw_box(picture, inner, px(6), theme.inset.lerp(theme.hover, lit))
         weight = "semibold" if on else "medium"
-        look.text(picture, look.fonts.fit(words, 13, weight, inner.w), rect.center, 13, weight, color, "center")
+        look.text(
+            picture, look.fonts.fit(words, 13, weight, inner.w), rect.center, 13, weight, color, "center"
+        )

@@ -1,0 +1,35 @@
+"""The help page of a scene, with the keys that every scene has."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from game.app.scene.page_screen import PageScreen
+from game.stage import Scene
+from game.ui.helppage import HelpPage
+
+if TYPE_CHECKING:
+    from game.app.application import App
+
+SHOWN = (
+    ("pause", "pause and go on"), ("step", "one step"), ("step-back", "one step back"), ("reset", "begin anew"),
+    ("slower", "slower"), ("faster", "faster"), ("view", "whole view"), ("accuracy", "what accuracy costs"),
+    ("levels", "levels and hard cases"), ("save", "save level and recording"), ("open", "open what was saved"),
+    ("next", "next scene"), ("screenshot", "picture"),
+)  # fmt: skip
+
+
+class HelpCard(PageScreen):
+    """Made from the scene's declarations; F1 closes it as well."""
+
+    def __init__(self, app: App, scene_type: type[Scene]):
+        rows = [((app.keys.label(name),), words) for name, words in SHOWN]
+        if "wheel" not in getattr(scene_type, "takes", ()):
+            rows.append((("Wheel",), "zoom"))
+        super().__init__(app, HelpPage(app.look, scene_type, rows))
+
+    def command(self, name: str) -> bool:
+        if name == "help":
+            self.close()
+            return True
+        return super().command(name)
