@@ -124,7 +124,7 @@ def emit(mask, fields, tags, tallies, capacity, emitters, counts, due, seed, lif
         counts[e, MADE] += 1
         counts[e, SERIAL] += 1
         age = min(max(end - instant, 0.0), h)
-        stillborn = age >= life
+        stillborn = age + SLACK * (abs(end) + life) >= life
         if not stillborn and tallies[COUNT] == capacity:
             tallies[DROPPED] += 1
             continue

@@ -87,7 +87,9 @@ def is_there(rules, solids, j):
 
 @kernel
 def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
-    """Put a particle that is inside solids on their surfaces and reflect it: (x, y, vx, vy, impulse, last).
+    """Put a particle that is inside or on solids on their surfaces and reflect it.
+
+    Returns (x, y, vx, vy, impulse, last).
 
     They rebound with mode END only: with the others, who is inside was born there or run over. Solids may
     overlap: up to MAX_CONTACTS rounds. ``last``: the solid last met, or -1.
@@ -101,7 +103,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
             if not is_there(rules, solids, j):
                 continue
             gap, nx, ny = surface(solids, j, rules.floor, x, y, t)
-            if gap >= 0.0:
+            if gap > TOUCH:
                 continue
             x -= gap * nx
             y -= gap * ny
@@ -194,7 +196,7 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
     """The first solid on the way from (x, y) to (x1, y1): (index or -1, flight time in s until then).
 
     A particle that touches and approaches meets it at once; one that touches and leaves does not, unless it
-    ends inside: then at the end. For one that begins inside the time is -1.
+    ends inside or on it: then at the end. For one that begins inside the time is -1.
     """
     earliest = 2.0 * left
     which = -1
@@ -209,7 +211,7 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
             if (vx - ux) * nx + (vy - uy) * ny < 0.0:
                 return j, 0.0
             gap, nx, ny = surface(solids, j, rules.floor, x1, y1, t + left)
-            when = left if gap < 0.0 else 2.0 * left
+            when = left if gap <= TOUCH else 2.0 * left
         elif rules.mode == ROOT:
             when = root_time(rules, law, solids, j, x, y, vx, vy, x1, y1, t, left)
         else:

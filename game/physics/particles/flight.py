@@ -156,7 +156,10 @@ def exponential(mask, forces, decay, x, y, vx, vy, h):
     half = 0.5 * h
     px = x + half * vx
     py = y + half * vy
-    wx, wy = air_velocity(mask, forces, px, py)
+    wx = 0.0
+    wy = 0.0
+    if mask & AIR_BITS:
+        wx, wy = air_velocity(mask, forces, px, py)
     fx, fy = field_acceleration(mask, forces, px, py)
     rx = vx - wx
     ry = vy - wy

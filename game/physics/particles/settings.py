@@ -10,13 +10,13 @@ from game.physics.effects import EffectSet
 from game.physics.fields import DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles.contacts import CONTACTS
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT, REPORTS_BIT
-from game.physics.particles.flight import METHODS, STABILITY_LIMITS
+from game.physics.particles.flight import EXPONENTIAL, METHODS
 from game.physics.particles.forces import FORCE_BITS, Forces
 from game.physics.particles.solids import LARGEST, Discs
 
 KNOWN = EffectSet.from_mask(FORCE_BITS | GROUND_BIT | OBSTACLES_BIT | REPORTS_BIT)
 CALM = Forces(9.81, 0.1, 0.02, 0.0, 0.0, 0.0, 2.0, 0.0, 0.5, 0.0, 0.0, 0.0)
-SMOOTH = 0.25  # drag times substep at which an explicit method is within 1 % of the exact decay
+SMOOTH = 0.25  # drag times substep at which every method is within 1 % of the exact decay
 MAX_SUBSTEPS = 64
 
 
@@ -164,7 +164,7 @@ class Settings:
         """Substeps that a step of dt (s) is divided into."""
         if self._substeps:
             return self._substeps
-        if math.isinf(STABILITY_LIMITS[self._method]):
+        if self._method == EXPONENTIAL:
             return 1
         return min(max(math.ceil(self.stiffness() * dt / SMOOTH), 1), MAX_SUBSTEPS)
 

@@ -93,7 +93,10 @@ class ParticleSystem(Pool, Settings):
 
     @property
     def reports(self) -> NDArray[np.float64]:
-        """(m, 8) lines of the last step: kind, identity, instant, x, y, vx, vy, impulse (see encounters)."""
+        """(m, 8) lines of the last step: kind, identity, instant, x, y, vx, vy, impulse (see encounters).
+
+        A view: the next step writes over it.
+        """
         return self._reports[: self.tallies[encounters.REPORTED]]
 
     # -- emitters -----------------------------------------------------------------------------------
