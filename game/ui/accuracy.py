@@ -57,7 +57,7 @@ class AccuracyPage:
         """New data, as runs come in."""
         self.data = data
         self.plot.error_unit = data.error_unit
-        self.plot.show(data.series, data.present, data.target)
+        self.plot.show(data.series, data.present, data.target, data.floor)
         self._point = None
         self._card = None
 
@@ -95,13 +95,13 @@ class AccuracyPage:
                 pressed, self._pressed = self._pressed, None
                 if pressed is not None and pressed == self._point:
                     i, j = pressed
-                    return Command("point", dict(self.data.series[i].points[j].parameters))
+                    return Command("point", dict(self.data.series[i].runs[j].parameters))
         name = self.spots.handle(event)
         return Command(name) if name is not None else None
 
     def _clickable(self, hit: tuple[int, int] | None) -> tuple[int, int] | None:
         """Only a point that says how to set the scene."""
-        if hit is None or not self.data.series[hit[0]].points[hit[1]].parameters:
+        if hit is None or not self.data.series[hit[0]].runs[hit[1]].parameters:
             return None
         return hit
 
@@ -110,7 +110,7 @@ class AccuracyPage:
         if self._point is None:
             return None
         i, j = self._point
-        one, point = self.data.series[i], self.data.series[i].points[j]
+        one, point = self.data.series[i], self.data.series[i].runs[j]
         x, y = self.plot.place(i, point)
         error = "diverged" if point.diverged else self.plot.error_text(point.error)
         words = f"{one.name}, {point.words}" if point.words else one.name

@@ -31,6 +31,7 @@ class AccuracyData(NamedTuple):
     target: float = math.nan
     sentence: str = ""
     notes: tuple[str, ...] = ()
+    floor: float = 0.0  # errors up to it are rounding and lie at the foot of the plot
 
 
 class Progress(NamedTuple):

@@ -36,14 +36,16 @@ class WorkPrecisionPlot:
         self.target = math.nan  # the round error of the table
         self.x = self.y = Range(-2, 0)
 
-    def show(self, series: Sequence[PlotSeries], present: Present | None, target: float) -> None:
-        """Take new data; the axes follow."""
+    def show(
+        self, series: Sequence[PlotSeries], present: Present | None, target: float, floor: float = 0.0
+    ) -> None:
+        """Take new data; the axes follow, but for errors up to ``floor``, which lie at the foot."""
         self.series, self.present, self.target = tuple(series), present, target
-        points = [point for one in self.series for point in one.points]
+        points = [point for one in self.series for point in one.runs]
         if present is not None:
             points.append(present.point)
         self.x = decades([point.cpu_s for point in points])
-        self.y = decades([point.error for point in points if not point.diverged])
+        self.y = decades([p.error for p in points if not p.diverged and p.error > floor])
 
     # -- places -------------------------------------------------------------------------------------
 
@@ -60,12 +62,14 @@ class WorkPrecisionPlot:
         return self.rect.x + self.rect.w * (math.log10(cpu_s) - self.x.low) / (self.x.high - self.x.low)
 
     def row(self, error: float) -> float:
-        """Pixel of an error; one below the axis, as 0, lies on its lower end; nan if it has none."""
+        """Pixel of an error; one below the axis, as 0, lies at its foot; nan if it has none."""
         area = self.area
         if math.isnan(error) or error < 0.0 or math.isinf(error):
             return math.nan
-        power = max(math.log10(error), self.y.low) if error > 0.0 else self.y.low
-        return area.bottom - area.h * (power - self.y.low) / (self.y.high - self.y.low)
+        foot = area.bottom - 7.0 * self.look.k  # where a mark on the lower end is seen whole
+        if error == 0.0 or math.log10(error) < self.y.low:
+            return foot
+        return area.bottom - area.h * (math.log10(error) - self.y.low) / (self.y.high - self.y.low)
 
     def place(self, i: int, point: PlotPoint) -> tuple[float, float]:
         """Pixel of a point of series ``i``; a diverged one lies in the band."""
@@ -80,7 +84,7 @@ class WorkPrecisionPlot:
         """Series and point nearest to a pixel and within reach."""
         best, found = HIT * self.look.k, None
         for i, one in enumerate(self.series):
-            for j, point in enumerate(one.points):
+            for j, point in enumerate(one.runs):
                 x, y = self.place(i, point)
                 distance = math.sqrt((x - position[0]) ** 2 + (y - position[1]) ** 2)
                 if distance < best:
@@ -103,13 +107,15 @@ class WorkPrecisionPlot:
         if self.present is not None:
             self._draw_present_lines(brush, self.present)
         for i, one in reversed(list(enumerate(self.series))):
+            brush.dots([self.place(i, p) for p in one.cloud if not p.diverged], one.color)
+        for i, one in reversed(list(enumerate(self.series))):
             self._draw_series(brush, i, one)
         if self.present is not None:
             x, y = self.place(self.present.series, self.present.point)
             brush.ring(x, y, 9.5, "amber", 2.0)
         if hovered is not None:
             i, j = hovered
-            x, y = self.place(i, self.series[i].points[j])
+            x, y = self.place(i, self.series[i].runs[j])
             brush.ring(x, y, 8.0, "accent", 1.6)
         PlotWords(self, surface, brush).draw()
 
@@ -141,7 +147,7 @@ class WorkPrecisionPlot:
             y = round(self.row(10.0**n))
             if self.y.low < n < self.y.high:
                 surface.fill(theme.grid2, (area.x, y, area.w, 1))
-            if n % every == 0:
+            if n % every == 0 and n < self.y.high:
                 self._draw_error_figure(surface, 10.0**n, y)
         look.text(
             surface,
@@ -204,6 +210,8 @@ class WorkPrecisionPlot:
             brush.mark(one.marker, x, y, one.color, hollow=True)
         for x, y in measured:
             brush.mark(one.marker, x, y, one.color)
-        for point in one.points:
-            if point.diverged:
-                brush.mark("cross", *self.place(i, point), one.color)
+        last = -math.inf
+        for x, y in sorted(self.place(i, point) for point in one.runs if point.diverged):
+            if x - last >= 6 * self.look.k:  # of many crosses, as many as can be told apart
+                brush.mark("cross", x, y, one.color)
+                last = x

@@ -22,17 +22,26 @@ class PlotPoint(NamedTuple):
 
 
 class PlotSeries(NamedTuple):
-    """A method: its runs in order of cost, its fitted order (nan if unknown) and how it is drawn."""
+    """A method: its runs in order of cost, its fitted order (nan if unknown) and how it is drawn.
+
+    ``cloud`` holds further runs that are small dots without a line, where there are very many.
+    """
 
     name: str
     points: tuple[PlotPoint, ...]
     order: float = math.nan
     color: str = "chalk"
     marker: str = "disc"
+    cloud: tuple[PlotPoint, ...] = ()
+
+    @property
+    def runs(self) -> tuple[PlotPoint, ...]:
+        """All runs; ``WorkPrecisionPlot.hit`` gives a place in this."""
+        return self.points + self.cloud
 
 
 class Present(NamedTuple):
-    """The scene's own setting in the plot: its point and its words."""
+    """The scene's own setting: its point, its words, and the method it is a point of (-1 if none)."""
 
     series: int
     point: PlotPoint

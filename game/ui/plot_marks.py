@@ -41,6 +41,13 @@ class Brush:
             w = float(width * self.look.k)
             raster.stroke_polyline(self.pixels, self.clip, self.cover, array, w, False, self._ink(color), 1.0)
 
+    def dots(self, points: Sequence[tuple[float, float]], color: str) -> None:
+        """Many small faint dots."""
+        if points:
+            array = np.array(points) + self.offset
+            inks = np.full(len(points), self._ink(color), np.uint32)
+            raster.fill_particles(self.pixels, self.clip, array, inks, min(1.6 * self.look.k, 3.5), 0.4)
+
     def dashes(
         self, a: tuple[float, float], b: tuple[float, float], width: float,
         dash: tuple[float, float], color: str, alpha: float,

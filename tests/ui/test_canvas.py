@@ -1,4 +1,4 @@
-"""Canvas: shapes land where the camera says, in their colours; absurd input draws nothing and raises nothing."""
+"""Canvas: shapes land where the camera says, in their colours; absurd input draws and raises nothing."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ WILD = st.one_of(
 )
 
 
-def begun(size=(200, 100), frame=Frame(-2.0, -1.0, 2.0, 1.0), rect=None, **turns):
+WIDE = Frame(-2.0, -1.0, 2.0, 1.0)
+
+
+def begun(size=(200, 100), frame=WIDE, rect=None, **turns):
     surface = pygame.Surface(size, 0, 32)
     canvas, camera = Canvas(Look(DARK)), Camera(**turns)
     rect = pygame.Rect(0, 0, *size) if rect is None else rect

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pygame
 import pytest
@@ -46,9 +47,9 @@ def test_an_axis_stays_until_it_is_too_small_or_far_too_large():
 def test_labels_are_apart_inside_and_in_order(places):
     put = spread(places, 15.0, 0.0, 72.0)
     order = sorted(range(len(places)), key=lambda i: places[i])
-    assert all(put[b] - put[a] >= 15.0 - 1e-9 for a, b in zip(order, order[1:], strict=False))
+    assert all(put[b] - put[a] >= 15.0 - 1e-9 for a, b in pairwise(order))
     assert all(y <= 72.0 for y in put)
-    if all(b - a >= 15.0 for a, b in zip(sorted(places), sorted(places)[1:], strict=False)):
+    if all(b - a >= 15.0 for a, b in pairwise(sorted(places))):
         assert put == places
 
 

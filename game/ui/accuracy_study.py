@@ -1,0 +1,160 @@
+"""A study's table as the accuracy overlay shows it: series, orders, costs of a round error, a sentence.
+
+Where a study has very many points of a method, its line runs along the upper envelope and the points lie
+about it as a cloud. Runs still to come are placed by straight lines through those there are, in logarithms.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from game.lab import Row, Setting, Study, StudyTable, cost_to_reach, fit_order, upper_envelope
+from game.ui.accuracy_data import AccuracyData, TableRow, sentence_for
+from game.ui.numerals import format_number, format_si
+from game.ui.plot_data import PlotPoint, PlotSeries, Present
+from game.ui.theme import SERIES
+
+MANY = 24  # points of a method that can be told apart
+ENVELOPE = 16  # points of the line when there are more
+FEWEST = 3  # points for an estimate of those to come
+
+
+def study_data(table: StudyTable, scene_title: str, present: Row | None = None) -> AccuracyData:
+    """What the overlay shows of a table, whole or in the making; ``present`` is the scene's own point."""
+    study = table.study
+    target = round_error(table)
+    settings = list(study.settings())
+    used = {setting.method for setting in settings}
+    shown = [method for method in study.methods if method.name in used]
+    series = tuple(_series(table, method.name, i, settings) for i, method in enumerate(shown))
+    rows = tuple(
+        TableRow(
+            _sentence_case(method.label),
+            fit_order(table.of(method.name), study.floor, study.envelope, study.order_over),
+            method.order if method.order is not None else math.nan,
+            cost_to_reach(table.of(method.name), target, study.envelope),
+        )
+        for method in shown
+    )
+    return AccuracyData(
+        scene_title, f"Error: {study.error}, against {study.reference}", study.error_unit, series, rows,
+        _present(study, present), target, _sentence(study, rows, target), _notes(study, series), study.floor,
+    )  # fmt: skip
+
+
+def round_error(table: StudyTable) -> float:
+    """The smallest power of ten that as many methods as possible come to stay below; nan if none does."""
+    study = table.study
+    errors = [row.error for row in table if not row.failed and row.error > study.floor]
+    if not errors:
+        return math.nan
+    by_method = [table.of(method.name) for method in study.methods]
+    best, found = 1, math.nan
+    for power in range(math.floor(math.log10(max(errors))), math.floor(math.log10(min(errors))) - 1, -1):
+        costs = (cost_to_reach(rows, 10.0**power, study.envelope) for rows in by_method)
+        reached = sum(math.isfinite(cost) for cost in costs)
+        if reached >= best:
+            best, found = reached, 10.0**power
+    return found
+
+
+def setting_words(study: Study, knob: float, others: Sequence[tuple[str, float]] = ()) -> str:
+    """A point in words: its knob with unit, and what else tells it apart."""
+    words = (
+        f"{study.knob.label} {format_si(knob, study.knob.unit) if study.knob.unit else format_number(knob)}"
+    )
+    return ", ".join([words, *(f"{name} {format_number(value)}" for name, value in others)])
+
+
+def _point(study: Study, row: Row) -> PlotPoint:
+    words = setting_words(study, row.knob, sorted(row.others.items()))
+    if row.failed:
+        words = f"{words}: {row.failure}"
+    return PlotPoint(row.cpu_s, row.error, row.failed, False, row.scene, words)
+
+
+def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting]) -> PlotSeries:
+    """The runs of one method, a line through them or through their envelope, and those still to come."""
+    study = table.study
+    rows = sorted(table.of(method), key=lambda row: row.cpu_s)
+    failed = [_point(study, row) for row in table.of(method, failed=True)]
+    order = fit_order(rows, study.floor, study.envelope, study.order_over)
+    cloud: list[PlotPoint] = []
+    chosen = rows
+    if len(rows) > MANY:
+        chosen = sorted(upper_envelope(rows, ENVELOPE, study.order_over), key=lambda row: row.cpu_s)
+        kept = {id(row) for row in chosen}
+        cloud = [_point(study, row) for row in rows if id(row) not in kept]
+    have = {row.key for row in table.of(method, failed=None)}
+    missing = [setting for setting in settings if setting.method == method and setting.key not in have]
+    coming = _estimates(study, rows, missing)
+    style = SERIES[i % len(SERIES)]
+    points = (*failed, *(_point(study, row) for row in chosen), *coming)
+    return PlotSeries(
+        _sentence_case(study.method(method).label), points, order, style.color, style.marker, tuple(cloud)
+    )
+
+
+def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) -> list[PlotPoint]:
+    """Where the runs of a method that are still to come may lie; none without enough to go by."""
+    good = [row for row in rows if row.error > study.floor and row.cpu_s > 0.0 and row.knob > 0.0]
+    if not missing or len(missing) > MANY or len({row.knob for row in good}) < FEWEST:
+        return []
+    knobs = np.log([row.knob for row in good])
+    error, cost = (np.polyfit(knobs, np.log(values), 1) for values in
+                   ([row.error for row in good], [row.cpu_s for row in good]))  # fmt: skip
+    last = good[-1].cpu_s
+    found = []
+    for setting in missing:
+        point = _estimate(study, setting, error, cost)
+        if point.cpu_s > last:
+            found.append(point)
+    return sorted(found)
+
+
+def _estimate(study: Study, setting: Setting, error: np.ndarray, cost: np.ndarray) -> PlotPoint:
+    at = math.log(setting.knob)
+    words = setting_words(study, setting.knob, sorted(setting.others.items()))
+    return PlotPoint(
+        math.exp(float(np.polyval(cost, at))), math.exp(float(np.polyval(error, at))), False, True,
+        setting.scene, words,
+    )  # fmt: skip
+
+
+def _present(study: Study, row: Row | None) -> Present | None:
+    if row is None:
+        return None
+    names = [method.name for method in study.methods]
+    index = names.index(row.method) if row.method in names else -1
+    words = setting_words(study, row.knob)
+    label = _sentence_case(study.methods[index].label)
+    return Present(index, _point(study, row), f"{label}, {words}" if index >= 0 else words)
+
+
+def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
+    """The comparison of costs if there is one, else what the study is about to show."""
+    words = (
+        format_si(target, study.error_unit, 1)
+        if study.error_unit
+        else f"an error of {format_number(target, 1)}"
+    )
+    labels = {_sentence_case(method.label): method.label for method in study.methods}
+    inside = [row._replace(name=labels.get(row.name, row.name)) for row in rows]
+    return sentence_for(inside, words) or study.expectation
+
+
+def _notes(study: Study, series: Sequence[PlotSeries]) -> tuple[str, ...]:
+    notes = ["Orders are fitted to the upper envelope."] if study.envelope else []
+    if any(0.0 <= point.error <= study.floor for one in series for point in one.points):
+        notes.append("At the foot: rounding only.")
+    if any(point.pending for one in series for point in one.points):
+        notes.append("Hollow: still to be measured.")
+    notes.append("Click a point to set the scene to it.")
+    return tuple(notes)
+
+
+def _sentence_case(label: str) -> str:
+    return label[:1].upper() + label[1:]
