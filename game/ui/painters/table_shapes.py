@@ -58,7 +58,7 @@ def cushion_shapes(table: Table, depth: float) -> list[CushionShape]:
 
 def _extremes(points: Array, along: Array) -> Array:
     """First and last of some points in a direction."""
-    order = np.argsort(points @ along)
+    order = np.argsort(points @ along, kind="stable")
     return points[order[[0, -1]]]
 
 
