@@ -219,7 +219,8 @@ class Scene:
         """
         now = self.state()
         for name, present, then in zip(now._fields, now, state, strict=True):
-            if isinstance(present, np.ndarray) and present.shape == np.shape(then):
+            same_shape = isinstance(present, np.ndarray) and present.shape == np.shape(then)
+            if same_shape and present.flags.writeable:
                 np.copyto(present, then)
             elif name in self.__dict__:
                 setattr(self, name, then.copy() if isinstance(then, np.ndarray) else then)

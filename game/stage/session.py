@@ -8,6 +8,7 @@ finite, an exception) is undone the same way: the scene stands at its last good 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from time import perf_counter
 from typing import Any, NamedTuple
 
@@ -246,7 +247,8 @@ class Session:
         try:
             self._return_to(good_step)
         except Exception:  # what fails did so earlier, unseen: the last snapshot itself is good
-            self._put_back(self._ring.before(good_step))
+            with suppress(Exception):  # a scene that cannot even be restored stays as it is, stopped
+                self._put_back(self._ring.before(good_step))
             self._give_up_future()
         if error is None:
             message = f"{quantity} is not finite at step {step}"

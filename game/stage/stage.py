@@ -23,6 +23,7 @@ from game.stage.state import copy_state
 SLOWEST = 1.0 / 16.0
 FASTEST = 4.0
 NEWEST = 1.0 - 2.0**-53  # alpha that shows the newest state
+_MANY = 1e9  # steps; stands for a quotient that an absurdly short step makes infinite
 _POINTER_KINDS = ("move", "down", "up", "wheel", "cancel")
 
 
@@ -200,7 +201,7 @@ class Stage:
         if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
             raise ValueError(f"steps = {steps!r}: a whole number, 0 or more, is wanted")
         # readouts that the charts can no longer show at the end are not taken
-        charted = int(self.series.window_s / self.dt) + 1
+        charted = int(min(self.series.window_s / self.dt, _MANY)) + 1
         self._next_sample = max(self._next_sample, self.step_number + steps - charted)
         made = 0
         portion = max(1, steps // 100) if progress is not None else steps
@@ -344,7 +345,9 @@ class Stage:
 
     def _sample(self) -> None:
         self.series.sample(self.step_number, self.time_s, self.scene.readouts())
-        self._next_sample = self.step_number + max(1, round(1.0 / (self.series.rate_hz * self.dt)))
+        self._next_sample = self.step_number + max(
+            1, round(min(1.0 / (self.series.rate_hz * self.dt), _MANY))
+        )
 
 
 def _checked_seed(seed: int | None) -> int | None:

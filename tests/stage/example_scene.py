@@ -71,7 +71,7 @@ class BouncingBall(Scene):
         return Frame(-2.0, -0.5, 2.0, 2.0)
 
     def readouts(self):
-        (_, y), (u, v), _ = self.ball
+        (_, y), (u, v) = self.ball.position.tolist(), self.ball.velocity.tolist()
         return [
             Readout("energy", 0.5 * (u * u + v * v) + self.gravity * y, "J/kg"),
             Readout("height", y, "m"),
