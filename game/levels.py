@@ -148,7 +148,7 @@ def format_level(level: Level) -> str:
     if level.effects_off:
         document["effects"] = {"off": list(level.effects_off)}
     if level.content is not None:
-        document["content"] = _without_none(msgspec.to_builtins(level.content))
+        document["content"] = _without_none(msgspec.to_builtins(level.content, enc_hook=_plain))
     return tomli_w.dumps(document)
 
 
@@ -196,6 +196,13 @@ def _content(raw: dict[str, Any] | None, content_type: type[msgspec.Struct] | No
     content = convert(raw, content_type, path, "content")
     check_numbers(content, content_type, path)
     return content
+
+
+def _plain(value: Any) -> Any:
+    """An array or a number of an array in Python's own types; NotImplementedError for anything else."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise NotImplementedError(f"{type(value).__name__} cannot be written to a level file")
 
 
 def _without_none(value: Any) -> Any:

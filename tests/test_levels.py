@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Annotated
 
 import msgspec
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -318,6 +319,13 @@ class TestWriting:
         with pytest.raises(LevelError, match="would be longer"):
             save_level(Level(scene="c12", content=content), tmp_path / "a.toml")
         assert not list(tmp_path.iterdir())
+
+    def test_numbers_out_of_arrays(self, tmp_path: Path) -> None:
+        place = np.array([0.1, 0.2])
+        content = Content(balls=[Ball(radius=np.float64(0.3), position=(place[0], place[1]))], far=place)
+        save_level(Level(scene="c12", content=content), tmp_path / "a.toml")
+        again = load_level(tmp_path / "a.toml", "c12", Content).content
+        assert again == Content(balls=[Ball(radius=0.3, position=(0.1, 0.2))], far=[0.1, 0.2])
 
     def test_folders_on_the_way_are_made(self, tmp_path: Path) -> None:
         save_level(Level(scene="c12"), tmp_path / "a" / "b" / "c.toml")

@@ -8,7 +8,7 @@ digest are made from the declarations.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import msgspec
 import numpy as np
@@ -79,10 +79,6 @@ class WarmUp(NamedTuple):
 
 
 _OWN = frozenset(("values", "active", "previous", "level", "seed"))  # attributes that each scene object has
-
-
-class Painter(Protocol):
-    """What a scene draws on; ui/canvas.py is one. Scenes above the ui floor use its full type."""
 
 
 class Scene:

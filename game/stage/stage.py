@@ -259,26 +259,22 @@ class Stage:
 
         Raises KnobError for what is refused; then nothing has changed and nothing is recorded.
         """
-        self._check_event(event)
-        self._session.let_in(event)
+        self._session.let_in(self._checked(event))
         self._follow_session()
 
-    def _check_event(self, event: StageEvent) -> None:
-        """KnobError for an event that the scene cannot know."""
+    def _checked(self, event: StageEvent) -> StageEvent:
+        """The event in plain numbers; KnobError for one that the scene cannot know."""
         if isinstance(event, Pointer):
-            if event.kind not in _POINTER_KINDS:
-                raise KnobError(f"pointer: {event.kind!r} is not one of {', '.join(_POINTER_KINDS)}")
-            if not all(map(math.isfinite, (event.x, event.y, event.wheel))):
-                raise KnobError("pointer: finite coordinates are wanted")
-        elif isinstance(event, Action):
+            return _checked_pointer(event)
+        if isinstance(event, Action):
             if event.name not in [action.name for action in self.scene_type.actions]:
                 raise KnobError(f"{event.name}: {self.scene_type.name} has no such action")
-        elif isinstance(event, SetKnob):
-            self.scene_type.knob(event.name).check(event.value)
-        elif isinstance(event, SetEffect):
-            self.scene_type.effect(event.name)
-        else:
-            raise KnobError(f"{type(event).__name__} is no stage event")
+            return event
+        if isinstance(event, SetKnob):
+            return SetKnob(event.name, self.scene_type.knob(event.name).check(event.value))
+        if isinstance(event, SetEffect):
+            return SetEffect(self.scene_type.effect(event.name).name, bool(event.on))
+        raise KnobError(f"{type(event).__name__} is no stage event")
 
     def _follow_session(self) -> None:
         """Take over step number and step length where the session moved by itself."""
@@ -355,3 +351,16 @@ def _checked_seed(seed: int | None) -> int | None:
     if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63):
         raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
     return seed
+
+
+def _checked_pointer(event: Pointer) -> Pointer:
+    """The event in plain numbers; KnobError if its kind is none or a number is not finite."""
+    if event.kind not in _POINTER_KINDS:
+        raise KnobError(f"pointer: {event.kind!r} is not one of {', '.join(_POINTER_KINDS)}")
+    try:
+        x, y, wheel, button = float(event.x), float(event.y), float(event.wheel), int(event.button)
+    except (TypeError, ValueError, OverflowError):
+        raise KnobError("pointer: numbers are wanted") from None
+    if not all(map(math.isfinite, (x, y, wheel))):
+        raise KnobError("pointer: finite coordinates are wanted")
+    return Pointer(event.kind, x, y, button, wheel, bool(event.shift), bool(event.control))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 from stage.example_scene import GROUND, KICK, BouncingBall
 from stage.odd_scenes import Cloud, CloudContent, Fragile, FragileState
 
 from game.levels import Level, LevelError
-from game.stage import Action, Catalogue, Entry, KnobError, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, Catalogue, Entry, KnobError, Pointer, SetEffect, SetKnob, Stage, replay_scene
 
 
 class TestBeginning:
@@ -212,6 +213,9 @@ class TestEvents:
             (SetKnob("frozen", 1), "true or false is wanted"),
             (SetEffect("wind", True), "declares no such effect"),
             ("kick", "str is no stage event"),
+            (Pointer("move", "left", 0.0), "pointer: numbers are wanted"),
+            (Pointer("move", None, 0.0), "pointer: numbers are wanted"),
+            (Pointer("move", 10**400, 0.0), "pointer: numbers are wanted"),
         ],
     )
     def test_what_is_refused_changes_nothing(self, event, message) -> None:
@@ -242,6 +246,14 @@ class TestEvents:
         assert GROUND not in stage.scene.active
         assert stage.step_number == 50
         assert stage.scene.previous.position[1] == 9.0
+
+    def test_numbers_of_any_kind_can_be_kept(self) -> None:
+        stage = Stage(BouncingBall)
+        stage.post(Pointer("down", np.float32(0.5), np.int64(1), np.int64(1)))
+        stage.post(SetKnob("gravity", np.float32(0.1)))
+        stage.run(20)
+        recording = msgspec.json.decode(msgspec.json.encode(stage.recording), type=type(stage.recording))
+        assert replay_scene(recording, BouncingBall).digest() == stage.digest()
 
     def test_events_are_stamped_with_the_steps_made(self) -> None:
         stage = Stage(BouncingBall)

@@ -1,0 +1,206 @@
+"""Compiling in the background, and what effects cost: neither depends here on how fast the machine is."""
+
+from __future__ import annotations
+
+import math
+import threading
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from stage.example_scene import BouncingBall
+
+from game.physics.effects import EffectSet, declare_effect
+from game.stage import EffectMeter, Scene, SetEffect, Stage, Warming, WarmUp
+
+CHEAP = declare_effect("spare", "test-cheap", 58, "Cheap", "Costs 1 microsecond.")
+DEAR = declare_effect("spare", "test-dear", 59, "Dear", "Costs 5 microseconds.")
+
+
+class TestWarming:
+    def test_in_order_and_in_another_thread(self) -> None:
+        seen = []
+        main = threading.get_ident()
+
+        def note(name: str):
+            return WarmUp(name, lambda: seen.append((name, threading.get_ident() != main)))
+
+        warming = Warming([note(name) for name in "abc"])
+        assert warming.wait(60.0)
+        assert seen == [("a", True), ("b", True), ("c", True)]
+        progress = warming.progress
+        assert (progress.done, progress.total, progress.name) == (3, 3, "")
+        assert warming.finished
+        assert warming.errors == []
+
+    def test_the_main_thread_goes_on_and_sees_how_far_it_is(self) -> None:
+        begun, go_on = threading.Event(), threading.Event()
+
+        def slow() -> None:
+            begun.set()
+            assert go_on.wait(60.0)
+
+        ticks = iter(range(100))
+        warming = Warming([WarmUp("slow", slow)], clock=lambda: float(next(ticks)))
+        assert begun.wait(60.0)
+        assert not warming.finished
+        progress = warming.progress
+        assert (progress.done, progress.total, progress.name) == (0, 1, "slow")
+        assert warming.progress.seconds > progress.seconds
+        go_on.set()
+        assert warming.wait(60.0)
+        assert warming.progress.seconds == warming.progress.seconds
+
+    def test_errors_are_told_and_the_next_one_is_called(self) -> None:
+        seen = []
+
+        def fail() -> None:
+            raise RuntimeError("no\n  compiler")
+
+        def silent() -> None:
+            raise KeyError
+
+        warming = Warming([WarmUp("a", fail), WarmUp("b", silent), WarmUp("c", lambda: seen.append("c"))])
+        assert warming.wait(60.0)
+        assert warming.errors == [("a", "no compiler"), ("b", "KeyError")]
+        assert seen == ["c"]
+        assert warming.progress.done == 3
+
+    def test_cancelling_stops_between_two(self) -> None:
+        begun, go_on, seen = threading.Event(), threading.Event(), []
+
+        def first() -> None:
+            begun.set()
+            assert go_on.wait(60.0)
+            seen.append("first")
+
+        warming = Warming([WarmUp("first", first), WarmUp("second", lambda: seen.append("second"))])
+        assert begun.wait(60.0)
+        warming.cancel()
+        assert not warming.finished
+        go_on.set()
+        assert warming.wait(60.0)
+        assert seen == ["first"]
+
+    def test_nothing_to_do(self) -> None:
+        warming = Warming([])
+        assert warming.wait(60.0)
+        assert warming.progress.total == 0
+
+    def test_the_default_of_a_scene_is_one_step(self) -> None:
+        warming = Warming(BouncingBall.warm_ups())
+        assert warming.wait(200.0)
+        assert warming.errors == []
+
+
+class Time(NamedTuple):
+    """spent: (1,) s."""
+
+    spent: np.ndarray
+
+
+class Costly(Scene):
+    """Its steps cost what the test's clock says they do, and they do what its effects say."""
+
+    name, task, title = "costly", "X05", "Costly"
+    effects = CHEAP | DEAR
+    clock_s = 0.0
+
+    def build(self, level):
+        self.time = Time(np.zeros(1))
+
+    def advance(self, dt):
+        Costly.clock_s += 2e-6 + 1e-6 * (CHEAP in self.active) + 5e-6 * (DEAR in self.active)
+        self.time.spent[0] += dt
+
+    def state(self):
+        return self.time
+
+
+def measured(stage: Stage) -> EffectMeter:
+    meter = EffectMeter(stage, clock=lambda: Costly.clock_s)
+    finish(meter)
+    return meter
+
+
+def finish(meter: EffectMeter) -> None:
+    """Slices until all is measured; code compiles in a thread meanwhile."""
+    pause = threading.Event()
+    for _ in range(100_000):
+        meter.slice(1e-4)
+        if meter.done:
+            return
+        pause.wait(0.0005)
+    raise AssertionError("it never ends")
+
+
+class TestEffectMeter:
+    def test_what_is_saved_and_what_is_added(self) -> None:
+        meter = measured(Stage(Costly))
+        assert meter.costs == pytest.approx({"test-cheap": 1e-6, "test-dear": 5e-6})
+        assert meter.bare == pytest.approx(2e-6)
+        meter = measured(Stage(Costly, effects_off=["test-dear"]))
+        assert meter.costs == pytest.approx({"test-cheap": 1e-6, "test-dear": 5e-6})
+
+    def test_the_scene_is_only_read(self) -> None:
+        stage, twin = Stage(Costly), Stage(Costly)
+        stage.run(10)
+        measured(stage)
+        stage.run(10)
+        twin.run(20)
+        assert stage.digest() == twin.digest()
+        assert stage.scene.active == Costly.effects
+
+    def test_a_slice_takes_about_its_budget(self) -> None:
+        meter = EffectMeter(Stage(Costly), clock=lambda: Costly.clock_s)
+        spent = []
+        for _ in range(100_000):
+            before = Costly.clock_s
+            meter.slice(1e-3)
+            spent.append(Costly.clock_s - before)
+            if meter.done:
+                break
+        # a slice may begin one more pair of measurements, of a quarter of the budget each
+        assert max(spent) < 1.6e-3 + 3 * 2 * 8e-6
+
+    def test_a_switched_effect_begins_anew(self) -> None:
+        stage = Stage(Costly)
+        meter = measured(stage)
+        stage.post(SetEffect("test-cheap", False))
+        meter.slice(1e-4)
+        assert not meter.done
+        assert set(meter.costs) == {"test-cheap", "test-dear"}
+        finish(meter)
+        assert meter.costs["test-cheap"] == pytest.approx(1e-6)
+
+    def test_an_effect_that_cannot_be_left_out(self) -> None:
+        class Needs(Costly):
+            name = "needs"
+
+            def advance(self, dt):
+                if DEAR not in self.active:
+                    raise ZeroDivisionError
+                super().advance(dt)
+
+        meter = measured(Stage(Needs))
+        assert set(meter.costs) == {"test-cheap"}
+        assert math.isnan(meter.bare)
+
+    def test_a_scene_without_effects(self) -> None:
+        class Plain(Costly):
+            name = "plain"
+            effects = EffectSet()
+
+        meter = measured(Stage(Plain))
+        assert meter.costs == {}
+        assert meter.bare == pytest.approx(2e-6)
+
+    def test_nothing_is_measured_while_the_scene_is_stopped(self) -> None:
+        stage = Stage(Costly)
+        stage.scene.state().spent[0] = math.nan
+        stage.run(1)
+        assert stage.fault is not None
+        meter = EffectMeter(stage)
+        meter.slice(1.0)
+        assert not meter.done
+        assert meter.costs == {}
