@@ -22,8 +22,13 @@ ENVELOPE = 16  # points of the line when there are more
 FEWEST = 3  # points for an estimate of those to come
 
 
-def study_data(table: StudyTable, scene_title: str, present: Row | None = None) -> AccuracyData:
-    """What the overlay shows of a table, whole or in the making; ``present`` is the scene's own point."""
+def study_data(
+    table: StudyTable, scene_title: str, present: Row | None = None, trouble: str = ""
+) -> AccuracyData:
+    """What the overlay shows of a table, whole or in the making.
+
+    ``present``: the scene's own point. ``trouble``: what went wrong in the study, if anything.
+    """
     study = table.study
     target = round_error(table)
     settings = list(study.settings())
@@ -40,8 +45,9 @@ def study_data(table: StudyTable, scene_title: str, present: Row | None = None) 
         for method in shown
     )
     return AccuracyData(
-        scene_title, f"Error: {study.error}, against {study.reference}", study.error_unit, series, rows,
-        _present(study, present), target, _sentence(study, rows, target), _notes(study, series), study.floor,
+        scene_title, f"{_sentence_case(study.error)}; reference: {study.reference}", study.error_unit,
+        series, rows, _present(study, present, series, [method.name for method in shown]), target,
+        _sentence(study, rows, target), _notes(study, series, trouble), study.floor,
     )  # fmt: skip
 
 
@@ -124,14 +130,31 @@ def _estimate(study: Study, setting: Setting, error: np.ndarray, cost: np.ndarra
     )  # fmt: skip
 
 
-def _present(study: Study, row: Row | None) -> Present | None:
+def _present(
+    study: Study, row: Row | None, series: Sequence[PlotSeries], names: Sequence[str]
+) -> Present | None:
+    """The scene's own point, with its method, or that whose line passes nearest."""
     if row is None:
         return None
-    names = [method.name for method in study.methods]
-    index = names.index(row.method) if row.method in names else -1
-    words = setting_words(study, row.knob)
-    label = _sentence_case(study.methods[index].label)
-    return Present(index, _point(study, row), f"{label}, {words}" if index >= 0 else words)
+    point, words = _point(study, row), setting_words(study, row.knob)
+    if row.method in names:
+        index = names.index(row.method)
+        return Present(index, point, f"{series[index].name}, {words}")
+    apart = [min((_apart(point, p) for p in one.points if not p.pending), default=math.inf) for one in series]
+    nearest = min(range(len(apart)), key=apart.__getitem__, default=-1)
+    return Present(nearest if nearest >= 0 and math.isfinite(apart[nearest]) else -1, point, words)
+
+
+def _apart(a: PlotPoint, b: PlotPoint) -> float:
+    """How far apart two points of one kind are in the plot, in decades squared."""
+    if (
+        a.diverged != b.diverged
+        or min(a.cpu_s, b.cpu_s) <= 0.0
+        or (not a.diverged and min(a.error, b.error) <= 0.0)
+    ):
+        return math.inf
+    along = 0.0 if a.diverged else math.log10(a.error / b.error)
+    return math.log10(a.cpu_s / b.cpu_s) ** 2 + along * along
 
 
 def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
@@ -146,8 +169,10 @@ def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
     return sentence_for(inside, words) or study.expectation
 
 
-def _notes(study: Study, series: Sequence[PlotSeries]) -> tuple[str, ...]:
-    notes = ["Orders are fitted to the upper envelope."] if study.envelope else []
+def _notes(study: Study, series: Sequence[PlotSeries], trouble: str) -> tuple[str, ...]:
+    notes = [trouble] if trouble else []
+    if study.envelope:
+        notes.append("Orders are fitted to the upper envelope.")
     if any(0.0 <= point.error <= study.floor for one in series for point in one.points):
         notes.append("At the foot: rounding only.")
     if any(point.pending for one in series for point in one.points):

@@ -2,7 +2,7 @@
 
 Three rules, a line for each series with its last point, the first one over a fading ground, exact values
 dashed; name and value stand at the line's end, pushed apart. In a low window only the last values are shown.
-The picture is drawn anew twenty times a second, which is one pixel of a chart's way.
+Each chart is drawn anew twenty times a second, which is one pixel of its way, and never two in one frame.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import pygame
 
 from game.stage import Stage, Strip
 from game.ui import raster
+from game.ui.curves import thinned
 from game.ui.layout import Layout
 from game.ui.look import Look
 from game.ui.numerals import MINUS, format_number, quantity
@@ -92,8 +93,9 @@ class Strips:
         self.layout: Layout | None = None
         self._axes: dict[int, Axis] = {}
         self._picture: pygame.Surface | None = None
-        self._since_s = math.inf
-        self._step = -1
+        self._since_s = 0.0
+        self._next = 0  # chart whose turn it is
+        self._steps: dict[int, int] = {}  # by chart, the step that it shows
         self._stage: Stage | None = None
 
     def place(self, layout: Layout, look: Look) -> None:
@@ -102,39 +104,51 @@ class Strips:
         self._picture = None
 
     def update(self, dt_s: float, stage: Stage) -> None:
-        """Look at the stage; the picture is made anew when there is something new in it."""
+        """Look at the stage."""
         self._since_s += dt_s
         if stage is not self._stage:
-            self._stage, self._step, self._axes = stage, -1, {}
-        if self._since_s >= REFRESH_S and stage.step_number != self._step:
-            self._picture = None
+            self._stage, self._axes, self._picture = stage, {}, None
 
     def draw(self, surface: pygame.Surface) -> None:
         """Show the charts."""
         layout = self.layout
         if layout is None or layout.strips.h < 1 or self._stage is None:
             return
+        count = min(len(layout.charts), len(self.strips))
         if self._picture is None:
-            self._picture = self._paint(layout, self._stage)
-            self._since_s, self._step = 0.0, self._stage.step_number
+            self._picture = self._paint_ground(layout)
+            for i in range(count):
+                self._paint_column(self._picture, layout, i, self._stage)
+        elif count and self._since_s * count >= REFRESH_S:  # one chart at a time: no frame pays for all
+            self._next = (self._next + 1) % count
+            if self._steps.get(self._next) != self._stage.step_number:
+                self._paint_column(self._picture, layout, self._next, self._stage)
         surface.blit(self._picture, layout.strips)
 
-    def _paint(self, layout: Layout, stage: Stage) -> pygame.Surface:
+    def _paint_ground(self, layout: Layout) -> pygame.Surface:
+        """The empty row with its lines."""
         look, strips = self.look, layout.strips
         picture = pygame.Surface(strips.size, 0, 32)
         picture.fill(look.theme.panel)
         picture.fill(look.theme.line, (0, 0, strips.w, look.border))
-        for i, column in enumerate(layout.charts[: len(self.strips)]):
-            place = column.move(-strips.x, -strips.y)
-            if i:
-                x = place.x - look.px(16)
-                inset = look.px(16) if not layout.values_only else look.px(8)
-                picture.fill(look.theme.line, (x, inset, look.border, strips.h - 2 * inset))
-            if layout.values_only:
-                self._paint_values(picture, place, self.strips[i], stage)
-            else:
-                self._paint_chart(picture, place, i, stage)
+        inset = look.px(16) if not layout.values_only else look.px(8)
+        for column in layout.charts[1 : len(self.strips)]:
+            x = column.x - strips.x - look.px(16)
+            picture.fill(look.theme.line, (x, inset, look.border, strips.h - 2 * inset))
         return picture
+
+    def _paint_column(self, picture: pygame.Surface, layout: Layout, i: int, stage: Stage) -> None:
+        """One chart anew, within its column."""
+        place = layout.charts[i].move(-layout.strips.x, -layout.strips.y)
+        inside = pygame.Rect(place.x, self.look.border, place.w, place.h - self.look.border)
+        picture.fill(self.look.theme.panel, inside)
+        picture.set_clip(inside)
+        if layout.values_only:
+            self._paint_values(picture, place, self.strips[i], stage)
+        else:
+            self._paint_chart(picture, place, i, stage)
+        picture.set_clip(None)
+        self._since_s, self._steps[i] = 0.0, stage.step_number
 
     def _paint_values(self, picture: pygame.Surface, place: pygame.Rect, strip: Strip, stage: Stage) -> None:
         """Only title and last values, in one row."""
@@ -285,4 +299,4 @@ def _curve(times: np.ndarray, values: np.ndarray, box: pygame.Rect, axis: Axis) 
     points[:, 0] = box.right + (times - times[-1]) * (box.w / SPAN_S)
     with np.errstate(all="ignore"):
         points[:, 1] = box.bottom + 0.5 - (values - axis.low) * (box.h / max(axis.high - axis.low, 1e-300))
-    return points
+    return thinned(points)

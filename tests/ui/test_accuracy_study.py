@@ -111,7 +111,13 @@ def test_the_present_setting_and_its_words():
     data = study_data(table_of(made, rows), "A scene", row("second", 0.01))
     assert data.present.series == 1 and data.present.words == "Second order, step 10.0 ms"
     data = study_data(table_of(made, rows), "A scene", row("first", 0.01)._replace(method="present"))
-    assert data.present.series == -1 and data.present.words == "step 10.0 ms"
+    assert data.present.series == 0 and data.present.words == "step 10.0 ms"  # the nearest line
+    assert (
+        study_data(
+            table_of(made, []), "A scene", data.present and rows[0]._replace(method="x")
+        ).present.series
+        == -1
+    )
     assert setting_words(made, 0.5, [("passes", 5.0)]) == "step 500 ms, passes 5.00"
 
 

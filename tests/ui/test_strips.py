@@ -89,18 +89,25 @@ def test_a_curve_ends_at_its_last_value(stage):
     assert surface.get_at((x, round(y - 0.5)))[:3] == DARK.chalk.mark[:3]
 
 
-def test_the_picture_is_made_anew_only_for_new_steps_and_twenty_times_a_second(stage):
+def test_a_frame_draws_one_chart_anew_and_only_for_new_steps(stage):
     strips, surface = painted(Look(DARK), (1280, 720), stage)
-    first = strips._picture
-    strips.update(1.0, stage)
-    assert strips._picture is first
-    stage.step()
-    strips.update(1.0, stage)
-    assert strips._picture is None
-    strips.draw(surface)
-    stage.step()
-    strips.update(0.01, stage)
-    assert strips._picture is not None
+
+    def frame(dt):
+        """Numbers of the charts that a frame draws anew."""
+        before = [pygame.image.tobytes(surface.subsurface(chart), "RGB") for chart in strips.layout.charts]
+        strips.update(dt, stage)
+        strips.draw(surface)
+        after = [pygame.image.tobytes(surface.subsurface(chart), "RGB") for chart in strips.layout.charts]
+        return [i for i in range(3) if before[i] != after[i]]
+
+    assert frame(1.0) == frame(1.0) == []
+    for _ in range(30):
+        stage.step()
+    changed = [frame(0.02) for _ in range(3)]
+    assert all(len(one) == 1 for one in changed) and {one[0] for one in changed} == {0, 1, 2}
+    for _ in range(30):
+        stage.step()
+    assert frame(0.001) == []
 
 
 def test_no_samples_yet_and_names_that_are_not_given():
