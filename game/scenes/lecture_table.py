@@ -52,6 +52,7 @@ TURN_ENDS_S = 0.4  # s of rest before the turn is over
 NEXT_STROKE_S = 1.2  # s of rest before the table's own next stroke
 NEW_RACK_S = 2.0  # s of rest on an empty table before the balls come back
 SUNK_S = 0.35  # s in which a pocketed ball drops out of sight
+LEAST_OVERLAP = 1e-12  # m; below that touching balls overlap by rounding only
 MARKS = 24  # contacts remembered for the picture
 MARK_S = 0.7  # s that a contact is shown
 
@@ -253,7 +254,6 @@ class LectureTable(Scene):
             aim, speed = self.cue.aim, self.cue.speed
             self.table.strike(0, (speed * math.cos(aim), speed * math.sin(aim)))
             self.strokes += 1
-            self.turn_open = True
         self.table.step(dt)
         self.sunk_s += dt
         np.minimum(self.sunk_s, SUNK_S, out=self.sunk_s)
@@ -262,6 +262,7 @@ class LectureTable(Scene):
         self._take_events()
         if self.table.moving or self.cue.phase == STRIKING:
             self.rest_s = 0.0
+            self.turn_open = True
         else:
             self.rest_s += dt
             if self.turn_open and self.rest_s > TURN_ENDS_S:
@@ -376,13 +377,14 @@ class LectureTable(Scene):
     def readouts(self) -> tuple[Readout, ...]:
         along, across = self.table.momentum[1], self.table.momentum[0]
         white = self.table.velocities[0]
+        overlap = self.table.deepest_overlap
         return (
             Readout("balls down", self.balls_down),
             Readout("white ball", math.sqrt(float(white @ white)), "m/s"),
             Readout("energy", self.table.energy, "J"),
             Readout("along", along, "kg m/s"),
             Readout("across", across, "kg m/s"),
-            Readout("overlap", self.table.deepest_overlap, "m"),
+            Readout("overlap", overlap if overlap > LEAST_OVERLAP else 0.0, "m"),
             Readout("substeps", self.table.counters["substeps"]),
             Readout("strokes", self.strokes),
         )

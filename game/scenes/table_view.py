@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 CUE_LENGTH = 1.47  # m
 WOOD = 0.074  # m, breadth of the frame outside the cushions
-SURROUND = 0.20  # m of floor and frame shown around the bed
+SURROUND = 0.175  # m of floor and frame shown around the bed
 KEPT_TABLES = 4  # pictures of tables kept: the scene's and a few thumbnails of the menu
 TELEPORT = 0.25  # m; a ball that moved farther in one step was put there, and is not drawn in between
 QUARTER_TURN = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # table frame to screen frame
