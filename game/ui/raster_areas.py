@@ -72,13 +72,14 @@ def _add_edge(
         sign = -1.0
     if y1 <= y_low or y0 >= y_high or y0 == y1:
         return
-    slope = (x1 - x0) / (y1 - y0)
     for row in range(int(max(y0, 1.0 * y_low)), min(y_high, math.ceil(min(y1, 1.0 * y_high)))):
         top, bottom = max(y0, 1.0 * row), min(y1, row + 1.0)
         if bottom <= top:
             continue
         height = sign * (bottom - top)
-        xa, xb = x0 + (top - y0) * slope, x0 + (bottom - y0) * slope
+        # shares of the edge, not a slope: that is infinite for an edge almost level
+        xa = x0 + (top - y0) / (y1 - y0) * (x1 - x0)
+        xb = x0 + (bottom - y0) / (y1 - y0) * (x1 - x0)
         a, b = min(xa, xb), max(xa, xb)
         breadth = b - a
         if a < x_low:

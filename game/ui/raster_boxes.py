@@ -24,6 +24,13 @@ def _box_coverage(column: int, row: int, x0: float, y0: float, x1: float, y1: fl
 
 
 @kernel
+def _corner(radius: float, x0: float, y0: float, x1: float, y1: float) -> float:
+    """Radius that a box's corners get: at most half the shorter side; below half a pixel they are sharp."""
+    r = min(max(radius, 0.0), 0.5 * (x1 - x0), 0.5 * (y1 - y0)) if is_drawable(radius) else 0.0
+    return r if r >= 0.5 else 0.0
+
+
+@kernel
 def _is_box(x0: float, y0: float, x1: float, y1: float) -> bool:
     """Whether the corners are finite and in order."""
     return is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1) and x0 < x1 and y0 < y1
@@ -44,7 +51,7 @@ def fill_box(
     """A filled box from (x0, y0) to (x1, y1) px; ``radius`` is cut to half the shorter side."""
     if not _is_box(x0, y0, x1, y1):
         return
-    r = min(max(radius, 0.0), 0.5 * (x1 - x0), 0.5 * (y1 - y0)) if is_drawable(radius) else 0.0
+    r = _corner(radius, x0, y0, x1, y1)
     x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x0, y0, x1, y1)
     full = weight_of(1.0, alpha)
     for row in range(y_low, y_high):
@@ -76,7 +83,7 @@ def stroke_box(
     """The outline of a box, ``width`` px wide and wholly inside it."""  # fmt: skip
     if not _is_box(x0, y0, x1, y1) or not 0.0 < width < 1e9:
         return
-    r = min(max(radius, 0.0), 0.5 * (x1 - x0), 0.5 * (y1 - y0)) if is_drawable(radius) else 0.0
+    r = _corner(radius, x0, y0, x1, y1)
     inner = max(0.0, r - width)
     a, b, c, d = x0 + width, y0 + width, x1 - width, y1 - width
     hollow = c > a and d > b

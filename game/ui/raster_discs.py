@@ -14,6 +14,7 @@ from game.ui.raster_pixels import (
     OPAQUE,
     blend,
     blend_four,
+    bounds_of,
     clip_bounds,
     is_drawable,
     strip_coverage,
@@ -131,7 +132,7 @@ def stroke_ring(
 @kernel
 def fill_discs(pixels: Any, clip: Any, points: Any, radii: Any, colors: Any, alpha: float) -> None:
     """Discs of any radius: ``points`` (n, 2) px, ``radii`` (n,) px, ``colors`` (n,) uint32."""
-    for i in range(points.shape[0]):
+    for i in range(min(points.shape[0], radii.shape[0], colors.shape[0])):
         fill_disc(pixels, clip, points[i, 0], points[i, 1], radii[i], np.int64(colors[i]), alpha)
 
 
@@ -156,7 +157,10 @@ def _lay_whole_stamp(
 @kernel
 def _lay_cut_stamp(
     pixels: Any,
-    clip: Any,
+    x_low: int,
+    y_low: int,
+    x_high: int,
+    y_high: int,
     left: float,
     top: float,
     weights: Any,
@@ -165,14 +169,15 @@ def _lay_cut_stamp(
     level: int,
     color: int,
 ) -> None:
-    """Lay what the clip leaves of a stamp."""
-    if not (clip[0] - side < left < clip[2] and clip[1] - rows < top < clip[3]):
+    """Lay what is inside the given columns and rows of a stamp."""  # fmt: skip
+    if not (x_low - side < left < x_high and y_low - rows < top < y_high):
         return
     column, row = math.floor(left), math.floor(top)
-    sub_x, sub_y = int((left - column) * SUBPIXELS), int((top - row) * SUBPIXELS)
+    sub_x = min(SUBPIXELS - 1, int((left - column) * SUBPIXELS))  # just below 0 the difference rounds to 1
+    sub_y = min(SUBPIXELS - 1, int((top - row) * SUBPIXELS))
     first = ((level * SUBPIXELS + sub_y) * SUBPIXELS + sub_x) * rows * side * 4
-    for j in range(max(0, clip[1] - row), min(rows, clip[3] - row)):
-        for i in range(max(0, clip[0] - column), min(side, clip[2] - column)):
+    for j in range(max(0, y_low - row), min(rows, y_high - row)):
+        for i in range(max(0, x_low - column), min(side, x_high - column)):
             blend(pixels, row + j, column + i, color, np.int64(weights[first + 4 * (j * side + i)]))
 
 
@@ -182,19 +187,18 @@ def fill_stamps(
 ) -> None:
     """Very many equal small discs: ``points`` (n, 2) px, ``colors`` (n,) uint32, ``weights`` of one stamp.
 
-    ``flat`` is ``pixels.reshape(-1)``; the clip must lie inside the picture. Places are rounded to an eighth
-    of a pixel.
+    ``flat`` is ``pixels.reshape(-1)``. Places are rounded to an eighth of a pixel.
     """
     width = pixels.shape[1]
-    x_low, y_low, x_high, y_high = 1.0 * clip[0], 1.0 * clip[1], 1.0 * clip[2] - side, 1.0 * clip[3] - rows
+    x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     corner, rise = 0.5 * side - 0.5, 0.5 * rows - 0.5
-    for i in range(points.shape[0]):
+    for i in range(min(points.shape[0], colors.shape[0])):
         color = np.int64(colors[i]) | OPAQUE
         left, top = points[i, 0] - corner, points[i, 1] - rise
-        if x_low <= left < x_high and y_low <= top < y_high:
+        if x_low <= left < x_high - side and y_low <= top < y_high - rows:
             _lay_whole_stamp(flat, width, left, top, weights, rows, side, 0, color)
         else:
-            _lay_cut_stamp(pixels, clip, left, top, weights, rows, side, 0, color)
+            _lay_cut_stamp(pixels, x_low, y_low, x_high, y_high, left, top, weights, rows, side, 0, color)
 
 
 @kernel
@@ -215,24 +219,26 @@ def fill_streaks(
     ``weights`` hold one stamp a dot, from the particle backwards; the rest as in ``fill_stamps``.
     """  # fmt: skip
     width = pixels.shape[1]
-    x_low, y_low, x_high, y_high = 1.0 * clip[0], 1.0 * clip[1], 1.0 * clip[2] - side, 1.0 * clip[3] - rows
+    x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     corner, rise = 0.5 * side - 0.5, 0.5 * rows - 0.5
     step = seconds / (STREAK_DOTS - 1)
-    for i in range(points.shape[0]):
+    for i in range(min(points.shape[0], trails.shape[0], colors.shape[0])):
         color = np.int64(colors[i]) | OPAQUE
         for dot in range(STREAK_DOTS - 1, -1, -1):
             left = points[i, 0] - corner - dot * step * trails[i, 0]
             top = points[i, 1] - rise - dot * step * trails[i, 1]
-            if x_low <= left < x_high and y_low <= top < y_high:
+            if x_low <= left < x_high - side and y_low <= top < y_high - rows:
                 _lay_whole_stamp(flat, width, left, top, weights, rows, side, dot, color)
             else:
-                _lay_cut_stamp(pixels, clip, left, top, weights, rows, side, dot, color)
+                _lay_cut_stamp(
+                    pixels, x_low, y_low, x_high, y_high, left, top, weights, rows, side, dot, color
+                )
 
 
 @kernel
 def color_by_speed(velocities: Any, slow: int, fast: int, top_speed: float, colors: Any) -> None:
     """Write into ``colors`` (n,) uint32 the mixture of two colours by |velocity| / top_speed."""
-    for i in range(velocities.shape[0]):
+    for i in range(min(velocities.shape[0], colors.shape[0])):
         vx, vy = velocities[i, 0], velocities[i, 1]
         share = math.sqrt(vx * vx + vy * vy) / top_speed if top_speed > 0.0 else 1.0
         weight = weight_of(min(share, 1.0), 1.0)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from game.physics.jit import kernel
-from game.ui.raster_pixels import blend, is_drawable, strip_coverage, weight_of
+from game.ui.raster_pixels import blend, bounds_of, is_drawable, strip_coverage, weight_of
 
 SHORTEST_DASH = 0.5  # px; a finer pattern is drawn as a paler solid line
 ROUND = 1  # line ends: a half disc, or (0) cut square
@@ -50,7 +50,7 @@ def inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: 
 def lean_of(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
     """Columns that a segment moves in one row, and half the breadth of its band of ``reach`` along a row."""
     dx, dy = x1 - x0, y1 - y0
-    if abs(dy) <= 1e-9 * abs(dx) or dy == 0.0:
+    if abs(dy) <= 1e-9 * abs(dx) or dx * dx + dy * dy == 0.0:
         return 0.0, abs(dx) + reach
     return dx / dy, reach * math.sqrt(dx * dx + dy * dy) / abs(dy)
 
@@ -85,12 +85,6 @@ def _segment_coverage(
     if inside <= 0.0:
         return 0.0
     return strip_coverage(across, half) * inside
-
-
-@kernel
-def bounds_of(pixels: Any, clip: Any) -> Any:
-    """The clip cut to the picture, as four integers."""
-    return max(0, clip[0]), max(0, clip[1]), min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
 
 
 @kernel
@@ -219,7 +213,7 @@ def stroke_segments(
     pixels: Any, clip: Any, segments: Any, width: float, ends: int, colors: Any, alpha: float
 ) -> None:
     """Many single lines: ``segments`` (n, 4) px as x0, y0, x1, y1, ``colors`` (n,) uint32."""
-    for i in range(segments.shape[0]):
+    for i in range(min(segments.shape[0], colors.shape[0])):
         stroke_segment(
             pixels, clip, segments[i, 0], segments[i, 1], segments[i, 2], segments[i, 3], width, ends,
             np.int64(colors[i]), alpha,

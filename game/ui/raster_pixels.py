@@ -70,6 +70,12 @@ def strip_coverage(distance: float, half: float) -> float:
 
 
 @kernel
+def bounds_of(pixels: Any, clip: Any) -> Any:
+    """The clip cut to the picture, as four integers."""
+    return max(0, clip[0]), max(0, clip[1]), min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
+
+
+@kernel
 def clip_bounds(pixels: Any, clip: Any, left: float, top: float, right: float, bottom: float) -> Any:
     """Pixels that a box touches inside the clip: first column and row, past-the-last column and row."""
     x_low = max(0, clip[0], math.floor(max(left, -1.0)))

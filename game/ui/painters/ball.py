@@ -247,6 +247,11 @@ def paint_balls(
         x, y, radius, number = points[i, 0], points[i, 1], radii[i], numbers[i]
         if not (is_drawable(x) and is_drawable(y) and 0.5 <= radius <= LARGEST_RADIUS and 0 <= number < 16):
             continue
+        total = places[i, 0] + places[i, 1]
+        for j in range(3):
+            total += turns[i, j, 0] + turns[i, j, 1] + turns[i, j, 2]
+        if not is_drawable(total):  # nan anywhere, and no table index is safe
+            continue
         if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != side:
             continue
         _paint_ball(

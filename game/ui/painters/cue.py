@@ -9,8 +9,8 @@ import numpy as np
 
 from game.physics.jit import kernel
 from game.ui.painters.ball_look import LAMPS
-from game.ui.raster_lines import bounds_of, column_within, inside_share, lean_of, row_span
-from game.ui.raster_pixels import blend, is_drawable, weight_of
+from game.ui.raster_lines import column_within, inside_share, lean_of, row_span
+from game.ui.raster_pixels import blend, bounds_of, is_drawable, weight_of
 
 Array = np.ndarray
 LENGTH = 1.47  # m

@@ -22,6 +22,7 @@ from game.ui.raster import (
     stroke_ring,
     stroke_segment,
 )
+from game.ui.raster_pixels import is_drawable
 from game.ui.theme import Color, Theme
 
 Array = np.ndarray
@@ -57,7 +58,7 @@ def paint_bodies(
             continue
         w = min(width, 0.4 * r)
         fill_disc(pixels, clip, x, y, r - 0.5 * w, np.int64(fills[i]), opacity)
-        if line > 0.0 and r >= 6.0:
+        if line > 0.0 and r >= 6.0 and is_drawable(angles[i]):
             c, s = math.cos(angles[i]), math.sin(angles[i])
             stroke_segment(pixels, clip, x, y, x + (r - w) * c, y + (r - w) * s, line, BUTT, edge, opacity)
         stroke_ring(pixels, clip, x, y, r - 0.5 * w, w, edge, opacity)
