@@ -112,11 +112,10 @@ def _surface(number: int, radius: float, body: Array, facing: Array) -> Array:
     if number == 0:
         rim = np.sqrt(np.maximum(0.0, 1.0 - np.max(np.abs(body), axis=0) ** 2))
         return over(color, look.SPOT_INK, share(look.SPOT - rim))
-    if number > 8:
-        color = over(color, look.WHITE, share(np.abs(body[1]) - look.STRIPE))
     x, y = np.where(body[2] < 0.0, -body[0], body[0]), body[1]
     disc = share(look.DISC - np.sqrt(x * x + y * y))
-    color = over(color, look.WHITE, disc)
+    white = np.maximum(disc, share(np.abs(body[1]) - look.STRIPE)) if number > 8 else disc
+    color = over(color, look.WHITE, white)
     side = look.texture_side(radius)
     texture = np.pad(look.digit_texture(number, side), 1) / 255.0
     scale = look.DISC_IN_TEXTURE / look.DISC

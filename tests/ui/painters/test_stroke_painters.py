@@ -1,0 +1,181 @@
+"""Cue, aim, gauges, bodies and markers: right places and colours, nothing for absurd input."""
+
+import math
+
+import numpy as np
+import pygame
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from game.ui.fonts import FontBook
+from game.ui.painters.aim import Aim, draw_aim, draw_cloth_label
+from game.ui.painters.cue import BUTT_RADIUS, LENGTH, TIP_RADIUS, draw_cue, paint_cue
+from game.ui.painters.discs import MARKERS, draw_contacts, draw_handle, draw_marker, paint_bodies
+from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
+from game.ui.raster import clip_of, pixels_of
+from game.ui.theme import DARK, FELT, FELT_COOL
+from tests.ui.paper import Paper
+
+BOOK = FontBook(1.0)
+
+
+def felt(size=(300, 200)):
+    surface = pygame.Surface(size, 0, 32)
+    surface.fill(FELT)
+    return surface
+
+
+def changed(surface):
+    return (pygame.surfarray.array3d(surface) != np.array(tuple(FELT)[:3])).any(axis=2)
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7, math.pi / 2, 3.0, 4.6])
+def test_the_stick_has_its_length_and_taper(angle):
+    surface, scale = felt((400, 400)), 100.0
+    ux, uy = math.cos(angle), math.sin(angle)
+    tip = (200.0 - 0.5 * LENGTH * scale * ux, 200.0 - 0.5 * LENGTH * scale * uy)
+    paint_cue(pixels_of(surface), clip_of(surface), *tip, ux, uy, scale, 400.0)
+    covered = np.argwhere(changed(surface)) + 0.5 - np.array(tip)
+    along, across = covered @ (ux, uy), np.abs(covered @ (-uy, ux))
+    assert along.min() == pytest.approx(0.0, abs=1.0)
+    assert along.max() == pytest.approx(LENGTH * scale, abs=1.0)
+    near, far = across[along < 20.0].max(), across[along > 127.0].max()
+    assert near == pytest.approx((TIP_RADIUS + (BUTT_RADIUS - TIP_RADIUS) * 0.14) * 400.0, abs=1.2)
+    assert far == pytest.approx(BUTT_RADIUS * 400.0, abs=1.2)
+
+
+def test_a_raised_cue_looks_shorter_and_its_shadow_moves_off():
+    flat, raised = felt(), felt()
+    for surface, elevation in ((flat, 0.0), (raised, 1.0)):
+        draw_cue(pixels_of(surface), clip_of(surface), (280.0, 40.0), (-1.0, 0.0), 150.0, elevation)
+    assert np.argwhere(changed(flat))[:, 0].min() < np.argwhere(changed(raised))[:, 0].min()
+    assert np.argwhere(changed(flat))[:, 1].max() < np.argwhere(changed(raised))[:, 1].max()
+
+
+def test_the_tip_is_chalked_and_the_shadow_can_be_kept_on_the_table():
+    surface = felt()
+    table = np.array((100, 0, 300, 200), np.int64)
+    draw_cue(
+        pixels_of(surface), clip_of(surface), (250.0, 60.0), (-1.0, 0.0), 150.0, 0.0, (150.0, 100.0), table
+    )
+    red, green, blue, _ = surface.get_at((249, 59))
+    assert blue > green > red
+    below = changed(surface)[:, 63:]
+    assert below[100:].any()
+    assert not below[:100].any()
+
+
+odd = st.one_of(st.floats(allow_nan=True, allow_infinity=True), st.floats(-50, 350))
+
+
+@given(st.lists(odd, min_size=8, max_size=8))
+@settings(max_examples=80, deadline=None)
+def test_nothing_breaks_cue_aim_or_gauges(v):
+    surface = felt((60, 40))
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    with np.errstate(all="ignore"):
+        draw_cue(pixels, clip, (v[0], v[1]), (v[2], v[3]), v[4], v[5], (v[6], v[7]))
+        way = np.array(v).reshape(4, 2)
+        draw_aim(
+            surface,
+            Aim((v[0], v[1]), (v[2], v[3]), v[4], (v[5], v[6]), v[7], way, way, way, (v[0], v[2]), "a"),
+            BOOK,
+        )
+        draw_power(surface, pygame.Rect(0, 0, 60, 40), v[0], v[1], DARK, BOOK)
+        draw_spin(surface, (20.0, 20.0), v[0], v[1], DARK, BOOK)
+        draw_elevation(surface, (20.0, 20.0), v[0], DARK, BOOK)
+        draw_handle(pixels, clip, v[0], v[1], DARK, 1.0)
+        draw_contacts(pixels, clip, way, DARK, 1.0, 2)
+        for shape in MARKERS:
+            draw_marker(pixels, clip, shape, v[0], v[1], abs(v[2]), FELT_COOL)
+        four, colors = np.array(v[:4]), np.zeros(4, np.uint32)
+        paint_bodies(pixels, clip, way, four, np.array(v[4:]), colors, colors, four, 2.0, 1.6)
+
+
+def test_the_aim_line_runs_from_ball_to_ghost():
+    surface = felt()
+    draw_aim(surface, Aim((50.0, 100.5), (200.0, 100.5), 12.0), BOOK)
+    row = changed(surface)[:, 100]
+    assert not row[:60].any()
+    assert row[64:210].all()
+    assert not row[216:].any()
+
+
+def test_the_target_is_ringed_and_its_way_dashed():
+    surface = felt()
+    way = np.array(((130.0, 50.5), (290.0, 50.5)))
+    draw_aim(surface, Aim((20.0, 180.0), (90.0, 50.5), 12.0, (115.0, 50.5), 12.0, way), BOOK)
+    assert surface.get_at((115, 34))[2] > 200
+    row = changed(surface)[140:280, 50]
+    assert 0.45 < row.mean() < 0.75
+    assert np.count_nonzero(np.diff(row.astype(int))) > 10
+
+
+def test_labels_stay_inside():
+    surface = felt((120, 60))
+    rect = draw_cloth_label(surface, BOOK, "cut 26°", (119.0, 2.0))
+    assert surface.get_rect().contains(rect)
+
+
+@pytest.mark.parametrize("k", [1.0, 1.25, 1.5, 2.0])
+def test_the_power_bar_fills_with_the_speed(k):
+    book = FontBook(k)
+    filled = []
+    for speed in (0.0, 5.0, 10.0, 99.0):
+        surface = pygame.Surface((round(80 * k), round(500 * k)), 0, 32)
+        draw_power(surface, pygame.Rect(0, 0, *surface.get_size()), speed, 10.0, DARK, book)
+        accent = np.array(tuple(DARK.chalk.mark)[:3])
+        filled.append(int((pygame.surfarray.array3d(surface) == accent).all(axis=2).sum()))
+    assert filled[0] < 0.1 * filled[1]
+    assert filled[2] == filled[3]
+    assert filled[1] == pytest.approx(0.5 * (filled[0] + filled[2]), rel=0.05)
+
+
+def test_gauges_draw_in_a_subsurface_as_in_a_window():
+    window, alone = pygame.Surface((200, 200), 0, 32), pygame.Surface((90, 90), 0, 32)
+    part = window.subsurface((70, 60, 90, 90))
+    for surface in (part, alone):
+        draw_spin(surface, (40.0, 45.0), 0.2, 0.4, DARK, BOOK)
+        draw_elevation(surface, (20.0, 60.0), 0.3, DARK, BOOK)
+    assert (pygame.surfarray.array3d(part) == pygame.surfarray.array3d(alone)).all()
+    frame = pygame.surfarray.array3d(window)
+    frame[70:160, 60:150] = 0
+    assert not frame.any()
+
+
+def test_the_tips_mark_lies_where_it_strikes():
+    surface = pygame.Surface((90, 90), 0, 32)
+    draw_spin(surface, (45.0, 45.0), 0.5, 0.5, DARK, BOOK)
+    red, _, blue, _ = surface.get_at((60, 30))
+    assert blue > red + 60
+
+
+def test_bodies_show_fill_outline_and_turn():
+    paper = Paper(40, 40)
+    paint_bodies(
+        paper.pixels, paper.clip, np.array(((20.0, 20.0),)), np.array((15.0,)), np.array((0.0,)),
+        np.array((0x404040,), np.uint32), np.array((0xFFFFFF,), np.uint32), np.ones(1), 2.0, 2.0,
+    )  # fmt: skip
+    drawn = paper.coverage
+    assert drawn[20, 30] == 1.0
+    assert drawn[20, 10] == pytest.approx(0x40 / 255, abs=0.01)
+    assert drawn[20, 5] == pytest.approx(1.0, abs=0.2)
+    assert drawn[20, 3] == 0.0
+
+
+@pytest.mark.parametrize("shape", MARKERS)
+@pytest.mark.parametrize("hollow", [False, True])
+def test_markers_are_alike_in_weight(shape, hollow):
+    paper = Paper(40, 40)
+    draw_marker(paper.pixels, paper.clip, shape, 20.0, 20.0, 9.0, pygame.Color("white"), hollow)
+    share = paper.coverage.sum() / (math.pi * 81.0)
+    assert 0.2 < share < 1.4
+    y, x = np.average(np.mgrid[0:40, 0:40] + 0.5, axis=(1, 2), weights=paper.coverage)
+    assert (x, y) == pytest.approx((20.0, 20.0), abs=1.6)
+
+
+def test_an_unknown_marker_is_named():
+    paper = Paper()
+    with pytest.raises(ValueError, match="marker 'heart'"):
+        draw_marker(paper.pixels, paper.clip, "heart", 5.0, 5.0, 4.0, FELT_COOL)
