@@ -25,6 +25,7 @@ from game.app.window import Window
 from game.stage.catalogue import Catalogue
 from game.ui.layout import auto_scale
 from game.ui.look import Look
+from game.ui.shapes import draw_disc
 from game.ui.theme import theme_named
 from game.ui.toasts import Toasts
 
@@ -65,27 +66,23 @@ class App:
         self._fade = CrossFade()
         self._backdrop: pygame.Surface | None = None
         self._last = self.clock.now()
-        self._style()
+        self.look = self._style()
+        self.toasts = Toasts(self.look)
 
     # -- what screens share -------------------------------------------------------------------------
 
-    def _style(self) -> None:
-        """Theme, fonts and measures for the present window and settings."""
-        width, height = self.window.size
-        k = auto_scale(width, height, self.settings.ui_scale)
-        theme, less_motion = theme_named(self.settings.theme), self.settings.less_motion
-        look: Look | None = getattr(self, "look", None)
-        if look is None or (look.theme, look.k, look.less_motion) != (theme, k, less_motion):
-            self.look = Look(theme, k, less_motion=less_motion)
-            if hasattr(self, "toasts"):
-                self.toasts.place(self.look)
-            else:
-                self.toasts = Toasts(self.look)
-        self._backdrop = None
+    def _style(self) -> Look:
+        """Theme, fonts and scale for the present window and settings."""
+        scale = auto_scale(*self.window.size, self.settings.ui_scale)
+        return Look(theme_named(self.settings.theme), scale, less_motion=self.settings.less_motion)
 
     def restyle(self) -> None:
         """Lay all screens out anew for another size, scale or theme."""
-        self._style()
+        look, old = self._style(), self.look
+        if (look.theme, look.k, look.less_motion) != (old.theme, old.k, old.less_motion):
+            self.look = look
+            self.toasts.place(look)
+        self._backdrop = None
         for screen in self.screens:
             screen.restyle()
 
@@ -181,10 +178,19 @@ class App:
         surface = self.window.surface
         self._draw_below(surface)
         self.screens.top.draw(surface)
+        self._draw_gamepad_pointer(surface)
         self.toasts.draw(surface, self.screens.visible()[0].message_row())
         self._fade.update(elapsed_s)
         self._fade.draw(surface)
         self.window.flip()
+
+    def _draw_gamepad_pointer(self, surface: pygame.Surface) -> None:
+        """The place that a gamepad's stick has moved to: there is no mouse arrow there."""
+        place = self.gamepads.pointer
+        if place is not None and self.screens.top.gamepad == "pointer":
+            px = self.look.px
+            draw_disc(surface, place, px(9), None, self.look.theme.bg, max(3, px(4)))
+            draw_disc(surface, place, px(8), None, self.look.theme.accent, max(1, px(2)))
 
     def _draw_below(self, surface: pygame.Surface) -> None:
         """What is under an overlay stands still, so it is drawn once and kept."""

@@ -26,7 +26,8 @@ _KEYS = {
     3: (pygame.K_F1, pygame.KSCAN_F1),  # Y
     4: (pygame.K_COMMA, pygame.KSCAN_COMMA),  # left shoulder
     5: (pygame.K_PERIOD, pygame.KSCAN_PERIOD),  # right shoulder
-    7: (pygame.K_SPACE, pygame.KSCAN_SPACE),  # start
+    6: (pygame.K_SPACE, pygame.KSCAN_SPACE),  # back
+    7: (pygame.K_p, pygame.KSCAN_P),  # start
 }
 _RETURN = (pygame.K_RETURN, pygame.KSCAN_RETURN)
 _ARROWS = {

@@ -6,8 +6,8 @@ import os
 
 import pygame
 
-from game.app.script import Script, demo_of, demo_steps
 from game.app.scene.opening import Opening
+from game.app.script import Script, demo_of, demo_steps
 from game.app.view import StageView
 from game.stage import Stage
 from game.stage.catalogue import Entry

@@ -8,7 +8,7 @@ letter that the layout has there. Settings write the place by its name on a US k
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pygame
 
@@ -33,6 +33,7 @@ COMMANDS = (
     Command("step", "one step", "period"),
     Command("step-back", "one step back", "comma"),
     Command("reset", "reset", "backspace"),
+    Command("pause-menu", "what can be done", "p"),
     Command("slower", "slower", "minus"),
     Command("faster", "faster", "equals"),
     Command("view", "whole view", "home"),
@@ -124,8 +125,7 @@ def _keycodes() -> dict[int, int]:
     pygame only looks the other way round (its pressed-keys table takes a code and finds the place), so
     each code is asked for its place in a table that holds the places' own numbers.
     """
-    table = pygame.key.ScancodeWrapper(tuple(range(512)))
+    places: tuple[Any, ...] = tuple(range(512))
+    table = pygame.key.ScancodeWrapper(places)
     named = [getattr(pygame, name) for name in dir(pygame) if name.startswith("K_")]
-    found = {table[code]: code for code in named}
-    found.update({table[code]: code for code in range(0x21, 0x250)})
-    return found
+    return {int(table[code]): code for code in (*named, *range(0x21, 0x250))}

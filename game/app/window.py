@@ -20,7 +20,7 @@ SMALLEST = (320, 240)  # px; smaller windows work, but only by force
 _POINTED = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 
 
-class NoDisplay(Exception):
+class NoDisplayError(Exception):
     """There is no screen to open a window on; the message says why."""
 
 
@@ -39,7 +39,7 @@ class Window:
     """One resizable window with a surface of true pixels."""
 
     def __init__(self, size: tuple[int, int], full_screen: bool = False):
-        """``size`` in points. Raises NoDisplay if the system will not give a window."""
+        """``size`` in points. Raises NoDisplayError if the system will not give a window."""
         os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")
         os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", TITLE)
         self.full_screen = full_screen
@@ -55,7 +55,7 @@ class Window:
                 window.set_fullscreen(True)
             window.get_surface()
         except pygame.error as error:
-            raise NoDisplay(str(error)) from None
+            raise NoDisplayError(str(error)) from None
         window.minimum_size = SMALLEST
         return window
 
@@ -116,7 +116,7 @@ class Window:
         return self.full_screen
 
     def flip(self) -> None:
-        """Show the frame. A lost display is opened again; NoDisplay if that fails too."""
+        """Show the frame. A lost display is opened again; NoDisplayError if that fails too."""
         try:
             self.window.flip()
         except pygame.error:

@@ -2,13 +2,13 @@
 
 import pygame
 import pytest
+from tests_app import Driver, example_entry
 
 from game.app.menu.screen import MenuScreen
 from game.app.scene.screen import SceneScreen
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.settings_card import SettingsCard
 from game.stage.catalogue import Catalogue
-from tests_app import Driver, example_entry
 
 
 def middle_of(driver: Driver, index: int) -> tuple[int, int]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pygame
 import pytest
+from tests_app import Driver, example_entry
 
 from game.app.menu.screen import MenuScreen
 from game.app.scene.help_card import HelpCard
@@ -12,7 +13,6 @@ from game.app.screens.choices import ChoiceCard
 from game.levels import Level, save_level
 from game.stage import Pointer, SetEffect, SetKnob
 from game.stage.catalogue import Catalogue
-from tests_app import Driver, example_entry
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from typing import NoReturn
 
 from game import __version__
 from game.app.commands import accuracy, listing, play, replay, run, selftest, shot
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 COMMANDS = (play, run, listing, replay, selftest, accuracy, shot)
 
@@ -22,7 +22,7 @@ class _Parser(argparse.ArgumentParser):
     """argparse whose complaint is one line."""
 
     def error(self, message: str) -> NoReturn:
-        raise Failure(f"{message} (see {self.prog} --help)")
+        raise MistakeError(f"{message} (see {self.prog} --help)")
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -45,9 +45,9 @@ def run_command_line(arguments: Sequence[str]) -> int:
     try:
         options = build_parser().parse_args(list(arguments))
         return int(options.execute(options) or 0)
-    except Failure as failure:
-        print(f"carom: {failure}", file=sys.stderr)
-        return failure.status
+    except MistakeError as mistake:
+        print(f"carom: {mistake}", file=sys.stderr)
+        return mistake.status
     except KeyboardInterrupt:
         print("carom: stopped", file=sys.stderr)
         return 130

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from game.app.commands import given
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 
 def add(commands: Any) -> None:
@@ -23,14 +23,16 @@ def add(commands: Any) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Measure and write; progress goes to standard error."""
     if bool(options.scene) == options.all:
-        raise Failure("accuracy: name a scene, or say --all")
+        raise MistakeError("accuracy: name a scene, or say --all")
     folder = _made_folder(options.out)
     from game.scenes import CATALOGUE
 
     types = [entry.load() for entry in CATALOGUE] if options.all else [given.scene_type_named(options.scene)]
     studied = [scene_type for scene_type in types if scene_type.study is not None]
     if not studied:
-        raise Failure(f"accuracy: {options.scene or 'no scene'} has {'no' if options.scene else 'a'} study")
+        raise MistakeError(
+            f"accuracy: {options.scene or 'no scene'} has {'no' if options.scene else 'a'} study"
+        )
     for scene_type in studied:
         _measure(scene_type, folder / scene_type.name if options.all else folder)
     return 0
@@ -42,33 +44,29 @@ def _made_folder(word: str) -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise Failure(f"--out {word}: {error.strerror or error}") from None
+        raise MistakeError(f"--out {word}: {error.strerror or error}") from None
     return folder
 
 
 def _measure(scene_type: Any, folder: Path) -> None:
-    """One study into one folder."""
-    from game.lab import run_study
-    from game.lab.report import write_report
+    """The studies of one scene into one folder."""
+    from game.lab import PlotsMissingError, run_study, write_report
 
-    result = run_study(scene_type.study, progress=_show_progress)
-    if sys.stderr.isatty():
-        print(file=sys.stderr)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        paths = write_report(result, folder)
-    except (OSError, ValueError, ImportError) as error:
-        raise Failure(f"--out {folder}: {error}") from None
-    for path in paths:
-        print(path)
+    for study in (scene_type.study, *scene_type.study.related):
+        print(f"{study.title}", file=sys.stderr)
+        table = run_study(study, progress=_show_progress)
+        if sys.stderr.isatty():
+            print(file=sys.stderr)
+        try:
+            paths = write_report(table, folder)
+        except (OSError, PlotsMissingError) as error:
+            raise MistakeError(f"--out {folder}: {error}") from None
+        for path in paths:
+            print(path)
 
 
 def _show_progress(done: int, total: int, label: str, seconds_left: float) -> None:
     """One line that is written over, where somebody looks at it."""
     if sys.stderr.isatty():
-        print(
-            f"\r{done} of {total}  {label:<40} {seconds_left:4.0f} s left ",
-            end="",
-            file=sys.stderr,
-            flush=True,
-        )
+        left = f"{seconds_left:.0f} s left" if seconds_left > 0.0 else ""
+        print(f"\r{done} of {total}  {label:<32} {left:<14}", end="", file=sys.stderr, flush=True)

@@ -1,4 +1,4 @@
-"""What the user gives on the command line, read and checked; a Failure names what is wrong with it."""
+"""What the user gives on the command line, read and checked; a MistakeError names what is wrong with it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 if TYPE_CHECKING:
     from game.levels import Level
@@ -39,8 +39,11 @@ def scene_type_named(name: str) -> type[Scene]:
     try:
         entry = CATALOGUE[name.lower()]
     except KeyError as error:
-        raise Failure(str(error.args[0])) from None
-    return entry.load()
+        raise MistakeError(str(error.args[0])) from None
+    try:
+        return entry.load()
+    except ImportError as error:
+        raise MistakeError(f"{name} cannot be opened: {error}", status=1) from error
 
 
 def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
@@ -60,9 +63,9 @@ def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
             **more,
         )
     except (KnobError, LevelError) as error:
-        raise Failure(str(error)) from None
+        raise MistakeError(str(error)) from None
     except ValueError as error:
-        raise Failure(f"{options.scene}: {error}") from None
+        raise MistakeError(f"{options.scene}: {error}") from None
 
 
 def read_parameters(scene_type: type[Scene], words: Iterable[str]) -> dict[str, Any]:
@@ -73,11 +76,11 @@ def read_parameters(scene_type: type[Scene], words: Iterable[str]) -> dict[str, 
     for word in words:
         name, equals, text = word.partition("=")
         if not equals or not name.strip():
-            raise Failure(f"--set {word}: NAME=VALUE is wanted")
+            raise MistakeError(f"--set {word}: NAME=VALUE is wanted")
         try:
             values[name.strip()] = scene_type.knob(name.strip()).parse(text)
         except KnobError as error:
-            raise Failure(f"--set {error}") from None
+            raise MistakeError(f"--set {error}") from None
     return values
 
 
@@ -90,7 +93,7 @@ def read_effects(scene_type: type[Scene], text: str) -> tuple[str, ...]:
         try:
             scene_type.effect(name)
         except KnobError as error:
-            raise Failure(f"--effects-off {error}") from None
+            raise MistakeError(f"--effects-off {error}") from None
     return names
 
 
@@ -101,9 +104,9 @@ def read_seed(text: str | None) -> int | None:
     try:
         seed = int(text)
     except ValueError:
-        raise Failure(f"--seed {text}: a whole number is wanted") from None
+        raise MistakeError(f"--seed {text}: a whole number is wanted") from None
     if not 0 <= seed < 2**63:
-        raise Failure(f"--seed {text}: outside 0 to 2^63 - 1")
+        raise MistakeError(f"--seed {text}: outside 0 to 2^63 - 1")
     return seed
 
 
@@ -120,7 +123,7 @@ def read_level(scene_type: type[Scene], word: str) -> Level:
     try:
         return load_level(path, scene_type.name, scene_type.content_type)
     except LevelError as error:
-        raise Failure(str(error)) from None
+        raise MistakeError(str(error)) from None
 
 
 def default_level(scene_type: type[Scene]) -> Level | None:
@@ -138,9 +141,9 @@ def read_recording(word: str, scene_name: str = "") -> Recording:
     try:
         recording = Recording.load(word)
     except RecordingError as error:
-        raise Failure(str(error)) from None
+        raise MistakeError(str(error)) from None
     if scene_name and recording.scene != scene_name:
-        raise Failure(f"{word}: a recording of {recording.scene}, not of {scene_name}")
+        raise MistakeError(f"{word}: a recording of {recording.scene}, not of {scene_name}")
     return recording
 
 
@@ -149,16 +152,16 @@ def read_seconds(text: str, name: str = "--seconds") -> float:
     try:
         seconds = float(text)
     except ValueError:
-        raise Failure(f"{name} {text}: a number is wanted") from None
+        raise MistakeError(f"{name} {text}: a number is wanted") from None
     if not math.isfinite(seconds) or seconds < 0.0:
-        raise Failure(f"{name} {text}: a finite number of seconds, 0 or more, is wanted")
+        raise MistakeError(f"{name} {text}: a finite number of seconds, 0 or more, is wanted")
     return seconds
 
 
 def steps_in(seconds: float, dt: float) -> int:
-    """Whole steps in a time; Failure if they are absurdly many."""
+    """Whole steps in a time; MistakeError if they are absurdly many."""
     if seconds / dt > MOST_STEPS:
-        raise Failure(f"--seconds {seconds:g}: that is more than {MOST_STEPS} steps of {dt:g} s")
+        raise MistakeError(f"--seconds {seconds:g}: that is more than {MOST_STEPS} steps of {dt:g} s")
     return round(seconds / dt)
 
 
@@ -166,10 +169,10 @@ def read_size(text: str) -> tuple[int, int]:
     """Width and height of a picture from ``1280x720``, px."""
     found = re.fullmatch(r"(\d{1,6})[xX×](\d{1,6})", text.strip())
     if found is None:
-        raise Failure(f"--size {text}: WIDTHxHEIGHT is wanted, such as 1280x720")
+        raise MistakeError(f"--size {text}: WIDTHxHEIGHT is wanted, such as 1280x720")
     width, height = int(found[1]), int(found[2])
     if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE and width * height <= MOST_PIXELS):
-        raise Failure(
+        raise MistakeError(
             f"--size {text}: sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels are wanted"
         )
     return width, height

@@ -10,25 +10,25 @@ from pathlib import Path
 from typing import Any
 
 from game import files
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 STANDARD_OUTPUT = "-"
 
 
 def check_writable(word: str | None, option: str) -> None:
-    """Failure if a file of that name could not be written."""
+    """MistakeError if a file of that name could not be written."""
     if word is None or word == STANDARD_OUTPUT:
         return
     path = Path(word)
     try:
         if not word or path.is_dir():
-            raise Failure(f"{option} {word}: a file name is wanted, this is a folder")
+            raise MistakeError(f"{option} {word}: a file name is wanted, this is a folder")
         if not path.parent.is_dir():
-            raise Failure(f"{option} {word}: there is no folder {path.parent}")
+            raise MistakeError(f"{option} {word}: there is no folder {path.parent}")
         with tempfile.TemporaryFile(dir=path.parent):
             pass
     except OSError as error:
-        raise Failure(f"{option} {word}: {error.strerror or error}") from None
+        raise MistakeError(f"{option} {word}: {error.strerror or error}") from None
 
 
 def write_text(text: str, word: str, option: str) -> None:
@@ -39,7 +39,7 @@ def write_text(text: str, word: str, option: str) -> None:
     try:
         files.write_text(Path(word), text)
     except files.FileProblem as problem:
-        raise Failure(f"{option} {word}: {problem}") from None
+        raise MistakeError(f"{option} {word}: {problem}") from None
 
 
 def write_json(content: Any, word: str, option: str = "--json") -> None:

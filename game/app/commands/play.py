@@ -7,8 +7,8 @@ import sys
 from typing import Any
 
 from game.app.commands import given
-from game.app.failure import Failure
-from game.app.window import NoDisplay, Window, display_missing
+from game.app.mistake import MistakeError
+from game.app.window import NoDisplayError, Window, display_missing
 
 DEMO_SCENES = ("billiards", "lecture-table")  # the first of these that there is
 PICTURE_SIZE = (1280, 720)
@@ -28,7 +28,7 @@ def execute_menu(options: argparse.Namespace) -> int:
     if not reason:
         try:
             return _run_window("")
-        except NoDisplay as error:
+        except NoDisplayError as error:
             reason = str(error)
     return _play_demo(reason)
 
@@ -47,11 +47,11 @@ def execute(options: argparse.Namespace) -> int:
     )
     reason = display_missing()
     if reason:
-        raise Failure(f"no display: {reason}; run does the same without a window")
+        raise MistakeError(f"no display: {reason}; run does the same without a window")
     try:
         return _run_window(scene_type.name, opening)
-    except NoDisplay as error:
-        raise Failure(f"no display: {error}; run does the same without a window") from None
+    except NoDisplayError as error:
+        raise MistakeError(f"no display: {error}; run does the same without a window") from None
 
 
 def _run_window(scene_name: str, opening: Any = None) -> int:
@@ -86,6 +86,6 @@ def _play_demo(reason: str) -> int:
     try:
         path = save_picture(surface, CATALOGUE[name].title)
     except OSError as error:
-        raise Failure(f"no display ({reason}), and no picture: {error}") from None
+        raise MistakeError(f"no display ({reason}), and no picture: {error}") from None
     print(f"carom: no display ({reason}); the demo of {name} ran without one, its picture is {path}")
     return 0

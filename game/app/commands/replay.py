@@ -7,7 +7,7 @@ import time
 from typing import Any
 
 from game.app.commands import given, output, run
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 
 def add(commands: Any) -> None:
@@ -21,7 +21,7 @@ def add(commands: Any) -> None:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Replay; a Failure names the first step whose digest differs."""
+    """Replay; a MistakeError names the first step whose digest differs."""
     size = given.read_size(options.size)
     for option in ("screenshot", "json"):
         output.check_writable(getattr(options, option), f"--{option}")
@@ -33,7 +33,7 @@ def execute(options: argparse.Namespace) -> int:
     try:
         stage = replay(recording, CATALOGUE)
     except RecordingError as error:
-        raise Failure(f"{options.file}: {error.field}: {error.reason}") from None
+        raise MistakeError(f"{options.file}: {error.field}: {error.reason}") from None
     report = run.describe(stage, time.process_time() - began) | {"same": True}
     if options.screenshot:
         run.write_screenshot(stage, options.screenshot, size, "dark")

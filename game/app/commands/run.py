@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 if TYPE_CHECKING:
     from game.stage import Stage
@@ -31,11 +31,13 @@ def execute(options: argparse.Namespace) -> int:
     """Run and write; status 1 if the scene had to be stopped."""
     seconds, size = given.read_seconds(options.seconds), given.read_size(options.size)
     if options.theme not in ("dark", "light"):
-        raise Failure(f"--theme {options.theme}: dark or light is wanted")
+        raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
     for option in ("screenshot", "json", "record"):
         output.check_writable(getattr(options, option), f"--{option}")
     stage = given.make_stage(options)
     steps = given.steps_in(seconds, stage.dt)
+    for _, compile_kernel in stage.scene_type.warm_ups():
+        compile_kernel()  # so that the time measured is that of the steps alone
     began = time.process_time()
     stage.run(steps)
     cpu_s = time.process_time() - began
@@ -97,7 +99,7 @@ def write_screenshot(stage: Stage, word: str, size: tuple[int, int], theme: str)
     try:
         write_png(picture_of_stage(stage, size, theme), Path(word))
     except OSError as error:
-        raise Failure(f"--screenshot {error}") from None
+        raise MistakeError(f"--screenshot {error}") from None
 
 
 def write_recording(stage: Stage, word: str) -> None:
@@ -107,4 +109,4 @@ def write_recording(stage: Stage, word: str) -> None:
     try:
         stage.recording.save(word)
     except RecordingError as error:
-        raise Failure(f"--record {error}") from None
+        raise MistakeError(f"--record {error}") from None

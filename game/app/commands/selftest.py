@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.commands import given, output
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 from game.app.script import Script, demo_of
 
 if TYPE_CHECKING:
@@ -127,13 +127,13 @@ def _golden_file(options: argparse.Namespace) -> Path | None:
     if options.update_golden is None:
         return None
     if options.scenes:
-        raise Failure("--update-golden: writes the digests of all scenes, so none may be named")
+        raise MistakeError("--update-golden: writes the digests of all scenes, so none may be named")
     if options.update_golden:
         output.check_writable(options.update_golden, "--update-golden")
         return Path(options.update_golden)
     folder = Path(__file__).resolve().parents[3] / "tests"
     if not folder.is_dir():
-        raise Failure("--update-golden: there is no tests folder here; name a file")
+        raise MistakeError("--update-golden: there is no tests folder here; name a file")
     return folder / "golden" / GOLDEN_FILE
 
 
@@ -146,4 +146,4 @@ def _read_golden(word: str) -> dict[str, str]:
     try:
         return msgspec.json.decode(read_text(Path(word), 1 << 20), type=dict[str, str])
     except (FileProblem, msgspec.MsgspecError) as error:
-        raise Failure(f"--golden {word}: {error}") from None
+        raise MistakeError(f"--golden {word}: {error}") from None

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from game.app.commands import output
-from game.app.failure import Failure
+from game.app.mistake import MistakeError
 
 
 def add(commands: Any) -> None:
@@ -27,7 +27,7 @@ def execute(options: argparse.Namespace) -> int:
     try:
         result = run_shot_file(Path(options.file), options.model)
     except (ValueError, OSError) as error:
-        raise Failure(_line(error, options.file)) from None
+        raise MistakeError(_line(error, options.file)) from None
     if options.json:
         output.write_json(result, options.json)
     if options.json != output.STANDARD_OUTPUT:

@@ -1,4 +1,4 @@
-"""Painting of the menu's cards and rows: a picture with rounded corners, a rule, a title, an id and a fact."""
+"""Painting of the menu's cards and rows: a picture with round corners, a rule, a title, an id and a fact."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the cards of the menu lie: categories one after another in rows, cards as large as the window lets them.
+"""Where the menu's cards lie: categories one after another in rows, cards as large as the window lets them.
 
 Design measures: margins 32, header 80, footer 40, gap 16, a card's picture 160:104 with 56 for its words,
 28 for a category's name above.
@@ -30,7 +30,7 @@ class Head(NamedTuple):
     """A category's name over its first card: words, how many, left end and middle in window px."""
 
     text: str
-    count: int
+    number: int
     at: tuple[int, int]
 
 
@@ -134,7 +134,7 @@ def nearest_in_direction(rects: Sequence[pygame.Rect], start: int, dx: int, dy: 
 
 
 def _way(here: pygame.Rect, there: pygame.Rect, dx: int, dy: int) -> tuple[int, int, int]:
-    """Gap in the arrow's direction (below 0: not that way), gap across it, and offset of the middles across it."""
+    """Gap the arrow's way (below 0: not that way), gap across it, and offset of the middles across it."""
     right, left = there.left - here.right, here.left - there.right
     below, above = there.top - here.bottom, here.top - there.bottom
     if dx:

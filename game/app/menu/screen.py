@@ -272,7 +272,7 @@ class MenuScreen(Screen):
         for head in self._heads:
             at = (head.at[0], head.at[1] + down)
             used = look.text(picture, head.text, at, 13, "semibold", "text1").w
-            look.text(picture, str(head.count), (at[0] + used + look.px(8), at[1]), 12, "medium", "text3")
+            look.text(picture, str(head.number), (at[0] + used + look.px(8), at[1]), 12, "medium", "text3")
         for i, item in enumerate(self.items):
             place = item.rect.move(0, down)
             if i == self.focus or place.bottom < self._top or place.top > self._bottom:

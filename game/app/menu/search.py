@@ -66,7 +66,7 @@ def _is_subsequence(word: str, text: str) -> bool:
 
 
 def _scattered(word: str, part: str) -> float:
-    """Letters in order but with gaps within one word ("fntn"), or one letter too many or swapped ("fountian")."""
+    """Letters in order with gaps within one word ("fntn"), or one too many or swapped ("fountian")."""
     if word[0] == part[0] and _is_subsequence(word, part):
         return 0.4 * len(word) / len(part)
     if len(word) >= 4 and abs(len(word) - len(part)) <= 1 and _distance_is_small(word, part):

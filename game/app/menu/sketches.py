@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 import pygame
 
@@ -42,7 +43,7 @@ class Pen:
     ) -> None:
         """A line through points; ``dash`` is the length of strokes and gaps."""
         shade, thick = self.look.color(color), max(1, round(width * self._scale))
-        for a, b in zip(points, points[1:], strict=False):
+        for a, b in pairwise(points):
             for p, q in _strokes(a, b, dash):
                 pygame.draw.line(self.large, shade, self.at(*p), self.at(*q), thick)
         if not dash:

@@ -12,18 +12,27 @@ if TYPE_CHECKING:
     from game.app.application import App
 
 SHOWN = (
-    ("pause", "pause and go on"), ("step", "one step"), ("step-back", "one step back"), ("reset", "begin anew"),
-    ("slower", "slower"), ("faster", "faster"), ("view", "whole view"), ("accuracy", "what accuracy costs"),
-    ("levels", "levels and hard cases"), ("save", "save level and recording"), ("open", "open what was saved"),
-    ("next", "next scene"), ("screenshot", "picture"),
-)  # fmt: skip
+    ("pause", "pause and go on"),
+    ("step", "one step"),
+    ("step-back", "one step back"),
+    ("reset", "begin anew"),
+    ("accuracy", "what accuracy costs"),
+    ("levels", "levels and hard cases"),
+    ("save", "save level and recording"),
+    ("open", "open what was saved"),
+    ("pause-menu", "all else"),
+)
 
 
 class HelpCard(PageScreen):
     """Made from the scene's declarations; F1 closes it as well."""
 
     def __init__(self, app: App, scene_type: type[Scene]):
-        rows = [((app.keys.label(name),), words) for name, words in SHOWN]
+        rows = [
+            ((app.keys.label(name),), words)
+            for name, words in SHOWN
+            if name != "accuracy" or scene_type.study
+        ]
         if "wheel" not in getattr(scene_type, "takes", ()):
             rows.append((("Wheel",), "zoom"))
         super().__init__(app, HelpPage(app.look, scene_type, rows))

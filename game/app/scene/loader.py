@@ -70,7 +70,7 @@ class Loader:
         """Two steps and one small picture of a scene that is thrown away: what no list of kernels has named
         compiles here, and not in the window's first frame. What fails here will be told by the scene itself.
         """
-        import game.app.scene.play  # noqa: F401  the main thread will need these next
+        import game.app.scene.play
         import game.ui.panel  # noqa: F401
         from game.app.view import StageView
 

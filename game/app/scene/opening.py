@@ -25,8 +25,7 @@ class Opening(NamedTuple):
 
     def make_stage(self, scene_type: type[Scene]) -> Stage:
         """The stage. Raises LevelError, KnobError, RecordingError or ValueError, each with one line."""
-        from game.stage import Stage
-        from game.stage import begin
+        from game.stage import Stage, begin
 
         if self.recording is not None:
             return begin(self.recording, scene_type)

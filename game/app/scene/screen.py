@@ -19,6 +19,20 @@ if TYPE_CHECKING:
     from game.stage.catalogue import Entry
 
 
+PAUSE_ROWS = (
+    ("", "Go on"),
+    ("reset", "Begin anew"),
+    ("levels", "Levels and hard cases"),
+    ("open", "Open what was saved"),
+    ("save", "Save level and recording"),
+    ("help", "Help"),
+    ("settings", "Settings"),
+    ("next", "Next scene"),
+    ("back", "Menu"),
+    ("quit", "Leave Carom"),
+)
+
+
 class SceneScreen(Screen):
     """While the scene loads, its shell with the loading card; then the scene itself."""
 
@@ -31,7 +45,7 @@ class SceneScreen(Screen):
         self.shell = Shell(app, entry)
         self.loader: Loader | None = Loader(entry, opening, app.canvas_warming)
         self.play: ScenePlay | None = None
-        self._error = ""
+        self._waiting = ""
 
     @property
     def title(self) -> str:
@@ -46,6 +60,11 @@ class SceneScreen(Screen):
         return self.shell.layout.hint_bar
 
     # -- life ---------------------------------------------------------------------------------------
+
+    def uncovered(self) -> None:
+        name, self._waiting = self._waiting, ""
+        if name and not self.app.command(name):
+            self.command(name)
 
     def update(self, elapsed_s: float) -> None:
         if self.loader is not None:
@@ -143,24 +162,37 @@ class SceneScreen(Screen):
         elif name == "help":
             from game.app.scene.help_card import HelpCard
 
-            self.app.push(HelpCard(self.app, type(play.stage.scene)))
+            self.app.push(HelpCard(self.app, play.stage.scene_type))
         elif name == "accuracy":
             self._open_accuracy(play)
+        elif name == "pause-menu":
+            self._open_pause_menu()
         else:
             return play.command(name)
         return True
+
+    def _open_pause_menu(self) -> None:
+        """All that can be done, as a list; the scene stands still under it."""
+        label = self.app.keys.label
+        rows = [Row(words, chip=label(name) if name else "", value=name) for name, words in PAUSE_ROWS]
+        self.app.push(ChoiceCard(self.app, "Pause", rows, self._do_later))
+
+    def _do_later(self, name: str) -> None:
+        """Do what was chosen once the card has gone."""
+        self._waiting = name
 
     def _choose(self, heading: str, rows: list[Row], present: Any) -> None:
         assert self.play is not None
         self.app.push(ChoiceCard(self.app, heading, rows, self.play.open_file, present))
 
     def _open_accuracy(self, play: ScenePlay) -> None:
-        if type(play.stage.scene).study is None:
+        study = play.stage.scene_type.study
+        if study is None:
             self.app.tell("No study.", "This scene has none yet.")
             return
         from game.app.scene.accuracy_card import AccuracyCard
 
-        self.app.push(AccuracyCard(self.app, play.stage))
+        self.app.push(AccuracyCard(self.app, play, study))
 
     # -- picture ------------------------------------------------------------------------------------
 

@@ -57,7 +57,7 @@ class Shell:
 
     def _hint_rows(self, scene_type: type[Scene]) -> list[tuple[tuple[str, ...], str]]:
         label = self.app.keys.label
-        rows = [((label(name),), words) for name, words in BEFORE_OWN]
+        rows: list[tuple[tuple[str, ...], str]] = [((label(name),), words) for name, words in BEFORE_OWN]
         rows += [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
         if "wheel" not in getattr(scene_type, "takes", ()):
             rows.append((("Wheel",), "zoom"))

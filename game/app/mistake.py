@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 
-class Failure(Exception):
+class MistakeError(Exception):
     """Something the user gave or asked for does not work; the message is the whole answer.
 
     ``status`` is the exit status: 2 for wrong input, 1 for a run that failed.

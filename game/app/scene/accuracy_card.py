@@ -1,0 +1,122 @@
+"""What accuracy costs, over the scene: the study runs, its points can be clicked, its table saved."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+import pygame
+
+from game.app.pictures import save_picture
+from game.app.scene.page_screen import PageScreen
+from game.app.scene.study_run import StudyRun, accuracy_data
+from game.folders import user_folder
+from game.stage import SetKnob
+from game.ui.accuracy import AccuracyPage
+from game.ui.commands import Command
+from game.ui.tooltips import ToolTip
+
+if TYPE_CHECKING:
+    from game.app.application import App
+    from game.app.scene.play import ScenePlay
+    from game.lab import Study, StudyTable
+
+REFRESH_S = 0.25  # s between looks at what has been measured
+
+
+_tables: dict[str, StudyTable] = {}  # by study: what was measured is gone on with as long as the program runs
+
+
+class AccuracyCard(PageScreen):
+    """Goes on with what was measured earlier in this session."""
+
+    page: AccuracyPage
+
+    def __init__(self, app: App, play: ScenePlay, study: Study):
+        self.play = play
+        self.run = StudyRun(study, play.stage.scene.values, _tables.get(study.name))
+        _tables[study.name] = self.run.table
+        level = play.stage.level
+        self._title = ", ".join(
+            part for part in (study.title, level.title if level is not None else "") if part
+        )
+        self._since_s = 0.0
+        self._shown = -1
+        self._tip = ToolTip(app.look)
+        super().__init__(app, AccuracyPage(app.look, accuracy_data(self.run, self._title)))
+
+    def restyle(self) -> None:
+        super().restyle()
+        self._tip.place(self.app.look)
+
+    def closed(self) -> None:
+        self.run.stop()
+
+    def command(self, name: str) -> bool:
+        if name == "accuracy":
+            self.close()
+            return True
+        return super().command(name)
+
+    def update(self, elapsed_s: float) -> None:
+        self._since_s += elapsed_s
+        if self._since_s >= REFRESH_S:
+            self._since_s = 0.0
+            self._refresh()
+        self._tip.update(elapsed_s, self.page.tip())
+        super().update(elapsed_s)
+
+    def _refresh(self) -> None:
+        """Show what has come in since the last look."""
+        state = (
+            len(self.run.table)
+            + (1_000_000 if self.run.present is not None else 0)
+            + (not self.run.progress.running)
+        )
+        if state != self._shown:
+            self._shown = state
+            self.page.show(accuracy_data(self.run, self._title))
+        self.page.report(self.run.progress)
+
+    def draw(self, surface: pygame.Surface) -> None:
+        super().draw(surface)
+        self._tip.draw(surface)
+
+    def fulfil(self, wish: Command) -> None:
+        if wish.name == "stop":
+            self.run.stop()
+        elif wish.name == "save-csv":
+            self._save_csv()
+        elif wish.name == "save-picture":
+            self._save_picture()
+        elif wish.name == "point":
+            self._set_scene(dict(wish.value))
+
+    def _set_scene(self, parameters: dict[str, object]) -> None:
+        """Set the scene's knobs to those of a point, and go back to it."""
+        knobs = self.play.stage.scene.knobs()
+        for name, value in parameters.items():
+            if name in knobs:
+                self.play.post(SetKnob(name, value))  # type: ignore[arg-type]
+        self.close()
+
+    def _save_csv(self) -> None:
+        from game.lab.report import write_csv
+
+        folder = user_folder() / "reports"
+        name = f"{self.run.study.name}-{datetime.now():%Y-%m-%d-%H%M%S}.csv"
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            write_csv(self.run.table, folder / name)
+        except OSError as error:
+            self.app.tell("Not saved.", str(error.strerror or error), "warning")
+        else:
+            self.app.tell("Table saved", str(folder / name))
+
+    def _save_picture(self) -> None:
+        try:
+            path = save_picture(self.page.picture(), self.run.study.name)
+        except OSError as error:
+            self.app.tell("Not saved.", str(error.strerror or error), "warning")
+        else:
+            self.app.tell("Picture saved", str(path))

@@ -1,0 +1,144 @@
+"""Whatever a hand does to keys, mouse and window, nothing raises, and the same hand gives the same state."""
+
+from __future__ import annotations
+
+import random
+import tracemalloc
+
+import pygame
+import pytest
+from tests_app import Driver, example_entry
+
+from game.app.keys import COMMANDS, parse_chord
+from game.app.scene.screen import SceneScreen
+from game.stage.catalogue import Catalogue
+
+PLACES = [parse_chord(command.key) for command in COMMANDS if command.name not in ("quit", "full-screen")]
+LETTERS = [parse_chord(letter) for letter in "abcdefghijklmnoprstuvwxyz"]
+MORE = [parse_chord(word) for word in ("return", "up", "down", "left", "right", "end", "delete")]
+SIZES = [(1, 1), (40, 900), (320, 240), (640, 480), (1000, 700), (1280, 720), (1600, 1000)]
+
+
+def any_event(hand: random.Random, size: tuple[int, int]) -> list[pygame.Event]:
+    """One thing that a hand, or the window system, may do."""
+    at = (hand.randrange(-5, size[0] + 5), hand.randrange(-5, size[1] + 5))
+    kind = hand.randrange(12)
+    if kind < 4:
+        chord = hand.choice(PLACES + LETTERS + MORE)
+        code = hand.choice([pygame.K_RETURN, pygame.K_UP, pygame.K_DOWN, pygame.K_a, pygame.K_TAB])
+        fields = {"key": code, "scancode": chord.scancode, "mod": pygame.KMOD_CTRL if chord.control else 0}
+        return [pygame.Event(pygame.KEYDOWN, unicode="", **fields), pygame.Event(pygame.KEYUP, **fields)]
+    if kind < 7:
+        rel = (hand.randrange(-30, 30), hand.randrange(-30, 30))
+        return [pygame.Event(pygame.MOUSEMOTION, pos=at, rel=rel, buttons=(0, 0, 0))]
+    if kind < 10:
+        button, down = hand.choice([1, 1, 1, 2, 3, 9]), hand.random() < 0.5
+        return [pygame.Event(pygame.MOUSEBUTTONDOWN if down else pygame.MOUSEBUTTONUP, pos=at, button=button)]
+    if kind == 10:
+        return [pygame.Event(pygame.MOUSEWHEEL, x=0, y=hand.randrange(-3, 4), pos=at)]
+    other = [
+        pygame.Event(pygame.WINDOWFOCUSLOST),
+        pygame.Event(pygame.WINDOWLEAVE),
+        pygame.Event(pygame.WINDOWMINIMIZED),
+        pygame.Event(pygame.WINDOWRESTORED),
+        pygame.Event(pygame.TEXTINPUT, text=hand.choice("ab1-. é")),
+        pygame.Event(pygame.JOYAXISMOTION, instance_id=0, axis=hand.randrange(4), value=hand.uniform(-1, 1)),
+        pygame.Event(pygame.JOYBUTTONDOWN, instance_id=0, button=hand.randrange(9)),
+        pygame.Event(pygame.JOYBUTTONUP, instance_id=0, button=hand.randrange(9)),
+        pygame.Event(pygame.JOYHATMOTION, instance_id=0, hat=0, value=(hand.randrange(-1, 2), 0)),
+        pygame.Event(pygame.USEREVENT),
+    ]
+    return [hand.choice(other)]
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_thousand_events_raise_nothing(start, seed: int, tmp_path):
+    hand = random.Random(seed)
+    driver = start(catalogue=Catalogue(tuple(example_entry(name) for name in ("example", "second"))))
+    for i in range(1000):
+        if i % 50 == 49:
+            driver.resize(*hand.choice(SIZES))
+        driver.waiting += any_event(hand, driver.window.size)
+        driver.frames(1, seconds=hand.choice([0.0, 0.004, 0.016, 0.1, 3.0]))
+        top = driver.top
+        if isinstance(top, SceneScreen) and top.loader is not None:
+            top.loader.wait(60.0)
+        if i % 100 == 0 and not isinstance(top, SceneScreen):
+            driver.app.open_scene("example")
+    assert driver.app.running
+    assert driver.window.surface.get_size() == driver.window.size
+
+
+def drag_script(driver: Driver, frame_s: float) -> tuple[int, str]:
+    """The same hand at the same steps, whatever the length of a frame; step and digest at the end."""
+    driver.open()
+    stage = driver.stage
+    hand = {
+        30: (True, 0.5, 1.0),
+        60: (False, 0.7, 1.4),
+        61: None,
+        90: (True, -1.0, 0.5),
+        91: (False, -1.0, 0.5),
+    }
+    for step, what in hand.items():
+        while stage.step_number < step:
+            driver.frames(1, seconds=min(frame_s, (step - stage.step_number) * stage.dt))
+        play = driver.top.play
+        if what is None:
+            play.act("kick")
+        else:
+            down, x, y = what
+            px, py = play.view.camera.to_screen(x, y)
+            driver.waiting.append(
+                pygame.Event(
+                    pygame.MOUSEBUTTONDOWN if down else pygame.MOUSEBUTTONUP,
+                    pos=(round(px), round(py)),
+                    button=1,
+                )
+            )
+            driver.frames(1, seconds=0.0)
+    stage.run(240 - stage.step_number)
+    return stage.step_number, stage.digest()
+
+
+def test_frame_rate_does_not_change_the_state(start):
+    ends = [drag_script(start(), frame_s) for frame_s in (1 / 240, 1 / 60, 1 / 17)]
+    assert ends[0][0] == 240
+    assert len(set(ends)) == 1
+
+
+def test_recorded_session_replays_at_any_frame_rate(start):
+    driver = start()
+    drag_script(driver, 1 / 60)
+    recording = driver.stage.recording
+    for frame_s in (1 / 144, 0.07):
+        play = driver.top.play
+        play._watch(recording)
+        while driver.stage.step_number < recording.steps:
+            driver.frames(
+                1, seconds=min(frame_s, (recording.steps - driver.stage.step_number) * driver.stage.dt)
+            )
+        play.script.post_due()
+        assert driver.stage.step_number == recording.steps
+        assert driver.stage.digest() == recording.digest
+
+
+def test_memory_stays_flat(start):
+    driver = start()
+    driver.open()
+    driver.key(pygame.K_SPACE)  # stands still: the charts and snapshots of a running scene fill their bounds
+
+    def used() -> int:
+        driver.move(300, 300)
+        driver.frames(300)
+        return tracemalloc.get_traced_memory()[0]
+
+    tracemalloc.start()
+    try:
+        used()
+        before = used()
+        for _ in range(3):
+            after = used()
+        assert after - before < 100_000
+    finally:
+        tracemalloc.stop()

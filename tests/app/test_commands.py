@@ -1,0 +1,292 @@
+"""The command line: what it writes, and one line with status 2 for every mistake."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pygame
+import pytest
+
+from game.app.commands import run_command_line
+from game.levels import Level, save_level
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    """Status, output and complaint of a command."""
+    status = run_command_line(arguments)
+    said = capsys.readouterr()
+    return status, said.out, said.err
+
+
+@pytest.fixture
+def level(tmp_path: Path) -> Path:
+    """A level file of the example scene."""
+    path = tmp_path / "high.toml"
+    save_level(Level(scene="example", title="High", seed=3, parameters={"height": 20.0}), path)
+    return path
+
+
+def test_run_writes_what_it_measured(capsys, tmp_path: Path):
+    file = tmp_path / "s.json"
+    status, out, err = run(
+        capsys, "run", "example", "--seconds", "2", "--set", "gravity=5", "--json", str(file)
+    )
+    assert (status, err) == (0, "")
+    report = json.loads(file.read_text())
+    assert report["scene"] == "example"
+    assert report["steps"] == 240
+    assert report["simulated_s"] == pytest.approx(2.0)
+    assert report["cpu_s"] >= 0.0
+    assert report["parameters"]["gravity"] == 5.0
+    assert report["effects"] == {"example-gravity": True, "example-ground": True}
+    assert set(report["readouts"]) == {"energy", "height"}
+    assert report["digest"] in out
+
+
+def test_two_runs_have_one_digest_and_another_knob_another(capsys, tmp_path: Path):
+    digests = []
+    for extra in ([], [], ["--set", "restitution=0.5"], ["--effects-off", "example-ground"]):
+        file = tmp_path / "s.json"
+        assert run(capsys, "run", "example", "--seconds", "3", "--json", str(file), *extra)[0] == 0
+        digests.append(json.loads(file.read_text())["digest"])
+    assert digests[0] == digests[1]
+    assert len(set(digests)) == 3
+
+
+def test_json_to_standard_output_is_nothing_but_json(capsys):
+    status, out, _ = run(capsys, "run", "example", "--seconds", "0", "--json", "-")
+    assert status == 0
+    assert json.loads(out)["steps"] == 0
+
+
+def test_run_takes_a_level_and_draws_a_picture(capsys, tmp_path: Path, level: Path):
+    picture, file = tmp_path / "a.png", tmp_path / "s.json"
+    arguments = (
+        "--level",
+        str(level),
+        "--screenshot",
+        str(picture),
+        "--size",
+        "320x200",
+        "--json",
+        str(file),
+    )
+    assert run(capsys, "run", "example", "--seconds", "1", *arguments)[0] == 0
+    assert pygame.image.load(str(picture)).get_size() == (320, 200)
+    report = json.loads(file.read_text())
+    assert (report["level"], report["parameters"]["height"]) == ("High", 20.0)
+
+
+def test_recorded_run_is_replayed_with_the_same_digests(capsys, tmp_path: Path):
+    recording, file = tmp_path / "r.json", tmp_path / "s.json"
+    run(capsys, "run", "example", "--seconds", "3", "--record", str(recording), "--json", str(file))
+    first = json.loads(file.read_text())
+    status, out, _ = run(capsys, "replay", str(recording), "--json", str(file))
+    assert status == 0
+    assert "same digests" in out
+    assert json.loads(file.read_text())["digest"] == first["digest"]
+
+
+def test_altered_recording_does_not_pass(capsys, tmp_path: Path):
+    recording = tmp_path / "r.json"
+    run(capsys, "run", "example", "--seconds", "3", "--record", str(recording))
+    content = json.loads(recording.read_text())
+    content["parameters"]["gravity"] = 9.0
+    recording.write_text(json.dumps(content))
+    status, _, err = run(capsys, "replay", str(recording))
+    assert status == 2
+    assert "step 120" in err
+
+
+def test_list_names_parameters_and_levels(capsys):
+    from tests_app import CATALOGUE
+
+    import game.scenes
+    from game.stage.catalogue import Catalogue
+
+    game.scenes.CATALOGUE = Catalogue(CATALOGUE.entries[:1])
+    status, out, _ = run(capsys, "list")
+    assert status == 0
+    assert "gravity" in out and "9.81 m/s²  (0 to 100)" in out
+    status, out, _ = run(capsys, "list", "example", "--json", "-")
+    row = json.loads(out)["scenes"][0]
+    assert row["parameters"][0] == {
+        "name": "gravity", "label": "Gravity", "help": "acceleration downwards", "default": 9.81,
+        "kind": "number", "minimum": 0.0, "maximum": 100.0, "unit": "m/s²", "whole": False,
+    }  # fmt: skip
+
+
+def test_selftest_passes_the_example_and_fails_the_broken(capsys, tmp_path: Path):
+    status, out, _ = run(capsys, "selftest", "example")
+    assert status == 0
+    assert "1 levels, 0 failed" in out
+    golden = tmp_path / "golden.json"
+    golden.write_text(json.dumps({"example/(none)": "0" * 32}))
+    status, out, _ = run(capsys, "selftest", "example", "--golden", str(golden))
+    assert status == 1
+    assert "the kept digest is 000" in out
+
+
+def test_selftest_finds_a_scene_that_forgets_part_of_its_state(capsys, monkeypatch):
+    import example_scene
+
+    def advance(self, dt):
+        self.forgotten = getattr(self, "forgotten", [0])
+        self.forgotten[0] += 1
+        self.ball.position[0] += 1e-3 * (self.forgotten[0] % 7)
+
+    monkeypatch.setattr(example_scene.BouncingBall, "advance", advance)
+    monkeypatch.setattr("game.stage.session.remember", lambda scene: _Nothing())
+    monkeypatch.setattr("game.stage.session.recall", lambda scene, memory: None)
+    status, out, _ = run(capsys, "selftest", "example")
+    assert status == 1
+    assert "another state" in out
+
+
+class _Nothing:
+    bytes = 0
+
+
+WRONG = [
+    (("frobnicate",), "frobnicate"),
+    (("run",), "SCENE"),
+    (("run", "nowhere"), "nowhere"),
+    (("run", "example", "--set", "gravity"), "gravity"),
+    (("run", "example", "--set", "=3"), "=3"),
+    (("run", "example", "--set", "mass=3"), "mass"),
+    (("run", "example", "--set", "gravity=nan"), "gravity"),
+    (("run", "example", "--set", "gravity=inf"), "gravity"),
+    (("run", "example", "--set", "gravity=-1"), "gravity"),
+    (("run", "example", "--set", "gravity=1e400"), "gravity"),
+    (("run", "example", "--set", "gravity=heavy"), "heavy"),
+    (("run", "example", "--set", "frozen=perhaps"), "perhaps"),
+    (("run", "example", "--effects-off", "wind"), "wind"),
+    (("run", "example", "--seconds", "-1"), "-1"),
+    (("run", "example", "--seconds", "nan"), "nan"),
+    (("run", "example", "--seconds", "inf"), "inf"),
+    (("run", "example", "--seconds", "1e300"), "1e+300"),
+    (("run", "example", "--seconds", "soon"), "soon"),
+    (("run", "example", "--seed", "1.5"), "1.5"),
+    (("run", "example", "--seed", "-1"), "-1"),
+    (("run", "example", "--seed", "99999999999999999999"), "9999"),
+    (("run", "example", "--size", "0x10"), "0x10"),
+    (("run", "example", "--size", "99999x99999"), "99999"),
+    (("run", "example", "--size", "big"), "big"),
+    (("run", "example", "--theme", "pink"), "pink"),
+    (("run", "example", "--level", "no/such/file.toml"), "no/such/file.toml"),
+    (("run", "example", "--level", "/dev/null"), "/dev/null"),
+    (("run", "example", "--level", "."), "."),
+    (("run", "example", "--json", "no/such/folder/s.json"), "no/such/folder"),
+    (("run", "example", "--json", "."), "--json"),
+    (("run", "example", "--json", ""), "--json"),
+    (("run", "example", "--json", "x" * 5000), "--json"),
+    (("run", "example", "--screenshot", "no/such/folder/a.png"), "no/such/folder"),
+    (("run", "example", "--record", "no/such/folder/r.json"), "no/such/folder"),
+    (("run", "example", "--frames", "3"), "--frames"),
+    (("play", "nowhere"), "nowhere"),
+    (("play", "example", "--set", "gravity=-1"), "gravity"),
+    (("play", "example", "--level", "missing.toml"), "missing.toml"),
+    (("play", "example", "--replay", "missing.json"), "missing.json"),
+    (("play", "example"), "no display"),
+    (("list", "nowhere"), "nowhere"),
+    (("replay", "missing.json"), "missing.json"),
+    (("replay", str(ROOT / "pyproject.toml")), "pyproject.toml"),
+    (("selftest", "nowhere"), "nowhere"),
+    (("selftest", "--golden", "missing.json"), "missing.json"),
+    (("selftest", "example", "--update-golden"), "update-golden"),
+    (("accuracy",), "--all"),
+    (("accuracy", "example"), "no study"),
+    (("accuracy", "nowhere"), "nowhere"),
+    (("accuracy", "example", "--out", "/dev/null/folder"), "--out"),
+    (("shot", "missing.json"), "missing.json"),
+    (("shot",), "FILE"),
+]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"), WRONG, ids=lambda value: " ".join(value)[:60] if isinstance(value, tuple) else ""
+)
+def test_a_mistake_is_one_line_and_status_2(capsys, tmp_path: Path, monkeypatch, arguments, word: str):
+    monkeypatch.chdir(tmp_path)
+    status, out, err = run(capsys, *arguments)
+    assert status == 2
+    assert out == ""
+    assert err.startswith("carom: ")
+    assert err.count("\n") == 1
+    assert word in err
+    assert [path.name for path in tmp_path.iterdir() if path.name != "report"] == []
+
+
+def test_scene_that_cannot_be_imported_is_told_in_one_line(capsys):
+    status, _, err = run(capsys, "run", "broken")
+    assert status == 1
+    assert err == "carom: broken cannot be opened: No module named 'no_such_module'\n"
+
+
+@pytest.mark.parametrize(
+    ("content", "word"),
+    [
+        ('scene = "example"\n[parameters]\nheight = nan', "parameters.height"),
+        ('scene = "example"\n[parameters]\nheight = "tall"', "parameters.height"),
+        ('scene = "example"\nweight = 3', "weight"),
+        ('scene = "other"', "scene"),
+        ("scene = ", "TOML"),
+        ('scene = "example"\n[content]\nx = 1', "content"),
+    ],
+)
+def test_broken_level_is_named_by_file_and_field(capsys, tmp_path: Path, content: str, word: str):
+    file = tmp_path / "bad.toml"
+    file.write_text(content)
+    status, _, err = run(capsys, "run", "example", "--level", str(file))
+    assert status == 2
+    assert err.count("\n") == 1
+    assert "bad.toml" in err and word in err
+
+
+def test_no_display_plays_the_demo_and_names_its_picture(capsys, tmp_path: Path, monkeypatch):
+    monkeypatch.setenv("CAROM_HOME", str(tmp_path))
+    status, out, err = run(capsys)
+    assert (status, err) == (0, "")
+    assert out.count("\n") == 1
+    assert out.startswith("carom: no display (")
+    (picture,) = (tmp_path / "pictures").iterdir()
+    assert str(picture) in out
+    assert pygame.image.load(str(picture)).get_size() == (1280, 720)
+
+
+def test_version_and_help(capsys):
+    for word in ("--version", "--help"):
+        with pytest.raises(SystemExit) as end:
+            run_command_line([word])
+        assert end.value.code == 0
+        assert "carom" in capsys.readouterr().out
+
+
+def test_closed_pipe_and_real_process_give_no_traceback(tmp_path: Path):
+    environment = {**os.environ, "CAROM_HOME": str(tmp_path), "PYTHONUNBUFFERED": "1"}
+    command = f"{sys.executable} -m game --help | head -1; {sys.executable} -m game run nowhere; echo $?"
+    done = subprocess.run(
+        ["bash", "-c", command], cwd=ROOT, env=environment, capture_output=True, text=True, timeout=120
+    )
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert done.stdout.split()[-1] == "2"
+
+
+def test_naming_commands_does_not_import_what_they_need():
+    code = "import sys, game.app.commands as c; c.build_parser(); print('numba' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.stdout.split()[-1] == "False"
+    assert done.stderr == ""
+
+
+def test_window_and_menu_do_not_import_the_compiler():
+    code = "import sys, game.app.start, game.app.application; print('numba' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.stdout.split()[-1] == "False"
