@@ -161,8 +161,8 @@ def find_end_point(values, codes, count, value, code):
 def shift_end_point(boxes, values, codes, count, i, value, changes, changed):
     """Give the end point at ``i`` another coordinate, m, and move it to its place.
 
-    Notes pairs as ``insertion_sort`` does; ``changes`` has room for 2 ``count`` more. Returns (swaps,
-    changes noted).
+    Notes pairs as ``insertion_sort`` does. The new coordinate must not lie beyond the box's other end as that
+    stands now. ``changes`` has room for ``count`` more. Returns (swaps, changes noted).
     """
     code = codes[i]
     box = code & ID
@@ -172,7 +172,7 @@ def shift_end_point(boxes, values, codes, count, i, value, changes, changed):
         if code & UPPER == 0 and codes[j - 1] & UPPER:
             changes[changed] = pair_key(box, other)
             changed += overlap(boxes, box, other)
-        elif code & UPPER and codes[j - 1] & UPPER == 0 and other != box:
+        elif code & UPPER and codes[j - 1] & UPPER == 0:
             changes[changed] = ~pair_key(box, other)
             changed += 1
         values[j], codes[j] = values[j - 1], codes[j - 1]
@@ -182,7 +182,7 @@ def shift_end_point(boxes, values, codes, count, i, value, changes, changed):
         if code & UPPER and codes[j + 1] & UPPER == 0:
             changes[changed] = pair_key(box, other)
             changed += overlap(boxes, box, other)
-        elif code & UPPER == 0 and codes[j + 1] & UPPER and other != box:
+        elif code & UPPER == 0 and codes[j + 1] & UPPER:
             changes[changed] = ~pair_key(box, other)
             changed += 1
         values[j], codes[j] = values[j + 1], codes[j + 1]

@@ -36,7 +36,7 @@ OFFSET, MASK, COUNT, FACTOR = 0, 1, 2, 3
 @kernel(inline="always")
 def cell_at(x, scale):
     """Column (or row) of a coordinate, m, at ``scale`` cells per m; 0 on the level of one cell."""
-    return math.floor(min(max(float(x) * scale, -FARTHEST), FARTHEST)) if scale > 0.0 else 0
+    return math.floor(min(max(float(x) * float(scale), -FARTHEST), FARTHEST)) if scale > 0.0 else 0
 
 
 @kernel(inline="always")

@@ -34,16 +34,16 @@ def search_level(sorted_boxes, order, start, offset, mask, factor, keys, found, 
     is too short. ``tests``: (1,) added to.
     """
     tested = 0
-    for place in range(start[offset], start[offset + mask + 1]):
+    for place in range(int(start[offset]), int(start[offset + mask + 1])):
         x0 = sorted_boxes[place, 0]
         y0 = sorted_boxes[place, 1]
         x1 = sorted_boxes[place, 2]
         y1 = sorted_boxes[place, 3]
         bucket = (order[place] >> 32) & ID_MASK
-        end = start[bucket + 2]
+        end = int(start[bucket + 2])
         above = (offset + ((bucket - offset + factor - 1) & mask)) & ID_MASK
-        first = start[above]
-        last = start[above + 3]
+        first = int(start[above])
+        last = int(start[above + 3])
         tested += end - place - 1 + last - first
         if found + end - place + last - first + 4 > len(keys):
             return -1
@@ -106,7 +106,7 @@ def look_up(sorted_boxes, start, fine_begin, fine_end, offset, mask, factor, sca
         tag = place << 32
         for row in range(cell_at(y0, scale) - 1, cell_at(y1, scale) + 1):
             bucket = offset + bucket_of(before, row, mask, factor)
-            first, last = start[bucket], start[bucket + run]
+            first, last = int(start[bucket]), int(start[bucket + run])
             tested += last - first
             if found + last - first + 1 > len(keys):
                 return -1
@@ -145,7 +145,7 @@ def run_over(sorted_boxes, start, coarse_begin, coarse_end, offset, mask, factor
             left = run
             while left > 0:
                 part = min(left, size - bucket)
-                first, last = start[offset + bucket], start[offset + bucket + part]
+                first, last = int(start[offset + bucket]), int(start[offset + bucket + part])
                 tested += last - first
                 if found + last - first + 1 > len(keys):
                     return -1

@@ -103,6 +103,7 @@ class HierarchicalGrid(BroadPhase):
         self._scales = np.array([math.ldexp(1.0, -(level + LOWEST)) for level in range(TOP)] + [0.0])
         self._layout = np.zeros((LEVELS, 4), dtype=np.int64)  # of the sorted boxes
         self._list_layout = np.zeros((LEVELS, 4), dtype=np.int64)
+        self._layout[:, MASK] = -1  # no tables yet
         self._start: NDArray[np.int32] = np.zeros(64, dtype=np.int32)
         self._tests = np.zeros(1, dtype=np.int64)
         self._lists = CellLists(64, self.capacity)

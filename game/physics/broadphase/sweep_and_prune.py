@@ -164,20 +164,23 @@ class SweepAndPrune(BroadPhase):
         cut_gone(*self.manager.table, self.alive)
 
     def _moved(self, box: int, x0: float, y0: float, x1: float, y1: float) -> None:
-        before = self.boxes[box].tolist()
+        before, after = self.boxes[box].tolist(), (x0, y0, x1, y1)
         super()._moved(box, x0, y0, x1, y1)
         count = 2 * len(self)
         if len(self._changes) < 4 * count:
             self._changes = np.empty(8 * count, dtype=np.int64)
         changed = 0
-        for place, value in enumerate((x0, y0, x1, y1)):
-            values, codes = self._values[place % 2], self._codes[place % 2]
-            code = box if place < 2 else box | UPPER
-            i = find_end_point(values, codes, count, before[place], code)
-            swaps, changed = shift_end_point(
-                self.boxes, values, codes, count, i, value, self._changes, changed
-            )
-            self.swaps += swaps
+        for axis in range(2):
+            values, codes = self._values[axis], self._codes[axis]
+            ends = [(axis, box), (axis + 2, box | UPPER)]
+            if after[axis + 2] > before[axis + 2]:
+                ends.reverse()  # the end that leads goes first, so the two never pass each other
+            for place, code in ends:
+                i = find_end_point(values, codes, count, before[place], code)
+                swaps, changed = shift_end_point(
+                    self.boxes, values, codes, count, i, after[place], self._changes, changed
+                )
+                self.swaps += swaps
         self.manager.change_pairs(self._changes, changed)
 
     def _moved_many(self, ids: Ids) -> None:

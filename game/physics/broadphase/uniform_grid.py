@@ -37,7 +37,7 @@ ID_MASK = 0x7FFFFFFF
 @kernel(inline="always")
 def cell_coordinate(x, origin, inverse, last):
     """Column (or row) of a coordinate, clamped to 0 .. ``last`` (a float). Infinities are clamped too."""
-    return int(min(max((float(x) - origin) * inverse, 0.0), last))
+    return int(min(max((float(x) - float(origin)) * float(inverse), 0.0), last))
 
 
 @kernel
@@ -113,9 +113,9 @@ def search_near(sorted_boxes, order, count, start, stride, keys, tests):
         x1 = sorted_boxes[place, 2]
         y1 = sorted_boxes[place, 3]
         cell = order[place] >> 32
-        end = start[cell + 2]
-        first = start[cell + stride - 1]
-        last = start[cell + stride + 2]
+        end = int(start[cell + 2])
+        first = int(start[cell + stride - 1])
+        last = int(start[cell + stride + 2])
         tested += end - place - 1 + last - first
         if found + end - place + last - first + 4 > len(keys):
             return -1
@@ -183,7 +183,7 @@ def search_far(sorted_boxes, order, count, start, geometry, columns, rows, reach
         tag = place << 32
         first = place + 1
         while True:
-            last = start[row * stride + after]
+            last = int(start[row * stride + after])
             tested += max(last - first, 0)
             if found + last - first + 1 > len(keys):
                 return -1
@@ -199,7 +199,7 @@ def search_far(sorted_boxes, order, count, start, geometry, columns, rows, reach
             row += 1
             if row > last_of_box:
                 break
-            first = start[row * stride + before]
+            first = int(start[row * stride + before])
     tests[0] = tested
     return found
 

@@ -1,0 +1,71 @@
+"""Boxes to try broad phases on: inside the world, as dense as asked for."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.physics.broadphase import UniformGrid
+from game.physics.broadphase.motion import MOTION, WALLS, move_boxes
+from game.physics.broadphase.workloads import WORKLOADS, expected_pairs, make_boxes
+
+
+@pytest.mark.parametrize("kind", WORKLOADS)
+def test_boxes_lie_in_the_world_and_move_at_the_speed_asked_for(kind):
+    boxes = make_boxes(kind, 400, np.random.default_rng(1), extent=(3.0, 2.0), speed=0.5)
+    assert (boxes.lowers >= -1e-12).all() and (boxes.uppers <= np.array([3.0, 2.0]) + 1e-12).all()
+    assert np.allclose(np.hypot(*boxes.velocities.T), 0.5, rtol=8 * np.finfo(float).eps)
+    again = make_boxes(kind, 400, np.random.default_rng(1), extent=(3.0, 2.0), speed=0.5)
+    assert all(np.array_equal(a, b) for a, b in zip(boxes, again, strict=True))
+
+
+def test_bad_numbers_are_refused():
+    generator = np.random.default_rng(0)
+    for words in (
+        {"kind": "odd"},
+        {"count": -1},
+        {"fill": 0.0},
+        {"fill": math.nan},
+        {"extent": (0.0, 1.0)},
+        {"share": 2.0},
+        {"speed": math.inf},
+        {"ratio": -2.0},
+    ):
+        with pytest.raises(ValueError):
+            make_boxes(**{"kind": "equal", "count": 5, "generator": generator, **words})
+    assert len(make_boxes("equal", 0, generator).centers) == 0
+
+
+def test_the_mean_number_of_pairs_is_as_derived():
+    assert math.isclose(expected_pairs(1000, 0.02), 815.257196215446, rel_tol=1e-12)
+    counts = []
+    for seed in range(60):
+        lowers = np.random.default_rng(seed).random((1000, 2)) * 0.98
+        grid = UniformGrid((0.0, 0.0), (1.0, 1.0), 0.02)
+        grid.add_boxes(lowers, lowers + 0.02)
+        counts.append(len(grid.pairs()))
+    assert abs(np.mean(counts) - expected_pairs(1000, 0.02)) < 4.0 * np.std(counts) / math.sqrt(60)
+
+
+def moved(center, velocity, half=0.1, mask=MOTION | WALLS, dt=0.5):
+    centers, velocities = np.array([center]), np.array([velocity])
+    lowers, uppers = np.zeros((1, 2)), np.zeros((1, 2))
+    alive = np.ones(1, dtype=np.uint8)
+    world = np.zeros(2), np.ones(2)
+    move_boxes(centers, velocities, np.full((1, 2), half), alive, *world, mask, dt, lowers, uppers)
+    assert np.array_equal(lowers, centers - half) and np.array_equal(uppers, centers + half)
+    return centers[0].tolist(), velocities[0].tolist()
+
+
+def test_a_step_is_explicit_euler():
+    assert moved([0.5, 0.5], [0.25, -0.125]) == ([0.625, 0.4375], [0.25, -0.125])
+    assert moved([0.5, 0.5], [0.25, -0.125], mask=WALLS) == ([0.5, 0.5], [0.25, -0.125])
+
+
+def test_velocity_is_negated_beyond_the_boundary_and_only_on_the_way_out():
+    assert moved([0.75, 0.5], [1.0, 0.0]) == ([1.25, 0.5], [-1.0, 0.0])
+    assert moved([1.25, 0.5], [-0.125, 0.0]) == ([1.1875, 0.5], [-0.125, 0.0])
+    assert moved([0.25, 0.25], [-1.0, -1.0]) == ([-0.25, -0.25], [1.0, 1.0])
+    assert moved([0.75, 0.5], [1.0, 0.0], mask=MOTION) == ([1.25, 0.5], [1.0, 0.0])
