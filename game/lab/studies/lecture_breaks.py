@@ -1,0 +1,227 @@
+"""Studies of the lecture's table: hits missed, a rack pressed together, a break that should mirror."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from game.billiards.lecture import LectureTable
+from game.billiards.lecture_state import LECTURE_EFFECTS, POCKETS, LectureSettings
+from game.billiards.rack import BALL_RADIUS, eight_ball_rack
+from game.billiards.table import Table
+from game.lab.references import missed_share
+from game.lab.study import Knob, Method, Outcome, Setting, Study
+
+LOSSLESS: dict[str, Any] = {"bounce": 1.0, "restitution": 1.0, "friction": 1.0, "minimum_speed": 0.0}
+PAIRWISE = {"order": "pairwise", "substeps": 1}
+STEP = Knob("step_length", "step", "s")
+
+# -- hits missed
+
+HIT_SPEED = 3.0  # m/s
+HIT_SHOTS = 400
+HIT_WAY = 0.4  # m from before the contact to behind it
+
+
+class MissedHits:
+    """Shots at a resting ball, impact parameters even over [0, 2 R]; error: share of hits not noticed."""
+
+    def __init__(self, dt: float, settings: LectureSettings) -> None:
+        self.dt = dt
+        self.steps = math.ceil(HIT_WAY / (HIT_SPEED * dt)) + 1
+        self.simulated_s = HIT_SHOTS * self.steps * dt
+        self.table = LectureTable(Table.open(), [[0.0, 0.0], [0.0, 1.0]], settings=settings)
+        rng = np.random.default_rng(1)
+        places = np.arange(HIT_SHOTS)
+        self.across = 2.0 * BALL_RADIUS * (places + rng.random(HIT_SHOTS)) / HIT_SHOTS
+        self.phases = rng.random(HIT_SHOTS)
+        self.missed = 0
+        self.tests = 0
+
+    def reset(self) -> None:
+        self.missed = 0
+        self.tests = 0
+
+    def run(self) -> None:
+        state = self.table.state
+        for across, phase in zip(self.across.tolist(), self.phases.tolist(), strict=True):
+            state.offsets[0] = 0.0, phase * HIT_SPEED * self.dt
+            state.offsets[1] = across, 0.5 * HIT_WAY
+            state.velocities[0] = 0.0, HIT_SPEED
+            state.velocities[1] = 0.0
+            self.table.step(self.dt, self.steps)
+            self.missed += not state.velocities[1].any()
+            self.tests += self.table.counters["pair_tests"]
+
+    def outcome(self) -> Outcome:
+        share = self.missed / HIT_SHOTS
+        return Outcome(share, self.tests, "misses every other hit" if share >= 0.5 else "")
+
+
+HIT_SETTINGS: dict[str, dict[str, Any]] = {
+    "lecture": {**PAIRWISE, "passes": 1},
+    "substeps": {"order": "pairwise", "substeps": 4, "passes": 1},
+    "automatic": {"order": "joint", "substeps": 0, "passes": 1},
+}
+
+
+def _hit_settings() -> Sequence[Setting]:
+    points = []
+    for method, knobs in HIT_SETTINGS.items():
+        for rate in np.geomspace(20.0, 2000.0, 13).tolist():
+            dt = 1.0 / rate
+            parts = int(knobs["substeps"]) or max(1, math.ceil(HIT_SPEED * dt / (0.5 * BALL_RADIUS)))
+            scene = {"step_length": dt, **knobs}
+            others = {"formula": missed_share(HIT_SPEED, dt / parts, BALL_RADIUS)}
+            points.append(Setting(method, dt, others, scene, 1.0 + 0.01 * rate))
+    return points
+
+
+missed_hits_study = Study(
+    name="lecture-missed-hits",
+    title="Lecture table: hits missed at 3 m/s",
+    error="share of hits not noticed",
+    error_unit="",
+    counter="pair tests",
+    knob=STEP,
+    order_over="counter",
+    methods=(
+        Method("lecture", "as in the lecture", 2.0),
+        Method("substeps", "four substeps", 2.0),
+        Method("automatic", "automatic substeps, joint", 2.0),
+    ),
+    settings=_hit_settings,
+    trial=lambda setting: MissedHits(
+        setting.knob, LectureSettings(**LOSSLESS, **HIT_SETTINGS[setting.method])
+    ),
+    reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0^2 = D^2 - c^2; column formula.",
+    expectation="A test once a step overlooks grazing hits: a share that falls with the square of the step, "
+    "and passes one half where a step is longer than three radii.",
+)
+
+# -- a rack pressed together
+
+
+class PressedRack:
+    """A rack pressed together by a tenth, one step; error: deepest overlap left / 2 R."""
+
+    simulated_s = 1.0 / 60.0
+
+    def __init__(self, settings: LectureSettings) -> None:
+        rack = eight_ball_rack(Table.pool())[1:]
+        middle = rack.mean(axis=0)
+        bare = Table.bare(1.27, 2.54)
+        self.table = LectureTable(bare, middle + 0.9 * (rack - middle), settings=settings)
+        self.start = self.table.state.offsets.copy()
+
+    def reset(self) -> None:
+        self.table.state.offsets[...] = self.start
+
+    def run(self) -> None:
+        self.table.step(self.simulated_s)
+
+    def outcome(self) -> Outcome:
+        overlap = self.table.deepest_overlap / (2.0 * BALL_RADIUS)
+        return Outcome(
+            overlap,
+            self.table.counters["pair_tests"],
+            "balls stay inside each other" if overlap > 0.05 else "",
+        )
+
+
+def _rack_settings() -> Sequence[Setting]:
+    return [
+        Setting(order, passes, {}, {"passes": passes, "order": order, "substeps": 1}, 1.0)
+        for order in ("pairwise", "joint")
+        for passes in (1, 2, 3, 5, 7, 10, 14, 20, 30, 40, 50)
+    ]
+
+
+rack_study = Study(
+    name="lecture-pressed-rack",
+    title="Lecture table: a rack pressed together by a tenth",
+    error="deepest overlap left, of two radii",
+    error_unit="",
+    counter="pair tests",
+    knob=Knob("passes", "passes"),
+    methods=(
+        Method("pairwise", "pair by pair", None),
+        Method("joint", "jointly", None),
+    ),
+    settings=_rack_settings,
+    trial=lambda setting: PressedRack(
+        LectureSettings(**LOSSLESS, order=setting.method, substeps=1, passes=int(setting.knob))
+    ),
+    reference="no overlap at all.",
+    expectation="Pair by pair the overlap falls by a constant factor a pass; all contacts together need one.",
+)
+
+# -- a break that should mirror
+
+BREAK_SPEED = 8.0  # m/s
+BREAK_TIME = 1.0  # s
+
+
+class MirroredBreak:
+    """A straight break of a symmetric rack; error: farthest ball from its partner's mirror image."""
+
+    simulated_s = BREAK_TIME
+
+    def __init__(self, dt: float, settings: LectureSettings) -> None:
+        table = Table.pool()
+        self.table = LectureTable(
+            table, eight_ball_rack(table), effects=LECTURE_EFFECTS.without(POCKETS), settings=settings
+        )
+        offsets = self.table.state.offsets
+        mirrored = offsets * [-1.0, 1.0]
+        apart = np.abs(offsets[:, None, :] - mirrored[None, :, :]).sum(axis=2)
+        self.partner = apart.argmin(axis=1)
+        self.table.strike(0, (0.0, BREAK_SPEED))
+        self.start = [array.copy() for array in self.table.state]
+        self.steps = round(BREAK_TIME / dt)
+        self.dt = BREAK_TIME / self.steps
+
+    def reset(self) -> None:
+        for array, then in zip(self.table.state, self.start, strict=True):
+            array[...] = then
+
+    def run(self) -> None:
+        self.table.step(self.dt, self.steps)
+
+    def outcome(self) -> Outcome:
+        offsets = self.table.state.offsets
+        error = float(np.abs(offsets[self.partner] - offsets * [-1.0, 1.0]).max())
+        return Outcome(error, self.table.counters["pair_tests"], "not symmetric" if error > 0.1 else "")
+
+
+def _break_settings() -> Sequence[Setting]:
+    points = []
+    for method in ("pairwise", "joint"):
+        for rate in (60, 120, 240, 480, 1000, 2000, 4000):
+            scene = {"step_length": 1.0 / rate, "order": method, "substeps": 1, "passes": 4}
+            points.append(Setting(method, 1.0 / rate, {}, scene, float(rate)))
+    return points
+
+
+symmetry_study = Study(
+    name="lecture-symmetric-break",
+    title="Lecture table: does a symmetric break stay symmetric?",
+    error="farthest ball from its partner's mirror image, after 1 s",
+    error_unit="m",
+    counter="pair tests",
+    knob=STEP,
+    methods=(
+        Method("pairwise", "pair by pair", None),
+        Method("joint", "jointly", None),
+    ),
+    settings=_break_settings,
+    trial=lambda setting: MirroredBreak(
+        setting.knob, LectureSettings(**LOSSLESS, order=setting.method, substeps=1, passes=4)
+    ),
+    reference="the mirror image.",
+    expectation="Pair by pair the numbering of the balls decides, at any step. Jointly the two halves are "
+    "equal to the last bit.",
+)

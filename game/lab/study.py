@@ -1,0 +1,179 @@
+"""What a study of cost against accuracy consists of, and what it gives.
+
+A study names methods and settings, builds a trial for each setting, and says when a trial has failed. A
+setting that fails stays in the table and is marked, as where a method breaks is half of what a study tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Protocol
+
+
+@dataclass(frozen=True)
+class Method:
+    """A way to compute: name for tables, label for pictures, the order of convergence expected of it."""
+
+    name: str
+    label: str
+    order: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Knob:
+    """What is turned: name, label and unit."""
+
+    name: str
+    label: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One point to be measured.
+
+    knob: value of the study's knob. others: further knobs that tell points of one method apart. scene: the
+    scene's parameters at this point, so that it can be opened there. weight: expected cost, any unit.
+    """
+
+    method: str
+    knob: float
+    others: Mapping[str, float] = field(default_factory=dict)
+    scene: Mapping[str, Any] = field(default_factory=dict)
+    weight: float = 1.0
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        """What tells this point from others of its study."""
+        return self.method, self.knob, *sorted(self.others.items())
+
+
+class Outcome(NamedTuple):
+    """What a trial led to. failure: empty, or in a few words what went wrong."""
+
+    error: float
+    counter: int
+    failure: str = ""
+
+
+class Trial(Protocol):
+    """One computation that can be repeated from the same start."""
+
+    simulated_s: float
+
+    def reset(self) -> None:
+        """Back to the start; not timed."""
+
+    def run(self) -> None:
+        """The computation; timed."""
+
+    def outcome(self) -> Outcome:
+        """Error and counter of the last run; not timed."""
+
+
+class Row(NamedTuple):
+    """One measured point: method, value of the knob, error, CPU seconds for each simulated second, ..."""
+
+    method: str
+    knob: float
+    error: float
+    cpu_s: float
+    counter: int
+    failure: str
+    others: dict[str, float]
+    scene: dict[str, Any]
+
+    @property
+    def failed(self) -> bool:
+        return bool(self.failure)
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        return self.method, self.knob, *sorted(self.others.items())
+
+
+@dataclass(frozen=True)
+class Study:
+    """Cost against accuracy of one scene.
+
+    error, error_unit: what is on the vertical axis. counter: what `Outcome.counter` counts. reference: where
+    the exact values come from. settings(): the points, in the order in which they are measured. trial:
+    setting to trial. envelope: collisions make the error saw-toothed, so orders are fitted to its upper
+    envelope. floor: errors below it are rounding and take no part in fits. expectation: what the curves
+    should show, in a sentence or two. present: the scene's parameters to the setting they amount to.
+    related: further studies of the same scene.
+    """
+
+    name: str
+    title: str
+    error: str
+    error_unit: str
+    counter: str
+    knob: Knob
+    methods: tuple[Method, ...]
+    settings: Callable[[], Sequence[Setting]]
+    trial: Callable[[Setting], Trial]
+    reference: str
+    expectation: str = ""
+    order_over: str = "knob"
+    envelope: bool = False
+    floor: float = 1e-13
+    present: Callable[[Mapping[str, Any]], Setting] | None = None
+    related: tuple[Study, ...] = ()
+
+    def __post_init__(self) -> None:
+        names = [method.name for method in self.methods]
+        if not names or len(set(names)) != len(names):
+            raise ValueError(f"study {self.name}: needs methods with different names, got {names}")
+        if self.order_over not in ("knob", "counter"):
+            raise ValueError(
+                f"study {self.name}: order_over must be knob or counter, got {self.order_over!r}"
+            )
+
+    def method(self, name: str) -> Method:
+        """The method of that name; ValueError if there is none."""
+        for method in self.methods:
+            if method.name == name:
+                return method
+        raise ValueError(f"study {self.name}: no method {name!r}")
+
+
+@dataclass
+class StudyTable:
+    """Rows measured so far; `complete` when none is missing. Iterates over its rows."""
+
+    study: Study
+    rows: list[Row] = field(default_factory=list)
+    complete: bool = False
+
+    def __iter__(self) -> Iterator[Row]:
+        return iter(self.rows)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def of(self, method: str, failed: bool | None = False) -> list[Row]:
+        """Rows of a method: those that did not fail, those that did (True), or all (None)."""
+        return [row for row in self.rows if row.method == method and failed in (None, row.failed)]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, as for a JSON file; `from_dict` takes them back."""
+        return {
+            "study": self.study.name,
+            "complete": self.complete,
+            "rows": [row._asdict() for row in self.rows],
+        }
+
+    @classmethod
+    def from_dict(cls, study: Study, values: Mapping[str, Any]) -> StudyTable:
+        """The table that `to_dict` gave. ValueError if it belongs to another study or rows lack fields."""
+        if values.get("study") != study.name:
+            raise ValueError(f"study table: belongs to {values.get('study')!r}, not to {study.name!r}")
+        rows = []
+        for i, fields in enumerate(values.get("rows", ())):
+            if set(fields) != set(Row._fields):
+                raise ValueError(f"study table rows[{i}]: must have the fields {', '.join(Row._fields)}")
+            rows.append(Row(**fields))
+        return cls(study, rows, bool(values.get("complete", False)))
