@@ -14,6 +14,7 @@ import contextlib
 import hashlib
 import os
 import pickle
+import re
 import shutil
 import sys
 import tempfile
@@ -21,6 +22,7 @@ import time
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
+from types import CodeType
 from typing import Any
 
 from numba.core.caching import NullCache
@@ -42,12 +44,12 @@ class KernelCache(NullCache):
     def __init__(self, function: Callable[..., Any], folder: Path, options: str):
         code = function.__code__
         self._folder = folder
-        self._stem = f"{function.__qualname__.replace('<locals>.', '')}-{code.co_firstlineno}"
+        self._stem = f"{re.sub(r'[^0-9A-Za-z_.]', '', function.__qualname__)}-{code.co_firstlineno}"
         cells = [
             (type(cell.cell_contents).__name__, cell.cell_contents) for cell in function.__closure__ or ()
         ]
         defaults = function.__defaults__, function.__kwdefaults__
-        self._function_key = f"{code.co_code.hex()}|{cells!r}|{defaults!r}|{options}"
+        self._function_key = f"{_describe_code(code)}|{cells!r}|{defaults!r}|{options}"
 
     @property
     def cache_path(self) -> str:
@@ -88,6 +90,17 @@ class KernelCache(NullCache):
         key = f"{described}|{codegen.magic_tuple()!r}|{self._function_key}"
         digest = hashlib.blake2b(key.encode(), digest_size=10).hexdigest()
         return self._folder / f"{self._stem}-{digest}{SUFFIX}"
+
+
+def _describe_code(code: CodeType) -> str:
+    """A function's code in words, whatever file it stands in; two on one line may differ by a constant."""
+    return f"{code.co_code.hex()} {code.co_names!r} {[_describe_constant(item) for item in code.co_consts]!r}"
+
+
+def _describe_constant(value: Any) -> str:
+    if isinstance(value, CodeType):
+        return _describe_code(value)
+    return repr(sorted(map(repr, value))) if isinstance(value, frozenset) else repr(value)
 
 
 def _describe(type_: Any) -> str:

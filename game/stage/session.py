@@ -207,7 +207,10 @@ class Session:
 
     def _return_to(self, step: int) -> None:
         """Stand at an earlier step, or at this one as it was before an event that failed."""
-        self._put_back(self._ring.before(step))
+        base = self._ring.before(step)
+        room = self._ring.dense_room(base)
+        self._ring.forget_dense_after(step)
+        self._put_back(base)
         self._repeat_events()
         while self.step < step:
             if self.step == step - 1:
@@ -217,7 +220,8 @@ class Session:
             bad = self._watch.first_bad(self.scene.state())
             if bad is not None:
                 raise ArithmeticError(f"{bad} is not finite when step {self.step} is repeated")
-            self._ring.add_dense(self._snapshot())
+            if step - self.step < room:
+                self._ring.add_dense(self._snapshot())
             self._repeat_events()
         self._schedule()
 

@@ -76,8 +76,12 @@ class SnapshotRing:
         """Keep a snapshot of a step that was reached for the first time."""
         self._rare.put(snapshot, keep_newest=True)
 
+    def dense_room(self, snapshot: Snapshot) -> int:
+        """How many snapshots as heavy as this one may be kept on the way back."""
+        return self._dense.budget // snapshot.bytes
+
     def add_dense(self, snapshot: Snapshot) -> None:
-        """Keep a snapshot made on the way back, if there is room: the next step back will want it."""
+        """Keep a snapshot made on the way back: the next step back will want it."""
         self._dense.put(snapshot, keep_newest=False)
 
     def before(self, step: int) -> Snapshot:
@@ -87,6 +91,10 @@ class SnapshotRing:
         if not candidates:
             raise LookupError(f"step {step} is out of reach")
         return max(candidates, key=lambda snapshot: snapshot.step)
+
+    def forget_dense_after(self, step: int) -> None:
+        """Drop what walking back has passed."""
+        self._dense.cut(step)
 
     def forget_after(self, step: int) -> None:
         """Drop snapshots of later steps: their future will not come."""
@@ -116,9 +124,7 @@ class _Shelf:
         self.items.insert(index, snapshot)
         self.bytes += weight
         while self.bytes > self.budget and len(self.items) > 1:
-            # walking back, the latest steps are the ones already passed
-            gone = self.items.pop(0 if keep_newest else -1)
-            self.bytes -= gone.bytes
+            self.bytes -= self.items.pop(0).bytes
 
     def before(self, step: int) -> Snapshot | None:
         index = bisect_right(self.items, step, key=lambda item: item.step)

@@ -12,8 +12,8 @@ from typing import Any
 from game.levels import Level, LevelError, format_level
 from game.physics.effects import EffectSet
 from game.stage.clock import FixedStep
-from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent
-from game.stage.knobs import KnobError
+from game.stage.door import checked_event
+from game.stage.events import StageEvent
 from game.stage.recording import Recording, RecordingError
 from game.stage.scene import Readout, Scene
 from game.stage.series import StripSeries
@@ -24,7 +24,6 @@ SLOWEST = 1.0 / 16.0
 FASTEST = 4.0
 NEWEST = 1.0 - 2.0**-53  # alpha that shows the newest state
 _MANY = 1e9  # steps; stands for a quotient that an absurdly short step makes infinite
-_POINTER_KINDS = ("move", "down", "up", "wheel", "cancel")
 
 
 class Stage:
@@ -259,22 +258,8 @@ class Stage:
 
         Raises KnobError for what is refused; then nothing has changed and nothing is recorded.
         """
-        self._session.let_in(self._checked(event))
+        self._session.let_in(checked_event(event, self.scene_type))
         self._follow_session()
-
-    def _checked(self, event: StageEvent) -> StageEvent:
-        """The event in plain numbers; KnobError for one that the scene cannot know."""
-        if isinstance(event, Pointer):
-            return _checked_pointer(event)
-        if isinstance(event, Action):
-            if event.name not in [action.name for action in self.scene_type.actions]:
-                raise KnobError(f"{event.name}: {self.scene_type.name} has no such action")
-            return event
-        if isinstance(event, SetKnob):
-            return SetKnob(event.name, self.scene_type.knob(event.name).check(event.value))
-        if isinstance(event, SetEffect):
-            return SetEffect(self.scene_type.effect(event.name).name, bool(event.on))
-        raise KnobError(f"{type(event).__name__} is no stage event")
 
     def _follow_session(self) -> None:
         """Take over step number and step length where the session moved by itself."""
@@ -351,16 +336,3 @@ def _checked_seed(seed: int | None) -> int | None:
     if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63):
         raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
     return seed
-
-
-def _checked_pointer(event: Pointer) -> Pointer:
-    """The event in plain numbers; KnobError if its kind is none or a number is not finite."""
-    if event.kind not in _POINTER_KINDS:
-        raise KnobError(f"pointer: {event.kind!r} is not one of {', '.join(_POINTER_KINDS)}")
-    try:
-        x, y, wheel, button = float(event.x), float(event.y), float(event.wheel), int(event.button)
-    except (TypeError, ValueError, OverflowError):
-        raise KnobError("pointer: numbers are wanted") from None
-    if not all(map(math.isfinite, (x, y, wheel))):
-        raise KnobError("pointer: finite coordinates are wanted")
-    return Pointer(event.kind, x, y, button, wheel, bool(event.shift), bool(event.control))

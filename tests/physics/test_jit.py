@@ -112,6 +112,7 @@ class Copy:
                 "PYTHONPATH": str(self.folder),
                 "PYTHONDONTWRITEBYTECODE": "1",
                 "CAROM_CACHE_DIR": str(self.cache),
+                "NUMBA_DISABLE_JIT": "0",
                 **environment,
             },
             stdout=subprocess.PIPE,
@@ -356,6 +357,13 @@ class TestNames:
 
         paths = {self.path(make(bits), (), tmp_path) for bits in (0, 1, True, 2)}
         assert len(paths) == 4
+
+    def test_functions_on_one_line_differ(self, tmp_path: Path) -> None:
+        functions = [lambda x: x + 1.0, lambda x: x + 2.0, lambda x: abs(x), lambda x: hash(x)]  # fmt: skip
+        assert len({function.__code__.co_firstlineno for function in functions}) == 1
+        paths = {self.path(function, (), tmp_path) for function in functions}
+        assert len(paths) == 4
+        assert not any(set("<>:*?|") & set(path.name) for path in paths)
 
     def test_options_differ(self, tmp_path: Path) -> None:
         function = difference.py_func

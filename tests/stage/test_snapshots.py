@@ -134,6 +134,23 @@ class TestRing:
         ring.add_dense(snapshot(7))
         assert ring.before(9).step == 7
 
+    def test_walking_back_copies_no_more_than_it_can_keep(self) -> None:
+        """Eight of these states fit into the dense share: each ninth step back or so goes to a snapshot."""
+        copies = []
+
+        class Counted(HeavyScene):
+            def advance(self, dt):
+                copies.append("step")
+                super().advance(dt)
+
+        stage = Stage(Counted, snapshot_bytes=8 * 8 * 600_000)
+        stage.run(300)
+        copies.clear()
+        for _ in range(64):
+            stage.step_back()
+        interval = SnapshotRing(0).interval(stage._session._snapshot())
+        assert len(copies) <= (64 / 8 + 1) * interval
+
     def test_forgetting_what_comes_after(self) -> None:
         ring = SnapshotRing(1 << 20)
         for step in (0, 30, 60):
