@@ -1,0 +1,132 @@
+"""What is linked to what: the part of a network that stays the same while it moves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.constraints.areas import AREA, AREA_ROWS, COMPLIANCE, INTACT, STIFFNESS, outline_area
+from game.physics.constraints.settings import LARGEST
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+
+class Arms(NamedTuple):
+    """The links at each particle: those of particle i are first[i] to first[i + 1]."""
+
+    first: Ints  # (n + 1,)
+    links: Ints  # (2 m,) in the order of solving
+    others: Ints  # (2 m,) the particle at the other end
+
+
+def arms_of(links: Ints, count: int) -> Arms:
+    """`Arms` of links (m, 2) between ``count`` particles."""
+    ends = np.concatenate([links[:, 0], links[:, 1]])
+    others = np.concatenate([links[:, 1], links[:, 0]])
+    which = np.tile(np.arange(len(links)), 2)
+    places = np.argsort(ends, kind="stable")
+    first = np.zeros(count + 1, dtype=np.int64)
+    np.cumsum(np.bincount(ends, minlength=count), out=first[1:])
+    return Arms(first, which[places], others[places])
+
+
+@dataclass(frozen=True, slots=True)
+class Links:
+    """Links as they were given. ValueError, naming the field and the link, for nonsense.
+
+    pairs: (m, 2) particles. rest: (m,) m. stiffness: (m,) 0 to 1. compliance: (m,) m/N.
+    """
+
+    pairs: Ints
+    rest: Floats
+    stiffness: Floats
+    compliance: Floats
+
+    @classmethod
+    def between(
+        cls,
+        positions: Floats,
+        pairs: ArrayLike,
+        rest: ArrayLike | None = None,
+        stiffness: ArrayLike = 1.0,
+        compliance: ArrayLike = 0.0,
+    ) -> Links:
+        """Links of particles at positions (n, 2) m; at rest as long as they are there, if nothing is said."""
+        given = np.asarray(pairs)
+        if given.size == 0:
+            given = given.reshape(0, 2).astype(np.int64)
+        if given.ndim != 2 or given.shape[1] != 2 or not np.issubdtype(given.dtype, np.integer):
+            raise ValueError("links: pairs of whole numbers are wanted")
+        both = np.sort(given.astype(np.int64), axis=1)
+        count = len(positions)
+        for e in np.flatnonzero((both[:, 0] < 0) | (both[:, 1] >= count))[:1]:
+            raise ValueError(f"links[{e}] = {given[e].tolist()}: there are particles 0 to {count - 1}")
+        for e in np.flatnonzero(both[:, 0] == both[:, 1])[:1]:
+            raise ValueError(f"links[{e}] = {given[e].tolist()}: two different particles are wanted")
+        if rest is None:
+            way = positions[both[:, 1]] - positions[both[:, 0]]
+            rest = np.sqrt(way[:, 0] * way[:, 0] + way[:, 1] * way[:, 1])
+        m = len(both)
+        return cls(
+            both,
+            checked("rest", rest, m, 0.0, LARGEST),
+            checked("stiffness", stiffness, m, 0.0, 1.0),
+            checked("compliance", compliance, m, 0.0, 1e15),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Outlines:
+    """Closed outlines that keep their area. corners: indices; starts: (k + 1,); rows: (AREA_ROWS, k)."""
+
+    corners: Ints
+    starts: Ints
+    rows: Floats
+
+    @classmethod
+    def around(
+        cls,
+        positions: Floats,
+        outlines: list[list[int]] | tuple[tuple[int, ...], ...] = (),
+        area: ArrayLike | None = None,
+        stiffness: ArrayLike = 1.0,
+        compliance: ArrayLike = 0.0,
+    ) -> Outlines:
+        """Outlines of particles at positions (n, 2) m; at rest they enclose what they enclose there."""
+        for j, outline in enumerate(outlines):
+            if len(outline) < 3 or len(set(outline)) != len(outline):
+                raise ValueError(f"areas[{j}]: three or more different particles are wanted")
+            if not all(isinstance(i, (int, np.integer)) and 0 <= i < len(positions) for i in outline):
+                raise ValueError(f"areas[{j}]: there are particles 0 to {len(positions) - 1}")
+        k = len(outlines)
+        starts = np.zeros(k + 1, dtype=np.int64)
+        np.cumsum([len(outline) for outline in outlines], out=starts[1:])
+        corners = np.array([i for outline in outlines for i in outline], dtype=np.int64)
+        rows = np.zeros((AREA_ROWS, k))
+        rows[INTACT] = 1.0
+        rows[STIFFNESS] = checked("area stiffness", stiffness, k, 0.0, 1.0)
+        rows[COMPLIANCE] = checked("area compliance", compliance, k, 0.0, 1e15)
+        if area is None:
+            x, y = np.ascontiguousarray(positions[:, 0]), np.ascontiguousarray(positions[:, 1])
+            for j in range(k):
+                rows[AREA, j] = outline_area(x, y, corners[starts[j] : starts[j + 1]])
+        else:
+            rows[AREA] = checked("area", area, k, -(LARGEST**2), LARGEST**2)
+        return cls(corners, starts, rows)
+
+
+def checked(name: str, values: ArrayLike, count: int, least: float, most: float) -> Floats:
+    """``count`` finite numbers in a range, from one number or so many; ValueError naming the first bad one."""
+    given = np.asarray(values, dtype=np.float64)
+    if given.shape not in ((), (count,)):
+        raise ValueError(f"{name}: {count} numbers are wanted, got shape {given.shape}")
+    numbers = np.array(np.broadcast_to(given, (count,)))
+    for i in np.flatnonzero(~((numbers >= least) & (numbers <= most)))[:1]:
+        raise ValueError(
+            f"{name}[{i}] = {numbers[i]!r}: {least:g} to {most:g} is wanted".replace("np.float64", "")
+        )
+    return numbers

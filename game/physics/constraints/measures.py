@@ -1,0 +1,74 @@
+"""What a network of particles and links is worth: energies, momentum, how far the constraints are off."""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.constraints.links import REST
+from game.physics.constraints.motion import INVERSE_MASS, VX, VY, X, Y
+from game.physics.jit import kernel
+
+
+@kernel
+def measure_energy(fields, count, gravity, floor):
+    """Kinetic and potential energy (J) of the particles that are not fixed; height counts from the floor."""
+    kinetic = 0.0
+    potential = 0.0
+    for i in range(count):
+        w = fields[INVERSE_MASS, i]
+        if w > 0.0:
+            vx = fields[VX, i]
+            vy = fields[VY, i]
+            kinetic += 0.5 * (vx * vx + vy * vy) / w
+            potential += gravity * (fields[Y, i] - floor) / w
+    return kinetic, potential
+
+
+@kernel
+def measure_momentum(fields, count):
+    """Momentum (kg m/s) and angular momentum about the origin (kg m²/s) of those not fixed: (x, y, spin)."""
+    px = 0.0
+    py = 0.0
+    spin = 0.0
+    for i in range(count):
+        w = fields[INVERSE_MASS, i]
+        if w > 0.0:
+            px += fields[VX, i] / w
+            py += fields[VY, i] / w
+            spin += (fields[X, i] * fields[VY, i] - fields[Y, i] * fields[VX, i]) / w
+    return px, py, spin
+
+
+@kernel
+def measure_links(fields, links, rows, order, torn, compliance, strains):
+    """Write each link's strain (excess / length at rest, or m if that is 0; 0 if torn) to ``strains`` (m,).
+
+    Returns (greatest strain by magnitude, root of the mean square of the excess in m, elastic energy in J by
+    the compliance, sum of lengths / sum of lengths at rest).
+    """
+    worst = 0.0
+    squares = 0.0
+    energy = 0.0
+    length_now = 0.0
+    length_rest = 0.0
+    whole = 0
+    for e in range(links.shape[0]):
+        place = order[e]
+        strains[e] = 0.0
+        if torn[place]:
+            continue
+        dx = fields[X, links[e, 1]] - fields[X, links[e, 0]]
+        dy = fields[Y, links[e, 1]] - fields[Y, links[e, 0]]
+        length = math.sqrt(dx * dx + dy * dy)
+        rest = rows[REST, e]
+        excess = length - rest
+        strains[e] = excess / rest if rest > 0.0 else excess
+        worst = max(worst, abs(strains[e]))
+        squares += excess * excess
+        if compliance[place] > 0.0:
+            energy += 0.5 * excess * excess / compliance[place]
+        length_now += length
+        length_rest += rest
+        whole += 1
+    mean = math.sqrt(squares / whole) if whole else 0.0
+    return worst, mean, energy, length_now / length_rest if length_rest > 0.0 else 1.0

@@ -1,0 +1,277 @@
+"""One step of position based dynamics: predict, project, take the velocities from what came of it.
+
+    Euler   v* = (v + h g) / (1 + h k_d w),  p = x + h v*,  project p,  v⁺ = (p - x) / h
+            Müller, Heidelberger, Hennix, Ratcliff 2007, algorithm 1; damping implicit, so never too strong
+    BDF2    v* = (4 v - v₋ + 2 h g) / (3 + 2 h k_d w),  p = (4 x - x₋ + 2 h v*) / 3,  project p,
+            v⁺ = (3 p - 4 x + x₋) / (2 h)
+            English and Bridson 2008; both halves are needed: with v* of Euler nothing converges
+
+A particle begins BDF2 anew, with one step of Euler, after it has touched the ground or was slowed down.
+Substeps in place of sweeps: Macklin and others 2019, "Small steps in physics simulation".
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from game.physics.constraints.areas import INTACT, sweep_areas
+from game.physics.constraints.areas import MULTIPLIER as AREA_MULTIPLIER
+from game.physics.constraints.attachments import pull_back
+from game.physics.constraints.chains import solve_chains
+from game.physics.constraints.effects import (
+    AREAS_BIT,
+    ATTACHMENTS_BIT,
+    DAMPING_BIT,
+    GRAVITY_BIT,
+    GROUND_BIT,
+    LINKS_BIT,
+)
+from game.physics.constraints.links import MULTIPLIER, REST, WEIGHT, XPBD, sweep_links
+from game.physics.jit import kernel
+
+SCHEMES = ("euler", "bdf2")
+EULER, BDF2 = range(2)
+
+# rows of the particles' numbers: position (m), velocity (m/s), both of the step before, inverse mass (1/kg),
+# 1 if the step before does not count, and the positions that are being projected
+X, Y, VX, VY, OLD_X, OLD_Y, OLD_VX, OLD_VY, INVERSE_MASS, FRESH, AIM_X, AIM_Y = range(12)
+FIELD_ROWS = 12
+
+
+class Motion(NamedTuple):
+    """The numbers of a step."""
+
+    mask: int  # of effects
+    model: int  # PBD, PBD_EVEN or XPBD
+    scheme: int  # EULER or BDF2
+    direct: int  # 1: chains are solved at once
+    substeps: int
+    sweeps: int  # in each substep
+    h: float  # s, of a substep
+    gravity: float  # m/s²
+    damping: float  # k_d, N s/m
+    floor: float  # m
+    speed_limit: float  # m/s
+
+
+class Network(NamedTuple):
+    """The constraints of a step, in the order of solving."""
+
+    links: object  # (m, 2) int64
+    runs: object  # (r, 3) int64
+    link_rows: object  # (4, m)
+    order: object  # (m,) int64: place of each in the order given
+    torn: object  # (m,) int64, in the order given
+    corners: object  # int64
+    corner_starts: object  # (k + 1,) int64
+    area_rows: object  # (5, k)
+    pins: object  # (n,) int64
+    reaches: object  # (n,) m
+    nodes: object  # int64
+    node_starts: object  # (c + 1,) int64
+    chain_links: object  # int64
+    work: object  # (5, longest chain)
+
+
+@kernel
+def predict_euler(x, y, vx, vy, inverse_mass, px, py, h, fall, damping):
+    """Where particles would be without constraints; the fixed ones stay."""
+    for i in range(x.shape[0]):
+        keep = 1.0 / (1.0 + h * damping * inverse_mass[i])
+        step = h * keep if inverse_mass[i] > 0.0 else 0.0
+        px[i] = x[i] + step * vx[i]
+        py[i] = y[i] + step * (vy[i] - h * fall)
+
+
+@kernel
+def predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, inverse_mass, fresh, px, py, h, fall, damping):
+    """The same from two steps; from one where the step before does not count."""
+    for i in range(x.shape[0]):
+        moves = 1.0 if inverse_mass[i] > 0.0 else 0.0
+        drag = h * damping * inverse_mass[i]
+        keep = moves / (3.0 + 2.0 * drag)
+        qx = keep * (4.0 * vx[i] - ux[i])
+        qy = keep * (4.0 * vy[i] - uy[i] - 2.0 * h * fall)
+        bx = x[i] + (x[i] - ox[i] + 2.0 * h * qx) / 3.0
+        by = y[i] + (y[i] - oy[i] + 2.0 * h * qy) / 3.0
+        keep = moves / (1.0 + drag)
+        ex = x[i] + h * keep * vx[i]
+        ey = y[i] + h * keep * (vy[i] - h * fall)
+        px[i] = ex if fresh[i] > 0.0 else bx
+        py[i] = ey if fresh[i] > 0.0 else by
+
+
+@kernel
+def settle_euler(x, y, vx, vy, px, py, h):
+    """Take over projected positions and the velocities that they mean."""
+    for i in range(x.shape[0]):
+        vx[i] = (px[i] - x[i]) / h
+        vy[i] = (py[i] - y[i]) / h
+        x[i] = px[i]
+        y[i] = py[i]
+
+
+@kernel
+def settle_bdf2(x, y, vx, vy, ox, oy, ux, uy, fresh, px, py, h):
+    """The same by the backward difference over two steps; the step before is kept."""
+    for i in range(x.shape[0]):
+        ax = (px[i] - x[i]) / h
+        ay = (py[i] - y[i]) / h
+        bx = (3.0 * px[i] - 4.0 * x[i] + ox[i]) / (2.0 * h)
+        by = (3.0 * py[i] - 4.0 * y[i] + oy[i]) / (2.0 * h)
+        ux[i] = vx[i]
+        uy[i] = vy[i]
+        ox[i] = x[i]
+        oy[i] = y[i]
+        vx[i] = ax if fresh[i] > 0.0 else bx
+        vy[i] = ay if fresh[i] > 0.0 else by
+        x[i] = px[i]
+        y[i] = py[i]
+        fresh[i] = 0.0
+
+
+@kernel
+def limit_speeds(vx, vy, fresh, limit):
+    """Slow down whoever is faster than ``limit`` (m/s)."""
+    for i in range(vx.shape[0]):
+        square = vx[i] * vx[i] + vy[i] * vy[i]
+        if square > limit * limit:
+            part = limit / math.sqrt(square)
+            vx[i] *= part
+            vy[i] *= part
+            fresh[i] = 1.0
+
+
+@kernel
+def lift(py, inverse_mass, floor):
+    """Push particles above the floor; the fixed ones are where they were put."""
+    for i in range(py.shape[0]):
+        if inverse_mass[i] > 0.0:
+            py[i] = max(py[i], floor)
+
+
+@kernel
+def carry_held(px, py, held, target, left, furthest):
+    """Bring the particle that the hand holds nearer to the target: there in ``left`` substeps, if near enough."""
+    dx = (target[0] - px[held]) / left
+    dy = (target[1] - py[held]) / left
+    way = math.sqrt(dx * dx + dy * dy)
+    if way > furthest:
+        dx *= furthest / way
+        dy *= furthest / way
+    px[held] += dx
+    py[held] += dy
+
+
+@kernel
+def project(motion, net, px, py, inverse_mass):
+    """All sweeps of a substep. px, py (n,) m are written."""
+    step = motion.h if motion.scheme == EULER else motion.h * 2.0 / 3.0
+    if motion.model == XPBD:
+        net.link_rows[MULTIPLIER][:] = 0.0  # carried over, it would make the links softer step by step
+        net.area_rows[AREA_MULTIPLIER][:] = 0.0
+    for _ in range(motion.sweeps):
+        if motion.mask & LINKS_BIT:
+            if motion.direct:
+                solve_chains(
+                    motion.model, px, py, inverse_mass, net.nodes, net.node_starts, net.chain_links, net.torn,
+                    net.order, net.link_rows, net.work,
+                )  # fmt: skip
+            else:
+                sweep_links(motion.model, px, py, inverse_mass, net.links, net.runs, net.link_rows)
+        if motion.mask & AREAS_BIT:
+            sweep_areas(
+                motion.model,
+                px,
+                py,
+                inverse_mass,
+                net.corners,
+                net.corner_starts,
+                net.area_rows,
+                motion.sweeps,
+                step,
+            )
+        if motion.mask & ATTACHMENTS_BIT:
+            pull_back(px, py, inverse_mass, net.pins, net.reaches)
+        if motion.mask & GROUND_BIT:
+            lift(py, inverse_mass, motion.floor)
+
+
+@kernel
+def advance(fields, count, motion, net, held, target):
+    """One step of all substeps. fields (FIELD_ROWS, >= count) is written.
+
+    held: index of the particle that the hand holds, or -1; target (2,) m: where it is to be.
+    """
+    x = fields[X][:count]
+    y = fields[Y][:count]
+    vx = fields[VX][:count]
+    vy = fields[VY][:count]
+    ox = fields[OLD_X][:count]
+    oy = fields[OLD_Y][:count]
+    ux = fields[OLD_VX][:count]
+    uy = fields[OLD_VY][:count]
+    w = fields[INVERSE_MASS][:count]
+    fresh = fields[FRESH][:count]
+    px = fields[AIM_X][:count]
+    py = fields[AIM_Y][:count]
+    h = motion.h
+    fall = motion.gravity if motion.mask & GRAVITY_BIT else 0.0
+    damping = motion.damping if motion.mask & DAMPING_BIT else 0.0
+    for turn in range(motion.substeps):
+        if motion.scheme == EULER:
+            predict_euler(x, y, vx, vy, w, px, py, h, fall, damping)
+        else:
+            predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, w, fresh, px, py, h, fall, damping)
+        if held >= 0:
+            carry_held(px, py, held, target, motion.substeps - turn, motion.speed_limit * h)
+        project(motion, net, px, py, w)
+        if motion.scheme == EULER:
+            settle_euler(x, y, vx, vy, px, py, h)
+        else:
+            settle_bdf2(x, y, vx, vy, ox, oy, ux, uy, fresh, px, py, h)
+            if motion.mask & GROUND_BIT:
+                for i in range(count):
+                    if y[i] <= motion.floor:
+                        fresh[i] = 1.0
+        if motion.speed_limit < math.inf:
+            limit_speeds(vx, vy, fresh, motion.speed_limit)
+
+
+@kernel
+def tear(x, y, net, limit):
+    """Break links longer than (1 + limit) times their length at rest; how many broke.
+
+    Outlines with a broken link for an edge do not keep their area any more.
+    """
+    broken = 0
+    for e in range(net.links.shape[0]):
+        place = net.order[e]
+        a = net.links[e, 0]
+        b = net.links[e, 1]
+        dx = x[b] - x[a]
+        dy = y[b] - y[a]
+        most = (1.0 + limit) * net.link_rows[REST, e]
+        if net.torn[place] or dx * dx + dy * dy <= most * most:
+            continue
+        break_link(net, e)
+        broken += 1
+    return broken
+
+
+@kernel
+def break_link(net, e):
+    """Let link e (in the order of solving) hold no more."""
+    net.torn[net.order[e]] = 1
+    net.link_rows[WEIGHT, e] = 0.0
+    a = net.links[e, 0]
+    b = net.links[e, 1]
+    for j in range(net.corner_starts.shape[0] - 1):
+        first = net.corner_starts[j]
+        last = net.corner_starts[j + 1]
+        for i in range(first, last):
+            p = net.corners[i]
+            q = net.corners[i + 1] if i + 1 < last else net.corners[first]
+            if (p == a and q == b) or (p == b and q == a):
+                net.area_rows[INTACT, j] = 0.0

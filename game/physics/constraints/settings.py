@@ -1,0 +1,76 @@
+"""How linked particles are to be moved: a frozen record, each number checked at the door."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from game.physics.constraints.effects import (
+    AREAS_BIT,
+    ATTACHMENTS_BIT,
+    DAMPING_BIT,
+    GRAVITY_BIT,
+    GROUND_BIT,
+    LINKS,
+    LINKS_BIT,
+    TEARING_BIT,
+)
+from game.physics.constraints.links import MODELS
+from game.physics.constraints.motion import SCHEMES
+from game.physics.effects import EffectSet
+from game.physics.fields import GRAVITY, GROUND
+
+KNOWN = EffectSet.from_mask(
+    GRAVITY_BIT | GROUND_BIT | LINKS_BIT | AREAS_BIT | ATTACHMENTS_BIT | TEARING_BIT | DAMPING_BIT
+)
+SOLVERS = ("gauss-seidel", "direct")
+LARGEST = 1e6  # m, m/s
+MOST_TURNS = 10_000  # substeps of a step, sweeps of a substep
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
+
+    effects: of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
+    sweeps of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m. floor: m. relaxation: above 0,
+    below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity. stretch_limit: strain at which a link
+    tears.
+    """
+
+    effects: EffectSet = GRAVITY | GROUND | LINKS
+    model: str = "pbd"
+    scheme: str = "euler"
+    solver: str = "gauss-seidel"
+    substeps: int = 1
+    sweeps: int = 20
+    gravity: float = 9.81
+    damping: float = 0.0
+    floor: float = -LARGEST
+    relaxation: float = 1.0
+    speed_limit: float = math.inf
+    stretch_limit: float = 1.0
+
+    def __post_init__(self) -> None:
+        unknown = [effect.name for effect in self.effects if effect not in KNOWN]
+        if unknown:
+            raise ValueError(f"effects: linked particles know nothing of {', '.join(unknown)}")
+        for name, options in (("model", MODELS), ("scheme", SCHEMES), ("solver", SOLVERS)):
+            if getattr(self, name) not in options:
+                raise ValueError(f"{name} = {getattr(self, name)!r}: one of {', '.join(options)} is wanted")
+        for name in ("substeps", "sweeps"):
+            turns = getattr(self, name)
+            if isinstance(turns, bool) or not isinstance(turns, int) or not 1 <= turns <= MOST_TURNS:
+                raise ValueError(f"{name} = {turns!r}: a whole number, 1 to {MOST_TURNS}, is wanted")
+        limits = {
+            "gravity": (-1e4, 1e4),
+            "damping": (0.0, 1e9),
+            "floor": (-LARGEST, LARGEST),
+            "relaxation": (1e-9, 2.0 - 1e-9),
+            "speed_limit": (1e-9, math.inf),
+            "stretch_limit": (0.0, 1e9),
+        }
+        for name, (least, most) in limits.items():
+            value = getattr(self, name)
+            if not least <= value <= most:
+                raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")

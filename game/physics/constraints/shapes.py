@@ -1,0 +1,165 @@
+"""Ropes, bridges, cloths, jellies and rings, as particles and links ready for a system."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Pairs = list[tuple[int, int]]
+SMALLEST, LARGEST_SIDE = 2, 400  # particles along a side
+
+
+class Shape(NamedTuple):
+    """Particles and what holds them together."""
+
+    positions: NDArray[np.float64]  # (n, 2) m
+    inverse_masses: NDArray[np.float64]  # (n,) 1/kg
+    links: NDArray[np.int64]  # (m, 2)
+    areas: list[list[int]]  # outlines, counter-clockwise
+
+
+def _side(name: str, count: int) -> int:
+    if isinstance(count, bool) or not isinstance(count, int) or not SMALLEST <= count <= LARGEST_SIDE:
+        raise ValueError(f"{name} = {count!r}: a whole number, {SMALLEST} to {LARGEST_SIDE}, is wanted")
+    return count
+
+
+def _links(pairs: Pairs) -> NDArray[np.int64]:
+    return np.array(pairs, dtype=np.int64).reshape(-1, 2)
+
+
+def rope(
+    start: tuple[float, float], end: tuple[float, float], links: int, mass: float = 1.0, pins: str = "first"
+) -> Shape:
+    """A straight row of links (so many) from start to end (m), each particle of ``mass`` (kg).
+
+    pins: "first", "both" or "none": which ends are fixed.
+    """
+    _side("links", links + 1)
+    part = np.linspace(0.0, 1.0, links + 1)[:, None]
+    weights = np.full(links + 1, 1.0 / mass)
+    if pins in ("first", "both"):
+        weights[0] = 0.0
+    if pins == "both":
+        weights[-1] = 0.0
+    return Shape(
+        np.asarray(start) * (1 - part) + np.asarray(end) * part,
+        weights,
+        _links([(i, i + 1) for i in range(links)]),
+        [],
+    )
+
+
+def cloth(
+    corner: tuple[float, float],
+    columns: int,
+    rows: int,
+    spacing: float,
+    mass: float = 1.0,
+    pins: str = "row",
+    shear: bool = False,
+) -> Shape:
+    """A net of columns x rows hanging from its top left corner (m), each particle of ``mass`` (kg).
+
+    pins: "row" fixes the whole top row, "corners" its ends, "fourths" every fourth of it, "none" nothing.
+    shear: with diagonals. In a row of particles those of even columns are numbered before those of odd ones,
+    so all links of a colour lie in long runs; `cloth_index` says who is where.
+    """
+    index = cloth_index(_side("columns", columns), _side("rows", rows))
+    positions = np.empty((columns * rows, 2))
+    c, r = np.meshgrid(np.arange(columns), np.arange(rows))
+    positions[index, 0] = corner[0] + spacing * c
+    positions[index, 1] = corner[1] - spacing * r
+    weights = np.full(columns * rows, 1.0 / mass)
+    fixed = {
+        "row": range(columns),
+        "corners": (0, columns - 1),
+        "fourths": range(0, columns, 4),
+        "none": (),
+    }
+    if pins not in fixed:
+        raise ValueError(f"pins = {pins!r}: one of {', '.join(fixed)} is wanted")
+    weights[index[0, list(fixed[pins])]] = 0.0
+    families = [(index[:, 0:-1:2], index[:, 1::2]), (index[:, 1:-1:2], index[:, 2::2])]
+    families += [(index[0:-1:2], index[1::2]), (index[1:-1:2], index[2::2])]
+    if shear:
+        for first in (0, 1):
+            upper, lower = index[first:-1:2], index[first + 1 :: 2]
+            families += [(upper[:, :-1], lower[:, 1:]), (upper[:, 1:], lower[:, :-1])]
+    pairs = [np.stack([a[: len(b)].ravel(), b.ravel()], axis=1) for a, b in families]
+    return Shape(positions, weights, np.concatenate(pairs), [])
+
+
+def cloth_index(columns: int, rows: int) -> NDArray[np.int64]:
+    """(rows, columns): the number of the particle at each place of a `cloth`."""
+    place = np.empty(columns, dtype=np.int64)
+    place[np.concatenate([np.arange(0, columns, 2), np.arange(1, columns, 2)])] = np.arange(columns)
+    return place[None, :] + columns * np.arange(rows)[:, None]
+
+
+def block(corner: tuple[float, float], columns: int, rows: int, spacing: float, mass: float = 1.0) -> Shape:
+    """A jelly: a free net with both diagonals, each mesh of which keeps its area; corner: bottom left (m)."""
+    top = (corner[0], corner[1] + spacing * (rows - 1))
+    net = cloth(top, columns, rows, spacing, mass, "none", shear=True)
+    index = cloth_index(columns, rows)
+    meshes = np.stack([index[1:, :-1], index[1:, 1:], index[:-1, 1:], index[:-1, :-1]], axis=-1)
+    return net._replace(areas=meshes.reshape(-1, 4).tolist())
+
+
+def bridge(
+    start: tuple[float, float], end: tuple[float, float], planks: int, height: float, mass: float = 1.0
+) -> Shape:
+    """A rope bridge: a deck of so many planks between two pins, a hand rope above it, posts between them."""
+    _side("planks", planks + 1)
+    deck = rope(start, end, planks, mass, "both")
+    rail = rope((start[0], start[1] + height), (end[0], end[1] + height), planks, mass, "both")
+    n = planks + 1
+    posts = [(i, n + i) for i in range(1, planks)]
+    return Shape(
+        np.concatenate([deck.positions, rail.positions]),
+        np.concatenate([deck.inverse_masses, 2.0 * rail.inverse_masses]),
+        np.concatenate([deck.links, rail.links + n, _links(posts)]),
+        [],
+    )
+
+
+def ring(centre: tuple[float, float], radius: float, corners: int, mass: float = 1.0) -> Shape:
+    """A closed skin of so many links that keeps the area within; centre, radius m."""
+    _side("corners", corners)
+    angle = 2.0 * math.pi * np.arange(corners) / corners
+    positions = np.asarray(centre) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    pairs = [(i, (i + 1) % corners) for i in range(corners)]
+    return Shape(positions, np.full(corners, 1.0 / mass), _links(pairs), [list(range(corners))])
+
+
+def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, swing: float) -> Shape:
+    """Pendulums side by side on links of ``length`` (m), the first drawn aside by ``swing`` (rad)."""
+    _side("balls", balls)
+    x = top[0] + spacing * np.arange(balls)
+    pins = np.stack([x, np.full(balls, top[1])], axis=1)
+    hanging = pins - np.array([0.0, length])
+    hanging[0] = pins[0] + length * np.array([-math.sin(swing), -math.cos(swing)])
+    return Shape(
+        np.concatenate([pins, hanging]),
+        np.concatenate([np.zeros(balls), np.ones(balls)]),
+        _links([(i, balls + i) for i in range(balls)]),
+        [],
+    )
+
+
+def joined(shapes: list[Shape]) -> Shape:
+    """Several shapes as one, numbered one after the other."""
+    first = np.cumsum([0, *(len(shape.positions) for shape in shapes)])
+    return Shape(
+        np.concatenate([shape.positions for shape in shapes]),
+        np.concatenate([shape.inverse_masses for shape in shapes]),
+        np.concatenate([shape.links + start for shape, start in zip(shapes, first, strict=False)]),
+        [
+            [start + i for i in outline]
+            for shape, start in zip(shapes, first.tolist(), strict=False)
+            for outline in shape.areas
+        ],
+    )

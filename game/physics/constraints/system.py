@@ -1,0 +1,327 @@
+"""Particles, links and outlines, and one step of all of it by position based dynamics."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from game.physics.constraints.areas import AREA, INTACT, outline_area
+from game.physics.constraints.attachments import nearest_pins
+from game.physics.constraints.chains import WORK_ROWS, find_chains
+from game.physics.constraints.colours import arrange_links
+from game.physics.constraints.effects import ATTACHMENTS, TEARING
+from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked
+from game.physics.constraints.links import LINK_ROWS, MODELS, REST, prepare_links
+from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
+from game.physics.constraints.motion import (
+    EULER,
+    FIELD_ROWS,
+    FRESH,
+    INVERSE_MASS,
+    OLD_VX,
+    OLD_X,
+    SCHEMES,
+    VX,
+    Motion,
+    Network,
+    X,
+    Y,
+    advance,
+    break_link,
+    tear,
+)
+from game.physics.constraints.settings import LARGEST, Settings
+
+PADDING = 40  # numbers between the rows, so that equal indices do not fall on one set of a cache
+NOBODY = -1
+MAX_PARTICLES = 1_000_000
+
+
+class PositionState(NamedTuple):
+    """What moves. The arrays are the system's own, not copies."""
+
+    fields: Floats  # (12, n + padding): see motion
+    torn: Ints  # (m,)
+    intact: Floats  # (k,) outlines
+    hand: (
+        Floats  # (5,): particle held or -1, its inverse mass otherwise, target x, y, step for which prepared
+    )
+
+
+class LinkMeasures(NamedTuple):
+    """How far links are off."""
+
+    worst_strain: float
+    mean_excess: float  # m, root of the mean square
+    energy: float  # J, by the compliances
+    length_ratio: float  # of all links together, to what they are at rest
+
+
+class PositionBasedDynamics:
+    """Particles held together by links and outlines.
+
+    positions: (n, 2) m. inverse_masses: (n,) 1/kg, 0 is fixed. links: (m, 2) particles. stiffness: (m,) or one
+    number, 0 to 1. rest_lengths: (m,) m, else as given by the positions. compliances: (m,) m/N, for the model
+    "xpbd". areas: closed outlines of particles. order: of ORDERS, in which links are solved. velocities:
+    (n, 2) m/s. settings: fields of `Settings`. ValueError, naming what is wrong, for nonsense.
+    """
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        inverse_masses: ArrayLike = 1.0,
+        links: ArrayLike = (),
+        stiffness: ArrayLike = 1.0,
+        *,
+        rest_lengths: ArrayLike | None = None,
+        compliances: ArrayLike = 0.0,
+        areas: Any = (),
+        area_stiffness: ArrayLike = 1.0,
+        area_compliance: ArrayLike = 0.0,
+        velocities: ArrayLike | None = None,
+        order: str = "coloured",
+        **settings: Any,
+    ):
+        places = _pairs("positions", positions)
+        n = len(places)
+        self.settings = Settings(**settings)
+        self.fields = np.zeros((FIELD_ROWS, n + PADDING))
+        self.count = n
+        self.order = order
+        self.fields[X : Y + 1, :n] = places.T
+        self.fields[INVERSE_MASS, :n] = checked("inverse_masses", inverse_masses, n, 0.0, 1e15)
+        self.fields[FRESH] = 1.0
+        if velocities is not None:
+            self.fields[VX : VX + 2, :n] = _pairs("velocities", velocities, n).T
+        self.links = Links.between(places, links, rest_lengths, stiffness, compliances)
+        self.outlines = Outlines.around(places, areas, None, area_stiffness, area_compliance)
+        self.torn = np.zeros(len(self.links.pairs), dtype=np.int64)
+        self.hand = np.array([NOBODY, 0.0, 0.0, 0.0, 0.0])
+        self.tears = 0
+        self._arrange()
+
+    # -- what it is made of -------------------------------------------------------------------------
+
+    def change(self, **settings: Any) -> None:
+        """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense."""
+        before = self.settings
+        self.settings = dataclasses.replace(before, **settings)
+        try:
+            if self.settings.solver != before.solver:
+                self._arrange()
+        except ValueError:
+            self.settings = before
+            raise
+        if self.settings.scheme != before.scheme:
+            self.fields[FRESH] = 1.0
+        self.hand[4] = 0.0
+
+    def _arrange(self) -> None:
+        """Bring links into the order of solving."""
+        order, runs = arrange_links(self.links.pairs, self.count, self.order)
+        pairs = np.ascontiguousarray(self.links.pairs[order])
+        m, n = len(order), self.count
+        rows = np.zeros((LINK_ROWS, m + PADDING))
+        rows[REST, :m] = self.links.rest[order]
+        nodes = starts = some = np.zeros(0, dtype=np.int64)
+        if self.settings.solver == "direct":
+            nodes, starts, some = find_chains(pairs, n)
+        else:
+            starts = np.zeros(1, dtype=np.int64)
+        longest = int(np.max(np.diff(starts), initial=1))
+        self._net = Network(
+            pairs, runs, rows, order, self.torn, self.outlines.corners, self.outlines.starts, self.outlines.rows,
+            np.full(n, NOBODY, dtype=np.int64), np.full(n, math.inf), nodes, starts, some,
+            np.zeros((WORK_ROWS, longest)),
+        )  # fmt: skip
+        self._strains = np.zeros(m)
+        self.hand[4] = 0.0
+
+    def _prepare(self, h: float) -> None:
+        """Bring the numbers of links up to date with masses, settings and the length of a substep (s)."""
+        settings, net = self.settings, self._net
+        step = h if settings.scheme == "euler" else h * 2.0 / 3.0
+        prepare_links(
+            self.inverse_masses, net.links, net.order, self.links.stiffness, self.links.compliance, self.torn,
+            MODELS.index(settings.model), settings.sweeps, settings.relaxation, step, net.link_rows,
+        )  # fmt: skip
+        if ATTACHMENTS in settings.effects:
+            arms = arms_of(net.links, self.count)
+            pinned = np.where(np.arange(self.count) == self.held, self.hand[1], self.inverse_masses)
+            nearest_pins(pinned, *arms, net.link_rows[REST], net.order, self.torn, net.pins, net.reaches)
+        self.hand[4] = h
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def step(self, dt: float) -> None:
+        """Go on by dt (s). ValueError unless it is finite and above 0."""
+        if not 0.0 < dt < math.inf:
+            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+        settings = self.settings
+        h = dt / settings.substeps
+        if h != self.hand[4]:
+            if self.hand[4] > 0.0:
+                self.fields[FRESH] = 1.0  # the difference over two steps wants them to be equal
+            self._prepare(h)
+        advance(self.fields, self.count, self._motion(h), self._net, self.held, self.hand[2:4])
+        if TEARING in settings.effects:
+            torn = tear(self.fields[X], self.fields[Y], self._net, settings.stretch_limit)
+            if torn:
+                self.tears += torn
+                if ATTACHMENTS in settings.effects:
+                    self._prepare(h)
+
+    def _motion(self, h: float) -> Motion:
+        settings = self.settings
+        return Motion(
+            settings.effects.mask, MODELS.index(settings.model), SCHEMES.index(settings.scheme),
+            int(settings.solver == "direct"), settings.substeps, settings.sweeps, h, float(settings.gravity),
+            float(settings.damping), float(settings.floor), float(settings.speed_limit),
+        )  # fmt: skip
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    @property
+    def held(self) -> int:
+        """The particle that the hand holds, or -1."""
+        return int(self.hand[0])
+
+    def grab(self, index: int) -> None:
+        """Hold a particle: it is fixed, but follows `drag`. ValueError for a number that no particle has."""
+        if not 0 <= index < self.count:
+            raise ValueError(f"particle {index}: there are 0 to {self.count - 1}")
+        self.release()
+        self.hand[:] = index, self.fields[INVERSE_MASS, index], *self.fields[X : Y + 1, index], 0.0
+        self.fields[INVERSE_MASS, index] = 0.0
+
+    def drag(self, target: ArrayLike) -> None:
+        """Where the held particle is to be at the end of the next step (m); no faster than the speed limit."""
+        self.hand[2:4] = _pairs("target", target, 1)[0]
+
+    def release(self) -> None:
+        """Let go: the particle has its mass again, and goes on as fast as it was led."""
+        held = self.held
+        if held != NOBODY:
+            self.fields[INVERSE_MASS, held] = self.hand[1]
+            self.fields[FRESH, held] = 1.0
+            self.hand[0], self.hand[4] = NOBODY, 0.0
+            if self.hand[1] == 0.0:
+                self.fields[VX : VX + 2, held] = 0.0
+
+    def cut(self, link: int) -> None:
+        """Break a link (of the order given)."""
+        if not 0 <= link < len(self.torn):
+            raise ValueError(f"link {link}: there are {len(self.torn)}")
+        if not self.torn[link]:
+            break_link(self._net, int(np.flatnonzero(self._net.order == link)[0]))
+            self.tears += 1
+            if ATTACHMENTS in self.settings.effects:
+                self.hand[4] = 0.0
+
+    # -- what there is ------------------------------------------------------------------------------
+
+    @property
+    def positions(self) -> Floats:
+        """(n, 2) m, a copy."""
+        return np.array(self.fields[X : Y + 1, : self.count].T, order="C")
+
+    @property
+    def velocities(self) -> Floats:
+        """(n, 2) m/s, a copy."""
+        return np.array(self.fields[VX : VX + 2, : self.count].T, order="C")
+
+    @property
+    def inverse_masses(self) -> Floats:
+        """(n,) 1/kg: a view; call `masses_changed` after writing to it."""
+        return self.fields[INVERSE_MASS, : self.count]
+
+    def masses_changed(self) -> None:
+        """Inverse masses or the links' own numbers were written to: use them from the next step on."""
+        self.hand[4] = 0.0
+
+    def energy(self) -> tuple[float, float]:
+        """Kinetic and potential energy, J; height counts from the floor, or from 0 if that is far below."""
+        floor = self.settings.floor if self.settings.floor > -LARGEST else 0.0
+        return measure_energy(self.fields, self.count, float(self.settings.gravity), float(floor))
+
+    def momentum(self) -> tuple[float, float, float]:
+        """Momentum (kg m/s) and angular momentum about the origin (kg m²/s)."""
+        return measure_momentum(self.fields, self.count)
+
+    def measure(self) -> LinkMeasures:
+        """How far links are off now."""
+        net = self._net
+        return LinkMeasures(
+            *measure_links(
+                self.fields,
+                net.links,
+                net.link_rows,
+                net.order,
+                self.torn,
+                self.links.compliance,
+                self._strains,
+            )
+        )
+
+    @property
+    def strains(self) -> Floats:
+        """(m,) strain of each link in the order given, as of the last `measure`."""
+        given = np.empty_like(self._strains)
+        given[self._net.order] = self._strains
+        return given
+
+    def areas(self) -> tuple[Floats, Floats]:
+        """Areas (k,) m² of the outlines, now and at rest."""
+        x, y = self.fields[X], self.fields[Y]
+        starts = self.outlines.starts
+        now = [
+            outline_area(x, y, self.outlines.corners[a:b])
+            for a, b in zip(starts[:-1], starts[1:], strict=True)
+        ]
+        return np.array(now), self.outlines.rows[AREA].copy()
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> PositionState:
+        """The state as arrays that the system goes on using."""
+        return PositionState(self.fields, self.torn, self.outlines.rows[INTACT], self.hand)
+
+    def restore(self, state: PositionState) -> None:
+        """Take over a copy of a state of a system of the same particles and links."""
+        np.copyto(self.fields, state.fields)
+        np.copyto(self.torn, state.torn)
+        self.outlines.rows[INTACT] = state.intact
+        np.copyto(self.hand, state.hand)
+        self.tears = int(np.count_nonzero(self.torn))
+        h = float(self.hand[4])
+        if h > 0.0:
+            self._prepare(h)
+
+    def check(self) -> None:
+        """Verify what must always hold; AssertionError names what does not."""
+        assert np.all(np.isfinite(self.fields[: OLD_VX + 2])), "finite"
+        held = self.held
+        assert held == NOBODY or self.fields[INVERSE_MASS, held] == 0.0, "what is held is fixed"
+        net = self._net
+        assert sorted(net.order.tolist()) == list(range(len(self.torn))), "each link is solved once"
+        assert np.all(net.links == self.links.pairs[net.order]), "links in the order of solving"
+        for start, length, together in net.runs.tolist():
+            run = net.links[start : start + length]
+            assert not together or len(np.unique(run)) == 2 * length, "no particle twice in a run"
+
+
+def _pairs(name: str, values: ArrayLike, count: int | None = None) -> Floats:
+    """(n, 2) finite numbers within the world, or ValueError."""
+    pairs = np.array(values, dtype=np.float64)
+    pairs = pairs.reshape(1, 2) if pairs.shape == (2,) else pairs
+    if pairs.ndim != 2 or pairs.shape[1] != 2 or not 1 <= len(pairs) <= MAX_PARTICLES:
+        raise ValueError(f"{name}: pairs of numbers are wanted, 1 to {MAX_PARTICLES} of them")
+    if count is not None and len(pairs) != count:
+        raise ValueError(f"{name}: {count} pairs are wanted, got {len(pairs)}")
+    if not np.all(np.abs(pairs) <= LARGEST):
+        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+    return pairs
