@@ -38,11 +38,13 @@ class CanvasBase:
         self._old_clip = pygame.Rect(0, 0, 1, 1)
 
     def begin(self, surface: pygame.Surface, rect: pygame.Rect, camera: Camera) -> None:
-        """Draw on this part of this surface (32 bit), through this camera, until ``end``."""
+        """Draw on this part of a 32-bit surface, through this camera, until ``end``; it is cleared first."""
         self.surface, self.camera = surface, camera
         self.rect = pygame.Rect(rect).clip(surface.get_rect())
         self._old_clip = surface.get_clip()
         surface.set_clip(self.rect)
+        self.halo = self.theme.stage
+        self.fill()
         self._pixels = raster.pixels_of(surface)
         self._clip = raster.clip_of(surface)
         self._cover, self._area, self._extent = raster.scratch_for(self._pixels)

@@ -279,7 +279,10 @@ class HelpPage:
         column.head("Controls")
         for hint in self.scene_type.hints:
             column.control(hint.keys, hint.text)
+        told = {keys for hint in self.scene_type.hints for keys in hint.keys}
         for action in self.scene_type.actions:
+            if _key_name(action.key) in told:
+                continue
             column.control((_key_name(action.key),), action.label)
         for keys, words in self.controls:
             column.control(keys, words)

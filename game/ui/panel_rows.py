@@ -20,7 +20,7 @@ from game.ui.look import Look
 from game.ui.numerals import quantity
 from game.ui.shapes import draw_box, draw_disc
 
-PADDING, VALUE_INSET, UNIT_INSET = 16, 42, 32  # design px: sides; value and unit from the right
+PADDING = 16  # design px
 DOUBLE_CLICK_S = 0.35
 
 

@@ -14,10 +14,11 @@ from game.stage import KnobError, Param, SetKnob
 from game.ui.commands import Command
 from game.ui.look import Look
 from game.ui.numerals import NARROW_SPACE, Quantity, format_number, quantity
-from game.ui.panel_rows import DOUBLE_CLICK_S, UNIT_INSET, VALUE_INSET, Context, Row, Source, draw_changed
+from game.ui.panel_rows import DOUBLE_CLICK_S, Context, Row, Source, draw_changed
 from game.ui.shapes import draw_box, draw_disc
 
 _FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
+UNIT_INSET, NUMBER_GAP = 32, 10  # design px: the unit from the right edge, the number from the unit
 _MANY = 272  # places on a track at scale 1
 
 
@@ -115,6 +116,15 @@ class SliderRow(Row):
         """The value shown."""
         return self._pending if self._pending is not None else self.source.values[self.knob.name]
 
+    def _unit_x(self) -> int:
+        """Where the unit begins: 32 design px from the edge, or more for a long one."""
+        unit = shown_value(self.knob, self.value).unit
+        width = self.look.fonts.size(unit, 13)[0] if unit else 0
+        return self.right - max(self.look.px(UNIT_INSET), width)
+
+    def _number_right(self) -> int:
+        return self._unit_x() - self.look.px(NUMBER_GAP)
+
     def value_rect(self) -> pygame.Rect:
         """Where the number stands, window px in the row."""
         px = self.look.px
@@ -122,13 +132,13 @@ class SliderRow(Row):
             self.look.fonts.size(shown_value(self.knob, self.value).number, 13, "semibold")[0], px(24)
         )
         rect = pygame.Rect(0, px(-2), width + 2 * px(6), px(24))
-        rect.right = self.right - px(VALUE_INSET) + px(6)
+        rect.right = self._number_right() + px(6)
         return rect
 
     def field_rect(self) -> pygame.Rect:
         """Where the text field goes, window px in the panel's sheet."""
         px = self.look.px
-        return pygame.Rect(self.right - px(VALUE_INSET) - px(84), self.rect.y - px(2), px(92), px(25))
+        return pygame.Rect(self._number_right() - px(84), self.rect.y - px(2), px(92), px(25))
 
     def advance(self, dt_s: float) -> bool:
         self._click_age_s += dt_s
@@ -210,9 +220,8 @@ class SliderRow(Row):
         if self._over_value and not self.typed:
             draw_box(surface, self.value_rect(), px(6), look.theme.inset, look.theme.line, look.border)
         if not self.typed:
-            look.text(surface, number, (self.right - px(VALUE_INSET), y), 13, "semibold", "text1", "right")
-        unit = look.fonts.fit(unit, 13, "medium", px(UNIT_INSET + 8))
-        look.text(surface, unit, (self.right - px(UNIT_INSET), y), 13, "medium", "text3")
+            look.text(surface, number, (self._number_right(), y), 13, "semibold", "text1", "right")
+        look.text(surface, unit, (self._unit_x(), y), 13, "medium", "text3")
         room = self.value_rect().x - self.left
         look.text(
             surface,

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 import pygame
@@ -19,69 +18,16 @@ from game.ui import raster
 from game.ui.curves import thinned
 from game.ui.layout import Layout
 from game.ui.look import Look
-from game.ui.numerals import MINUS, format_number, quantity
+from game.ui.numerals import quantity
 from game.ui.raster import packed
+from game.ui.strip_axis import Axis, axis_for, rule_text, spread, unit_of, value_text
 
 SPAN_S = 10.0
 REFRESH_S = 0.05
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
 EXACT = "text1"
 APART = 15  # design px between value labels
-LABELS = 84  # design px right of the curves
-_TOPS = (1.0, 1.2, 1.6, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)
-_FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
-
-
-class Axis(NamedTuple):
-    """Lower and upper end of a chart, in the series' unit."""
-
-    low: float
-    high: float
-
-
-def round_top(value: float) -> float:
-    """A round number a little above ``value``, whose half is neat as well; 1 for nothing."""
-    if not (math.isfinite(value) and value > 0.0):
-        return 1.0
-    power = 10.0 ** math.floor(math.log10(value))
-    for factor in _TOPS:
-        if factor * power >= value * 1.04:
-            return factor * power
-    return 12.0 * power
-
-
-def axis_for(low: float, high: float, before: Axis | None) -> Axis:
-    """Ends that hold the values; the old ones stay while they fit and are not far too wide."""
-    if not (math.isfinite(low) and math.isfinite(high)):
-        return before or Axis(0.0, 1.0)
-    if before is not None and before.low <= low and high <= before.high:
-        room = before.high - before.low
-        used = max(high, 0.0) - min(low, 0.0)
-        if used > 0.3 * room:
-            return before
-    top = round_top(max(high, 0.0)) if high > 0.0 or low >= 0.0 else 0.0
-    bottom = -round_top(-low) if low < 0.0 else 0.0
-    if bottom < 0.0 < top:  # the middle rule is zero
-        top = max(top, -bottom)
-        bottom = -top
-    return Axis(bottom, top)
-
-
-def spread(places: Sequence[float], apart: float, low: float, high: float) -> list[float]:
-    """Heights near the wanted ones, in the same order, ``apart`` from each other, within the ends."""
-    order = sorted(range(len(places)), key=lambda i: places[i])
-    put = [min(max(places[i], low), high) for i in order]
-    for _ in range(2):
-        for n in range(1, len(put)):
-            put[n] = max(put[n], put[n - 1] + apart)
-        if put and put[-1] > high:
-            put[-1] = high
-            for n in range(len(put) - 2, -1, -1):
-                put[n] = min(put[n], put[n + 1] - apart)
-    found = [0.0] * len(places)
-    for n, i in enumerate(order):
-        found[i] = put[n]
-    return found
+LABELS, WIDEST_LABELS = 84, 124  # design px right of the curves
 
 
 class Strips:
@@ -92,6 +38,7 @@ class Strips:
         self.strips = tuple(strips)
         self.layout: Layout | None = None
         self._axes: dict[int, Axis] = {}
+        self._labels: dict[int, int] = {}  # by chart, window px of its labels; they only grow
         self._picture: pygame.Surface | None = None
         self._since_s = 0.0
         self._next = 0  # chart whose turn it is
@@ -101,13 +48,13 @@ class Strips:
     def place(self, layout: Layout, look: Look) -> None:
         """Take a place in the window and an appearance."""
         self.layout, self.look = layout, look
-        self._picture = None
+        self._picture, self._labels = None, {}
 
     def update(self, dt_s: float, stage: Stage) -> None:
         """Look at the stage."""
         self._since_s += dt_s
         if stage is not self._stage:
-            self._stage, self._axes, self._picture = stage, {}, None
+            self._stage, self._axes, self._labels, self._picture = stage, {}, {}, None
 
     def draw(self, surface: pygame.Surface) -> None:
         """Show the charts."""
@@ -166,19 +113,32 @@ class Strips:
 
     def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
         look, px, strip = self.look, self.look.px, self.strips[i]
-        box = pygame.Rect(place.x, place.y + px(32), max(place.w - px(LABELS), px(24)), px(72))
         series = [(name, _values(stage, name)) for name in strip.series]
         axis = self._axes[i] = self._axis(i, [values for _, values in series])
-        unit, factor = _scale(axis, strip.unit)
+        unit, factor = unit_of(axis, strip.unit)
         taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
         look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
+        series = [(name, values) for name, values in series if values.size]
+        most = max(abs(axis.low), abs(axis.high)) / factor
+        numbers = [value_text(float(values[-1]) / factor, most) for _, values in series]
+        room = self._label_room(i, [name for name, _ in series], numbers)
+        box = pygame.Rect(place.x, place.y + px(32), max(place.w - room, px(24)), px(72))
         self._paint_rules(picture, box, axis, factor)
-        times = stage.series.times
-        curves = [(name, _curve(times, values, box, axis)) for name, values in series if values.size]
+        curves = [(name, _curve(stage.series.times, values, box, axis)) for name, values in series]
         self._paint_curves(picture, box, strip, curves)
-        self._paint_labels(
-            picture, box, strip, [(name, values) for name, values in series if values.size], axis, factor
-        )
+        heights = [_height(float(values[-1]), box, axis) for _, values in series]
+        self._paint_labels(picture, box, room, strip, [name for name, _ in series], numbers, heights)
+
+    def _label_room(self, i: int, names: Sequence[str], numbers: Sequence[str]) -> int:
+        """Window px right of the curves: for the widest label, within bounds, never less than before."""
+        fonts, px = self.look.fonts, self.look.px
+        wanted = [
+            fonts.size(name + " ", 12)[0] + fonts.size(number, 12, "semibold")[0]
+            for name, number in zip(names, numbers, strict=True)
+        ]
+        room = min(max([px(LABELS), *(width + px(12) for width in wanted)]), px(WIDEST_LABELS))
+        self._labels[i] = max(room, self._labels.get(i, 0))
+        return self._labels[i]
 
     def _axis(self, i: int, series: Sequence[np.ndarray]) -> Axis:
         finite = [values[np.isfinite(values)] for values in series]
@@ -195,10 +155,15 @@ class Strips:
             picture.fill(color, (box.x, box.y + round(share * box.h), box.w, 1))
         middle = 0.5 * (axis.low + axis.high)
         for value, y in ((axis.high, box.y + px(8)), (middle, box.centery - px(7))):
-            look.text(picture, _rule(value / factor), (box.x + px(3), y), 11, "medium", "text3")
+            look.text(picture, rule_text(value / factor), (box.x + px(3), y), 11, "medium", "text3")
         if axis.low < 0.0:
             look.text(
-                picture, _rule(axis.low / factor), (box.x + px(3), box.bottom - px(7)), 11, "medium", "text3"
+                picture,
+                rule_text(axis.low / factor),
+                (box.x + px(3), box.bottom - px(7)),
+                11,
+                "medium",
+                "text3",
             )
         y = box.bottom + px(11)
         look.text(picture, "−10 s", (box.x, y), 11, "medium", "text3")
@@ -243,19 +208,18 @@ class Strips:
         return self.look.color(COLORS[strip.series.index(name) % len(COLORS)])
 
     def _paint_labels(
-        self, picture: pygame.Surface, box: pygame.Rect, strip: Strip,
-        series: Sequence[tuple[str, np.ndarray]], axis: Axis, factor: float,
+        self, picture: pygame.Surface, box: pygame.Rect, room: int, strip: Strip,
+        names: Sequence[str], numbers: Sequence[str], heights: Sequence[float],
     ) -> None:  # fmt: skip
         """Names and last values at the right end, none over another."""
         look, px = self.look, self.look.px
-        wanted = [_height(float(values[-1]), box, axis) for _, values in series]
-        wanted = [y if math.isfinite(y) else float(box.bottom) for y in wanted]
-        for (name, values), y in zip(series, spread(wanted, px(APART), box.y, box.bottom), strict=True):
+        wanted = [y if math.isfinite(y) else float(box.bottom) for y in heights]
+        places = spread(wanted, px(APART), box.y, box.bottom)
+        for name, number, y in zip(names, numbers, places, strict=True):
             color = EXACT if name in strip.exact else COLORS[strip.series.index(name) % len(COLORS)]
-            number = _number(float(values[-1]) / factor, max(abs(axis.low), abs(axis.high)) / factor)
-            room = px(LABELS) - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
-            words = look.fonts.fit(name, 12, "medium", max(room, 0))
             x = box.right + px(10)
+            free = room - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
+            words = look.fonts.fit(name, 12, "medium", max(free, 0))
             if len(words) > 1 or words == name:
                 x += look.text(picture, words + " ", (x, y), 12, "medium", color).w
             look.text(picture, number, (x, y), 12, "semibold")
@@ -264,27 +228,6 @@ class Strips:
 def _values(stage: Stage, name: str) -> np.ndarray:
     """Samples of a readout, or none if the scene does not give it."""
     return stage.series.values(name) if name in stage.series.names else np.empty(0)
-
-
-def _scale(axis: Axis, unit: str) -> tuple[str, float]:
-    """Unit with an SI prefix for the axis, and what a shown 1 is worth."""
-    shown = quantity(max(abs(axis.low), abs(axis.high)), unit).unit
-    prefix = shown.removesuffix(unit) if unit and shown.endswith(unit) else ""
-    return (shown, _FACTORS[prefix]) if prefix in _FACTORS and prefix else (unit, 1.0)
-
-
-def _number(value: float, most: float) -> str:
-    """A value with as many decimals as three digits of the axis' end have."""
-    if not (math.isfinite(value) and 1e-4 < most < 1e7):
-        return format_number(value)
-    decimals = max(0, 2 - math.floor(math.log10(most)))
-    number = f"{abs(value):.{decimals}f}"
-    return (MINUS if value < 0.0 and float(number) > 0.0 else "") + number
-
-
-def _rule(value: float) -> str:
-    """A round number at a rule."""
-    return f"{value:.3g}".replace("-", MINUS) if 1e-3 < abs(value) < 1e5 else format_number(round(value, 9))
 
 
 def _height(value: float, box: pygame.Rect, axis: Axis) -> float:

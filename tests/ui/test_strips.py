@@ -14,7 +14,8 @@ from sample_scene import Sample
 from game.stage import Stage
 from game.ui.layout import arrange
 from game.ui.look import Look
-from game.ui.strips import Axis, Strips, axis_for, round_top, spread
+from game.ui.strip_axis import Axis, axis_for, round_top, spread
+from game.ui.strips import Strips
 from game.ui.theme import DARK
 
 
@@ -85,7 +86,7 @@ def test_a_curve_ends_at_its_last_value(stage):
     strips, surface = painted(look, (1280, 720), stage)
     column, axis = strips.layout.charts[1], strips._axes[1]
     height = stage.readouts()[3].value
-    x, y = column.x + column.w - look.px(84), column.y + 32 + 72.5 - height / axis.high * 72
+    x, y = column.x + column.w - strips._labels[1], column.y + 32 + 72.5 - height / axis.high * 72
     assert surface.get_at((x, round(y - 0.5)))[:3] == DARK.chalk.mark[:3]
 
 
