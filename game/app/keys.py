@@ -58,6 +58,7 @@ _PLACES = {
     for name in dir(pygame)
     if name.startswith("KSCAN_") and name != "KSCAN_UNKNOWN"
 }
+NO_KEY = "–"
 _SHORT = {"escape": "Esc", "return": "Enter", "page down": "PgDn", "page up": "PgUp", "backspace": "Back"}
 _ARROWS = {"left": "←", "right": "→", "up": "↑", "down": "↓"}
 
@@ -75,32 +76,39 @@ class Keys:
     """Which command a key press means, and what to print for a command in a hint."""
 
     def __init__(self, changed: Mapping[str, str] | None = None):
-        """``changed``: key words by command, for those that differ. ValueError names what is wrong."""
-        words = {command.name: command.key for command in COMMANDS}
-        for name, word in (changed or {}).items():
-            if name not in words:
-                raise ValueError(f"keys.{name}: no such command; there are {', '.join(words)}")
-            words[name] = word
-        self.words = words
+        """``changed``: key words by command, for those that differ. ValueError names what is wrong.
+
+        A key that was given to another command is taken from the one that has it by default.
+        """
+        changed = dict(changed or {})
+        defaults = {command.name: command.key for command in COMMANDS}
         self.chords: dict[str, Chord] = {}
         self._commands: dict[Chord, str] = {}
-        for name, word in words.items():
+        for name, word in changed.items():
+            if name not in defaults:
+                raise ValueError(f"keys.{name}: no such command; there are {', '.join(defaults)}")
             try:
                 chord = parse_chord(word)
             except ValueError as error:
                 raise ValueError(f"keys.{name}: {error}") from None
             if chord in self._commands:
                 raise ValueError(f"keys.{name}: {word} is also the key of {self._commands[chord]}")
-            self._commands[chord] = name
-            self.chords[name] = chord
+            self._bind(name, chord)
+        for name, word in defaults.items():
+            if name not in changed and parse_chord(word) not in self._commands:
+                self._bind(name, parse_chord(word))
+
+    def _bind(self, name: str, chord: Chord) -> None:
+        self.chords[name] = chord
+        self._commands[chord] = name
 
     def command(self, event: pygame.Event) -> str | None:
         """The command of a KEYDOWN event, or None."""
         return self._commands.get(chord_of(event))
 
     def label(self, name: str) -> str:
-        """What is printed on the command's key in the present layout."""
-        return chord_label(self.chords[name])
+        """What is printed on the command's key in the present layout; a dash if it has none."""
+        return chord_label(self.chords[name]) if name in self.chords else NO_KEY
 
 
 def chord_of(event: pygame.Event) -> Chord:

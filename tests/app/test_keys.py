@@ -51,6 +51,17 @@ def test_key_is_bound_anew():
     assert keys.label("pause") == "Ctrl+P"
 
 
+def test_key_given_away_is_taken_from_its_default():
+    keys = Keys({"pause": "a"})
+    assert keys.command(press(pygame.K_a)) == "pause"
+    assert keys.label("accuracy") == "–"
+
+
+def test_one_key_cannot_be_given_twice():
+    with pytest.raises(ValueError, match=r"keys\.levels: x is also the key of pause"):
+        Keys({"pause": "x", "levels": "x"})
+
+
 def test_two_commands_may_change_places():
     keys = Keys({"accuracy": "l", "levels": "a"})
     assert keys.command(press(pygame.K_a)) == "levels"

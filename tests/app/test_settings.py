@@ -35,7 +35,7 @@ def test_what_is_saved_is_read_back(tmp_path: Path):
         (b"colour = 1", "colour"),
         (b'[keys]\npause = "nonsense"', "nonsense"),
         (b'[keys]\nfly = "f"', "fly"),
-        (b'[keys]\npause = "tab"', "panel"),
+        (b'[keys]\npause = "x"\nstep = "x"', "also the key of pause"),
         (b"\xff\xfe\x00", "UTF-8"),
         (b"", "empty"),
         (b"a = " + b"[" * 3000, "settings.toml"),
