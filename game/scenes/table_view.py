@@ -27,12 +27,11 @@ Array = NDArray[np.float64]
 CUE_LENGTH = 1.47  # m
 WOOD = 0.074  # m, breadth of the frame outside the cushions
 SURROUND = 0.175  # m of floor and frame shown around the bed
-KEPT_TABLES = 4  # pictures of tables kept: the scene's and a few thumbnails of the menu
 TELEPORT = 0.25  # m; a ball that moved farther in one step was put there, and is not drawn in between
 QUARTER_TURN = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # table frame to screen frame
 
 _ball_painter = BallPainter(FELT)
-_table_painters: dict[tuple[int, int], TablePainter] = {}
+_table_painter = TablePainter()
 
 
 class Balls(NamedTuple):
@@ -65,14 +64,9 @@ def matrices_of(quaternions: Array) -> Array:
 
 def draw_table(canvas: Canvas, table: Table) -> None:
     """Cloth, cushions, wood and pockets, from a picture that is kept while nothing about it changes."""
-    key = canvas.rect.size
-    painter = _table_painters.pop(key, None) or TablePainter()
-    _table_painters[key] = painter
-    while len(_table_painters) > KEPT_TABLES:
-        _table_painters.pop(next(iter(_table_painters)))
     left, top = canvas.camera.to_screen(0.0, 0.0)
     view = TableView(left - canvas.rect.x, top - canvas.rect.y, canvas.camera.scale)
-    painter.draw(canvas.surface.subsurface(canvas.rect), table, view, canvas.theme)
+    _table_painter.draw(canvas.surface.subsurface(canvas.rect), table, view, canvas.theme)
 
 
 def draw_balls(canvas: Canvas, balls: Balls, table: Table) -> None:

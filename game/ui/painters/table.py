@@ -7,6 +7,7 @@ it: to the right in ``TableView``, which also says how large the table may be.
 from __future__ import annotations
 
 import math
+from collections import OrderedDict
 from typing import NamedTuple
 
 import numpy as np
@@ -39,6 +40,9 @@ SPOT_RADIUS = 0.0051  # m
 SHADOW_DOWN, SHADOW_BLUR = 0.020, 0.050  # m
 GLOW = 6.0  # of 255; the dark floor is so much lighter round the table
 SIDE_LINER = 0.0067  # m; the liner of a side pocket reaches so far into the cushions' line
+
+
+KEPT_PICTURES = 6  # the scene's, and those of its thumbnails
 
 
 class TableView(NamedTuple):
@@ -84,18 +88,22 @@ def fit_table(area: pygame.Rect, table: Table) -> TableView:
 
 
 class TablePainter:
-    """Keeps the picture of a table; ``draw`` makes it anew when table, view, size or theme change."""
+    """Keeps the last few pictures of tables; ``draw`` makes one when table, view, size or theme are new."""
 
     def __init__(self) -> None:
-        self._key: tuple[object, ...] = ()
-        self._picture: pygame.Surface | None = None
+        self._pictures: OrderedDict[tuple[object, ...], pygame.Surface] = OrderedDict()
 
     def draw(self, surface: pygame.Surface, table: Table, view: TableView, theme: Theme) -> None:
         """Cover a surface with background, table and its shadow."""
-        key = (surface.get_size(), id(table), view, theme.name)
-        if self._picture is None or key != self._key:
-            self._picture, self._key = table_picture(surface.get_size(), table, view, theme), key
-        surface.blit(self._picture, (0, 0))
+        measures = (table.width, table.length, *(array.tobytes() for array in table[3:]))
+        key = (surface.get_size(), measures, view, theme.name)
+        picture = self._pictures.get(key)
+        if picture is None:
+            picture = self._pictures[key] = table_picture(surface.get_size(), table, view, theme)
+            while len(self._pictures) > KEPT_PICTURES:
+                self._pictures.popitem(last=False)
+        self._pictures.move_to_end(key)
+        surface.blit(picture, (0, 0))
 
 
 def table_picture(size: tuple[int, int], table: Table, view: TableView, theme: Theme) -> pygame.Surface:
