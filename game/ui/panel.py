@@ -68,6 +68,11 @@ class Panel:
         return self._sheet is not None and self._sheet.typing
 
     @property
+    def has_keys(self) -> bool:
+        """Whether a control has the keyboard focus, so that arrows, Enter and Space are for it."""
+        return self._sheet is not None and self._sheet.has_keys
+
+    @property
     def view(self) -> pygame.Rect:
         """The part of the window in which the sheet is seen."""
         return pygame.Rect(self.rect.x, self.rect.y, self.rect.w, max(0, self.rect.h - self.look.px(FOOT)))

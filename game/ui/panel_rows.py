@@ -64,6 +64,7 @@ class Row(UIElement):
         self.context = context
         self.look = context.look
         self.held = False
+        self.has_keys = False  # the keyboard focus, which a press of the mouse never gives
         self._lit = motion.Fade(0.0 if self.look.less_motion else motion.HOVER_S)
         self._shown: tuple[object, ...] | None = None
         self.stale = True  # what it shows may have changed
@@ -114,6 +115,7 @@ class Row(UIElement):
             return True
         if self.held and event.type == pygame.MOUSEBUTTONUP and event.button == 1:
             self.held = False
+        self.has_keys = False  # the keyboard focus, which a press of the mouse never gives
             self.release(event.pos[0] - self.rect.x, event.pos[1] - self.rect.y)
             return True
         return False
@@ -125,13 +127,13 @@ class Row(UIElement):
         if not (moves or self.stale or self.hovered or self.held):
             return
         self.stale = False
-        wanted = (*self.shows(), self._lit.amount, self.is_focused)
+        wanted = (*self.shows(), self._lit.amount, self.has_keys)
         if wanted != self._shown:
             self._shown = wanted
             surface = pygame.Surface(self.rect.size, pygame.SRCALPHA, 32)
             surface.fill(self.look.theme.panel)
             self.paint(surface)
-            if self.is_focused:
+            if self.has_keys:
                 inside = surface.get_rect().inflate(-2 * self.look.px(6), 0)
                 draw_box(
                     surface, inside, self.look.px(6), None, self.look.theme.accent, max(1, self.look.px(1))

@@ -65,6 +65,11 @@ class PanelSheet:
         return self._field is not None
 
     @property
+    def has_keys(self) -> bool:
+        """Whether a row has the keyboard focus."""
+        return any(row.has_keys for row in self.rows)
+
+    @property
     def is_held(self) -> bool:
         """Whether some row holds the pointer."""
         return any(row.held for row in self.rows)
@@ -74,6 +79,7 @@ class PanelSheet:
     def handle(self, event: pygame.event.Event, inside: bool) -> tuple[int, int] | None:
         """A pointer event in the sheet's coordinates; what of the sheet must be in view after it."""
         if event.type == pygame.MOUSEBUTTONDOWN:
+            self.drop_keys()
             if self._field is not None and not self._field[1].rect.collidepoint(event.pos):
                 self.commit()
             if not inside and any(menu.is_open for menu in self.menus.values()):
@@ -94,7 +100,7 @@ class PanelSheet:
         """A key for the text field, or for the row that has the focus."""
         if self._field is None:
             for row in self.rows:
-                if row.is_focused:
+                if row.has_keys:
                     row.key(event.key)
                     return self._follow_up()
         elif event.key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_TAB):
@@ -115,14 +121,18 @@ class PanelSheet:
         rows = [row for row in self.rows if not isinstance(row, (Heading, Caption, Measure, CostBar))]
         if backward:
             rows.reverse()
-        index = next((i for i, row in enumerate(rows) if row.is_focused), -1) + 1
-        for row in rows:
-            row.stale = True
-            row.unfocus()
+        index = next((i for i, row in enumerate(rows) if row.has_keys), -1) + 1
+        self.drop_keys()
         if index >= len(rows):
             return None
-        rows[index].focus()
+        rows[index].has_keys = rows[index].stale = True
         return rows[index].rect.top, rows[index].rect.bottom
+
+    def drop_keys(self) -> None:
+        """Take the keyboard focus from all rows."""
+        for row in self.rows:
+            row.stale = row.stale or row.has_keys
+            row.has_keys = False
 
     def _follow_up(self) -> tuple[int, int] | None:
         """Wishes of drop-downs, and the field that a row asks for; an open list must be in view."""

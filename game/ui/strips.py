@@ -121,7 +121,8 @@ class Strips:
         series = [(name, values) for name, values in series if values.size]
         most = max(abs(axis.low), abs(axis.high)) / factor
         numbers = [value_text(float(values[-1]) / factor, most) for _, values in series]
-        room = self._label_room(i, [name for name, _ in series], numbers)
+        labels = [_label(name, strip) for name, _ in series]
+        room = self._label_room(i, labels, numbers)
         box = pygame.Rect(place.x, place.y + px(32), max(place.w - room, px(24)), px(72))
         self._paint_rules(picture, box, axis, factor)
         curves = [(name, _curve(stage.series.times, values, box, axis)) for name, values in series]
@@ -219,10 +220,15 @@ class Strips:
             color = EXACT if name in strip.exact else COLORS[strip.series.index(name) % len(COLORS)]
             x = box.right + px(10)
             free = room - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
-            words = look.fonts.fit(name, 12, "medium", max(free, 0))
+            words = look.fonts.fit(_label(name, strip), 12, "medium", max(free, 0))
             if len(words) > 1 or words == name:
                 x += look.text(picture, words + " ", (x, y), 12, "medium", color).w
             look.text(picture, number, (x, y), 12, "semibold")
+
+
+def _label(name: str, strip: Strip) -> str:
+    """The name of a series at its line; the only one of its chart's name is simply now."""
+    return "now" if len(strip.series) == 1 and name.lower() == strip.title.lower() else name
 
 
 def _values(stage: Stage, name: str) -> np.ndarray:

@@ -244,7 +244,15 @@ def test_keys_move_the_focused_control(desk):
     while desk.panel.focus_next():
         rounds += 1
     assert rounds > 5
-    assert desk.panel.handle(press(pygame.K_RIGHT)) == []
+    assert desk.panel.handle(press(pygame.K_RIGHT)) == [] and not desk.panel.has_keys
+
+
+def test_a_press_of_the_mouse_gives_no_keyboard_focus(desk):
+    desk.apply(click(desk.panel, desk.place(desk.row(SwitchRow, "Shadow"), 30, 16)))
+    assert not desk.panel.has_keys and desk.panel.handle(press(pygame.K_SPACE)) == []
+    assert desk.panel.focus_next() and desk.panel.has_keys
+    click(desk.panel, desk.place(desk.row(SliderRow, "rate"), 60, 10))
+    assert not desk.panel.has_keys
 
 
 def test_wheel_and_thumb_scroll_within_the_ends(desk):
