@@ -115,7 +115,6 @@ class Row(UIElement):
             return True
         if self.held and event.type == pygame.MOUSEBUTTONUP and event.button == 1:
             self.held = False
-        self.has_keys = False  # the keyboard focus, which a press of the mouse never gives
             self.release(event.pos[0] - self.rect.x, event.pos[1] - self.rect.y)
             return True
         return False
