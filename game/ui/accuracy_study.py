@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
-from game.lab import Row, Setting, Study, StudyTable, cost_to_reach, fit_order, upper_envelope
+from game.lab import Knob, Row, Setting, Study, StudyTable, cost_to_reach, fit_order, upper_envelope
 from game.ui.accuracy_data import AccuracyData, TableRow, sentence_for
 from game.ui.numerals import format_number, format_si
 from game.ui.plot_data import PlotPoint, PlotSeries, Present
@@ -57,26 +58,30 @@ def round_error(table: StudyTable) -> float:
     errors = [row.error for row in table if not row.failed and row.error > study.floor]
     if not errors:
         return math.nan
-    by_method = [table.of(method.name) for method in study.methods]
+    by_method = [_decisive(study, table.of(method.name)) for method in study.methods]
     best, found = 1, math.nan
     for power in range(math.floor(math.log10(max(errors))), math.floor(math.log10(min(errors))) - 1, -1):
-        costs = (cost_to_reach(rows, 10.0**power, study.envelope) for rows in by_method)
+        costs = (cost_to_reach(rows, 10.0**power) for rows in by_method)
         reached = sum(math.isfinite(cost) for cost in costs)
         if reached >= best:
             best, found = reached, 10.0**power
     return found
 
 
-def setting_words(study: Study, knob: float, others: Sequence[tuple[str, float]] = ()) -> str:
+def _decisive(study: Study, rows: list[Row]) -> list[Row]:
+    """The rows that decide what an error costs, found once for all errors."""
+    return upper_envelope(rows, over="counter") if study.envelope else rows
+
+
+@lru_cache(maxsize=8192)
+def setting_words(knob: Knob, value: float, others: tuple[tuple[str, float], ...] = ()) -> str:
     """A point in words: its knob with unit, and what else tells it apart."""
-    words = (
-        f"{study.knob.label} {format_si(knob, study.knob.unit) if study.knob.unit else format_number(knob)}"
-    )
-    return ", ".join([words, *(f"{name} {format_number(value)}" for name, value in others)])
+    number = format_si(value, knob.unit) if knob.unit else format_number(value)
+    return ", ".join([f"{knob.label} {number}", *(f"{name} {format_number(x)}" for name, x in others)])
 
 
 def _point(study: Study, row: Row) -> PlotPoint:
-    words = setting_words(study, row.knob, sorted(row.others.items()))
+    words = setting_words(study.knob, row.knob, tuple(row.others.items()))
     if row.failed:
         words = f"{words}: {row.failure}"
     return PlotPoint(row.cpu_s, row.error, row.failed, False, row.scene, words)
@@ -123,7 +128,7 @@ def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) ->
 
 def _estimate(study: Study, setting: Setting, error: np.ndarray, cost: np.ndarray) -> PlotPoint:
     at = math.log(setting.knob)
-    words = setting_words(study, setting.knob, sorted(setting.others.items()))
+    words = setting_words(study.knob, setting.knob, tuple(setting.others.items()))
     return PlotPoint(
         math.exp(float(np.polyval(cost, at))), math.exp(float(np.polyval(error, at))), False, True,
         setting.scene, words,
@@ -136,7 +141,7 @@ def _present(
     """The scene's own point, with its method, or that whose line passes nearest."""
     if row is None:
         return None
-    point, words = _point(study, row), setting_words(study, row.knob)
+    point, words = _point(study, row), setting_words(study.knob, row.knob)
     if row.method in names:
         index = names.index(row.method)
         return Present(index, point, f"{series[index].name}, {words}")
