@@ -18,7 +18,7 @@ class Carom(NamedTuple):
     """Three balls without friction or loss on a bare table, and where they are at `time`, s.
 
     positions and velocities (3, 2) m, m/s. event_times: ball 0 meets ball 1; ball 1 the right wall; ball 0
-    the lower wall. On its way back ball 1 passes ball 2 by 3.5 mm.
+    the lower wall. On its way back ball 1 passes ball 2 by 4.2 mm.
     """
 
     width: float

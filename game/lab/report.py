@@ -100,8 +100,9 @@ def write_png(table: StudyTable, path: Path) -> Path:
             axes.plot(
                 [row.cpu_s for row in failed], heights, "x", color=colour, markersize=9, markeredgewidth=1.6
             )
-    axes.set_xscale("log")
-    axes.set_yscale("log")
+    if table.rows:
+        axes.set_xscale("log")
+        axes.set_yscale("log")
     axes.set_xlabel("CPU time for each simulated second (s)")
     axes.set_ylabel(study.error + (f" ({study.error_unit})" if study.error_unit else ""))
     axes.set_title(study.title + ("   x: failed" if any(row.failed for row in table) else ""))

@@ -71,7 +71,7 @@ def run_study(
 
     progress(done, total, label, seconds_left) is called before each point and at the end (seconds_left nan
     while nothing is known). stop() true ends the run; the table holds what was measured, and handed back as
-    `table` it is gone on with. Rows stand in the order of the study's settings.
+    `table` it is gone on with. Rows are added one by one, and in the end stand in the order of the settings.
     """
     table = StudyTable(study) if table is None else table
     if table.study is not study:
@@ -89,10 +89,11 @@ def run_study(
             label = study.method(setting.method).label
             progress(len(have), len(settings), label, left)
         try:
-            have[setting.key] = measure(study, setting, stop, repeats)
+            row = measure(study, setting, stop, repeats)
         except StoppedError:
             break
-        table.rows.append(have[setting.key])  # for those who look on while it runs
+        have[setting.key] = row
+        table.rows.append(row)  # whoever draws the table in another thread sees it grow
         behind += setting.weight
     table.rows = [have[setting.key] for setting in settings if setting.key in have]
     table.complete = len(table.rows) == len(settings)

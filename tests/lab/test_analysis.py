@@ -1,0 +1,97 @@
+"""Orders, costs and order of points on made-up tables whose answers are known."""
+
+import math
+
+import numpy as np
+import pytest
+
+from game.lab.analysis import cost_to_reach, fit_order, out_of_order, settled, summarise, upper_envelope
+from game.lab.study import Knob, Method, Row, Study, StudyTable
+
+
+def row(knob, error, cost, failure="", method="m"):
+    return Row(method, knob, error, cost, max(1, int(1e6 * cost)), failure, {}, {})
+
+
+def power_law(order, constant=2.0, saw=0.0):
+    """Error constant h^order, times a saw-tooth in [1 - saw, 1]; cost 1e-3 / h."""
+    rows = []
+    for i, h in enumerate(np.geomspace(1.0, 1e-3, 300).tolist()):
+        tooth = 1.0 - saw * ((7 * i) % 11) / 10.0
+        rows.append(row(h, constant * h**order * tooth, 1e-3 / h))
+    return rows
+
+
+@pytest.mark.parametrize("order", [1.0, 2.0, 4.0])
+def test_order_of_a_power_law(order):
+    assert fit_order(power_law(order)) == pytest.approx(order, abs=1e-12)
+    assert fit_order(power_law(order), over="counter") == pytest.approx(order, abs=0.01)
+
+
+def test_order_of_the_upper_envelope_is_not_misled_by_lucky_points():
+    rows = power_law(1.0, saw=0.999)
+    assert fit_order(rows, envelope=True) == pytest.approx(1.0, abs=0.15)
+    assert len(upper_envelope(rows)) <= 20
+    assert upper_envelope([]) == []
+    assert len(upper_envelope([row(1.0, 1.0, 1.0), row(1.0, 2.0, 1.0)])) == 1
+
+
+def test_rounding_and_failures_take_no_part_in_fits():
+    rows = [
+        *power_law(2.0),
+        row(1e-4, 1e-14, 10.0),
+        row(2.0, 1e9, 1e-4, "diverged"),
+        row(3.0, math.inf, 1e-4, "diverged"),
+    ]
+    assert fit_order(rows, floor=1e-13) == pytest.approx(2.0, abs=1e-12)
+    assert math.isnan(fit_order(rows[:2]))
+
+
+def test_points_beyond_the_last_failure():
+    rows = power_law(1.0)
+    assert settled(rows, []) == rows
+    finer = settled(rows, [row(0.1, 1.0, 1.0, "missed")])
+    assert max(r.knob for r in finer) < 0.1
+    assert settled(rows, [row(0.002, 1.0, 1.0, "missed")]) == rows  # too few left to fit
+
+
+def test_cost_to_reach_an_error():
+    rows = power_law(1.0)
+    for target in (1e-1, 1e-2):
+        assert cost_to_reach(rows, target) == pytest.approx(1e-3 * 2.0 / target, rel=1e-9)
+    assert math.isnan(cost_to_reach(rows, 1e-9))
+    assert cost_to_reach(rows, 10.0) == rows[0].cpu_s
+    assert math.isnan(cost_to_reach([], 1.0))
+    assert cost_to_reach([row(1.0, 0.0, 0.5)], 1e-6) == 0.5
+
+
+def test_a_lucky_cheap_point_does_not_count_as_reached():
+    rows = [row(1.0, 1e-9, 1.0), row(0.5, 1e-1, 2.0), row(0.25, 1e-3, 4.0)]
+    assert 2.0 < cost_to_reach(rows, 1e-2) < 4.0
+
+
+def test_points_out_of_order_are_found():
+    assert out_of_order(power_law(1.0)) == []
+    rows = [row(1.0, 1e-3, 1.0), row(0.5, 1e-2, 2.0), row(0.25, 1e-4, 4.0)]
+    assert out_of_order(rows) == [(rows[0], rows[1])]
+
+
+def test_summary_has_a_line_for_each_method():
+    study = Study(
+        "s",
+        "S",
+        "error",
+        "m",
+        "steps",
+        Knob("h", "step"),
+        (Method("m", "M", 2.0), Method("n", "N")),
+        list,
+        lambda s: None,
+        "",
+    )
+    table = StudyTable(study, [*power_law(2.0), row(2.0, math.nan, 1.0, "diverged")])
+    first, second = summarise(table)
+    assert (first.points, first.failed, first.expected) == (300, 1, 2.0)
+    assert first.order == pytest.approx(2.0)
+    assert (second.points, second.failed) == (0, 0)
+    assert math.isnan(second.order)
