@@ -49,14 +49,12 @@ Rings and arcs: ``width`` lies half in, half out. ``points`` (n, 2).
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple
-
 import numpy as np
 import pygame
 
 from game.ui.raster_areas import fill_arrow, fill_polygon, fill_under
 from game.ui.raster_boxes import fill_box, fill_shadow, stroke_box
+from game.ui.raster_chains import stroke_dashes, stroke_polyline
 from game.ui.raster_discs import (
     color_by_speed,
     fill_disc,
@@ -66,7 +64,9 @@ from game.ui.raster_discs import (
     stroke_arc,
     stroke_ring,
 )
-from game.ui.raster_lines import BUTT, ROUND, stroke_dashes, stroke_polyline, stroke_segment, stroke_segments
+from game.ui.raster_lines import BUTT, ROUND, stroke_segment, stroke_segments
+from game.ui.raster_scratch import Scratch, scratch_for
+from game.ui.raster_warm_ups import WARM_UPS
 
 __all__ = [
     "BUTT",
@@ -130,31 +130,6 @@ def packed(color: pygame.Color) -> int:
     return (color.r << 16) | (color.g << 8) | color.b
 
 
-class Scratch(NamedTuple):
-    """Working memory of the kernels that lay a whole shape at once; in its resting state between calls."""
-
-    cover: np.ndarray  # (h, w) uint8, zero
-    area: np.ndarray  # (h, w + 2) float32, zero
-    extent: np.ndarray  # (h, 2) int64, first and last touched column: none
-
-
-_scratch = Scratch(np.zeros((0, 0), np.uint8), np.zeros((0, 2), np.float32), np.zeros((0, 2), np.int64))
-
-
-def scratch_for(pixels: np.ndarray) -> Scratch:
-    """Scratch at least as large as the picture; it grows and is shared, so use it on one thread."""
-    global _scratch
-    height, width = pixels.shape
-    if height > _scratch.cover.shape[0] or width > _scratch.cover.shape[1]:
-        height, width = max(height, _scratch.cover.shape[0]), max(width, _scratch.cover.shape[1])
-        extent = np.empty((height, 2), np.int64)
-        extent[:, 0], extent[:, 1] = 1 << 30, -1
-        _scratch = Scratch(
-            np.zeros((height, width), np.uint8), np.zeros((height, width + 2), np.float32), extent
-        )
-    return _scratch
-
-
 def straighten(surface: pygame.Surface) -> None:
     """Turn a surface's premultiplied colours into the straight ones that a plain blit expects."""
     pixels = pixels_of(surface)
@@ -165,58 +140,3 @@ def straighten(surface: pygame.Surface) -> None:
         channel = (pixels >> shift) & 0xFF
         result |= np.minimum(255, (channel * 255 + divisor // 2) // divisor) << shift
     pixels[:] = result
-
-
-def _warm_ups() -> list[tuple[str, Callable[[], object]]]:
-    """One call of each kernel on a tiny picture, with the kinds of argument that the program uses."""
-    pixels = np.zeros((8, 8), np.uint32)
-    clip = np.array((0, 0, 8, 8), np.int64)
-    points = np.array(((1.0, 1.0), (6.0, 1.0), (3.0, 6.0)))
-    radii, colors = np.ones(3), np.zeros(3, np.uint32)
-    segments = np.zeros((2, 4))
-
-    def scratch() -> Scratch:
-        return scratch_for(pixels)
-
-    return [
-        ("fill_disc", lambda: fill_disc(pixels, clip, 4.0, 4.0, 2.0, 0, 1.0)),
-        ("stroke_ring", lambda: stroke_ring(pixels, clip, 4.0, 4.0, 2.0, 1.0, 0, 1.0)),
-        ("stroke_arc", lambda: stroke_arc(pixels, clip, 4.0, 4.0, 2.0, 1.0, 0.0, 1.0, 0, 1.0)),
-        ("fill_discs", lambda: fill_discs(pixels, clip, points, radii, colors, 1.0)),
-        ("fill_particles", lambda: fill_particles(pixels, clip, points, colors, 1.15, 1.0)),
-        (
-            "fill_particle_streaks",
-            lambda: fill_particle_streaks(pixels, clip, points, points, colors, 1.15, 0.017, 1.0),
-        ),
-        ("color_by_speed", lambda: color_by_speed(points, 0, 0, 1.0, colors)),
-        (
-            "stroke_segment",
-            lambda: stroke_segment(pixels, clip, 1.0, 1.0, 5.0, 6.0, 2.0, ROUND, 0, 1.0),
-        ),
-        ("stroke_segments", lambda: stroke_segments(pixels, clip, segments, 1.0, BUTT, colors, 1.0)),
-        (
-            "stroke_polyline",
-            lambda: stroke_polyline(pixels, clip, scratch().cover, points, 1.0, True, 0, 1.0),
-        ),
-        (
-            "stroke_dashes",
-            lambda: stroke_dashes(pixels, clip, scratch().cover, points, 1.0, False, 2.0, 2.0, 0.0, 0, 1.0),
-        ),
-        (
-            "fill_polygon",
-            lambda: fill_polygon(pixels, clip, scratch().area, scratch().extent, points, 0, 1.0),
-        ),
-        (
-            "fill_arrow",
-            lambda: fill_arrow(
-                pixels, clip, scratch().area, scratch().extent, 1.0, 1.0, 6.0, 6.0, 1.0, 0, 1.0
-            ),
-        ),
-        ("fill_under", lambda: fill_under(pixels, clip, points, 8.0, 1.0, 0, 1.0)),
-        ("fill_box", lambda: fill_box(pixels, clip, 1.0, 1.0, 6.0, 6.0, 1.0, 0, 1.0)),
-        ("stroke_box", lambda: stroke_box(pixels, clip, 1.0, 1.0, 6.0, 6.0, 1.0, 1.0, 0, 1.0)),
-        ("fill_shadow", lambda: fill_shadow(pixels, clip, 1.0, 1.0, 6.0, 6.0, 1.0, 2.0, 0, 1.0)),
-    ]
-
-
-WARM_UPS = _warm_ups()

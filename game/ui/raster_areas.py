@@ -148,6 +148,25 @@ def fill_polygon(
 
 
 @kernel
+def _arrow_corner(corner: int, size: float, length: float) -> Any:
+    """Along and across of a corner of an arrow: neck, wing, point, wing, neck, and twice the tail."""
+    neck = length - HEAD_LENGTH * size
+    if corner == 0:
+        return neck, 0.5 * size
+    if corner == 1:
+        return neck, HEAD_HALF * size
+    if corner == 2:
+        return length, 0.0
+    if corner == 3:
+        return neck, -HEAD_HALF * size
+    if corner == 4:
+        return neck, -0.5 * size
+    if corner == 5:
+        return 0.0, -0.5 * size
+    return 0.0, 0.5 * size
+
+
+@kernel
 def fill_arrow(
     pixels: Any,
     clip: Any,
@@ -177,28 +196,14 @@ def fill_arrow(
         return
     ux, uy = dx / length, dy / length
     size = min(width, length / (HEAD_LENGTH + 0.4))
-    half, wing, neck = 0.5 * size, HEAD_HALF * size, length - HEAD_LENGTH * size
-    along, across = 0.0, half
-    px, py = x0 - half * uy, y0 + half * ux
-    top, bottom = min(y0, y1) - wing, max(y0, y1) + wing
+    along, across = _arrow_corner(6, size, length)
+    px, py = x0 + along * ux - across * uy, y0 + along * uy + across * ux
     for corner in range(7):
-        if corner == 0:
-            along, across = neck, half
-        elif corner == 1:
-            across = wing
-        elif corner == 2:
-            along, across = length, 0.0
-        elif corner == 3:
-            along, across = neck, -wing
-        elif corner == 4:
-            across = -half
-        elif corner == 5:
-            along = 0.0
-        else:
-            across = half
+        along, across = _arrow_corner(corner, size, length)
         qx, qy = x0 + along * ux - across * uy, y0 + along * uy + across * ux
         _add_edge(area, extent, px, py, qx, qy, x_low, y_low, x_high, y_high)
         px, py = qx, qy
+    top, bottom = min(y0, y1) - HEAD_HALF * size, max(y0, y1) + HEAD_HALF * size
     first = int(min(max(top - 1.0, 1.0 * y_low), 1.0 * y_high))
     last = int(min(max(bottom + 2.0, 1.0 * y_low), 1.0 * y_high))
     _sweep(pixels, area, extent, x_high, first, last, color, alpha)

@@ -58,6 +58,19 @@ def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: 
 
 
 @kernel
+def _arc_distance(forward: float, aside: float, radius: float, end_x: float, end_y: float) -> float:
+    """Distance from an arc that runs from straight forward to the direction (end_x, end_y) on both sides.
+
+    ``aside`` >= 0; ``end_x`` below -1 closes the ring.
+    """
+    distance = math.sqrt(forward * forward + aside * aside)
+    if forward >= distance * end_x:
+        return distance - radius
+    dx, dy = forward - radius * end_x, aside - radius * end_y
+    return math.sqrt(dx * dx + dy * dy)
+
+
+@kernel
 def stroke_arc(
     pixels: Any,
     clip: Any,
@@ -83,11 +96,9 @@ def stroke_arc(
     half = 0.5 * width
     outer = radius + half + 0.5
     gap = max(0.0, radius - half - 0.5)
-    closed = sweep >= 2.0 * math.pi
-    middle_x, middle_y = math.cos(start + 0.5 * sweep), math.sin(start + 0.5 * sweep)
-    limit = math.cos(0.5 * min(sweep, 2.0 * math.pi))
-    ax, ay = x + radius * math.cos(start), y + radius * math.sin(start)
-    bx, by = x + radius * math.cos(start + sweep), y + radius * math.sin(start + sweep)
+    half_sweep = 0.5 * sweep
+    across, along = math.cos(start + half_sweep), math.sin(start + half_sweep)
+    end_x, end_y = (math.cos(half_sweep), math.sin(half_sweep)) if half_sweep < math.pi else (-2.0, 0.0)
     x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - outer, y - outer, x + outer, y + outer)
     for row in range(y_low, y_high):
         dy = row + 0.5 - y
@@ -101,20 +112,12 @@ def stroke_arc(
         while column < last:
             dx = column + 0.5 - x
             if -hole < dx < hole - 1.0:  # nothing inside the ring
-                column = int(min(x + hole - 0.5, 1.0 * last))
-                dx = column + 0.5 - x
-                if column >= last:
-                    break
-            distance = math.sqrt(dx * dx + dy * dy)
-            if closed or dx * middle_x + dy * middle_y >= distance * limit:
-                away = distance - radius
-            else:
-                away = math.sqrt(
-                    min(
-                        (column + 0.5 - ax) * (column + 0.5 - ax) + (row + 0.5 - ay) * (row + 0.5 - ay),
-                        (column + 0.5 - bx) * (column + 0.5 - bx) + (row + 0.5 - by) * (row + 0.5 - by),
-                    )
-                )
+                column = max(column + 1, int(min(x + hole - 0.5, 1.0 * last)))
+                continue
+            # in a frame whose axes run along and across the middle of the arc, it is symmetric
+            away = _arc_distance(
+                dx * across + dy * along, abs(dy * across - dx * along), radius, end_x, end_y
+            )
             weight = weight_of(strip_coverage(away, half), alpha)
             if weight > 0:
                 blend(pixels, row, column, color, weight)

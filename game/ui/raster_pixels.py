@@ -61,6 +61,14 @@ def weight_of(coverage: float, alpha: float) -> int:
 
 
 @kernel
+def lay(pixels: Any, row: int, column: int, color: int, share: float) -> None:
+    """Lay a colour over a share 0 to 1 of one pixel; more counts as 1, less and nan as 0."""
+    weight = weight_of(share, 1.0)
+    if weight > 0:
+        blend(pixels, row, column, color, weight)
+
+
+@kernel
 def strip_coverage(distance: float, half: float) -> float:
     """Share of a one-pixel window ``distance`` from the middle of a strip that the strip covers.
 

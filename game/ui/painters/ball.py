@@ -17,10 +17,10 @@ import pygame
 
 from game.physics.jit import kernel
 from game.ui.painters import ball_look as look
+from game.ui.painters.ball_shadow import LARGEST_RADIUS, lamp_offset, paint_shadows
 from game.ui.raster_pixels import blend, clip_bounds, is_drawable, weight_of
 
 Array = np.ndarray
-LARGEST_RADIUS = 1000.0  # px
 
 
 @kernel
@@ -84,20 +84,21 @@ def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -
 
 
 @kernel
-def _lamp_offset(lamp: int, place_x: float, place_y: float) -> Any:
-    """From a ball to a lamp: its middle (x, y), and its nearest point (x, y), in metres along the table."""
-    dx, dy = look.LAMPS[lamp, 0] - place_x, look.LAMPS[lamp, 1] - place_y
-    half_x, half_y = look.LAMPS[lamp, 2], look.LAMPS[lamp, 3]
-    return dx, dy, dx - min(max(dx, -half_x), half_x), dy - min(max(dy, -half_y), half_y)
-
-
-@kernel
-def _beam(lamp: int, place_x: float, place_y: float) -> Any:
-    """A lamp as a ball sees it: unit vector to its nearest point, and its middle over its height."""
-    dx, dy, lx, ly = _lamp_offset(lamp, place_x, place_y)
-    height = look.LAMPS[lamp, 4]
-    length = math.sqrt(lx * lx + ly * ly + height * height)
-    return lx / length, ly / length, height / length, dx / height, dy / height
+def aim_lamps(places: Any, beams: Any) -> None:
+    """Write into ``beams`` (n, 2, 5) how each ball sees each lamp: unit vector to its nearest point, and its
+    middle (x, y) over its height. ``places`` (n, 2) m from the table's middle, x right, y up.
+    """
+    for i in range(places.shape[0]):
+        for lamp in range(look.LAMPS.shape[0]):
+            dx, dy, lx, ly = lamp_offset(lamp, places[i, 0], places[i, 1])
+            height = look.LAMPS[lamp, 4]
+            length = math.sqrt(lx * lx + ly * ly + height * height)
+            beams[i, lamp, 0], beams[i, lamp, 1], beams[i, lamp, 2] = (
+                lx / length,
+                ly / length,
+                height / length,
+            )
+            beams[i, lamp, 3], beams[i, lamp, 4] = dx / height, dy / height
 
 
 @kernel
@@ -108,20 +109,61 @@ def _diffuse(facing: float) -> float:
 
 
 @kernel
-def _glare(lamp: int, rx: float, ry: float, middle_x: float, middle_y: float, soft: float) -> float:
-    """Mirror image of a lamp where a ray (rx, ry, 1) from the ball meets its plane; ``soft`` is its blur."""
-    height = look.LAMPS[lamp, 4]
-    wide = max(0.06 / height, soft)
-    across = _soft_strip(ry - middle_y, look.LAMPS[lamp, 3] / height, wide)
-    if across <= 0.0:
-        return 0.0
-    return look.LAMPS[lamp, 5] * across * _soft_strip(rx - middle_x, look.LAMPS[lamp, 2] / height, wide)
+def _lamplight(nx: float, ny: float, nz: float, beams: Any, radius: float) -> Any:
+    """Diffuse light on a normal, and the mirror image of the lamps in it, summed over the lamps."""
+    lit, glare = 0.0, 0.0
+    up = 2.0 * nz * nz - 1.0  # of the mirrored ray
+    for lamp in range(look.LAMPS.shape[0]):
+        height, strength = look.LAMPS[lamp, 4], look.LAMPS[lamp, 5]
+        lit += strength * _diffuse(nx * beams[lamp, 0] + ny * beams[lamp, 1] + nz * beams[lamp, 2])
+        if up > 0.02:
+            # where the ray meets the lamp's plane, in heights; blurred by what one pixel sees
+            step = 2.0 * nz / up
+            soft = max(0.06 / height, 2.0 / (radius * up * up))
+            across = _soft_strip(ny * step - beams[lamp, 4], look.LAMPS[lamp, 3] / height, soft)
+            if across > 0.0:
+                glare += (
+                    strength
+                    * across
+                    * _soft_strip(nx * step - beams[lamp, 3], look.LAMPS[lamp, 2] / height, soft)
+                )
+    return lit, glare
 
 
 @kernel
 def _tone(light: float) -> int:
     """A channel 0 to 255 from linear light that is not negative."""
     return look.TONES[int(min(light, look.BRIGHTEST) * look.TONE_STEPS)]
+
+
+@kernel
+def _shade(
+    nx: float,
+    ny: float,
+    nz: float,
+    number: int,
+    turn: Any,
+    beams: Any,
+    texture: Any,
+    felt: Any,
+    radius: float,
+) -> int:
+    """Colour 0xRRGGBB of a ball where its unit normal is (nx, ny, nz)."""
+    px = turn[0, 0] * nx + turn[1, 0] * ny + turn[2, 0] * nz
+    py = turn[0, 1] * nx + turn[1, 1] * ny + turn[2, 1] * nz
+    pz = turn[0, 2] * nx + turn[1, 2] * ny + turn[2, 2] * nz
+    red, green, blue = _resin(texture, number, px, py, pz, radius * max(look.SOFTEST, nz))
+    lit, glare = _lamplight(nx, ny, nz, beams, radius)
+    rim = 1.0 - nz
+    grazing = (1.0 - look.FRESNEL) * rim * rim * rim * rim * rim
+    fresnel = look.FRESNEL + grazing
+    falling = (look.AMBIENT + look.FROM_ABOVE * nz + look.DIFFUSE * lit) * (1.0 - grazing)
+    bounce = look.BOUNCE * rim * math.sqrt(rim) * (1.0 - grazing)
+    mirrored = fresnel * max(0.0, 1.0 - 2.0 * nz * nz)  # the mirrored ray points at the cloth
+    shine = fresnel * look.GLARE * glare
+    color = _tone(red * (falling + bounce * felt[0]) + mirrored * felt[0] + shine) << 16
+    color |= _tone(green * (falling + bounce * felt[1]) + mirrored * felt[1] + shine) << 8
+    return color | _tone(blue * (falling + bounce * felt[2]) + mirrored * felt[2] + shine)
 
 
 @kernel
@@ -133,18 +175,14 @@ def _paint_ball(
     radius: float,
     number: int,
     turn: Any,
-    opacity: float,
-    place_x: float,
-    place_y: float,
+    beams: Any,
     texture: Any,
     felt: Any,
+    opacity: float,
 ) -> None:
     """One ball; ``turn`` (3, 3) from its frame to the screen's, felt (3,) in linear light."""  # fmt: skip
     reach = radius + 0.5
     x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
-    ax, ay, az, ax_mirror, ay_mirror = _beam(0, place_x, place_y)
-    bx, by, bz, bx_mirror, by_mirror = _beam(1, place_x, place_y)
-    felt_red, felt_green, felt_blue = felt[0], felt[1], felt[2]
     inner = max(0.0, 1.0 - 0.5 / radius)  # of the radius: from here on the rim shows
     for row in range(y_low, y_high):
         v = (y - row - 0.5) / radius
@@ -160,67 +198,8 @@ def _paint_ball(
                 if s > look.RIM:
                     nx, ny = u * look.RIM / s, v * look.RIM / s
             nz = math.sqrt(max(0.0, 1.0 - nx * nx - ny * ny))
-            px = turn[0, 0] * nx + turn[1, 0] * ny + turn[2, 0] * nz
-            py = turn[0, 1] * nx + turn[1, 1] * ny + turn[2, 1] * nz
-            pz = turn[0, 2] * nx + turn[1, 2] * ny + turn[2, 2] * nz
-            red, green, blue = _resin(texture, number, px, py, pz, radius * max(look.SOFTEST, nz))
-            lit = look.LAMPS[0, 5] * _diffuse(nx * ax + ny * ay + nz * az)
-            lit += look.LAMPS[1, 5] * _diffuse(nx * bx + ny * by + nz * bz)
-            rim = 1.0 - nz
-            grazing = (1.0 - look.FRESNEL) * rim * rim * rim * rim * rim
-            fresnel = look.FRESNEL + grazing
-            falling = (look.AMBIENT + look.FROM_ABOVE * nz + look.DIFFUSE * lit) * (1.0 - grazing)
-            bounce = look.BOUNCE * rim * math.sqrt(rim) * (1.0 - grazing)
-            down = 1.0 - 2.0 * nz * nz  # how far the mirrored ray points at the cloth
-            mirrored, shine = fresnel * max(0.0, down), 0.0
-            if down < -0.02:
-                steep = -1.0 / down
-                rx, ry, soft = 2.0 * nz * nx * steep, 2.0 * nz * ny * steep, 2.0 * steep * steep / radius
-                shine = _glare(0, rx, ry, ax_mirror, ay_mirror, soft)
-                shine += _glare(1, rx, ry, bx_mirror, by_mirror, soft)
-                shine *= fresnel * look.GLARE
-            color = _tone(red * (falling + bounce * felt_red) + mirrored * felt_red + shine) << 16
-            color |= _tone(green * (falling + bounce * felt_green) + mirrored * felt_green + shine) << 8
-            color |= _tone(blue * (falling + bounce * felt_blue) + mirrored * felt_blue + shine)
+            color = _shade(nx, ny, nz, number, turn, beams, texture, felt, radius)
             blend(pixels, row, column, color, weight_of(cover, opacity))
-
-
-@kernel
-def _paint_blob(
-    pixels: Any, clip: Any, x: float, y: float, radius: float, profile: Any, opacity: float
-) -> None:
-    """A round shadow that ends at ``radius``; ``profile`` is its strength by the square of the distance."""
-    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - radius, y - radius, x + radius, y + radius)
-    steps = profile.shape[0] / (radius * radius)
-    strength = 256.0 * min(1.0, max(0.0, opacity))
-    for row in range(y_low, y_high):
-        dy = row + 0.5 - y
-        for column in range(x_low, x_high):
-            dx = column + 0.5 - x
-            step = int((dx * dx + dy * dy) * steps)
-            if step < profile.shape[0]:
-                blend(pixels, row, column, 0, int(profile[step] * strength + 0.5))
-
-
-@kernel
-def paint_shadows(pixels: Any, clip: Any, points: Any, radii: Any, places: Any, opacities: Any) -> None:
-    """Shadows of balls: the dark spot they stand on, and the one that the nearer lamp casts.
-
-    ``points`` (n, 2) px, ``radii`` (n,) px, ``places`` (n, 2) m from the table's middle, x right, y up;
-    ``opacities`` (n,) 0 to 1.
-    """
-    for i in range(points.shape[0]):
-        x, y, r, opacity = points[i, 0], points[i, 1], radii[i], opacities[i]
-        if not (is_drawable(x) and is_drawable(y) and 0.5 <= r <= LARGEST_RADIUS):
-            continue
-        if is_drawable(places[i, 0]) and is_drawable(places[i, 1]):
-            _, _, lx, ly = _lamp_offset(0, places[i, 0], places[i, 1])
-            shift = look.CAST_SHIFT * r / look.LAMPS[0, 4]
-            cast_x, cast_y = x - shift * lx, y + shift * ly
-            reach = (look.CAST_RADIUS + look.CAST_BLUR) * r
-            _paint_blob(pixels, clip, cast_x, cast_y, reach, look.CAST_PROFILE, look.CAST_SHADE * opacity)
-        reach = (look.CONTACT_RADIUS + look.CONTACT_BLUR) * r
-        _paint_blob(pixels, clip, x, y, reach, look.CONTACT_PROFILE, look.CONTACT_SHADE * opacity)
 
 
 @kernel
@@ -231,33 +210,29 @@ def paint_balls(
     radii: Any,
     numbers: Any,
     turns: Any,
-    places: Any,
+    beams: Any,
     opacities: Any,
     texture: Any,
-    side: int,
     felt: Any,
 ) -> None:
-    """Balls whose digit texture has this ``side``; later ones on top.
+    """Balls whose radius asks for this digit texture; later ones on top.
 
     ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 15 (others are left out), ``turns``
-    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``places`` (n, 2) m from
-    the table's middle, ``opacities`` (n,), ``texture`` (16, side, side) uint8, ``felt`` (3,) linear light.
-    """  # fmt: skip
+    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``beams`` of
+    ``aim_lamps``, ``opacities`` (n,), ``texture`` (16, side, side) uint8, ``felt`` (3,) linear light.
+    """
     for i in range(points.shape[0]):
         x, y, radius, number = points[i, 0], points[i, 1], radii[i], numbers[i]
         if not (is_drawable(x) and is_drawable(y) and 0.5 <= radius <= LARGEST_RADIUS and 0 <= number < 16):
             continue
-        total = places[i, 0] + places[i, 1]
+        total = beams[i, 0, 0] + beams[i, 0, 1] + beams[i, 1, 3] + beams[i, 1, 4]
         for j in range(3):
             total += turns[i, j, 0] + turns[i, j, 1] + turns[i, j, 2]
         if not is_drawable(total):  # nan anywhere, and no table index is safe
             continue
-        if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != side:
+        if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != texture.shape[1]:
             continue
-        _paint_ball(
-            pixels, clip, x, y, radius, number, turns[i], opacities[i], places[i, 0], places[i, 1], texture,
-            felt,
-        )  # fmt: skip
+        _paint_ball(pixels, clip, x, y, radius, number, turns[i], beams[i], texture, felt, opacities[i])
 
 
 @lru_cache(maxsize=8)
@@ -272,7 +247,7 @@ class BallPainter:
     def __init__(self, felt: pygame.Color) -> None:
         self._felt = np.array([felt.r, felt.g, felt.b]) / 255.0
         self._felt *= self._felt
-        self._places = np.zeros((0, 2))
+        self._places, self._beams = np.zeros((0, 2)), np.zeros((0, 2, 5))
         self._opaque = np.ones(0)
         self._sides: tuple[int, ...] = ()
         self._radii = b""
@@ -303,27 +278,18 @@ class BallPainter:
         if not (math.isfinite(scale) and scale > 0.0):
             raise ValueError(f"balls: scale {scale!r} px/m is not positive and finite")
         if count != self._places.shape[0]:
-            self._places, self._opaque = np.zeros((count, 2)), np.ones(count)
+            self._places, self._beams = np.zeros((count, 2)), np.zeros((count, 2, 5))
+            self._opaque = np.ones(count)
         places = self._places
         np.subtract(points, middle, out=places)
         places *= (1.0 / scale, -1.0 / scale)
         solid = self._opaque if opacities is None else opacities
         if shadows:
             paint_shadows(pixels, clip, points, radii, places, solid)
+        aim_lamps(places, self._beams)
         for side in self._texture_sides(radii):
-            paint_balls(
-                pixels,
-                clip,
-                points,
-                radii,
-                numbers,
-                turns,
-                places,
-                solid,
-                texture_stack(side),
-                side,
-                self._felt,
-            )
+            digits = texture_stack(side)
+            paint_balls(pixels, clip, points, radii, numbers, turns, self._beams, solid, digits, self._felt)
 
     def _texture_sides(self, radii: Array) -> tuple[int, ...]:
         """Sides of the textures that these radii need, from small to large."""

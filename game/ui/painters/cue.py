@@ -77,6 +77,18 @@ def _light_on(side: float, lift: float) -> Any:
 
 
 @kernel
+def _stick_color(metres: float, side: float, radius: float, lift: float) -> int:
+    """Lit colour 0xRRGGBB of the stick at a place along and across it."""
+    red, green, blue = _wood_of(metres, side, radius)
+    bright, gleam = _light_on(side, lift)
+    color = 0
+    for channel in (red, green, blue):
+        lit = channel * bright
+        color = (color << 8) | int(min(255.0, lit + gleam * (255.0 - lit)))
+    return color
+
+
+@kernel
 def paint_cue(
     pixels: Any,
     clip: Any,
@@ -116,12 +128,7 @@ def paint_cue(
             if cover <= 0.0:
                 continue
             side = min(1.0, max(-1.0, across / radius))
-            red, green, blue = _wood_of(metres, side, radius)
-            bright, gleam = _light_on(side, -along_x)
-            color = 0
-            for channel in (red, green, blue):
-                lit = channel * bright
-                color = (color << 8) | int(min(255.0, lit + gleam * (255.0 - lit)))
+            color = _stick_color(metres, side, radius, -along_x)
             blend(pixels, row, column, color, weight_of(cover, 1.0))
 
 

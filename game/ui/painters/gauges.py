@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 import pygame
 
 from game.ui.fonts import FontBook, format_number
+from game.ui.measures import border_width
 from game.ui.numerals import NOTHING
 from game.ui.painters.ball_picture import plain_ball_picture
 from game.ui.raster import (
@@ -36,78 +38,86 @@ SPIN_RADIUS = 30.0
 DIAL_RADIUS = 40.0
 
 
+class _Bar(NamedTuple):
+    """Where the power bar stands, in coordinates of the window: edges, middle of 0 and of the top."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+    zero: float
+    full: float
+    line: float  # width of an outline
+
+
 def draw_power(
     surface: pygame.Surface, rect: pygame.Rect, speed: float, top_speed: float, theme: Theme, book: FontBook
 ) -> None:
     """A bar from 0 to ``top_speed`` m/s inside ``rect``, with its scale, a pointer and the figure below it.
 
-    The bar stands in the middle of ``rect``, which should be 64 design px wide; "Power" stands above, the
-    figure below.
+    The bar stands in the middle of ``rect``, which should be 64 design px wide; "Power" stands above.
     """
     k = book.k
-    share = min(1.0, max(0.0, speed / top_speed)) if math.isfinite(speed) and top_speed > 0.0 else 0.0
-    pixels, clip = pixels_of(surface), clip_of(surface)
     ox, oy = surface.get_abs_offset()
-    left = float(round(rect.centerx - 0.5 * POWER_WIDTH * k))
-    right = left + round(POWER_WIDTH * k)
-    high, low = float(rect.y + round(44 * k)), float(rect.bottom - round(60 * k))
-    if low - high < 32.0 * k:
+    left = float(ox + round(rect.centerx - 0.5 * POWER_WIDTH * k))
+    top, bottom = float(oy + rect.y + round(44 * k)), float(oy + rect.bottom - round(60 * k))
+    if bottom - top < 32.0 * k:
         return
-    line, radius = max(1.0, float(math.floor(k + 0.5))), 0.5 * (right - left)
-    inner = 8.0 * k  # the round ends lie beyond 0 and the top
-    level = low - inner - share * (low - high - 2.0 * inner)
-    a, b = ox + left, ox + right
-    fill_box(pixels, clip, a, oy + high, b, oy + low, radius, packed(theme.inset), 1.0)
-    bar = np.array(
-        (max(clip[0], int(a)), max(clip[1], int(oy + level)), min(clip[2], int(b)), clip[3]), np.int64
+    end = 8.0 * k  # the round ends lie beyond 0 and the top
+    bar = _Bar(
+        left, top, left + round(POWER_WIDTH * k), bottom, bottom - end, top + end, float(border_width(k))
     )
-    fill_box(
-        pixels,
-        bar,
-        a + 2 * line,
-        oy + high,
-        b - 2 * line,
-        oy + low - 2 * line,
-        radius,
-        packed(theme.accent),
-        1.0,
-    )
-    stroke_box(pixels, clip, a, oy + high, b, oy + low, radius, line, packed(theme.line2), 1.0)
-    cut = math.floor(oy + level)
-    fill_box(pixels, clip, a + line, float(cut), b - line, cut + line, 0.0, packed(theme.text1), 1.0)
-    _, area, extent = scratch_for(pixels)
-    x = b + 6.0 * k
-    mark = np.array(((x, cut + 0.5), (x + 9.0 * k, cut - 5.5 * k), (x + 9.0 * k, cut + 6.5 * k)))
-    fill_polygon(pixels, clip, area, extent, mark, packed(theme.text1), 1.0)
-    for i in range(11):
-        y = float(math.floor(low - inner - (low - high - 2.0 * inner) * i / 10.0))
-        reach = 7.0 if i % 2 == 0 else 4.0
-        if abs(oy + y - cut) > 8.0 * k:
-            fill_box(
-                pixels,
-                clip,
-                b + 4 * k,
-                oy + y,
-                b + (4 + reach) * k,
-                oy + y + line,
-                0.0,
-                packed(theme.line2),
-                1.0,
-            )
-        if i % 2 == 0:
-            book.draw(
-                surface,
-                format_number(round(top_speed * i / 10.0)),
-                (left - 8 * k, y),
-                12,
-                "medium",
-                theme.text2,
-                "right",
-            )
-    book.draw(surface, "Power", (rect.centerx, rect.y + 8 * k), 13, "medium", theme.text2, "center")
+    share = min(1.0, max(0.0, speed / top_speed)) if math.isfinite(speed) and top_speed > 0.0 else 0.0
+    level = float(math.floor(bar.zero + share * (bar.full - bar.zero)))
+    _draw_filling(surface, bar, level, theme)
+    _draw_pointer(surface, bar, level, theme, k)
+    _draw_scale(surface, bar, level, top_speed, theme, book)
+    x, foot = rect.centerx, bottom - oy
+    book.draw(surface, "Power", (x, rect.y + 8 * k), 13, "medium", theme.text2, "center")
     figure = f"{speed:.1f}" if math.isfinite(speed) else NOTHING
-    book.draw(surface, figure, (rect.centerx, low + 24 * k), 18, "semibold", theme.text1, "center")
-    book.draw(surface, "m/s", (rect.centerx, low + 46 * k), 12, "medium", theme.text2, "center")
+    book.draw(surface, figure, (x, foot + 24 * k), 18, "semibold", theme.text1, "center")
+    book.draw(surface, "m/s", (x, foot + 46 * k), 12, "medium", theme.text2, "center")
+
+
+def _draw_filling(surface: pygame.Surface, bar: _Bar, level: float, theme: Theme) -> None:
+    """Tray, filling up to the level, outline."""
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    left, top, right, bottom, w = bar.left, bar.top, bar.right, bar.bottom, bar.line
+    radius = 0.5 * (right - left)
+    fill_box(pixels, clip, left, top, right, bottom, radius, packed(theme.inset), 1.0)
+    below = clip.copy()
+    below[1] = max(clip[1], int(level))
+    fill_box(
+        pixels, below, left + 2 * w, top, right - 2 * w, bottom - 2 * w, radius, packed(theme.chalk.mark), 1.0
+    )
+    stroke_box(pixels, clip, left, top, right, bottom, radius, w, packed(theme.line2), 1.0)
+
+
+def _draw_pointer(surface: pygame.Surface, bar: _Bar, level: float, theme: Theme, k: float) -> None:
+    """A line across the bar at the level, and a triangle at its right."""
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    _, area, extent = scratch_for(pixels)
+    ink = packed(theme.text1)
+    fill_box(pixels, clip, bar.left + bar.line, level, bar.right - bar.line, level + bar.line, 0.0, ink, 1.0)
+    x, y = bar.right + 6.0 * k, level + 0.5 * bar.line
+    corners = np.array(((x, y), (x + 9.0 * k, y - 6.0 * k), (x + 9.0 * k, y + 6.0 * k)))
+    fill_polygon(pixels, clip, area, extent, corners, ink, 1.0)
+
+
+def _draw_scale(
+    surface: pygame.Surface, bar: _Bar, level: float, top_speed: float, theme: Theme, book: FontBook
+) -> None:
+    """Ten ticks at the right, which give way to the pointer, and every second one's figure at the left."""
+    pixels, clip, k = pixels_of(surface), clip_of(surface), book.k
+    ox, oy = surface.get_abs_offset()
+    for i in range(11):
+        y = float(math.floor(bar.zero + (bar.full - bar.zero) * i / 10.0))
+        x0, x1 = bar.right + 4 * k, bar.right + (11 if i % 2 == 0 else 8) * k
+        if abs(y - level) > 8.0 * k:
+            fill_box(pixels, clip, x0, y, x1, y + bar.line, 0.0, packed(theme.line2), 1.0)
+        if i % 2 == 0 and math.isfinite(top_speed):
+            place, text = (bar.left - ox - 8 * k, y - oy), format_number(round(top_speed * i / 10.0))
+            book.draw(surface, text, place, 12, "medium", theme.text2, "right")
 
 
 @lru_cache(maxsize=8)

@@ -16,7 +16,7 @@ import pygame
 from game.billiards.table import CUSHION_DEPTH, Table
 from game.ui import theme as colors
 from game.ui.painters.table_shapes import CushionShape, cushion_shapes
-from game.ui.painters.table_surface import paint_cloth_and_wood, paint_glow, paint_pocket
+from game.ui.painters.table_surface import DRAWN_AT, paint_cloth_and_wood, paint_glow, paint_pocket
 from game.ui.raster import (
     BUTT,
     clip_of,
@@ -34,7 +34,6 @@ from game.ui.theme import Theme
 Array = np.ndarray
 WOOD = 0.074  # m; breadth of the frame
 SURROUND = CUSHION_DEPTH + WOOD  # m; from the nose to the table's outer edge
-DRAWN_AT = 403.0  # px/m; the scale at which lines were drawn one pixel wide
 SIGHT_LONG, SIGHT_SHORT = 0.0171, 0.0104  # m; half diagonals of a sight
 SPOT_RADIUS = 0.0051  # m
 SHADOW_DOWN, SHADOW_BLUR = 0.020, 0.050  # m
@@ -142,10 +141,9 @@ def _draw_ground(pixels: Array, clip: Array, table: Table, view: TableView, them
     _draw_shadow(
         pixels, clip, (x - reach_x, y - reach_y, x + reach_x, y + reach_y), s, 0.51 if dark else 0.21
     )
-    paint_cloth_and_wood(
-        pixels, x, y, half_x, half_y, s, CUSHION_DEPTH * s, WOOD * s, _channels(colors.FELT),
-        _channels(colors.WOOD_DARK), _channels(colors.WOOD_LIGHT), 0.79 if dark else 1.12,
-    )  # fmt: skip
+    bed = np.array((x, y, half_x, half_y))
+    inks = np.stack([_channels(c) for c in (colors.FELT, colors.WOOD_DARK, colors.WOOD_LIGHT)])
+    paint_cloth_and_wood(pixels, bed, s, CUSHION_DEPTH * s, WOOD * s, inks, 0.79 if dark else 1.12)
 
 
 def _draw_shadow(
@@ -207,14 +205,13 @@ def _draw_pockets(pixels: Array, clip: Array, table: Table, view: TableView, the
     brass = packed(
         colors.mix(pygame.Color(0, 0, 0), colors.POCKET_RING, 0.80 if theme.name == "dark" else 1.0)
     )
+    unit = _line(view) if s > 150.0 else 1.6 * s / DRAWN_AT
     for x, y, radius in table.pockets:
         px, py = view.to_screen(float(x), float(y))
         at_side = radius < y < table.length - radius
         lip = SIDE_LINER * s if at_side else 0.0
-        paint_pocket(
-            pixels, clip, px, py, float(radius) * s, _line(view) if s > 150.0 else s / DRAWN_AT * 1.6, left,
-            top + lip, right, bottom - lip, brass,
-        )  # fmt: skip
+        wood = np.array((left, top + lip, right, bottom - lip))
+        paint_pocket(pixels, clip, px, py, float(radius) * s, unit, wood, brass)
 
 
 def _draw_sights(pixels: Array, clip: Array, table: Table, view: TableView) -> None:

@@ -9,12 +9,13 @@ import math
 from typing import Any
 
 from game.physics.jit import kernel
-from game.ui.raster_pixels import OPAQUE, blend, clip_bounds, weight_of
+from game.ui.raster_pixels import OPAQUE, clip_bounds, lay
 
 LIGHT_HALF = 0.79  # m; the pool of light is even over this half length
 LIGHT_SHIFT = 0.11  # m; its middle lies so far towards the upper rail
 SHADE_TOP, SHADE_SIDE, SHADE_BOTTOM = 0.030, 0.023, 0.021  # m; reach of the cushions' shade on the cloth
 GRAIN_ACROSS = 110.0  # 1/m; streaks of the wood, 30 times as long as broad
+DRAWN_AT = 403.0  # px/m; the scale at which lines were drawn one pixel wide
 CORNER = 0.048  # m; radius of the frame's corners
 
 
@@ -44,7 +45,7 @@ def _channel(value: float) -> int:
 
 
 @kernel
-def _cloth(x: float, y: float, half_x: float, half_y: float, scale: float, column: int, row: int) -> float:
+def _cloth(x: float, y: float, half_x: float, half_y: float, column: int, row: int) -> float:
     """Brightness of the cloth at a place in metres from the middle of the bed (x right, y up)."""
     dx, dy = max(0.0, abs(x) - LIGHT_HALF * half_x / 1.27), y - LIGHT_SHIFT
     light = 0.40 + 0.74 * 0.91 / (1.0 + dx * dx + dy * dy)
@@ -73,9 +74,7 @@ def _frame_depth(x: float, y: float, half_x: float, half_y: float, corner: float
 
 
 @kernel
-def _wood(
-    x: float, y: float, outer: float, inner: float, slack: float, half_x: float, half_y: float, scale: float
-) -> Any:
+def _wood(x: float, y: float, outer: float, inner: float, slack: float, scale: float) -> Any:
     """Grain, brightness and gleam of the frame at (x, y) m; ``outer``, ``inner`` px from its edges."""
     if slack > 0.0:
         grain = _timber(x, y, 11 if y > 0.0 else 12)
@@ -83,7 +82,7 @@ def _wood(
     else:
         grain = _timber(y, x, 13 if x > 0.0 else 14)
         edge, gleam, rim = (0.12, 0.13, 0.76) if x > 0.0 else (0.05, 0.12, 0.72)
-    unit = max(1.0, scale / 403.0)  # a line of the drawing at 1280 x 720
+    unit = max(1.0, scale / DRAWN_AT)  # a line of the drawing at 1280 x 720
     bevel = min(1.0, max(0.0, 2.0 - 0.5 * outer / unit))
     outline = min(1.0, max(0.0, unit + 0.5 - outer))
     brightness = (1.0 + edge * bevel) * (1.0 - outline) + rim * outline
@@ -112,30 +111,50 @@ def paint_glow(pixels: Any, middle_x: float, middle_y: float, color: int, lift: 
 
 
 @kernel
-def paint_cloth_and_wood(
-    pixels: Any,
-    middle_x: float,
-    middle_y: float,
-    half_x: float,
-    half_y: float,
+def _packed(red: float, green: float, blue: float) -> int:
+    """Three channels as a colour 0xRRGGBB."""
+    return (_channel(red) << 16) | (_channel(green) << 8) | _channel(blue)
+
+
+@kernel
+def _wood_color(
+    px: float,
+    py: float,
+    outer: float,
+    inner: float,
+    slack: float,
     scale: float,
-    cushion: float,
-    wood: float,
-    felt: Any,
     dark: Any,
     light: Any,
     glow: float,
-) -> None:
-    """Bed and frame: the bed of half sides ``half_x``, ``half_y`` px round its middle, ``scale`` px/m.
+) -> int:
+    """Colour of the frame at a place px from the middle of the bed (x right, y up)."""
+    grain, b, gleam = _wood(px / scale, py / scale, outer, inner, slack, scale)
+    b *= glow
+    red = (dark[0] + grain * (light[0] - dark[0])) * b
+    green = (dark[1] + grain * (light[1] - dark[1])) * b
+    blue = (dark[2] + grain * (light[2] - dark[2])) * b
+    if inner <= max(1.0, scale / DRAWN_AT):
+        red, green, blue = 37.0, 30.0, 22.0  # the joint to the cushion
+    return _packed(
+        red + gleam * (255.0 - red), green + gleam * (205.0 - green), blue + gleam * (165.0 - blue)
+    )
 
-    ``cushion`` and ``wood`` px are the breadths of what surrounds it, ``glow`` the brightness of the wood.
-    Where the cushions will lie the cloth goes on. Outside of the frame nothing changes.
-    """  # fmt: skip
+
+@kernel
+def paint_cloth_and_wood(
+    pixels: Any, box: Any, scale: float, cushion: float, wood: float, inks: Any, glow: float
+) -> None:
+    """Bed and frame. ``box``: middle x, y and half sides x, y of the bed, px; ``scale`` px/m.
+
+    ``cushion`` and ``wood`` px are the breadths of what surrounds it, ``inks`` (3, 3) the colours of felt,
+    dark and light wood, ``glow`` the brightness of the wood. Where the cushions will lie the cloth goes on.
+    Outside of the frame nothing changes.
+    """
+    middle_x, middle_y, half_x, half_y = box[0], box[1], box[2], box[3]
     reach_x, reach_y = half_x + cushion, half_y + cushion
     frame_x, frame_y = reach_x + wood, reach_y + wood
     corner = min(CORNER * scale, 0.9 * wood)
-    bed_x, bed_y = half_x / scale, half_y / scale
-    unit = max(1.0, scale / 403.0)
     top, bottom = max(0, math.floor(middle_y - frame_y)), min(pixels.shape[0], math.ceil(middle_y + frame_y))
     left, right = max(0, math.floor(middle_x - frame_x)), min(pixels.shape[1], math.ceil(middle_x + frame_x))
     for row in range(top, bottom):
@@ -144,32 +163,14 @@ def paint_cloth_and_wood(
             px = column + 0.5 - middle_x
             inner = max(abs(px) - reach_x, abs(py) - reach_y)
             if inner <= 0.0:
-                b = _cloth(px / scale, py / scale, bed_x, bed_y, scale, column, row)
-                pixels[row, column] = (
-                    OPAQUE
-                    | (_channel(felt[0] * b) << 16)
-                    | (_channel(felt[1] * b) << 8)
-                    | _channel(felt[2] * b)
-                )
+                b = _cloth(px / scale, py / scale, half_x / scale, half_y / scale, column, row)
+                pixels[row, column] = OPAQUE | _packed(inks[0, 0] * b, inks[0, 1] * b, inks[0, 2] * b)
                 continue
             outer = _frame_depth(px, py, frame_x, frame_y, corner)
-            if outer <= -0.5:
-                continue
-            slack = (abs(py) - reach_y) - (abs(px) - reach_x)  # > 0 on the long rails
-            grain, b, gleam = _wood(px / scale, py / scale, outer, inner, slack, bed_x, bed_y, scale)
-            b *= glow
-            red = (dark[0] + grain * (light[0] - dark[0])) * b
-            green = (dark[1] + grain * (light[1] - dark[1])) * b
-            blue = (dark[2] + grain * (light[2] - dark[2])) * b
-            if inner <= unit:
-                red, green, blue = 37.0, 30.0, 22.0  # the joint to the cushion
-            red, green, blue = (
-                red + gleam * (255 - red),
-                green + gleam * (205 - green),
-                blue + gleam * (165 - blue),
-            )
-            color = (_channel(red) << 16) | (_channel(green) << 8) | _channel(blue)
-            blend(pixels, row, column, color, weight_of(min(1.0, outer + 0.5), 1.0))
+            if outer > -0.5:
+                slack = (abs(py) - reach_y) - (abs(px) - reach_x)  # > 0 on the long rails
+                color = _wood_color(px, py, outer, inner, slack, scale, inks[1], inks[2], glow)
+                lay(pixels, row, column, color, outer + 0.5)
 
 
 @kernel
@@ -180,65 +181,37 @@ def _ring_share(distance: float, radius: float, width: float) -> float:
 
 
 @kernel
+def _lay_liner(pixels: Any, row: int, column: int, d: float, radius: float, unit: float, brass: int) -> None:
+    """Wood side of a pocket at a distance from its middle: shade, leather, its rim, brass."""
+    lay(pixels, row, column, 0, 0.16 * (1.0 - abs(d - radius - 7.5 * unit) / (3.0 * unit)))
+    lay(pixels, row, column, 0x2A211B, radius + 6.9 * unit + 0.5 - d)
+    lay(pixels, row, column, 0x43362C, _ring_share(d, radius + 1.6 * unit, 1.8 * unit))
+    lay(pixels, row, column, brass, _ring_share(d, radius + 6.4 * unit, 1.3 * unit))
+
+
+@kernel
 def paint_pocket(
-    pixels: Any,
-    clip: Any,
-    x: float,
-    y: float,
-    radius: float,
-    unit: float,
-    wood_left: float,
-    wood_top: float,
-    wood_right: float,
-    wood_bottom: float,
-    brass: int,
+    pixels: Any, clip: Any, x: float, y: float, radius: float, unit: float, wood: Any, brass: int
 ) -> None:
     """A hole, its leather liner and brass arc where it cuts the wood, shade where it cuts the cloth.
 
-    ``unit`` px is a line of the drawing at 1280 x 720; the wood lies outside of the given box.
-    """  # fmt: skip
+    ``unit`` px is a line of the drawing at 1280 x 720; the wood lies outside of the box ``wood`` (left, top,
+    right, bottom px).
+    """
     reach = radius + 12.0 * unit
     x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
     for row in range(y_low, y_high):
         for column in range(x_low, x_high):
             px, py = column + 0.5, row + 0.5
-            dx, dy = px - x, py - y
-            d = math.sqrt(dx * dx + dy * dy)
+            d = math.sqrt((px - x) * (px - x) + (py - y) * (py - y))
             if d > reach:
                 continue
-            if px < wood_left or px > wood_right or py < wood_top or py > wood_bottom:
-                outside = (d - radius - 7.5 * unit) / (3.0 * unit)
-                blend(pixels, row, column, 0, weight_of(0.16 * max(0.0, 1.0 - abs(outside)), 1.0))
-                blend(
-                    pixels,
-                    row,
-                    column,
-                    0x2A211B,
-                    weight_of(min(1.0, max(0.0, radius + 6.9 * unit + 0.5 - d)), 1.0),
-                )
-                blend(
-                    pixels,
-                    row,
-                    column,
-                    0x43362C,
-                    weight_of(_ring_share(d, radius + 1.6 * unit, 1.8 * unit), 1.0),
-                )
-                blend(
-                    pixels,
-                    row,
-                    column,
-                    brass,
-                    weight_of(_ring_share(d, radius + 6.4 * unit, 1.3 * unit), 1.0),
-                )
+            if px < wood[0] or py < wood[1] or px > wood[2] or py > wood[3]:
+                _lay_liner(pixels, row, column, d, radius, unit, brass)
             else:
-                shade = 1.0 - max(0.0, d - radius) / (3.6 * unit)
-                blend(pixels, row, column, 0, weight_of(0.62 * max(0.0, shade) * max(0.0, shade), 1.0))
-                blend(
-                    pixels, row, column, 0x3F362E, weight_of(_ring_share(d, radius - 0.2 * unit, unit), 0.9)
-                )
-            depth = min(1.0, max(0.0, (radius - d) / (10.0 * unit)))
-            grey = int(8.0 - 5.0 * depth)
+                shade = max(0.0, 1.0 - max(0.0, d - radius) / (3.6 * unit))
+                lay(pixels, row, column, 0, 0.62 * shade * shade)
+                lay(pixels, row, column, 0x3F362E, 0.9 * _ring_share(d, radius - 0.2 * unit, unit))
+            grey = int(8.0 - 5.0 * min(1.0, max(0.0, (radius - d) / (10.0 * unit))))
             hole = (grey << 16) | ((grey + 1) << 8) | (grey + 1)
-            blend(
-                pixels, row, column, hole, weight_of(min(1.0, max(0.0, radius - 0.4 * unit + 0.5 - d)), 1.0)
-            )
+            lay(pixels, row, column, hole, radius - 0.4 * unit + 0.5 - d)

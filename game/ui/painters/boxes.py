@@ -1,0 +1,161 @@
+"""Very many upright boxes at once, each of a kind that has a fill and an outline; and cells shaded by load.
+
+A box too small for an outline is filled with its outline's colour, by the share of each pixel that it
+covers. Between two states a box is drawn where it is on its way, unless it has leapt.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.physics.jit import kernel
+from game.ui.canvas import Canvas
+
+HIDDEN = 255  # kind of a box that is not drawn
+SMALLEST_OUTLINED = 5.0  # px
+LEAST_SIDE = 1.0  # px; a thinner box is drawn so wide
+
+
+@kernel(inline="always")
+def _mix(below, color, weight):
+    """A colour 0xRRGGBB over a pixel with ``weight`` 0 to 256."""
+    keep = 256 - weight
+    red_blue = ((color & 0xFF00FF) * weight + (below & 0xFF00FF) * keep + 0x800080) >> 8
+    over = ((color >> 8) & 0xFF00FF) | 0xFF0000
+    alpha_green = over * weight + ((below >> 8) & 0xFF00FF) * keep + 0x800080
+    return (red_blue & 0xFF00FF) | (alpha_green & 0xFF00FF00)
+
+
+@kernel
+def paint_boxes(
+    pixels, clip, affine, lowers, uppers, old_lowers, old_uppers, share, leap, kinds, inks, weights, edge
+):
+    """Boxes in world units, through ``affine`` (6,) a b c d e f: x' = a x + b y + e, y' = c x + d y + f, px.
+
+    ``lowers``, ``uppers``, ``old_lowers``, ``old_uppers``: (n, 2), now and before; drawn at ``share`` of the
+    way, or now where a corner moved further than ``leap``. ``kinds``: (n,). ``inks``, ``weights``: (kinds, 2)
+    colour 0xRRGGBB and 0 to 256 of fill and outline. ``edge``: px, width of outlines.
+    """
+    left_end, top_end = max(0, clip[0]), max(0, clip[1])
+    right_end, bottom_end = min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
+    for box in range(len(kinds)):
+        kind = kinds[box]
+        if kind == HIDDEN:
+            continue
+        way = share
+        if (
+            abs(lowers[box, 0] - old_lowers[box, 0]) > leap
+            or abs(lowers[box, 1] - old_lowers[box, 1]) > leap
+            or not abs(uppers[box, 0] - old_uppers[box, 0]) <= leap
+            or not abs(uppers[box, 1] - old_uppers[box, 1]) <= leap
+        ):
+            way = 1.0
+        x0, y0, x1, y1 = lowers[box, 0], lowers[box, 1], uppers[box, 0], uppers[box, 1]
+        if way < 1.0:
+            x0 = old_lowers[box, 0] + way * (x0 - old_lowers[box, 0])
+            y0 = old_lowers[box, 1] + way * (y0 - old_lowers[box, 1])
+            x1 = old_uppers[box, 0] + way * (x1 - old_uppers[box, 0])
+            y1 = old_uppers[box, 1] + way * (y1 - old_uppers[box, 1])
+        x0, y0 = min(max(x0, -1e6), 1e6), min(max(y0, -1e6), 1e6)
+        x1, y1 = min(max(x1, -1e6), 1e6), min(max(y1, -1e6), 1e6)
+        u0 = affine[0] * x0 + affine[1] * y0 + affine[4]
+        v0 = affine[2] * x0 + affine[3] * y0 + affine[5]
+        u1 = affine[0] * x1 + affine[1] * y1 + affine[4]
+        v1 = affine[2] * x1 + affine[3] * y1 + affine[5]
+        left, right = min(u0, u1), max(u0, u1)
+        top, bottom = min(v0, v1), max(v0, v1)
+        if not (right >= left_end - 1.0 and left <= right_end and bottom >= top_end - 1.0 and top <= bottom_end):
+            continue
+        left, top = max(left, left_end - 9.0), max(top, top_end - 9.0)
+        right, bottom = min(right, right_end + 9.0), min(bottom, bottom_end + 9.0)
+        fill, fill_weight = int(inks[kind, 0]), int(weights[kind, 0])
+        line, line_weight = int(inks[kind, 1]), int(weights[kind, 1])
+        if right - left >= SMALLEST_OUTLINED and bottom - top >= SMALLEST_OUTLINED:
+            c0, c1 = int(left + 10.5) - 10, int(right + 10.5) - 10
+            r0, r1 = int(top + 10.5) - 10, int(bottom + 10.5) - 10
+            for row in range(max(r0, top_end), min(r1, bottom_end)):
+                rim = row < r0 + edge or row >= r1 - edge
+                for column in range(max(c0, left_end), min(c1, right_end)):
+                    below = int(pixels[row, column])
+                    if rim or column < c0 + edge or column >= c1 - edge:
+                        pixels[row, column] = _mix(below, line, line_weight)
+                    elif fill_weight > 0:
+                        pixels[row, column] = _mix(below, fill, fill_weight)
+            continue
+        if right - left < LEAST_SIDE:
+            left, right = 0.5 * (left + right - LEAST_SIDE), 0.5 * (left + right + LEAST_SIDE)
+        if bottom - top < LEAST_SIDE:
+            top, bottom = 0.5 * (top + bottom - LEAST_SIDE), 0.5 * (top + bottom + LEAST_SIDE)
+        for row in range(max(int(top + 10.0) - 10, top_end), min(int(bottom + 1.0), bottom_end)):
+            down = min(row + 1.0, bottom) - max(row * 1.0, top)
+            for column in range(max(int(left + 10.0) - 10, left_end), min(int(right + 1.0), right_end)):
+                across = min(column + 1.0, right) - max(column * 1.0, left)
+                weight = int(line_weight * min(max(down * across, 0.0), 1.0) + 0.5)
+                pixels[row, column] = _mix(int(pixels[row, column]), line, weight)
+
+
+class BoxPainter:
+    """Paints boxes by kind on a canvas. ``styles``: for each kind, (fill, its share, outline, its share)."""
+
+    def __init__(self, styles: tuple[tuple[str, float, str, float], ...]):
+        self._styles = styles
+
+    def paint(
+        self,
+        canvas: Canvas,
+        lowers: Any,
+        uppers: Any,
+        kinds: Any,
+        before: tuple[Any, Any] | None = None,
+        share: float = 1.0,
+        leap: float = 1.0,
+    ) -> None:
+        """Boxes from ``lowers`` to ``uppers``, (n, 2) world units; ``kinds`` (n,) uint8, HIDDEN for none.
+
+        ``before``: the same of the state before, if they are to be drawn at ``share`` of the way from there.
+        """
+        inks = np.array([(canvas.ink(fill), canvas.ink(line)) for fill, _, line, _ in self._styles])
+        weights = np.array([(round(256 * a), round(256 * b)) for _, a, _, b in self._styles])
+        pixels, clip = canvas.raster_target
+        old_lowers, old_uppers = before if before is not None else (lowers, uppers)
+        paint_boxes(
+            pixels, clip, _affine_of(canvas), lowers, uppers, old_lowers, old_uppers,
+            float(share) if before is not None else 1.0, float(leap), kinds,
+            inks.astype(np.int64), weights.astype(np.int64), max(round(canvas.k), 1),
+        )  # fmt: skip
+
+
+def _affine_of(canvas: Canvas) -> NDArray[np.float64]:
+    """The map from world to pixels, from where it takes three points."""
+    e, f = canvas.place((0.0, 0.0))
+    a, c = canvas.place((1.0, 0.0))
+    b, d = canvas.place((0.0, 1.0))
+    return np.array([a - e, b - e, c - f, d - f, e, f])
+
+
+def shades(canvas: Canvas, values: Any, color: str, ground: str = "stage") -> NDArray[np.uint32]:
+    """Colours 0xRRGGBB from ``ground`` (value 0) to ``color`` (value 1), of the shape of ``values``."""
+    share = np.clip(np.asarray(values, dtype=np.float64), 0.0, 1.0)[..., None]
+    low, high = (
+        np.array([canvas.ink(token) >> shift & 255 for shift in (16, 8, 0)]) for token in (ground, color)
+    )
+    mixed = np.rint(low + share * (high - low)).astype(np.uint32)
+    return mixed[..., 0] << 16 | mixed[..., 1] << 8 | mixed[..., 2]
+
+
+def paint_raster(
+    canvas: Canvas, colors: NDArray[np.uint32], lower: tuple[float, float], upper: tuple[float, float]
+) -> None:
+    """A picture of (rows, columns) colours 0xRRGGBB, its first row lowest, stretched over a part of the world."""
+    (left, bottom), (right, top) = canvas.place(lower), canvas.place(upper)
+    if not (1.0 <= right - left <= 8192.0 and 1.0 <= bottom - top <= 8192.0) or colors.size == 0:
+        return
+    size = colors.shape[1], colors.shape[0]
+    flipped = np.ascontiguousarray(colors[::-1] | np.uint32(0xFF000000))
+    picture = pygame.image.frombuffer(flipped.tobytes(), size, "BGRA")
+    width, height = max(round(right) - round(left), 1), max(round(bottom) - round(top), 1)
+    canvas.blit(pygame.transform.scale(picture, (width, height)), (lower[0], upper[1]), anchor="topleft")
