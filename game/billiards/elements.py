@@ -43,13 +43,13 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 WITHIN = 1e-12  # m; rounding of a ball that touches a rail
 LONGEST_SEARCH = 1e9  # s; stands for "without end" where nothing slows a ball
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _edge_crossing(gap, speed, half_acceleration, horizon):
     """`first_crossing`, with the cheap case first: the gap stays open for the whole horizon."""
     if gap + horizon * (min(speed, 0.0) + horizon * min(half_acceleration, 0.0)) > 0.0:
@@ -57,7 +57,7 @@ def _edge_crossing(gap, speed, half_acceleration, horizon):
     return first_crossing(gap, speed, half_acceleration, horizon)
 
 
-@kernel
+@lean_kernel(forceinline=True)
 def _leave_free_rectangle(state, i, horizon, physics):
     """When and over which edge (0 left, 1 right, 2 lower, 3 upper) the path leaves the free rectangle.
 
@@ -93,7 +93,7 @@ def _leave_free_rectangle(state, i, horizon, physics):
     return first, edge
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _faces(state, i, t, cushions, k):
     """True if the foot of ball i on the line of cushion k, t s from now, lies on the cushion."""
     x = state[X, i] + t * (state[VX, i] + t * state[AX, i]) - cushions[k, FROM_X]
@@ -104,16 +104,16 @@ def _faces(state, i, t, cushions, k):
     return 0.0 <= along <= dx * dx + dy * dy
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _nose_at(state, i, t, edge, cushions):
     """The cushion on a free edge that the ball meets t s from now; -1 if there is a mouth."""
     for k in range(cushions.shape[0]):
-        if int(cushions[k, EDGE]) == edge and _faces(state, i, t, cushions, k):
+        if cushions[k, EDGE] == edge and _faces(state, i, t, cushions, k):
             return k
     return -1
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _search_cushions(state, i, horizon, cushions):
     """First cushion met within `horizon`: (time, row)."""
     radius = state[RADIUS, i]
@@ -131,7 +131,7 @@ def _search_cushions(state, i, horizon, cushions):
     return horizon, found
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _search_discs(state, i, horizon, discs, grown_by):
     """First disc whose circle, grown by `grown_by` m, the centre enters within `horizon`: (time, row)."""
     found = -1
@@ -146,7 +146,7 @@ def _search_discs(state, i, horizon, discs, grown_by):
     return horizon, found
 
 
-@kernel
+@lean_kernel
 def _search_elements(state, i, horizon, cushions, jaws, pockets):
     """First element of the table met within `horizon`: (time, event, row)."""
     event = NO_EVENT
@@ -166,7 +166,7 @@ def _search_elements(state, i, horizon, cushions, jaws, pockets):
     return t, event, element
 
 
-@kernel
+@lean_kernel(forceinline=True)
 def plan_ball(state, modes, i, cushions, jaws, pockets, physics):
     """Set what ball i will do next of its own: OWN_TIME (s), OWN_EVENT, OWN_ELEMENT.
 

@@ -69,7 +69,7 @@ from game.billiards.state import (
     WZ,
     X,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 Array = NDArray[np.float64]
 HIT = 3  # mark of a ball that got an impulse
@@ -138,7 +138,7 @@ class Log(NamedTuple):
     end_times: Array
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def record_ball(segments, row, state, modes, i):
     """Write the segment that ball i now begins."""
     for column in range(SEG_BALL):
@@ -147,7 +147,7 @@ def record_ball(segments, row, state, modes, i):
     segments[row, SEG_MOTION] = modes[MOTION, i]
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def record_event(times, events, row, time, event, i, j):
     """Write an event."""
     times[row] = time
@@ -156,7 +156,7 @@ def record_event(times, events, row, time, event, i, j):
     events[row, 2] = j
 
 
-@kernel
+@lean_kernel(forceinline=True)
 def place_balls(state, modes, pairs, balls, physics):
     """Put the balls of a shot on the table, at time 0."""
     n = balls.shape[0]
@@ -179,17 +179,19 @@ def place_balls(state, modes, pairs, balls, physics):
             pairs[REPEATS, i, j] = 0.0
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def soonest_ball(state):
     """The ball whose next event comes first, the lowest number of several."""
     first = 0
+    least = state[NEXT_TIME, 0]
     for i in range(1, state.shape[1]):
-        if state[NEXT_TIME, i] < state[NEXT_TIME, first]:
-            first = i
+        time = state[NEXT_TIME, i]
+        first = i if time < least else first
+        least = min(time, least)
     return first
 
 
-@kernel
+@lean_kernel(forceinline=True)
 def happen_to_ball(state, modes, i, cushions, jaws, physics):
     """Carry out what ball i planned of its own. Returns the event."""
     event = modes[OWN_EVENT, i]
@@ -206,7 +208,7 @@ def happen_to_ball(state, modes, i, cushions, jaws, physics):
     return event
 
 
-@kernel
+@lean_kernel(forceinline=True)
 def meet_alone(state, modes, pairs, i, j, now, physics):
     """Balls i and j collide, and no other contact takes part."""
     advance(state, modes, i, now, physics)
@@ -220,7 +222,7 @@ def meet_alone(state, modes, pairs, i, j, now, physics):
     enter_phase(state, modes, j, SLIDING, physics)
 
 
-@kernel
+@lean_kernel
 def meet_in_company(
     state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
 ):
@@ -256,7 +258,7 @@ def meet_in_company(
     return written, changed
 
 
-@kernel
+@lean_kernel
 def play_shot(
     work, cushions, jaws, pockets, physics, until, max_events, times, events, segments, row, segment
 ):
@@ -322,7 +324,7 @@ def play_shot(
             row += 1
 
 
-@kernel
+@lean_kernel
 def write_final(state, modes, end_time, final, physics):
     """Bring all balls to the end and write them. Returns False if a number is not finite."""
     total = 0.0
@@ -338,7 +340,7 @@ def write_final(state, modes, end_time, final, physics):
     return total < NEVER
 
 
-@kernel
+@lean_kernel
 def play_shots(work, batch, log, first, until, max_events):
     """Play shots from number `first` on until the log is full, each at most to the time `until` (s).
 

@@ -33,10 +33,10 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def bounce_off(state, i, nx, ny, physics):
     """Bounce ball i off a rail with the table's model; n is the unit vector from the rail to the ball."""
     if physics[CUSHION_LAW] == HAN_2005:
@@ -47,7 +47,7 @@ def bounce_off(state, i, nx, ny, physics):
         bounce(state, i, nx, ny, physics[CUSHION_RESTITUTION])
 
 
-@kernel
+@lean_kernel
 def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
     """Ball i, already at the contact, meets a cushion or a jaw."""
     if event == BALL_JAW:
@@ -68,7 +68,7 @@ def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
         part_from_rail(state, i, nx, ny, least_parting_speed(repeats))
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def normal_between(state, i, j):
     """Unit vector from ball i to ball j, both at the same time."""
     nx = state[X, j] - state[X, i]
@@ -79,7 +79,7 @@ def normal_between(state, i, j):
     return nx / distance, ny / distance
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def collide_pair(state, i, j, nx, ny, physics):
     """Two balls in contact collide by the table's model."""
     impulse = collide_along_normal(state, i, j, nx, ny, physics[BALL_RESTITUTION])
@@ -87,7 +87,7 @@ def collide_pair(state, i, j, nx, ny, physics):
         rub_in_contact(state, i, j, nx, ny, impulse, physics)
 
 
-@kernel
+@lean_kernel
 def end_chatter(state, pairs, i, j, nx, ny, now):
     """Count repeats of a contact, in planes MET and REPEATS of pairs; part the balls if it chatters."""
     count = pairs[REPEATS, i, j] + 1.0 if now - pairs[MET, i, j] < CHATTER_TIME else 0.0

@@ -24,13 +24,13 @@ from game.billiards.state import (
     SEG_WZ,
     SLIDING,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 STEP = 0.02  # s
 GAUSS = 0.5 - math.sqrt(3.0) / 6.0
 
 
-@kernel
+@lean_kernel
 def spin_in_segment(segment, elapsed, radius, physics):
     """Rotation vector `elapsed` s into a segment, rad/s."""
     wx = segment[SEG_WX]
@@ -45,7 +45,7 @@ def spin_in_segment(segment, elapsed, radius, physics):
     return wx, wy, spin_after(segment[SEG_WZ], elapsed, radius, physics)
 
 
-@kernel
+@lean_kernel
 def turn(q, tx, ty, tz):
     """Turn the quaternion q (4,), in place, by the rotation vector t, rad."""
     angle = math.sqrt(tx * tx + ty * ty + tz * tz)
@@ -67,7 +67,7 @@ def turn(q, tx, ty, tz):
     q[3] = q3 / length
 
 
-@kernel
+@lean_kernel
 def turn_through(segment, start, end, radius, physics, q):
     """Turn q by what the ball turns from `start` to `end` s into its segment, in one Magnus step."""
     h = end - start
@@ -82,7 +82,7 @@ def turn_through(segment, start, end, radius, physics, q):
     )
 
 
-@kernel
+@lean_kernel
 def turn_in_segment(segment, elapsed, radius, physics, q):
     """Turn q by what the ball turns in the first `elapsed` s of a segment."""
     wx, wy, wz = spin_in_segment(segment, 0.0, radius, physics)
@@ -100,7 +100,7 @@ def turn_in_segment(segment, elapsed, radius, physics, q):
     turn_through(segment, steps * STEP, elapsed, radius, physics, q)
 
 
-@kernel
+@lean_kernel
 def turns_at_starts(segments, order, starts, radii, physics, turns):
     """Quaternion of each ball at the start of each of its segments, seen from time 0, to turns (s, 4).
 

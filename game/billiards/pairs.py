@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.billiards.detection import first_touch
 from game.billiards.elements import LONGEST_SEARCH
 from game.billiards.state import (
@@ -33,10 +35,12 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
+
+BLOCK = 32  # balls whose bits stand in one number
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def reach_of(radius_i, radius_j):
     """Horizontal distance at which two balls on the cloth touch, 2 sqrt(R1 R2), m."""
     if radius_i == radius_j:
@@ -44,31 +48,65 @@ def reach_of(radius_i, radius_j):
     return 2.0 * math.sqrt(radius_i * radius_j)
 
 
-@kernel(inline="always")
-def stays_apart(x, y, vx, vy, ax, ay, reach, horizon):
-    """Cheap proof that x + vx t + ax t^2 (and y) stays further than `reach` from 0 for `horizon` s.
+@lean_kernel(forceinline=True)
+def may_meet(state, modes, i, start, count):
+    """Bits of `count` balls from number start on: for which a contact with ball i is not ruled out, and
+    which have i as the partner of their next contact.
 
-    Measured along and across the relative velocity, both times |v|, the path stays in a box.
+    With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
+    phases, there is no contact if
+    - the distance only grows: the slope of its square, c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3, stays above 0 even
+      without its last part; or
+    - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
+    - both lie still, apart.
+    One expression without branches, and an index that cannot be negative, so that the compiler takes several
+    balls at a time.
     """
-    square = reach * reach * (vx * vx + vy * vy)
-    bend = horizon * horizon
-    across = abs(x * vy - y * vx) - bend * abs(ax * vy - ay * vx)
-    if across > 0.0 and across * across > square:
-        return True
-    speed_square = vx * vx + vy * vy
-    along = x * vx + y * vy
-    push = bend * (ax * vx + ay * vy)
-    latest = along + horizon * speed_square + max(push, 0.0)
-    if latest < 0.0 and latest * latest > square:
-        return True
-    earliest = along + min(push, 0.0)
-    return earliest > 0.0 and earliest * earliest > square
+    now = state[TIME, i]
+    xi = state[X, i]
+    yi = state[Y, i]
+    vxi = state[VX, i]
+    vyi = state[VY, i]
+    axi = state[AX, i]
+    ayi = state[AY, i]
+    own = min(state[OWN_TIME, i], now + LONGEST_SEARCH)
+    four_radius = 4.0 * state[RADIUS, i]
+    bits = 0
+    follow = 0
+    for k in range(count):
+        j = np.uintp(start + k)
+        elapsed = now - state[TIME, j]
+        ax = state[AX, j]
+        ay = state[AY, j]
+        vx = state[VX, j] + elapsed * ax
+        vy = state[VY, j] + elapsed * ay
+        x = state[X, j] + elapsed * vx - xi
+        y = state[Y, j] + elapsed * vy - yi
+        vx = vx + elapsed * ax - vxi
+        vy = vy + elapsed * ay - vyi
+        ax -= axi
+        ay -= ayi
+        horizon = min(own, state[OWN_TIME, j]) - now
+        reach_square = four_radius * state[RADIUS, j]
+        along = x * vx + y * vy
+        push = ax * vx + ay * vy
+        speed_square = vx * vx + vy * vy
+        curvature = speed_square + 2.0 * (x * ax + y * ay) + 3.0 * horizon * min(push, 0.0)
+        limit = reach_square * speed_square
+        bend = horizon * horizon
+        across = abs(x * vy - y * vx) - bend * abs(ax * vy - ay * vx)
+        latest = along + horizon * speed_square + bend * max(push, 0.0)
+        ruled_out = (along + horizon * min(curvature, 0.0) > 0.0) | (modes[MOTION, j] == POCKETED)
+        ruled_out |= ((across > 0.0) & (across * across > limit)) | ((latest < 0.0) & (latest * latest > limit))
+        ruled_out |= (speed_square == 0.0) & (x * x + y * y > 1.1 * reach_square)
+        bits |= (0 if ruled_out else 1) << k
+        follow |= (1 if modes[PARTNER, j] == i else 0) << k
+    return bits, follow
 
 
-@kernel(inline="always")
-def _contact_time(state, modes, i, j, now):
+@lean_kernel(inline="always")
+def _contact_time(state, i, j, now):
     """Time of the next contact of balls i and j, where i stands at `now`, s."""
-    moving = modes[MOTION, i] == SLIDING or modes[MOTION, i] == ROLLING
     elapsed = now - state[TIME, j]
     ax = state[AX, j]
     ay = state[AY, j]
@@ -76,23 +114,17 @@ def _contact_time(state, modes, i, j, now):
     vy = state[VY, j] + elapsed * ay
     x = state[X, j] + elapsed * vx - state[X, i]
     y = state[Y, j] + elapsed * vy - state[Y, i]
-    reach = reach_of(state[RADIUS, i], state[RADIUS, j])
-    if not moving and modes[MOTION, j] != SLIDING and modes[MOTION, j] != ROLLING:
-        if x * x + y * y > 1.1 * reach * reach:
-            return NEVER
-        return AT_REST if math.sqrt(x * x + y * y) - reach <= CONTACT_GAP else NEVER
     vx += elapsed * ax - state[VX, i]
     vy += elapsed * ay - state[VY, i]
     ax -= state[AX, i]
     ay -= state[AY, i]
+    reach = reach_of(state[RADIUS, i], state[RADIUS, j])
     horizon = min(min(state[OWN_TIME, i], state[OWN_TIME, j]) - now, LONGEST_SEARCH)
-    if stays_apart(x, y, vx, vy, ax, ay, reach, horizon):
-        return NEVER
     t = first_touch(x, y, vx, vy, ax, ay, reach, horizon)
     return t if t >= AT_REST else now + t
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _rescan(state, modes, pairs, j):
     """Find the least of row j anew."""
     best = NEVER
@@ -106,30 +138,39 @@ def _rescan(state, modes, pairs, j):
     state[NEXT_TIME, j] = min(best, state[OWN_TIME, j])
 
 
-@kernel
+@lean_kernel(forceinline=True)
 def refresh_pairs(state, modes, pairs, i):
     """Renew all contact times of ball i, which has just changed and whose plan is made."""
+    n = state.shape[1]
     now = state[TIME, i]
     gone = modes[MOTION, i] == POCKETED
     best = NEVER
     partner = -1
-    for j in range(state.shape[1]):
-        if j == i:
-            continue
-        t = NEVER
-        if not gone and modes[MOTION, j] != POCKETED:
-            t = _contact_time(state, modes, i, j, now)
-        pairs[MEET, i, j] = t
-        pairs[MEET, j, i] = t
-        if t < best:
-            best = t
-            partner = j
-        if modes[PARTNER, j] == i:
-            _rescan(state, modes, pairs, j)
-        elif t < state[PAIR_TIME, j]:
-            state[PAIR_TIME, j] = t
-            modes[PARTNER, j] = i
-            state[NEXT_TIME, j] = min(t, state[OWN_TIME, j])
+    for start in range(0, n, BLOCK):
+        end = min(start + BLOCK, n)
+        bits, follow = may_meet(state, modes, i, start, end - start)
+        if gone:
+            bits = 0
+        for j in range(start, end):
+            pairs[MEET, i, j] = NEVER
+            pairs[MEET, j, i] = NEVER
+        for j in range(start, end):
+            if j == i or not ((bits | follow) >> (j - start)) & 1:
+                continue
+            t = NEVER
+            if (bits >> (j - start)) & 1:
+                t = _contact_time(state, i, j, now)
+                pairs[MEET, i, j] = t
+                pairs[MEET, j, i] = t
+            if t < best:
+                best = t
+                partner = j
+            if t < state[PAIR_TIME, j]:
+                state[PAIR_TIME, j] = t
+                modes[PARTNER, j] = i
+                state[NEXT_TIME, j] = min(t, state[OWN_TIME, j])
+            elif modes[PARTNER, j] == i:
+                _rescan(state, modes, pairs, j)
     state[PAIR_TIME, i] = best
     modes[PARTNER, i] = partner
     state[NEXT_TIME, i] = min(best, state[OWN_TIME, i])

@@ -32,7 +32,7 @@ from game.billiards.state import (
     SEG_X,
     SEG_Y,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 Array = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ class TableState(NamedTuple):
     motions: NDArray[np.int64]
 
 
-@kernel
+@lean_kernel
 def segment_rows_at(segments, order, starts, time, rows):
     """Row of the segment that each ball is on at a time, to rows (n,). order, starts as in `orientation`."""
     for ball in range(rows.shape[0]):
@@ -73,7 +73,7 @@ def segment_rows_at(segments, order, starts, time, rows):
         rows[ball] = order[low]
 
 
-@kernel
+@lean_kernel
 def states_at(segments, rows, time, radii, physics, out):
     """Closed form of each ball on its segment: x, y, vx, vy, wx, wy, wz to out (n, 7)."""
     for ball in range(rows.shape[0]):
@@ -91,7 +91,7 @@ def states_at(segments, rows, time, radii, physics, out):
         out[ball, 6] = wz
 
 
-@kernel
+@lean_kernel
 def turns_at(segments, rows, time, radii, physics, starting, turns):
     """Quaternions at a time, from `starting` (s, 4), at their segments' starts, to turns (n, 4)."""
     for ball in range(rows.shape[0]):

@@ -22,10 +22,10 @@ from game.billiards.state import (
     WY,
     WZ,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def tilted_impulse(sx, sy, c, mass, restitution, friction):
     """Impulse in the tilted frame, (PxE, PyE, PzE) N s, from slip (sx, sy) and normal speed c, m/s."""
     normal = -(1.0 + restitution) * c * mass
@@ -36,7 +36,7 @@ def tilted_impulse(sx, sy, c, mass, restitution, friction):
     return friction * normal * sx / slip, friction * normal * sy / slip, normal
 
 
-@kernel
+@lean_kernel
 def bounce_han_2005(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
     radius = state[RADIUS, i]

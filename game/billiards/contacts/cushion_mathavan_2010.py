@@ -28,13 +28,13 @@ from game.billiards.state import (
     WY,
     WZ,
 )
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 STEPS = 100  # of the compression
 MAX_STEPS = 20 * STEPS  # friction strong enough to hold the ball in the rail for so long is absurd
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _share_against(slip, limit, mass):
     """Impulse per unit of slip: Coulomb's `limit` (N s), or what stops the slip of a solid sphere."""
     if slip * 2.0 * mass / 7.0 <= limit:
@@ -42,7 +42,7 @@ def _share_against(slip, limit, mass):
     return limit / slip
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _rub_nose(vx, vy, wx, wy, wz, pressure, radius, mass, sine, cosine):
     """Friction at the nose, point I (eq. 12, 14a, 15): `pressure` is mu_w dP. Returns the state and what
     part of the impulse is vertical, upwards, N s."""
@@ -60,7 +60,7 @@ def _rub_nose(vx, vy, wx, wy, wz, pressure, radius, mass, sine, cosine):
     return vx, vy, wx, wy, wz, cosine * up
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def _rub_cloth(vx, vy, wx, wy, pressure, radius, mass):
     """Friction at the cloth, point C (eq. 13, 14b, 15): `pressure` is mu_s dP_C. Returns the state."""
     slip_x = vx - radius * wy
@@ -74,7 +74,7 @@ def _rub_cloth(vx, vy, wx, wy, pressure, radius, mass):
     return vx, vy, wx, wy
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth):
     """The impact in the paper's frame, vy > 0 into the rail: state before to state after."""
     cosine = math.sqrt((1.0 - sine) * (1.0 + sine))
@@ -106,7 +106,7 @@ def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, 
     return vx, min(vy, 0.0), wx, wy, wz
 
 
-@kernel
+@lean_kernel
 def bounce_mathavan_2010(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
     radius = state[RADIUS, i]

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from game.billiards.state import VX, VY
-from game.physics.jit import kernel
+from game.billiards.lean import lean_kernel
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def bounce(state, i, nx, ny, restitution):
     """v -= (1 + e) (v . n) n, with n the unit vector from the cushion to the ball."""
     change = (1.0 + restitution) * (state[VX, i] * nx + state[VY, i] * ny)
