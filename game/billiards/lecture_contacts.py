@@ -217,7 +217,11 @@ def _report_impulses(state, geometry, contacts, journal, count, time):
                 other = -1 - other
                 kind = BALL_CUSHION if other < cushions else BALL_JAW
                 other -= 0 if other < cushions else cushions
-            speed = max(contacts.work[c, SPEED], 0.0)
+            speed = contacts.work[c, SPEED]
+            if speed <= 0.0:  # it closed only because of other impacts of this instant
+                yielding = state.inverse_masses[i]
+                yielding += state.inverse_masses[contacts.second[c]] if contacts.second[c] >= 0 else 0.0
+                speed = contacts.impulses[c] * yielding / (1.0 + contacts.restitutions[c])
             report(journal, kind, i, other, time, speed, contacts.impulses[c], x, y)
 
 

@@ -275,6 +275,19 @@ def cradle(order, forwards, frames, n=5):
     return balls.velocities[:, 1]
 
 
+def test_h9_each_contact_of_a_cradle_is_told_with_its_speed():
+    balls = table_with(
+        [[0.6, 0.5 + 2.0 * R * k] for k in range(4)],
+        [[0.0, 2.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]],
+        Table.open(),
+        effects=BALL_COLLISIONS,
+        substeps=1,
+    )
+    balls.step(1e-6)
+    assert [event[:3] for event in balls.events] == [("ball-ball", k, k + 1) for k in range(3)]
+    assert np.abs(np.array([event.speed for event in balls.events]) - 2.0).max() < 1e-12
+
+
 @pytest.mark.parametrize("forwards", [True, False])
 def test_h9_cradle_sends_off_the_last_ball(forwards):
     expected = np.zeros(5)
@@ -438,4 +451,27 @@ def test_no_ball_ever_leaves_the_table(substeps, order):
             balls.step(FRAME)
             out = np.abs(balls.state.offsets) - [0.635, 1.27]
             assert out[balls.state.in_play].max(initial=-1.0) < 0.1
+        assert balls.not_finite == -1
+
+
+@pytest.mark.parametrize("order", ["joint", "pairwise"])
+def test_balls_of_any_mass_and_radius_never_gain_energy(order):
+    rng = np.random.default_rng(4)
+    for _ in range(5):
+        positions = eight_ball_rack(Table.pool(), radius=0.03)
+        radii = rng.uniform(0.02, 0.03, 16)
+        masses = np.exp(rng.uniform(math.log(0.05), math.log(5.0), 16))
+        balls = LectureTable(
+            Table.pool(),
+            positions,
+            radii,
+            masses,
+            settings=LectureSettings(order=order, friction=1.0, minimum_speed=0.0),
+        )
+        balls.strike(0, (rng.uniform(-0.2, 0.2), 10.0))
+        energy = balls.energy
+        for _ in range(120):
+            balls.step(FRAME)
+            assert balls.energy <= energy * (1.0 + 1e-12)
+            energy = balls.energy
         assert balls.not_finite == -1
