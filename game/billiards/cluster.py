@@ -25,6 +25,7 @@ from game.billiards.contacts.ball_ball_friction import (
     torque_direction,
 )
 from game.billiards.joint import solve_joint_impulses
+from game.billiards.lean import lean_kernel
 from game.billiards.pairs import reach_of
 from game.billiards.state import (
     AT_REST,
@@ -62,7 +63,6 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.billiards.lean import lean_kernel
 
 FRICTION_PASSES = 8
 SAME_MOMENT = 1e-9  # s; how far ahead a predicted contact is looked at as a candidate

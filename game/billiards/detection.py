@@ -11,8 +11,8 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.state import AT_REST, CLOSING_SPEED, CONTACT_GAP, NEVER
 from game.billiards.lean import lean_kernel
+from game.billiards.state import AT_REST, CLOSING_SPEED, CONTACT_GAP, NEVER
 
 MAX_STEPS = 200
 LAST_PLACE = 2.0**-52
@@ -65,7 +65,9 @@ def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
         if gap > 0.0:
             end = horizon
             if slope < 0.0:
-                end = min(horizon, t - 2.0 * gap / slope)  # a root on a parabola of positive curvature is nearer
+                end = min(
+                    horizon, t - 2.0 * gap / slope
+                )  # a root on a parabola of positive curvature is nearer
             bend = 2.0 * c2 + t * (6.0 * c3 + 12.0 * c4 * t)
             third = (2.0 * c3 + 8.0 * c4 * t) * (end - t)
             curvature = bend + min(0.0, third)

@@ -8,6 +8,7 @@ outside of it, or one that leaves it where there is no nose.
 from __future__ import annotations
 
 from game.billiards.detection import first_crossing, first_touch
+from game.billiards.lean import lean_kernel
 from game.billiards.state import (
     AT_REST,
     AX,
@@ -43,7 +44,6 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.billiards.lean import lean_kernel
 
 WITHIN = 1e-12  # m; rounding of a ball that touches a rail
 LONGEST_SEARCH = 1e9  # s; stands for "without end" where nothing slows a ball

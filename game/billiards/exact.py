@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from game.billiards.cluster import collide_jointly, gather_contacts, has_company
 from game.billiards.elements import plan_ball
 from game.billiards.impacts import collide_pair, end_chatter, hit_rail, normal_between
-from game.billiards.joint import joint_scratch
+from game.billiards.joint import BALL_COLUMNS, CONTACT_COLUMNS
+from game.billiards.lean import lean_kernel
 from game.billiards.motion import advance, end_phase, enter_phase
 from game.billiards.pairs import refresh_pairs
 from game.billiards.state import (
@@ -26,7 +27,10 @@ from game.billiards.state import (
     BUFFER_FULL,
     CLEAR,
     END_ROWS,
+    END_TIME,
     EVENT_LIMIT,
+    EVENTS_END,
+    EVENTS_START,
     FINISHED,
     FIRST,
     FLOAT_ROWS,
@@ -63,79 +67,60 @@ from game.billiards.state import (
     SECOND,
     SEG_BALL,
     SEG_MOTION,
+    SEGMENTS_END,
+    SEGMENTS_START,
     SLIDING,
+    STATUS,
     TIME,
     VX,
     WZ,
     X,
 )
-from game.billiards.lean import lean_kernel
 
 Array = NDArray[np.float64]
 HIT = 3  # mark of a ball that got an impulse
 
 
 class Workspace(NamedTuple):
-    """Room for one shot of n balls with up to m contacts at once; kept and used again."""
+    """Room for one shot of n balls, kept and used again; `view_room` cuts it up."""
 
-    state: Array  # (FLOAT_ROWS, n)
-    modes: NDArray[np.int64]  # (INTEGER_ROWS, n)
-    pairs: Array  # (PAIR_PLANES, n, n)
-    ends: NDArray[np.int64]  # (END_ROWS, m)
-    forces: Array  # (FORCE_ROWS, m)
-    normals: Array  # (m, 2)
-    velocities: Array  # (n, 2)
-    joint_contacts: Array
-    joint_balls: Array
+    floats: Array
+    integers: NDArray[np.int64]
 
 
 def workspace(n: int) -> Workspace:
     """Room for shots of n balls."""
     m = max(1, n * (n - 1) // 2)
-    joint = joint_scratch(n, m)
-    return Workspace(
-        np.zeros((FLOAT_ROWS, n)),
-        np.zeros((INTEGER_ROWS, n), np.int64),
-        np.zeros((PAIR_PLANES, n, n)),
-        np.zeros((END_ROWS, m), np.int64),
-        np.zeros((FORCE_ROWS, m)),
-        np.zeros((m, 2)),
-        np.zeros((n, 2)),
-        joint.contacts,
-        joint.balls,
-    )
+    balls = FLOAT_ROWS + PAIR_PLANES * n + 2 + BALL_COLUMNS
+    floats = n * balls + m * (FORCE_ROWS + 2 + CONTACT_COLUMNS)
+    return Workspace(np.zeros(floats), np.zeros(n * INTEGER_ROWS + m * END_ROWS, np.int64))
 
 
 class Batch(NamedTuple):
     """m shots of n balls each, as the kernel reads them.
 
-    balls (m, n, 11), physics (m, 16): see `state`. cushions (c, 7), jaws (j, 3), pockets (p, 3): of all
-    tables in use. ranges (m, 6): first and end of each shot's cushions, jaws, pockets.
+    balls (m, n, 11), physics (m, 16): see `state`. elements (e, 7): rows of all tables in use, of each the
+    cushions, then the jaws, then the pockets. ranges (m, 4): where those of each shot's table start, and end.
     """
 
     balls: Array
     physics: Array
-    cushions: Array
-    jaws: Array
-    pockets: Array
+    elements: Array
     ranges: NDArray[np.int64]
 
 
 class Log(NamedTuple):
     """What the kernel writes; events and segments of all shots one after another, in order of time.
 
-    times (e,) s. events (e, 3): type, ball, ball or element (-1: none). segments (s, 12): see `state`.
-    ranges (m, 4): start and end of each shot's events, and of its segments. status (m,): see `state`.
-    final (m, n, 11): balls as they come in. end_times (m,) s: time of the last event, or `until`.
+    events (e, 4): time (s), type, ball, ball or element (-1: none). segments (s, 12): see `state`; with no
+    rows at all, none are written. ends (m, 6): start and end of each shot's events, and of its segments; how
+    it ended (see `state`); time of its last event, or `until` (s). final (m, n, 11): balls as they come in.
     """
 
-    times: Array
-    events: NDArray[np.int64]
+    events: Array
     segments: Array
-    ranges: NDArray[np.int64]
-    status: NDArray[np.int64]
+    ends: Array
     final: Array
-    end_times: Array
 
 
 @lean_kernel(inline="always")
@@ -148,12 +133,36 @@ def record_ball(segments, row, state, modes, i):
 
 
 @lean_kernel(inline="always")
-def record_event(times, events, row, time, event, i, j):
+def record_event(events, row, time, event, i, j):
     """Write an event."""
-    times[row] = time
-    events[row, 0] = event
-    events[row, 1] = i
-    events[row, 2] = j
+    events[row, 0] = time
+    events[row, 1] = event
+    events[row, 2] = i
+    events[row, 3] = j
+
+
+@lean_kernel(inline="always")
+def view_room(work, n):
+    """Cut the room up: state, modes, pairs, ends, forces, normals, velocities, and the joint solver's two."""
+    m = max(1, n * (n - 1) // 2)
+    floats = work.floats
+    a = FLOAT_ROWS * n
+    b = a + PAIR_PLANES * n * n
+    c = b + FORCE_ROWS * m
+    d = c + 2 * m
+    e = d + 2 * n
+    f = e + CONTACT_COLUMNS * m
+    return (
+        floats[:a].reshape((FLOAT_ROWS, n)),
+        work.integers[: INTEGER_ROWS * n].reshape((INTEGER_ROWS, n)),
+        floats[a:b].reshape((PAIR_PLANES, n, n)),
+        work.integers[INTEGER_ROWS * n : INTEGER_ROWS * n + END_ROWS * m].reshape((END_ROWS, m)),
+        floats[b:c].reshape((FORCE_ROWS, m)),
+        floats[c:d].reshape((m, 2)),
+        floats[d:e].reshape((n, 2)),
+        floats[e:f].reshape((m, CONTACT_COLUMNS)),
+        floats[f : f + BALL_COLUMNS * n].reshape((n, BALL_COLUMNS)),
+    )
 
 
 @lean_kernel(forceinline=True)
@@ -258,38 +267,43 @@ def meet_in_company(
     return written, changed
 
 
-@lean_kernel
-def play_shot(
-    work, cushions, jaws, pockets, physics, until, max_events, times, events, segments, row, segment
-):
+@lean_kernel(inline="always")
+def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment):
     """Play one shot whose balls are placed. Returns status, end of events, end of segments, end time."""
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = work
+    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = room
     n = state.shape[1]
-    first_row = row
+    last_row = row + max_events
     end_time = 0.0
     changed = n
+    status = FINISHED
     for i in range(n):
         modes[MEMBER, i] = i
     while True:
-        if row + ends.shape[1] > times.shape[0] or segment + n > segments.shape[0]:
-            return BUFFER_FULL, row, segment, end_time
+        if row + ends.shape[1] > events.shape[0] or (
+            segments.shape[0] > 0 and segment + n > segments.shape[0]
+        ):
+            status = BUFFER_FULL
+            break
         for q in range(changed):
             i = modes[MEMBER, q]
-            record_ball(segments, segment + q, state, modes, i)
+            if segments.shape[0] > 0:
+                record_ball(segments, segment, state, modes, i)
+                segment += 1
             plan_ball(state, modes, i, cushions, jaws, pockets, physics)
-        segment += changed
         for q in range(changed):
             refresh_pairs(state, modes, pairs, modes[MEMBER, q])
         i = soonest_ball(state)
         now = state[NEXT_TIME, i]
         if not (now < AT_REST and now <= until):
-            return FINISHED, row, segment, (until if now < AT_REST else end_time)
-        if row - first_row >= max_events:
-            return EVENT_LIMIT, row, segment, end_time
+            end_time = until if now < AT_REST else end_time
+            break
+        if row >= last_row:
+            status = EVENT_LIMIT
+            break
         end_time = now
         if not state[PAIR_TIME, i] < state[OWN_TIME, i]:
             event = happen_to_ball(state, modes, i, cushions, jaws, physics)
-            record_event(times, events, row, now, event, i, modes[OWN_ELEMENT, i])
+            record_event(events, row, now, event, i, modes[OWN_ELEMENT, i])
             row += 1
             modes[MEMBER, 0] = i
             changed = 1
@@ -320,11 +334,12 @@ def play_shot(
         for m in range(written):
             i = ends[FIRST, m]
             j = ends[SECOND, m]
-            record_event(times, events, row, now, BALL_BALL, min(i, j), max(i, j))
+            record_event(events, row, now, BALL_BALL, min(i, j), max(i, j))
             row += 1
+    return status, row, segment, end_time
 
 
-@lean_kernel
+@lean_kernel(inline="always")
 def write_final(state, modes, end_time, final, physics):
     """Bring all balls to the end and write them. Returns False if a number is not finite."""
     total = 0.0
@@ -347,38 +362,29 @@ def play_shots(work, batch, log, first, until, max_events):
     Returns the number of the first shot that was not played.
     """
     shots = batch.physics.shape[0]
+    room = view_room(work, batch.balls.shape[1])
     row = 0
     segment = 0
     for s in range(first, shots):
         physics = batch.physics[s]
-        cushions = batch.cushions[batch.ranges[s, 0] : batch.ranges[s, 1]]
-        jaws = batch.jaws[batch.ranges[s, 2] : batch.ranges[s, 3]]
-        pockets = batch.pockets[batch.ranges[s, 4] : batch.ranges[s, 5]]
-        place_balls(work.state, work.modes, work.pairs, batch.balls[s], physics)
+        cushions = batch.elements[batch.ranges[s, 0] : batch.ranges[s, 1]]
+        jaws = batch.elements[batch.ranges[s, 1] : batch.ranges[s, 2]]
+        pockets = batch.elements[batch.ranges[s, 2] : batch.ranges[s, 3]]
+        place_balls(room[0], room[1], room[2], batch.balls[s], physics)
         status, row_end, segment_end, end_time = play_shot(
-            work,
-            cushions,
-            jaws,
-            pockets,
-            physics,
-            until,
-            max_events,
-            log.times,
-            log.events,
-            log.segments,
-            row,
-            segment,
+            room, cushions, jaws, pockets, physics, until, max_events, log.events, log.segments, row, segment
         )
         if status == BUFFER_FULL:
             return s
-        if not write_final(work.state, work.modes, end_time, log.final[s], physics):
+        if not write_final(room[0], room[1], end_time, log.final[s], physics):
             status = NOT_FINITE
-        log.status[s] = status
-        log.end_times[s] = end_time
-        log.ranges[s, 0] = row
-        log.ranges[s, 1] = row_end
-        log.ranges[s, 2] = segment
-        log.ranges[s, 3] = segment_end
+        ends = log.ends[s]
+        ends[EVENTS_START] = row
+        ends[EVENTS_END] = row_end
+        ends[SEGMENTS_START] = segment
+        ends[SEGMENTS_END] = segment_end
+        ends[STATUS] = status
+        ends[END_TIME] = end_time
         row = row_end
         segment = segment_end
     return shots

@@ -17,6 +17,7 @@ from game.billiards.contacts.chatter import (
 from game.billiards.contacts.cushion_han_2005 import bounce_han_2005
 from game.billiards.contacts.cushion_mathavan_2010 import bounce_mathavan_2010
 from game.billiards.contacts.cushion_restitution import bounce
+from game.billiards.lean import lean_kernel
 from game.billiards.state import (
     BALL_JAW,
     BALL_LAW,
@@ -33,7 +34,6 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.billiards.lean import lean_kernel
 
 
 @lean_kernel(inline="always")

@@ -26,12 +26,14 @@ TOLERANCE = 1e-9  # m
 
 
 class Layout(NamedTuple):
-    """cushions (c, 7), jaws (j, 3), pockets (p, 3) about the middle; middle (x, y) m in the table's frame;
-    free (left, right, lower, upper) m: the free rectangle about the middle."""
+    """elements (e, 7) about the middle, m: the cushions, then the jaws, then the pockets (x, y, radius first).
 
-    cushions: Array
-    jaws: Array
-    pockets: Array
+    counts: of the three. middle (x, y) m in the table's frame. free (left, right, lower, upper) m: the free
+    rectangle about the middle.
+    """
+
+    elements: Array
+    counts: tuple[int, int, int]
     middle: tuple[float, float]
     free: tuple[float, float, float, float]
 
@@ -48,20 +50,19 @@ def _layout(cushion_bytes: bytes, jaw_bytes: bytes, pocket_bytes: bytes) -> Layo
     middle_x = 0.5 * (left + right) if left > -FAR and right < FAR else 0.0
     middle_y = 0.5 * (lower + upper) if lower > -FAR and upper < FAR else 0.0
     shift = np.array([middle_x, middle_y])
-    cushions = np.empty((len(rails), 7))
+    discs = [np.frombuffer(data).reshape(-1, 3) for data in (jaw_bytes, pocket_bytes)]
+    counts = (len(rails), len(discs[0]), len(discs[1]))
+    elements = np.zeros((sum(counts), 7))
+    cushions = elements[: counts[0]]
     cushions[:, :6] = rails
     cushions[:, 0:2] -= shift
     cushions[:, 2:4] -= shift
     free = (left - middle_x, right - middle_x, lower - middle_y, upper - middle_y)
     cushions[:, EDGE] = [_edge_of(row, free) for row in cushions]
-    discs = []
-    for data in (jaw_bytes, pocket_bytes):
-        rows = np.frombuffer(data).reshape(-1, 3).copy()
-        rows[:, :2] -= shift
-        discs.append(rows)
-    for array in (cushions, *discs):
-        array.setflags(write=False)
-    return Layout(cushions, discs[0], discs[1], (float(middle_x), float(middle_y)), free)
+    elements[counts[0] :, :3] = np.concatenate(discs)
+    elements[counts[0] :, :2] -= shift
+    elements.setflags(write=False)
+    return Layout(elements, counts, (float(middle_x), float(middle_y)), free)
 
 
 def _free_rectangle(rails: Array) -> tuple[float, float, float, float]:
@@ -96,16 +97,17 @@ def _clear(cushion_bytes: bytes, jaw_bytes: bytes, pocket_bytes: bytes, radius: 
     box = (left + radius, right - radius, lower + radius, upper - radius)
     if box[0] > box[1] or box[2] > box[3]:
         return False
-    for x, y, disc_radius in layout.jaws.tolist():
-        if _distance_to_box(x, y, box) < disc_radius + radius - TOLERANCE:
+    cushions, jaws, _ = layout.counts
+    for k, row in enumerate(layout.elements.tolist()):
+        if k < cushions:
+            if row[EDGE] == NO_EDGE and _segment_distance_to_box(row, box) < radius - TOLERANCE:
+                return False
+        elif (
+            _distance_to_box(row[0], row[1], box)
+            < row[2] + (radius if k < cushions + jaws else 0.0) - TOLERANCE
+        ):
             return False
-    for x, y, disc_radius in layout.pockets.tolist():
-        if _distance_to_box(x, y, box) < disc_radius - TOLERANCE:
-            return False
-    return all(
-        row[EDGE] != NO_EDGE or _segment_distance_to_box(row, box) >= radius - TOLERANCE
-        for row in layout.cushions.tolist()
-    )
+    return True
 
 
 def is_clear(table: Table, radius: float) -> bool:

@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.exact import Batch, Log, play_shots
 from game.billiards.shot import Shot, batch_of
-from game.billiards.simulation import MAX_EVENTS, check_status, cut_from_log, log_for, room_for
+from game.billiards.simulation import MAX_EVENTS, check_status, log_for, room_for, simulate_exact
+from game.billiards.state import END_TIME, EVENTS_END, EVENTS_START
 from game.billiards.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -25,13 +27,27 @@ EVENTS_A_SHOT = 40  # first guess of the room in a log
 
 
 class Trajectories(Sequence[Trajectory]):
-    """Played shots, in the order given. A `Trajectory` is cut out when it is asked for."""
+    """Played shots, in the order given: events and ends. Paths are not kept: a `Trajectory` is played anew,
+    to the same bits, when it is asked for.
 
-    def __init__(self, shots: Sequence[Shot], logs: list[Log], places: NDArray[np.int64]) -> None:
-        """places (m, 2): log and row of each shot."""
+    rows: events of each shot as numbers, see `Trajectory`. ends: balls of each shot at its end, (n, 11) as in
+    `state`, about the table's middle. end_times (m,) s.
+    """
+
+    def __init__(
+        self,
+        shots: Sequence[Shot],
+        rows: list[Array],
+        ends: list[Array],
+        end_times: Array,
+        options: dict[str, Any],
+    ) -> None:
+        """options: how to play a shot again."""
         self._shots = shots
-        self._logs = logs
-        self._places = places
+        self.rows = rows
+        self.ends = ends
+        self.end_times = end_times
+        self._options = options
 
     def __len__(self) -> int:
         return len(self._shots)
@@ -39,20 +55,7 @@ class Trajectories(Sequence[Trajectory]):
     def __getitem__(self, i):
         if isinstance(i, slice):
             return [self[k] for k in range(*i.indices(len(self)))]
-        log, row = (int(v) for v in self._places[i])
-        return cut_from_log(self._shots[i], self._logs[log], row)
-
-    def __iter__(self) -> Iterator[Trajectory]:
-        return (self[i] for i in range(len(self)))
-
-    @property
-    def end_times(self) -> Array:
-        """Time of each shot's end (m,), s."""
-        return np.array([self._logs[log].end_times[row] for log, row in self._places])
-
-    def ends(self) -> list[Array]:
-        """The balls of each shot at its end, (n, 11) as in `state`, about the table's middle."""
-        return [self._logs[log].final[row] for log, row in self._places]
+        return simulate_exact(self._shots[i], **self._options)
 
 
 def simulate_many(
@@ -75,16 +78,18 @@ def simulate_many(
     else:
         with ThreadPoolExecutor(workers) as pool:
             played = list(pool.map(lambda batch: play_batch(batch, until, max_events), batches))
-    logs: list[Log] = []
-    places = np.empty((len(shots), 2), np.int64)
+    rows: list[Array] = [np.empty((0, 4))] * len(shots)
+    ends: list[Array] = [np.empty((0, 11))] * len(shots)
+    end_times = np.empty(len(shots))
     for chunk, parts in zip(chunks, played, strict=True):
-        row = 0
-        for log, start, end in parts:
-            for place in range(start, end):
-                places[chunk[row]] = len(logs), place
-                row += 1
-            logs.append(log)
-    return Trajectories(shots, logs, places)
+        places = iter(chunk)
+        for log, first, end in parts:
+            for row in range(first, end):
+                i = next(places)
+                rows[i] = log.events[int(log.ends[row, EVENTS_START]) : int(log.ends[row, EVENTS_END])]
+                ends[i] = log.final[row]
+                end_times[i] = log.ends[row, END_TIME]
+    return Trajectories(shots, rows, ends, end_times, {"until": until, "max_events": max_events})
 
 
 def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, int, int]]:
@@ -94,13 +99,13 @@ def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, i
     first = 0
     capacity = max(1024, 2 * n * n, EVENTS_A_SHOT * shots)
     while first < shots:
-        log = log_for(shots, n, capacity)
+        log = log_for(shots, n, capacity, paths=False)
         end = int(play_shots(room_for(n), batch, log, first, until, max_events))
         if end == first:
             capacity *= 4
             continue
         for row in range(first, end):
-            check_status(int(log.status[row]), float(log.end_times[row]), max_events)
+            check_status(log.ends[row], max_events)
         parts.append((log, first, end))
         first = end
     return parts

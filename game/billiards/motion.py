@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.lean import lean_kernel
 from game.billiards.state import (
     AX,
     AY,
@@ -42,7 +43,6 @@ from game.billiards.state import (
     X,
     Y,
 )
-from game.billiards.lean import lean_kernel
 
 
 @lean_kernel(inline="always")

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.lean import lean_kernel
 from game.billiards.motion import spin_after
 from game.billiards.state import (
     ROLLING,
@@ -24,7 +25,6 @@ from game.billiards.state import (
     SEG_WZ,
     SLIDING,
 )
-from game.billiards.lean import lean_kernel
 
 STEP = 0.02  # s
 GAUSS = 0.5 - math.sqrt(3.0) / 6.0

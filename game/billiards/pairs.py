@@ -13,11 +13,11 @@ import numpy as np
 
 from game.billiards.detection import first_touch
 from game.billiards.elements import LONGEST_SEARCH
+from game.billiards.lean import lean_kernel
 from game.billiards.state import (
     AT_REST,
     AX,
     AY,
-    CONTACT_GAP,
     MEET,
     MOTION,
     NEVER,
@@ -27,15 +27,12 @@ from game.billiards.state import (
     PARTNER,
     POCKETED,
     RADIUS,
-    ROLLING,
-    SLIDING,
     TIME,
     VX,
     VY,
     X,
     Y,
 )
-from game.billiards.lean import lean_kernel
 
 BLOCK = 32  # balls whose bits stand in one number
 
@@ -97,7 +94,9 @@ def may_meet(state, modes, i, start, count):
         across = abs(x * vy - y * vx) - bend * abs(ax * vy - ay * vx)
         latest = along + horizon * speed_square + bend * max(push, 0.0)
         ruled_out = (along + horizon * min(curvature, 0.0) > 0.0) | (modes[MOTION, j] == POCKETED)
-        ruled_out |= ((across > 0.0) & (across * across > limit)) | ((latest < 0.0) & (latest * latest > limit))
+        ruled_out |= ((across > 0.0) & (across * across > limit)) | (
+            (latest < 0.0) & (latest * latest > limit)
+        )
         ruled_out |= (speed_square == 0.0) & (x * x + y * y > 1.1 * reach_square)
         bits |= (0 if ruled_out else 1) << k
         follow |= (1 if modes[PARTNER, j] == i else 0) << k

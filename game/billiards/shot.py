@@ -138,15 +138,13 @@ def batch_of(shots: list[Shot]) -> Batch:
             tables[id(shot.layout)] = len(layouts)
             layouts.append(shot.layout)
         rows.append(tables[id(shot.layout)])
-    ends = np.cumsum([[0, 0, 0]] + [[len(a.cushions), len(a.jaws), len(a.pockets)] for a in layouts], axis=0)
-    ranges = np.stack([ends[:-1], ends[1:]], axis=2).reshape(-1, 6)
+    starts = np.cumsum([0] + [len(layout.elements) for layout in layouts])
+    ranges = np.array([[0, *np.cumsum(layout.counts)] for layout in layouts]) + starts[:-1, None]
     return Batch(
         np.stack([shot.balls for shot in shots]),
         np.stack([shot.constants for shot in shots]),
-        np.concatenate([a.cushions for a in layouts]),
-        np.concatenate([a.jaws for a in layouts]),
-        np.concatenate([a.pockets for a in layouts]),
-        np.ascontiguousarray(ranges[rows]),
+        np.concatenate([layout.elements for layout in layouts]),
+        ranges[rows],
     )
 
 

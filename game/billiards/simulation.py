@@ -9,12 +9,28 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.billiards.exact import Batch, Log, Workspace, play_shots, workspace
 from game.billiards.shot import Shot
 from game.billiards.shot_file import load_shot
-from game.billiards.state import EVENT_LIMIT, IN_COLUMNS, NOT_FINITE, SEG_X, SEG_Y, SEGMENT_COLUMNS
+from game.billiards.state import (
+    END_TIME,
+    EVENT_LIMIT,
+    EVENTS_END,
+    EVENTS_START,
+    IN_COLUMNS,
+    NOT_FINITE,
+    SEG_X,
+    SEG_Y,
+    SEGMENT_COLUMNS,
+    SEGMENTS_END,
+    SEGMENTS_START,
+    STATUS,
+)
 from game.billiards.trajectory import Trajectory
+
+Array = NDArray[np.float64]
 
 MAX_EVENTS = 20_000  # of one shot; breaks have about 150
 FIRST_CAPACITY = 1024  # events in a log
@@ -34,32 +50,31 @@ def room_for(n: int) -> Workspace:
     return rooms[n]
 
 
-def log_for(shots: int, n: int, capacity: int) -> Log:
-    """An empty log for so many shots and events."""
+def log_for(shots: int, n: int, capacity: int, paths: bool = True) -> Log:
+    """An empty log for so many shots and events; without `paths`, none for segments."""
     return Log(
-        np.empty(capacity),
-        np.empty((capacity, 3), np.int64),
-        np.empty((2 * capacity + shots * n, SEGMENT_COLUMNS)),
-        np.empty((shots, 4), np.int64),
-        np.empty(shots, np.int64),
+        np.empty((capacity, 4)),
+        np.empty((2 * capacity + shots * n if paths else 0, SEGMENT_COLUMNS)),
+        np.empty((shots, 6)),
         np.empty((shots, n, IN_COLUMNS)),
-        np.empty(shots),
     )
 
 
 def _log_of_one(n: int, capacity: int) -> Log:
     """This thread's log for single shots of n balls."""
     logs = _room.__dict__.setdefault("logs", {})
-    if n not in logs or len(logs[n].times) < capacity:
+    if n not in logs or len(logs[n].events) < capacity:
         logs[n] = log_for(1, n, capacity)
     return logs[n]
 
 
-def check_status(status: int, time: float, max_events: int) -> None:
-    """SimulationError if a shot did not finish."""
-    if status == EVENT_LIMIT:
-        raise SimulationError(f"more than {max_events} events by {time:.6g} s; the shot was given up")
-    if status == NOT_FINITE:
+def check_status(ends: Array, max_events: int) -> None:
+    """SimulationError if a shot did not finish. ends (6,): its row of the log."""
+    if int(ends[STATUS]) == EVENT_LIMIT:
+        raise SimulationError(
+            f"more than {max_events} events by {ends[END_TIME]:.6g} s; the shot was given up"
+        )
+    if int(ends[STATUS]) == NOT_FINITE:
         raise SimulationError("a number of the shot's end state is not finite")
 
 
@@ -73,29 +88,23 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
     capacity = max(FIRST_CAPACITY, 4 * n * n)
     log = _log_of_one(n, capacity)
     while play_shots(room_for(n), batch, log, 0, until, max_events) == 0:
-        log = _log_of_one(n, 4 * len(log.times))
-    check_status(int(log.status[0]), float(log.end_times[0]), max_events)
+        log = _log_of_one(n, 4 * len(log.events))
+    check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)
 
 
 def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:
     """The trajectory of one shot of a log, in arrays of its own, in the table's frame."""
-    events_start, events_end, segments_start, segments_end = log.ranges[number].tolist()
-    segments = log.segments[segments_start:segments_end].copy()
+    ends = log.ends[number]
+    events = log.events[int(ends[EVENTS_START]) : int(ends[EVENTS_END])].copy()
+    segments = log.segments[int(ends[SEGMENTS_START]) : int(ends[SEGMENTS_END])].copy()
     final = log.final[number].copy()
     x, y = shot.layout.middle
     segments[:, SEG_X] += x
     segments[:, SEG_Y] += y
     final[:, 0] += x
     final[:, 1] += y
-    return Trajectory(
-        shot,
-        log.times[events_start:events_end].copy(),
-        log.events[events_start:events_end].copy(),
-        segments,
-        final,
-        float(log.end_times[number]),
-    )
+    return Trajectory(shot, events, segments, final, float(ends[END_TIME]))
 
 
 def simulate(shot: Shot, model: str = "exact", **options: Any) -> Trajectory:

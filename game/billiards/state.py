@@ -70,7 +70,8 @@ SEG_TIME, SEG_X, SEG_Y, SEG_VX, SEG_VY, SEG_WX, SEG_WY, SEG_WZ, SEG_AX, SEG_AY, 
 )
 SEGMENT_COLUMNS = 12
 
-# how a shot ended
+# how a shot went: columns of the log's ends (m, 6), and what STATUS says
+EVENTS_START, EVENTS_END, SEGMENTS_START, SEGMENTS_END, STATUS, END_TIME = range(6)
 FINISHED, EVENT_LIMIT, BUFFER_FULL, NOT_FINITE = range(4)
 
 CLOSING_SPEED = 1e-12  # m/s; slower approaches are rounding. Over 20 s they amount to 2e-11 m, under 1e-9 R

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.billiards.lean import lean_kernel
 from game.billiards.orientation import spin_in_segment, turn_in_segment, turns_at_starts
 from game.billiards.shot import Shot
 from game.billiards.state import (
@@ -32,7 +33,6 @@ from game.billiards.state import (
     SEG_X,
     SEG_Y,
 )
-from game.billiards.lean import lean_kernel
 
 Array = NDArray[np.float64]
 
@@ -106,16 +106,20 @@ def turns_at(segments, rows, time, radii, physics, starting, turns):
 class Trajectory:
     """A played shot.
 
-    times (e,) s, codes (e, 3): the events as numbers (type, ball, ball or element). segments (s, 12): the
-    stretches of the balls' ways, see `state`, in the table's frame. end (n, 11): the balls at end_time (s).
+    rows (e, 4): the events as numbers: time (s), type, ball, ball or element. segments (s, 12): the stretches
+    of the balls' ways, see `state`, in the table's frame. end (n, 11): the balls at end_time (s).
     """
 
     shot: Shot
-    times: Array
-    codes: NDArray[np.int64]
+    rows: Array
     segments: Array
     end: Array
     end_time: float
+
+    @property
+    def times(self) -> Array:
+        """Times of the events (e,), s."""
+        return self.rows[:, 0]
 
     @cached_property
     def events(self) -> list[Event]:
@@ -123,7 +127,8 @@ class Trajectory:
         shot = self.shot
         elements = {BALL_CUSHION: shot.cushion_ids, BALL_JAW: shot.jaw_ids, BALL_POCKET: shot.pocket_ids}
         events = []
-        for time, (code, i, j) in zip(self.times.tolist(), self.codes.tolist(), strict=True):
+        for time, number, ball, other in self.rows.tolist():
+            code, i, j = int(number), int(ball), int(other)
             ids: tuple[str, ...] = (shot.ids[i],)
             if code == BALL_BALL:
                 ids = (shot.ids[i], shot.ids[j])
@@ -144,7 +149,7 @@ class Trajectory:
     def digest(self) -> str:
         """Hash of all events and the end: equal for equal bits."""
         hasher = hashlib.blake2b(digest_size=16)
-        for array in (self.times, self.codes, self.end):
+        for array in (self.rows, self.end):
             hasher.update(np.ascontiguousarray(array).tobytes())
         return hasher.hexdigest()
 

@@ -18,8 +18,8 @@ from __future__ import annotations
 import math
 
 from game.billiards.contacts import ALCIATORE_FRICTION
-from game.billiards.state import BALL_FRICTION, BALL_LAW, BALL_LIMIT, MASS, RADIUS, VX, VY, WX, WY, WZ
 from game.billiards.lean import lean_kernel
+from game.billiards.state import BALL_FRICTION, BALL_LAW, BALL_LIMIT, MASS, RADIUS, VX, VY, WX, WY, WZ
 
 
 @lean_kernel(inline="always")

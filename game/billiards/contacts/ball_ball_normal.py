@@ -8,8 +8,8 @@ velocities. (Newton 1687, Principia, Scholium to the laws; Leckie and Greenspan 
 
 from __future__ import annotations
 
-from game.billiards.state import MASS, VX, VY
 from game.billiards.lean import lean_kernel
+from game.billiards.state import MASS, VX, VY
 
 
 @lean_kernel(inline="always")

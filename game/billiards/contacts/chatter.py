@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 
 from game.billiards.contacts.ball_ball_normal import closing_speed, push_apart, reduced_mass
-from game.billiards.state import MASS, RADIUS, VX, VY, WX, WY, WZ
 from game.billiards.lean import lean_kernel
+from game.billiards.state import MASS, RADIUS, VX, VY, WX, WY, WZ
 
 CHATTER_TIME = 0.02  # s
 ALLOWED_REPEATS = 3

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.lean import lean_kernel
 from game.billiards.state import (
     CUSHION_FRICTION,
     CUSHION_HEIGHT,
@@ -22,7 +23,6 @@ from game.billiards.state import (
     WY,
     WZ,
 )
-from game.billiards.lean import lean_kernel
 
 
 @lean_kernel(inline="always")

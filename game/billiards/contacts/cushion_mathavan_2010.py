@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.lean import lean_kernel
 from game.billiards.state import (
     CUSHION_FRICTION,
     CUSHION_HEIGHT,
@@ -28,7 +29,6 @@ from game.billiards.state import (
     WY,
     WZ,
 )
-from game.billiards.lean import lean_kernel
 
 STEPS = 100  # of the compression
 MAX_STEPS = 20 * STEPS  # friction strong enough to hold the ball in the rail for so long is absurd

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from game.billiards.state import VX, VY
 from game.billiards.lean import lean_kernel
+from game.billiards.state import VX, VY
 
 
 @lean_kernel(inline="always")
