@@ -35,12 +35,12 @@ _table_painter = TablePainter()
 
 
 class Balls(NamedTuple):
-    """What is drawn of balls: positions (n, 2) m, radii (n,) m, numbers, orientations (n, 4), opacities."""
+    """What is drawn of balls: positions (n, 2) m, radii (n,) m, numbers, turns (n, 3, 3), opacities (n,)."""
 
     positions: Array
     radii: Array
     numbers: NDArray[np.int64]
-    orientations: Array
+    turns: Array
     opacities: Array
 
 
@@ -62,19 +62,31 @@ def matrices_of(quaternions: Array) -> Array:
     )
 
 
-def draw_table(canvas: Canvas, table: Table) -> None:
-    """Cloth, cushions, wood and pockets, from a picture that is kept while nothing about it changes."""
-    left, top = canvas.camera.to_screen(0.0, 0.0)
-    view = TableView(left - canvas.rect.x, top - canvas.rect.y, canvas.camera.scale)
-    _table_painter.draw(canvas.surface.subsurface(canvas.rect), table, view, canvas.theme)
+def draw_table(
+    canvas: Canvas, table: Table, origin: tuple[float, float] = (0.0, 0.0), alone: bool = True
+) -> None:
+    """Cloth, cushions, wood and pockets, from a picture that is kept while nothing about it changes.
+
+    ``origin``: where the table's corner lies in the world. ``alone``: it may cover the whole canvas.
+    """
+    region = canvas.rect
+    left, top = canvas.camera.to_screen(*origin)
+    if not alone:
+        corners = [(origin[0] - SURROUND, origin[1] - SURROUND)]
+        corners += [(origin[0] + table.width + SURROUND, origin[1] + table.length + SURROUND)]
+        (x0, y0), (x1, y1) = (canvas.camera.to_screen(*corner) for corner in corners)
+        region = pygame.Rect(round(x0), round(y0), round(x1 - x0), round(y1 - y0)).clip(canvas.rect)
+    if region.w > 0 and region.h > 0:
+        view = TableView(left - region.x, top - region.y, canvas.camera.scale)
+        _table_painter.draw(canvas.surface.subsurface(region), table, view, canvas.theme)
 
 
-def draw_balls(canvas: Canvas, balls: Balls, table: Table) -> None:
+def draw_balls(canvas: Canvas, balls: Balls, table: Table, origin: tuple[float, float] = (0.0, 0.0)) -> None:
     """Shaded balls with their shadows, numbers and stripes turned as they have rolled."""
     pixels, clip = canvas.raster_target
-    points = np.array([canvas.place(point) for point in balls.positions]).reshape(-1, 2)
-    turns = QUARTER_TURN @ matrices_of(balls.orientations)
-    middle = canvas.place((0.5 * table.width, 0.5 * table.length))
+    points = np.array([canvas.place(point) for point in balls.positions + origin]).reshape(-1, 2)
+    turns = QUARTER_TURN @ balls.turns
+    middle = canvas.place((origin[0] + 0.5 * table.width, origin[1] + 0.5 * table.length))
     scale = canvas.pixels_per_unit
     _ball_painter.draw(
         pixels,
@@ -173,7 +185,7 @@ def _balls_of(scene: LectureTable, alpha: float) -> Balls:
         if hole >= 0:
             positions[ball] += (1.0 - opacities[ball]) * (table_pocket(scene, hole) - positions[ball])
     radii = scene.table.state.radii * np.where(fallen, 0.8 + 0.2 * opacities, 1.0)
-    return Balls(positions, radii, scene.numbers, state.orientations, opacities)
+    return Balls(positions, radii, scene.numbers, matrices_of(state.orientations), opacities)
 
 
 def table_pocket(scene: LectureTable, hole: int) -> Array:
@@ -196,7 +208,7 @@ def _draw_cue(scene: LectureTable, canvas: Canvas, balls: Balls) -> None:
     white, radius = balls.positions[0], float(balls.radii[0])
     back = radius + scene.cue.gap
     way = (math.cos(scene.cue.aim), math.sin(scene.cue.aim))
-    _stick(canvas, scene.table.table, (white[0] - back * way[0], white[1] - back * way[1]), way)
+    draw_stick(canvas, scene.table.table, (white[0] - back * way[0], white[1] - back * way[1]), way)
     if scene.cue.phase == PULLING:
         canvas.label(white, f"{scene.cue.speed:.1f} m/s", FELT_WARM, 13, "semibold", offset=(0.0, -28.0))
 
@@ -204,7 +216,7 @@ def _draw_cue(scene: LectureTable, canvas: Canvas, balls: Balls) -> None:
 def _draw_resting_cue(scene: LectureTable, canvas: Canvas, table: Table) -> None:
     """The other player's cue, laid beside the table."""
     x = table.width + CUSHION_DEPTH + WOOD + 0.035
-    _stick(
+    draw_stick(
         canvas,
         table,
         (x, 0.5 * table.length + (1 - 2 * scene.player) * 0.5 * CUE_LENGTH),
@@ -212,7 +224,7 @@ def _draw_resting_cue(scene: LectureTable, canvas: Canvas, table: Table) -> None
     )
 
 
-def _stick(canvas: Canvas, table: Table, tip: tuple[float, float], way: tuple[float, float]) -> None:
+def draw_stick(canvas: Canvas, table: Table, tip: tuple[float, float], way: tuple[float, float]) -> None:
     """A cue with its tip at a point of the table, pointing along a unit vector."""
     pixels, clip = canvas.raster_target
     x, y = canvas.place(tip)

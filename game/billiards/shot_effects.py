@@ -1,0 +1,35 @@
+"""Effects of the exact table, and the physics that is left when some are off."""
+
+from __future__ import annotations
+
+from game.billiards.lecture_state import POCKETS
+from game.billiards.shot import Physics
+from game.billiards.table import Table
+from game.physics.effects import EffectSet, declare_effect
+
+CLOTH = declare_effect(
+    "billiards", "cloth", 14, "Cloth", "Balls slide, then roll, and come to rest; without it they go on for ever."
+)
+SPIN_DECAY = declare_effect("billiards", "spin-decay", 15, "Spin decay", "Spin about the vertical wears off.")
+THROW = declare_effect("billiards", "throw", 16, "Throw", "Balls rub on each other: cut and spin throw the other.")
+RUBBER = declare_effect("billiards", "rubber", 17, "Cushion friction", "Spin and cushion act on each other.")
+EXACT_EFFECTS = CLOTH | SPIN_DECAY | THROW | RUBBER | POCKETS
+
+
+def physics_of(active: EffectSet, full: Physics | None = None) -> Physics:
+    """``full`` (default: a pool table in play) without the effects that are not active."""
+    full = Physics() if full is None else full
+    cloth, spin = CLOTH in active, SPIN_DECAY in active
+    return full._replace(
+        sliding=full.sliding if cloth else 0.0,
+        rolling=full.rolling if cloth else 0.0,
+        spinning=full.spinning if spin else 0.0,
+        ball_ball=full.ball_ball if THROW in active else "wallace-1988",
+        ball_friction=full.ball_friction if THROW in active else 0.0,
+        cushion=full.cushion if RUBBER in active else "restitution",
+    )
+
+
+def table_of(active: EffectSet, table: Table) -> Table:
+    """The table, or the same bed with unbroken rails if there are to be no pockets."""
+    return table if POCKETS in active else Table.bare(table.width, table.length, table.cushion_height)

@@ -1,0 +1,157 @@
+"""How the broad-phase scenes are drawn: the world with its boxes on the right, and a column of findings."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.ui.canvas import Canvas
+from game.ui.numerals import quantity
+from game.ui.painters.boxes import HIDDEN, BoxPainter, paint_raster, shades
+
+if TYPE_CHECKING:
+    from game.scenes.boxes_scene import BoxesScene
+
+COLUMN_LEFT, COLUMN_RIGHT = -4.4, -0.5  # m, where the findings stand beside the world
+COLUMN_TOP = 5.55  # m, below the legend
+LEAP = 1.0  # m in a step; a box that moved further is not drawn on its way
+FREE, OVERLAPPING, IN_HAND = 0, 1, 2  # kinds of boxes
+MOST_LINES = 6_000
+LEAST_CELL = 5.0  # px; smaller cells are shaded together
+
+_boxes = BoxPainter(
+    (
+        ("body", 0.9, "text3", 0.75),
+        ("vermilion", 0.34, "vermilion", 1.0),
+        ("chalk", 0.4, "chalk", 1.0),
+    )
+)
+
+
+def draw_ground(canvas: Canvas) -> None:
+    """The world's boundary."""
+    corners = np.array([(0.0, 0.0), (WIDTH, 0.0), (WIDTH, HEIGHT), (0.0, HEIGHT)])
+    canvas.polygon(corners, outline="line2", width=1.5)
+
+
+def draw_boxes(scene: BoxesScene, canvas: Canvas, alpha: float) -> None:
+    """All boxes: those that overlap filled and solid, the others in hairlines; lines between pairs."""
+    kinds = np.where(scene.alive == 1, FREE, HIDDEN).astype(np.uint8)
+    kinds[scene.pairs.ravel()] = OVERLAPPING
+    if scene.held >= 0:
+        kinds[scene.held] = IN_HAND
+    before = scene.previous
+    same = before is not None and len(before.lowers) == len(scene.lowers)
+    _boxes.paint(
+        canvas, scene.lowers, scene.uppers, kinds,
+        (before.lowers, before.uppers) if same else None, alpha, LEAP,
+    )  # fmt: skip
+    if scene.lines and 0 < len(scene.pairs) <= MOST_LINES:
+        _draw_lines(scene, canvas, alpha if same else 1.0)
+    if scene.anchor is not None:
+        (x0, y0), (x1, y1) = scene.anchor, scene.reach
+        canvas.polygon(
+            np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]), outline="chalk", width=2.0, dash=(8.0, 6.0)
+        )
+
+
+def _draw_lines(scene: BoxesScene, canvas: Canvas, alpha: float) -> None:
+    """A line between the centres of each pair of finite boxes."""
+    low, high = scene.lowers, scene.uppers
+    if alpha < 1.0:
+        before = scene.previous
+        near = (np.abs(low - before.lowers) <= LEAP).all(axis=1)[:, None]
+        low = np.where(near, before.lowers + alpha * (low - before.lowers), low)
+        high = np.where(near, before.uppers + alpha * (high - before.uppers), high)
+    with np.errstate(invalid="ignore"):
+        centers = 0.5 * (low + high)
+    canvas.segments(centers[scene.pairs[:, 0]], centers[scene.pairs[:, 1]], "vermilion", 1.4)
+
+
+def draw_loads(
+    canvas: Canvas, loads: NDArray[np.int32], cell: float, full: float, color: str = "chalk"
+) -> None:
+    """Cells shaded by the number of boxes in them, from none to ``full`` and above; small cells together."""
+    together = max(math.ceil(LEAST_CELL * canvas.k / (cell * canvas.pixels_per_unit)), 1)
+    rows, columns = loads.shape
+    if together > 1:
+        padded = np.zeros((-(-rows // together) * together, -(-columns // together) * together))
+        padded[:rows, :columns] = loads
+        shape = padded.shape[0] // together, together, padded.shape[1] // together, together
+        shaded = padded.reshape(shape).mean(axis=(1, 3))
+    else:
+        shaded = loads.astype(np.float64)
+    height, width = (n * together * cell for n in shaded.shape)
+    paint_raster(canvas, shades(canvas, 0.42 * shaded / full, color), (0.0, 0.0), (width, height))
+    if together == 1 and cell * canvas.pixels_per_unit >= 9.0 * canvas.k:
+        x, y = np.arange(columns + 1) * cell, np.arange(rows + 1) * cell
+        ends_x, ends_y = np.stack([x, x * 0.0], 1), np.stack([y * 0.0, y], 1)
+        canvas.segments(ends_x, np.stack([x, x * 0.0 + rows * cell], 1), "grid2", 1.0)
+        canvas.segments(ends_y, np.stack([y * 0.0 + columns * cell, y], 1), "grid2", 1.0)
+
+
+def seconds_text(seconds: float) -> str:
+    """A time with its unit, or a dash where there is none."""
+    return " ".join(quantity(seconds, "s")) if math.isfinite(seconds) else "–"
+
+
+def bytes_text(count: float) -> str:
+    """An amount of memory with its unit."""
+    return " ".join(quantity(float(count), "B"))
+
+
+class Column:
+    """Writes findings down a column of the world, from the top; heights in design px."""
+
+    def __init__(self, canvas: Canvas, top: float = COLUMN_TOP):
+        self.canvas = canvas
+        self.y = top
+        self.left, self.right = COLUMN_LEFT, COLUMN_RIGHT
+
+    def space(self, height_px: float) -> None:
+        """Leave room."""
+        self.y -= self.canvas.px(height_px)
+
+    def head(self, words: str, remark: str = "") -> None:
+        """A section's head, with a remark at its right."""
+        self.canvas.label((self.left, self.y), words, "text1", 12, "semibold", "left", halo=False)
+        if remark:
+            self.canvas.label((self.right, self.y), remark, "text3", 11, "medium", "right", halo=False)
+        self.space(18)
+
+    def row(self, words: str, value: str, color: str = "text2") -> None:
+        """Words on the left, a value on the right."""
+        self.canvas.label((self.left, self.y), words, color, 12, "medium", "left", halo=False)
+        self.canvas.label((self.right, self.y), value, "text1", 12, "semibold", "right", halo=False)
+        self.space(19)
+
+    def bar(self, words: str, value: str, share: float, color: str, hollow: bool = False) -> None:
+        """A row with a bar below it, ``share`` of the column long."""
+        canvas = self.canvas
+        self.row(words, value)
+        y = self.y + canvas.px(6)
+        canvas.line((self.left, y), (self.right, y), "inset", 4.0)
+        if share > 0.0:
+            end = self.left + min(share, 1.0) * (self.right - self.left)
+            canvas.line((self.left, y), (end, y), color, 4.0, alpha=0.4 if hollow else 1.0)
+        self.space(10)
+
+    def picture(self, colors: NDArray[np.uint32], height_px: float) -> None:
+        """A raster over the width of the column."""
+        canvas = self.canvas
+        lower = (self.left, self.y - canvas.px(height_px))
+        paint_raster(canvas, colors, lower, (self.right, self.y))
+        corners = np.array([lower, (self.right, lower[1]), (self.right, self.y), (self.left, self.y)])
+        canvas.polygon(corners, outline="line2", width=1.0)
+        self.space(height_px + 14)
+
+
+def log_share(seconds: float, least: float = 1e-6, most: float = 1.0) -> float:
+    """Where a time lies between two others on a logarithmic bar; 0 where there is none."""
+    if not seconds > 0.0 or not math.isfinite(seconds):
+        return 0.0
+    return min(max(math.log(seconds / least) / math.log(most / least), 0.02), 1.0)

@@ -1,0 +1,232 @@
+"""A uniform grid finds the pairs; a full matrix and a hash table keep them, side by side."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from game.lab.studies.broadphase import cell_size_study
+from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, UniformGrid
+from game.physics.broadphase.effects import BOUNDARY, HASHED_PAIRS, MATRIX_PAIRS, MOTION
+from game.scenes import boxes_view as view
+from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.scenes.boxes_scene import BoxesScene
+from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
+
+MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
+MOST_CELLS = 1 << 20
+MATRIX_PICTURE = 128  # blocks across
+HASH_ROWS, HASH_COLUMNS = 16, 64
+
+
+class UniformGridScene(BoxesScene):
+    """Boxes with random velocities move by explicit Euler and turn back at the boundary. A uniform grid,
+    a dense matrix of cells without any hashing, finds all pairs that overlap in every step; boxes are
+    added, removed and updated in it as they come, go and move.
+
+    Two pair managers are told the pairs, and say which ones began and which ended. One looks a pair up in a
+    full matrix over all boxes, the other in a hash table. Their answers are compared in every step, their
+    times and their memory are shown side by side. The matrix asks for one look and for memory that grows
+    with the square of the boxes; above 4096 boxes it is left out here.
+
+    In the textbook's grid every box stands in all cells that it covers; here it may also stand in the cell
+    of its lower corner alone, and look further for its partners.
+    """
+
+    name = "c05"
+    task = "C05"
+    title = "Uniform grid and pair management"
+    effects = MOTION | BOUNDARY | MATRIX_PAIRS | HASHED_PAIRS
+    study = cell_size_study
+
+    cell = Param(
+        2.0, 0.25, 32.0, log=True, group="Grid", label="Cell size",
+        help="edge of a cell over the size of most boxes",
+    )  # fmt: skip
+    storage = Choice(
+        "corner",
+        ("corner", "covered"),
+        labels=("One cell", "All covered"),
+        group="Grid",
+        label="A box stands in",
+        help="the cell of its lower corner, or every cell that it covers",
+    )
+    heat = Toggle(True, group="Shown", label="Cell load", help="cells shaded by the boxes in them")
+
+    strips = (
+        Strip("Pairs", "", ("pairs",)),
+        Strip("Pair managers", "s", ("matrix", "hash")),
+        Strip("Grid", "s", ("grid",)),
+    )
+    equations = (
+        Equation("Motion", r"x' = x + v \Delta t", "explicit Euler"),
+        Equation("Boundary", r"v' = -v", "beyond it and on the way out"),
+        Equation("Cell", r"i = \floor{(x - x_0) / c}", "Ericson 2005, 7.1"),
+        Equation("Entries of a box", r"(1 + s / c)^2", "all covered cells, mean"),
+        Equation("Place of a pair", r"k = \frac{i(2n - i - 1)}{2} + j - i - 1", "triangular matrix"),
+        Equation(
+            "Mean pairs", r"\frac{n(n-1)}{2} p^2,  p = \frac{2sL - s^2}{L^2}", "uniform boxes of side s"
+        ),
+    )
+    try_this = (
+        "Draw the cell size from 0.25 to 32: box tests and grid time go through a minimum. What accuracy costs shows the curve.",
+        "Choose all covered cells at a small cell size: entries grow with the square of size over cell.",
+        "Raise the number to 4000 and watch the memory of the matrix; the hash table hardly grows.",
+        "Put all boxes on one line, or cluster them: the load of a few cells, and the time, go up.",
+    )
+
+    # -- structures ---------------------------------------------------------------------------------
+
+    def make_structures(self) -> None:
+        cell = max(self.cell * self.size, math.sqrt(WIDTH * HEIGHT / MOST_CELLS))
+        kind = UniformGrid if self.storage == "corner" else CoveringGrid
+        self.grid = kind((0.0, 0.0), (WIDTH, HEIGHT), min(cell, WIDTH))
+        self.hashed = HashedPairs()
+        self.matrix: MatrixPairs | None = None
+        self._fit_matrix(len(self.alive))
+
+    def _fit_matrix(self, rows: int) -> None:
+        """A matrix with room for the ids there are, while there are not too many; its pairs are kept."""
+        if rows > MOST_IN_MATRIX:
+            if self.matrix is not None:
+                self.told.append(f"Above {MOST_IN_MATRIX} boxes the full matrix is left out.")
+            self.matrix = None
+        elif self.matrix is None or self.matrix.capacity < rows:
+            old, self.matrix = self.matrix, MatrixPairs(max(1 << (rows - 1).bit_length(), 256))
+            if old is not None:
+                self.matrix.set_pairs(old.pairs())
+                self.matrix.take_events()
+
+    def structures(self) -> tuple[UniformGrid]:
+        return (self.grid,)
+
+    def pair_up(self) -> None:
+        with self.watch.time("grid"):
+            self.update(self.grid)
+            self.pairs = self.grid.pairs()
+        self._fit_matrix(len(self.alive))
+        answers = []
+        for name, effect, manager in (
+            ("matrix", MATRIX_PAIRS, self.matrix),
+            ("hash", HASHED_PAIRS, self.hashed),
+        ):
+            if manager is None or effect not in self.active:
+                self.watch.forget(name)
+                continue
+            with self.watch.time(name):
+                manager.set_pairs(self.pairs)
+                answers.append(manager.take_events())
+        self.begun, self.ended = (len(events) for events in answers[0]) if answers else (0, 0)
+        self.same = all(
+            np.array_equal(mine, first)
+            for events in answers[1:]
+            for mine, first in zip(events, answers[0], strict=True)
+        )
+
+    def effects_changed(self) -> None:
+        """A manager that was off learns the pairs that there are."""
+        for manager in (self.matrix, self.hashed):
+            if manager is not None:
+                manager.set_pairs(self.pairs)
+                manager.take_events()
+
+    def knob_changed(self, name: str) -> None:
+        super().knob_changed(name)
+        if name in ("cell", "storage"):
+            counts = self.begun, self.ended
+            self._begin_anew()
+            self.begun, self.ended = counts
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def readouts(self) -> tuple[Readout, ...]:
+        return (
+            Readout("boxes", len(self.ids)),
+            Readout("pairs", len(self.pairs)),
+            Readout("begun", self.begun),
+            Readout("ended", self.ended),
+            Readout("grid", self.watch.median("grid"), "s"),
+            Readout("matrix", self.watch.median("matrix"), "s"),
+            Readout("hash", self.watch.median("hash"), "s"),
+            Readout("box tests", self.grid.tests),
+            Readout("answers differ", 0.0 if self.same else 1.0),
+        )
+
+    def legend(self) -> tuple[tuple[str, str, str], ...]:
+        rows = [
+            ("box:vermilion", "overlapping", str(self.overlapping())),
+            ("box:ghost", "boxes", str(len(self.ids))),
+            ("line:vermilion", "pairs", str(len(self.pairs))),
+        ]
+        if self.heat:
+            full = self._full()
+            rows.append(("scale:stage:chalk", "Boxes in a cell", f"0 {full:.3g}"))
+        return tuple(rows)
+
+    def _full(self) -> float:
+        """Load that is shaded fully: three times that of a cell if boxes were spread evenly, at least 3."""
+        even = len(self.ids) / (self.grid.columns * self.grid.rows)
+        if isinstance(self.grid, CoveringGrid):
+            even *= (1.0 + self.size / self.grid.cell) ** 2
+        return max(3.0 * math.ceil(even), 3.0)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        if self.heat:
+            view.draw_loads(canvas, self.grid.loads(), self.grid.cell, self._full())
+        view.draw_ground(canvas)
+        view.draw_boxes(self, canvas, alpha)
+        self._draw_managers(canvas)
+
+    def _draw_managers(self, canvas: Any) -> None:
+        """Matrix and hash table as they are filled, and what each costs."""
+        column = view.Column(canvas)
+        times = [self.watch.median(name) for name in ("matrix", "hash")]
+        longest = max((time for time in times if math.isfinite(time)), default=1.0)
+        column.head("Pair managers", "same answers" if self.same else "answers differ")
+        for words, manager, time, color in (
+            ("Full matrix", self.matrix if MATRIX_PAIRS in self.active else None, times[0], "chalk"),
+            ("Hash table", self.hashed if HASHED_PAIRS in self.active else None, times[1], "green"),
+        ):
+            pairs = f"{len(manager)} pairs" if manager is not None else "left out"
+            column.bar(
+                f"{words}, {pairs}", view.seconds_text(time), time / longest if time > 0.0 else 0.0, color
+            )
+        column.space(8)
+        self._draw_matrix(column, canvas)
+        self._draw_table(column, canvas)
+
+    def _draw_matrix(self, column: view.Column, canvas: Any) -> None:
+        """Which places of the matrix hold a pair, in blocks."""
+        if self.matrix is None or MATRIX_PAIRS not in self.active:
+            size = 4.0 * len(self.alive) * (len(self.alive) - 1) / 2
+            column.head("Full matrix", f"would take {view.bytes_text(size)}")
+            return
+        n = max(len(self.alive), 2)
+        blocks = min(MATRIX_PICTURE, n)
+        filled = np.zeros((blocks // 2, blocks))
+        if len(self.pairs):
+            rows = (blocks // 2 - 1) - self.pairs[:, 0] * (blocks // 2) // n
+            np.add.at(filled, (rows, self.pairs[:, 1] * blocks // n), 1.0)
+        row, place = np.indices(filled.shape)
+        beyond = place / blocks < 1.0 - (row + 1) / (blocks // 2)  # below the diagonal there is nothing
+        colors = view.shades(
+            canvas, np.where(filled > 0, 0.35 + 0.65 * filled / max(filled.max(), 1), 0.0), "chalk", "inset"
+        )
+        colors[beyond & (filled == 0)] = canvas.ink("stage")
+        column.head("Full matrix", view.bytes_text(self.matrix.memory()))
+        column.picture(colors, 92)
+
+    def _draw_table(self, column: view.Column, canvas: Any) -> None:
+        """Which places of the hash table are taken, in blocks."""
+        if HASHED_PAIRS not in self.active:
+            return
+        taken = self.hashed.table.where > 0
+        blocks = min(HASH_ROWS * HASH_COLUMNS, len(taken))
+        columns = min(HASH_COLUMNS, blocks)
+        filled = taken.reshape(blocks // columns, columns, -1).mean(axis=2)
+        column.head(
+            "Hash table", f"{view.bytes_text(self.hashed.memory())}, {self.hashed.probes():.2f} looks"
+        )
+        column.picture(view.shades(canvas, filled, "green", "inset"), 56)

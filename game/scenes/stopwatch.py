@@ -1,0 +1,37 @@
+"""Times of the parts of a step, for the picture alone: nothing that is computed may depend on them."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
+from time import perf_counter
+
+SAMPLES = 31  # odd, so that the median is a sample
+
+
+class Stopwatch:
+    """Running medians of measured times, by name."""
+
+    def __init__(self) -> None:
+        self._samples: dict[str, deque[float]] = {}
+
+    @contextmanager
+    def time(self, name: str) -> Iterator[None]:
+        """Measure what is done inside."""
+        began = perf_counter()
+        yield
+        self.add(name, perf_counter() - began)
+
+    def add(self, name: str, seconds: float) -> None:
+        """Take a measured time, s."""
+        self._samples.setdefault(name, deque(maxlen=SAMPLES)).append(seconds)
+
+    def forget(self, name: str) -> None:
+        """Forget a part that is no longer done."""
+        self._samples.pop(name, None)
+
+    def median(self, name: str) -> float:
+        """Median of the last times, s; NaN if there are none."""
+        samples = sorted(self._samples.get(name, ()))
+        return samples[len(samples) // 2] if samples else float("nan")

@@ -1,0 +1,355 @@
+"""One stroke on three tables: the lecture's stepping, a stepped table with all of the physics, and the exact one."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import Annotated, Any, NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.cue import strike
+from game.billiards.rack import BALL_RADIUS, HEAD_SPOT, eight_ball_rack
+from game.billiards.shot import Shot, make_shot
+from game.billiards.shot_effects import EXACT_EFFECTS, physics_of, table_of
+from game.billiards.simulation import simulate
+from game.billiards.table import Table
+from game.billiards.trajectory import Trajectory
+from game.lab.studies.billiards import billiards_study
+from game.levels import Level
+from game.scenes import three_tables_view as view
+from game.scenes.cue_control import AIMING, CueControl
+from game.scenes.demo_shots import choose_stroke
+from game.scenes.lecture_table_level import BallEntry
+from game.stage import (
+    Choice,
+    Equation,
+    Frame,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
+
+Array = NDArray[np.float64]
+
+MODELS = ("lecture", "stepped", "exact")
+PERTURBATIONS = ("none", "1e-15", "1e-12", "1e-9", "1e-6", "1e-3")  # m, of the white ball
+NEXT_STROKE_S = 1.5  # s between the end of a shot and the next stroke that the table plays itself
+LONGEST_S = 60.0  # s that a shot is shown; without cloth it would never end
+SAMPLES_HZ = 30.0  # of the difference, for the chart
+LEAST = 1e-17  # m; what the logarithm of no difference at all is taken from
+
+
+class ThreeTablesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """[content] of a level: balls (else a rack), and the stroke that it begins with."""
+
+    balls: Annotated[list[BallEntry], msgspec.Meta(max_length=22)] = []
+    speed: Annotated[float, msgspec.Meta(ge=0.0, le=15.0)] = 0.0  # m/s of the cue ball; 0: nobody strikes
+    angle_deg: Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)] = 90.0
+    bare: bool = False
+    plays_itself: bool = False
+
+
+class ThreeTablesState(NamedTuple):
+    """start (n, 2) m and in_play (n,) of the shot; shot (8,): playing, time s, speed m/s, aim, offsets, elevation,
+    strokes; cue (7,); places (3, n, 2) m on the three tables."""
+
+    start: Array
+    in_play: NDArray[np.bool_]
+    shot: Array
+    cue: Array
+    places: Array
+
+
+PLAYING, TIME, SPEED, AIM, LEFT, UP, ELEVATION, STROKES = range(8)
+
+
+class ThreeTables(Scene):
+    """The same stroke on three tables. The first is the lecture's: a velocity added to the position in every
+    step, no spin. The second steps too, but with all of the physics: balls slide, roll and spin, throw each
+    other, and rebound as Han's cushion has it. The third does not step at all. It computes the times of the next
+    events, and between them every ball follows a formula, so that its picture is exact at any moment.
+
+    The chart shows how far the balls lie from those of the exact table. A thin error at one contact is a larger
+    one at the next: choose a perturbation of a picometre, and two exact tables part by a metre after a hundred
+    contacts. No table can be predicted for longer, however small its step.
+    """
+
+    name = "three-tables"
+    task = "L"
+    title = "Three tables"
+    effects = EXACT_EFFECTS
+    quarter_turns = 1
+    content_type = ThreeTablesContent
+    study = billiards_study
+
+    tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
+    tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
+    elevation = Param(0.0, 0.0, 60.0, unit="°", group="Stroke", help="of the butt of the cue")
+    lecture_step = Param(1 / 60, 1 / 2000, 1 / 20, unit="s", log=True, group="Steps", label="Lecture's step")
+    stepped_step = Param(
+        1 / 240, 1 / 20000, 1 / 20, unit="s", log=True, group="Steps", label="Stepped table's"
+    )
+    passes = Param(4, 1, 50, whole=True, group="Steps", help="rounds of moving overlapping balls apart")
+    perturbation = Choice("none", PERTURBATIONS, group="Chaos", help="a second exact table, its white ball moved by so many metres")  # fmt: skip
+    prediction = Toggle(True, group="Shown", label="Aim line")
+
+    strips = (
+        Strip("Difference", "log10 m", ("lecture", "stepped", "perturbed")),
+        Strip("Energy, exact", "J", ("energy",)),
+        Strip("Events", "", ("events",)),
+    )
+    hints = (Hint(("Move",), "aim"), Hint(("Drag",), "pull back"), Hint(("Esc",), "take back"))
+    actions = (SceneAction("rack", "new rack", "R"), SceneAction("demo", "plays itself", "D"))
+    equations = (
+        Equation(
+            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
+        ),
+        Equation("Next contact of two balls", r"|\v{r}_2(t) - \v{r}_1(t)|^2 = 4 R^2", "a quartic in t"),
+        Equation("Cue and ball", r"v = \frac{2 V}{1 + m/M + \frac{5}{2} (a^2 + b^2)}", "Alciatore, TP A-30"),
+    )
+    try_this = (
+        "Draw the tip down and play a straight shot: the lecture's ball stops, the other two come back.",
+        "Set the stepped table's step to 0.05 s and break: balls pass through each other.",
+        "Choose a perturbation of 1e-12 and break: watch the curve climb to a metre.",
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else None
+        self.content = content or ThreeTablesContent(plays_itself=True)
+        self.bed = Table.bare(1.27, 2.54) if self.content.bare else Table.pool()
+        self._lay_balls()
+        self.cue = CueControl(0.5 * math.pi)
+        self.shot = np.zeros(8)
+        self.wait_s = 0.0
+        self.grasped = 2  # the table that the pointer is on
+        self.plays_itself = self.content.plays_itself
+        self.told: deque[str] = deque(maxlen=8)
+        self._signature = b""
+        self._play()
+        if self.content.speed > 0.0:
+            self._strike(math.radians(self.content.angle_deg), self.content.speed)
+
+    def _lay_balls(self) -> None:
+        rows = sorted(self.content.balls, key=lambda row: row.number != 0)
+        if rows:
+            self.numbers = np.array([row.number for row in rows])
+            self.start = np.array([row.position for row in rows], dtype=np.float64)
+            self.radii = np.array([row.radius for row in rows])
+            self.masses = np.array([row.mass for row in rows])
+        else:
+            self.numbers = np.arange(16)
+            self.start = eight_ball_rack(self.bed)
+            self.radii = np.full(16, BALL_RADIUS)
+            self.masses = np.full(16, 0.170097)
+        if self.numbers[0] != 0:
+            raise ValueError("balls: the white one (number 0) is wanted")
+        self.in_play = np.ones(len(self.numbers), dtype=np.bool_)
+        self.places = np.repeat(self.start[None], 3, axis=0)
+
+    def state(self) -> ThreeTablesState:
+        return ThreeTablesState(self.start, self.in_play, self.shot, self.cue.data, self.places)
+
+    def restore(self, state: ThreeTablesState) -> None:
+        super().restore(state._replace(cue=self.cue.data))
+        self.cue.data[:] = state.cue
+        self._play()
+
+    def effects_changed(self) -> None:
+        self._signature = b""
+        self._play()
+
+    def knob_changed(self, name: str) -> None:
+        if name in ("lecture_step", "stepped_step", "passes", "perturbation"):
+            self._signature = b""
+            self._play()
+
+    # -- the shot -----------------------------------------------------------------------------------
+
+    def _shot_now(self, moved: float = 0.0) -> Shot:
+        """The shot as it lies, struck if one is being played; the white ball ``moved`` m aside."""
+        rows = np.flatnonzero(self.in_play)
+        positions = self.start[rows].copy()
+        positions[0, 0] += moved
+        bed = table_of(self.active, self.bed)
+        shot = make_shot(
+            bed,
+            positions,
+            radii=self.radii[rows],
+            masses=self.masses[rows],
+            physics=physics_of(self.active),
+            ids=tuple(str(number) for number in self.numbers[rows].tolist()),
+        )
+        if not self.shot[PLAYING]:
+            return shot
+        blow = strike(
+            self.shot[SPEED] / _speed_ratio(), self.shot[AIM], self.shot[ELEVATION], self.shot[LEFT], self.shot[UP],
+            ball_mass=float(self.masses[0]), ball_radius=float(self.radii[0]),
+        )  # fmt: skip
+        return shot.struck(0, blow.velocity, blow.spin)
+
+    def _play(self) -> None:
+        """Compute the shot on all tables, unless it is the one that is computed already."""
+        signature = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes() + self.start.tobytes() + self.in_play.tobytes()  # fmt: skip
+        if signature == self._signature:
+            return
+        self._signature = signature
+        shot = self._shot_now()
+        until = LONGEST_S
+        self.tables: dict[str, Trajectory] = {
+            "lecture": simulate(shot, "lecture", dt=self.lecture_step, until=until),
+            "stepped": simulate(shot, "stepped", dt=self.stepped_step, passes=int(self.passes), until=until),
+            "exact": simulate(shot, "exact", until=until),
+        }
+        if self.perturbation != "none":
+            self.tables["perturbed"] = simulate(
+                self._shot_now(float(self.perturbation)), "exact", until=until
+            )
+        self.pocketings = {
+            name: [event for event in table.events if event.type == "ball-pocket"]
+            for name, table in self.tables.items()
+        }
+        self.event_times = np.asarray(self.tables["exact"].times)
+        self.end_s = min(max(table.end_time for table in self.tables.values()), LONGEST_S)
+        self.differences = self._differences()
+
+    def _differences(self) -> dict[str, Array]:
+        """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ."""
+        times = np.arange(0.0, self.end_s + 1.0 / SAMPLES_HZ, 1.0 / SAMPLES_HZ)
+        names = [name for name in self.tables if name != "exact"]
+        found = {name: np.zeros(len(times)) for name in names}
+        for i, time in enumerate(times.tolist()):
+            exact = self.tables["exact"].state_at(time).positions
+            for name in names:
+                apart = self.tables[name].state_at(time).positions - exact
+                found[name][i] = math.sqrt(float((apart * apart).sum(axis=1).max()))
+        return found
+
+    def _strike(self, aim: float, speed: float) -> None:
+        self.shot[:] = 1.0, 0.0, speed, aim, self.tip_left, self.tip_up, math.radians(self.elevation), self.shot[STROKES] + 1  # fmt: skip
+        self._play()
+
+    def _end_shot(self) -> None:
+        """The next shot begins on all tables from where the exact one has ended."""
+        rows = np.flatnonzero(self.in_play)
+        final = self.tables["exact"].state_at(self.end_s)
+        pocketed = np.array([place == "pocketed" for place in self.tables["exact"].final.values()])
+        self.start[rows] = final.positions
+        self.in_play[rows] = ~pocketed
+        if not self.in_play[0]:
+            self.start[0] = self._free_spot()
+            self.in_play[0] = True
+        self.shot[PLAYING] = 0.0
+        self.wait_s = 0.0
+        if self.in_play.sum() == 1 and len(self.numbers) > 1:
+            self._lay_balls()
+        self._play()
+
+    def _free_spot(self) -> Array:
+        """The head spot, or the nearest free place along the middle."""
+        spot = np.array([0.5 * self.bed.width, HEAD_SPOT * self.bed.length])
+        others = self.start[1:][self.in_play[1:]]
+        for k in range(400):
+            place = spot + (0.0, (k + 1) // 2 * (-1) ** k * 0.5 * BALL_RADIUS)
+            if not len(others) or np.sqrt(((others - place) ** 2).sum(axis=1)).min() > 2.1 * self.radii.max():
+                return place
+        return spot
+
+    # -- stepping -----------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        if self.cue.advance(dt) and not self.shot[PLAYING]:
+            self._strike(self.cue.aim, self.cue.speed)
+        if self.shot[PLAYING]:
+            self.shot[TIME] += dt
+            self._place_balls()
+            if self.shot[TIME] >= self.end_s:
+                self._end_shot()
+        else:
+            self.wait_s += dt
+            if self.plays_itself and self.wait_s > NEXT_STROKE_S and self.cue.phase == AIMING:
+                first = int(self.shot[STROKES])
+                chosen = choose_stroke(self.start, self.radii, self.in_play, self.bed, self.seed, first)
+                self.cue.strike(chosen.aim, chosen.speed)
+
+    def _place_balls(self) -> None:
+        rows = np.flatnonzero(self.in_play)
+        for k, name in enumerate(MODELS):
+            self.places[k, rows] = self.tables[name].state_at(self.shot[TIME]).positions
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    def pointer(self, event: Pointer) -> None:
+        if event.kind == "down" and event.button == 1 and self.plays_itself:
+            self.plays_itself = False
+            self.told.append("The cue is yours: pull back and let go.")
+        if self.plays_itself:
+            return
+        if self.cue.phase == AIMING:
+            self.grasped = view.table_at(event.x, event.y)
+        x, y = view.ORIGINS[self.grasped]
+        local = msgspec.structs.replace(event, x=event.x - x, y=event.y - y)
+        white = self.start[0]
+        self.cue.pointer(local, float(white[0]), float(white[1]), not self.shot[PLAYING])
+
+    def action(self, name: str) -> None:
+        if name == "rack":
+            plays = self.plays_itself
+            self.build(self.level)
+            self.plays_itself = plays
+        elif name == "demo":
+            self.plays_itself = not self.plays_itself
+            self.cue.let_go()
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return view.FRAME
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        view.draw(self, canvas, alpha)
+
+    def difference_now(self, name: str) -> float:
+        """Largest distance of a ball to its place on the exact table at this moment, m."""
+        curve = self.differences.get(name)
+        if curve is None or not self.shot[PLAYING]:
+            return 0.0
+        return float(curve[min(int(self.shot[TIME] * SAMPLES_HZ), len(curve) - 1)])
+
+    def readouts(self) -> tuple[Readout, ...]:
+        time = float(self.shot[TIME]) if self.shot[PLAYING] else 0.0
+        moving = self.tables["exact"].state_at(time).velocities
+        masses = self.masses[self.in_play]
+        energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum()) if self.shot[PLAYING] else 0.0
+        done = int(np.searchsorted(self.event_times, time, side="right")) if self.shot[PLAYING] else 0
+        logs = {
+            name: math.log10(max(self.difference_now(name), LEAST))
+            for name in ("lecture", "stepped", "perturbed")
+        }
+        return (
+            Readout("events", done),
+            Readout("difference", self.difference_now("stepped"), "m"),
+            Readout("shot", time, "s"),
+            Readout("energy", energy, "J"),
+            *(Readout(name, value, "log10 m") for name, value in logs.items()),
+            Readout("strokes", self.shot[STROKES]),
+        )
+
+    def messages(self) -> list[str]:
+        told = list(self.told)
+        self.told.clear()
+        return told
+
+
+def _speed_ratio() -> float:
+    """Speed of a ball struck in the middle over that of the cue (Alciatore, TP A-30)."""
+    return float(np.linalg.norm(strike(1.0, 0.0).velocity))
