@@ -16,6 +16,7 @@ import pygame
 Color = pygame.Color
 KEPT_PIXELS = 8_000_000  # about 32 MB of finished pictures
 LARGEST = 16_384  # px, of either side
+FARTHEST = 30_000.0  # px; a blit takes 16 bit places
 
 
 class SurfaceStore:
@@ -79,11 +80,9 @@ def draw_disc(
     border: float = 1.0,
 ) -> None:
     """Draw a disc at a place between pixels (to a quarter); ``fill`` None leaves a ring."""
-    if not (math.isfinite(center[0]) and math.isfinite(center[1]) and 0.0 < radius < 0.5 * LARGEST):
+    if not (abs(center[0]) < FARTHEST and abs(center[1]) < FARTHEST and 0.0 < radius < 0.5 * LARGEST):
         return
     x, y = round(center[0] * 4.0) / 4.0, round(center[1] * 4.0) / 4.0
-    if max(abs(x), abs(y)) > 30_000.0:
-        return
     left, top = math.floor(x - radius) - 1, math.floor(y - radius) - 1
     side = math.ceil(2.0 * radius) + 3
     key = ("disc", radius, x - left, y - top, _rgba(fill), _rgba(outline), border)
