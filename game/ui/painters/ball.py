@@ -84,21 +84,16 @@ def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -
 
 
 @kernel
-def aim_lamps(places: Any, beams: Any) -> None:
-    """Write into ``beams`` (n, 2, 5) how each ball sees each lamp: unit vector to its nearest point, and its
-    middle (x, y) over its height. ``places`` (n, 2) m from the table's middle, x right, y up.
+def _beam(lamp: int, place_x: float, place_y: float) -> Any:
+    """A lamp as a ball sees it: unit vector to its nearest point, its middle (x, y), half its sides and blur
+    over its height, and its strength. The place is in metres from the table's middle, x right, y up.
     """
-    for i in range(places.shape[0]):
-        for lamp in range(look.LAMPS.shape[0]):
-            dx, dy, lx, ly = lamp_offset(lamp, places[i, 0], places[i, 1])
-            height = look.LAMPS[lamp, 4]
-            length = math.sqrt(lx * lx + ly * ly + height * height)
-            beams[i, lamp, 0], beams[i, lamp, 1], beams[i, lamp, 2] = (
-                lx / length,
-                ly / length,
-                height / length,
-            )
-            beams[i, lamp, 3], beams[i, lamp, 4] = dx / height, dy / height
+    dx, dy, lx, ly = lamp_offset(lamp, place_x, place_y)
+    height = look.LAMPS[lamp, 4]
+    length = math.sqrt(lx * lx + ly * ly + height * height)
+    half_x, half_y = look.LAMPS[lamp, 2] / height, look.LAMPS[lamp, 3] / height
+    towards = (lx / length, ly / length, height / length)
+    return (*towards, dx / height, dy / height, half_x, half_y, 0.06 / height, look.LAMPS[lamp, 5])
 
 
 @kernel
@@ -109,25 +104,13 @@ def _diffuse(facing: float) -> float:
 
 
 @kernel
-def _lamplight(nx: float, ny: float, nz: float, beams: Any, radius: float) -> Any:
-    """Diffuse light on a normal, and the mirror image of the lamps in it, summed over the lamps."""
-    lit, glare = 0.0, 0.0
-    up = 2.0 * nz * nz - 1.0  # of the mirrored ray
-    for lamp in range(look.LAMPS.shape[0]):
-        height, strength = look.LAMPS[lamp, 4], look.LAMPS[lamp, 5]
-        lit += strength * _diffuse(nx * beams[lamp, 0] + ny * beams[lamp, 1] + nz * beams[lamp, 2])
-        if up > 0.02:
-            # where the ray meets the lamp's plane, in heights; blurred by what one pixel sees
-            step = 2.0 * nz / up
-            soft = max(0.06 / height, 2.0 / (radius * up * up))
-            across = _soft_strip(ny * step - beams[lamp, 4], look.LAMPS[lamp, 3] / height, soft)
-            if across > 0.0:
-                glare += (
-                    strength
-                    * across
-                    * _soft_strip(nx * step - beams[lamp, 3], look.LAMPS[lamp, 2] / height, soft)
-                )
-    return lit, glare
+def _glare(rx: float, ry: float, beam: Any, soft: float) -> float:
+    """Mirror image of a lamp where a ray (rx, ry, 1) from the ball meets its plane; ``soft`` is its blur."""
+    wide = max(beam[7], soft)
+    across = _soft_strip(ry - beam[4], beam[6], wide)
+    if across <= 0.0:
+        return 0.0
+    return beam[8] * across * _soft_strip(rx - beam[3], beam[5], wide)
 
 
 @kernel
@@ -136,7 +119,7 @@ def _tone(light: float) -> int:
     return look.TONES[int(min(light, look.BRIGHTEST) * look.TONE_STEPS)]
 
 
-@kernel
+@kernel(inline="always")  # forty numbers handed over for each pixel would cost a quarter more
 def _shade(
     nx: float,
     ny: float,
@@ -148,18 +131,26 @@ def _shade(
     felt: Any,
     radius: float,
 ) -> int:
-    """Colour 0xRRGGBB of a ball where its unit normal is (nx, ny, nz)."""
-    px = turn[0, 0] * nx + turn[1, 0] * ny + turn[2, 0] * nz
-    py = turn[0, 1] * nx + turn[1, 1] * ny + turn[2, 1] * nz
-    pz = turn[0, 2] * nx + turn[1, 2] * ny + turn[2, 2] * nz
+    """Colour 0xRRGGBB of a ball where its unit normal is (nx, ny, nz); ``turn`` is a matrix row by row."""
+    # tuples, not arrays: the compiler keeps them in registers, which halves the time
+    first, second = beams
+    px = turn[0] * nx + turn[3] * ny + turn[6] * nz
+    py = turn[1] * nx + turn[4] * ny + turn[7] * nz
+    pz = turn[2] * nx + turn[5] * ny + turn[8] * nz
     red, green, blue = _resin(texture, number, px, py, pz, radius * max(look.SOFTEST, nz))
-    lit, glare = _lamplight(nx, ny, nz, beams, radius)
+    lit = first[8] * _diffuse(nx * first[0] + ny * first[1] + nz * first[2])
+    lit += second[8] * _diffuse(nx * second[0] + ny * second[1] + nz * second[2])
+    down, glare = 1.0 - 2.0 * nz * nz, 0.0  # how far the mirrored ray points at the cloth
+    if down < -0.02:
+        steep = -1.0 / down
+        rx, ry, soft = 2.0 * nz * nx * steep, 2.0 * nz * ny * steep, 2.0 * steep * steep / radius
+        glare = _glare(rx, ry, first, soft) + _glare(rx, ry, second, soft)
     rim = 1.0 - nz
     grazing = (1.0 - look.FRESNEL) * rim * rim * rim * rim * rim
     fresnel = look.FRESNEL + grazing
     falling = (look.AMBIENT + look.FROM_ABOVE * nz + look.DIFFUSE * lit) * (1.0 - grazing)
     bounce = look.BOUNCE * rim * math.sqrt(rim) * (1.0 - grazing)
-    mirrored = fresnel * max(0.0, 1.0 - 2.0 * nz * nz)  # the mirrored ray points at the cloth
+    mirrored = fresnel * max(0.0, down)
     shine = fresnel * look.GLARE * glare
     color = _tone(red * (falling + bounce * felt[0]) + mirrored * felt[0] + shine) << 16
     color |= _tone(green * (falling + bounce * felt[1]) + mirrored * felt[1] + shine) << 8
@@ -180,7 +171,7 @@ def _paint_ball(
     felt: Any,
     opacity: float,
 ) -> None:
-    """One ball; ``turn`` (3, 3) from its frame to the screen's, felt (3,) in linear light."""  # fmt: skip
+    """One ball; ``turn`` from its frame to the screen's, felt in linear light."""  # fmt: skip
     reach = radius + 0.5
     x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
     inner = max(0.0, 1.0 - 0.5 / radius)  # of the radius: from here on the rim shows
@@ -210,7 +201,7 @@ def paint_balls(
     radii: Any,
     numbers: Any,
     turns: Any,
-    beams: Any,
+    places: Any,
     opacities: Any,
     texture: Any,
     felt: Any,
@@ -218,21 +209,25 @@ def paint_balls(
     """Balls whose radius asks for this digit texture; later ones on top.
 
     ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 15 (others are left out), ``turns``
-    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``beams`` of
-    ``aim_lamps``, ``opacities`` (n,), ``texture`` (16, side, side) uint8, ``felt`` (3,) linear light.
+    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``places`` (n, 2) m
+    from the table's middle, ``opacities`` (n,), ``texture`` (16, side, side) uint8, ``felt`` (3,) light.
     """
+    ground = (felt[0], felt[1], felt[2])
     for i in range(points.shape[0]):
         x, y, radius, number = points[i, 0], points[i, 1], radii[i], numbers[i]
         if not (is_drawable(x) and is_drawable(y) and 0.5 <= radius <= LARGEST_RADIUS and 0 <= number < 16):
             continue
-        total = beams[i, 0, 0] + beams[i, 0, 1] + beams[i, 1, 3] + beams[i, 1, 4]
-        for j in range(3):
-            total += turns[i, j, 0] + turns[i, j, 1] + turns[i, j, 2]
+        t = turns[i]
+        turn = (t[0, 0], t[0, 1], t[0, 2], t[1, 0], t[1, 1], t[1, 2], t[2, 0], t[2, 1], t[2, 2])
+        total = places[i, 0] + places[i, 1]
+        for entry in turn:
+            total += entry
         if not is_drawable(total):  # nan anywhere, and no table index is safe
             continue
         if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != texture.shape[1]:
             continue
-        _paint_ball(pixels, clip, x, y, radius, number, turns[i], beams[i], texture, felt, opacities[i])
+        beams = (_beam(0, places[i, 0], places[i, 1]), _beam(1, places[i, 0], places[i, 1]))
+        _paint_ball(pixels, clip, x, y, radius, number, turn, beams, texture, ground, opacities[i])
 
 
 @lru_cache(maxsize=8)
@@ -247,7 +242,7 @@ class BallPainter:
     def __init__(self, felt: pygame.Color) -> None:
         self._felt = np.array([felt.r, felt.g, felt.b]) / 255.0
         self._felt *= self._felt
-        self._places, self._beams = np.zeros((0, 2)), np.zeros((0, 2, 5))
+        self._places = np.zeros((0, 2))
         self._opaque = np.ones(0)
         self._sides: tuple[int, ...] = ()
         self._radii = b""
@@ -278,18 +273,16 @@ class BallPainter:
         if not (math.isfinite(scale) and scale > 0.0):
             raise ValueError(f"balls: scale {scale!r} px/m is not positive and finite")
         if count != self._places.shape[0]:
-            self._places, self._beams = np.zeros((count, 2)), np.zeros((count, 2, 5))
-            self._opaque = np.ones(count)
+            self._places, self._opaque = np.zeros((count, 2)), np.ones(count)
         places = self._places
         np.subtract(points, middle, out=places)
         places *= (1.0 / scale, -1.0 / scale)
         solid = self._opaque if opacities is None else opacities
         if shadows:
             paint_shadows(pixels, clip, points, radii, places, solid)
-        aim_lamps(places, self._beams)
         for side in self._texture_sides(radii):
             digits = texture_stack(side)
-            paint_balls(pixels, clip, points, radii, numbers, turns, self._beams, solid, digits, self._felt)
+            paint_balls(pixels, clip, points, radii, numbers, turns, places, solid, digits, self._felt)
 
     def _texture_sides(self, radii: Array) -> tuple[int, ...]:
         """Sides of the textures that these radii need, from small to large."""

@@ -32,8 +32,10 @@ FRESNEL = 0.045  # of glossy resin, seen straight on (Schlick 1994)
 GLARE = 11.0  # radiance of a lamp, strength 1, as white is 1
 KNEE, SHOULDER = 0.70, 0.56  # light above the knee is compressed, so that white keeps its shape
 
-CONTACT_RADIUS, CONTACT_BLUR, CONTACT_SHADE = 0.72, 0.30, 0.45  # of the radius, of the radius, opacity
-CAST_RADIUS, CAST_BLUR, CAST_SHADE, CAST_SHIFT = 0.85, 0.55, 0.50, 1.1
+# Shadows: full up to the inner, gone from the outer radius, in radii of the ball; opacity.
+CONTACT_INNER, CONTACT_OUTER, CONTACT_SHADE = 0.42, 1.02, 0.45
+CAST_INNER, CAST_OUTER, CAST_SHADE = 0.15, 1.30, 0.48
+CAST_SHIFT = 1.1  # radii for each height of the lamp that it is off to the side
 
 INK_STRENGTH = 1.3  # digits a few pixels high are printed bolder than they are
 SMALLEST_TEXTURE, LARGEST_TEXTURE = 5, 256
@@ -67,17 +69,6 @@ def toned(light: np.ndarray) -> np.ndarray:
     """Channels 0 to 255 (uint8) of linear light."""
     steps = np.clip(light, 0.0, BRIGHTEST) * TONE_STEPS
     return TONES[steps.astype(np.int64)].astype(np.uint8)
-
-
-def _profile(radius: float, blur: float) -> np.ndarray:
-    """Strength of a round shadow by the square of the distance, up to where it ends."""
-    distance = (radius + blur) * np.sqrt((np.arange(512) + 0.5) / 512)
-    t = np.clip(0.5 * (radius + blur - distance) / blur, 0.0, 1.0)
-    return t * t * (3.0 - 2.0 * t)
-
-
-CONTACT_PROFILE = _profile(CONTACT_RADIUS, CONTACT_BLUR)
-CAST_PROFILE = _profile(CAST_RADIUS, CAST_BLUR)
 
 
 def texture_side(radius: float) -> int:

@@ -6,7 +6,7 @@ from typing import Any
 
 from game.physics.jit import kernel
 from game.ui.painters import ball_look as look
-from game.ui.raster_pixels import blend, clip_bounds, is_drawable
+from game.ui.raster_pixels import blend, clip_bounds, is_drawable, weight_of
 
 LARGEST_RADIUS = 1000.0  # px
 
@@ -21,19 +21,20 @@ def lamp_offset(lamp: int, place_x: float, place_y: float) -> Any:
 
 @kernel
 def _paint_blob(
-    pixels: Any, clip: Any, x: float, y: float, radius: float, profile: Any, opacity: float
+    pixels: Any, clip: Any, x: float, y: float, inner: float, outer: float, opacity: float
 ) -> None:
-    """A round shadow that ends at ``radius``; ``profile`` is its strength by the square of the distance."""
-    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - radius, y - radius, x + radius, y + radius)
-    steps = profile.shape[0] / (radius * radius)
-    strength = 256.0 * min(1.0, max(0.0, opacity))
+    """A round shadow, full up to ``inner`` px and gone from ``outer`` px."""
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - outer, y - outer, x + outer, y + outer)
+    full = weight_of(1.0, opacity)
+    fall = 1.0 / (outer * outer - inner * inner)
     for row in range(y_low, y_high):
         dy = row + 0.5 - y
+        rest = outer * outer - dy * dy
+        # no branch inside, so that several pixels are done at once; in the square of the distance no root
         for column in range(x_low, x_high):
             dx = column + 0.5 - x
-            step = int((dx * dx + dy * dy) * steps)
-            if step < profile.shape[0]:
-                blend(pixels, row, column, 0, int(profile[step] * strength + 0.5))
+            t = min(1.0, max(0.0, (rest - dx * dx) * fall))
+            blend(pixels, row, column, 0, int(t * t * (3.0 - 2.0 * t) * full + 0.5))
 
 
 @kernel
@@ -51,7 +52,15 @@ def paint_shadows(pixels: Any, clip: Any, points: Any, radii: Any, places: Any, 
             _, _, lx, ly = lamp_offset(0, places[i, 0], places[i, 1])
             shift = look.CAST_SHIFT * r / look.LAMPS[0, 4]
             cast_x, cast_y = x - shift * lx, y + shift * ly
-            reach = (look.CAST_RADIUS + look.CAST_BLUR) * r
-            _paint_blob(pixels, clip, cast_x, cast_y, reach, look.CAST_PROFILE, look.CAST_SHADE * opacity)
-        reach = (look.CONTACT_RADIUS + look.CONTACT_BLUR) * r
-        _paint_blob(pixels, clip, x, y, reach, look.CONTACT_PROFILE, look.CONTACT_SHADE * opacity)
+            _paint_blob(
+                pixels,
+                clip,
+                cast_x,
+                cast_y,
+                look.CAST_INNER * r,
+                look.CAST_OUTER * r,
+                look.CAST_SHADE * opacity,
+            )
+        _paint_blob(
+            pixels, clip, x, y, look.CONTACT_INNER * r, look.CONTACT_OUTER * r, look.CONTACT_SHADE * opacity
+        )
