@@ -10,7 +10,7 @@ from __future__ import annotations
 from game.physics.constraints.links import PBD_EVEN, XPBD
 from game.physics.jit import kernel
 
-# rows of the outlines' numbers: area at rest (m²), stiffness (0 to 1), compliance (m²/N m = 1/Pa m), λ, on or off
+# rows of the outlines' numbers: area at rest (m²), stiffness (0 to 1), compliance (m³/N), λ, 1 if whole
 AREA, STIFFNESS, COMPLIANCE, MULTIPLIER, INTACT = range(5)
 AREA_ROWS = 5
 

@@ -2,8 +2,9 @@
 
 For a chain the matrix of the constraint forces, J M⁻¹ Jᵀ + α̃, couples a link to its two neighbours only, so
 a solve costs about as much as two sweeps (Thomas algorithm), and heavy ends or long chains make it no
-slower. One solve is a Newton step for the lengths. Compare Deul, Kugelstadt, Weiler, Bender 2018, "Direct
-position-based solver for stiff rods".
+slower. One solve is a Newton step for the lengths; with masses that differ by more than 10^4 it wants
+substeps of a millisecond while the chain is thrown about. Compare Deul, Kugelstadt, Weiler, Bender 2018,
+"Direct position-based solver for stiff rods".
 """
 
 from __future__ import annotations

@@ -59,7 +59,7 @@ def arrange_links(
 
 
 def find_runs(links: NDArray[np.int64], colours: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Runs (r, 3) of links that are sorted by colour and ends; short ones are joined to be solved one by one."""
+    """Runs (r, 3) of links sorted by colour and ends; short ones are joined to be solved one by one."""
     m = len(links)
     if m == 0:
         return np.zeros((0, 3), dtype=np.int64)

@@ -20,23 +20,21 @@ TINY = 1e-12  # m, length below which a link has no direction
 PBD, PBD_EVEN, XPBD = range(3)
 MODELS = ("pbd", "pbd-even", "xpbd")
 
-# rows of the links' numbers: length at rest (m), correction per excess and inverse mass (kg), α̃ (1/kg), and the
-# multiplier λ (kg m) of this substep
+# rows of the links' numbers: length at rest (m), correction per excess and inverse mass (kg), α̃ (1/kg), and
+# the multiplier λ (kg m) of this substep
 REST, WEIGHT, SOFTNESS, MULTIPLIER = range(4)
 LINK_ROWS = 4
 
 
 @kernel
-def prepare_links(
-    inverse_mass, links, order, stiffness, compliance, torn, model, sweeps, relaxation, step, rows
-):
+def prepare_links(w, links, order, stiffness, compliance, torn, model, sweeps, relaxation, step, rows):
     """Write WEIGHT and SOFTNESS for substeps whose compliance counts as α / step².
 
-    inverse_mass (n,) 1/kg; links (m, 2) in the order of solving; stiffness (0 to 1), compliance (m/N) and torn
-    (m,) in the order given, reached by ``order``. relaxation: 1, or up to 2 for over-relaxation.
+    w (n,) 1/kg, 0 is fixed; links (m, 2) in the order of solving; stiffness (0 to 1), compliance (m/N) and
+    torn (m,) in the order given, reached by ``order``. relaxation: 1, or up to 2 for over-relaxation.
     """
     for e in range(links.shape[0]):
-        mobility = inverse_mass[links[e, 0]] + inverse_mass[links[e, 1]]
+        mobility = w[links[e, 0]] + w[links[e, 1]]
         place = order[e]
         rows[SOFTNESS, e] = 0.0
         rows[WEIGHT, e] = 0.0

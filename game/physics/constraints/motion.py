@@ -1,10 +1,13 @@
 """One step of position based dynamics: predict, project, take the velocities from what came of it.
 
-    Euler   v* = (v + h g) / (1 + h k_d w),  p = x + h v*,  project p,  v⁺ = (p - x) / h
-            Müller, Heidelberger, Hennix, Ratcliff 2007, algorithm 1; damping implicit, so never too strong
-    BDF2    v* = (4 v - v₋ + 2 h g) / (3 + 2 h k_d w),  p = (4 x - x₋ + 2 h v*) / 3,  project p,
+    Euler   v* = v / (1 + h k_d w) + h g,  p = x + h v*,  project p,  v⁺ = (p - x) / h
+            Müller, Heidelberger, Hennix, Ratcliff 2007, algorithm 1
+    BDF2    v* = (4 v - v₋ + 2 h (g - k_d w (2 v - v₋))) / 3,  p = (4 x - x₋ + 2 h v*) / 3,  project p,
             v⁺ = (3 p - 4 x + x₋) / (2 h)
             English and Bridson 2008; both halves are needed: with v* of Euler nothing converges
+
+Damping acts on what there was of velocity, not on the pull of gravity, so that it moves no resting point; and
+it never reverses a motion: BDF2 takes it as Euler does where h k_d w is above STRONG.
 
 A particle begins BDF2 anew, with one step of Euler, after it has touched the ground or was slowed down.
 Substeps in place of sweeps: Macklin and others 2019, "Small steps in physics simulation".
@@ -14,6 +17,9 @@ from __future__ import annotations
 
 import math
 from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.constraints.areas import INTACT, sweep_areas
 from game.physics.constraints.areas import MULTIPLIER as AREA_MULTIPLIER
@@ -31,6 +37,7 @@ from game.physics.constraints.links import MULTIPLIER, REST, WEIGHT, XPBD, sweep
 from game.physics.jit import kernel
 
 SCHEMES = ("euler", "bdf2")
+STRONG = 0.2  # damping per substep above which taking it from two velocities could overshoot
 EULER, BDF2 = range(2)
 
 # rows of the particles' numbers: position (m), velocity (m/s), both of the step before, inverse mass (1/kg),
@@ -48,7 +55,9 @@ class Motion(NamedTuple):
     direct: int  # 1: chains are solved at once
     substeps: int
     sweeps: int  # in each substep
+    ahead: int  # substeps of the step that follow in another call
     h: float  # s, of a substep
+    soft_step: float  # s, by which compliance counts as α / step²
     gravity: float  # m/s²
     damping: float  # k_d, N s/m
     floor: float  # m
@@ -58,20 +67,20 @@ class Motion(NamedTuple):
 class Network(NamedTuple):
     """The constraints of a step, in the order of solving."""
 
-    links: object  # (m, 2) int64
-    runs: object  # (r, 3) int64
-    link_rows: object  # (4, m)
-    order: object  # (m,) int64: place of each in the order given
-    torn: object  # (m,) int64, in the order given
-    corners: object  # int64
-    corner_starts: object  # (k + 1,) int64
-    area_rows: object  # (5, k)
-    pins: object  # (n,) int64
-    reaches: object  # (n,) m
-    nodes: object  # int64
-    node_starts: object  # (c + 1,) int64
-    chain_links: object  # int64
-    work: object  # (5, longest chain)
+    links: NDArray[np.int64]  # (m, 2)
+    runs: NDArray[np.int64]  # (r, 3)
+    link_rows: NDArray[np.float64]  # (4, m)
+    order: NDArray[np.int64]  # (m,) place of each in the order given
+    torn: NDArray[np.int64]  # (m,) in the order given
+    corners: NDArray[np.int64]
+    corner_starts: NDArray[np.int64]  # (k + 1,)
+    area_rows: NDArray[np.float64]  # (5, k)
+    pins: NDArray[np.int64]  # (n,)
+    reaches: NDArray[np.float64]  # (n,) m
+    nodes: NDArray[np.int64]
+    node_starts: NDArray[np.int64]  # (c + 1,)
+    chain_links: NDArray[np.int64]
+    work: NDArray[np.float64]  # (5, longest chain)
 
 
 @kernel
@@ -79,25 +88,26 @@ def predict_euler(x, y, vx, vy, inverse_mass, px, py, h, fall, damping):
     """Where particles would be without constraints; the fixed ones stay."""
     for i in range(x.shape[0]):
         keep = 1.0 / (1.0 + h * damping * inverse_mass[i])
-        step = h * keep if inverse_mass[i] > 0.0 else 0.0
-        px[i] = x[i] + step * vx[i]
-        py[i] = y[i] + step * (vy[i] - h * fall)
+        step = h if inverse_mass[i] > 0.0 else 0.0
+        px[i] = x[i] + step * keep * vx[i]
+        py[i] = y[i] + step * (keep * vy[i] - h * fall)
 
 
 @kernel
 def predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, inverse_mass, fresh, px, py, h, fall, damping):
     """The same from two steps; from one where the step before does not count."""
     for i in range(x.shape[0]):
-        moves = 1.0 if inverse_mass[i] > 0.0 else 0.0
+        step = h if inverse_mass[i] > 0.0 else 0.0
         drag = h * damping * inverse_mass[i]
-        keep = moves / (3.0 + 2.0 * drag)
-        qx = keep * (4.0 * vx[i] - ux[i])
-        qy = keep * (4.0 * vy[i] - uy[i] - 2.0 * h * fall)
-        bx = x[i] + (x[i] - ox[i] + 2.0 * h * qx) / 3.0
-        by = y[i] + (y[i] - oy[i] + 2.0 * h * qy) / 3.0
-        keep = moves / (1.0 + drag)
-        ex = x[i] + h * keep * vx[i]
-        ey = y[i] + h * keep * (vy[i] - h * fall)
+        keep = 1.0 / (1.0 + drag)
+        history = 1.0 / (3.0 + 2.0 * drag) if drag > STRONG else 1.0 / 3.0
+        lag = 0.0 if drag > STRONG else 2.0 * drag / 3.0
+        qx = history * (4.0 * vx[i] - ux[i]) - lag * (2.0 * vx[i] - ux[i])
+        qy = history * (4.0 * vy[i] - uy[i]) - lag * (2.0 * vy[i] - uy[i]) - 2.0 / 3.0 * h * fall
+        bx = x[i] + (x[i] - ox[i] + 2.0 * step * qx) / 3.0
+        by = y[i] + (y[i] - oy[i] + 2.0 * step * qy) / 3.0
+        ex = x[i] + step * keep * vx[i]
+        ey = y[i] + step * (keep * vy[i] - h * fall)
         px[i] = ex if fresh[i] > 0.0 else bx
         py[i] = ey if fresh[i] > 0.0 else by
 
@@ -153,7 +163,7 @@ def lift(py, inverse_mass, floor):
 
 @kernel
 def carry_held(px, py, held, target, left, furthest):
-    """Bring the particle that the hand holds nearer to the target: there in ``left`` substeps, if near enough."""
+    """Bring the particle that the hand holds nearer to the target: there in ``left`` substeps if it can."""
     dx = (target[0] - px[held]) / left
     dy = (target[1] - py[held]) / left
     way = math.sqrt(dx * dx + dy * dy)
@@ -167,7 +177,6 @@ def carry_held(px, py, held, target, left, furthest):
 @kernel
 def project(motion, net, px, py, inverse_mass):
     """All sweeps of a substep. px, py (n,) m are written."""
-    step = motion.h if motion.scheme == EULER else motion.h * 2.0 / 3.0
     if motion.model == XPBD:
         net.link_rows[MULTIPLIER][:] = 0.0  # carried over, it would make the links softer step by step
         net.area_rows[AREA_MULTIPLIER][:] = 0.0
@@ -190,7 +199,7 @@ def project(motion, net, px, py, inverse_mass):
                 net.corner_starts,
                 net.area_rows,
                 motion.sweeps,
-                step,
+                motion.soft_step,
             )
         if motion.mask & ATTACHMENTS_BIT:
             pull_back(px, py, inverse_mass, net.pins, net.reaches)
@@ -225,7 +234,7 @@ def advance(fields, count, motion, net, held, target):
         else:
             predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, w, fresh, px, py, h, fall, damping)
         if held >= 0:
-            carry_held(px, py, held, target, motion.substeps - turn, motion.speed_limit * h)
+            carry_held(px, py, held, target, motion.substeps - turn + motion.ahead, motion.speed_limit * h)
         project(motion, net, px, py, w)
         if motion.scheme == EULER:
             settle_euler(x, y, vx, vy, px, py, h)

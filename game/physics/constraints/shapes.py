@@ -90,7 +90,7 @@ def cloth(
             upper, lower = index[first:-1:2], index[first + 1 :: 2]
             families += [(upper[:, :-1], lower[:, 1:]), (upper[:, 1:], lower[:, :-1])]
     pairs = [np.stack([a[: len(b)].ravel(), b.ravel()], axis=1) for a, b in families]
-    return Shape(positions, weights, np.concatenate(pairs), [])
+    return Shape(positions, weights, np.sort(np.concatenate(pairs), axis=1), [])
 
 
 def cloth_index(columns: int, rows: int) -> NDArray[np.int64]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,12 +19,10 @@ from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_o
 from game.physics.constraints.links import LINK_ROWS, MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
 from game.physics.constraints.motion import (
-    EULER,
     FIELD_ROWS,
     FRESH,
     INVERSE_MASS,
     OLD_VX,
-    OLD_X,
     SCHEMES,
     VX,
     Motion,
@@ -47,9 +46,7 @@ class PositionState(NamedTuple):
     fields: Floats  # (12, n + padding): see motion
     torn: Ints  # (m,)
     intact: Floats  # (k,) outlines
-    hand: (
-        Floats  # (5,): particle held or -1, its inverse mass otherwise, target x, y, step for which prepared
-    )
+    hand: Floats  # (5,): particle held or -1, its inverse mass, target x, y, substep prepared for
 
 
 class LinkMeasures(NamedTuple):
@@ -64,10 +61,10 @@ class LinkMeasures(NamedTuple):
 class PositionBasedDynamics:
     """Particles held together by links and outlines.
 
-    positions: (n, 2) m. inverse_masses: (n,) 1/kg, 0 is fixed. links: (m, 2) particles. stiffness: (m,) or one
-    number, 0 to 1. rest_lengths: (m,) m, else as given by the positions. compliances: (m,) m/N, for the model
-    "xpbd". areas: closed outlines of particles. order: of ORDERS, in which links are solved. velocities:
-    (n, 2) m/s. settings: fields of `Settings`. ValueError, naming what is wrong, for nonsense.
+    positions: (n, 2) m. inverse_masses: (n,) 1/kg, 0 is fixed. links: (m, 2) particles. stiffness: (m,) or
+    one number, 0 to 1. rest_lengths: (m,) m, else as given by the positions. compliances: (m,) m/N, for the
+    model "xpbd". areas: closed outlines of particles. order: of ORDERS, in which links are solved.
+    velocities: (n, 2) m/s. settings: fields of `Settings`. ValueError, naming what is wrong, for nonsense.
     """
 
     def __init__(
@@ -100,7 +97,7 @@ class PositionBasedDynamics:
         self.links = Links.between(places, links, rest_lengths, stiffness, compliances)
         self.outlines = Outlines.around(places, areas, None, area_stiffness, area_compliance)
         self.torn = np.zeros(len(self.links.pairs), dtype=np.int64)
-        self.hand = np.array([NOBODY, 0.0, 0.0, 0.0, 0.0])
+        self.hand = np.array([NOBODY, 0.0, 0.0, 0.0, 0.0, 0.0])
         self.tears = 0
         self._arrange()
 
@@ -134,26 +131,26 @@ class PositionBasedDynamics:
             starts = np.zeros(1, dtype=np.int64)
         longest = int(np.max(np.diff(starts), initial=1))
         self._net = Network(
-            pairs, runs, rows, order, self.torn, self.outlines.corners, self.outlines.starts, self.outlines.rows,
+            pairs, runs, rows, order, self.torn,
+            self.outlines.corners, self.outlines.starts, self.outlines.rows,
             np.full(n, NOBODY, dtype=np.int64), np.full(n, math.inf), nodes, starts, some,
             np.zeros((WORK_ROWS, longest)),
         )  # fmt: skip
         self._strains = np.zeros(m)
         self.hand[4] = 0.0
 
-    def _prepare(self, h: float) -> None:
+    def _prepare(self, h: float, soft_step: float) -> None:
         """Bring the numbers of links up to date with masses, settings and the length of a substep (s)."""
         settings, net = self.settings, self._net
-        step = h if settings.scheme == "euler" else h * 2.0 / 3.0
         prepare_links(
             self.inverse_masses, net.links, net.order, self.links.stiffness, self.links.compliance, self.torn,
-            MODELS.index(settings.model), settings.sweeps, settings.relaxation, step, net.link_rows,
+            MODELS.index(settings.model), settings.sweeps, settings.relaxation, soft_step, net.link_rows,
         )  # fmt: skip
         if ATTACHMENTS in settings.effects:
             arms = arms_of(net.links, self.count)
             pinned = np.where(np.arange(self.count) == self.held, self.hand[1], self.inverse_masses)
             nearest_pins(pinned, *arms, net.link_rows[REST], net.order, self.torn, net.pins, net.reaches)
-        self.hand[4] = h
+        self.hand[4:6] = h, soft_step
 
     # -- a step -------------------------------------------------------------------------------------
 
@@ -163,25 +160,37 @@ class PositionBasedDynamics:
             raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
         settings = self.settings
         h = dt / settings.substeps
-        if h != self.hand[4]:
-            if self.hand[4] > 0.0:
-                self.fields[FRESH] = 1.0  # the difference over two steps wants them to be equal
-            self._prepare(h)
-        advance(self.fields, self.count, self._motion(h), self._net, self.held, self.hand[2:4])
+        if h != self.hand[4] > 0.0:
+            self.fields[FRESH] = 1.0  # the difference over two steps wants them to be equal
+        if settings.scheme == "bdf2":
+            ahead = settings.substeps
+            if np.all(self.fields[FRESH, : self.count] > 0.0):
+                # the first substep is one of Euler, also in what a compliance means
+                ahead -= 1
+                self._advance(h, h, 1, ahead)
+            if ahead:
+                self._advance(h, h * 2.0 / 3.0, ahead, 0)
+        else:
+            self._advance(h, h, settings.substeps, 0)
         if TEARING in settings.effects:
             torn = tear(self.fields[X], self.fields[Y], self._net, settings.stretch_limit)
             if torn:
                 self.tears += torn
                 if ATTACHMENTS in settings.effects:
-                    self._prepare(h)
+                    self._prepare(*self.hand[4:6].tolist())
 
-    def _motion(self, h: float) -> Motion:
+    def _advance(self, h: float, soft_step: float, substeps: int, ahead: int) -> None:
+        """Some substeps of h (s), with compliance as α / soft_step²; ``ahead`` more of the step follow."""
         settings = self.settings
-        return Motion(
+        if h != self.hand[4] or soft_step != self.hand[5]:
+            self._prepare(h, soft_step)
+        motion = Motion(
             settings.effects.mask, MODELS.index(settings.model), SCHEMES.index(settings.scheme),
-            int(settings.solver == "direct"), settings.substeps, settings.sweeps, h, float(settings.gravity),
-            float(settings.damping), float(settings.floor), float(settings.speed_limit),
+            int(settings.solver == "direct"), substeps, settings.sweeps, ahead, h, soft_step,
+            float(settings.gravity), float(settings.damping), float(settings.floor),
+            float(settings.speed_limit),
         )  # fmt: skip
+        advance(self.fields, self.count, motion, self._net, self.held, self.hand[2:4])
 
     # -- the hand -----------------------------------------------------------------------------------
 
@@ -195,11 +204,11 @@ class PositionBasedDynamics:
         if not 0 <= index < self.count:
             raise ValueError(f"particle {index}: there are 0 to {self.count - 1}")
         self.release()
-        self.hand[:] = index, self.fields[INVERSE_MASS, index], *self.fields[X : Y + 1, index], 0.0
+        self.hand[:] = index, self.fields[INVERSE_MASS, index], *self.fields[X : Y + 1, index], 0.0, 0.0
         self.fields[INVERSE_MASS, index] = 0.0
 
     def drag(self, target: ArrayLike) -> None:
-        """Where the held particle is to be at the end of the next step (m); no faster than the speed limit."""
+        """Where the held particle is to be after the next step (m); no faster than the speed limit."""
         self.hand[2:4] = _pairs("target", target, 1)[0]
 
     def release(self) -> None:
@@ -278,10 +287,7 @@ class PositionBasedDynamics:
         """Areas (k,) m² of the outlines, now and at rest."""
         x, y = self.fields[X], self.fields[Y]
         starts = self.outlines.starts
-        now = [
-            outline_area(x, y, self.outlines.corners[a:b])
-            for a, b in zip(starts[:-1], starts[1:], strict=True)
-        ]
+        now = [outline_area(x, y, self.outlines.corners[a:b]) for a, b in pairwise(starts)]
         return np.array(now), self.outlines.rows[AREA].copy()
 
     # -- remembering --------------------------------------------------------------------------------
@@ -297,9 +303,8 @@ class PositionBasedDynamics:
         self.outlines.rows[INTACT] = state.intact
         np.copyto(self.hand, state.hand)
         self.tears = int(np.count_nonzero(self.torn))
-        h = float(self.hand[4])
-        if h > 0.0:
-            self._prepare(h)
+        if self.hand[4] > 0.0:
+            self._prepare(*self.hand[4:6].tolist())
 
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
