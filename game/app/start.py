@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pygame
 
 from game.app.application import App
@@ -13,12 +15,16 @@ from game.scenes import CATALOGUE
 from game.ui.icons import logo
 
 REPEAT_AFTER_MS, REPEAT_MS = 350, 50
+SWITCH_S = (
+    0.0005  # the compiler behind the window lets go of the interpreter so often (Python's default is 0.005)
+)
 
 
 def start(
     window: Window, settings: Settings, complaint: str, scene_name: str = "", opening: Opening | None = None
 ) -> None:
     """Run the program until its window is closed, beginning with the menu or with a scene."""
+    sys.setswitchinterval(SWITCH_S)
     pygame.key.set_repeat(REPEAT_AFTER_MS, REPEAT_MS)
     app = App(window, CATALOGUE, settings, user_folder())
     window.set_icon(logo(64, app.look.theme))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import sys
 import threading
 import time
 from typing import TYPE_CHECKING
@@ -14,7 +15,6 @@ from game.app.readiness import mark_ready
 from game.app.scene.opening import Opening
 from game.stage.catalogue import Entry
 from game.ui.look import Look
-from game.ui.theme import DARK
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -23,14 +23,18 @@ if TYPE_CHECKING:
 class Loader:
     """A thread that makes a scene's stage; ``progress`` tells how far it is."""
 
-    def __init__(self, entry: Entry, opening: Opening, canvas: CanvasWarming):
+    def __init__(self, entry: Entry, opening: Opening, canvas: CanvasWarming, look: Look, rect: pygame.Rect):
+        """``look`` and ``rect``: how and where in the window the scene will be drawn."""
         self.entry = entry
         self.stage: Stage | None = None
         self.scene_type: type[Scene] | None = None
         self.error = ""
-        self.done, self.total, self.name = 0, 0, "modules"
+        self.done, self.total = 0, 0
+        self._at = "modules"
         self._opening = opening
         self._canvas = canvas
+        self._look = look
+        self._rect = pygame.Rect(rect)
         self._began = time.perf_counter()
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._work, name=f"open {entry.name}", daemon=True)
@@ -40,6 +44,13 @@ class Loader:
     def finished(self) -> bool:
         """Whether there is a stage, or an error."""
         return not self._thread.is_alive()
+
+    @property
+    def name(self) -> str:
+        """What is being done now: the kernel that the compiler is in, if it is in one."""
+        jit = sys.modules.get("game.physics.jit")  # the window must not import the compiler itself
+        inside = jit.compiling().names if jit is not None and hasattr(jit, "compiling") else ()
+        return inside[0] if inside else self._at
 
     @property
     def seconds(self) -> float:
@@ -61,39 +72,36 @@ class Loader:
             if self._stop.is_set():
                 return
             self._rehearse(self.scene_type)
+            self.done = self.total
             self.stage = self._opening.make_stage(self.scene_type)
             mark_ready(self.entry)
         except Exception as error:  # whatever a scene's own code raises must not take the window with it
             self.error = " ".join(f"{error}".split()) or type(error).__name__
 
     def _rehearse(self, scene_type: type[Scene]) -> None:
-        """Two steps and one small picture of a scene that is thrown away: what no list of kernels has named
-        compiles here, and not in the window's first frame. What fails here will be told by the scene itself.
+        """Play and draw a scene that is thrown away: what no list of kernels has named compiles here.
+
+        What fails here is told by the scene itself later.
         """
         import game.app.scene.play
         import game.ui.panel  # noqa: F401
-        from game.app.view import StageView
+        from game.app.scene.rehearsal import rehearse
 
-        look = Look(DARK)
         stage = self._opening.make_stage(scene_type)
         with contextlib.suppress(Exception):
-            stage.run(2)
-            view = StageView(stage, look)
-            surface = pygame.Surface((320, 200), 0, 32)
-            view.place(surface.get_rect(), look)
-            view.draw(surface)
+            rehearse(stage, Look(self._look.theme, self._look.k), self._rect)
 
     def _warm_up(self, scene_type: type[Scene]) -> None:
-        """Wait for the canvas's kernels and compile the scene's, one by one."""
+        """Wait for the canvas's kernels and compile the scene's, one by one; the rehearsal is one more."""
         warm_ups = tuple(scene_type.warm_ups())
         while not self._canvas.wait(0.02) and not self._stop.is_set():
-            self.total = self._canvas.total + len(warm_ups)
-            self.done, self.name = self._canvas.done, self._canvas.name
+            self.total = self._canvas.total + len(warm_ups) + 1
+            self.done, self._at = self._canvas.done, self._canvas.name
         before = self._canvas.total
-        self.total = before + len(warm_ups)
+        self.total = before + len(warm_ups) + 1
         for i, (name, call) in enumerate(warm_ups):
             if self._stop.is_set():
                 return
-            self.done, self.name = before + i, name
+            self.done, self._at = before + i, name
             call()
-        self.done = self.total
+        self.done, self._at = self.total - 1, "first picture"

@@ -43,7 +43,9 @@ class SceneScreen(Screen):
         self.entry = entry
         self.opening = opening
         self.shell = Shell(app, entry)
-        self.loader: Loader | None = Loader(entry, opening, app.canvas_warming)
+        self.loader: Loader | None = Loader(
+            entry, opening, app.canvas_warming, app.look, self.shell.layout.free_stage
+        )
         self.play: ScenePlay | None = None
         self._waiting = ""
 
