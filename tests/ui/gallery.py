@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from pathlib import Path
@@ -15,16 +16,20 @@ import pygame
 from sample_scene import Sample
 
 from game.stage import Stage
+from game.ui.accuracy import AccuracyPage
+from game.ui.accuracy_data import AccuracyData, Progress, TableRow, sentence_for
 from game.ui.camera import Camera
 from game.ui.canvas import Canvas
+from game.ui.helppage import HelpPage
 from game.ui.hintbar import HintBar
 from game.ui.layout import arrange, auto_scale
 from game.ui.legend import Legend
 from game.ui.loading import LoadingCard, draw_shell
 from game.ui.look import Look
 from game.ui.panel import Panel
+from game.ui.plot_data import PlotPoint, PlotSeries, Present
 from game.ui.strips import Strips
-from game.ui.theme import DARK, LIGHT
+from game.ui.theme import DARK, LIGHT, SERIES
 from game.ui.toasts import Toasts
 from game.ui.topbar import BarState, TopBar
 
@@ -86,7 +91,7 @@ def draw_scene(surface: pygame.Surface, look: Look, stage: Stage) -> None:
     bar.draw(surface)
 
 
-def draw_loading(surface: pygame.Surface, look: Look) -> None:
+def draw_loading(surface: pygame.Surface, look: Look, stage: Stage) -> None:
     """The loading card on its shell."""
     layout = arrange(*surface.get_size(), look.k)
     draw_shell(surface, layout, look)
@@ -108,25 +113,62 @@ def draw_loading(surface: pygame.Surface, look: Look) -> None:
     toasts.draw(surface, layout.hint_bar)
 
 
+def draw_help(surface: pygame.Surface, look: Look, stage: Stage) -> None:
+    """The help page over the scene."""
+    draw_scene(surface, look, stage)
+    controls = ((("Space",), "pause and go on"), ((".",), "one step"), (("A",), "what accuracy costs"))
+    page = HelpPage(look, Sample, controls)
+    page.place(surface.get_rect(), look)
+    page.update(1.0)
+    page.draw(surface)
+
+
+def draw_accuracy(surface: pygame.Surface, look: Look, stage: Stage) -> None:
+    """The accuracy overlay over the scene, with a made-up study."""
+    draw_scene(surface, look, stage)
+    styles = (("Explicit Euler", 1.0, 0), ("Midpoint", 2.0, 2), ("Verlet", 2.0, 1), ("Runge-Kutta 4", 4.0, 3))
+    series, rows = [], []
+    for i, (name, order, style) in enumerate(styles):
+        cost, error = 4e-4 * (1.0 + 0.7 * i), 0.6 / (1.0 + i)
+        failed = [PlotPoint(cost / 2.0 ** (1 + n), math.inf, diverged=True) for n in range(3)]
+        runs = [
+            PlotPoint(
+                cost * 2.0**n, error * 2.0 ** (-order * n), pending=i == 3 and n > 4, parameters={"n": n}
+            )
+            for n in range(9)
+        ]
+        series.append(PlotSeries(name, (*failed, *runs), order, SERIES[style].color, SERIES[style].marker))
+        rows.append(TableRow(name, order, order, cost * (error / 1e-3) ** (1.0 / order)))
+    data = AccuracyData(
+        "Bouncing ball, from three metres", "Error of the height after 1.2 s", "m", tuple(series), tuple(rows),
+        Present(2, series[2].points[7], "Verlet, 240 steps a second"), 1e-3, sentence_for(rows, "one millimetre"),
+        ("Hollow: still to be measured.", "Click a point to set the scene to it."),
+    )  # fmt: skip
+    page = AccuracyPage(look, data)
+    page.place(surface.get_rect(), look)
+    page.report(Progress(32, 36, "Runge-Kutta 4", 9.0, True))
+    page.update(1.0)
+    page.draw(surface)
+
+
 def main(folder: Path) -> None:
     """Draw all pictures in both themes and several sizes."""
     pygame.display.init()
     pygame.display.set_mode((1280, 720))
     stage = sample_stage()
-    for theme, size in (
+    looks = (
         (DARK, (1280, 720)),
         (LIGHT, (1280, 720)),
         (DARK, (1920, 1080)),
         (DARK, (2560, 1440)),
         (DARK, (760, 480)),
-    ):
+    )
+    for theme, size in looks:
         look = Look(theme, auto_scale(*size))
-        for name, draw in (
-            ("scene", lambda s, look=look: draw_scene(s, look, stage)),
-            ("loading", lambda s, look=look: draw_loading(s, look)),
-        ):
+        for draw in (draw_scene, draw_loading, draw_help, draw_accuracy):
             surface = pygame.Surface(size, 0, 32)
-            draw(surface)
+            draw(surface, look, stage)
+            name = draw.__name__.removeprefix("draw_")
             pygame.image.save(surface, folder / f"canvas-{name}-{theme.name}-{size[0]}.png")
 
 

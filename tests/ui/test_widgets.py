@@ -331,3 +331,16 @@ def test_an_overlay_comes_and_goes(look):
     assert surface.get_at((5, 5))[0] < 120
     overlay.leave()
     assert overlay.update(0.1) and not overlay.update(0.2)
+
+
+def test_the_gallery_draws_every_screen(any_look):
+    import gallery
+
+    stage = gallery.sample_stage()
+    size = (round(1280 * any_look.k), round(720 * any_look.k))
+    pictures = set()
+    for draw in (gallery.draw_scene, gallery.draw_loading, gallery.draw_help, gallery.draw_accuracy):
+        surface = pygame.Surface(size, 0, 32)
+        draw(surface, any_look, stage)
+        pictures.add(picture(surface))
+    assert len(pictures) == 4
