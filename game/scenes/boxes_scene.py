@@ -16,16 +16,17 @@ from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.scenes.boxes_level import HEIGHT, MOST_LISTED, WIDTH, BoxEntry, BoxesContent
 from game.scenes.stopwatch import Stopwatch
-from game.stage import Choice, Frame, Hint, Param, Pointer, Scene, SceneAction, Toggle
+from game.stage import Choice, Frame, Hint, Knob, Param, Pointer, Scene, SceneAction, Toggle
 
 Array = NDArray[np.float64]
 LOWER, UPPER = np.zeros(2), np.array([WIDTH, HEIGHT])
+RATIO, SHARE = 20.0, 0.01  # of the heavy tail, in scenes without knobs for them
 BATCH = 50  # boxes added or removed by one key
 HAND_BUTTON, REMOVE_BUTTON = 1, 3
 
 
 class BoxesState(NamedTuple):
-    """lowers, uppers, velocities (n, 2) m, m/s; growth (n,) m/s; alive (n,): by id, 0 where none is in use.
+    """lowers, uppers, velocities (n, 2) m, m/s; growth (n,) m/s; alive (n,), by id.
 
     swept_lowers, swept_uppers: (n, 2) m, what the boxes covered in the last step, if that is asked for.
     """
@@ -67,13 +68,6 @@ class BoxesScene(Scene):
     speed = Param(
         0.6, 0.01, 100.0, log=True, unit="m/s", group="Boxes", help="of every box, in any direction"
     )
-    ratio = Param(
-        20.0, 1.0, 1000.0, log=True, group="Boxes", label="Large to small", rebuild=True,
-        help="how many times larger the large boxes of the heavy tail are",
-    )  # fmt: skip
-    share = Param(
-        0.01, 0.0, 0.5, group="Boxes", label="Share of large ones", rebuild=True, help="of the heavy tail"
-    )
     leaps = Param(
         0.0,
         0.0,
@@ -102,6 +96,20 @@ class BoxesScene(Scene):
         help="test what a box covers during the step: none is missed",
     )
     lines = Toggle(True, group="Shown", label="Pairs", help="a line between the centres of a pair")
+
+    groups: ClassVar[tuple[str, ...]] = (
+        "Boxes",
+        "Pairs",
+        "Shown",
+        "Step",
+        "Disturbance",
+    )  # as the panel has them
+
+    @classmethod
+    def knobs(cls) -> dict[str, Knob[Any]]:
+        """Knobs by name, group by group: a subclass's own groups come first."""
+        order = {group: i for i, group in enumerate(cls.groups, start=1)}
+        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
 
     hints = (
         Hint(("Drag",), "move a box, or draw a new one"),
@@ -155,7 +163,7 @@ class BoxesScene(Scene):
         self.births += 1
         return make_boxes(
             self.workload, count, np.random.default_rng((self.seed, self.births)), (WIDTH, HEIGHT),
-            self.fill, self.speed, self.ratio, self.share,
+            self.fill, self.speed, self.values.get("ratio", RATIO), self.values.get("share", SHARE),
         )  # fmt: skip
 
     def _begin_anew(self) -> None:
@@ -192,7 +200,9 @@ class BoxesScene(Scene):
         )
 
     def restore(self, state: BoxesState) -> None:
-        self.lowers, self.uppers, self.velocities, self.growth, self.alive = (np.array(a) for a in state[:5])
+        self.lowers, self.uppers = np.array(state.lowers), np.array(state.uppers)
+        self.velocities, self.growth = np.array(state.velocities), np.array(state.growth)
+        self.alive = np.array(state.alive)
         self.swept_lowers, self.swept_uppers = np.array(state.swept_lowers), np.array(state.swept_uppers)
         count = self.values["count"]
         self._begin_anew()
@@ -231,7 +241,7 @@ class BoxesScene(Scene):
         self.pair_up()
 
     def covered(self) -> tuple[Array, Array]:
-        """What broad phases are told: the boxes as they are, or all that they covered during the last step."""
+        """What broad phases are told: the boxes as they are, or all that they covered in the last step."""
         if len(self.swept_lowers):
             return self.swept_lowers, self.swept_uppers
         return self.lowers, self.uppers
@@ -441,7 +451,7 @@ class BoxesScene(Scene):
     # -- what is shown ------------------------------------------------------------------------------
 
     def frame(self) -> Frame:
-        return Frame(-4.6, -0.35, WIDTH + 0.1, HEIGHT + 0.1)
+        return Frame(-4.5, -0.1, WIDTH + 0.1, HEIGHT + 0.1)
 
     def overlapping(self) -> int:
         """Number of boxes that overlap another."""

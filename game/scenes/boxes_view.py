@@ -16,8 +16,8 @@ from game.ui.painters.boxes import HIDDEN, BoxPainter, paint_raster, shades
 if TYPE_CHECKING:
     from game.scenes.boxes_scene import BoxesScene
 
-COLUMN_LEFT, COLUMN_RIGHT = -4.4, -0.5  # m, where the findings stand beside the world
-COLUMN_TOP = 5.55  # m, below the legend
+COLUMN_LEFT, COLUMN_RIGHT = -4.45, -0.5  # m, where the findings stand beside the world
+COLUMN_TOP = 5.3  # m, below the legend
 LEAP = 1.0  # m in a step; a box that moved further is not drawn on its way
 FREE, OVERLAPPING, IN_HAND = 0, 1, 2  # kinds of boxes
 MOST_LINES = 6_000

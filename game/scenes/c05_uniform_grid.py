@@ -71,7 +71,7 @@ class UniformGridScene(BoxesScene):
         ),
     )
     try_this = (
-        "Draw the cell size from 0.25 to 32: box tests and grid time go through a minimum. What accuracy costs shows the curve.",
+        "Draw the cell size from 0.25 to 32: the time of the grid goes through a minimum.",
         "Choose all covered cells at a small cell size: entries grow with the square of size over cell.",
         "Raise the number to 4000 and watch the memory of the matrix; the hash table hardly grows.",
         "Put all boxes on one line, or cluster them: the load of a few cells, and the time, go up.",

@@ -129,7 +129,7 @@ def place_boxes(boxes, alive, top, step, scales, levels, layout, buckets, start)
         level = max(levels[box], 0)
         scale = scales[level]
         column, row = cell_at(x0, scale), cell_at(y0, scale)
-        share = max(x1 - x0, y1 - y0) * scale if scale > 0.0 else 0.0
+        share = max(x1 - x0, y1 - y0) * float(scale) if scale > 0.0 else 0.0
         if (
             not (smallest < share <= 1.0)
             or cell_at(x1, scale) - column > 1

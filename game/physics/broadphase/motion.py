@@ -2,31 +2,48 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+from game.physics.broadphase.effects import BOUNDARY, MOTION
 from game.physics.jit import kernel
 
-MOTION, WALLS = 1, 2  # bits of ``mask``
+MOTION_BIT, BOUNDARY_BIT = MOTION.mask, BOUNDARY.mask
 
 
-@kernel
-def move_boxes(centers, velocities, half_sizes, alive, lower, upper, mask, dt, lowers, uppers):
-    """One step of explicit Euler, x + v dt; then v = -v on an axis where a box is beyond the boundary.
+@cache
+def move_boxes_kernel(mask: int) -> Callable[..., Any]:
+    """The kernel that moves boxes, for the effects of ``mask``; what is off is not in it.
 
-    A velocity that already leads back is not negated again: so a box comes back by itself, however far out
-    it is. ``centers``, ``velocities``: (n, 2) m, m/s, written. ``half_sizes``: (n, 2) m. ``alive``: (n,).
-    ``lower``, ``upper``: (2,) corners of the boundary, m. ``mask``: MOTION | WALLS. ``lowers``, ``uppers``:
-    (n, 2) m, written: the boxes' corners.
+    ``move_boxes(lowers, uppers, velocities, growth, alive, lower, upper, dt)``: x + v dt for both corners,
+    which also part by ``growth`` dt on each side; then v = -v on an axis where a box is beyond the boundary
+    and its velocity leads on outwards. One that leads back already is not negated again, so a box comes
+    back by itself however far out it is. A growing box shrinks again once it is larger than the world, and
+    a shrinking one grows before it vanishes. ``lowers``, ``uppers``, ``velocities``: (n, 2) m, m/s,
+    written. ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
     """
-    for box in range(len(centers)):
-        if alive[box] == 0:
-            continue
-        for axis in range(2):
-            if mask & MOTION:
-                centers[box, axis] += velocities[box, axis] * dt
-            low = centers[box, axis] - half_sizes[box, axis]
-            high = centers[box, axis] + half_sizes[box, axis]
-            if mask & WALLS:
-                outwards = velocities[box, axis]
-                if (low < lower[axis] and outwards < 0.0) or (high > upper[axis] and outwards > 0.0):
-                    velocities[box, axis] = -outwards
-            lowers[box, axis] = low
-            uppers[box, axis] = high
+
+    @kernel
+    def move_boxes(lowers, uppers, velocities, growth, alive, lower, upper, dt):
+        for box in range(len(alive)):
+            if alive[box] == 0:
+                continue
+            if mask & MOTION_BIT and growth[box] != 0.0:
+                size = uppers[box, 0] - lowers[box, 0]
+                if (size > upper[0] - lower[0] and growth[box] > 0.0) or (
+                    size + 4.0 * growth[box] * dt <= 0.0 and growth[box] < 0.0
+                ):
+                    growth[box] = -growth[box]
+            for axis in range(2):
+                if mask & MOTION_BIT:
+                    lowers[box, axis] += (velocities[box, axis] - growth[box]) * dt
+                    uppers[box, axis] += (velocities[box, axis] + growth[box]) * dt
+                if mask & BOUNDARY_BIT:
+                    speed = velocities[box, axis]
+                    if (lowers[box, axis] < lower[axis] and speed < 0.0) or (
+                        uppers[box, axis] > upper[axis] and speed > 0.0
+                    ):
+                        velocities[box, axis] = -speed
+
+    return move_boxes

@@ -102,6 +102,14 @@ class SweepAndPrune(BroadPhase):
         self._progress = np.zeros(4, dtype=np.int64)
         self._changes: NDArray[np.int64] = np.empty(1024, dtype=np.int64)
 
+    def use_manager(self, manager: PairManager) -> None:
+        """Keep the pairs in another manager, to which they go without events; ValueError if it is in use."""
+        if len(manager) or manager.greatest < self.top - 1:
+            raise ValueError(f"manager: an empty pair manager with room for {self.top} ids is wanted")
+        manager.set_pairs(self.manager.pairs())
+        manager.take_events()
+        self.manager = manager
+
     def end_points(self, axis: int) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.bool_]]:
         """Sorted end points of an axis: coordinates in m, ids, and whether each is an upper end."""
         codes = self._codes[axis, : 2 * len(self)]

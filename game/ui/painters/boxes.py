@@ -68,7 +68,9 @@ def paint_boxes(
         v1 = affine[2] * x1 + affine[3] * y1 + affine[5]
         left, right = min(u0, u1), max(u0, u1)
         top, bottom = min(v0, v1), max(v0, v1)
-        if not (right >= left_end - 1.0 and left <= right_end and bottom >= top_end - 1.0 and top <= bottom_end):
+        if not (
+            right >= left_end - 1.0 and left <= right_end and bottom >= top_end - 1.0 and top <= bottom_end
+        ):
             continue
         left, top = max(left, left_end - 9.0), max(top, top_end - 9.0)
         right, bottom = min(right, right_end + 9.0), min(bottom, bottom_end + 9.0)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.physics.broadphase import UniformGrid
-from game.physics.broadphase.motion import MOTION, WALLS, move_boxes
+from game.physics.broadphase.motion import BOUNDARY_BIT, MOTION_BIT, move_boxes_kernel
 from game.physics.broadphase.workloads import WORKLOADS, expected_pairs, make_boxes
 
 
@@ -49,23 +49,39 @@ def test_the_mean_number_of_pairs_is_as_derived():
     assert abs(np.mean(counts) - expected_pairs(1000, 0.02)) < 4.0 * np.std(counts) / math.sqrt(60)
 
 
-def moved(center, velocity, half=0.1, mask=MOTION | WALLS, dt=0.5):
-    centers, velocities = np.array([center]), np.array([velocity])
-    lowers, uppers = np.zeros((1, 2)), np.zeros((1, 2))
+def moved(center, velocity, mask=MOTION_BIT | BOUNDARY_BIT, growth=0.0, steps=1):
+    lowers, uppers = np.array([center]) - 0.125, np.array([center]) + 0.125
+    velocities, growing = np.array([velocity]), np.array([growth])
     alive = np.ones(1, dtype=np.uint8)
-    world = np.zeros(2), np.ones(2)
-    move_boxes(centers, velocities, np.full((1, 2), half), alive, *world, mask, dt, lowers, uppers)
-    assert np.array_equal(lowers, centers - half) and np.array_equal(uppers, centers + half)
-    return centers[0].tolist(), velocities[0].tolist()
+    for _ in range(steps):
+        world = np.zeros(2), np.ones(2)
+        move_boxes_kernel(mask)(lowers, uppers, velocities, growing, alive, *world, 0.5)
+    return ((lowers + uppers) / 2)[0].tolist(), velocities[0].tolist(), (uppers - lowers)[0].tolist()
 
 
 def test_a_step_is_explicit_euler():
-    assert moved([0.5, 0.5], [0.25, -0.125]) == ([0.625, 0.4375], [0.25, -0.125])
-    assert moved([0.5, 0.5], [0.25, -0.125], mask=WALLS) == ([0.5, 0.5], [0.25, -0.125])
+    assert moved([0.5, 0.5], [0.25, -0.125]) == ([0.625, 0.4375], [0.25, -0.125], [0.25, 0.25])
+    assert moved([0.5, 0.5], [0.25, -0.125], BOUNDARY_BIT)[:2] == ([0.5, 0.5], [0.25, -0.125])
 
 
 def test_velocity_is_negated_beyond_the_boundary_and_only_on_the_way_out():
-    assert moved([0.75, 0.5], [1.0, 0.0]) == ([1.25, 0.5], [-1.0, 0.0])
-    assert moved([1.25, 0.5], [-0.125, 0.0]) == ([1.1875, 0.5], [-0.125, 0.0])
-    assert moved([0.25, 0.25], [-1.0, -1.0]) == ([-0.25, -0.25], [1.0, 1.0])
-    assert moved([0.75, 0.5], [1.0, 0.0], mask=MOTION) == ([1.25, 0.5], [1.0, 0.0])
+    assert moved([0.75, 0.5], [1.0, 0.0])[:2] == ([1.25, 0.5], [-1.0, 0.0])
+    assert moved([1.25, 0.5], [-0.125, 0.0])[:2] == ([1.1875, 0.5], [-0.125, 0.0])
+    assert moved([0.25, 0.25], [-1.0, -1.0])[:2] == ([-0.25, -0.25], [1.0, 1.0])
+    assert moved([0.75, 0.5], [1.0, 0.0], MOTION_BIT)[:2] == ([1.25, 0.5], [1.0, 0.0])
+    assert moved([0.5, 0.5], [1.0, 0.0], steps=400)[0][0] <= 1.5
+
+
+def test_a_box_grows_until_it_fills_the_world_and_shrinks_until_it_is_nearly_gone():
+    sizes = [moved([0.5, 0.5], [0.0, 0.0], growth=0.0625, steps=n)[2][0] for n in range(60)]
+    assert sizes[:4] == [0.25, 0.3125, 0.375, 0.4375]
+    assert max(sizes) == 1.0625 and min(sizes) >= 0.0 and sizes.count(max(sizes)) >= 1
+    assert sizes[-1] != max(sizes)
+
+
+def test_dead_boxes_stay_where_they_are():
+    lowers, uppers = np.zeros((2, 2)), np.ones((2, 2))
+    velocities, alive = np.ones((2, 2)), np.array([0, 1], dtype=np.uint8)
+    world = np.zeros(2), np.ones(2)
+    move_boxes_kernel(MOTION_BIT | BOUNDARY_BIT)(lowers, uppers, velocities, np.zeros(2), alive, *world, 0.5)
+    assert lowers.tolist() == [[0.0, 0.0], [0.5, 0.5]] and velocities.tolist() == [[1.0, 1.0], [-1.0, -1.0]]

@@ -1,0 +1,327 @@
+"""All broad phases and both pair managers on one workload, in a table with live bars."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from game.lab.studies.broadphase import count_study
+from game.physics.broadphase import (
+    BroadPhase,
+    CoveringGrid,
+    HashedPairs,
+    HierarchicalGrid,
+    MatrixPairs,
+    NaiveBroadPhase,
+    SweepAndPrune,
+    UniformGrid,
+)
+from game.physics.broadphase.workloads import WORKLOADS
+from game.scenes import boxes_view as view
+from game.scenes.boxes_compare import MOST_IN_MATRIX, MOST_NAIVE
+from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.scenes.boxes_scene import RATIO, SHARE, BoxesScene
+from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
+
+MOST_CELLS = 1 << 22
+TABLE_LEFT, TABLE_RIGHT, TABLE_TOP = 12.1, 24.9, 12.2  # m
+BAR_LEFT, BAR_RIGHT = 4.3, 8.6  # m from the table's left
+LEAST_S, MOST_S = 1e-6, 1.0  # s, ends of the bars
+
+
+class Contestant(NamedTuple):
+    """A row of the table: name of the knob, words, colour, what its work counts."""
+
+    name: str
+    words: str
+    color: str
+    work: str
+
+
+PHASES = (
+    Contestant("naive", "Naive", "vermilion", "tests"),
+    Contestant("uniform", "Uniform grid", "chalk", "tests"),
+    Contestant("covering", "Grid, all cells covered", "violet", "tests"),
+    Contestant("hierarchical", "Hierarchical grids", "green", "tests"),
+    Contestant("sweep", "Sweep and prune", "pink", "swaps"),
+)
+MANAGERS = (
+    Contestant("matrix", "Full matrix", "chalk", "begun"),
+    Contestant("hash", "Hash table", "green", "begun"),
+)
+
+
+class BroadPhaseRace(BoxesScene):
+    """Every broad phase is given the same boxes in every step, tells all pairs, and is timed: update and
+    all pairs together. The bars are logarithmic, from a microsecond to a second. Beside them stand the work
+    that was done, box tests or swaps, the memory, and whether the pairs are those of the others.
+
+    Below, both pair managers take over the pairs and tell which began and which ended. Choose the workload:
+    equal boxes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes that all leap
+    in every step. No method wins them all. The naive way is left out above 4000 boxes, the full matrix above
+    4096.
+    """
+
+    name = "broad-phase-race"
+    task = "C05–C07"
+    title = "Broad phases: the race"
+    study = count_study
+    groups = ("Workload", "Boxes", "Contestants", "Step", "Disturbance", "Shown")
+
+    workload = Choice(
+        "equal",
+        WORKLOADS,
+        labels=(
+            "Equal sizes",
+            "Heavy-tailed sizes",
+            "Clustered",
+            "On one line",
+            "Lattice",
+            "All leap each step",
+        ),
+        group="Workload",
+        rebuild=True,
+        help="how boxes are made, and whether they leap",
+    )
+    count = Param(
+        1000, 1, 100_000, whole=True, log=True, group="Workload", label="Number",
+        help="boxes are added or removed while the others go on; their density stays",
+    )  # fmt: skip
+    fill = Param(
+        0.1, 0.01, 2.0, log=True, group="Workload", label="Density", rebuild=True,
+        help="area of equal boxes over that of the world; a box overlaps four times as many",
+    )  # fmt: skip
+    ratio = Param(
+        RATIO, 1.0, 1000.0, log=True, group="Boxes", label="Large to small", rebuild=True,
+        help="how many times larger the large boxes of the heavy tail are",
+    )  # fmt: skip
+    share = Param(
+        SHARE, 0.0, 0.5, group="Boxes", label="Share of large ones", rebuild=True, help="of the heavy tail"
+    )
+    cell = Param(
+        1.25,
+        0.25,
+        32.0,
+        log=True,
+        group="Boxes",
+        label="Cell size",
+        help="of the uniform grid, over that of boxes",
+    )
+    naive = Toggle(True, group="Contestants", label="Naive")
+    uniform = Toggle(True, group="Contestants", label="Uniform grid")
+    covering = Toggle(True, group="Contestants", label="Grid, all cells covered")
+    hierarchical = Toggle(True, group="Contestants", label="Hierarchical grids")
+    sweep = Toggle(True, group="Contestants", label="Sweep and prune")
+
+    strips = (
+        Strip("Update and all pairs", "s", ("uniform", "hierarchical", "sweep")),
+        Strip("Pair managers", "s", ("matrix", "hash")),
+        Strip("Pairs", "", ("pairs",)),
+    )
+    equations = (
+        Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
+        Equation("Grids", r"O(n)", "tests, boxes alike"),
+        Equation(
+            "Sweep and prune", r"2 n^2 \frac{8}{\pi^2} v \Delta t (\frac{1}{W} + \frac{1}{H})", "swaps, mean"
+        ),
+        Equation("Full matrix", r"\frac{n(n-1)}{2}", "places of memory"),
+    )
+    try_this = (
+        "Begin with 30 boxes: the naive way wins. Draw the number up and watch it fall behind.",
+        "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
+        "Put all boxes on one line, or let all leap: sweep and prune sorts anew in every step.",
+        "Switch off all but the uniform grid and draw the number to 100 000.",
+    )
+
+    # -- structures ---------------------------------------------------------------------------------
+
+    def make_structures(self) -> None:
+        cell = max(self.cell * self.size, math.sqrt(WIDTH * HEIGHT / MOST_CELLS))
+        few = len(self.ids) <= MOST_NAIVE
+        self.phases: dict[str, BroadPhase] = {}
+        if self.naive and few:
+            self.phases["naive"] = NaiveBroadPhase()
+        if self.uniform:
+            self.phases["uniform"] = UniformGrid((0.0, 0.0), (WIDTH, HEIGHT), min(cell, WIDTH))
+        if self.covering:
+            self.phases["covering"] = CoveringGrid((0.0, 0.0), (WIDTH, HEIGHT), min(cell, WIDTH))
+        if self.hierarchical or not self.phases:  # one must stay, to know the pairs
+            self.phases["hierarchical"] = HierarchicalGrid()
+        if self.sweep:
+            self.phases["sweep"] = SweepAndPrune()
+        self.managers = {"hash": HashedPairs(), "matrix": self._matrix()}
+        self.agree = dict.fromkeys(self.phases, True)
+        self.swaps = 0
+
+    def _matrix(self) -> MatrixPairs | None:
+        rows = len(self.alive)
+        return MatrixPairs(max(1 << max(rows - 1, 1).bit_length(), 256)) if rows <= MOST_IN_MATRIX else None
+
+    def structures(self) -> tuple[BroadPhase, ...]:
+        return tuple(self.phases.values())
+
+    def pair_up(self) -> None:
+        first = None
+        for name, phase in self.phases.items():
+            before = phase.swaps if isinstance(phase, SweepAndPrune) else 0
+            with self.watch.time(name):
+                self.update(phase)
+                pairs = phase.pairs()
+            if isinstance(phase, SweepAndPrune):
+                self.swaps = phase.swaps - before
+                phase.manager.take_events()
+            if first is None:
+                first = self.pairs = pairs
+            self.agree[name] = bool(np.array_equal(pairs, first))
+        matrix = self.managers["matrix"]
+        if matrix is not None and matrix.greatest < len(self.alive) - 1:
+            self.managers["matrix"] = self._matrix()
+        for name, manager in self.managers.items():
+            if manager is None:
+                self.watch.forget(name)
+                continue
+            with self.watch.time(name):
+                manager.set_pairs(self.pairs)
+                events = manager.take_events()
+            self.begun, self.ended = len(events.begun), len(events.ended)
+
+    def advance(self, dt: float) -> None:
+        if self.workload == "teleport":
+            self._leap_all()
+        super().advance(dt)
+
+    def _leap_all(self) -> None:
+        """Every box is somewhere else."""
+        random = np.random.default_rng((self.seed, self.steps, 4))
+        sizes = self.uppers - self.lowers
+        movable = np.isfinite(sizes).all(axis=1) & (self.alive == 1)
+        places = random.random(sizes.shape) * np.maximum(np.array([WIDTH, HEIGHT]) - sizes, 0.0)
+        self.lowers[movable] = places[movable]
+        self.uppers[movable] = (places + sizes)[movable]
+
+    def knob_changed(self, name: str) -> None:
+        super().knob_changed(name)
+        if name in ("cell", *(contestant.name for contestant in PHASES)):
+            counts = self.begun, self.ended
+            for contestant in PHASES:
+                self.watch.forget(contestant.name)
+            self._begin_anew()
+            self.begun, self.ended = counts
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return Frame(-0.1, -0.1, TABLE_RIGHT + 0.1, 12.9)
+
+    def readouts(self) -> tuple[Readout, ...]:
+        names = [contestant.name for contestant in (*PHASES, *MANAGERS)]
+        return (
+            Readout("boxes", len(self.ids)),
+            Readout("pairs", len(self.pairs)),
+            Readout("begun", self.begun),
+            Readout("ended", self.ended),
+            *(Readout(name, self.watch.median(name), "s") for name in names),
+            Readout("swaps", self.swaps),
+            Readout("answers differ", float(sum(not same for same in self.agree.values()))),
+        )
+
+    def legend(self) -> tuple[tuple[str, str, str], ...]:
+        return (
+            ("box:vermilion", "overlapping", str(self.overlapping())),
+            ("box:ghost", "boxes", str(len(self.ids))),
+            ("line:vermilion", "pairs", str(len(self.pairs))),
+        )
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        view.draw_ground(canvas)
+        view.draw_boxes(self, canvas, alpha)
+        table = _Table(canvas)
+        table.head("Update and all pairs")
+        fastest = min((self.watch.median(name) for name in self.phases), default=math.nan)
+        for contestant in PHASES:
+            phase = self.phases.get(contestant.name)
+            if phase is None:
+                table.row(contestant, math.nan, "left out", "", None, False)
+                continue
+            seconds = self.watch.median(contestant.name)
+            work = self.swaps if isinstance(phase, SweepAndPrune) else phase.tests
+            table.row(
+                contestant, seconds, f"{_short(work)} {contestant.work}", view.bytes_text(phase.memory()),
+                self.agree[contestant.name], seconds == fastest,
+            )  # fmt: skip
+        table.space(20)
+        table.head("Pairs begun and ended")
+        times = [self.watch.median(contestant.name) for contestant in MANAGERS]
+        fastest = min((time for time in times if math.isfinite(time)), default=math.nan)
+        for contestant, seconds in zip(MANAGERS, times, strict=True):
+            manager = self.managers[contestant.name]
+            if manager is None:
+                table.row(contestant, math.nan, "left out", "", None, False)
+                continue
+            memory = view.bytes_text(manager.memory())
+            table.row(
+                contestant,
+                seconds,
+                f"{self.begun} begun, {self.ended} ended",
+                memory,
+                len(manager) == len(self.pairs),
+                seconds == fastest,
+            )
+        table.scale()
+
+
+class _Table:
+    """Rows of words, a logarithmic bar and numbers, in world places, heights in design px."""
+
+    def __init__(self, canvas: Any):
+        self.canvas = canvas
+        self.y = TABLE_TOP
+
+    def space(self, height_px: float) -> None:
+        self.y -= self.canvas.px(height_px)
+
+    def _words(
+        self, x: float, text: str, color: str, weight: str = "medium", anchor: str = "left", size: int = 12
+    ) -> None:
+        self.canvas.label((TABLE_LEFT + x, self.y), text, color, size, weight, anchor, halo=False)
+
+    def head(self, words: str) -> None:
+        """A section's head."""
+        self._words(0.0, words, "text1", "semibold")
+        self.space(24)
+
+    def row(
+        self, contestant: Contestant, seconds: float, work: str, memory: str, same: bool | None, first: bool
+    ) -> None:
+        """Name, bar with its time, work, memory; a tick or cross for the answer; the fastest is strong."""
+        canvas, width = self.canvas, BAR_RIGHT - BAR_LEFT
+        left = TABLE_LEFT + BAR_LEFT
+        self._words(0.0, contestant.words, "text1" if first else "text2", "semibold" if first else "medium")
+        canvas.line((left, self.y), (left + width, self.y), "inset", 6.0)
+        length = view.log_share(seconds, LEAST_S, MOST_S)
+        if length > 0.0:
+            canvas.line((left, self.y), (left + length * width, self.y), contestant.color, 6.0)
+            self._words(BAR_RIGHT + 0.25, view.seconds_text(seconds), "text1", "semibold")
+        self.space(17)
+        mark = {None: "", True: "same pairs", False: "pairs differ"}[same]
+        self._words(0.0, mark, "text3" if same else "vermilion", size=11)
+        self._words(BAR_LEFT, work, "text3", size=11)
+        self._words(TABLE_RIGHT - TABLE_LEFT, memory, "text3", anchor="right", size=11)
+        self.space(25)
+
+    def scale(self) -> None:
+        """What the bars' length means."""
+        canvas = self.canvas
+        for i, words in enumerate(("1 µs", "10", "100", "1 ms", "10", "100", "1 s")):
+            x = TABLE_LEFT + BAR_LEFT + i / 6.0 * (BAR_RIGHT - BAR_LEFT)
+            canvas.label((x, self.y), words, "text3", 11, "medium", "center", halo=False)
+
+
+def _short(number: float) -> str:
+    """A count with an SI prefix from ten thousand on."""
+    for size, prefix in ((1e9, "G"), (1e6, "M"), (1e4, "k")):
+        if number >= size:
+            return f"{number / min(size, 1e3 if prefix == 'k' else size):.3g} {prefix}"
+    return f"{round(number):,}".replace(",", "\u202f")

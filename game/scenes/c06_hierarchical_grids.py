@@ -1,0 +1,167 @@
+"""Hierarchical grids in hash tables, beside testing every box against every other."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from game.lab.studies.broadphase import hierarchy_study
+from game.physics.broadphase import HierarchicalGrid
+from game.physics.broadphase.hash_levels import TOP
+from game.scenes import boxes_view as view
+from game.scenes.boxes_compare import ComparedScene, manager_for
+from game.scenes.boxes_scene import RATIO, SHARE
+from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
+from game.ui.numerals import format_si
+from game.ui.painters.boxes import BoxPainter
+
+LEVEL_COLORS = ("chalk", "green", "pink", "violet", "yellow")
+MOST_CELLS = 4_000
+MOST_ROWS = 7  # levels listed
+_cells = BoxPainter(tuple((color, 0.07, color, 0.4) for color in LEVEL_COLORS))
+
+
+class HierarchicalGridScene(ComparedScene):
+    """Boxes of very unlike sizes: most are small, a few are many times larger. One uniform grid cannot
+    serve both; here there is a grid for every size. A box stands on the level whose cells are just not
+    smaller than itself, in the cell of its lower corner. No grid is stored: cells are found by hashing, a
+    table for each level, so there is neither an edge nor a size to choose, and memory follows the boxes.
+
+    Pairs on one level are found as in a uniform grid. Between two levels either the smaller boxes look up
+    the few large cells around them, or the large boxes run over the small cells below. The naive way, every
+    box against every other, does the same beside it and judges the answer.
+    """
+
+    name = "c06"
+    task = "C06"
+    title = "Hierarchical grids"
+    study = hierarchy_study
+
+    step_ratio = Choice(
+        "2",
+        ("2", "4", "8", "16"),
+        labels=("2", "4", "8", "16"),
+        group="Levels",
+        label="Cells from level to level",
+        help="how many times larger the cells of the next level are",
+    )
+    workload = Choice(
+        "heavy-tail",
+        ("equal", "heavy-tail", "clustered", "line", "lattice"),
+        labels=("Equal sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice"),
+        group="Boxes",
+        rebuild=True,
+        help="how boxes are made",
+    )
+    ratio = Param(
+        RATIO, 1.0, 1000.0, log=True, group="Boxes", label="Large to small", rebuild=True,
+        help="how many times larger the large boxes of the heavy tail are",
+    )  # fmt: skip
+    share = Param(
+        SHARE, 0.0, 0.5, group="Boxes", label="Share of large ones", rebuild=True, help="of the heavy tail"
+    )
+    cells = Toggle(
+        True, group="Shown", label="Cells", help="cells that hold boxes, in the colour of their level"
+    )
+
+    strips = (
+        Strip("Pairs", "", ("pairs",)),
+        Strip("Update and all pairs", "s", ("hierarchical", "naive")),
+        Strip("Box tests", "", ("box tests",)),
+    )
+    equations = (
+        Equation("Motion", r"x' = x + v \Delta t,  v' = -v", "explicit Euler; beyond the boundary"),
+        Equation("Level", r"2^{k-1} < s \le 2^k", "k from the exponent of the size s"),
+        Equation("Cell", r"(i, j) = (\floor{x / 2^k}, \floor{y / 2^k})", "Ericson 2005, 7.2"),
+        Equation("Bucket", r"h = (i + P j) \mod m", "rows stay together; P near 0.618 m"),
+        Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
+    )
+    try_this = (
+        "Draw large to small from 1 to 1000: levels appear, and the tests hardly change.",
+        "Set the share of large ones to a half: when all boxes are large, one grid would do as well.",
+        "Let cells grow by 16 from level to level: fewer levels, more tests in each.",
+        "Let single boxes grow over the levels: the hard case H4 does it in every step.",
+    )
+
+    # -- structures ---------------------------------------------------------------------------------
+
+    def make_structures(self) -> None:
+        self.grid = HierarchicalGrid(int(self.step_ratio))
+        self.keeper = manager_for(len(self.alive), self.manager)
+        self.make_naive()
+
+    def structures(self) -> tuple[HierarchicalGrid]:
+        return (self.grid,)
+
+    def shaping(self) -> tuple[str, ...]:
+        return ("manager", "step_ratio")
+
+    def pair_up(self) -> None:
+        with self.watch.time("hierarchical"):
+            self.update(self.grid)
+            self.pairs = self.grid.pairs()
+        if self.keeper.greatest < len(self.alive) - 1:
+            self.keeper = manager_for(len(self.alive), self.manager)
+        with self.watch.time("keeper"):
+            self.keeper.set_pairs(self.pairs)
+            events = self.keeper.take_events()
+        self.begun, self.ended = len(events.begun), len(events.ended)
+        self.compare()
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def readouts(self) -> tuple[Readout, ...]:
+        return (
+            Readout("boxes", len(self.ids)),
+            Readout("pairs", len(self.pairs)),
+            Readout("begun", self.begun),
+            Readout("ended", self.ended),
+            Readout("hierarchical", self.watch.median("hierarchical"), "s"),
+            Readout("naive", self.watch.median("naive"), "s"),
+            Readout("pair manager", self.watch.median("keeper"), "s"),
+            Readout("box tests", self.grid.tests),
+            Readout("answers differ", 0.0 if self.same else 1.0),
+        )
+
+    def legend(self) -> tuple[tuple[str, str, str], ...]:
+        return tuple(self.legend_rows())
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        levels, corners = self.grid.cells()
+        counts = np.bincount(levels[levels >= 0], minlength=1)
+        present = np.flatnonzero(counts)
+        if self.cells and len(self.ids) <= MOST_CELLS:
+            self._draw_cells(canvas, levels, corners, present)
+        view.draw_ground(canvas)
+        view.draw_boxes(self, canvas, alpha)
+        column = view.Column(canvas, 5.75)
+        self.draw_comparison(column, "hierarchical", f"Hierarchical, {self.grid.tests} tests", "chalk")
+        column.space(6)
+        self._draw_levels(column, canvas, counts, present)
+
+    def _draw_cells(self, canvas: Any, levels: Any, corners: Any, present: Any) -> None:
+        """The cells that hold boxes, coarse ones first; the level that is one cell has no outline."""
+        for level in present[::-1].tolist():
+            if level == TOP:
+                continue
+            lower = np.unique(corners[levels == level], axis=0)
+            kinds = np.full(len(lower), self._color(present, level), dtype=np.uint8)
+            _cells.paint(canvas, lower, lower + self.grid.cell_size(level), kinds)
+
+    @staticmethod
+    def _color(present: Any, level: int) -> int:
+        return int(np.searchsorted(present, level)) % len(LEVEL_COLORS)
+
+    def _draw_levels(self, column: view.Column, canvas: Any, counts: Any, present: Any) -> None:
+        """A row for each level that holds boxes, from the finest: size of its cells, boxes in them."""
+        column.head("Levels", "boxes")
+        most = max(int(counts.max(initial=1)), 1)
+        for level in present[:MOST_ROWS].tolist():
+            size = self.grid.cell_size(level)
+            words = f"Cells of {format_si(size, 'm')}" if math.isfinite(size) else "One cell for the rest"
+            length = math.log1p(int(counts[level])) / math.log1p(most)
+            column.bar(words, str(int(counts[level])), length, LEVEL_COLORS[self._color(present, level)])
+        if len(present) > MOST_ROWS:
+            column.row(f"and {len(present) - MOST_ROWS} levels more", "")
