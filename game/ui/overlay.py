@@ -13,7 +13,8 @@ from game.ui.shapes import draw_box, draw_shadow
 
 RISE = 8  # design px
 RADIUS = 16
-BLUR, DOWN, SHADE = 26.0, 12.0, 0.5
+BLUR, DOWN = 26.0, 12.0
+SHADES = {"dark": 0.5, "light": 0.28}
 
 
 class Overlay:
@@ -59,7 +60,7 @@ class Overlay:
         self._veil.set_alpha(round(look.theme.scrim.a * amount))
         surface.blit(self._veil, (0, 0))
         if amount >= 1.0:
-            draw_shadow(surface, self.card, BLUR * look.k / 2, DOWN * look.k, SHADE)
+            draw_shadow(surface, self.card, BLUR * look.k / 2, DOWN * look.k, SHADES[look.theme.name])
 
     def background(self) -> pygame.Surface:
         """A fresh picture of the empty card, to be drawn on with (0, 0) as its corner."""

@@ -13,7 +13,7 @@ import pygame
 
 from game.stage import Scene, Stage
 from game.ui.look import Look
-from game.ui.panel_effects import EffectCosts
+from game.ui.panel_effects import EffectCosts, EffectRow
 from game.ui.panel_flow import Contents
 from game.ui.panel_foot import PanelFoot
 from game.ui.panel_rows import PADDING, Source
@@ -71,6 +71,14 @@ class Panel:
     def has_keys(self) -> bool:
         """Whether a control has the keyboard focus, so that arrows, Enter and Space are for it."""
         return self._sheet is not None and self._sheet.has_keys
+
+    @property
+    def shows_effects(self) -> bool:
+        """Whether the row of an effect is in view, so that what it costs is wanted."""
+        if self._sheet is None or not (self.rect.w and self.view.h):
+            return False
+        seen = pygame.Rect(0, self.scroll, self.rect.w, self.view.h)
+        return any(isinstance(row, EffectRow) and row.rect.colliderect(seen) for row in self._sheet.rows)
 
     @property
     def view(self) -> pygame.Rect:

@@ -140,8 +140,9 @@ def draw_accuracy(surface: pygame.Surface, look: Look, stage: Stage) -> None:
         series.append(PlotSeries(name, (*failed, *runs), order, SERIES[style].color, SERIES[style].marker))
         rows.append(TableRow(name, order, order, cost * (error / 1e-3) ** (1.0 / order)))
     data = AccuracyData(
-        "Bouncing ball, from three metres", "Error of the height after 1.2 s", "m", tuple(series), tuple(rows),
-        Present(2, series[2].points[7], "Verlet, 240 steps a second"), 1e-3, sentence_for(rows, "one millimetre"),
+        "Bouncing ball, from three metres", "Error of the height after 1.2 s", "m", tuple(series),
+        tuple(rows), Present(2, series[2].points[7], "Verlet, 240 steps a second"), 1e-3,
+        sentence_for(rows, "one millimetre"),
         ("Hollow: still to be measured.", "Click a point to set the scene to it."),
     )  # fmt: skip
     page = AccuracyPage(look, data)
