@@ -7,10 +7,11 @@ import math
 from pathlib import Path
 from typing import Any
 
-from game.lab.analysis import TARGETS, summarise, usable
+from game.lab.analysis import TARGETS, summarise, upper_envelope, usable
 from game.lab.study import Row, StudyTable
 
 # colours that colour-blind people can tell apart, each with a shape of its own (Okabe and Ito 2008)
+FEW = 24  # points that are drawn singly; of more the upper envelope
 SERIES = (
     ("#0072B2", "o"),
     ("#D55E00", "s"),
@@ -98,8 +99,9 @@ def write_png(table: StudyTable, path: Path) -> Path:
                 row.error if math.isfinite(row.error) and row.error > 0.0 else lowest for row in failed
             ]
             axes.plot(
-                [row.cpu_s for row in failed], heights, "x", color=colour, markersize=9, markeredgewidth=1.6
-            )
+                [row.cpu_s for row in failed], heights, "x", color=colour,
+                markersize=9 if len(failed) <= FEW else 5, alpha=1.0 if len(failed) <= FEW else 0.35,
+            )  # fmt: skip
     if table.rows:
         axes.set_xscale("log")
         axes.set_yscale("log")
@@ -151,10 +153,16 @@ def _failures(table: StudyTable) -> list[str]:
 
 
 def _plot(axes: Any, rows: list[Row], lowest: float, **style: Any) -> None:
-    """Points, joined where they are few; errors of zero lie on the lower edge."""
+    """Points, joined; of many the upper envelope is joined, as their errors rise and fall like saw teeth.
+
+    Errors of zero lie on the lower edge.
+    """
+    if len(usable(rows, 0.0)) > FEW:
+        faint = {**style, "label": None, "alpha": 0.22}
+        axes.plot([r.cpu_s for r in rows], [max(r.error, lowest) for r in rows], ls="", ms=3.0, **faint)
+        rows = sorted(upper_envelope(usable(rows, 0.0)), key=lambda row: row.cpu_s)
     heights = [max(row.error, lowest) for row in rows]
-    joined = "-" if len(usable(rows, 0.0)) <= 24 else ""
-    axes.plot([row.cpu_s for row in rows], heights, linestyle=joined, markersize=4.5, linewidth=1.2, **style)
+    axes.plot([row.cpu_s for row in rows], heights, linestyle="-", markersize=5.0, linewidth=1.4, **style)
 
 
 def _series(count: int) -> list[tuple[str, str]]:
