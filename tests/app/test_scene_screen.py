@@ -389,3 +389,50 @@ def test_scene_fits_any_window(scene: Driver, size: tuple[int, int]):
             scene.key(pygame.K_F2)
     scene.key(pygame.K_F1)
     scene.frames(3)
+
+
+def test_panel_by_keyboard_alone(scene: Driver):
+    scene.key(pygame.K_SPACE)
+    scene.key(pygame.K_TAB, pygame.KMOD_LSHIFT)
+    assert scene.top.shell.panel.has_keys
+    before = scene.stage.scene.gravity
+    scene.key(pygame.K_RIGHT)
+    raised = scene.stage.scene.gravity
+    scene.key(pygame.K_LEFT)
+    assert before < raised > scene.stage.scene.gravity
+    scene.key(pygame.K_SPACE)
+    assert not scene.stage.paused
+
+
+def test_number_is_typed_and_letters_are_no_commands_meanwhile(scene: Driver):
+    scene.key(pygame.K_SPACE)
+    scene.key(pygame.K_TAB, pygame.KMOD_LSHIFT)
+    scene.key(pygame.K_RETURN)
+    assert scene.top.play.typing
+    scene.type("3.5")
+    scene.key(pygame.K_l)
+    scene.key(pygame.K_RETURN)
+    assert scene.stage.scene.gravity == 3.5
+    assert not scene.top.play.typing
+    scene.key(pygame.K_l)
+    assert isinstance(scene.top, ChoiceCard)
+
+
+def test_pause_card_does_what_is_chosen(scene: Driver):
+    scene.frames(120)
+    step = scene.stage.step_number
+    scene.key(pygame.K_p)
+    scene.frames(20)
+    scene.key(pygame.K_DOWN)
+    scene.key(pygame.K_RETURN)
+    scene.frames(30)
+    assert scene.stage.step_number < step
+    scene.key(pygame.K_p)
+    scene.frames(20)
+    scene.key(pygame.K_UP)
+    scene.key(pygame.K_END)
+    for _ in range(10):
+        scene.key(pygame.K_DOWN)
+    scene.key(pygame.K_RETURN)
+    scene.frames(30)
+    assert not scene.app.running

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from game.app.scene.shell import Shell
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
+FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
 METER_BUDGET_S = 0.0004  # s a frame for measuring what effects cost
 
 
@@ -59,6 +60,15 @@ class ScenePlay:
         """Whether the panel has a field that takes letters."""
         return self.shell.panel is not None and self.shell.panel.typing
 
+    def panel_wants(self, event: pygame.Event) -> bool:
+        """Whether a key is for the control that has the keyboard focus, or moves that focus (Shift+Tab)."""
+        panel = self.shell.panel
+        if panel is None or not self.shell.layout.panel.w:
+            return False
+        if event.key == pygame.K_TAB and event.mod & pygame.KMOD_SHIFT:
+            return True
+        return panel.typing or (panel.has_keys and event.key in FOCUS_KEYS)
+
     def restyle(self) -> None:
         """Window, scale or theme has changed."""
         self.view.place(self.shell.layout.free_stage, self.app.look)
@@ -75,6 +85,9 @@ class ScenePlay:
         """An event for panel, bar, banner or the scene; the commands that are not done here."""
         if self.banner.handle(event):
             return [Command("reset")]
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_TAB and self.shell.panel is not None:
+            self.shell.panel.focus_next()
+            return []
         dragging = bool(self.hand.held)
         taken, wishes = (False, []) if dragging else self.shell.handle(event)
         if not taken:
@@ -236,8 +249,11 @@ class ScenePlay:
             self.script.advance(elapsed_s)
         else:
             self.stage.advance(elapsed_s)
-        if not self.stage.paused and self.stage.fault is None and self.app.settings.panel:
-            self.meter.slice(METER_BUDGET_S)
+        panel = self.shell.panel
+        if not self.stage.paused and panel is not None and panel.shows_effects:
+            self.meter.slice(
+                METER_BUDGET_S
+            )  # compiles variants of the step behind the window: only if wanted
         self.view.camera.update(0.0 if self.app.look.less_motion else elapsed_s)
         for message in self.stage.scene.messages():
             cause, _, consequence = message.partition(". ")

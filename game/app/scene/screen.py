@@ -104,7 +104,7 @@ class SceneScreen(Screen):
     def wants_key(self, event: pygame.Event) -> bool:
         if self.play is None:
             return False
-        return self.play.typing or self.play.action_of(event) is not None
+        return self.play.panel_wants(event) or self.play.action_of(event) is not None
 
     def handle(self, event: pygame.Event) -> None:
         if self.play is None:
@@ -113,7 +113,9 @@ class SceneScreen(Screen):
                 if wish.name in ("back", "panel", "help"):
                     self.command(wish.name)
             return
-        name = self.play.action_of(event) if event.type == pygame.KEYDOWN and not self.play.typing else None
+        name = None
+        if event.type == pygame.KEYDOWN and not self.play.panel_wants(event):
+            name = self.play.action_of(event)
         if name is not None:
             self.play.act(name)
             return
