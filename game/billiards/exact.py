@@ -41,6 +41,8 @@ from game.billiards.state import (
     IN_MOTION,
     IN_RADIUS,
     IN_WZ,
+    IN_X,
+    IN_Y,
     INTEGER_ROWS,
     INVERSE_MASS,
     MARK,
@@ -48,6 +50,8 @@ from game.billiards.state import (
     MEET,
     MEMBER,
     MET,
+    MIDDLE_X,
+    MIDDLE_Y,
     MOTION,
     NEVER,
     NEXT_TIME,
@@ -67,6 +71,8 @@ from game.billiards.state import (
     SECOND,
     SEG_BALL,
     SEG_MOTION,
+    SEG_X,
+    SEG_Y,
     SEGMENTS_END,
     SEGMENTS_START,
     SLIDING,
@@ -99,12 +105,13 @@ def workspace(n: int) -> Workspace:
 class Batch(NamedTuple):
     """m shots of n balls each, as the kernel reads them.
 
-    balls (m, n, 11), physics (m, 16): see `state`. elements (e, 7): rows of all tables in use, of each the
-    cushions, then the jaws, then the pockets. ranges (m, 4): where those of each shot's table start, and end.
+    balls (m, n, 11), constants (m, 18), a row of physics each: see `state`. elements (e, 7): rows of all
+    tables in use, of each the cushions, then the jaws, then the pockets. ranges (m, 4): where those of each shot's
+    table start, and end.
     """
 
     balls: Array
-    physics: Array
+    constants: Array
     elements: Array
     ranges: NDArray[np.int64]
 
@@ -114,7 +121,8 @@ class Log(NamedTuple):
 
     events (e, 4): time (s), type, ball, ball or element (-1: none). segments (s, 12): see `state`; with no
     rows at all, none are written. ends (m, 6): start and end of each shot's events, and of its segments; how
-    it ended (see `state`); time of its last event, or `until` (s). final (m, n, 11): balls as they come in.
+    it ended (see `state`); time of its last event, or `until` (s). final (m, n, 11): balls as they come in,
+    but in the table's frame, as are segments.
     """
 
     events: Array
@@ -124,10 +132,12 @@ class Log(NamedTuple):
 
 
 @lean_kernel(inline="always")
-def record_ball(segments, row, state, modes, i):
+def record_ball(segments, row, state, modes, i, physics):
     """Write the segment that ball i now begins."""
     for column in range(SEG_BALL):
         segments[row, column] = state[TIME + column, i]
+    segments[row, SEG_X] += physics[MIDDLE_X]
+    segments[row, SEG_Y] += physics[MIDDLE_Y]
     segments[row, SEG_BALL] = i
     segments[row, SEG_MOTION] = modes[MOTION, i]
 
@@ -142,10 +152,10 @@ def record_event(events, row, time, event, i, j):
 
 
 @lean_kernel(inline="always")
-def view_room(work, n):
-    """Cut the room up: state, modes, pairs, ends, forces, normals, velocities, and the joint solver's two."""
+def view_room(floats, integers, n):
+    """Views into a `Workspace`: state, modes, pairs, ends, forces, normals, velocities, and the joint
+    solver's two."""
     m = max(1, n * (n - 1) // 2)
-    floats = work.floats
     a = FLOAT_ROWS * n
     b = a + PAIR_PLANES * n * n
     c = b + FORCE_ROWS * m
@@ -154,9 +164,9 @@ def view_room(work, n):
     f = e + CONTACT_COLUMNS * m
     return (
         floats[:a].reshape((FLOAT_ROWS, n)),
-        work.integers[: INTEGER_ROWS * n].reshape((INTEGER_ROWS, n)),
+        integers[: INTEGER_ROWS * n].reshape((INTEGER_ROWS, n)),
         floats[a:b].reshape((PAIR_PLANES, n, n)),
-        work.integers[INTEGER_ROWS * n : INTEGER_ROWS * n + END_ROWS * m].reshape((END_ROWS, m)),
+        integers[INTEGER_ROWS * n : INTEGER_ROWS * n + END_ROWS * m].reshape((END_ROWS, m)),
         floats[b:c].reshape((FORCE_ROWS, m)),
         floats[c:d].reshape((m, 2)),
         floats[d:e].reshape((n, 2)),
@@ -287,7 +297,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
         for q in range(changed):
             i = modes[MEMBER, q]
             if segments.shape[0] > 0:
-                record_ball(segments, segment, state, modes, i)
+                record_ball(segments, segment, state, modes, i, physics)
                 segment += 1
             plan_ball(state, modes, i, cushions, jaws, pockets, physics)
         for q in range(changed):
@@ -343,12 +353,16 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
 def write_final(state, modes, end_time, final, physics):
     """Bring all balls to the end and write them. Returns False if a number is not finite."""
     total = 0.0
+    middle_x = physics[MIDDLE_X]
+    middle_y = physics[MIDDLE_Y]
     for i in range(final.shape[0]):
         if modes[MOTION, i] != POCKETED:
             advance(state, modes, i, end_time, physics)
         for column in range(IN_WZ + 1):
             final[i, column] = state[X + column, i]
             total += abs(final[i, column])
+        final[i, IN_X] += middle_x
+        final[i, IN_Y] += middle_y
         final[i, IN_RADIUS] = state[RADIUS, i]
         final[i, IN_MASS] = state[MASS, i]
         final[i, IN_MOTION] = modes[MOTION, i]
@@ -356,35 +370,50 @@ def write_final(state, modes, end_time, final, physics):
 
 
 @lean_kernel
-def play_shots(work, batch, log, first, until, max_events):
+def play_shots(
+    floats,
+    integers,
+    balls,
+    constants,
+    elements,
+    ranges,
+    events,
+    segments,
+    ends,
+    final,
+    first,
+    until,
+    max_events,
+):
     """Play shots from number `first` on until the log is full, each at most to the time `until` (s).
 
-    Returns the number of the first shot that was not played.
+    floats, integers: a `Workspace`. balls to ranges: a `Batch`. events to final: a `Log`. (One by one, as the
+    three tuples would take longer to pass than a short shot to play.) Returns the number of the first shot
+    that was not played.
     """
-    shots = batch.physics.shape[0]
-    room = view_room(work, batch.balls.shape[1])
+    shots = constants.shape[0]
+    room = view_room(floats, integers, balls.shape[1])
     row = 0
     segment = 0
     for s in range(first, shots):
-        physics = batch.physics[s]
-        cushions = batch.elements[batch.ranges[s, 0] : batch.ranges[s, 1]]
-        jaws = batch.elements[batch.ranges[s, 1] : batch.ranges[s, 2]]
-        pockets = batch.elements[batch.ranges[s, 2] : batch.ranges[s, 3]]
-        place_balls(room[0], room[1], room[2], batch.balls[s], physics)
+        physics = constants[s]
+        cushions = elements[ranges[s, 0] : ranges[s, 1]]
+        jaws = elements[ranges[s, 1] : ranges[s, 2]]
+        pockets = elements[ranges[s, 2] : ranges[s, 3]]
+        place_balls(room[0], room[1], room[2], balls[s], physics)
         status, row_end, segment_end, end_time = play_shot(
-            room, cushions, jaws, pockets, physics, until, max_events, log.events, log.segments, row, segment
+            room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment
         )
         if status == BUFFER_FULL:
             return s
-        if not write_final(room[0], room[1], end_time, log.final[s], physics):
+        if not write_final(room[0], room[1], end_time, final[s], physics):
             status = NOT_FINITE
-        ends = log.ends[s]
-        ends[EVENTS_START] = row
-        ends[EVENTS_END] = row_end
-        ends[SEGMENTS_START] = segment
-        ends[SEGMENTS_END] = segment_end
-        ends[STATUS] = status
-        ends[END_TIME] = end_time
+        ends[s, EVENTS_START] = row
+        ends[s, EVENTS_END] = row_end
+        ends[s, SEGMENTS_START] = segment
+        ends[s, SEGMENTS_END] = segment_end
+        ends[s, STATUS] = status
+        ends[s, END_TIME] = end_time
         row = row_end
         segment = segment_end
     return shots

@@ -26,7 +26,7 @@ TOLERANCE = 1e-9  # m
 
 
 class Layout(NamedTuple):
-    """elements (e, 7) about the middle, m: the cushions, then the jaws, then the pockets (x, y, radius first).
+    """elements (e, 7) about the middle, m: cushions, then the jaws, then the pockets (x, y, radius first).
 
     counts: of the three. middle (x, y) m in the table's frame. free (left, right, lower, upper) m: the free
     rectangle about the middle.

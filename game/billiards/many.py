@@ -31,7 +31,7 @@ class Trajectories(Sequence[Trajectory]):
     to the same bits, when it is asked for.
 
     rows: events of each shot as numbers, see `Trajectory`. ends: balls of each shot at its end, (n, 11) as in
-    `state`, about the table's middle. end_times (m,) s.
+    `state`, in the table's frame. end_times (m,) s.
     """
 
     def __init__(
@@ -100,7 +100,7 @@ def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, i
     capacity = max(1024, 2 * n * n, EVENTS_A_SHOT * shots)
     while first < shots:
         log = log_for(shots, n, capacity, paths=False)
-        end = int(play_shots(room_for(n), batch, log, first, until, max_events))
+        end = int(play_shots(*room_for(n), *batch, *log, first, until, max_events))
         if end == first:
             capacity *= 4
             continue

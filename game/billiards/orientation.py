@@ -111,9 +111,11 @@ def turns_at_starts(segments, order, starts, radii, physics, turns):
             row = order[place]
             if place == starts[ball]:
                 turns[row, 0] = 1.0
-                turns[row, 1:] = 0.0
+                for k in range(1, 4):
+                    turns[row, k] = 0.0
                 continue
             before = order[place - 1]
-            turns[row] = turns[before]
+            for k in range(4):
+                turns[row, k] = turns[before, k]
             elapsed = segments[row, SEG_TIME] - segments[before, SEG_TIME]
             turn_in_segment(segments[before], elapsed, radii[ball], physics, turns[row])

@@ -46,14 +46,13 @@ def reach_of(radius_i, radius_j):
 
 
 @lean_kernel(forceinline=True)
-def may_meet(state, modes, i, start, count):
+def may_meet(state, modes, pairs, i, start, count):
     """Bits of `count` balls from number start on: for which a contact with ball i is not ruled out, and
-    which have i as the partner of their next contact.
+    with which one was foreseen so far.
 
     With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
     phases, there is no contact if
-    - the distance only grows: the slope of its square, c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3, stays above 0 even
-      without its last part; or
+    - the distance only grows, or the parabola that lies under its square (see `detection`) stays above; or
     - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
     - both lie still, apart.
     One expression without branches, and an index that cannot be negative, so that the compiler takes several
@@ -69,7 +68,7 @@ def may_meet(state, modes, i, start, count):
     own = min(state[OWN_TIME, i], now + LONGEST_SEARCH)
     four_radius = 4.0 * state[RADIUS, i]
     bits = 0
-    follow = 0
+    foreseen = 0
     for k in range(count):
         j = np.uintp(start + k)
         elapsed = now - state[TIME, j]
@@ -85,22 +84,30 @@ def may_meet(state, modes, i, start, count):
         ay -= ayi
         horizon = min(own, state[OWN_TIME, j]) - now
         reach_square = four_radius * state[RADIUS, j]
+        # half of the square of the distance, less the reach: its value, slope and least curvature
+        gap = 0.5 * (x * x + y * y - reach_square)
         along = x * vx + y * vy
         push = ax * vx + ay * vy
         speed_square = vx * vx + vy * vy
-        curvature = speed_square + 2.0 * (x * ax + y * ay) + 3.0 * horizon * min(push, 0.0)
-        limit = reach_square * speed_square
+        third = horizon * min(push, 0.0)
+        curvature = speed_square + 2.0 * (x * ax + y * ay) + 2.0 * third
+        grows = along + horizon * min(curvature + third, 0.0) > 0.0
         bend = horizon * horizon
+        above = gap + horizon * along + 0.5 * bend * curvature > 0.0
+        dips = (along < 0.0) & (along + horizon * curvature > 0.0) & (along * along >= 2.0 * curvature * gap)
+        limit = reach_square * speed_square
         across = abs(x * vy - y * vx) - bend * abs(ax * vy - ay * vx)
         latest = along + horizon * speed_square + bend * max(push, 0.0)
-        ruled_out = (along + horizon * min(curvature, 0.0) > 0.0) | (modes[MOTION, j] == POCKETED)
+        ruled_out = (
+            grows | ((gap > 1e-11 * reach_square) & above & (not dips)) | (modes[MOTION, j] == POCKETED)
+        )
         ruled_out |= ((across > 0.0) & (across * across > limit)) | (
             (latest < 0.0) & (latest * latest > limit)
         )
-        ruled_out |= (speed_square == 0.0) & (x * x + y * y > 1.1 * reach_square)
+        ruled_out |= (speed_square == 0.0) & (gap > 0.1 * reach_square)
         bits |= (0 if ruled_out else 1) << k
-        follow |= (1 if modes[PARTNER, j] == i else 0) << k
-    return bits, follow
+        foreseen |= (1 if pairs[MEET, i, j] < NEVER else 0) << k
+    return bits, foreseen
 
 
 @lean_kernel(inline="always")
@@ -147,20 +154,17 @@ def refresh_pairs(state, modes, pairs, i):
     partner = -1
     for start in range(0, n, BLOCK):
         end = min(start + BLOCK, n)
-        bits, follow = may_meet(state, modes, i, start, end - start)
+        bits, foreseen = may_meet(state, modes, pairs, i, start, end - start)
         if gone:
             bits = 0
         for j in range(start, end):
-            pairs[MEET, i, j] = NEVER
-            pairs[MEET, j, i] = NEVER
-        for j in range(start, end):
-            if j == i or not ((bits | follow) >> (j - start)) & 1:
+            if j == i or not ((bits | foreseen) >> (j - start)) & 1:
                 continue
             t = NEVER
             if (bits >> (j - start)) & 1:
                 t = _contact_time(state, i, j, now)
-                pairs[MEET, i, j] = t
-                pairs[MEET, j, i] = t
+            pairs[MEET, i, j] = t
+            pairs[MEET, j, i] = t
             if t < best:
                 best = t
                 partner = j

@@ -95,6 +95,7 @@ class Shot:
                 restitution, model.friction, p.ball_friction, model.limit(restitution),
                 CUSHION_MODELS[p.cushion], 1.0 if p.cushion == "mirror" else p.cushion_restitution,
                 p.cushion_friction, self.table.cushion_height, *self.layout.free,
+                *self.layout.middle,
             ]
         )  # fmt: skip
         assert row.shape == (PHYSICS_COLUMNS,)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.exact import Batch, Log, Workspace, play_shots, workspace
+from game.billiards.exact import Log, Workspace, play_shots, workspace
 from game.billiards.shot import Shot
 from game.billiards.shot_file import load_shot
 from game.billiards.state import (
@@ -21,8 +21,6 @@ from game.billiards.state import (
     EVENTS_START,
     IN_COLUMNS,
     NOT_FINITE,
-    SEG_X,
-    SEG_Y,
     SEGMENT_COLUMNS,
     SEGMENTS_END,
     SEGMENTS_START,
@@ -84,27 +82,24 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
     SimulationError if there are more than `max_events` events.
     """
     n = len(shot.balls)
-    batch: Batch = shot.batch
     capacity = max(FIRST_CAPACITY, 4 * n * n)
     log = _log_of_one(n, capacity)
-    while play_shots(room_for(n), batch, log, 0, until, max_events) == 0:
+    while play_shots(*room_for(n), *shot.batch, *log, 0, until, max_events) == 0:
         log = _log_of_one(n, 4 * len(log.events))
     check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)
 
 
 def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:
-    """The trajectory of one shot of a log, in arrays of its own, in the table's frame."""
-    ends = log.ends[number]
-    events = log.events[int(ends[EVENTS_START]) : int(ends[EVENTS_END])].copy()
-    segments = log.segments[int(ends[SEGMENTS_START]) : int(ends[SEGMENTS_END])].copy()
-    final = log.final[number].copy()
-    x, y = shot.layout.middle
-    segments[:, SEG_X] += x
-    segments[:, SEG_Y] += y
-    final[:, 0] += x
-    final[:, 1] += y
-    return Trajectory(shot, events, segments, final, float(ends[END_TIME]))
+    """The trajectory of one shot of a log, in arrays of its own."""
+    ends = log.ends[number].tolist()
+    return Trajectory(
+        shot,
+        log.events[int(ends[EVENTS_START]) : int(ends[EVENTS_END])].copy(),
+        log.segments[int(ends[SEGMENTS_START]) : int(ends[SEGMENTS_END])].copy(),
+        log.final[number].copy(),
+        ends[END_TIME],
+    )
 
 
 def simulate(shot: Shot, model: str = "exact", **options: Any) -> Trajectory:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import math
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -96,13 +95,13 @@ def turns_at(segments, rows, time, radii, physics, starting, turns):
     """Quaternions at a time, from `starting` (s, 4), at their segments' starts, to turns (n, 4)."""
     for ball in range(rows.shape[0]):
         row = rows[ball]
-        turns[ball] = starting[row]
+        for k in range(4):
+            turns[ball, k] = starting[row, k]
         turn_in_segment(
             segments[row], max(time - segments[row, SEG_TIME], 0.0), radii[ball], physics, turns[ball]
         )
 
 
-@dataclass(frozen=True, eq=False)
 class Trajectory:
     """A played shot.
 
@@ -110,11 +109,12 @@ class Trajectory:
     of the balls' ways, see `state`, in the table's frame. end (n, 11): the balls at end_time (s).
     """
 
-    shot: Shot
-    rows: Array
-    segments: Array
-    end: Array
-    end_time: float
+    def __init__(self, shot: Shot, rows: Array, segments: Array, end: Array, end_time: float) -> None:
+        self.shot = shot
+        self.rows = rows
+        self.segments = segments
+        self.end = end
+        self.end_time = end_time
 
     @property
     def times(self) -> Array:
