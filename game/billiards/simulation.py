@@ -1,4 +1,4 @@
-"""Play a shot, or many, on the exact table: buffers, errors, results."""
+"""Play a shot: buffers, errors and results of the exact table, and the door to all models."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.exact import Log, Workspace, play_shots, workspace
+from game.billiards.lecture_shot import simulate_lecture
 from game.billiards.shot import Shot
 from game.billiards.shot_file import load_shot
 from game.billiards.state import (
@@ -26,6 +27,7 @@ from game.billiards.state import (
     SEGMENTS_START,
     STATUS,
 )
+from game.billiards.stepped import simulate_stepped
 from game.billiards.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -103,16 +105,21 @@ def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:
 
 
 def simulate(shot: Shot, model: str = "exact", **options: Any) -> Trajectory:
-    """Play a shot under one of the MODELS: "exact", from event to event.
+    """Play a shot under one of the MODELS: "exact", from event to event; "stepped"; "lecture".
 
-    options: those of the model (`simulate_exact`). ValueError for an unknown model.
+    options: those of the model (`simulate_exact`, `simulate_stepped`, `simulate_lecture`). ValueError for an
+    unknown model.
     """
     if model not in MODELS:
         raise ValueError(f"model: must be one of {', '.join(MODELS)}, got {model!r}")
     return MODELS[model](shot, **options)
 
 
-MODELS: dict[str, Callable[..., Trajectory]] = {"exact": simulate_exact}
+MODELS: dict[str, Callable[..., Trajectory]] = {
+    "exact": simulate_exact,
+    "stepped": simulate_stepped,
+    "lecture": simulate_lecture,
+}
 
 
 def run_shot_file(path: str | Path, model: str = "exact") -> dict[str, Any]:

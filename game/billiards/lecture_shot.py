@@ -1,0 +1,199 @@
+"""A shot played on the lecture's table: velocity added to position, no spin, friction by a factor.
+
+What the lecture's table cannot hold is left out: spin, throw, what the cushion does to the spin. Loss at
+balls and cushions is the shot's. Friction there takes a share of the speed away each frame, where the cloth
+takes a constant deceleration; the two can agree at one speed only. The factor is chosen so that a rolling
+ball of REFERENCE_SPEED stops (falls below the table's minimum speed) after the time v/(mu_r g) that it takes
+on the cloth: faster balls then stop too soon, and slower ones roll on for too long.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.layout import FAR
+from game.billiards.lecture import LectureTable
+from game.billiards.lecture_state import (
+    BALL_COLLISIONS,
+    FIRST,
+    FRAME_RATE,
+    FRICTION,
+    KIND,
+    MINIMUM_SPEED,
+    POCKETS,
+    SECOND,
+    TIME,
+    WALLS,
+    LectureSettings,
+)
+from game.billiards.sampled import (
+    SAMPLE_COLUMNS,
+    SAMPLE_MOTION,
+    SAMPLE_VX,
+    SAMPLE_VY,
+    SAMPLE_WX,
+    SAMPLE_WY,
+    SampledTrajectory,
+    sampled_trajectory,
+    samples_for,
+)
+from game.billiards.shot import Shot, ShotError
+from game.billiards.state import (
+    BALL_RESTITUTION,
+    CUSHION_RESTITUTION,
+    IN_CLEAR,
+    IN_MASS,
+    IN_MOTION,
+    IN_RADIUS,
+    IN_VX,
+    IN_VY,
+    POCKETED,
+    ROLLING,
+    STATIONARY,
+)
+from game.billiards.stepped import check_steps
+from game.billiards.table import Table, checked_table
+
+Array = NDArray[np.float64]
+
+REFERENCE_SPEED = 1.0  # m/s
+MINIMUM = 0.01  # m/s; the lecture's minimum speed
+EFFECTS = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED | POCKETS
+
+
+def friction_factor(rolling: float, gravity: float) -> float:
+    """The lecture's factor per frame for a coefficient of rolling friction; 1 if there is none.
+
+    With the factor f the speed falls as f^(60 t), so f = (v_min/v)^(1/(60 t)) where t = v/(mu_r g).
+    """
+    return (MINIMUM / REFERENCE_SPEED) ** (rolling * gravity / (FRAME_RATE * REFERENCE_SPEED))
+
+
+def lecture_settings_for(
+    shot: Shot, substeps: int = 1, rule: str = "conserving", order: str = "pairwise"
+) -> LectureSettings:
+    """Settings of the lecture's table for a shot, stepped as printed: one pass, balls put on the wall."""
+    physics = shot.physics
+    moves_for_ever = physics.rolling == 0.0
+    return LectureSettings(
+        bounce=float(shot.constants[CUSHION_RESTITUTION]),
+        restitution=float(shot.constants[BALL_RESTITUTION]),
+        friction=friction_factor(physics.rolling, physics.gravity),
+        minimum_speed=0.0 if moves_for_ever else MINIMUM,
+        substeps=substeps,
+        passes=1,
+        rule=rule,
+        order=order,
+        repositioning="clamp",
+        walls_again=False,
+    )
+
+
+def bed_of(shot: Shot) -> Table:
+    """The bed within the rails, its lower left corner the origin; ShotError if it is not a rectangle.
+
+    Files may have tables whose noses begin elsewhere. Open cloth is a bed of any size.
+    """
+    layout = shot.layout
+    left, right, lower, upper = layout.free
+    rails, jaws, _ = layout.counts
+    bounded = max(right, upper) < FAR and min(left, lower) > -FAR
+    if not ((bounded or rails == 0) and shot.balls[:, IN_CLEAR].all()):
+        raise ShotError("table: the lecture's is a rectangle with rails on its four sides, or open cloth")
+    width, length = (right - left, upper - lower) if bounded else (1.0, 1.0)
+    elements = layout.elements.copy()
+    elements[:, 0:2] += 0.5 * width, 0.5 * length
+    elements[:rails, 2:4] += 0.5 * width, 0.5 * length
+    discs = elements[rails:, :3]
+    height = shot.table.cushion_height
+    return checked_table(width, length, height, elements[:rails, :6], discs[:jaws], discs[jaws:])
+
+
+def lecture_table_for(shot: Shot, settings: LectureSettings) -> LectureTable:
+    """The lecture's table with a shot's balls. ShotError if the bed is not a rectangle with its rails."""
+    bed = bed_of(shot)
+    lectured = LectureTable(
+        bed,
+        shot.balls[:, :2] + (0.5 * bed.width, 0.5 * bed.length),
+        shot.balls[:, IN_RADIUS],
+        shot.balls[:, IN_MASS],
+        shot.balls[:, IN_VX : IN_VY + 1],
+        EFFECTS,
+        settings,
+    )
+    for ball in np.flatnonzero(shot.balls[:, IN_MOTION] == POCKETED).tolist():
+        lectured.remove(ball)
+    return lectured
+
+
+def sample_of(table: LectureTable, middle: tuple[float, float]) -> Array:
+    """The balls as a sample (n, 8), about `middle` (m); what moves rolls."""
+    sample = np.zeros((len(table.state.radii), SAMPLE_COLUMNS))
+    velocities = table.velocities
+    sample[:, :2] = table.state.offsets + middle
+    sample[:, SAMPLE_VX : SAMPLE_VY + 1] = velocities
+    sample[:, SAMPLE_WX] = -velocities[:, 1] / table.state.radii
+    sample[:, SAMPLE_WY] = velocities[:, 0] / table.state.radii
+    moving = np.where(velocities.any(axis=1), ROLLING, STATIONARY)
+    sample[:, SAMPLE_MOTION] = np.where(table.state.in_play, moving, POCKETED)
+    return sample
+
+
+def simulate_lecture(
+    shot: Shot,
+    dt: float = 1.0 / 60.0,
+    substeps: int = 1,
+    rule: str = "conserving",
+    order: str = "pairwise",
+    until: float = 60.0,
+) -> SampledTrajectory:
+    """Play a shot on the lecture's table in steps of dt s, at most to the time `until` (s).
+
+    substeps (0: automatic), rule, order: as in `LectureSettings`. Events are contacts only, to the substep.
+    ValueError names an option out of range, or a ball whose numbers did not stay finite.
+    """
+    check_steps(dt, until)
+    table = lecture_table_for(shot, lecture_settings_for(shot, substeps, rule, order))
+    whole = int(until / dt * (1.0 + 1e-12))
+    rest = until - whole * dt
+    stride = max(1, math.ceil(whole / (samples_for(len(shot.balls)) - 2)))
+    times = [0.0]
+    samples = [sample_of(table, shot.layout.middle)]
+    rows: list[Array] = []
+    counts = {"steps": 0, "pair_tests": 0, "lost_events": 0}
+    while table.moving and counts["steps"] < whole:
+        steps = min(stride, whole - counts["steps"])
+        _advance(table, shot.layout.middle, float(dt), steps, times, samples, rows, counts)
+    if table.moving and rest > 1e-9 * dt:
+        _advance(table, shot.layout.middle, rest, 1, times, samples, rows, counts)
+    events = np.concatenate(rows) if rows else np.empty((0, 4))
+    return sampled_trajectory(shot, events, np.array(times), np.stack(samples), counts)
+
+
+def _advance(
+    table: LectureTable,
+    middle: tuple[float, float],
+    dt: float,
+    steps: int,
+    times: list[float],
+    samples: list[Array],
+    rows: list[Array],
+    counts: dict[str, int],
+) -> None:
+    """Go on by so many steps, and append what came of them."""
+    table.step(dt, steps)
+    if table.not_finite >= 0:
+        raise ShotError(f"ball {table.not_finite}: its numbers grew without limit by {times[-1]:.3g} s")
+    events = table.event_rows[:, [TIME, KIND, FIRST, SECOND]]
+    events[:, 0] += times[-1]
+    if len(events):
+        rows.append(events)
+    counters = table.counters
+    counts["steps"] += steps
+    counts["pair_tests"] += counters["pair_tests"]
+    counts["lost_events"] += counters["events_lost"]
+    times.append(times[-1] + steps * dt)
+    samples.append(sample_of(table, middle))
