@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import pygame
 
 from game.app.menu.flow import Card
@@ -91,6 +93,7 @@ def round_corners_below(picture: pygame.Surface, look: Look) -> pygame.Surface:
     return rounded
 
 
+@lru_cache(maxsize=8)
 def _shade(size: tuple[int, int]) -> pygame.Surface:
     """A veil that darkens towards its foot."""
     shade = pygame.Surface(size, pygame.SRCALPHA, 32)

@@ -12,6 +12,7 @@ from game.stage.catalogue import Entry
 from game.ui.look import Look
 
 BEFORE_SHOWN_S = 1.6  # s of simulated time until there is something to be seen
+WIDEST_VIEW = 1.8  # width of a scene's view to its height, at most
 SMALLER = 0.62  # letters and lines of a card against those of a scene
 
 
@@ -46,10 +47,19 @@ class LiveScene:
         surface.fill(look.theme.stage)
         small = Look(look.theme, max(0.5, look.k * SMALLER), less_motion=look.less_motion)
         try:
-            if self._view is None or self._view.look.theme is not look.theme or self._view.rect.size != size:
+            if (
+                self._view is None
+                or self._view.look.theme is not look.theme
+                or self._view.rect != _frame_of(size)
+            ):
                 self._view = StageView(self.stage, small)
-                self._view.place(surface.get_rect(), small, margin=4.0 * look.k)
+                self._view.place(_frame_of(size), small, margin=4.0 * look.k)
             self._view.draw(surface)
         except Exception:  # a scene's own slip; its card then keeps its drawing
             return None
         return surface
+
+
+def _frame_of(size: tuple[int, int]) -> pygame.Rect:
+    """Where the scene is fitted: a wide card lets its foot, where the words stand, cut the scene's off."""
+    return pygame.Rect(0, 0, size[0], max(size[1], round(size[0] / WIDEST_VIEW)))

@@ -6,16 +6,15 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import pygame
 
-from game.app.keys import chord_label, parse_chord
 from game.app.level_index import LevelHead
 from game.app.menu import cards, flow
+from game.app.menu.foot import paint_foot
 from game.app.menu.header import Header
 from game.app.menu.items import Offer
 from game.app.menu.sketches import sketch
 from game.app.menu.thumbnails import Thumbnails
 from game.app.screens.screen import Screen
 from game.stage.catalogue import Entry
-from game.ui import keycap
 from game.ui.motion import LIFT_S, Fade
 
 if TYPE_CHECKING:
@@ -285,7 +284,8 @@ class MenuScreen(Screen):
             middle = (size[0] / 2, (self._top + self._bottom) / 2)
             look.text(picture, f"Nothing is called “{self.query}”", middle, 13, "medium", "text2", "center")
         picture.fill(look.theme.bg, (0, 0, size[0], self._top - look.px(6)))
-        self._paint_foot(picture)
+        foot = pygame.Rect(0, self._bottom, size[0], max(1, size[1] - self._bottom))
+        paint_foot(picture, self.app, foot, bool(self.query), self.thumbnails.words())
         return picture
 
     def _paint_row(self, surface: pygame.Surface, item: Item, rect: pygame.Rect, lit: bool) -> None:
@@ -294,37 +294,6 @@ class MenuScreen(Screen):
         cards.paint_row(
             surface, self.app.look, rect, item.entry.task, head.title, head.about, bool(head.hard_case), lit
         )
-
-    def _paint_foot(self, picture: pygame.Surface) -> None:
-        look, px = self.app.look, self.app.look.px
-        width, height = picture.get_size()
-        foot = pygame.Rect(0, self._bottom, width, max(1, height - self._bottom))
-        picture.fill(look.theme.panel, foot)
-        picture.fill(look.theme.line, (0, foot.y, width, look.border))
-        said = self.thumbnails.words()
-        right = foot.right - px(flow.MARGIN)
-        if width >= px(900):
-            right -= look.text(picture, said, (right, foot.centery), 12, "medium", "text3", "right").w + px(
-                24
-            )
-        x = px(flow.MARGIN)
-        for keys, words in self._hints():
-            end = x + keycap.keys_width(look, keys) + px(8) + look.fonts.size(words, 12)[0]
-            if end > right:
-                break
-            x += keycap.draw_keys(picture, look, x, foot.centery, keys) + px(8)
-            look.text(picture, words, (x, foot.centery), 12, "medium", "text2")
-            x = end + px(20)
-
-    def _hints(self) -> list[tuple[tuple[str, ...], str]]:
-        label = self.app.keys.label
-        enter = chord_label(parse_chord("return"))
-        hints = [(("←", "↑", "↓", "→"), "choose"), ((enter,), "open")]
-        hints += [((label("back"),), "all scenes")] if self.query else [(("A", "…", "Z"), "search")]
-        hints += [((label(n),), w) for n, w in (
-            ("help", "keys"), ("theme", "theme"), ("settings", "settings"), ("full-screen", "full screen"),
-            ("screenshot", "picture"))]  # fmt: skip
-        return hints
 
 
 def _count(n: int, what: str) -> str:

@@ -56,7 +56,6 @@ class Thumbnails:
             live = self._live[moving]
             live.advance(elapsed_s)
             self._draw(live, sizes[moving], look)
-            return False
         return self._draw_one_more(sizes, look)
 
     def begin(self) -> None:
@@ -68,7 +67,7 @@ class Thumbnails:
 
     def _draw_one_more(self, sizes: dict[str, tuple[int, int]], look: Look) -> bool:
         """Draw one picture that was not drawn in this size and theme yet."""
-        for name, live in self._live.items():
+        for name, live in list(self._live.items()):
             if name in sizes and (name, look.theme.name, *sizes[name]) not in self._drawn:
                 self._draw(live, sizes[name], look)
                 return True

@@ -1,0 +1,49 @@
+"""The menu's foot: key hints at the left, how many scenes there are at the right."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pygame
+
+from game.app.keys import chord_label, parse_chord
+from game.app.menu.flow import MARGIN
+from game.ui import keycap
+
+if TYPE_CHECKING:
+    from game.app.application import App
+
+WORDS_FROM = 900  # design px of width below which only hints are shown
+COMMANDS = (
+    ("help", "keys"),
+    ("theme", "theme"),
+    ("settings", "settings"),
+    ("full-screen", "full screen"),
+    ("screenshot", "picture"),
+)
+
+
+def paint_foot(picture: pygame.Surface, app: App, foot: pygame.Rect, searching: bool, words: str) -> None:
+    """Paint the foot at its place; hints are dropped from the right."""
+    look, px = app.look, app.look.px
+    picture.fill(look.theme.panel, foot)
+    picture.fill(look.theme.line, (foot.x, foot.y, foot.w, look.border))
+    right = foot.right - px(MARGIN)
+    if foot.w >= px(WORDS_FROM):
+        right -= look.text(picture, words, (right, foot.centery), 12, "medium", "text3", "right").w + px(24)
+    x = foot.x + px(MARGIN)
+    for keys, what in _hints(app, searching):
+        end = x + keycap.keys_width(look, keys) + px(8) + look.fonts.size(what, 12)[0]
+        if end > right:
+            break
+        x += keycap.draw_keys(picture, look, x, foot.centery, keys) + px(8)
+        look.text(picture, what, (x, foot.centery), 12, "medium", "text2")
+        x = end + px(20)
+
+
+def _hints(app: App, searching: bool) -> list[tuple[tuple[str, ...], str]]:
+    label = app.keys.label
+    hints: list[tuple[tuple[str, ...], str]] = [(("←", "↑", "↓", "→"), "choose")]
+    hints.append(((chord_label(parse_chord("return")),), "open"))
+    hints.append(((label("back"),), "all scenes") if searching else (("A", "…", "Z"), "search"))
+    return hints + [((label(name),), what) for name, what in COMMANDS]
