@@ -129,17 +129,56 @@ def lecture_table_for(shot: Shot, settings: LectureSettings) -> LectureTable:
     return lectured
 
 
-def sample_of(table: LectureTable, middle: tuple[float, float]) -> Array:
-    """The balls as a sample (n, 8), about `middle` (m); what moves rolls."""
-    sample = np.zeros((len(table.state.radii), SAMPLE_COLUMNS))
-    velocities = table.velocities
-    sample[:, :2] = table.state.offsets + middle
-    sample[:, SAMPLE_VX : SAMPLE_VY + 1] = velocities
-    sample[:, SAMPLE_WX] = -velocities[:, 1] / table.state.radii
-    sample[:, SAMPLE_WY] = velocities[:, 0] / table.state.radii
-    moving = np.where(velocities.any(axis=1), ROLLING, STATIONARY)
-    sample[:, SAMPLE_MOTION] = np.where(table.state.in_play, moving, POCKETED)
-    return sample
+class Record:
+    """What the table did, written down as it goes: times, states, events, counts."""
+
+    def __init__(self, table: LectureTable, room: int) -> None:
+        n = len(table.state.radii)
+        self.table = table
+        self.times = np.zeros(room)
+        self.offsets = np.empty((room, n, 2))
+        self.velocities = np.empty((room, n, 2))
+        self.in_play = np.empty((room, n), np.bool_)
+        self.rows: list[Array] = []
+        self.counts = {"steps": 0, "pair_tests": 0, "lost_events": 0}
+        self.kept = 0
+        self._keep(0.0)
+
+    def _keep(self, time: float) -> None:
+        k = self.kept
+        self.times[k] = time
+        self.offsets[k] = self.table.state.offsets
+        self.velocities[k] = self.table.state.velocities
+        self.in_play[k] = self.table.state.in_play
+        self.kept = k + 1
+
+    def advance(self, dt: float, steps: int) -> None:
+        """Go on by so many steps. ShotError if a number is not finite any more."""
+        before = float(self.times[self.kept - 1])
+        self.table.step(dt, steps)
+        if self.table.not_finite >= 0:
+            raise ShotError(f"ball {self.table.not_finite}: its numbers grew without limit by {before:.3g} s")
+        if len(self.table.event_rows):
+            events = self.table.event_rows[:, [TIME, KIND, FIRST, SECOND]]
+            events[:, 0] += before
+            self.rows.append(events)
+        counters = self.table.counters
+        self.counts["steps"] += steps
+        self.counts["pair_tests"] += counters["pair_tests"]
+        self.counts["lost_events"] += counters["events_lost"]
+        self._keep(before + steps * dt)
+
+    def samples(self, middle: tuple[float, float]) -> Array:
+        """Samples (m, n, 8), about `middle` (m); what moves rolls."""
+        offsets, velocities = self.offsets[: self.kept], self.velocities[: self.kept]
+        samples = np.zeros((*offsets.shape[:2], SAMPLE_COLUMNS))
+        samples[..., :2] = offsets + middle
+        samples[..., SAMPLE_VX : SAMPLE_VY + 1] = velocities
+        samples[..., SAMPLE_WX] = -velocities[..., 1] / self.table.state.radii
+        samples[..., SAMPLE_WY] = velocities[..., 0] / self.table.state.radii
+        moving = np.where(velocities.any(axis=2), ROLLING, STATIONARY)
+        samples[..., SAMPLE_MOTION] = np.where(self.in_play[: self.kept], moving, POCKETED)
+        return samples
 
 
 def simulate_lecture(
@@ -159,41 +198,13 @@ def simulate_lecture(
     table = lecture_table_for(shot, lecture_settings_for(shot, substeps, rule, order))
     whole = int(until / dt * (1.0 + 1e-12))
     rest = until - whole * dt
-    stride = max(1, math.ceil(whole / (samples_for(len(shot.balls)) - 2)))
-    times = [0.0]
-    samples = [sample_of(table, shot.layout.middle)]
-    rows: list[Array] = []
-    counts = {"steps": 0, "pair_tests": 0, "lost_events": 0}
-    while table.moving and counts["steps"] < whole:
-        steps = min(stride, whole - counts["steps"])
-        _advance(table, shot.layout.middle, float(dt), steps, times, samples, rows, counts)
+    room = samples_for(len(shot.balls))
+    stride = max(1, math.ceil(whole / (room - 2)))
+    record = Record(table, min(room, whole + 2))
+    while table.moving and record.counts["steps"] < whole:
+        record.advance(float(dt), min(stride, whole - record.counts["steps"]))
     if table.moving and rest > 1e-9 * dt:
-        _advance(table, shot.layout.middle, rest, 1, times, samples, rows, counts)
-    events = np.concatenate(rows) if rows else np.empty((0, 4))
-    return sampled_trajectory(shot, events, np.array(times), np.stack(samples), counts)
-
-
-def _advance(
-    table: LectureTable,
-    middle: tuple[float, float],
-    dt: float,
-    steps: int,
-    times: list[float],
-    samples: list[Array],
-    rows: list[Array],
-    counts: dict[str, int],
-) -> None:
-    """Go on by so many steps, and append what came of them."""
-    table.step(dt, steps)
-    if table.not_finite >= 0:
-        raise ShotError(f"ball {table.not_finite}: its numbers grew without limit by {times[-1]:.3g} s")
-    events = table.event_rows[:, [TIME, KIND, FIRST, SECOND]]
-    events[:, 0] += times[-1]
-    if len(events):
-        rows.append(events)
-    counters = table.counters
-    counts["steps"] += steps
-    counts["pair_tests"] += counters["pair_tests"]
-    counts["lost_events"] += counters["events_lost"]
-    times.append(times[-1] + steps * dt)
-    samples.append(sample_of(table, middle))
+        record.advance(rest, 1)
+    events = np.concatenate(record.rows) if record.rows else np.empty((0, 4))
+    times = record.times[: record.kept].copy()
+    return sampled_trajectory(shot, events, times, record.samples(shot.layout.middle), record.counts)
