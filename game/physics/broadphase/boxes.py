@@ -26,7 +26,7 @@ Corners = NDArray[np.float64]
 MAX_BOXES = 1 << 30  # ids are kept as 32 bit integers, with one bit to spare for sweep and prune
 
 
-@kernel
+@kernel(_nrt=False)
 def first_bad_box(lowers, uppers):
     """Index of the first box that is none (lower above upper, not a number, wholly at infinity), or -1.
 
@@ -41,7 +41,7 @@ def first_bad_box(lowers, uppers):
     return -1
 
 
-@kernel
+@kernel(_nrt=False)
 def store_boxes(boxes, alive, ids, lowers, uppers):
     """Check all boxes and ids, then write the boxes; nothing is written if one of them is bad.
 
@@ -64,7 +64,7 @@ def store_boxes(boxes, alive, ids, lowers, uppers):
     return -1
 
 
-@kernel
+@kernel(_nrt=False)
 def overlap(boxes, a, b):
     """Whether the closed boxes ``a`` and ``b`` have a point in common. ``boxes``: (n, 4) m."""
     return (

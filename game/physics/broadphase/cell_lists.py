@@ -14,7 +14,7 @@ from game.physics.broadphase.boxes import Ids, grown
 from game.physics.jit import kernel
 
 
-@kernel
+@kernel(_nrt=False)
 def link_box(box, cell, cells, heads, nexts, previous):
     """Put a box first into the list of a cell. -1 ends a list; all arrays are written."""
     head = heads[cell]
@@ -26,7 +26,7 @@ def link_box(box, cell, cells, heads, nexts, previous):
     heads[cell] = box
 
 
-@kernel
+@kernel(_nrt=False)
 def unlink_box(box, cells, heads, nexts, previous):
     """Take a box out of the list of its cell."""
     before, after = previous[box], nexts[box]
@@ -39,7 +39,7 @@ def unlink_box(box, cells, heads, nexts, previous):
     cells[box] = -1
 
 
-@kernel
+@kernel(_nrt=False)
 def link_all(top, cells, heads, nexts, previous):
     """Make all lists anew from ``cells``, -1 for ids not in use; within a cell ids ascend."""
     heads[:] = -1

@@ -20,7 +20,7 @@ from game.physics.broadphase.uniform_grid import GUARD, UniformGrid, cell_coordi
 from game.physics.jit import kernel
 
 
-@kernel
+@kernel(_nrt=False)
 def enter_cells(boxes, alive, top, geometry, columns, rows, start, entries):
     """Enter every box into all cells that it covers, by a counting sort. Returns the number of entries.
 
@@ -56,7 +56,7 @@ def enter_cells(boxes, alive, top, geometry, columns, rows, start, entries):
     return total
 
 
-@kernel
+@kernel(_nrt=False)
 def search_cells(boxes, geometry, columns, rows, start, entries, packed, keys, tests):
     """All pairs, each in its owner cell, as keys ``a << 32 | b``; returns their number.
 

@@ -20,13 +20,13 @@ SORTED, FULL, TOO_MANY = 0, 1, 2  # how far insertion sort came
 RUN = 8  # end points in a run that merge sort starts from, sorted by insertion
 
 
-@kernel(inline="always")
+@kernel(inline="always", _nrt=False)
 def comes_after(value, code, other_value, other_code):
     """Whether an end point stands after another one in the sorted order."""
     return value > other_value or (value == other_value and code > other_code)
 
 
-@kernel
+@kernel(_nrt=False)
 def read_axis(boxes, axis, values, codes, count):
     """Write the boxes' present coordinates over the end points, in their order of before."""
     for i in range(count):
@@ -34,13 +34,13 @@ def read_axis(boxes, axis, values, codes, count):
         values[i] = boxes[code & ID, axis + (2 if code & UPPER else 0)]
 
 
-@kernel(inline="always")
+@kernel(inline="always", _nrt=False)
 def pair_key(a, b):
     """Two ids, the smaller one first, in one integer: ``a << 32 | b``."""
     return (int(min(a, b)) << 32) | int(max(a, b))
 
 
-@kernel
+@kernel(_nrt=False)
 def insertion_sort(boxes, values, codes, count, start, limit, changes, changed):
     """Sort end points that are nearly in order, and note the pairs that begin and end on the way.
 
@@ -86,7 +86,7 @@ def insertion_sort(boxes, values, codes, count, start, limit, changes, changed):
     return SORTED, count, swaps, changed
 
 
-@kernel
+@kernel(_nrt=False)
 def insert_runs(values, codes, count):
     """Sort every run of RUN end points by insertion; returns the inversions."""
     inversions = 0
@@ -103,7 +103,7 @@ def insert_runs(values, codes, count):
     return inversions
 
 
-@kernel
+@kernel(_nrt=False)
 def merge_runs(values, codes, begin, middle, end, into_values, into_codes):
     """Merge two sorted neighbours into another array; returns the inversions between them."""
     i, j = begin, middle
@@ -119,7 +119,7 @@ def merge_runs(values, codes, begin, middle, end, into_values, into_codes):
     return inversions
 
 
-@kernel
+@kernel(_nrt=False)
 def merge_sort(values, codes, count, spare_values, spare_codes):
     """Sort end points whatever their order, 2 n log n; returns the inversions that insertion would swap.
 
@@ -144,7 +144,7 @@ def merge_sort(values, codes, count, spare_values, spare_codes):
     return inversions
 
 
-@kernel
+@kernel(_nrt=False)
 def find_end_point(values, codes, count, value, code):
     """Index of the first end point that does not come before the one given (bisection)."""
     low, high = 0, count
@@ -157,7 +157,7 @@ def find_end_point(values, codes, count, value, code):
     return low
 
 
-@kernel
+@kernel(_nrt=False)
 def shift_end_point(boxes, values, codes, count, i, value, changes, changed):
     """Give the end point at ``i`` another coordinate, m, and move it to its place.
 
@@ -191,7 +191,7 @@ def shift_end_point(boxes, values, codes, count, i, value, changes, changed):
     return abs(i - j), changed
 
 
-@kernel
+@kernel(_nrt=False)
 def open_gap(values, codes, count, i, value, code):
     """Insert an end point at ``i``, moving all later ones up."""
     for j in range(count, i, -1):
@@ -199,7 +199,7 @@ def open_gap(values, codes, count, i, value, code):
     values[i], codes[i] = value, code
 
 
-@kernel
+@kernel(_nrt=False)
 def keep_alive(values, codes, count, alive):
     """Take out the end points of boxes that are gone, keeping the order; returns how many stay."""
     kept = 0
@@ -210,7 +210,7 @@ def keep_alive(values, codes, count, alive):
     return kept
 
 
-@kernel
+@kernel(_nrt=False)
 def overlaps_on_axis(codes, count):
     """Number of pairs of boxes whose intervals on this axis overlap: the tests that a sweep makes."""
     within = 0
@@ -224,7 +224,7 @@ def overlaps_on_axis(codes, count):
     return total
 
 
-@kernel
+@kernel(_nrt=False)
 def sweep(boxes, codes, count, active, places, keys):
     """All pairs by one sweep along sorted end points (Shamos and Hoey 1976; Baraff 1992).
 

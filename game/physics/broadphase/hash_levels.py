@@ -33,19 +33,19 @@ GUARD = 2  # buckets after the last, copies of the first: a run of three never w
 OFFSET, MASK, COUNT, FACTOR = 0, 1, 2, 3
 
 
-@kernel(inline="always")
+@kernel(inline="always", _nrt=False)
 def cell_at(x, scale):
     """Column (or row) of a coordinate, m, at ``scale`` cells per m; 0 on the level of one cell."""
     return math.floor(min(max(float(x) * float(scale), -FARTHEST), FARTHEST)) if scale > 0.0 else 0
 
 
-@kernel(inline="always")
+@kernel(inline="always", _nrt=False)
 def bucket_of(column, row, mask, factor):
     """Bucket of a cell in a table of ``mask`` + 1 buckets; any 64 bit column and row."""
     return (int(column) + int(row) * int(factor)) & int(mask)
 
 
-@kernel
+@kernel(_nrt=False)
 def level_of(x0, y0, x1, y1, step, scales):
     """Level of a box, m: the finest whose cells hold it, among every ``step``-th one.
 
@@ -67,7 +67,7 @@ def level_of(x0, y0, x1, y1, step, scales):
     return min(level, TOP)
 
 
-@kernel
+@kernel(_nrt=False)
 def find_levels(boxes, alive, top, step, scales, levels, layout):
     """Write every box's level, -1 for ids not in use, and the number of boxes of each into ``layout``."""
     for level in range(LEVELS):
@@ -81,7 +81,7 @@ def find_levels(boxes, alive, top, step, scales, levels, layout):
             levels[box] = -1
 
 
-@kernel
+@kernel(_nrt=False)
 def lay_out(layout, spread):
     """Give each level that has boxes a table of ``spread`` buckets a box or more; returns all buckets.
 
@@ -101,7 +101,7 @@ def lay_out(layout, spread):
     return total
 
 
-@kernel
+@kernel(_nrt=False)
 def place_boxes(boxes, alive, top, step, scales, levels, layout, buckets, start):
     """Find every box's level and bucket, and count the boxes of each.
 
@@ -155,7 +155,7 @@ def place_boxes(boxes, alive, top, step, scales, levels, layout, buckets, start)
     return fits
 
 
-@kernel
+@kernel(_nrt=False)
 def sort_by_bucket(boxes, top, levels, layout, buckets, start, order, sorted_boxes):
     """Counting sort of the boxes by level and bucket; within a bucket by id.
 

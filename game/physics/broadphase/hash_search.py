@@ -26,7 +26,7 @@ from game.physics.jit import kernel
 RUN_COST, LOOK_COST = 6, 16
 
 
-@kernel
+@kernel(_nrt=False)
 def search_level(sorted_boxes, order, start, offset, mask, factor, keys, found, tests):
     """All pairs within one level, as ``uniform_grid.search_near``: the same half of the neighbourhood.
 
@@ -89,7 +89,7 @@ def search_level(sorted_boxes, order, start, offset, mask, factor, keys, found, 
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def look_up(sorted_boxes, start, fine_begin, fine_end, offset, mask, factor, scale, keys, found, tests):
     """All pairs of two levels: each finer box looks up the coarse cells that may hold a partner.
 
@@ -123,7 +123,7 @@ def look_up(sorted_boxes, start, fine_begin, fine_end, offset, mask, factor, sca
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def run_over(sorted_boxes, start, coarse_begin, coarse_end, offset, mask, factor, scale, keys, found, tests):
     """All pairs of two levels: each coarse box runs over the rows of finer cells that may hold a partner.
 
@@ -165,7 +165,7 @@ def run_over(sorted_boxes, start, coarse_begin, coarse_end, offset, mask, factor
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def find_pairs(
     boxes, alive, top, step, scales, levels, layout, buckets, start, order, sorted_boxes, keys, tests
 ):

@@ -38,7 +38,7 @@ from game.physics.broadphase.uniform_grid import PADDING
 from game.physics.jit import kernel
 
 
-@kernel
+@kernel(_nrt=False)
 def walk_lists(boxes, scales, layout, heads, nexts, x0, y0, x1, y1, ids):
     """Find all boxes that overlap the closed box given, m; returns their number. ``ids``: written, unsorted.
 

@@ -24,7 +24,7 @@ def move_boxes_kernel(mask: int) -> Callable[..., Any]:
     written. ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
     """
 
-    @kernel
+    @kernel(_nrt=False)
     def move_boxes(lowers, uppers, velocities, growth, alive, lower, upper, dt):
         for box in range(len(alive)):
             if alive[box] == 0:

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from game.physics.broadphase.boxes import BroadPhase, Corners, Ids, Pairs
 from game.physics.jit import kernel
 
-
 BLOCK = 16  # boxes that are tested at once
 
 
-@kernel
+@kernel(_nrt=False)
 def pack_boxes(boxes, alive, top, packed, ids):
     """Copy the boxes in use, in the order of their ids. Returns their number.
 
@@ -35,36 +34,40 @@ def pack_boxes(boxes, alive, top, packed, ids):
     return count
 
 
-@kernel
-def test_all_pairs(packed, ids, count, pairs):
+@kernel(_nrt=False)
+def find_all_pairs(packed, ids, count, pairs):
     """Test every box against all later ones; returns the number of pairs, or -1 if ``pairs`` is too short.
 
     ``packed``: (4, >= count) m. ``ids``: (>= count,), ascending. ``pairs``: (room, 2), written, sorted.
     Blocks of boxes are tested at once, by vector instructions; only where one hit is there a second look.
     """
+    low_x, low_y, high_x, high_y = packed[0], packed[1], packed[2], packed[3]
     found = 0
     for i in range(count):
         if found + count - i > len(pairs):
             return -1
-        x0, y0, x1, y1 = packed[0, i], packed[1, i], packed[2, i], packed[3, i]
-        for begin in range(i + 1, count, BLOCK):
-            end = min(begin + BLOCK, count)
-            hits = 0
-            for j in range(begin, end):
-                x_meets = (packed[0, j] <= x1) & (x0 <= packed[2, j])
-                hits += x_meets & (packed[1, j] <= y1) & (y0 <= packed[3, j])
-            if hits == 0:
-                continue
-            for j in range(begin, end):
-                x_meets = (packed[0, j] <= x1) & (x0 <= packed[2, j])
-                if x_meets & (packed[1, j] <= y1) & (y0 <= packed[3, j]):
-                    pairs[found, 0] = ids[i]
-                    pairs[found, 1] = ids[j]
-                    found += 1
+        x0, y0, x1, y1 = low_x[i], low_y[i], high_x[i], high_y[i]
+        begin = i + 1
+        while begin < count:
+            hits = 1
+            size = count - begin
+            if size >= BLOCK:
+                size = BLOCK
+                hits = 0
+                for k in range(BLOCK):
+                    j = begin + k
+                    hits += (low_x[j] <= x1) & (x0 <= high_x[j]) & (low_y[j] <= y1) & (y0 <= high_y[j])
+            if hits > 0:
+                for j in range(begin, begin + size):
+                    if (low_x[j] <= x1) & (x0 <= high_x[j]) & (low_y[j] <= y1) & (y0 <= high_y[j]):
+                        pairs[found, 0] = ids[i]
+                        pairs[found, 1] = ids[j]
+                        found += 1
+            begin += size
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def scan_boxes(boxes, alive, top, x0, y0, x1, y1, ids):
     """Find the boxes that overlap the box given, m; returns their number. ``ids``: written, ascending."""
     found = 0
@@ -98,10 +101,10 @@ class NaiveBroadPhase(BroadPhase):
     def _find_pairs(self) -> Pairs:
         count = pack_boxes(self.boxes, self.alive, self.top, self._packed, self._ids)
         self.tests = count * (count - 1) // 2
-        found = test_all_pairs(self._packed, self._ids, count, self._pairs)
+        found = find_all_pairs(self._packed, self._ids, count, self._pairs)
         while found < 0:
             self._pairs = np.empty((max(2 * len(self._pairs), 2 * count), 2), dtype=np.int64)
-            found = test_all_pairs(self._packed, self._ids, count, self._pairs)
+            found = find_all_pairs(self._packed, self._ids, count, self._pairs)
         return self._pairs[:found].copy()
 
     def _find_in_box(self, x0: float, y0: float, x1: float, y1: float) -> Ids:

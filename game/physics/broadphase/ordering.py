@@ -16,7 +16,7 @@ LOW_HALF = 0x7FFFFFFF  # the second id of a key
 WHOLE_DIGIT = 12  # bits; ids of more bits are sorted in two digits, so that the counters stay in the L1 cache
 
 
-@kernel
+@kernel(_nrt=False)
 def sort_pairs(keys, count, spare, counters, bits, pairs):
     """Sort pair keys and write them as rows of two ids.
 

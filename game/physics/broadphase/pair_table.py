@@ -4,8 +4,8 @@ The index is either a full triangular matrix over all ids (one look, but memory 
 hash table (a few looks, memory in proportion to the pairs). Because of the list neither is ever scanned:
 listing, events and clearing cost the number of pairs.
 
-Kernels for many pairs look them up in their own loops and call others only where something changes: an
-array handed to another kernel is counted in and out, which costs ten times what the look-up does.
+Kernels call each other for every single pair, so they count no references to their arrays (``_nrt``): an
+array that is counted in and out costs ten times what the look-up does. They must not make arrays, then.
 
 Source of the hash table: Knuth, The Art of Computer Programming 3, 6.4, algorithms L and R.
 """
@@ -44,7 +44,7 @@ class PairTable(NamedTuple):
     numbers: NDArray[np.int64]
 
 
-@kernel
+@kernel(_nrt=False)
 def triangular_index(i, j, n):
     """Place of the pair i < j < n in the strict upper triangle of an n x n matrix, read row by row.
 
@@ -53,7 +53,7 @@ def triangular_index(i, j, n):
     return int(i) * (2 * int(n) - int(i) - 1) // 2 + int(j) - int(i) - 1
 
 
-@kernel
+@kernel(_nrt=False)
 def hash_pair(a, b):
     """A 31 bit hash of an ordered pair of integers, negative ones too."""
     mixed = (int(a) * MIX_A + int(b) * MIX_B) & FIELD
@@ -62,7 +62,7 @@ def hash_pair(a, b):
     return mixed >> 31
 
 
-@kernel
+@kernel(_nrt=False)
 def find_place(where, slots, numbers, a, b):
     """Place in the index where the pair a < b is, or would be put."""
     if numbers[ROWS] > 0:
@@ -76,7 +76,7 @@ def find_place(where, slots, numbers, a, b):
     return place
 
 
-@kernel
+@kernel(_nrt=False)
 def enter_pair(where, slots, numbers, place, a, b):
     """Put the pair a < b, which is not there, into a free place. Returns its slot, or -1 without room."""
     slot = numbers[SLOTS]
@@ -91,7 +91,7 @@ def enter_pair(where, slots, numbers, place, a, b):
     return slot
 
 
-@kernel
+@kernel(_nrt=False)
 def vacate(where, slots, numbers, place):
     """Empty a place of the index. In a hash table, pairs that were pushed past it move back (algorithm R)."""
     where[place] = 0
@@ -109,7 +109,7 @@ def vacate(where, slots, numbers, place):
         place = (place + 1) & mask
 
 
-@kernel
+@kernel(_nrt=False)
 def drop_slot(where, slots, numbers, slot):
     """Forget the pair in a slot; the last one of the list takes its slot."""
     vacate(where, slots, numbers, find_place(where, slots, numbers, slots[slot, FIRST], slots[slot, SECOND]))
@@ -121,7 +121,7 @@ def drop_slot(where, slots, numbers, slot):
     numbers[SLOTS] = last
 
 
-@kernel
+@kernel(_nrt=False)
 def end_slot(where, slots, numbers, slot):
     """The pair in a slot overlaps no more: kept until its end event is taken, if it had a begin event."""
     numbers[PRESENT] -= 1
@@ -131,7 +131,7 @@ def end_slot(where, slots, numbers, slot):
         drop_slot(where, slots, numbers, slot)
 
 
-@kernel
+@kernel(_nrt=False)
 def put_pair(where, slots, numbers, a, b):
     """Add the pair a < b if it is not there. Returns 1 if it is new, 0 if not, -1 if there is no room."""
     place = find_place(where, slots, numbers, a, b)
@@ -146,7 +146,7 @@ def put_pair(where, slots, numbers, a, b):
     return new
 
 
-@kernel
+@kernel(_nrt=False)
 def cut_pair(where, slots, numbers, a, b):
     """Remove the pair a < b. Returns 1 if it was there, else 0."""
     slot = where[find_place(where, slots, numbers, a, b)] - 1
@@ -156,7 +156,7 @@ def cut_pair(where, slots, numbers, a, b):
     return 1
 
 
-@kernel
+@kernel(_nrt=False)
 def cut_pairs(where, slots, numbers, pairs):
     """Remove pairs, (m, 2); those that are not there are passed over."""
     for i in range(len(pairs)):
@@ -164,7 +164,7 @@ def cut_pairs(where, slots, numbers, pairs):
         cut_pair(where, slots, numbers, min(a, b), max(a, b))
 
 
-@kernel
+@kernel(_nrt=False)
 def first_bad_pair(pairs, least, greatest):
     """Index of the first row of (m, 2) that is no pair of distinct ids within the bounds, or -1."""
     for i in range(len(pairs)):
@@ -174,20 +174,16 @@ def first_bad_pair(pairs, least, greatest):
     return -1
 
 
-@kernel
+@kernel(_nrt=False)
 def put_pairs(where, slots, numbers, pairs, start, mark):
     """Add pairs, (m, 2), from ``start`` on, with a further flag ``mark`` (0: none).
 
     Returns the index of the first for which there is no room, or their number.
     """
-    rows, mask = numbers[ROWS], numbers[MASK]
     for i in range(start, len(pairs)):
         a, b = min(pairs[i, 0], pairs[i, 1]), max(pairs[i, 0], pairs[i, 1])
-        place = triangular_index(a, b, rows) if rows > 0 else hash_pair(a, b) & mask
-        slot = where[place] - 1
-        while slot >= 0 and rows == 0 and (slots[slot, FIRST] != a or slots[slot, SECOND] != b):
-            place = (place + 1) & mask
-            slot = where[place] - 1
+        place = find_place(where, slots, numbers, a, b)
+        slot = int(where[place]) - 1
         if slot < 0:
             slot = enter_pair(where, slots, numbers, place, a, b)
             if slot < 0:
@@ -198,23 +194,19 @@ def put_pairs(where, slots, numbers, pairs, start, mark):
     return len(pairs)
 
 
-@kernel
+@kernel(_nrt=False)
 def change_pairs(where, slots, numbers, changes, count, start):
     """Add or remove pairs from ``start`` on: a key ``a << 32 | b`` adds, its bitwise complement removes.
 
     ``changes``: (>= count,), ids below 2^31, a < b. Returns the index of the first pair for which there is
     no room, or ``count``.
     """
-    rows, mask = numbers[ROWS], numbers[MASK]
     for i in range(start, count):
         adds = changes[i] >= 0
         key = changes[i] if adds else ~changes[i]
         a, b = key >> 32, key & MAX_ID
-        place = triangular_index(a, b, rows) if rows > 0 else hash_pair(a, b) & mask
-        slot = where[place] - 1
-        while slot >= 0 and rows == 0 and (slots[slot, FIRST] != a or slots[slot, SECOND] != b):
-            place = (place + 1) & mask
-            slot = where[place] - 1
+        place = find_place(where, slots, numbers, a, b)
+        slot = int(where[place]) - 1
         if adds:
             if slot < 0:
                 slot = enter_pair(where, slots, numbers, place, a, b)
@@ -227,7 +219,7 @@ def change_pairs(where, slots, numbers, changes, count, start):
     return count
 
 
-@kernel
+@kernel(_nrt=False)
 def sweep_unkept(where, slots, numbers):
     """End all pairs that are not marked KEEP, and take the marks off."""
     for slot in range(numbers[SLOTS] - 1, -1, -1):
@@ -238,7 +230,7 @@ def sweep_unkept(where, slots, numbers):
             end_slot(where, slots, numbers, slot)
 
 
-@kernel
+@kernel(_nrt=False)
 def cut_box(where, slots, numbers, box):
     """Remove all pairs of a box."""
     for slot in range(numbers[SLOTS] - 1, -1, -1):
@@ -246,7 +238,7 @@ def cut_box(where, slots, numbers, box):
             end_slot(where, slots, numbers, slot)
 
 
-@kernel
+@kernel(_nrt=False)
 def cut_gone(where, slots, numbers, alive):
     """Remove all pairs that have a box no longer in use. ``alive``: (capacity,) 1 where an id is in use."""
     for slot in range(numbers[SLOTS] - 1, -1, -1):
@@ -255,7 +247,7 @@ def cut_gone(where, slots, numbers, alive):
             end_slot(where, slots, numbers, slot)
 
 
-@kernel
+@kernel(_nrt=False)
 def list_pairs(slots, numbers, keys, wanted, unwanted):
     """Write keys ``first << 32 | second`` of pairs with flags ``wanted``, none ``unwanted``; their number."""
     count = 0
@@ -274,7 +266,7 @@ def list_pairs(slots, numbers, keys, wanted, unwanted):
     return count
 
 
-@kernel
+@kernel(_nrt=False)
 def settle(where, slots, numbers):
     """After the events are taken: what overlaps now did before, and what has ended is forgotten."""
     for slot in range(numbers[SLOTS] - 1, -1, -1):
@@ -284,14 +276,14 @@ def settle(where, slots, numbers):
             drop_slot(where, slots, numbers, slot)
 
 
-@kernel
+@kernel(_nrt=False)
 def index_all(where, slots, numbers):
     """Enter all slots into an empty index."""
     for slot in range(numbers[SLOTS]):
         where[find_place(where, slots, numbers, slots[slot, FIRST], slots[slot, SECOND])] = slot + 1
 
 
-@kernel
+@kernel(_nrt=False)
 def sum_of_probes(where, slots, numbers):
     """Number of places looked at to find every pair of a hash table once."""
     mask = numbers[MASK]

@@ -42,7 +42,7 @@ MOST_CHANGES = 1 << 20  # noted before they are handed to the pair manager
 SWAP_COST, MERGE_COST, TEST_COST = 12.0, 8.0, 3.0
 
 
-@kernel
+@kernel(_nrt=False)
 def scan_end_points(boxes, codes, begin, end, last_is_upper, x0, y0, x1, y1, ids):
     """Boxes that overlap the box given, m, among end points of one kind in a run; returns their number."""
     found = 0
@@ -56,7 +56,7 @@ def scan_end_points(boxes, codes, begin, end, last_is_upper, x0, y0, x1, y1, ids
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def sort_axes(boxes, values, codes, count, progress, limit, changes):
     """Read the boxes' new coordinates and sort both axes by insertion, noting the pairs that change.
 

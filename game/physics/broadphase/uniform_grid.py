@@ -34,13 +34,13 @@ NEAR = 1  # cells: up to this reach the short search does
 ID_MASK = 0x7FFFFFFF
 
 
-@kernel(inline="always")
+@kernel(inline="always", _nrt=False)
 def cell_coordinate(x, origin, inverse, last):
     """Column (or row) of a coordinate, clamped to 0 .. ``last`` (a float). Infinities are clamped too."""
     return int(min(max((float(x) - float(origin)) * float(inverse), 0.0), last))
 
 
-@kernel
+@kernel(_nrt=False)
 def place_boxes(boxes, alive, top, geometry, columns, rows, cells, start, reach):
     """Find every box's cell and count the boxes of each.
 
@@ -70,7 +70,7 @@ def place_boxes(boxes, alive, top, geometry, columns, rows, cells, start, reach)
     reach[1] = reach_y
 
 
-@kernel
+@kernel(_nrt=False)
 def sort_by_cell(boxes, top, cells, start, order, sorted_boxes):
     """Counting sort of the boxes by cell; within a cell by id. Returns their number.
 
@@ -96,7 +96,7 @@ def sort_by_cell(boxes, top, cells, start, order, sorted_boxes):
     return total
 
 
-@kernel
+@kernel(_nrt=False)
 def search_near(sorted_boxes, order, count, start, stride, keys, tests):
     """All pairs, where no box reaches beyond the next cell: two runs of cells for each box.
 
@@ -159,7 +159,7 @@ def search_near(sorted_boxes, order, count, start, stride, keys, tests):
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def search_far(sorted_boxes, order, count, start, geometry, columns, rows, reach_x, keys, tests):
     """All pairs, for boxes that reach over any number of cells. As ``search_near`` else.
 
@@ -204,7 +204,7 @@ def search_far(sorted_boxes, order, count, start, geometry, columns, rows, reach
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def name_pairs(keys, count, order):
     """Turn pairs of places into pairs of ids, the smaller first: ``a << 32 | b``. ``keys``: written."""
     for i in range(count):
@@ -213,7 +213,7 @@ def name_pairs(keys, count, order):
         keys[i] = (min(a, b) << 32) | max(a, b)
 
 
-@kernel
+@kernel(_nrt=False)
 def find_pairs(boxes, alive, top, geometry, columns, rows, cells, start, order, sorted_boxes, keys, reach):
     """All overlapping pairs of ids as keys, unsorted; returns their number, or -1 if ``keys`` is too short.
 
@@ -232,7 +232,7 @@ def find_pairs(boxes, alive, top, geometry, columns, rows, cells, start, order, 
     return found
 
 
-@kernel
+@kernel(_nrt=False)
 def walk_lists(boxes, geometry, columns, rows, heads, nexts, reach, x0, y0, x1, y1, ids):
     """Find the boxes that overlap the closed box given, m; returns their number. ``ids``: written."""
     origin_x, origin_y, inverse = geometry[0], geometry[1], geometry[2]
