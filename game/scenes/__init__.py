@@ -24,5 +24,25 @@ CATALOGUE = Catalogue(
             class_name="LectureTable",
             keywords="billiards pool cue pockets break rack tunnelling substeps friction bounce",
         ),
+        Entry(
+            name="three-tables",
+            task="L",
+            title="Three tables",
+            fact="lecture, stepped, exact",
+            category="Billiards",
+            module="game.scenes.three_tables",
+            class_name="ThreeTables",
+            keywords="billiards exact event driven stepped chaos accuracy spin draw masse",
+        ),
+        Entry(
+            name="c04",
+            task="C04",
+            title="Particle fountain",
+            fact="100 000 particles",
+            category="Particles and springs",
+            module="game.scenes.c04_fountain",
+            class_name="Fountain",
+            keywords="particles fountain emitter euler midpoint verlet runge kutta drag wind impact envelope",
+        ),
     )
 )

@@ -27,7 +27,9 @@ from game.stage import (
     SceneAction,
     Strip,
     Toggle,
+    WarmUp,
 )
+from game.ui.painters import ball as ball_painter
 
 Array = NDArray[np.float64]
 
@@ -219,6 +221,13 @@ class LectureBalls(Scene):
             ball.position, ball.velocity = tuple(position), tuple(velocity)
         self.last[:] = state.last
         self.walls[:] = state.walls
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        return [
+            WarmUp("two balls", lambda: cls().advance(cls.dt)),
+            *(WarmUp(*row) for row in ball_painter.WARM_UPS),
+        ]
 
     # -- one frame ----------------------------------------------------------------------------------
 

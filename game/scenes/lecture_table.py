@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.lecture import LectureTable as Table
+from game.billiards.lecture import warm_ups as table_warm_ups
 from game.billiards.lecture_state import (
     BALL_BALL,
     BALL_POCKET,
@@ -44,6 +45,7 @@ from game.stage import (
     SceneAction,
     Strip,
     Toggle,
+    WarmUp,
 )
 
 Array = NDArray[np.float64]
@@ -246,6 +248,10 @@ class LectureTable(Scene):
             self.sunk_s,
             self.marks,
         )
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        return [*(WarmUp(*row) for row in table_warm_ups()), *table_view.warm_ups()]
 
     # -- stepping -----------------------------------------------------------------------------------
 

@@ -12,8 +12,11 @@ from numpy.typing import NDArray
 from game.billiards.aim import FirstContact, first_contact
 from game.billiards.table import CUSHION_DEPTH, Table
 from game.scenes.cue_control import PULLING, STRIKING, CueControl
-from game.stage import Frame
+from game.stage import Frame, WarmUp
 from game.ui.canvas import Canvas
+from game.ui.painters import ball as ball_painter
+from game.ui.painters import cue as cue_painter
+from game.ui.painters import table as table_painter
 from game.ui.painters.ball import BallPainter
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import TablePainter, TableView
@@ -42,6 +45,15 @@ class Balls(NamedTuple):
     numbers: NDArray[np.int64]
     turns: Array
     opacities: Array
+
+
+def warm_ups() -> list[WarmUp]:
+    """Kernels that draw tables, balls and cues."""
+    return [
+        WarmUp(name, call)
+        for painter in (ball_painter, table_painter, cue_painter)
+        for name, call in painter.WARM_UPS
+    ]
 
 
 def frame_of(table: Table) -> Frame:

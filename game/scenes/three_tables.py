@@ -1,9 +1,10 @@
-"""One stroke on three tables: the lecture's stepping, a stepped table with all of the physics, and the exact one."""
+"""One stroke on three tables: the lecture's, a stepped one with all of the physics, and the exact one."""
 
 from __future__ import annotations
 
 import math
 from collections import deque
+from functools import lru_cache
 from typing import Annotated, Any, NamedTuple
 
 import msgspec
@@ -19,6 +20,7 @@ from game.billiards.table import Table
 from game.billiards.trajectory import Trajectory
 from game.lab.studies.billiards import billiards_study
 from game.levels import Level
+from game.scenes import table_view
 from game.scenes import three_tables_view as view
 from game.scenes.cue_control import AIMING, CueControl
 from game.scenes.demo_shots import choose_stroke
@@ -35,6 +37,7 @@ from game.stage import (
     SceneAction,
     Strip,
     Toggle,
+    WarmUp,
 )
 
 Array = NDArray[np.float64]
@@ -58,8 +61,11 @@ class ThreeTablesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True
 
 
 class ThreeTablesState(NamedTuple):
-    """start (n, 2) m and in_play (n,) of the shot; shot (8,): playing, time s, speed m/s, aim, offsets, elevation,
-    strokes; cue (7,); places (3, n, 2) m on the three tables."""
+    """What is played, and where the balls are.
+
+    start (n, 2) m and in_play (n,) of the shot; shot (8,): playing, time s, speed m/s, aim, offsets of the
+    tip, elevation, strokes; cue (7,); places (3, n, 2) m on the three tables.
+    """
 
     start: Array
     in_play: NDArray[np.bool_]
@@ -74,12 +80,12 @@ PLAYING, TIME, SPEED, AIM, LEFT, UP, ELEVATION, STROKES = range(8)
 class ThreeTables(Scene):
     """The same stroke on three tables. The first is the lecture's: a velocity added to the position in every
     step, no spin. The second steps too, but with all of the physics: balls slide, roll and spin, throw each
-    other, and rebound as Han's cushion has it. The third does not step at all. It computes the times of the next
-    events, and between them every ball follows a formula, so that its picture is exact at any moment.
+    other, and rebound as Han's cushion has it. The third does not step at all. It computes the times of the
+    next events, and between them every ball follows a formula, so that its picture is exact at any moment.
 
-    The chart shows how far the balls lie from those of the exact table. A thin error at one contact is a larger
-    one at the next: choose a perturbation of a picometre, and two exact tables part by a metre after a hundred
-    contacts. No table can be predicted for longer, however small its step.
+    The chart shows how far the balls lie from those of the exact table. A small error at one contact is a
+    larger one at the next: choose a perturbation of a picometre, and two exact tables part by a metre after
+    a hundred contacts. No table can be predicted for longer, however small its step.
     """
 
     name = "three-tables"
@@ -98,7 +104,9 @@ class ThreeTables(Scene):
         1 / 240, 1 / 20000, 1 / 20, unit="s", log=True, group="Steps", label="Stepped table's"
     )
     passes = Param(4, 1, 50, whole=True, group="Steps", help="rounds of moving overlapping balls apart")
-    perturbation = Choice("none", PERTURBATIONS, group="Chaos", help="a second exact table, its white ball moved by so many metres")  # fmt: skip
+    perturbation = Choice(
+        "none", PERTURBATIONS, group="Chaos", help="a second exact table, the white ball moved"
+    )
     prediction = Toggle(True, group="Shown", label="Aim line")
 
     strips = (
@@ -173,6 +181,10 @@ class ThreeTables(Scene):
             self._signature = b""
             self._play()
 
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        return [WarmUp("three tables", cls), *table_view.warm_ups()]
+
     # -- the shot -----------------------------------------------------------------------------------
 
     def _shot_now(self, moved: float = 0.0) -> Shot:
@@ -192,14 +204,20 @@ class ThreeTables(Scene):
         if not self.shot[PLAYING]:
             return shot
         blow = strike(
-            self.shot[SPEED] / _speed_ratio(), self.shot[AIM], self.shot[ELEVATION], self.shot[LEFT], self.shot[UP],
-            ball_mass=float(self.masses[0]), ball_radius=float(self.radii[0]),
-        )  # fmt: skip
+            self.shot[SPEED] / _speed_ratio(),
+            self.shot[AIM],
+            self.shot[ELEVATION],
+            self.shot[LEFT],
+            self.shot[UP],
+            ball_mass=float(self.masses[0]),
+            ball_radius=float(self.radii[0]),
+        )
         return shot.struck(0, blow.velocity, blow.spin)
 
     def _play(self) -> None:
         """Compute the shot on all tables, unless it is the one that is computed already."""
-        signature = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes() + self.start.tobytes() + self.in_play.tobytes()  # fmt: skip
+        signature = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes()
+        signature += self.start.tobytes() + self.in_play.tobytes()
         if signature == self._signature:
             return
         self._signature = signature
@@ -235,7 +253,8 @@ class ThreeTables(Scene):
         return found
 
     def _strike(self, aim: float, speed: float) -> None:
-        self.shot[:] = 1.0, 0.0, speed, aim, self.tip_left, self.tip_up, math.radians(self.elevation), self.shot[STROKES] + 1  # fmt: skip
+        tip = self.tip_left, self.tip_up, math.radians(self.elevation)
+        self.shot[:] = 1.0, 0.0, speed, aim, *tip, self.shot[STROKES] + 1.0
         self._play()
 
     def _end_shot(self) -> None:
@@ -259,7 +278,7 @@ class ThreeTables(Scene):
         spot = np.array([0.5 * self.bed.width, HEAD_SPOT * self.bed.length])
         others = self.start[1:][self.in_play[1:]]
         for k in range(400):
-            place = spot + (0.0, (k + 1) // 2 * (-1) ** k * 0.5 * BALL_RADIUS)
+            place = spot + np.array((0.0, (k + 1) // 2 * (-1) ** k * 0.5 * BALL_RADIUS))
             if not len(others) or np.sqrt(((others - place) ** 2).sum(axis=1)).min() > 2.1 * self.radii.max():
                 return place
         return spot
@@ -350,6 +369,7 @@ class ThreeTables(Scene):
         return told
 
 
+@lru_cache(maxsize=1)
 def _speed_ratio() -> float:
     """Speed of a ball struck in the middle over that of the cue (Alciatore, TP A-30)."""
     return float(np.linalg.norm(strike(1.0, 0.0).velocity))

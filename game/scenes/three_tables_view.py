@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from game.scenes.three_tables import ThreeTables
 
 WIDTH, LENGTH = 1.27, 2.54  # m, of the bed
-ACROSS, ALONG = 1.80, 3.02  # m from one table to the next
+ACROSS, ALONG = 1.68, 2.98  # m from one table to the next
 ORIGINS = ((0.0, 0.0), (0.0, ALONG), (ACROSS, 0.0))  # lecture, stepped, exact
 CHART = (ACROSS - 0.08, ALONG - 0.02)  # m, top left corner of the chart
 CHART_SIZE = (1.40, 2.50)  # m, down and to the right
-FRAME = Frame(-0.40, -0.24, ACROSS + WIDTH + 0.24, ALONG + LENGTH + 0.24)
+FRAME = Frame(-0.30, -0.21, ACROSS + WIDTH + 0.19, ALONG + LENGTH + 0.21)
 TITLES = ("The lecture's table", "Stepped, all of the physics", "Exact, from event to event")
 SERIES = {"lecture": "vermilion", "stepped": "chalk", "perturbed": "violet"}
 HIGHEST, LOWEST = 1.0, -16.0  # log10 m, of the chart

@@ -44,14 +44,14 @@ def test_run_writes_what_it_measured(capsys, tmp_path: Path):
     assert report["simulated_s"] == pytest.approx(2.0)
     assert report["cpu_s"] >= 0.0
     assert report["parameters"]["gravity"] == 5.0
-    assert report["effects"] == {"example-gravity": True, "example-ground": True}
+    assert report["effects"] == {"test-gravity": True, "test-ground": True}
     assert set(report["readouts"]) == {"energy", "height"}
     assert report["digest"] in out
 
 
 def test_two_runs_have_one_digest_and_another_knob_another(capsys, tmp_path: Path):
     digests = []
-    for extra in ([], [], ["--set", "restitution=0.5"], ["--effects-off", "example-ground"]):
+    for extra in ([], [], ["--set", "restitution=0.5"], ["--effects-off", "test-ground"]):
         file = tmp_path / "s.json"
         assert run(capsys, "run", "example", "--seconds", "3", "--json", str(file), *extra)[0] == 0
         digests.append(json.loads(file.read_text())["digest"])

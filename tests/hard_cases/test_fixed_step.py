@@ -288,8 +288,8 @@ class TestInput:
         (9, Pointer("move", 0.3, 0.9, 1)),
         (12, Pointer("up", 0.3, 0.9, 1)),
         (12, KICK),
-        (40, SetEffect("example-ground", False)),
-        (90, SetEffect("example-ground", True)),
+        (40, SetEffect("test-ground", False)),
+        (90, SetEffect("test-ground", True)),
         (100, SetKnob("height", 2.5)),
     )
 

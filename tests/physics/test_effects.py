@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from game.physics.effects import ROOMS, Effect, EffectError, EffectSet, declare_effect, effect_named
 
-RAIN = declare_effect("spare", "test-rain", 58, "Rain", "Drops fall.")
-SNOW = declare_effect("spare", "test-snow", 59, "Snow", "Flakes fall.")
-HAIL = declare_effect("spare", "test-hail", 60, "Hail", "Stones fall.")
+RAIN = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
+SNOW = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")
+HAIL = declare_effect("spare", "test-drag", 61, "Air drag", "Slows the ball with its speed.")
 
 
 def test_rooms_share_no_bit_and_leave_the_sign_alone():
@@ -20,11 +20,11 @@ def test_rooms_share_no_bit_and_leave_the_sign_alone():
 
 
 def test_declaring_twice_is_harmless_but_taking_a_bit_or_name_is_refused():
-    assert declare_effect("spare", "test-rain", 58, "Rain", "Drops fall.") is not None
-    with pytest.raises(EffectError, match="taken by effect 'test-rain'"):
-        declare_effect("spare", "test-other", 58, "Other", "x")
-    with pytest.raises(EffectError, match="taken by effect 'test-rain'"):
-        declare_effect("spare", "test-rain", 61, "Rain", "x")
+    assert declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.") is not None
+    with pytest.raises(EffectError, match="taken by effect 'test-gravity'"):
+        declare_effect("spare", "test-other", 59, "Other", "x")
+    with pytest.raises(EffectError, match="taken by effect 'test-gravity'"):
+        declare_effect("spare", "test-gravity", 62, "Rain", "x")
 
 
 @pytest.mark.parametrize(
@@ -37,8 +37,8 @@ def test_bad_declarations_are_refused(room, name, bit):
 
 
 def test_an_effect_knows_its_room_and_mask():
-    assert (RAIN.room, RAIN.mask) == ("spare", 1 << 58)
-    assert effect_named("test-rain") == RAIN
+    assert (RAIN.room, RAIN.mask) == ("spare", 1 << 59)
+    assert effect_named("test-gravity") == RAIN
     with pytest.raises(EffectError, match="test-fog"):
         effect_named("test-fog")
 
@@ -46,14 +46,14 @@ def test_an_effect_knows_its_room_and_mask():
 def test_sets_join_iterate_and_answer_by_effect_or_name():
     weather = SNOW | RAIN
     assert list(weather) == [RAIN, SNOW]
-    assert weather.names == ("test-rain", "test-snow")
-    assert RAIN in weather and "test-snow" in weather and HAIL not in weather and 3 not in weather
-    assert weather.without(RAIN) == EffectSet([SNOW]) == weather.without("test-rain")
-    assert weather.with_("test-hail") == RAIN | SNOW | HAIL
+    assert weather.names == ("test-gravity", "test-ground")
+    assert RAIN in weather and "test-ground" in weather and HAIL not in weather and 3 not in weather
+    assert weather.without(RAIN) == EffectSet([SNOW]) == weather.without("test-gravity")
+    assert weather.with_("test-drag") == RAIN | SNOW | HAIL
     assert weather | HAIL == HAIL | weather
-    assert (weather & (SNOW | HAIL)) == EffectSet(["test-snow"])
+    assert (weather & (SNOW | HAIL)) == EffectSet(["test-ground"])
     assert len({weather, RAIN | SNOW}) == 1
-    assert repr(weather) == "EffectSet(test-rain, test-snow)"
+    assert repr(weather) == "EffectSet(test-gravity, test-ground)"
 
 
 def test_sets_cannot_be_changed():

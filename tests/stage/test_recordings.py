@@ -31,9 +31,9 @@ CATALOGUE = Catalogue(
 
 
 def played() -> Stage:
-    stage = Stage(BouncingBall, parameters={"gravity": 5.0}, effects_off=("example-ground",))
+    stage = Stage(BouncingBall, parameters={"gravity": 5.0}, effects_off=("test-ground",))
     stage.run(130)
-    stage.post(SetEffect("example-ground", True))
+    stage.post(SetEffect("test-ground", True))
     stage.post(KICK)
     stage.run(100)
     stage.post(Pointer("down", 0.1, 0.2, 1))
@@ -85,10 +85,10 @@ class TestRoundTrip:
         assert again.scene.seed == 99
 
     def test_effects_that_a_level_switches_off_may_be_on(self) -> None:
-        level = Level(scene="example", effects_off=("example-ground",))
+        level = Level(scene="example", effects_off=("test-ground",))
         stage = Stage(BouncingBall, level=level)
-        assert "example-ground" not in stage.scene.active
-        stage.post(SetEffect("example-ground", True))
+        assert "test-ground" not in stage.scene.active
+        stage.post(SetEffect("test-ground", True))
         stage.reset()
         stage.run(100)
         assert replay_scene(stage.recording, BouncingBall).digest() == stage.digest()

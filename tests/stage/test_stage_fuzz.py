@@ -21,7 +21,7 @@ pointers = st.builds(
     button=st.integers(0, 3),
 )
 names = st.sampled_from(
-    [*BouncingBall.knobs(), *Cloud.knobs(), *Fragile.knobs(), "nothing", "example-ground", "example-gravity"]
+    [*BouncingBall.knobs(), *Cloud.knobs(), *Fragile.knobs(), "nothing", "test-ground", "test-gravity"]
 )
 numbers = st.floats() | st.sampled_from([0.0, 1.0, 0.5, 3.0, 7, 100.0, 1e-4, 0.1, 1e6, 1e9])
 events = st.one_of(

@@ -16,15 +16,15 @@ from game.stage import Action, Catalogue, Entry, KnobError, Pointer, SetEffect, 
 
 class TestBeginning:
     def test_parameters_and_effects(self) -> None:
-        stage = Stage(BouncingBall, parameters={"gravity": 2.0}, effects_off=["example-ground"])
+        stage = Stage(BouncingBall, parameters={"gravity": 2.0}, effects_off=["test-ground"])
         assert stage.scene.gravity == 2.0
         assert GROUND not in stage.scene.active
         stage.run(200)
         assert stage.scene.state().position[1] < 0.0
 
     def test_effects_off_come_to_those_of_the_level(self) -> None:
-        level = Level(scene="example", effects_off=("example-ground",))
-        stage = Stage(BouncingBall, level=level, effects_off=("example-gravity",))
+        level = Level(scene="example", effects_off=("test-ground",))
+        stage = Stage(BouncingBall, level=level, effects_off=("test-gravity",))
         assert len(stage.scene.active) == 0
 
     @pytest.mark.parametrize(
@@ -230,16 +230,16 @@ class TestEvents:
 
     def test_effects_on_and_off(self) -> None:
         stage = Stage(BouncingBall)
-        stage.post(SetEffect("example-ground", False))
+        stage.post(SetEffect("test-ground", False))
         assert GROUND not in stage.scene.active
-        stage.post(SetEffect("example-ground", True))
+        stage.post(SetEffect("test-ground", True))
         assert GROUND in stage.scene.active
 
     def test_knobs_that_shape_the_scene_build_it_anew(self) -> None:
         stage = Stage(BouncingBall)
         stage.run(50)
         scene = stage.scene
-        stage.post(SetEffect("example-ground", False))
+        stage.post(SetEffect("test-ground", False))
         stage.post(SetKnob("height", 9.0))
         assert stage.scene is not scene
         assert stage.scene.state().position[1] == 9.0

@@ -23,12 +23,12 @@ CLOUD_EVENTS = [
 BALL_EVENTS = [
     SetKnob("gravity", 2.0),
     KICK,
-    SetEffect("example-ground", False),
+    SetEffect("test-ground", False),
     Pointer("down", 0.0, 3.0, 1),
     Pointer("move", 1.0, 3.0, 1),
     Pointer("up", 1.0, 3.0, 1),
     SetKnob("height", 7.0),
-    SetEffect("example-ground", True),
+    SetEffect("test-ground", True),
     SetKnob("frozen", True),
     SetKnob("frozen", False),
 ]

@@ -13,8 +13,8 @@ from stage.example_scene import BouncingBall
 from game.physics.effects import EffectSet, declare_effect
 from game.stage import EffectMeter, Scene, SetEffect, Stage, Warming, WarmUp
 
-CHEAP = declare_effect("spare", "test-cheap", 58, "Cheap", "Costs 1 microsecond.")
-DEAR = declare_effect("spare", "test-dear", 59, "Dear", "Costs 5 microseconds.")
+CHEAP = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
+DEAR = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")
 
 
 class TestWarming:
@@ -137,10 +137,10 @@ def finish(meter: EffectMeter) -> None:
 class TestEffectMeter:
     def test_what_is_saved_and_what_is_added(self) -> None:
         meter = measured(Stage(Costly))
-        assert meter.costs == pytest.approx({"test-cheap": 1e-6, "test-dear": 5e-6})
+        assert meter.costs == pytest.approx({"test-gravity": 1e-6, "test-ground": 5e-6})
         assert meter.bare == pytest.approx(2e-6)
-        meter = measured(Stage(Costly, effects_off=["test-dear"]))
-        assert meter.costs == pytest.approx({"test-cheap": 1e-6, "test-dear": 5e-6})
+        meter = measured(Stage(Costly, effects_off=["test-ground"]))
+        assert meter.costs == pytest.approx({"test-gravity": 1e-6, "test-ground": 5e-6})
 
     def test_the_scene_is_only_read(self) -> None:
         stage, twin = Stage(Costly), Stage(Costly)
@@ -166,12 +166,12 @@ class TestEffectMeter:
     def test_a_switched_effect_begins_anew(self) -> None:
         stage = Stage(Costly)
         meter = measured(stage)
-        stage.post(SetEffect("test-cheap", False))
+        stage.post(SetEffect("test-gravity", False))
         meter.slice(1e-4)
         assert not meter.done
-        assert set(meter.costs) == {"test-cheap", "test-dear"}
+        assert set(meter.costs) == {"test-gravity", "test-ground"}
         finish(meter)
-        assert meter.costs["test-cheap"] == pytest.approx(1e-6)
+        assert meter.costs["test-gravity"] == pytest.approx(1e-6)
 
     def test_an_effect_that_cannot_be_left_out(self) -> None:
         class Needs(Costly):
@@ -183,7 +183,7 @@ class TestEffectMeter:
                 super().advance(dt)
 
         meter = measured(Stage(Needs))
-        assert set(meter.costs) == {"test-cheap"}
+        assert set(meter.costs) == {"test-gravity"}
         assert math.isnan(meter.bare)
 
     def test_a_scene_without_effects(self) -> None:

@@ -43,13 +43,13 @@ LEVELS = (
     SimpleNamespace(title="Hard: grazing contact", value="c"),
 )
 METER = SimpleNamespace(
-    costs={"sample-pull": 4.6e-6, "sample-floor": 21.3e-6, "sample-air": 9.8e-6}, bare=26.1e-6
+    costs={"test-gravity": 4.6e-6, "test-ground": 21.3e-6, "test-drag": 9.8e-6}, bare=26.1e-6
 )
 
 
 def sample_stage() -> Stage:
     """The sample scene after twelve seconds."""
-    stage = Stage(Sample, parameters={"restitution": 0.62}, effects_off=("sample-air",))
+    stage = Stage(Sample, parameters={"restitution": 0.62}, effects_off=("test-drag",))
     for _ in range(750):
         stage.advance(1 / 60)
     return stage

@@ -24,7 +24,7 @@ from game.ui.theme import DARK
 
 RECT = pygame.Rect(960, 48, 320, 672)
 LEVELS = [SimpleNamespace(title="First", value="a"), SimpleNamespace(title="Second", value="b")]
-METER = SimpleNamespace(costs={"sample-pull": 4e-6, "sample-floor": 20e-6, "sample-air": 9e-6}, bare=8e-6)
+METER = SimpleNamespace(costs={"test-gravity": 4e-6, "test-ground": 20e-6, "test-drag": 9e-6}, bare=8e-6)
 
 
 class Desk:
@@ -170,9 +170,9 @@ def test_segments_switches_and_effects(desk):
     assert click(desk.panel, desk.place(desk.row(SwitchRow, "shadow".capitalize()), 30, 16)) == [
         SetKnob("shadow", False)
     ]
-    row = desk.row(EffectRow, "sample-pull")
+    row = desk.row(EffectRow, "test-gravity")
     wishes = click(desk.panel, desk.place(row, 30, 16))
-    assert wishes == [SetEffect("sample-pull", False)]
+    assert wishes == [SetEffect("test-gravity", False)]
     desk.apply(wishes)
     assert not row.is_on()
 

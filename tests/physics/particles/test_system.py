@@ -261,8 +261,7 @@ def test_absurd_particles_are_refused():
 
 
 def test_effects_of_other_rooms_are_refused():
-    from game.physics.effects import declare_effect
+    from game.billiards.lecture_state import POCKETS
 
-    other = declare_effect("spare", "test-particles-stranger", 62, "Stranger", "Nothing.")
-    with pytest.raises(ValueError, match="test-particles-stranger"):
-        ParticleSystem(10, effects=GRAVITY | other)
+    with pytest.raises(ValueError, match=POCKETS.name):
+        ParticleSystem(10, effects=GRAVITY | POCKETS)

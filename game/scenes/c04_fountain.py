@@ -1,0 +1,466 @@
+"""A fountain of particles over a stone, by seven methods and three ways to meet the stone."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from game.lab.studies.particles import bounce_study
+from game.levels import Level
+from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
+from game.physics.particles import CALM, CONTACTS, METHODS, OBSTACLES, Discs, Emitter, Forces, ParticleSystem
+from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
+from game.scenes.c04_level import MOST_STONES, FountainContent, Stone
+from game.scenes.c04_view import FountainView
+from game.stage import (
+    Choice,
+    Equation,
+    Frame,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
+
+REACH = 0.14  # m, how near to a handle the pointer takes it
+HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
+NEW_RADIUS = 0.25  # m, of a stone put by a click
+LOOKED_AT = 32_768  # particles compared with the exact solution; of more, every second, third, ...
+TOLERANCE = 1e-3  # m beyond the exact envelope that counts as outside
+TOUCH_TIME = 1.0 / 60.0  # s for which a particle counts as touching
+NO_HAND = ("", -1)
+
+
+class Fountain(Scene):
+    """Each particle is a point of 1 kg. It leaves the nozzle at its own instant within a step, in a random
+    direction inside the spread, falls, is slowed by the air, and bounces off the stone and the ground by
+    Newton's law of impact.
+
+    The dashed curve is exact: no particle of this speed can pass it before it has touched something. A method
+    of first order shows spray above it. Without fast drag and whirl all particles of one age lie on a
+    circle that is known exactly; the error is how far the worst of them is off.
+
+    Handling an impact at the end of a step makes every method one of first order. Interpolating along the
+    chord restores the second, and solving for the instant of the impact the full order.
+    """
+
+    name = "c04"
+    task = "C04"
+    title = "Particle fountain"
+    effects = GRAVITY | OBSTACLES | GROUND | DRAG | WIND | QUADRATIC_DRAG | WHIRL
+    content_type = FountainContent
+    study = bounce_study
+    takes = frozenset(("right",))
+
+    rate = Param(
+        8_000.0, 0.0, 100_000.0, unit="1/s", step=100.0, group="Emitter", label="Emit rate",
+        help="particles a second from all nozzles, evenly in time, also within a step",
+    )  # fmt: skip
+    speed = Param(9.0, 0.0, 25.0, unit="m/s", group="Emitter", help="with which each particle starts")
+    spread = Param(
+        16.0, 0.0, 180.0, unit="°", group="Emitter", help="directions are random within ± this of the axis"
+    )
+    life = Param(2.4, 0.01, 30.0, unit="s", log=True, group="Emitter", help="how long each particle lives")
+    method = Choice(
+        "verlet",
+        METHODS,
+        labels=(
+            "Explicit Euler", "Semi-implicit Euler", "Midpoint", "Verlet", "Störmer-Verlet", "Runge-Kutta 4",
+            "Exponential",
+        ),
+        group="Method",
+        label="Integrator",
+        help="how position and velocity go on by a step",
+    )  # fmt: skip
+    contact = Choice(
+        "chord",
+        CONTACTS,
+        labels=("Step end", "Chord", "Root"),
+        group="Method",
+        label="Impact",
+        help="found at the end of the step, where its chord crosses, or by solving for the instant",
+    )
+    step_length = Param(
+        1.0 / 240.0, 1.0 / 2000.0, 0.5, unit="s", log=True, group="Method", label="Time step",
+        help="of the fixed-step clock",
+    )  # fmt: skip
+    smooth = Toggle(
+        True, group="Method", label="Substeps for stiff drag", help="as many as drag needs to be stable"
+    )
+    restitution = Param(0.5, 0.0, 1.0, group="World", help="part of the normal speed that a stone gives back")
+    ground_restitution = Param(
+        0.2, 0.0, 1.0, group="World", label="Ground restitution", help="the same of the ground"
+    )
+    gravity = Param(9.81, 0.0, 30.0, unit="m/s²", group="World", help="downwards")
+    drag = Param(
+        0.4, 0.001, 500.0, unit="1/s", log=True, group="Air", label="Air drag", help="k in a = −k (v − w)"
+    )
+    wind = Param(2.5, -30.0, 30.0, unit="m/s", group="Air", help="w, to the right; felt by way of drag")
+    fast_drag = Param(
+        0.05, 0.001, 10.0, unit="1/m", log=True, group="Air", help="q in a = −q |v − w| (v − w)"
+    )
+    whirl = Param(5.0, -50.0, 50.0, unit="m²/s", group="Air", help="strength of the whirl; drag its centre")
+    places = Param(
+        40_000, 1, 1_000_000, whole=True, log=True, group="Pool", rebuild=True,
+        help="particles that can live at a time; further births are dropped and counted",
+    )  # fmt: skip
+
+    strips = (
+        Strip("Energy", "J", ("potential", "kinetic")),
+        Strip("Highest particle", "m", ("exact", "highest"), ("exact",)),
+        Strip("Error", "m", ("error",)),
+    )
+    hints = (
+        Hint(("Drag",), "move stone, nozzle, rim"),
+        Hint(("Shift", "Click"), "new stone"),
+        Hint(("Right click",), "remove stone"),
+    )
+    actions = (
+        SceneAction("emit", "emitter on or off", "E"),
+        SceneAction("clear", "clear all particles", "C"),
+    )
+    equations = (
+        Equation(
+            "Motion, with drag and wind",
+            r"\v{a} = \v{g} - (k + q\abs{\v{v}-\v{w}})(\v{v}-\v{w})",
+            "Newton 1687",
+        ),
+        Equation(
+            "Velocity Verlet",
+            r"\v{x}_{n+1} = \v{x}_n + h\v{v}_n + \frac{1}{2}h^2\v{a}_n",
+            "Swope and others 1982",
+        ),
+        Equation("", r"\v{v}_{n+1} = \v{v}_n + \frac{1}{2}h(\v{a}_n + \v{a}_{n+1})"),
+        Equation("Impact", r"\v{v}^+ = \v{v}^- - (1+e)(\v{v}^- \cdot \v{n})\v{n}", "Newton 1687"),
+        Equation("Envelope of all paths", r"y = \frac{v^2}{2g} - \frac{g x^2}{2 v^2}", "Torricelli 1644"),
+        Equation(
+            "Births", r"t_n = n / \text{rate},  N(T) = \floor{\text{rate} \, T}", "each at its own instant"
+        ),
+    )
+    try_this = (
+        "Choose explicit Euler and a long time step: the spray rises above the dashed curve.",
+        "Set the restitution to 1 and watch the energy strip stay level; then choose step end as impact.",
+        "Switch drag and wind on: the bars show what each costs; the dashed curve is still exact.",
+        "Raise the emit rate to 40 000: a hundred thousand particles, and what a step costs.",
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else FountainContent()
+        self.content: FountainContent = content
+        self.emitting = True
+        self.own = [stone.restitution for stone in content.stones]
+        self.hand: tuple[str, int] = NO_HAND
+        self.target = (0.0, 0.0)
+        self.grip = (0.0, 0.0)
+        self.since = 0.0  # s: who was born later knows no other law and nozzle than the present ones
+        self.told: deque[str] = deque(maxlen=8)
+        self.full = False
+        stones = Discs(capacity=MOST_STONES)
+        for stone in content.stones:
+            stones.add(stone.centre, stone.radius, self._restitution(stone.restitution))
+        self.system = ParticleSystem(
+            int(self.places),
+            solids=stones,
+            effects=self.active,
+            seed=self.seed,
+            floor=content.floor,
+            emitters=[self._emitter(i) for i in range(len(content.nozzles))],
+        )
+        self.whirl_centre = content.whirl
+        if content.particles:
+            self.system.add(
+                [particle.position for particle in content.particles],
+                [particle.velocity for particle in content.particles],
+            )
+        self._configure()
+        self.view = FountainView()
+
+    def _restitution(self, own: float | None) -> float:
+        return self.restitution if own is None else own
+
+    def _emitter(self, index: int, position: tuple[float, float] | None = None) -> Emitter:
+        """A nozzle of the level with the panel's numbers."""
+        nozzle = self.content.nozzles[index]
+        shares = sum(other.share for other in self.content.nozzles)
+        part = nozzle.share / shares if shares > 0.0 else 0.0
+        return Emitter(
+            nozzle.position if position is None else position,
+            rate=self.rate * part if self.emitting else 0.0,
+            speed=self.speed,
+            spread=math.radians(self.spread),
+            axis=math.radians(nozzle.tilt),
+        )
+
+    def _configure(self) -> None:
+        """Hand all knobs to the system."""
+        system = self.system
+        system.effects = self.active
+        system.method = self.method
+        system.contact = self.contact
+        system.life = self.life
+        system.substeps = 0 if self.smooth else 1
+        system.set_ground(self.content.floor, self.ground_restitution)
+        system.forces = CALM._replace(
+            gravity=self.gravity,
+            drag=self.drag,
+            quadratic_drag=self.fast_drag,
+            wind_x=self.wind,
+            whirl_strength=self.whirl,
+            whirl_x=self.whirl_centre[0],
+            whirl_y=self.whirl_centre[1],
+        )
+        for j, own in enumerate(self.own):
+            system.solids.rows[j, 5] = self._restitution(own)
+
+    def _change_emitters(self) -> None:
+        """Give the nozzles the panel's numbers, where they are."""
+        for index in range(len(self.content.nozzles)):
+            row = self.system.state().emitters[index]
+            self.system.change_emitter(index, self._emitter(index, (float(row[0]), float(row[1]))))
+
+    def knob_changed(self, name: str) -> None:
+        if name in ("rate", "speed", "spread"):
+            self._change_emitters()
+        else:
+            self._configure()
+        if name in ("speed", "gravity", "drag", "wind", "fast_drag", "whirl"):
+            self.since = self.system.time_s
+
+    def effects_changed(self) -> None:
+        self._configure()
+        self.since = self.system.time_s
+
+    def state(self) -> Any:
+        return self.system.state()
+
+    def restore(self, state: Any) -> None:
+        self.system.restore(state)
+        self._configure()
+
+    def save_content(self) -> FountainContent:
+        """The level as it stands now; living particles are not kept."""
+        emitters = self.system.state().emitters
+        return FountainContent(
+            nozzles=tuple(
+                type(nozzle)(position=(float(row[0]), float(row[1])), tilt=nozzle.tilt, share=nozzle.share)
+                for nozzle, row in zip(self.content.nozzles, emitters, strict=True)
+            ),
+            stones=tuple(
+                Stone(centre=(float(row[0]), float(row[1])), radius=float(row[2]), restitution=own)
+                for row, own in zip(self.system.solids.rows, self.own, strict=True)
+            ),
+            floor=self.content.floor,
+            whirl=self.whirl_centre,
+            view=self.content.view,
+        )
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        system, (what, index) = self.system, self.hand
+        if what == "stone":
+            way = np.array(self.target) - system.solids.centres[index]
+            pace = math.sqrt(float(way @ way)) / dt
+            system.solids.carry(index, way / dt * min(1.0, HAND_SPEED / pace if pace > 0.0 else 1.0))
+        dropped = system.dropped
+        system.step(dt)
+        if what == "stone":
+            system.solids.carry(index, (0.0, 0.0))
+        full = system.dropped > dropped
+        if full and not self.full:
+            self.told.append(
+                f"The pool of {system.capacity} is full: further births are dropped and counted."
+            )
+        self.full = full
+
+    def messages(self) -> Sequence[str]:
+        new = tuple(self.told)
+        self.told.clear()
+        return new
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    def pointer(self, event: Pointer) -> None:
+        point = (event.x, event.y)
+        if event.kind == "down" and event.button == 1:
+            self._take(point, event.shift)
+        elif event.kind == "down" and event.button == 3:
+            self._remove_stone(point)
+        elif event.kind == "move" and self.hand != NO_HAND:
+            self._drag(point)
+        elif event.kind in ("up", "cancel"):
+            self.hand = NO_HAND
+
+    def _take(self, point: tuple[float, float], new: bool) -> None:
+        self.hand = self._at(point)
+        what, index = self.hand
+        if what == "" and new:
+            self._add_stone(point)
+        elif what == "stone":
+            x, y = self.system.solids.centres[index].tolist()
+            self.target = (x, y)
+            self.grip = (x - point[0], y - point[1])
+
+    def _at(self, point: tuple[float, float]) -> tuple[str, int]:
+        """What is to be dragged at a point."""
+        stones = self.system.solids
+        if OBSTACLES in self.active:
+            for j, (x, y, radius) in enumerate(stones.rows[:, :3].tolist()):
+                if math.dist(point, rim_handle(x, y, radius)) < REACH:
+                    return "rim", j
+            for j, (x, y, radius) in enumerate(stones.rows[:, :3].tolist()):
+                if math.dist(point, (x, y)) < max(radius, REACH):
+                    return "stone", j
+        for e, row in enumerate(self.system.state().emitters.tolist()):
+            if math.dist(point, row[:2]) < 2.0 * REACH:
+                return "nozzle", e
+        if WHIRL in self.active and math.dist(point, self.whirl_centre) < 2.0 * REACH:
+            return "whirl", 0
+        return NO_HAND
+
+    def _drag(self, point: tuple[float, float]) -> None:
+        what, index = self.hand
+        x, y = (min(max(value, -1000.0), 1000.0) for value in point)
+        if what == "stone":
+            self.target = (x + self.grip[0], y + self.grip[1])
+        elif what == "rim":
+            row = self.system.solids.rows[index]
+            row[2] = min(max(math.dist((x, y), row[:2].tolist()), 0.02), 500.0)
+        elif what == "nozzle":
+            self.system.place_emitter(index, (x, y))
+            self.since = self.system.time_s
+        elif what == "whirl":
+            self.whirl_centre = (x, y)
+            self._configure()
+
+    def _add_stone(self, point: tuple[float, float]) -> None:
+        if len(self.own) == MOST_STONES:
+            self.told.append(f"There is room for {MOST_STONES} stones.")
+            return
+        index = self.system.solids.add(point, NEW_RADIUS, self.restitution)
+        self.own.append(None)
+        self.hand, self.target, self.grip = ("stone", index), point, (0.0, 0.0)
+
+    def _remove_stone(self, point: tuple[float, float]) -> None:
+        what, index = self._at(point)
+        if what in ("stone", "rim"):
+            self.system.solids.remove(index)
+            del self.own[index]
+            self.hand = NO_HAND
+
+    def action(self, name: str) -> None:
+        if name == "emit":
+            self.emitting = not self.emitting
+            self._change_emitters()
+        else:
+            self.system.clear()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def law(self) -> Forces:
+        """The force law with what is off taken out."""
+        forces, on = self.system.forces, self.active
+        windy = WIND in on and DRAG in on
+        return forces._replace(
+            gravity=forces.gravity if GRAVITY in on else 0.0,
+            drag=forces.drag if DRAG in on else 0.0,
+            wind_x=forces.wind_x if windy else 0.0,
+        )
+
+    def has_exact(self) -> bool:
+        """Whether the closed form of the flight is known."""
+        return QUADRATIC_DRAG not in self.active and (
+            WHIRL not in self.active or (DRAG not in self.active) or self.whirl == 0.0
+        )
+
+    def exact_envelope(self) -> np.ndarray:
+        """Curve (n, 2) relative to a nozzle that no particle can pass; empty if none is known."""
+        if not self.has_exact() or self.speed == 0.0:
+            return np.zeros((0, 2))
+        return envelope(self.law(), self.speed, self.life)
+
+    def deviation(self) -> tuple[float, int, int]:
+        """Of untouched particles: the worst distance from the exact solution (m), how many are outside, of
+        how many."""
+        system, worst, outside, looked = self.system, 0.0, 0, 0
+        emitters, law = system.state().emitters, self.law()
+        stride = -(-max(len(system), 1) // LOOKED_AT)
+        for low, high in system.segments():
+            bad, out, seen = measure_deviation(
+                system.fields,
+                system.tags,
+                low,
+                high,
+                stride,
+                emitters,
+                law,
+                system.time_s,
+                self.since,
+                TOLERANCE,
+            )
+            worst, outside, looked = max(worst, bad), outside + out * stride, looked + seen
+        return worst, outside, looked
+
+    def touching_since(self) -> int:
+        """Number of the first step whose impacts still count as touching."""
+        steps = max(1, round(TOUCH_TIME / self.step_length))
+        return max(int(self.system.tallies[2]) + 1 - steps, 1)
+
+    def readouts(self) -> list[Readout]:
+        system = self.system
+        kinetic = potential = 0.0
+        highest = -math.inf
+        touching = 0
+        for low, high in system.segments():
+            k, p, top = measure_swarm(system.fields, low, high, self.law().gravity, self.content.floor)
+            kinetic, potential, highest = kinetic + k, potential + p, max(highest, top)
+            touching += count_touching(system.tags, low, high, self.touching_since())
+        worst, outside, looked = self.deviation() if self.has_exact() else (math.nan, 0, 0)
+        curve = self.exact_envelope()
+        top = max((row[1] for row in system.state().emitters.tolist()), default=0.0)
+        return [
+            Readout("particles", float(len(system))),
+            Readout("highest", highest if len(system) else self.content.floor, "m"),
+            Readout("exact", float(curve[:, 1].max()) + top if len(curve) else math.nan, "m"),
+            Readout("error", worst if looked else math.nan, "m"),
+            Readout("outside the curve", float(outside)),
+            Readout("kinetic", kinetic, "J"),
+            Readout("potential", potential, "J"),
+            Readout("touching", float(touching)),
+            Readout("born", float(system.born)),
+            Readout("impacts", float(system.impacts)),
+            Readout("dropped", float(system.dropped)),
+            Readout("cut short", float(system.cut_short)),
+        ]
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        rows = [("scale:slow:fast", "Speed", f"0 {self.view.top_speed(self):.3g} m/s")]
+        if OBSTACLES in self.active and len(self.own):
+            rows.append(
+                ("disc:amber", "touching the stone" if len(self.own) == 1 else "touching a stone", "")
+            )
+        if len(self.exact_envelope()):
+            rows.append(("dash:text1", "exact envelope", ""))
+        return rows
+
+    def frame(self) -> Frame:
+        view = self.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(self, canvas, alpha)
+
+
+def rim_handle(x: float, y: float, radius: float) -> tuple[float, float]:
+    """Where a stone's handle for its radius is: on the rim, up and to the right."""
+    return x + 0.88 * radius, y + 0.475 * radius
