@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import pygame
 
 from game.app.canvas_warming import CanvasWarming
+from game.app.precompile import Precompiler
 from game.app.readiness import mark_ready
 from game.app.scene.opening import Opening
 from game.stage.catalogue import Entry
@@ -66,6 +67,7 @@ class Loader:
         self._thread.join(seconds)
 
     def _work(self) -> None:
+        second = Precompiler(self.entry)
         try:
             self.scene_type = self.entry.load()
             self._warm_up(self.scene_type)
@@ -77,6 +79,8 @@ class Loader:
             mark_ready(self.entry)
         except Exception as error:  # whatever a scene's own code raises must not take the window with it
             self.error = " ".join(f"{error}".split()) or type(error).__name__
+        finally:
+            second.stop()
 
     def _rehearse(self, scene_type: type[Scene]) -> None:
         """Play and draw a scene that is thrown away: what no list of kernels has named compiles here.
