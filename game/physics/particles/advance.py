@@ -40,11 +40,21 @@ def mark_near_disc(x, y, vx, vy, marks, solid, slack, h):
 
 
 @kernel
-def mark_near_ground(y, vy, marks, floor, slack, h):
-    """Mark each particle that may be below the floor after h (s)."""
+def mark_near_ground(y, vy, marks, lying, floor, slack, h):
+    """Mark each particle that may be below the floor after h (s), but for those that lie on it already."""
     limit = floor + slack
     for i in range(marks.shape[0]):
-        marks[i] = y[i] + min(h * vy[i], 0.0) <= limit
+        lying[i] = (y[i] == floor) & (vy[i] == 0.0)
+        marks[i] = (y[i] + min(h * vy[i], 0.0) <= limit) & (lying[i] == 0)
+
+
+@kernel
+def keep_lying(y, vy, lying, floor):
+    """Let those that lay on the floor lie on unless something has lifted them."""
+    for i in range(y.shape[0]):
+        stays = (lying[i] != 0) & (y[i] <= floor)
+        y[i] = floor if stays else y[i]
+        vy[i] = 0.0 if stays else vy[i]
 
 
 @kernel
@@ -68,7 +78,9 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
     It flies particles ``low`` to ``high`` of ``fields`` (rows x, y, vx, vy, ...) over h (s); those that may
     meet a solid on the way are written with their state before it to ``hits`` and ``who`` from place
     ``found`` on. Returns the next free place. ``solids``: rows of `Discs`; ``slack``: m that a particle may
-    be carried beyond h |v|; ``marks`` (BLOCK,) is scratch.
+    be carried beyond h |v|; ``marks`` (2, BLOCK) is scratch.
+
+    Those that lie on the floor slide on with the others: what comes of them needs no search for an impact.
     """
     touches = mask & (OBSTACLES_BIT | GROUND_BIT)
 
@@ -86,9 +98,10 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
             vx = fields[2][begin:end]
             vy = fields[3][begin:end]
             if touches:
-                near = marks[: end - begin]
+                near = marks[0][: end - begin]
+                lying = marks[1][: end - begin]
                 if mask & GROUND_BIT:
-                    mark_near_ground(y, vy, near, floor, slack, h)
+                    mark_near_ground(y, vy, near, lying, floor, slack, h)
                 else:
                     near[:] = 0
                 if mask & OBSTACLES_BIT:
@@ -102,6 +115,8 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
                 if mask & SIDEWAYS_BITS:
                     vx[i] = ux
                 vy[i] = uy
+            if mask & GROUND_BIT:
+                keep_lying(y, vy, marks[1][: end - begin], floor)
         return found
 
     return advance

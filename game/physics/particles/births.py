@@ -142,7 +142,7 @@ def emit(mask, fields, tags, tallies, capacity, emitters, counts, due, seed, lif
             place = (tallies[HEAD] + tallies[COUNT]) % capacity
             fields[4, place] = instant
             tags[0, place] = e * IDENTITY_STEP + serial
-            tags[1, place] = -1
+            tags[1, place] = 0
             who[found] = place
             tallies[COUNT] += 1
         found += 1

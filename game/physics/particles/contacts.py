@@ -106,7 +106,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
             if gap > TOUCH:
                 continue
             x -= gap * nx
-            y -= gap * ny
+            y = y - gap * ny if j < solids.shape[0] else rules.floor
             vx, vy, change, _ = strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses)
             impulse = max(impulse, change)
             last = j
@@ -255,7 +255,7 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
         left -= when
         gap, nx, ny = surface(solids, which, rules.floor, x, y, t)
         x -= gap * nx
-        y -= gap * ny
+        y = y - gap * ny if which < solids.shape[0] else rules.floor
         vx, vy, change, stays = strike(rules, law, solids, which, x, y, vx, vy, t, 1.0, impulses)
         impulse = max(impulse, change)
         last = which

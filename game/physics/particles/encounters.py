@@ -50,7 +50,8 @@ def resolve_encounters(
 ):
     """Fly the first ``found`` of the list among the solids and write what becomes of them.
 
-    fields (>= 4, n): x, y, vx, vy are written. tags (2, n): identity; step of the last impact, written.
+    fields (>= 4, n): x, y, vx, vy are written. tags (2, n): identity; number of the step, from 1, of the last
+    touch, negative for one of the floor; 0 if there was none: written.
     now: s at the beginning of the step. impulses (k, 2): added to.
     """
     law = unpack_forces(forces)
@@ -72,8 +73,9 @@ def resolve_encounters(
             fields[2, place] = vx
             fields[3, place] = vy
             if met >= 0:
-                fresh = tags[1, place] < tallies[STEP]
-                tags[1, place] = tallies[STEP] + 1
+                fresh = abs(tags[1, place]) < tallies[STEP] or tags[1, place] == 0
+                number = tallies[STEP] + 1
+                tags[1, place] = number if met < solids.shape[0] else -number
                 if reporting and fresh and impulse > 0.0:
                     report(reports, tallies, IMPACT, float(tags[0, place]), end, x, y, vx, vy, impulse)
         elif reporting:

@@ -30,8 +30,9 @@ BY_HAND = 1 << 12  # stands for the emitter in the identity of particles that we
 class Pool:
     """Places for ``capacity`` particles; ValueError unless that is 1 to MAX_CAPACITY.
 
-    fields: (5, n) x, y (m), vx, vy (m/s), instant of birth (s). tags: (2, n) identity; number of the step
-    of the last impact, from 1, or -1. tallies: counters, see encounters. time_s: kept by the system.
+    fields: (5, n) x, y (m), vx, vy (m/s), instant of birth (s). tags: (2, n) identity; number of the step,
+    from 1, of the last touch, negative for the floor, or 0. tallies: counters, see encounters. time_s: kept
+    by the system.
     """
 
     time_s: float
@@ -41,7 +42,7 @@ class Pool:
             raise ValueError(f"capacity = {capacity!r}: 1 to {MAX_CAPACITY} is wanted")
         self.capacity = capacity
         self.fields = np.zeros((5, capacity + PADDING))
-        self.tags = np.full((2, capacity), -1, dtype=np.int64)
+        self.tags = np.zeros((2, capacity), dtype=np.int64)
         self.tallies = np.zeros(TALLIES, dtype=np.int64)
 
     def __len__(self) -> int:
@@ -122,10 +123,15 @@ class Pool:
         self.fields[2:4, slots] = speeds[:count].T
         self.fields[4, slots] = self.time_s
         self.tags[0, slots] = BY_HAND * IDENTITY_STEP + self.born + np.arange(count)
-        self.tags[1, slots] = -1
+        self.tags[1, slots] = 0
         self.tallies[COUNT] += count
         self.tallies[BORN] += count
         self.tallies[DROPPED] += len(places) - count
+
+    def clear(self) -> None:
+        """Let all die now."""
+        self.tallies[DIED] += self.tallies[COUNT]
+        self.tallies[COUNT] = 0
 
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""

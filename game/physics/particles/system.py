@@ -32,7 +32,7 @@ class ParticleState(NamedTuple):
     """All that a later step depends on. The arrays are the system's own, not copies."""
 
     fields: NDArray[np.float64]  # (5, n): x, y (m), vx, vy (m/s), instant of birth (s)
-    tags: NDArray[np.int64]  # (2, n): identity, step of the last impact
+    tags: NDArray[np.int64]  # (2, n): identity, number of the step of the last touch
     tallies: NDArray[np.int64]  # (10,): see encounters
     clock: NDArray[np.float64]  # (3,): instant of origin, step (s), steps since the origin
     emitters: NDArray[np.float64]  # (m, 12): see births
@@ -78,7 +78,7 @@ class ParticleSystem(Pool, Settings):
         self._emitters = np.zeros((0, births.EMITTER_COLUMNS))
         self._births = np.zeros((0, 2), dtype=np.int64)
         self._due = np.zeros(0, dtype=np.int64)
-        self._marks = np.zeros(BLOCK, dtype=np.int64)
+        self._marks = np.zeros((2, BLOCK), dtype=np.int64)
         self._hits = np.zeros((encounters.LIST_ROWS, min(capacity, CHUNK)))
         self._who = np.zeros(min(capacity, CHUNK), dtype=np.int64)
         self._reports = np.zeros((report_lines, encounters.REPORT_COLUMNS))
