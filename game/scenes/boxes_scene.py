@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.levels import Level
 from game.physics.broadphase import BroadPhase
+from game.physics.broadphase.boxes import first_bad_box
 from game.physics.broadphase.effects import BOUNDARY, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
@@ -146,10 +147,16 @@ class BoxesScene(Scene):
         self._begin_anew()
 
     def _take_listed(self, boxes: tuple[BoxEntry, ...]) -> None:
-        self.values["count"] = len(boxes)
+        lowers = np.array([box.lower for box in boxes], dtype=np.float64)
+        uppers = np.array([box.upper for box in boxes], dtype=np.float64)
+        bad = first_bad_box(lowers, uppers)
+        if bad >= 0:
+            raise ValueError(
+                f"boxes[{bad}]: lower {boxes[bad].lower} must not be above upper {boxes[bad].upper}"
+            )
         self._take(
-            np.array([box.lower for box in boxes], dtype=np.float64),
-            np.array([box.upper for box in boxes], dtype=np.float64),
+            lowers,
+            uppers,
             np.array([box.velocity for box in boxes], dtype=np.float64),
             np.array([box.growth for box in boxes], dtype=np.float64),
         )

@@ -147,10 +147,15 @@ class BroadPhaseRace(BoxesScene):
             self.phases["uniform"] = UniformGrid((0.0, 0.0), (WIDTH, HEIGHT), min(cell, WIDTH))
         if self.covering:
             self.phases["covering"] = CoveringGrid((0.0, 0.0), (WIDTH, HEIGHT), min(cell, WIDTH))
-        if self.hierarchical or not self.phases:  # one must stay, to know the pairs
+        if self.hierarchical:
             self.phases["hierarchical"] = HierarchicalGrid()
         if self.sweep:
             self.phases["sweep"] = SweepAndPrune()
+        if not self.phases:  # one must stay, to know the pairs
+            self.phases["hierarchical"] = HierarchicalGrid()
+        for contestant in PHASES:
+            if contestant.name not in self.phases:
+                self.watch.forget(contestant.name)
         self.managers = {"hash": HashedPairs(), "matrix": self._matrix()}
         self.agree = dict.fromkeys(self.phases, True)
         self.swaps = 0
@@ -205,8 +210,6 @@ class BroadPhaseRace(BoxesScene):
         super().knob_changed(name)
         if name in ("cell", *(contestant.name for contestant in PHASES)):
             counts = self.begun, self.ended
-            for contestant in PHASES:
-                self.watch.forget(contestant.name)
             self._begin_anew()
             self.begun, self.ended = counts
 
@@ -314,7 +317,7 @@ class _Table:
     def scale(self) -> None:
         """What the bars' length means."""
         canvas = self.canvas
-        for i, words in enumerate(("1 µs", "10", "100", "1 ms", "10", "100", "1 s")):
+        for i, words in enumerate(("1 µs", "", "", "1 ms", "", "", "1 s")):
             x = TABLE_LEFT + BAR_LEFT + i / 6.0 * (BAR_RIGHT - BAR_LEFT)
             canvas.label((x, self.y), words, "text3", 11, "medium", "center", halo=False)
 

@@ -37,7 +37,7 @@ class UniformGridScene(BoxesScene):
 
     name = "c05"
     task = "C05"
-    title = "Uniform grid and pair management"
+    title = "Uniform grid and pairs"
     effects = MOTION | BOUNDARY | MATRIX_PAIRS | HASHED_PAIRS
     study = cell_size_study
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from all_phases import PHASES
+from physics.broadphase.all_phases import PHASES
 
 NAN, INF = float("nan"), float("inf")
 

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 import pytest
-from all_phases import PHASES, brute_pairs, brute_query, every_phase
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from physics.broadphase.all_phases import PHASES, brute_pairs, brute_query, every_phase
 
 from game.physics.broadphase.workloads import WORKLOADS, make_boxes
 
