@@ -11,23 +11,21 @@ class CanvasWarming:
     def __init__(self) -> None:
         self.done, self.total, self.name = 0, 1, "drawing"
         self.error = ""
-        self._stop = threading.Event()
+        self._lock = threading.Lock()
+        self._begun = False
         self._thread = threading.Thread(target=self._work, name="canvas kernels", daemon=True)
 
     def begin(self) -> None:
-        """Start, if it has not been started."""
-        if not self._thread.ident:
-            self._thread.start()
-
-    @property
-    def running(self) -> bool:
-        """Whether a kernel may be being compiled now."""
-        return self._thread.is_alive()
+        """Start, if it has not been started; any thread may ask."""
+        with self._lock:
+            if not self._begun:
+                self._begun = True
+                self._thread.start()
 
     @property
     def ready(self) -> bool:
         """Whether all of them are there."""
-        return bool(self._thread.ident) and not self._thread.is_alive()
+        return self._begun and not self._thread.is_alive()
 
     def wait(self, seconds: float) -> bool:
         """Wait for so long; True if all are there."""
@@ -35,18 +33,12 @@ class CanvasWarming:
         self._thread.join(seconds)
         return self.ready
 
-    def stop(self) -> None:
-        """Stop before the next kernel."""
-        self._stop.set()
-
     def _work(self) -> None:
         try:
             from game.ui.raster import WARM_UPS
 
             self.total = len(WARM_UPS)
             for name, call in WARM_UPS:
-                if self._stop.is_set():
-                    return
                 self.name = name
                 call()
                 self.done += 1
