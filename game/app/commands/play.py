@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+import threading
 from typing import Any
 
 from game.app.commands import given
@@ -71,7 +73,17 @@ def _run_window(scene_name: str, opening: Any = None) -> int:
         start(window, settings, loaded.complaint, scene_name, opening)
     finally:
         window.close()
+    _leave_compilers_behind()
     return 0
+
+
+def _leave_compilers_behind() -> None:
+    """End the process at once if a kernel is still being compiled: the compiler cannot be interrupted, and
+    the interpreter must not be taken down under it."""
+    if threading.active_count() > 1:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
 
 
 def _play_demo(reason: str) -> int:
