@@ -1,7 +1,7 @@
 """Position based dynamics: links, areas and attachments by Gauss-Seidel, compliance, or solved at once."""
 
 from game.physics.constraints.colours import ORDERS
-from game.physics.constraints.effects import AREAS, ATTACHMENTS, DAMPING, LINKS, TEARING
+from game.physics.constraints.effects import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
 from game.physics.constraints.links import MODELS
 from game.physics.constraints.motion import SCHEMES
 from game.physics.constraints.settings import KNOWN, SOLVERS, Settings
@@ -10,6 +10,7 @@ from game.physics.constraints.system import LinkMeasures, PositionBasedDynamics,
 __all__ = [
     "AREAS",
     "ATTACHMENTS",
+    "CONTACTS",
     "DAMPING",
     "KNOWN",
     "LINKS",

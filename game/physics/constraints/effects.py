@@ -14,6 +14,7 @@ ATTACHMENTS = declare_effect(
 )
 TEARING = declare_effect("constraints", "tearing", 39, "Tearing", "A link that is stretched too far breaks.")
 DAMPING = declare_effect("constraints", "damping", 40, "Damping", "A force -k v against each motion.")
+CONTACTS = declare_effect("constraints", "contacts", 41, "Contacts", "Listed pairs bounce off each other.")
 
 GRAVITY_BIT = GRAVITY.mask
 GROUND_BIT = GROUND.mask
@@ -22,3 +23,4 @@ AREAS_BIT = AREAS.mask
 ATTACHMENTS_BIT = ATTACHMENTS.mask
 TEARING_BIT = TEARING.mask
 DAMPING_BIT = DAMPING.mask
+CONTACTS_BIT = CONTACTS.mask

@@ -25,9 +25,11 @@ from game.physics.constraints.areas import INTACT, sweep_areas
 from game.physics.constraints.areas import MULTIPLIER as AREA_MULTIPLIER
 from game.physics.constraints.attachments import pull_back
 from game.physics.constraints.chains import solve_chains
+from game.physics.constraints.contacts import bounce_pairs, push_apart
 from game.physics.constraints.effects import (
     AREAS_BIT,
     ATTACHMENTS_BIT,
+    CONTACTS_BIT,
     DAMPING_BIT,
     GRAVITY_BIT,
     GROUND_BIT,
@@ -62,6 +64,7 @@ class Motion(NamedTuple):
     damping: float  # k_d, N s/m
     floor: float  # m
     speed_limit: float  # m/s
+    restitution: float  # of contacts
 
 
 class Network(NamedTuple):
@@ -81,6 +84,8 @@ class Network(NamedTuple):
     node_starts: NDArray[np.int64]  # (c + 1,)
     chain_links: NDArray[np.int64]
     work: NDArray[np.float64]  # (5, longest chain)
+    pairs: NDArray[np.int64]  # (c, 2) that bounce off each other
+    distances: NDArray[np.float64]  # (c,) m
 
 
 @kernel
@@ -201,6 +206,8 @@ def project(motion, net, px, py, inverse_mass):
                 motion.sweeps,
                 motion.soft_step,
             )
+        if motion.mask & CONTACTS_BIT:
+            push_apart(px, py, inverse_mass, net.pairs, net.distances)
         if motion.mask & ATTACHMENTS_BIT:
             pull_back(px, py, inverse_mass, net.pins, net.reaches)
         if motion.mask & GROUND_BIT:
@@ -229,6 +236,8 @@ def advance(fields, count, motion, net, held, target):
     fall = motion.gravity if motion.mask & GRAVITY_BIT else 0.0
     damping = motion.damping if motion.mask & DAMPING_BIT else 0.0
     for turn in range(motion.substeps):
+        if motion.mask & CONTACTS_BIT:
+            bounce_pairs(x, y, vx, vy, w, fresh, net.pairs, net.distances, motion.restitution, h)
         if motion.scheme == EULER:
             predict_euler(x, y, vx, vy, w, px, py, h, fall, damping)
         else:

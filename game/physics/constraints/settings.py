@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from game.physics.constraints.effects import (
     AREAS_BIT,
     ATTACHMENTS_BIT,
+    CONTACTS_BIT,
     DAMPING_BIT,
     GRAVITY_BIT,
     GROUND_BIT,
@@ -21,7 +22,14 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, GROUND
 
 KNOWN = EffectSet.from_mask(
-    GRAVITY_BIT | GROUND_BIT | LINKS_BIT | AREAS_BIT | ATTACHMENTS_BIT | TEARING_BIT | DAMPING_BIT
+    GRAVITY_BIT
+    | GROUND_BIT
+    | LINKS_BIT
+    | AREAS_BIT
+    | ATTACHMENTS_BIT
+    | TEARING_BIT
+    | DAMPING_BIT
+    | CONTACTS_BIT
 )
 SOLVERS = ("gauss-seidel", "direct")
 LARGEST = 1e6  # m, m/s
@@ -35,7 +43,7 @@ class Settings:
     effects: of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
     sweeps of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m. floor: m. relaxation: above 0,
     below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity. stretch_limit: strain at which a link
-    tears.
+    tears. restitution: of contacts.
     """
 
     effects: EffectSet = GRAVITY | GROUND | LINKS
@@ -50,6 +58,7 @@ class Settings:
     relaxation: float = 1.0
     speed_limit: float = math.inf
     stretch_limit: float = 1.0
+    restitution: float = 1.0
 
     def __post_init__(self) -> None:
         unknown = [effect.name for effect in self.effects if effect not in KNOWN]
@@ -69,6 +78,7 @@ class Settings:
             "relaxation": (1e-9, 2.0 - 1e-9),
             "speed_limit": (1e-9, math.inf),
             "stretch_limit": (0.0, 1e9),
+            "restitution": (0.0, 1.0),
         }
         for name, (least, most) in limits.items():
             value = getattr(self, name)

@@ -19,6 +19,8 @@ class Shape(NamedTuple):
     inverse_masses: NDArray[np.float64]  # (n,) 1/kg
     links: NDArray[np.int64]  # (m, 2)
     areas: list[list[int]]  # outlines, counter-clockwise
+    contacts: NDArray[np.int64] = np.zeros((0, 2), dtype=np.int64)  # pairs that bounce off each other
+    distances: NDArray[np.float64] = np.zeros(0)  # (c,) m, between their centres
 
 
 def _side(name: str, count: int) -> int:
@@ -136,7 +138,7 @@ def ring(centre: tuple[float, float], radius: float, corners: int, mass: float =
 
 
 def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, swing: float) -> Shape:
-    """Pendulums side by side on links of ``length`` (m), the first drawn aside by ``swing`` (rad)."""
+    """Balls that touch, side by side on links of ``length`` (m), the first drawn aside by ``swing`` (rad)."""
     _side("balls", balls)
     x = top[0] + spacing * np.arange(balls)
     pins = np.stack([x, np.full(balls, top[1])], axis=1)
@@ -147,6 +149,8 @@ def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, 
         np.concatenate([np.zeros(balls), np.ones(balls)]),
         _links([(i, balls + i) for i in range(balls)]),
         [],
+        _links([(balls + i, balls + i + 1) for i in range(balls - 1)]),
+        np.full(balls - 1, spacing),
     )
 
 
@@ -162,4 +166,6 @@ def joined(shapes: list[Shape]) -> Shape:
             for shape, start in zip(shapes, first.tolist(), strict=False)
             for outline in shape.areas
         ],
+        np.concatenate([shape.contacts + start for shape, start in zip(shapes, first, strict=False)]),
+        np.concatenate([shape.distances for shape in shapes]),
     )

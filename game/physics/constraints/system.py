@@ -64,7 +64,8 @@ class PositionBasedDynamics:
     positions: (n, 2) m. inverse_masses: (n,) 1/kg, 0 is fixed. links: (m, 2) particles. stiffness: (m,) or
     one number, 0 to 1. rest_lengths: (m,) m, else as given by the positions. compliances: (m,) m/N, for the
     model "xpbd". areas: closed outlines of particles. order: of ORDERS, in which links are solved.
-    velocities: (n, 2) m/s. settings: fields of `Settings`. ValueError, naming what is wrong, for nonsense.
+    velocities: (n, 2) m/s. contacts: (c, 2) pairs that bounce off each other at their distances (c,) m.
+    settings: fields of `Settings`. ValueError, naming what is wrong, for nonsense.
     """
 
     def __init__(
@@ -80,6 +81,8 @@ class PositionBasedDynamics:
         area_stiffness: ArrayLike = 1.0,
         area_compliance: ArrayLike = 0.0,
         velocities: ArrayLike | None = None,
+        contacts: ArrayLike = (),
+        distances: ArrayLike = 0.0,
         order: str = "coloured",
         **settings: Any,
     ):
@@ -99,6 +102,7 @@ class PositionBasedDynamics:
         self.torn = np.zeros(len(self.links.pairs), dtype=np.int64)
         self.hand = np.array([NOBODY, 0.0, 0.0, 0.0, 0.0, 0.0])
         self.tears = 0
+        self.contacts = Links.between(places, contacts, distances)
         self._arrange()
 
     # -- what it is made of -------------------------------------------------------------------------
@@ -134,7 +138,7 @@ class PositionBasedDynamics:
             pairs, runs, rows, order, self.torn,
             self.outlines.corners, self.outlines.starts, self.outlines.rows,
             np.full(n, NOBODY, dtype=np.int64), np.full(n, math.inf), nodes, starts, some,
-            np.zeros((WORK_ROWS, longest)),
+            np.zeros((WORK_ROWS, longest)), self.contacts.pairs, self.contacts.rest,
         )  # fmt: skip
         self._strains = np.zeros(m)
         self.hand[4] = 0.0
@@ -188,7 +192,7 @@ class PositionBasedDynamics:
             settings.effects.mask, MODELS.index(settings.model), SCHEMES.index(settings.scheme),
             int(settings.solver == "direct"), substeps, settings.sweeps, ahead, h, soft_step,
             float(settings.gravity), float(settings.damping), float(settings.floor),
-            float(settings.speed_limit),
+            float(settings.speed_limit), float(settings.restitution),
         )  # fmt: skip
         advance(self.fields, self.count, motion, self._net, self.held, self.hand[2:4])
 
