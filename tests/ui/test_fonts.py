@@ -119,7 +119,8 @@ def test_numbers(value, text):
         (2.5e-4, "m²", "0.000250 m²"),
         (0.0, "s", "0 s"),
         (5e-3, "m/s", "5.00 mm/s"),
-        (12, "", "12.0"),
+        (12, "", "12"),
+        (12.0, "", "12.0"),
     ],
 )
 def test_units(value, unit, text):
