@@ -91,7 +91,7 @@ effects_study = Study(
     settings=_settings,
     trial=lambda setting: WithoutEffect(setting.method, int(setting.knob)),
     reference="the exact table with all effects.",
-    expectation="An effect costs the events that it brings: in a break the cloth is every other one, as balls "
-    "begin to roll and come to rest. Throw, spin decay and cushion friction cost little, and each puts a ball "
-    "millimetres to centimetres aside; in a break, anywhere.",
+    expectation="An effect costs the events that it brings: in a break the cloth is every other one, as "
+    "balls begin to roll and come to rest. Throw, spin decay and cushion friction cost little, and each puts "
+    "a ball millimetres to centimetres aside; in a break, anywhere.",
 )
