@@ -52,7 +52,7 @@ CATALOGUE = Catalogue(
             category="Broad phase",
             module="game.scenes.c05_uniform_grid",
             class_name="UniformGridScene",
-            keywords="broad phase uniform grid pair manager matrix hash table boxes aabb overlap collision cells",
+            keywords="broad phase uniform grid pair manager matrix hash table boxes aabb overlap cells",
         ),
         Entry(
             name="c06",
@@ -62,7 +62,7 @@ CATALOGUE = Catalogue(
             category="Broad phase",
             module="game.scenes.c06_hierarchical_grids",
             class_name="HierarchicalGridScene",
-            keywords="broad phase hierarchical grid spatial hashing levels boxes aabb overlap naive heavy tail",
+            keywords="broad phase hierarchical grid spatial hashing levels boxes aabb overlap naive",
         ),
         Entry(
             name="c07",

@@ -83,10 +83,10 @@ class ComparedScene(BoxesScene):
         column.bar(words, view.seconds_text(mine), mine / longest if mine > 0.0 else 0.0, color)
         if self.compared:
             column.bar(
-                f"Naive, {_thousands(n * (n - 1) // 2)} tests",
+                f"Naive, {view.grouped(n * (n - 1) // 2)} tests",
                 view.seconds_text(naive),
                 naive / longest,
-                "pink",
+                "green",
             )
         else:
             column.bar("Naive", "left out", 0.0, "green")
@@ -94,15 +94,10 @@ class ComparedScene(BoxesScene):
     def legend_rows(self) -> list[tuple[str, str, str]]:
         """Rows that all these scenes have."""
         return [
-            ("box:vermilion", "overlapping", str(self.overlapping())),
-            ("box:ghost", "boxes", str(len(self.ids))),
-            ("line:vermilion", "pairs", str(len(self.pairs))),
+            ("box:vermilion", "overlapping", view.grouped(self.overlapping())),
+            ("box:ghost", "boxes", view.grouped(len(self.ids))),
+            ("line:vermilion", "pairs", view.grouped(len(self.pairs))),
         ]
-
-
-def _thousands(number: int) -> str:
-    """A count in groups of three."""
-    return f"{number:,}".replace(",", "\u202f")
 
 
 def sketch(canvas: Any, scene: ComparedScene, alpha: float) -> None:

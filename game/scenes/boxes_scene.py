@@ -42,7 +42,7 @@ class BoxesState(NamedTuple):
 
 
 class BoxesScene(Scene):
-    """Base of the broad-phase scenes. A subclass makes structures, pairs boxes up and draws what is its own."""
+    """Base of the broad-phase scenes: a subclass makes structures, pairs boxes up and draws its own."""
 
     effects = MOTION | BOUNDARY
     dt = 1.0 / 60.0
@@ -462,7 +462,9 @@ class BoxesScene(Scene):
 
     def overlapping(self) -> int:
         """Number of boxes that overlap another."""
-        return len(np.unique(self.pairs))
+        touched = np.zeros(len(self.alive), dtype=bool)
+        touched[self.pairs] = True
+        return int(np.count_nonzero(touched))
 
     def messages(self) -> list[str]:
         told = list(self.told)

@@ -79,10 +79,11 @@ def draw_loads(
     together = max(math.ceil(LEAST_CELL * canvas.k / (cell * canvas.pixels_per_unit)), 1)
     rows, columns = loads.shape
     if together > 1:
-        padded = np.zeros((-(-rows // together) * together, -(-columns // together) * together))
+        high, wide = -(-rows // together), -(-columns // together)
+        padded = np.zeros((high * together, wide * together), dtype=np.int32)
         padded[:rows, :columns] = loads
-        shape = padded.shape[0] // together, together, padded.shape[1] // together, together
-        shaded = padded.reshape(shape).mean(axis=(1, 3))
+        across = padded.reshape(high, together, wide * together).sum(axis=1)
+        shaded = across.reshape(high, wide, together).sum(axis=2) / together**2
     else:
         shaded = loads.astype(np.float64)
     height, width = (n * together * cell for n in shaded.shape)
@@ -92,6 +93,11 @@ def draw_loads(
         ends_x, ends_y = np.stack([x, x * 0.0], 1), np.stack([y * 0.0, y], 1)
         canvas.segments(ends_x, np.stack([x, x * 0.0 + rows * cell], 1), "grid2", 1.0)
         canvas.segments(ends_y, np.stack([y * 0.0 + columns * cell, y], 1), "grid2", 1.0)
+
+
+def grouped(number: float) -> str:
+    """A whole number in groups of three."""
+    return f"{round(number):,}".replace(",", "\u202f")
 
 
 def seconds_text(seconds: float) -> str:

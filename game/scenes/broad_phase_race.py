@@ -86,7 +86,7 @@ class BroadPhaseRace(BoxesScene):
         help="how boxes are made, and whether they leap",
     )
     count = Param(
-        1000, 1, 100_000, whole=True, log=True, group="Workload", label="Number",
+        400, 1, 100_000, whole=True, log=True, group="Workload", label="Number",
         help="boxes are added or removed while the others go on; their density stays",
     )  # fmt: skip
     fill = Param(
@@ -232,9 +232,9 @@ class BroadPhaseRace(BoxesScene):
 
     def legend(self) -> tuple[tuple[str, str, str], ...]:
         return (
-            ("box:vermilion", "overlapping", str(self.overlapping())),
-            ("box:ghost", "boxes", str(len(self.ids))),
-            ("line:vermilion", "pairs", str(len(self.pairs))),
+            ("box:vermilion", "overlapping", view.grouped(self.overlapping())),
+            ("box:ghost", "boxes", view.grouped(len(self.ids))),
+            ("line:vermilion", "pairs", view.grouped(len(self.pairs))),
         )
 
     def draw(self, canvas: Any, alpha: float) -> None:
@@ -327,4 +327,4 @@ def _short(number: float) -> str:
     for size, prefix in ((1e9, "G"), (1e6, "M"), (1e4, "k")):
         if number >= size:
             return f"{number / min(size, 1e3 if prefix == 'k' else size):.3g} {prefix}"
-    return f"{round(number):,}".replace(",", "\u202f")
+    return view.grouped(number)

@@ -156,9 +156,9 @@ class UniformGridScene(BoxesScene):
 
     def legend(self) -> tuple[tuple[str, str, str], ...]:
         rows = [
-            ("box:vermilion", "overlapping", str(self.overlapping())),
-            ("box:ghost", "boxes", str(len(self.ids))),
-            ("line:vermilion", "pairs", str(len(self.pairs))),
+            ("box:vermilion", "overlapping", view.grouped(self.overlapping())),
+            ("box:ghost", "boxes", view.grouped(len(self.ids))),
+            ("line:vermilion", "pairs", view.grouped(len(self.pairs))),
         ]
         if self.heat:
             full = self._full()
@@ -189,7 +189,7 @@ class UniformGridScene(BoxesScene):
             ("Full matrix", self.matrix if MATRIX_PAIRS in self.active else None, times[0], "chalk"),
             ("Hash table", self.hashed if HASHED_PAIRS in self.active else None, times[1], "green"),
         ):
-            pairs = f"{len(manager)} pairs" if manager is not None else "left out"
+            pairs = f"{view.grouped(len(manager))} pairs" if manager is not None else "left out"
             column.bar(
                 f"{words}, {pairs}", view.seconds_text(time), time / longest if time > 0.0 else 0.0, color
             )
@@ -225,7 +225,7 @@ class UniformGridScene(BoxesScene):
         taken = self.hashed.table.where > 0
         blocks = min(HASH_ROWS * HASH_COLUMNS, len(taken))
         columns = min(HASH_COLUMNS, blocks)
-        filled = taken.reshape(blocks // columns, columns, -1).mean(axis=2)
+        filled = taken.reshape(blocks, -1).mean(axis=1).reshape(-1, columns)
         column.head(
             "Hash table", f"{view.bytes_text(self.hashed.memory())}, {self.hashed.probes():.2f} looks"
         )

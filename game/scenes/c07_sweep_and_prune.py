@@ -164,8 +164,8 @@ class SweepAndPruneScene(ComparedScene):
         mean = self.mean_swaps()
         column.head("Swaps in this step", "both axes")
         top = max(self.swaps, mean, 1.0)
-        column.bar("Made", _count(self.swaps), self.swaps / top, "amber")
-        column.bar("Mean for this speed", _count(mean), mean / top, "text1", hollow=True)
+        column.bar("Made", view.grouped(self.swaps), self.swaps / top, "amber")
+        column.bar("Mean for this speed", view.grouped(mean), mean / top, "text1", hollow=True)
         column.row("Sorted anew so far", str(self.sap.resorts))
         column.row("Begun, ended", f"{self.begun}, {self.ended}")
 
@@ -190,8 +190,3 @@ class SweepAndPruneScene(ComparedScene):
             line, tails, heads = line[:, ::-1], tails[:, ::-1], heads[:, ::-1]
         canvas.segments(tails, heads, inks[inside], 1.0, alpha=0.8)
         canvas.line(line[0], line[1], "line2", 1.0)
-
-
-def _count(number: float) -> str:
-    """A number of swaps, whole, in groups of three."""
-    return f"{round(number):,}".replace(",", "\u202f")

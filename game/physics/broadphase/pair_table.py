@@ -284,11 +284,11 @@ def index_all(where, slots, numbers):
 
 
 @kernel(_nrt=False)
-def sum_of_probes(where, slots, numbers):
-    """Number of places looked at to find every pair of a hash table once."""
+def sum_of_probes(where, slots, numbers, count):
+    """Number of places looked at to find each of the first ``count`` pairs of a hash table once."""
     mask = numbers[MASK]
     total = 0
-    for slot in range(numbers[SLOTS]):
+    for slot in range(count):
         place = find_place(where, slots, numbers, slots[slot, FIRST], slots[slot, SECOND])
         total += ((place - slots[slot, HASH]) & mask) + 1
     return total

@@ -51,6 +51,7 @@ from game.physics.broadphase.pair_table import (
 )
 
 MAX_MATRIX_BYTES = 1 << 30  # 23 170 boxes
+PROBED = 4096  # pairs
 
 
 class PairEvents(NamedTuple):
@@ -227,11 +228,12 @@ class HashedPairs(PairManager):
         super().__init__(np.zeros(32, dtype=np.int32), 0, -MAX_ID, MAX_ID)
 
     def probes(self) -> float:
-        """Mean number of places looked at to find a pair: 1 at best, 1.5 for random keys at half load."""
-        slots = int(self.table.numbers[SLOTS])
-        if slots == 0:
-            return 0.0
-        return sum_of_probes(*self.table) / slots
+        """Mean number of places looked at to find a pair: 1 at best, 1.5 for random keys at half load.
+
+        A mean over the pairs in the first slots, at most 4096.
+        """
+        count = min(int(self.table.numbers[SLOTS]), PROBED)
+        return sum_of_probes(*self.table, count) / count if count else 0.0
 
     def make_room(self) -> None:
         """Double list and table, and enter every pair anew."""

@@ -1,7 +1,8 @@
 """Very many upright boxes at once, each of a kind that has a fill and an outline; and cells shaded by load.
 
 A box too small for an outline is filled with its outline's colour, by the share of each pixel that it
-covers. Between two states a box is drawn where it is on its way, unless it has leapt.
+covers; where there are very many, by whole pixels. Between two states a box is drawn where it is on its
+way, unless it has leapt.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ from game.ui.canvas import Canvas
 HIDDEN = 255  # kind of a box that is not drawn
 SMALLEST_OUTLINED = 5.0  # px
 LEAST_SIDE = 1.0  # px; a thinner box is drawn so wide
+VERY_MANY = 20_000  # boxes; small ones are then drawn by whole pixels
 
 
-@kernel(inline="always")
+@kernel(inline="always", _nrt=False)
 def _mix(below, color, weight):
     """A colour 0xRRGGBB over a pixel with ``weight`` 0 to 256."""
     keep = 256 - weight
@@ -30,7 +32,7 @@ def _mix(below, color, weight):
     return (red_blue & 0xFF00FF) | (alpha_green & 0xFF00FF00)
 
 
-@kernel
+@kernel(_nrt=False)
 def paint_boxes(
     pixels, clip, affine, lowers, uppers, old_lowers, old_uppers, share, leap, kinds, inks, weights, edge
 ):
@@ -87,6 +89,13 @@ def paint_boxes(
                         pixels[row, column] = _mix(below, line, line_weight)
                     elif fill_weight > 0:
                         pixels[row, column] = _mix(below, fill, fill_weight)
+            continue
+        if len(kinds) > VERY_MANY:
+            c0, r0 = int(0.5 * (left + right) + 10.0) - 10, int(0.5 * (top + bottom) + 10.0) - 10
+            half_width, half_height = int(0.5 * (right - left)), int(0.5 * (bottom - top))
+            for row in range(max(r0 - half_height, top_end), min(r0 + half_height + 1, bottom_end)):
+                for column in range(max(c0 - half_width, left_end), min(c0 + half_width + 1, right_end)):
+                    pixels[row, column] = _mix(int(pixels[row, column]), line, line_weight)
             continue
         if right - left < LEAST_SIDE:
             left, right = 0.5 * (left + right - LEAST_SIDE), 0.5 * (left + right + LEAST_SIDE)
@@ -152,7 +161,7 @@ def shades(canvas: Canvas, values: Any, color: str, ground: str = "stage") -> ND
 def paint_raster(
     canvas: Canvas, colors: NDArray[np.uint32], lower: tuple[float, float], upper: tuple[float, float]
 ) -> None:
-    """A picture of (rows, columns) colours 0xRRGGBB, its first row lowest, stretched over a part of the world."""
+    """A picture of (rows, columns) colours 0xRRGGBB, first row lowest, stretched over a part of the world."""
     (left, bottom), (right, top) = canvas.place(lower), canvas.place(upper)
     if not (1.0 <= right - left <= 8192.0 and 1.0 <= bottom - top <= 8192.0) or colors.size == 0:
         return
