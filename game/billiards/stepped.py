@@ -60,8 +60,8 @@ from game.billiards.stepped_contacts import (
 
 Array = NDArray[np.float64]
 
-STEPS, SAMPLES = range(3, 5)  # counters, after those of the contacts
-COUNTERS = 5
+STEPS, SAMPLES, STRIDE = range(3, 6)  # counters, after those of the contacts; stride: steps between samples
+COUNTERS = 6
 MAX_EVENTS = 20_000  # kept of one shot; breaks have about 150
 MAX_DT = 10.0  # s
 MAX_UNTIL = 1e6  # s
@@ -90,8 +90,8 @@ def is_at_rest(modes, physics):
 
 
 @lean_kernel
-def keep_sample(state, modes, time, times, samples, counters, stride):
-    """Write a sample, having dropped every second when there is no room. Returns the steps between two."""
+def keep_sample(state, modes, time, times, samples, counters):
+    """Write a sample, having dropped every second when there is no room."""
     row = counters[SAMPLES]
     if row == times.shape[0]:
         row = (row + 1) // 2
@@ -100,14 +100,13 @@ def keep_sample(state, modes, time, times, samples, counters, stride):
             for i in range(state.shape[1]):
                 for column in range(SAMPLE_COLUMNS):
                     samples[k, i, column] = samples[2 * k, i, column]
-        stride *= 2
+        counters[STRIDE] *= 2
     times[row] = time
     for i in range(state.shape[1]):
         for column in range(SAMPLE_MOTION):
             samples[row, i, column] = state[X + column, i]
         samples[row, i, SAMPLE_MOTION] = modes[MOTION, i]
     counters[SAMPLES] = row + 1
-    return stride
 
 
 @lean_kernel
@@ -130,12 +129,13 @@ def play_steps(
 ):
     """Play a shot in steps of dt s until all balls rest, or to the time `until` (s).
 
-    The last step may be shorter. Writes events (e, 4), times (m,) and samples (m, n, 8), and counters (5,),
+    The last step may be shorter. Writes events (e, 4), times (m,) and samples (m, n, 8), and counters (6,),
     which are named above.
     """
     step = 0
     now = 0.0
-    stride = keep_sample(state, modes, now, times, samples, counters, 1)
+    counters[STRIDE] = 1
+    keep_sample(state, modes, now, times, samples, counters)
     while now < until and not is_at_rest(modes, physics):
         before = now
         step += 1
@@ -151,10 +151,10 @@ def play_steps(
                 if event != NO_EVENT:
                     log_event(events, counters, now, event, i, -1)
         settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters)
-        if step % stride == 0:
-            stride = keep_sample(state, modes, now, times, samples, counters, stride)
+        if step % counters[STRIDE] == 0:
+            keep_sample(state, modes, now, times, samples, counters)
     if times[counters[SAMPLES] - 1] < now:
-        keep_sample(state, modes, now, times, samples, counters, stride)
+        keep_sample(state, modes, now, times, samples, counters)
     counters[STEPS] = step
 
 
