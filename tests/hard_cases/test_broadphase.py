@@ -249,15 +249,16 @@ class TestC06:
 
     def test_h5_cells_that_share_a_bucket_are_not_taken_for_one(self):
         """All boxes in cells of one column and row modulo the table: every look-up meets all of them."""
-        n = 32  # 32 buckets, so cells 32 columns apart share one
-        lowers = np.stack([np.arange(n) * 32.0, np.zeros(n)], axis=1)
+        n = 32
+        apart = 1024.0  # columns: a multiple of the number of buckets
+        lowers = np.stack([np.arange(n) * apart, np.zeros(n)], axis=1)
         boxes = list(zip(lowers.tolist(), (lowers + 1.0).tolist(), strict=True))
         grid = HierarchicalGrid()
         assert pairs_of(grid, boxes) == []
         assert grid.tests >= n * (n - 1) // 2
-        assert grid.query_point((32.5, 0.5)).tolist() == [1]
-        assert grid.query_box((32.0, 0.0), (65.0, 0.5)).tolist() == [1, 2]
-        boxes.append(((31.5, 0.5), (32.5, 0.75)))
+        assert grid.query_point((apart + 0.5, 0.5)).tolist() == [1]
+        assert grid.query_box((apart, 0.0), (2 * apart + 1.0, 0.5)).tolist() == [1, 2]
+        boxes.append(((apart - 0.5, 0.5), (apart + 0.5, 0.75)))
         assert agree(boxes) == [[1, 32]]
 
     def test_h6_coordinates_of_a_thousand_million_and_negative_ones(self):

@@ -156,7 +156,7 @@ def missed_pairs_study(
         trial=lambda setting: PairsOverTime(make, setting.method, setting.knob),
         reference="Straight motion: intervals of time in which a pair overlaps on each axis, in closed form.",
         expectation="Tested at the end of a step, boxes that only cut a corner are missed, in proportion to "
-        "the step. Swept boxes miss none and name some that do not touch. Testing the times of overlap of the "
+        "the step. Swept boxes miss none and name some that do not touch. Testing times of overlap of the "
         "few swept pairs is exact at any step: that is what a swept test costs.",
         present=present,
         related=related,
@@ -237,8 +237,8 @@ cell_cost_study = Study(
     ],
     trial=_cell_trial,
     reference="Pairs are the same at every cell size: errors are none. The curve is cost.",
-    expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)^2 where all covered "
-    "cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at 2 to 6 "
+    expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)^2 where all "
+    "covered cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at 2 to 6 "
     "sizes, one cell for each box at 1 to 1.5.",
 )
 cell_size_study = missed_pairs_study(

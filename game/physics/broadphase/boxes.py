@@ -48,13 +48,19 @@ def store_boxes(boxes, alive, ids, lowers, uppers):
     ``boxes``: (capacity, 4) m, rows x0 y0 x1 y1, written. ``alive``: (capacity,) 1 where an id is in use.
     ``ids``: (n,). ``lowers``, ``uppers``: (n, 2) m. Returns the index of the first bad one, or -1.
     """
+    bad = 0
     for i in range(len(ids)):
         box = ids[i]
-        if box < 0 or box >= len(alive) or alive[box] == 0:
-            return i
+        bad += box < 0 or box >= len(alive) or alive[box] == 0
+    for i in range(len(ids)):
         x0, y0, x1, y1 = lowers[i, 0], lowers[i, 1], uppers[i, 0], uppers[i, 1]
-        if not (x0 <= x1 and y0 <= y1 and x0 < np.inf and y0 < np.inf and x1 > -np.inf and y1 > -np.inf):
-            return i
+        bad += not ((x0 <= x1) & (y0 <= y1) & (max(x0, y0) < np.inf) & (min(x1, y1) > -np.inf))
+    if bad > 0:
+        for i in range(len(ids)):
+            box = ids[i]
+            if box < 0 or box >= len(alive) or alive[box] == 0:
+                return i
+        return first_bad_box(lowers, uppers)
     for i in range(len(ids)):
         box = ids[i]
         boxes[box, 0] = lowers[i, 0]

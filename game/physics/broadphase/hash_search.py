@@ -149,16 +149,19 @@ def run_over(sorted_boxes, start, coarse_begin, coarse_end, offset, mask, factor
                 tested += last - first
                 if found + last - first + 1 > len(keys):
                     return -1
+                hits = found
                 for candidate in range(first, last):
                     other = candidate & ID_MASK
-                    if (
+                    keys[hits] = tag | other
+                    hits += (
                         (sorted_boxes[other, 0] <= x1)
                         & (x0 <= sorted_boxes[other, 2])
                         & (sorted_boxes[other, 1] <= y1)
                         & (y0 <= sorted_boxes[other, 3])
-                    ) and cell_at(sorted_boxes[other, 1], scale) == row:
-                        keys[found] = tag | other
-                        found += 1
+                    )
+                for hit in range(found, hits):
+                    keys[found] = keys[hit]
+                    found += cell_at(sorted_boxes[keys[hit] & ID_MASK, 1], scale) == row
                 left -= part
                 bucket = 0
     tests[0] += tested

@@ -26,17 +26,22 @@ def sort_pairs(keys, count, spare, counters, bits, pairs):
     digit = bits if bits <= WHOLE_DIGIT else (bits + 1) // 2
     size = 1 << digit
     mask = size - 1
-    for i in range(size):
-        counters[0, i] = 0
-        counters[1, i] = 0
-        counters[2, i] = 0
-        counters[3, i] = 0
-    for i in range(count):
-        key = keys[i]
-        counters[0, key & mask] += 1
-        counters[1, ((key & LOW_HALF) >> digit) & mask] += 1
-        counters[2, (key >> 32) & mask] += 1
-        counters[3, (key >> (32 + digit)) & mask] += 1
+    for place in range(4):
+        if bits > WHOLE_DIGIT or place % 2 == 0:
+            for i in range(size):
+                counters[place, i] = 0
+    if bits <= WHOLE_DIGIT:
+        for i in range(count):
+            key = keys[i]
+            counters[0, key & mask] += 1
+            counters[2, (key >> 32) & mask] += 1
+    else:
+        for i in range(count):
+            key = keys[i]
+            counters[0, key & mask] += 1
+            counters[1, ((key & LOW_HALF) >> digit) & mask] += 1
+            counters[2, (key >> 32) & mask] += 1
+            counters[3, (key >> (32 + digit)) & mask] += 1
     source = keys
     target = spare
     for place in range(4):
