@@ -67,9 +67,9 @@ def _leave_free_rectangle(state, i, horizon, physics):
     x = state[X, i]
     y = state[Y, i]
     left = x - physics[FREE_LEFT] - radius
-    right = physics[FREE_RIGHT] - radius - x
+    right = physics[FREE_RIGHT] - x - radius
     lower = y - physics[FREE_LOWER] - radius
-    upper = physics[FREE_UPPER] - radius - y
+    upper = physics[FREE_UPPER] - y - radius
     if min(min(left, right), min(lower, upper)) < -WITHIN:
         return 0.0, -1
     vx = state[VX, i]

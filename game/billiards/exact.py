@@ -106,8 +106,8 @@ class Batch(NamedTuple):
     """m shots of n balls each, as the kernel reads them.
 
     balls (m, n, 11), constants (m, 18), a row of physics each: see `state`. elements (e, 7): rows of all
-    tables in use, of each the cushions, then the jaws, then the pockets. ranges (m, 4): where those of each shot's
-    table start, and end.
+    tables in use, of each the cushions, then the jaws, then the pockets. ranges (m, 4): where those of each
+    shot's table start, and end.
     """
 
     balls: Array
@@ -366,6 +366,7 @@ def write_final(state, modes, end_time, final, physics):
         final[i, IN_RADIUS] = state[RADIUS, i]
         final[i, IN_MASS] = state[MASS, i]
         final[i, IN_MOTION] = modes[MOTION, i]
+        final[i, IN_CLEAR] = state[CLEAR, i]
     return total < NEVER
 
 

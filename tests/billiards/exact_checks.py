@@ -99,7 +99,9 @@ def _go_through(segments, rows, radii, masses, physics, current, samples, found)
         energy, px, py = _totals(segments, current, now, radii, masses, physics)
         inner = True
         while e < rows.shape[0] and rows[e, 0] <= now:
-            inner = inner and rows[e, 1] != BALL_CUSHION and rows[e, 1] != BALL_JAW and rows[e, 1] != BALL_POCKET
+            inner = (
+                inner and rows[e, 1] != BALL_CUSHION and rows[e, 1] != BALL_JAW and rows[e, 1] != BALL_POCKET
+            )
             e += 1
         while s < segments.shape[0] and segments[s, SEG_TIME] <= now:
             ball = int(segments[s, SEG_BALL])

@@ -46,9 +46,14 @@ def _energy(state):
 @pytest.mark.parametrize("model", BALL_MODELS)
 @settings(max_examples=150)
 @given(
-    st.tuples(*[speeds] * 4), st.tuples(*[spins] * 6), st.floats(0.2, 5.0), st.floats(0.5, 2.0),
-    st.floats(0.0, 6.3), shares, st.floats(0.0, 1.5),
-)  # fmt: skip
+    st.tuples(*[speeds] * 4),
+    st.tuples(*[spins] * 6),
+    st.floats(0.2, 5.0),
+    st.floats(0.5, 2.0),
+    st.floats(0.0, 6.3),
+    shares,
+    st.floats(0.0, 1.5),
+)
 def test_ball_ball_keeps_momentum_and_never_gains_energy(model, v, w, mass_ratio, radius_ratio, angle, e, mu):
     masses = (BALL_MASS, BALL_MASS * mass_ratio)
     radii = (BALL_RADIUS, BALL_RADIUS * radius_ratio)
@@ -71,8 +76,15 @@ def test_ball_ball_keeps_momentum_and_never_gains_energy(model, v, w, mass_ratio
 def test_half_ball_hit():
     """30 degrees, e = 0.95: speeds, angle between the balls, share of the energy kept."""
     n = np.array([math.cos(math.pi / 6), math.sin(math.pi / 6)])
-    before, after, _ = _collide("frictional", [(1.0, 0.0), (0.0, 0.0)], np.zeros((2, 3)), [BALL_MASS] * 2,
-                                [BALL_RADIUS] * 2, math.pi / 6, ball_friction=0.0)  # fmt: skip
+    before, after, _ = _collide(
+        "frictional",
+        [(1.0, 0.0), (0.0, 0.0)],
+        np.zeros((2, 3)),
+        [BALL_MASS] * 2,
+        [BALL_RADIUS] * 2,
+        math.pi / 6,
+        ball_friction=0.0,
+    )
     cue, ball = after[VX : VY + 1, 0], after[VX : VY + 1, 1]
     assert np.hypot(*ball) == pytest.approx(0.844374768689828, rel=1e-14)
     assert np.hypot(*cue) == pytest.approx(0.50046853047919, rel=1e-14)
@@ -84,17 +96,27 @@ def test_half_ball_hit():
 
 @pytest.mark.parametrize(
     ("cut", "deflection"),
-    [(15, 28.1622125845499), (30, 33.6704965083151), (45, 29.0546040990771), (60, 20.6330010833223),
-     (28.1255057020557, 33.7489885958886)],
-)  # fmt: skip
+    [
+        (15, 28.1622125845499),
+        (30, 33.6704965083151),
+        (45, 29.0546040990771),
+        (60, 20.6330010833223),
+        (28.1255057020557, 33.7489885958886),
+    ],
+)
 def test_a_rolling_cue_ball_is_deflected_as_the_thirty_degree_rule_says(cut, deflection):
     angle = math.radians(cut)
     reach = 2.0 * BALL_RADIUS
     way = 0.3
     contact = np.array([way - reach * math.cos(angle), -reach * math.sin(angle)])
-    shot = make_shot(OPEN, [contact - [0.2, 0.0], [way, 0.0]], [(1.0, 0.0), (0.0, 0.0)],
-                     [(0.0, 1.0 / BALL_RADIUS, 0.0), (0.0, 0.0, 0.0)], motions=["rolling", "stationary"],
-                     physics=Physics("elastic", "mirror"))  # fmt: skip
+    shot = make_shot(
+        OPEN,
+        [contact - [0.2, 0.0], [way, 0.0]],
+        [(1.0, 0.0), (0.0, 0.0)],
+        [(0.0, 1.0 / BALL_RADIUS, 0.0), (0.0, 0.0, 0.0)],
+        motions=["rolling", "stationary"],
+        physics=Physics("elastic", "mirror"),
+    )
     trajectory = simulate(shot)
     hit = next(e.time for e in trajectory.events if e.type == "ball-ball")
     rolls = next(
@@ -108,8 +130,15 @@ def test_the_physical_limit_throws_more_than_the_reference_rule():
     """mu (1 + e)/2 against mu e, the rest being equal: the share shows in the thrown ball's sideways speed."""
     sideways = []
     for model in ("frictional", "wallace-1988"):
-        _, after, n = _collide(model, [(2.0, 0.0), (0.0, 0.0)], np.zeros((2, 3)), [BALL_MASS] * 2,
-                               [BALL_RADIUS] * 2, math.pi / 4, ball_restitution=0.8)  # fmt: skip
+        _, after, n = _collide(
+            model,
+            [(2.0, 0.0), (0.0, 0.0)],
+            np.zeros((2, 3)),
+            [BALL_MASS] * 2,
+            [BALL_RADIUS] * 2,
+            math.pi / 4,
+            ball_restitution=0.8,
+        )
         sideways.append(abs(after[VX, 1] * -n[1] + after[VY, 1] * n[0]))
     closing = 2.0 * math.cos(math.pi / 4)
     assert sideways[0] == pytest.approx(0.05 * 0.8 * closing, rel=1e-13)
@@ -119,8 +148,14 @@ def test_the_physical_limit_throws_more_than_the_reference_rule():
 def test_alciatore_friction_falls_with_slip():
     throws = []
     for slip_spin in (5.0, 50.0, 200.0):
-        _, after, _ = _collide("alciatore-2006", [(1.0, 0.0), (0.0, 0.0)], [(0.0, 0.0, slip_spin), (0.0, 0.0, 0.0)],
-                               [BALL_MASS] * 2, [BALL_RADIUS] * 2, 0.0)  # fmt: skip
+        _, after, _ = _collide(
+            "alciatore-2006",
+            [(1.0, 0.0), (0.0, 0.0)],
+            [(0.0, 0.0, slip_spin), (0.0, 0.0, 0.0)],
+            [BALL_MASS] * 2,
+            [BALL_RADIUS] * 2,
+            0.0,
+        )
         mu = 0.009951 + 0.108 * math.exp(-1.088 * BALL_RADIUS * slip_spin)
         assert abs(after[VY, 1]) == pytest.approx(min(mu * 0.975, BALL_RADIUS * slip_spin / 7.0), rel=1e-12)
         throws.append(abs(after[VY, 1]))
@@ -128,16 +163,29 @@ def test_alciatore_friction_falls_with_slip():
 
 
 def test_sticking_stops_the_slip():
-    _, after, _ = _collide("wallace-1988", [(1.0, 0.0), (0.0, 0.0)], [(0.0, 0.0, 2.0), (0.0, 0.0, 0.0)],
-                           [BALL_MASS, 2.0 * BALL_MASS], [BALL_RADIUS] * 2, 0.0, ball_friction=0.5)  # fmt: skip
+    _, after, _ = _collide(
+        "wallace-1988",
+        [(1.0, 0.0), (0.0, 0.0)],
+        [(0.0, 0.0, 2.0), (0.0, 0.0, 0.0)],
+        [BALL_MASS, 2.0 * BALL_MASS],
+        [BALL_RADIUS] * 2,
+        0.0,
+        ball_friction=0.5,
+    )
     slip = after[VY, 0] - after[VY, 1] + BALL_RADIUS * (after[WZ, 0] + after[WZ, 1])
     assert slip == pytest.approx(0.0, abs=1e-16)
 
 
 def test_unequal_balls_touch_at_twice_the_geometric_mean_of_their_radii():
     radii = (0.02, 0.04)
-    shot = make_shot(OPEN, [[0.0, 0.0], [0.5, 0.0]], [(1.0, 0.0), (0.0, 0.0)], radii=radii, masses=(0.1, 0.8),
-                     physics=Physics("elastic", "mirror"))  # fmt: skip
+    shot = make_shot(
+        OPEN,
+        [[0.0, 0.0], [0.5, 0.0]],
+        [(1.0, 0.0), (0.0, 0.0)],
+        radii=radii,
+        masses=(0.1, 0.8),
+        physics=Physics("elastic", "mirror"),
+    )
     trajectory = simulate(shot)
     hit = next(e.time for e in trajectory.events if e.type == "ball-ball")
     state = trajectory.state_at(hit)
@@ -185,8 +233,13 @@ def test_cushion_models_are_mirror_symmetric(model, speed, angle, wx, wy, wz):
 def test_han_stick_branch_stops_the_slip_of_a_level_nose():
     """h = R: th = 0, where the decoupled formula is exact: no slip along the rail or upwards is left."""
     table = Table.bare(1.27, 2.54, cushion_height=BALL_RADIUS)
-    shot = make_shot(table, [[0.6, 0.6]], [(-3.0, 0.2)], [(0.0, 0.0, 4.0)],
-                     physics=Physics("elastic", "han-2005", cushion_friction=0.5))  # fmt: skip
+    shot = make_shot(
+        table,
+        [[0.6, 0.6]],
+        [(-3.0, 0.2)],
+        [(0.0, 0.0, 4.0)],
+        physics=Physics("elastic", "han-2005", cushion_friction=0.5),
+    )
     state = np.zeros((FLOAT_ROWS, 1))
     state[X : WZ + 1, 0] = shot.balls[0, :7]
     state[RADIUS], state[MASS] = BALL_RADIUS, BALL_MASS

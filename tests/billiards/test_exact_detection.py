@@ -1,4 +1,4 @@
-"""First contact of two parabolic ways: against all roots of the quartic, grazing, touching, nearly touching."""
+"""First contact of two parabolic ways: against scans and closed forms, grazing, touching, nearly touching."""
 
 import math
 
@@ -66,7 +66,8 @@ def test_a_gap_of_any_smallness_keeps_its_relative_precision(exponent, speed, di
     assume(exact > 0.0)
     time = first_touch(x, y, -speed * ux, -speed * uy, half * ux, half * uy, REACH, 1.0)
     # of the gap as it stands in the numbers, which carry rounding of a last place of REACH
-    assert time == pytest.approx(exact / speed, rel=4e-15 + 4.0 * REACH * 2.0**-52 / exact, abs=0.0)
+    wanted = 2.0 * exact / (speed + math.sqrt(speed * speed - 4.0 * half * exact))
+    assert time == pytest.approx(wanted, rel=4e-15 + 4.0 * REACH * 2.0**-52 / exact, abs=0.0)
 
 
 @pytest.mark.parametrize("degrees", [1e-2, 1e-4, 1e-6, 1e-8, 1e-9])
@@ -102,9 +103,14 @@ def test_balls_at_rest_on_each_other_that_are_pressed_together_collide_within_ro
 
 def test_two_balls_rolling_the_same_way():
     """The faster one behind: a quartic whose leading coefficient is nearly nothing."""
-    shot = make_shot(OPEN, [[0.0, 0.0], [0.5, 0.0]], [(1.0, 0.0), (0.9, 0.0)],
-                     [(0.0, 1.0 / BALL_RADIUS, 0.0), (0.0, 0.9 / BALL_RADIUS, 0.0)],
-                     motions=["rolling", "rolling"], physics=Physics("elastic", "mirror"))  # fmt: skip
+    shot = make_shot(
+        OPEN,
+        [[0.0, 0.0], [0.5, 0.0]],
+        [(1.0, 0.0), (0.9, 0.0)],
+        [(0.0, 1.0 / BALL_RADIUS, 0.0), (0.0, 0.9 / BALL_RADIUS, 0.0)],
+        motions=["rolling", "rolling"],
+        physics=Physics("elastic", "mirror"),
+    )
     first = simulate(shot).events[0]
     # both slow down alike, so the distance shrinks evenly
     assert first.type == "ball-ball"

@@ -89,8 +89,13 @@ def test_without_friction_a_ball_goes_on_for_ever_and_spin_is_kept():
     )
     trajectory = simulate(shot, until=100.0)
     assert trajectory.events == []
-    shot = make_shot(Table.bare(1.0, 1.0), [[0.5, 0.5]], [(0.9, 0.4)], [(1.0, 2.0, 3.0)],
-                     physics=Physics("elastic", "mirror", sliding=0.0, spinning=0.0))  # fmt: skip
+    shot = make_shot(
+        Table.bare(1.0, 1.0),
+        [[0.5, 0.5]],
+        [(0.9, 0.4)],
+        [(1.0, 2.0, 3.0)],
+        physics=Physics("elastic", "mirror", sliding=0.0, spinning=0.0),
+    )
     later = simulate(shot, until=100.0)
     assert later.end_time == 100.0
     state = later.state_at(100.0)
@@ -122,12 +127,11 @@ def test_closed_form_against_integrated_equations(velocity, spin):
         ux, uy = y[2] - R * y[5], y[3] + R * y[4]
         slip = math.hypot(ux, uy)
         ax, ay = -0.2 * G * ux / slip, -0.2 * G * uy / slip
-        decay = -math.copysign(min(1.0, abs(y[6]) * 1e9), y[6]) * 2.5 * 0.0127 * G / R
         # torque of the friction force about the centre: (0, 0, -R) x a, over 2/5 R^2
-        return [y[2], y[3], ax, ay, 2.5 / R * ay, -2.5 / R * ax, decay]
+        return [y[2], y[3], ax, ay, 2.5 / R * ay, -2.5 / R * ax]
 
-    start = [0.0, 0.0, *velocity, *spin]
+    start = [0.0, 0.0, *velocity, *spin[:2]]
     done = solve_ivp(rate, (0.0, end), start, method="DOP853", rtol=1e-11, atol=1e-12)
     state = trajectory.state_at(end)
     found = [*state.positions[0], *state.velocities[0], *state.spins[0, :2]]
-    assert found == pytest.approx(done.y[:6, -1], rel=0.0, abs=1e-8)
+    assert found == pytest.approx(done.y[:, -1], rel=0.0, abs=1e-8)
