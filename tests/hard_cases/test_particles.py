@@ -36,6 +36,12 @@ def test_h1_born_inside_a_stone(contact):
     assert gaps.min() >= -1e-12
     run(system, 1 / 60, 50)
     assert np.linalg.norm(system.velocities, axis=1).max() <= 3.0 + 1e-12
+    for rate in (1000.0, 3000.0):  # births at the very end of a step, and without time to fly
+        system = ParticleSystem(
+            400, emitters=[Emitter((0.1, 0.2), rate=rate, speed=3.0, spread=math.pi)], solids=stone,
+            effects=EffectSet([OBSTACLES]), contact=contact, life=0.1,
+        )  # fmt: skip
+        run(system, 1 / 250, 50)
     centre = ParticleSystem(
         4, solids=Discs([(1, 1)], [0.5]), effects=EffectSet([OBSTACLES]), contact=contact, life=9
     )

@@ -66,7 +66,8 @@ def cloth(
 ) -> Shape:
     """A net of columns x rows hanging from its top left corner (m), each particle of ``mass`` (kg).
 
-    pins: "row" fixes the whole top row, "corners" its ends, "fourths" every fourth of it, "none" nothing.
+    pins: "row" fixes the whole top row, "corners" its ends, "fourths" and
+    "eighths" every fourth or eighth of it, "none" nothing.
     shear: with diagonals. In a row of particles those of even columns are numbered before those of odd ones,
     so all links of a colour lie in long runs; `cloth_index` says who is where.
     """
@@ -79,7 +80,8 @@ def cloth(
     fixed = {
         "row": range(columns),
         "corners": (0, columns - 1),
-        "fourths": range(0, columns, 4),
+        "fourths": sorted({*range(0, columns, 4), columns - 1}),
+        "eighths": sorted({*range(0, columns, 8), columns - 1}),
         "none": (),
     }
     if pins not in fixed:
@@ -112,20 +114,34 @@ def block(corner: tuple[float, float], columns: int, rows: int, spacing: float, 
 
 
 def bridge(
-    start: tuple[float, float], end: tuple[float, float], planks: int, height: float, mass: float = 1.0
+    start: tuple[float, float],
+    end: tuple[float, float],
+    planks: int,
+    height: float,
+    mass: float = 1.0,
+    lamps: int = 0,
+    lamp_mass: float = 5.0,
 ) -> Shape:
-    """A rope bridge: a deck of so many planks between two pins, a hand rope above it, posts between them."""
+    """A rope bridge: a deck of so many planks between two pins, a hand rope above it, posts between them.
+
+    lamps: so many weights (kg) on three links each, evenly below the deck.
+    """
     _side("planks", planks + 1)
     deck = rope(start, end, planks, mass, "both")
     rail = rope((start[0], start[1] + height), (end[0], end[1] + height), planks, mass, "both")
     n = planks + 1
     posts = [(i, n + i) for i in range(1, planks)]
-    return Shape(
-        np.concatenate([deck.positions, rail.positions]),
-        np.concatenate([deck.inverse_masses, 2.0 * rail.inverse_masses]),
-        np.concatenate([deck.links, rail.links + n, _links(posts)]),
-        [],
-    )
+    positions = [deck.positions, rail.positions]
+    weights = [deck.inverse_masses, 2.0 * rail.inverse_masses]
+    links = [deck.links, rail.links + n, _links(posts)]
+    for lamp in range(lamps):
+        plank = round((lamp + 1) * planks / (lamps + 1))
+        first = 2 * n + 3 * lamp
+        below = np.arange(1, 4)[:, None] * np.array([[0.0, -0.3 * height]])
+        positions.append(deck.positions[plank] + below)
+        weights.append(np.array([1.0 / mass, 1.0 / mass, 1.0 / lamp_mass]))
+        links.append(_links([(plank, first), (first, first + 1), (first + 1, first + 2)]))
+    return Shape(np.concatenate(positions), np.concatenate(weights), np.concatenate(links), [])
 
 
 def ring(centre: tuple[float, float], radius: float, corners: int, mass: float = 1.0) -> Shape:

@@ -246,7 +246,7 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
         if rules.mode == ROOT:
             x, y, vx, vy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, when)
         else:
-            part = when / left
+            part = when / left if left > 0.0 else 0.0  # who is born at the very end has no time to fly
             x += part * (x1 - x)
             y += part * (y1 - y)
             vx += part * (ux - vx)

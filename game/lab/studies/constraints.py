@@ -1,0 +1,303 @@
+"""What accuracy costs for linked particles: sweeps against substeps, springs by three models, two schemes.
+
+Stretch: a chain that hangs at rest should have its length. n sweeps divide its stretch by about n, n substeps
+of one sweep by n²: (N - 1) (M + (N - 2) / 2) g h². Swing: sweeps do nothing for the motion, the step decides.
+Springs: with a plain k the motion does not converge to that of any spring, with compliance it does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.physics.constraints import DAMPING, LINKS, PositionBasedDynamics, PositionState
+from game.physics.effects import EffectSet
+from game.physics.fields import GRAVITY
+
+FRAME = 1.0 / 60.0  # s
+ABSURD = 10.0  # m of error beyond which a run counts as diverged
+LINKS_HANGING, SETTLING_S = 20, 3.0
+# five links of 0.2 m let go from horizontal: places (m) after 0.8 s, by Lagrange's equations in the angles
+# (two integrators of order 8 and 5 that agree to 4e-14)
+SWING_S = 0.8
+SWING_END = (
+    (-0.190965874450991, -0.0594309245693561), (-0.389138449232602, -0.0864055534718355),
+    (-0.582905620171927, -0.135946278801312), (-0.76373204020427, -0.22139688335322),
+    (-0.928429039428859, -0.334864493032881),
+)  # fmt: skip
+SPRING_S, SPRING_K, SPRING_START = 1.0, 100.0, 0.1  # s, N/m, m out of rest
+SHARE_K = SPRING_K / (SPRING_K + 3600.0)  # k that is SPRING_K for 1 kg and one sweep of a step of 1/60 s
+
+
+def copied(state: PositionState) -> PositionState:
+    """A state of its own."""
+    return PositionState(state.fields.copy(), state.torn.copy(), state.intact.copy(), state.hand.copy())
+
+
+class Run:
+    """A system that is stepped for so long from the same start."""
+
+    def __init__(
+        self,
+        system: PositionBasedDynamics,
+        dt: float,
+        steps: int,
+        error: Callable[[PositionBasedDynamics], float],
+        projections: int,
+    ) -> None:
+        self.simulated_s = dt * steps
+        self.system, self.dt, self.steps = system, dt, steps
+        self.start = copied(system.state())
+        self.error, self.projections = error, projections
+
+    def reset(self) -> None:
+        self.system.restore(self.start)
+
+    def run(self) -> None:
+        for _ in range(self.steps):
+            self.system.step(self.dt)
+
+    def outcome(self) -> Outcome:
+        error = self.error(self.system)
+        sane = math.isfinite(error) and error < ABSURD
+        return Outcome(error, self.projections, "" if sane else "diverged")
+
+
+def counts_between(fewest: int, most: int, number: int) -> list[int]:
+    """Whole numbers spread evenly in the logarithm, without repetition."""
+    return sorted({round(x) for x in np.geomspace(fewest, most, number).tolist()})
+
+
+# -- stretch of a hanging chain -------------------------------------------------------------------------
+
+STRETCH: dict[str, Callable[[int], dict[str, Any]]] = {
+    "sweeps": lambda n: {"substeps": 1, "sweeps": n},
+    "over-relaxed": lambda n: {"substeps": 1, "sweeps": n, "relaxation": 1.8},
+    "both": lambda n: {"substeps": round(math.sqrt(n)), "sweeps": round(math.sqrt(n))},
+    "substeps": lambda n: {"substeps": n, "sweeps": 1},
+    "direct": lambda n: {"substeps": n, "sweeps": 1, "solver": "direct"},
+}
+
+
+def hanging_chain(**settings: Any) -> PositionBasedDynamics:
+    """20 links of 5 cm straight down from a pin."""
+    n = LINKS_HANGING
+    return PositionBasedDynamics(
+        [(0.0, -i / n) for i in range(n + 1)],
+        [0.0] + [1.0] * n,
+        [(i, i + 1) for i in range(n)],
+        order="natural",
+        effects=GRAVITY | LINKS | DAMPING,
+        damping=20.0,
+        **settings,
+    )
+
+
+def stretch_trial(setting: Setting) -> Run:
+    """The hanging chain until it is at rest."""
+    if setting.method == "present":
+        settings = dict(setting.others)
+        chosen: dict[str, Any] = {name: int(settings[name]) for name in ("substeps", "sweeps")}
+        chosen["relaxation"] = float(settings["relaxation"])
+    else:
+        chosen = STRETCH[setting.method](int(setting.knob))
+    system = hanging_chain(**chosen)
+    steps = round(SETTLING_S / FRAME)
+    work = LINKS_HANGING * chosen["substeps"] * chosen["sweeps"] * steps
+    return Run(system, FRAME, steps, lambda s: abs(-s.positions[-1, 1] - 1.0), work)
+
+
+def stretch_settings() -> list[Setting]:
+    """All ways at the same work: n sweeps a frame, divided differently."""
+    return [
+        Setting(name, n, {}, _scene(STRETCH[name](n)), 10.0 + n)
+        for n in counts_between(1, 200, 16)
+        for name in STRETCH
+        if name != "both" or math.isqrt(n) > 1
+    ]
+
+
+def _scene(settings: Mapping[str, Any]) -> dict[str, Any]:
+    names = {"sweeps": "iterations"}
+    scene = {names.get(name, name): value for name, value in settings.items()}
+    scene["substeps"] = min(int(scene.get("substeps", 1)), 200)
+    return scene
+
+
+def present_stretch(parameters: Mapping[str, Any]) -> Setting:
+    """Where a scene with these parameters stands."""
+    others = {
+        "substeps": float(parameters["substeps"]),
+        "sweeps": float(parameters["iterations"]),
+        "relaxation": float(parameters["relaxation"]),
+    }
+    return Setting("present", others["substeps"] * others["sweeps"], others)
+
+
+# -- a swinging chain -----------------------------------------------------------------------------------
+
+SWING: dict[str, tuple[str, str, bool]] = {
+    "euler": ("euler", "gauss-seidel", True),
+    "euler-sweeps": ("euler", "gauss-seidel", False),
+    "bdf2": ("bdf2", "gauss-seidel", True),
+    "bdf2-direct": ("bdf2", "direct", True),
+}
+
+
+def swing_trial(setting: Setting) -> Run:
+    """Five links let go from horizontal."""
+    n = int(setting.knob)
+    scheme, solver, divide = SWING[setting.method]
+    system = PositionBasedDynamics(
+        [(0.2 * i, 0.0) for i in range(6)], [0.0] + [1.0] * 5, [(i, i + 1) for i in range(5)], order="natural",
+        scheme=scheme, solver=solver, substeps=n if divide else 1, sweeps=1 if divide else n,
+        effects=GRAVITY | LINKS,
+    )  # fmt: skip
+    steps = round(SWING_S / FRAME)
+
+    def error(s: PositionBasedDynamics) -> float:
+        off = s.positions[1:] - np.array(SWING_END)
+        return math.sqrt(float((off * off).sum(axis=1).max()))
+
+    return Run(system, FRAME, steps, error, 5 * n * steps)
+
+
+def swing_settings() -> list[Setting]:
+    """One to 400 substeps (or sweeps) a frame."""
+    return [
+        Setting(
+            name, n, {},
+            {"scheme": SWING[name][0], "solver": SWING[name][1], "substeps": min(n, 200) if SWING[name][2] else 1,
+             "iterations": 1 if SWING[name][2] else n},
+            10.0 + n,
+        )
+        for n in counts_between(1, 400, 18)
+        for name in SWING
+    ]  # fmt: skip
+
+
+# -- one spring -----------------------------------------------------------------------------------------
+
+SPRINGS: dict[str, dict[str, Any]] = {
+    "pbd": {"model": "pbd", "sweeps": 4},
+    "pbd-even": {"model": "pbd-even", "sweeps": 4},
+    "xpbd": {"model": "xpbd", "sweeps": 1},
+    "xpbd-bdf2": {"model": "xpbd", "sweeps": 1, "scheme": "bdf2"},
+}
+
+
+def spring_trial(setting: Setting) -> Run:
+    """A bead of 1 kg on a spring of 100 N/m, let go 10 cm from rest, for a second."""
+    n = max(1, round(SPRING_S / setting.knob))
+    settings = SPRINGS[setting.method] if setting.method in SPRINGS else dict(setting.scene)
+    system = PositionBasedDynamics(
+        [(0.0, 0.0), (1.0 + SPRING_START, 0.0)], [0.0, 1.0], [(0, 1)], SHARE_K, rest_lengths=[1.0],
+        compliances=1.0 / SPRING_K, substeps=n, effects=EffectSet([LINKS]), **settings,
+    )  # fmt: skip
+    exact = SPRING_START * math.cos(math.sqrt(SPRING_K) * SPRING_S)
+    return Run(
+        system,
+        SPRING_S,
+        1,
+        lambda s: abs(float(s.positions[1, 0]) - 1.0 - exact),
+        n * int(settings["sweeps"]),
+    )
+
+
+def spring_settings() -> list[Setting]:
+    """40 to 10 000 steps for the second."""
+    names = {"sweeps": "iterations"}
+    return [
+        Setting(
+            name, SPRING_S / n, {},
+            {**{names.get(key, key): value for key, value in SPRINGS[name].items()},
+             "step_length": min(max(SPRING_S / n, 1.0 / 2000.0), 0.1), "substeps": 1},
+            10.0 + n,
+        )
+        for n in counts_between(40, 10_000, 22)
+        for name in SPRINGS
+    ]  # fmt: skip
+
+
+def present_spring(parameters: Mapping[str, Any]) -> Setting:
+    """Where a scene with these parameters stands: its model, scheme, iterations and substep."""
+    settings = {
+        "model": parameters["model"],
+        "scheme": parameters["scheme"],
+        "sweeps": int(parameters["iterations"]),
+    }
+    h = float(parameters["step_length"]) / float(parameters["substeps"])
+    return Setting("present", max(h, SPRING_S / 10_000), {}, settings)
+
+
+swing_study = Study(
+    name="c14-swing",
+    title="Rigid links: a swinging chain",
+    error="farthest particle from its exact place after 0.8 s",
+    error_unit="m",
+    counter="projections of a link",
+    knob=Knob("substeps", "substeps or sweeps a frame"),
+    methods=(
+        Method("euler", "Euler, n substeps", 1.0),
+        Method("euler-sweeps", "Euler, n sweeps", None, "sweeps do nothing for the motion"),
+        Method("bdf2", "BDF2, n substeps", 2.0),
+        Method("bdf2-direct", "BDF2, direct", 2.0),
+    ),
+    settings=swing_settings,
+    trial=swing_trial,
+    reference="Lagrange's equations in the angles of five links.",
+    expectation="Sweeps do not help; substeps are of first order, with BDF2 of second.",
+    order_over="counter",
+)
+
+stretch_study = Study(
+    name="c14",
+    title="Rigid links: stretch of a hanging chain",
+    error="stretch of 20 links that should be 1 m long",
+    error_unit="m",
+    counter="projections of a link",
+    knob=Knob("work", "sweeps a frame"),
+    methods=(
+        Method("sweeps", "n iterations", 1.0),
+        Method("over-relaxed", "over-relaxed", None, "each correction 1.8 times as far"),
+        Method("both", "√n substeps, √n iterations", None),
+        Method("substeps", "n substeps", 2.0),
+        Method("direct", "direct", None, "all links of the chain at once: exact"),
+    ),
+    settings=stretch_settings,
+    trial=stretch_trial,
+    reference="a chain of rigid links hangs straight.",
+    expectation="The same work: n iterations divide the stretch by n or so, n substeps by n squared.",
+    order_over="counter",
+    floor=1e-12,
+    present=present_stretch,
+    related=(swing_study,),
+)
+
+spring_study = Study(
+    name="c15",
+    title="Soft springs: a bead on a spring",
+    error="distance from the exact place after 1 s",
+    error_unit="m",
+    counter="projections of the spring",
+    knob=Knob("step_length", "substep", "s"),
+    methods=(
+        Method("pbd", "k, 4 sweeps", None, "converges to a rigid link"),
+        Method("pbd-even", "k′, 4 sweeps", None, "the same"),
+        Method("xpbd", "compliance", 1.0, "backward Euler"),
+        Method("xpbd-bdf2", "compliance, BDF2", 2.0),
+    ),
+    settings=spring_settings,
+    trial=spring_trial,
+    reference="0.1 m cos(10 t / s).",
+    expectation=(
+        "With k the error does not go away, whatever the step: there is no spring that it converges to. With "
+        "compliance the order is 1, with BDF2 2."
+    ),
+    order_over="counter",
+    present=present_spring,
+)

@@ -1,0 +1,369 @@
+"""What the two mass-spring scenes share: a network of particles and links that is built, moved and torn."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections import deque
+from collections.abc import Sequence
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.levels import Level
+from game.physics.constraints import (
+    AREAS,
+    ATTACHMENTS,
+    CONTACTS,
+    DAMPING,
+    LINKS,
+    ORDERS,
+    SCHEMES,
+    SOLVERS,
+    TEARING,
+    PositionBasedDynamics,
+)
+from game.physics.constraints.editing import Topology, assemble, topology_of
+from game.physics.fields import GRAVITY, GROUND
+from game.scenes import mass_spring_hand as hand
+from game.scenes.mass_spring_level import (
+    MOST_WRITTEN,
+    NOT_OWN,
+    LinkEntry,
+    ParticleEntry,
+    SpringContent,
+    build_network,
+)
+from game.scenes.mass_spring_view import SpringView
+from game.stage import (
+    Choice,
+    Frame,
+    Hint,
+    KnobError,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
+
+Array = NDArray[np.float64]
+ROUNDING = 1e-12  # strains and lengths (m) up to this are shown as none
+CHOSEN_KNOBS = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
+
+
+class SpringState(NamedTuple):
+    """What moves (see `PositionState`), and how it is linked if that is not as in the level any more."""
+
+    fields: Array
+    torn: NDArray[np.int64]
+    intact: Array
+    hand: Array
+    own: Array  # (m,) stiffness of a link's own; empty as the following while nothing was edited
+    pairs: NDArray[np.int64]
+    rest: Array
+    stiffness: Array
+    compliance: Array
+    corners: NDArray[np.int64]
+    starts: NDArray[np.int64]
+    areas: Array
+    contacts: NDArray[np.int64]
+    distances: Array
+
+
+class MassSpringScene(Scene):
+    """Base of C14 and C15. A subclass says how stiff a link is."""
+
+    effects = GRAVITY | GROUND | LINKS | DAMPING | AREAS | ATTACHMENTS | TEARING | CONTACTS
+    dt = 1.0 / 60.0
+    content_type = SpringContent
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+
+    iterations = Param(
+        20, 1, 500, whole=True, log=True, group="Solver",
+        help="sweeps over all links in each substep: more makes them stiffer, not the motion more exact",
+    )  # fmt: skip
+    substeps = Param(
+        4, 1, 200, whole=True, log=True, group="Solver",
+        help="parts of a step: for equal work they beat iterations by their number",
+    )  # fmt: skip
+    step_length = Param(1.0 / 60.0, 1.0 / 2000.0, 0.1, unit="s", log=True, group="Solver", label="Time step")
+    scheme = Choice(
+        "euler", SCHEMES, labels=("Euler", "BDF2"), group="Solver",
+        help="first order, loses energy; or second order, loses hardly any",
+    )  # fmt: skip
+    solver = Choice(
+        "gauss-seidel", SOLVERS, labels=("Sweeps", "Direct"), group="Solver",
+        help="link by link, or all links of a chain at once",
+    )  # fmt: skip
+    order = Choice("coloured", ORDERS, group="Solver", rebuild=True, help="in which links are solved")
+    relaxation = Param(
+        1.0, 0.1, 1.95, group="Solver", help="above 1: each correction goes further than it should"
+    )
+    damping = Param(0.4, 0.0, 50.0, unit="N s/m", group="World", help="k_d in the force −k_d v")
+    gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
+    strength = Param(
+        0.8,
+        0.01,
+        20.0,
+        log=True,
+        group="World",
+        label="Tears at",
+        help="stretch over length that tears a link",
+    )
+    speed_limit = Param(
+        60.0, 1.0, 10_000.0, unit="m/s", log=True, group="World", help="nobody gets faster, not even by hand"
+    )
+    tool = Choice(
+        "hand", hand.TOOLS, labels=("Move", "New particle", "Link two", "Pin", "Cut"), group="Tools",
+        help="what the left button does",
+    )  # fmt: skip
+    mass = Param(
+        1.0, 1e-6, 1e6, unit="kg", log=True, group="Tools", help="of the chosen particle, and of new ones"
+    )
+    fixed = Toggle(False, group="Tools", label="Fixed in space", help="inverse mass 0")
+    strains = Toggle(True, group="Shown", label="Stretch", help="links coloured by their stretch")
+    points = Toggle(True, group="Shown", label="Particles")
+
+    hints = (
+        Hint(("Drag",), "move a particle"),
+        Hint(("Right drag",), "cut"),
+        Hint(("1", "…", "5"), "tools"),
+    )
+    actions = (
+        SceneAction("hand", "move", "1"),
+        SceneAction("particle", "new particle", "2"),
+        SceneAction("link", "link two", "3"),
+        SceneAction("pin", "pin or free", "4"),
+        SceneAction("cut", "cut", "5"),
+        SceneAction("delete", "delete what is chosen", "delete"),
+    )
+    strips = (
+        Strip("Stretch", "", ("worst", "as a whole")),
+        Strip("Energy", "J", ("kinetic", "potential", "sum")),
+        Strip("Constraint error", "m", ("residual",)),
+    )
+    default_content: ClassVar[SpringContent] = SpringContent(
+        particles=(ParticleEntry(position=(0.0, 3.0), inverse_mass=0.0), ParticleEntry(position=(1.5, 3.0))),
+        links=(LinkEntry(ends=(0, 1)),),
+    )
+
+    # -- how stiff links are ------------------------------------------------------------------------
+
+    def model_name(self) -> str:
+        """The solver's model of a link."""
+        raise NotImplementedError
+
+    def link_numbers(self, own: Array) -> tuple[Array, Array]:
+        """Stiffness (m,) and compliance (m,) m/N of links with these own stiffnesses (or NOT_OWN)."""
+        raise NotImplementedError
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        self.content: SpringContent = (
+            level.content if level is not None and level.content is not None else self.default_content
+        )
+        self.edited = False
+        self.chosen = self.first = hand.NOBODY
+        self.knife: tuple[float, float] | None = None
+        self.told: deque[str] = deque(maxlen=8)
+        self._make_system()
+        self.view = SpringView()
+
+    def _make_system(self) -> None:
+        """The level's network, at its beginning."""
+        network = build_network(self.content)
+        shape = network.shape
+        self.own = network.own
+        stiffness, compliance = self.link_numbers(self.own)
+        self.system = PositionBasedDynamics(
+            *shape[:3],
+            stiffness,
+            rest_lengths=network.rest,
+            compliances=compliance,
+            areas=shape.areas,
+            velocities=network.velocities,
+            contacts=shape.contacts,
+            distances=shape.distances,
+            order=self.order,
+        )
+        self.system.outlines.rows[0] *= network.pressures
+        self._configure()
+
+    def _configure(self) -> None:
+        """Hand the knobs to the system; KnobError if it refuses one."""
+        try:
+            self.system.change(
+                effects=self.active,
+                model=self.model_name(),
+                scheme=self.scheme,
+                solver=self.solver,
+                substeps=int(self.substeps),
+                sweeps=int(self.iterations),
+                gravity=self.gravity,
+                damping=self.damping,
+                floor=self.content.floor,
+                relaxation=self.relaxation,
+                speed_limit=self.speed_limit,
+                stretch_limit=self.strength,
+            )
+        except ValueError as error:
+            raise KnobError(str(error)) from None
+
+    def renew_links(self) -> None:
+        """Give all links the stiffness that they have now."""
+        stiffness, compliance = self.link_numbers(self.own)
+        self.system.links = dataclasses.replace(self.system.links, stiffness=stiffness, compliance=compliance)
+        self.system.masses_changed()
+
+    def take_system(self, system: PositionBasedDynamics, own: Array) -> None:
+        """Go on with an edited system."""
+        self.system, self.own, self.edited = system, own, True
+        self._configure()
+
+    def knob_changed(self, name: str) -> None:
+        if name in CHOSEN_KNOBS:
+            hand.apply_knob(self, name)
+        elif name == "tool":
+            hand.begin_anew(self)
+        elif name not in ("strains", "points"):
+            self._configure()
+            self.renew_links()
+
+    def effects_changed(self) -> None:
+        self._configure()
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> SpringState:
+        moving = self.system.state()
+        if not self.edited:
+            return SpringState(*moving, *_UNEDITED)
+        topology = topology_of(self.system)
+        return SpringState(
+            *moving, self.own, *(part for name, part in topology._asdict().items() if name != "torn")
+        )
+
+    def restore(self, state: SpringState) -> None:
+        self.edited = len(state.starts) > 0
+        if not self.edited:
+            if len(state.torn) != len(self.system.torn) or state.fields.shape != self.system.fields.shape:
+                self._make_system()
+        else:
+            topology = Topology(
+                state.pairs, state.rest, state.stiffness, state.compliance, state.torn, state.corners,
+                state.starts, state.areas, state.contacts, state.distances,
+            )  # fmt: skip
+            count = state.fields.shape[1] - (self.system.fields.shape[1] - self.system.count)
+            self.own = state.own.copy()
+            self.system = assemble(self.system, state.fields[:, :count], topology)
+        self._configure()
+        if not self.edited:
+            self.own = build_network(self.content).own if len(self.own) != len(state.torn) else self.own
+        self.renew_links()
+        self.system.restore(type(self.system.state())(*state[:4]))
+
+    def save_content(self) -> SpringContent:
+        """The network as it stands, particle by particle; one too large for that as the level has it."""
+        system = self.system
+        if system.count > MOST_WRITTEN or len(system.torn) > 4 * MOST_WRITTEN:
+            return self.content
+        topology = topology_of(system)
+        weights = system.inverse_masses.tolist()
+        if system.held >= 0:
+            weights[system.held] = float(system.hand[1])
+        rows = zip(system.positions.tolist(), system.velocities.tolist(), weights, strict=True)
+        starts = topology.starts.tolist()
+        links = zip(
+            topology.pairs.tolist(), topology.rest.tolist(), self.own.tolist(), topology.torn, strict=True
+        )
+        return SpringContent(
+            particles=tuple(
+                ParticleEntry(position=tuple(place), velocity=tuple(speed), inverse_mass=weight)
+                for place, speed, weight in rows
+            ),
+            links=tuple(
+                LinkEntry(ends=tuple(ends), rest=rest, stiffness=None if own == NOT_OWN else own)
+                for ends, rest, own, torn in links
+                if not torn
+            ),
+            areas=tuple(
+                tuple(topology.corners[a:b].tolist())
+                for a, b, row in zip(starts[:-1], starts[1:], topology.areas.T, strict=True)
+                if row[4]
+            ),
+            contacts=tuple((a, b) for a, b in topology.contacts.tolist()),
+            floor=self.content.floor,
+            reference=self.content.reference,
+            view=self.content.view,
+        )
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        before = self.system.tears
+        self.system.step(dt)
+        if self.system.tears > before and before == 0:
+            self.told.append("A link is torn.")
+
+    def pointer(self, event: Pointer) -> None:
+        hand.take_pointer(self, event)
+
+    def action(self, name: str) -> None:
+        if name == "delete":
+            hand.delete(self)
+        else:
+            self.values["tool"] = name
+            hand.begin_anew(self)
+
+    def messages(self) -> Sequence[str]:
+        new = tuple(self.told)
+        self.told.clear()
+        return new
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        system = self.system
+        kinetic, potential = system.energy()
+        links = system.measure()
+        elastic = links.energy if self.model_name() == "xpbd" else 0.0
+        settings = system.settings
+        projections = len(system.torn) * settings.sweeps * settings.substeps
+        return [
+            Readout("particles", float(system.count)),
+            Readout("links", float(len(system.torn) - system.torn.sum())),
+            Readout("worst", _above_rounding(links.worst_strain)),
+            Readout("as a whole", _above_rounding(links.length_ratio - 1.0)),
+            Readout("residual", _above_rounding(links.mean_excess), "m"),
+            Readout("kinetic", kinetic, "J"),
+            Readout("potential", potential, "J"),
+            Readout("elastic", elastic, "J"),
+            Readout("sum", kinetic + potential + elastic, "J"),
+            Readout("torn", float(system.tears)),
+            Readout("projections a step", float(projections)),
+        ]
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend(self)
+
+    def frame(self) -> Frame:
+        view = self.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(self, canvas, alpha)
+
+
+def _above_rounding(value: float) -> float:
+    """A measured error, 0 where it is rounding."""
+    return value if abs(value) > ROUNDING else 0.0
+
+
+_NONE, _NO_INDEX = np.zeros(0), np.zeros(0, dtype=np.int64)
+_UNEDITED = (
+    _NONE, _NO_INDEX, _NONE, _NONE, _NONE, _NO_INDEX, _NO_INDEX, _NONE, _NO_INDEX, _NONE,
+)  # fmt: skip
