@@ -22,7 +22,7 @@ class FirstContact(NamedTuple):
 
     kind: "ball", "cushion", "pocket" or "nothing". distance: m along the way. ghost: centre of the moving
     ball there, (2,) m. target: index of the ball, rail or pocket, -1 for nothing. normal: unit vector from the
-    ghost to what is met. cut: rad, angle between the way and the normal, for a ball.
+    ghost to what is met. cut: rad, angle between way and normal, for a ball.
     """
 
     kind: str
@@ -48,7 +48,8 @@ def first_contact(
         if other == ball or not in_play[other]:
             continue
         reach = float(radii[ball] + radii[other])
-        distance = _circle_entry(float(positions[other, 0]) - x, float(positions[other, 1]) - y, ux, uy, reach)
+        dx, dy = float(positions[other, 0]) - x, float(positions[other, 1]) - y
+        distance = _circle_entry(dx, dy, ux, uy, reach)
         if distance < best.distance:
             ghost = (x + distance * ux, y + distance * uy)
             normal = ((positions[other, 0] - ghost[0]) / reach, (positions[other, 1] - ghost[1]) / reach)
@@ -57,7 +58,8 @@ def first_contact(
     for index, row in enumerate(table.pockets):
         distance = _circle_entry(float(row[0]) - x, float(row[1]) - y, ux, uy, float(row[2]))
         if distance < best.distance:
-            best = FirstContact("pocket", distance, (x + distance * ux, y + distance * uy), index, (ux, uy), 0.0)
+            ghost = (x + distance * ux, y + distance * uy)
+            best = FirstContact("pocket", distance, ghost, index, (ux, uy), 0.0)
     for index, rail in enumerate(table.cushions):
         distance = _rail_distance(rail, x, y, ux, uy, float(radii[ball]))
         if distance < best.distance:

@@ -18,7 +18,7 @@ FULL_PULL = 0.45  # m, pulled back for the full speed
 LEAST_SPEED = 0.05  # m/s; a shorter pull is taken as a change of mind
 REST_GAP = 0.012  # m, between tip and ball while aiming
 FINE = 0.1  # share of the pointer's turn that counts while Shift is held
-NOTCH = math.radians(0.2)  # rad, turn for a notch of the wheel
+NUDGE = math.radians(0.1)  # rad, turn for a key
 
 
 class CueControl:
@@ -59,8 +59,6 @@ class CueControl:
             self.let_go()
         elif event.kind == "move":
             self._move(event, ball_x, ball_y)
-        elif event.kind == "wheel" and self.phase == AIMING:
-            self.point_to(self.aim + event.wheel * NOTCH * (FINE if event.shift else 1.0))
         elif event.kind == "down" and event.button == 1 and ready and self.phase == AIMING:
             self.data[2:5] = PULLING, event.x, event.y
         elif event.kind == "up" and event.button == 1 and self.phase == PULLING:
@@ -68,6 +66,11 @@ class CueControl:
                 self.data[2] = STRIKING
             else:
                 self.let_go()
+
+    def nudge(self, name: str) -> None:
+        """Turn the cue a little: an action "left" (against the clock as drawn) or "right"."""
+        if self.phase == AIMING:
+            self.point_to(self.aim + (NUDGE if name == "left" else -NUDGE))
 
     def strike(self, aim: float, speed: float) -> None:
         """Begin a stroke without a hand: as a demonstration or a test does."""

@@ -92,6 +92,7 @@ class LectureTable(Scene):
     title = "Lecture table"
     effects = LECTURE_EFFECTS
     quarter_turns = 1
+    takes = frozenset(("right",))
     content_type = LectureTableContent
     study = lecture_table_study
 
@@ -164,7 +165,12 @@ class LectureTable(Scene):
         Hint(("Shift",), "fine aim"),
         Hint(("Esc",), "take back"),
     )
-    actions = (SceneAction("rack", "new rack", "R"), SceneAction("demo", "plays itself", "D"))
+    actions = (
+        SceneAction("rack", "new rack", "R"),
+        SceneAction("demo", "plays itself", "D"),
+        SceneAction("left", "turn the cue left", "left"),
+        SceneAction("right", "turn the cue right", "right"),
+    )
     equations = (
         Equation("Motion", r"\v{x}_{n+1} = \v{x}_n + \v{v}_n \Delta t", "the lecture, Euler"),
         Equation("Cushion", r"x' = w - e (x - w), v' = -e v", "overshoot given back"),
@@ -371,6 +377,8 @@ class LectureTable(Scene):
         elif name == "demo":
             self.plays_itself = not self.plays_itself
             self.cue.let_go()
+        else:
+            self.cue.nudge(name)
 
     # -- what is shown ------------------------------------------------------------------------------
 

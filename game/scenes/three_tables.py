@@ -93,6 +93,7 @@ class ThreeTables(Scene):
     title = "Three tables"
     effects = EXACT_EFFECTS
     quarter_turns = 1
+    takes = frozenset(("right",))
     content_type = ThreeTablesContent
     study = billiards_study
 
@@ -115,7 +116,12 @@ class ThreeTables(Scene):
         Strip("Events", "", ("events",)),
     )
     hints = (Hint(("Move",), "aim"), Hint(("Drag",), "pull back"), Hint(("Esc",), "take back"))
-    actions = (SceneAction("rack", "new rack", "R"), SceneAction("demo", "plays itself", "D"))
+    actions = (
+        SceneAction("rack", "new rack", "R"),
+        SceneAction("demo", "plays itself", "D"),
+        SceneAction("left", "turn the cue left", "left"),
+        SceneAction("right", "turn the cue right", "right"),
+    )
     equations = (
         Equation(
             "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
@@ -328,6 +334,8 @@ class ThreeTables(Scene):
         elif name == "demo":
             self.plays_itself = not self.plays_itself
             self.cue.let_go()
+        else:
+            self.cue.nudge(name)
 
     # -- what is shown ------------------------------------------------------------------------------
 

@@ -97,6 +97,7 @@ class Scene:
     quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
     content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files
     study: ClassVar[Study | None] = None
+    takes: ClassVar[frozenset[str]] = frozenset()  # of "wheel", "middle", "right": not for zoom and pan
     strips: ClassVar[tuple[Strip, ...]] = ()
     equations: ClassVar[tuple[Equation, ...]] = ()
     try_this: ClassVar[tuple[str, ...]] = ()

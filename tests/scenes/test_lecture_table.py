@@ -265,7 +265,7 @@ def test_h8_a_symmetric_break_stays_symmetric_when_solved_jointly_only():
         gaps = np.abs(offsets[:, None, :] - mirrored[None, :, :]).max(axis=2)
         return float(gaps.min(axis=1).max())
 
-    # the stroke's own direction is off by the rounding of cos(pi / 2), 6e-17; nothing may add to that but chaos
+    # the stroke's direction is off by the rounding of cos(pi / 2), 6e-17; only chaos may add to that
     assert asymmetry(open_level("hard-08-symmetric-break")) < 1e-12
     assert asymmetry(open_level("hard-08-symmetric-break", order="pairwise")) > 0.01
 

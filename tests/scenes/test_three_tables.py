@@ -44,7 +44,9 @@ def test_a_finer_step_comes_nearer_to_the_exact_table():
 
 def test_the_masse_bends_on_the_exact_table_only_with_spin():
     def bend(stage: Stage, name: str) -> float:
-        places = np.array([stage.scene.tables[name].state_at(t).positions[0] for t in np.linspace(0.0, 0.5, 20)])
+        places = np.array(
+            [stage.scene.tables[name].state_at(t).positions[0] for t in np.linspace(0.0, 0.5, 20)]
+        )
         chord = places[-1] - places[0]
         off = (places - places[0]) @ np.array((-chord[1], chord[0])) / np.linalg.norm(chord)
         return float(np.abs(off).max())
@@ -59,7 +61,7 @@ def test_chaos_a_picometre_becomes_a_metre():
     curve = stage.scene.differences["perturbed"]
     assert curve[0] == pytest.approx(1e-12, rel=1e-3)
     assert curve.max() > 0.5
-    before = stage.scene.event_times[: 20]
+    before = stage.scene.event_times[:20]
     assert curve[: int(before[5] * 30)].max(initial=0.0) < 1e-6
 
 

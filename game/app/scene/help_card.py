@@ -33,7 +33,7 @@ class HelpCard(PageScreen):
             for name, words in SHOWN
             if name != "accuracy" or scene_type.study
         ]
-        if "wheel" not in getattr(scene_type, "takes", ()):
+        if "wheel" not in scene_type.takes:
             rows.append((("Wheel",), "zoom"))
         super().__init__(app, HelpPage(app.look, scene_type, rows))
 

@@ -23,7 +23,7 @@ class ScenePointer:
         self.camera = camera
         self.waiting: list[Pointer] = []
         self.held = 0  # button that the scene has been told is down
-        self._takes = frozenset(getattr(scene_type, "takes", ()))
+        self._takes = scene_type.takes
         self._panning = 0
         self._last: tuple[float, float] | None = None
 

@@ -59,7 +59,7 @@ class Shell:
         label = self.app.keys.label
         rows: list[tuple[tuple[str, ...], str]] = [((label(name),), words) for name, words in BEFORE_OWN]
         rows += [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
-        if "wheel" not in getattr(scene_type, "takes", ()):
+        if "wheel" not in scene_type.takes:
             rows.append((("Wheel",), "zoom"))
         after = [
             (name, words) for name, words in AFTER_OWN if name != "accuracy" or scene_type.study is not None
