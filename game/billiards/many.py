@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from game.billiards.exact import Batch, Log, play_shots
 from game.billiards.shot import Shot, batch_of
 from game.billiards.simulation import MAX_EVENTS, check_status, log_for, room_for, simulate_exact
-from game.billiards.state import END_TIME, EVENTS_END, EVENTS_START
+from game.billiards.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, STATUS
 from game.billiards.trajectory import Trajectory
 
 Array = NDArray[np.float64]
@@ -104,7 +104,7 @@ def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, i
         if end == first:
             capacity *= 4
             continue
-        for row in range(first, end):
+        for row in first + np.flatnonzero(log.ends[first:end, STATUS] != FINISHED):
             check_status(log.ends[row], max_events)
         parts.append((log, first, end))
         first = end

@@ -127,7 +127,7 @@ def test_a_rolling_cue_ball_is_deflected_as_the_thirty_degree_rule_says(cut, def
 
 
 def test_the_physical_limit_throws_more_than_the_reference_rule():
-    """mu (1 + e)/2 against mu e, the rest being equal: the share shows in the thrown ball's sideways speed."""
+    """mu (1 + e)/2 against mu e: the share shows in the thrown ball's sideways speed."""
     sideways = []
     for model in ("frictional", "wallace-1988"):
         _, after, n = _collide(

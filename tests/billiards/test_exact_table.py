@@ -10,6 +10,7 @@ from game.billiards import Physics, SimulationError, Table, eight_ball_rack, mak
 from game.billiards.contacts import BALL_MODELS, CUSHION_MODELS
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.shot import FRICTIONLESS
+from game.billiards.simulation import FIRST_CAPACITY
 from game.billiards.table import POCKET_NAMES
 from tests.billiards.exact_checks import audit, ball_hits, cushion_hits
 
@@ -127,7 +128,7 @@ def _gas(seed, until):
     table = Table.bare(1.27, 2.54)
     grid = np.array([(0.25 + 0.35 * a, 0.5 + 0.6 * b) for a in range(3) for b in range(3)])
     places = grid + rng.uniform(-0.05, 0.05, (9, 2))
-    return make_shot(table, places, rng.uniform(-2.0, 2.0, (9, 2)), physics=FRICTIONLESS), until
+    return make_shot(table, places, rng.uniform(-6.0, 6.0, (9, 2)), physics=FRICTIONLESS), until
 
 
 def test_without_loss_energy_is_kept_and_time_can_be_turned_round():
@@ -159,10 +160,10 @@ def test_a_trillionth_of_a_metre_grows_to_a_metre():
     moved[0, 0] += 1e-12
     other = make_shot(shot.table, moved, shot.balls[:, 2:4], physics=FRICTIONLESS)
     apart = []
-    for until in (0.2, 1.0, 8.0):
+    for until in (0.1, 0.6, 8.0):
         ends = [simulate(s, until=until).state_at(until).positions for s in (shot, other)]
         apart.append(np.abs(ends[0] - ends[1]).max())
-    assert apart[0] < 1e-9 and apart[0] < apart[1] and apart[2] > 0.1
+    assert apart[0] < 1e-9 and apart[0] < apart[1] < 1e-3 and apart[2] > 0.1
 
 
 @pytest.mark.parametrize("gap", [0.0, 1e-4])
@@ -171,7 +172,7 @@ def test_a_symmetric_break_stays_symmetric_to_the_last_bit(ball, cushion, gap):
     racked = eight_ball_rack(POOL, R, gap=gap)
     shot = make_shot(POOL, racked, physics=Physics(ball, cushion)).struck(0, (0.0, 8.0), (-40.0, 0.0, 0.0))
     trajectory = simulate(shot)
-    assert ball_hits(trajectory) > 15
+    assert ball_hits(trajectory) > 10
     middle = 0.5 * POOL.width
     ends = [(x - middle, y, motion) for x, y, motion in trajectory.end[:, [0, 1, 9]].tolist()]
     left = sorted((-x, y, motion) for x, y, motion in ends if x < 0.0)
@@ -218,9 +219,10 @@ def test_a_ball_pressed_into_a_rail_by_its_own_spin_ends():
         physics = Physics("elastic", "restitution", cushion_restitution=e)
         shot = make_shot(table, [[0.1, 1.0]], physics=physics).struck(0, (-0.5, 0.0), (0.0, -300.0, 0.0))
         trajectory = simulate(shot)
-        assert len(trajectory.times) < 500
+        assert len(trajectory.times) < 2000
         assert trajectory.segments[:, 1].min() > R - 1e-9 * R
-        assert audit(trajectory).energy_rise <= 0.0
+        found = audit(trajectory)
+        assert found.energy_rise <= 1e-15 * found.energy
 
 
 def test_a_ball_pressed_into_a_corner_by_its_own_spin_ends():
@@ -257,8 +259,9 @@ def test_two_contacts_at_the_same_moment_that_do_not_hang_together_both_happen()
     places = [[-0.5, 0.0], [0.0, 0.0], [-0.5, 1.0], [0.0, 1.0]]
     shot = make_shot(OPEN, places, [(1.0, 0.0), (0.0, 0.0), (1.0, 0.0), (0.0, 0.0)], physics=FRICTIONLESS)
     trajectory = simulate(shot, until=1.0)
-    assert [e.ids for e in trajectory.events] == [("0", "1"), ("2", "3")]
-    assert trajectory.times[0] == trajectory.times[1]
+    hits = [e for e in trajectory.events if e.type == "ball-ball"]
+    assert [e.ids for e in hits] == [("0", "1"), ("2", "3")]
+    assert hits[0].time == hits[1].time
 
 
 def test_too_many_events_are_an_error_not_an_endless_loop():
@@ -270,7 +273,7 @@ def test_too_many_events_are_an_error_not_an_endless_loop():
 def test_a_log_that_is_too_small_grows():
     shot, _ = _gas(1, 0.0)
     trajectory = simulate(shot, until=100.0)
-    assert len(trajectory.times) > 3000
+    assert len(trajectory.times) > FIRST_CAPACITY
     assert audit(trajectory).overlap <= 1e-9 * R
 
 
@@ -302,9 +305,15 @@ def test_balls_of_different_size_and_mass():
         assert found.momentum_change <= 1e-12
 
 
+def _mouth(pocket):
+    """Middle of a pocket's mouth: between the two jaws nearest to it."""
+    nearest = np.argsort(np.hypot(*(POOL.jaws[:, :2] - POOL.pockets[pocket, :2]).T))[:2]
+    return POOL.jaws[nearest, :2].mean(axis=0)
+
+
 @pytest.mark.parametrize("pocket", range(6), ids=POCKET_NAMES)
 def test_a_ball_rolling_straight_at_a_pocket_goes_in(pocket):
-    x, y, _ = POOL.pockets[pocket]
+    x, y = _mouth(pocket)
     for start in ([0.635, 1.0], [0.635, 1.27], [0.635, 1.6]):
         way = np.array([x, y]) - start
         way /= np.hypot(*way)

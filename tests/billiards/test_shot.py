@@ -126,7 +126,7 @@ def test_a_rolling_ball_must_roll():
 def test_a_tall_cushion_is_refused_only_by_models_that_look_at_it():
     table = Table.bare(1.0, 1.0, cushion_height=0.1)
     make_shot(table, [[0.5, 0.5]], physics=Physics("elastic", "restitution"))
-    with pytest.raises(ShotError, match="table.cushion_height: han-2005 needs"):
+    with pytest.raises(ShotError, match=r"table\.cushion_height: han-2005 needs"):
         make_shot(table, [[0.5, 0.5]], physics=Physics("elastic", "han-2005"))
 
 
