@@ -21,8 +21,8 @@ class FirstContact(NamedTuple):
     """What a ball meets first on a straight way.
 
     kind: "ball", "cushion", "pocket" or "nothing". distance: m along the way. ghost: centre of the moving
-    ball there, (2,) m. target: index of the ball, rail or pocket, -1 for nothing. normal: unit vector from the
-    ghost to what is met. cut: rad, angle between way and normal, for a ball.
+    ball there, (2,) m. target: index of the ball, rail or pocket, -1 for nothing. normal: unit vector from
+    the ghost to what is met. cut: rad, angle between way and normal, for a ball.
     """
 
     kind: str
