@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.levels import Level
-from game.physics.broadphase import BroadPhase
+from game.physics.broadphase import BroadPhase, HashedPairs, MatrixPairs
 from game.physics.broadphase.boxes import first_bad_box
 from game.physics.broadphase.effects import BOUNDARY, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.scenes.boxes_level import HEIGHT, MOST_LISTED, WIDTH, BoxEntry, BoxesContent
 from game.scenes.stopwatch import Stopwatch
-from game.stage import Choice, Frame, Hint, Knob, Param, Pointer, Scene, SceneAction, Toggle
+from game.stage import Choice, Frame, Hint, Knob, Param, Pointer, Scene, SceneAction, Toggle, WarmUp
+from game.ui.painters.boxes import warm_up as warm_up_painter
 
 Array = NDArray[np.float64]
 LOWER, UPPER = np.zeros(2), np.array([WIDTH, HEIGHT])
@@ -98,6 +101,7 @@ class BoxesScene(Scene):
     )
     lines = Toggle(True, group="Shown", label="Pairs", help="a line between the centres of a pair")
 
+    parts: ClassVar[tuple[tuple[str, Callable[[], BroadPhase]], ...]] = ()  # broad phases to compile, by name
     groups: ClassVar[tuple[str, ...]] = (
         "Boxes",
         "Pairs",
@@ -214,6 +218,22 @@ class BoxesScene(Scene):
         count = self.values["count"]
         self._begin_anew()
         self.values["count"] = count
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """The kernels part by part: what a step, a picture and the hand will call."""
+        parts = [
+            WarmUp("motion of boxes", lambda: cls._warm_motion()),
+            WarmUp("picture of boxes", warm_up_painter),
+        ]
+        parts += [WarmUp(name, partial(exercise, make)) for name, make in cls.parts]
+        return [*parts, WarmUp(cls.title, lambda: cls().advance(cls.dt))]
+
+    @staticmethod
+    def _warm_motion() -> None:
+        corners, flags = np.zeros((1, 2)), np.ones(1, dtype=np.uint8)
+        move = move_boxes_kernel((MOTION | BOUNDARY).mask)
+        move(corners, corners + 1.0, corners, np.zeros(1), flags, LOWER, UPPER, 0.1)
 
     # -- for subclasses -----------------------------------------------------------------------------
 
@@ -483,3 +503,20 @@ class BoxesScene(Scene):
                 BoxEntry(lower=tuple(a), upper=tuple(b), velocity=tuple(v), growth=g) for a, b, v, g in rows
             )
         )
+
+
+def exercise(make: Callable[[], BroadPhase]) -> None:
+    """Call all that a broad phase and the pair managers can do on three boxes, so that it is compiled."""
+    phase = make()
+    corners = np.zeros((3, 2))
+    ids = phase.add_boxes(corners, corners + 1.0)
+    phase.update_boxes(ids, corners, corners + 2.0)
+    phase.query_point((0.5, 0.5))
+    phase.update_box(phase.add_box((0.0, 0.0), (1.0, 1.0)), (2.0, 2.0), (3.0, 3.0))
+    pairs = phase.pairs()
+    phase.remove_box(3)
+    phase.remove_boxes(ids[:1])
+    for manager in (HashedPairs(), MatrixPairs(4)):
+        manager.set_pairs(pairs)
+        manager.clear()
+        manager.take_events()

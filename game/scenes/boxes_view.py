@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
 COLUMN_LEFT, COLUMN_RIGHT = -4.45, -0.5  # m, where the findings stand beside the world
 COLUMN_TOP = 5.3  # m, below the legend
-LEAP = 1.0  # m in a step; a box that moved further is not drawn on its way
 FREE, OVERLAPPING, IN_HAND = 0, 1, 2  # kinds of boxes
 MOST_LINES = 6_000
 LEAST_CELL = 5.0  # px; smaller cells are shaded together
@@ -46,12 +45,13 @@ def draw_boxes(scene: BoxesScene, canvas: Canvas, alpha: float) -> None:
         kinds[scene.held] = IN_HAND
     before = scene.previous
     same = before is not None and len(before.lowers) == len(scene.lowers)
+    leap = _longest_way(scene)
     _boxes.paint(
         canvas, scene.lowers, scene.uppers, kinds,
-        (before.lowers, before.uppers) if same else None, alpha, LEAP,
+        (before.lowers, before.uppers) if same else None, alpha, leap,
     )  # fmt: skip
     if scene.lines and 0 < len(scene.pairs) <= MOST_LINES:
-        _draw_lines(scene, canvas, alpha if same else 1.0)
+        _draw_lines(scene, canvas, alpha if same else 1.0, leap)
     if scene.anchor is not None:
         (x0, y0), (x1, y1) = scene.anchor, scene.reach
         canvas.polygon(
@@ -59,15 +59,23 @@ def draw_boxes(scene: BoxesScene, canvas: Canvas, alpha: float) -> None:
         )
 
 
-def _draw_lines(scene: BoxesScene, canvas: Canvas, alpha: float) -> None:
+def _longest_way(scene: BoxesScene) -> float:
+    """What a box can move in a step, m; one that moved further has leapt and is not drawn on its way."""
+    speed = max(
+        float(np.abs(scene.velocities).max(initial=0.0)), float(np.abs(scene.growth).max(initial=0.0))
+    )
+    return 2.0 * speed * scene.step_length + 1e-9
+
+
+def _draw_lines(scene: BoxesScene, canvas: Canvas, alpha: float, leap: float) -> None:
     """A line between the centres of each pair of finite boxes."""
     low, high = scene.lowers, scene.uppers
-    if alpha < 1.0:
-        before = scene.previous
-        near = (np.abs(low - before.lowers) <= LEAP).all(axis=1)[:, None]
-        low = np.where(near, before.lowers + alpha * (low - before.lowers), low)
-        high = np.where(near, before.uppers + alpha * (high - before.uppers), high)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
+        if alpha < 1.0:
+            before = scene.previous
+            near = (np.abs(low - before.lowers) <= leap).all(axis=1)[:, None]
+            low = np.where(near, before.lowers + alpha * (low - before.lowers), low)
+            high = np.where(near, before.uppers + alpha * (high - before.uppers), high)
         centers = 0.5 * (low + high)
     canvas.segments(centers[scene.pairs[:, 0]], centers[scene.pairs[:, 1]], "vermilion", 1.4)
 
@@ -113,10 +121,13 @@ def bytes_text(count: float) -> str:
 class Column:
     """Writes findings down a column of the world, from the top; heights in design px."""
 
-    def __init__(self, canvas: Canvas, top: float = COLUMN_TOP):
+    def __init__(self, canvas: Canvas, top: float = COLUMN_TOP, right: float = COLUMN_RIGHT):
         self.canvas = canvas
+        edge = right + canvas.px(10)
+        ground = np.array([(-99.0, -99.0), (edge, -99.0), (edge, 99.0), (-99.0, 99.0)])
+        canvas.polygon(ground, fill="stage", fill_alpha=0.9)  # boxes that come so far are hardly seen
         self.y = top
-        self.left, self.right = COLUMN_LEFT, COLUMN_RIGHT
+        self.left, self.right = COLUMN_LEFT, right
 
     def space(self, height_px: float) -> None:
         """Leave room."""

@@ -115,6 +115,13 @@ class BroadPhaseRace(BoxesScene):
     hierarchical = Toggle(True, group="Contestants", label="Hierarchical grids")
     sweep = Toggle(True, group="Contestants", label="Sweep and prune")
 
+    parts = (
+        ("naive pairs", NaiveBroadPhase),
+        ("uniform grid", lambda: UniformGrid((0.0, 0.0), (1.0, 1.0), 0.5)),
+        ("covered cells", lambda: CoveringGrid((0.0, 0.0), (1.0, 1.0), 0.5)),
+        ("hierarchical grids", HierarchicalGrid),
+        ("sweep and prune", SweepAndPrune),
+    )
     strips = (
         Strip("Update and all pairs", "s", ("uniform", "hierarchical", "sweep")),
         Strip("Pair managers", "s", ("matrix", "hash")),
@@ -124,7 +131,9 @@ class BroadPhaseRace(BoxesScene):
         Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
         Equation("Grids", r"O(n)", "tests, boxes alike"),
         Equation(
-            "Sweep and prune", r"2 n^2 \frac{8}{\pi^2} v \Delta t (\frac{1}{W} + \frac{1}{H})", "swaps, mean"
+            "Sweep and prune",
+            r"2 n^2 \frac{8}{\pi^2} v \Delta t \left(\frac{1}{W} + \frac{1}{H}\right)",
+            "swaps, mean",
         ),
         Equation("Full matrix", r"\frac{n(n-1)}{2}", "places of memory"),
     )

@@ -55,6 +55,10 @@ class UniformGridScene(BoxesScene):
     )
     heat = Toggle(True, group="Shown", label="Cell load", help="cells shaded by the boxes in them")
 
+    parts = (
+        ("uniform grid", lambda: UniformGrid((0.0, 0.0), (1.0, 1.0), 0.5)),
+        ("covered cells", lambda: CoveringGrid((0.0, 0.0), (1.0, 1.0), 0.5)),
+    )
     strips = (
         Strip("Pairs", "", ("pairs",)),
         Strip("Pair managers", "s", ("matrix", "hash")),
@@ -63,11 +67,11 @@ class UniformGridScene(BoxesScene):
     equations = (
         Equation("Motion", r"x' = x + v \Delta t", "explicit Euler"),
         Equation("Boundary", r"v' = -v", "beyond it and on the way out"),
-        Equation("Cell", r"i = \floor{(x - x_0) / c}", "Ericson 2005, 7.1"),
-        Equation("Entries of a box", r"(1 + s / c)^2", "all covered cells, mean"),
+        Equation("Cell", r"i = \floor\left(\frac{x - x_0}{c}\right)", "Ericson 2005, 7.1"),
+        Equation("Entries of a box", r"\left(1 + \frac{s}{c}\right)^2", "all covered cells, mean"),
         Equation("Place of a pair", r"k = \frac{i(2n - i - 1)}{2} + j - i - 1", "triangular matrix"),
         Equation(
-            "Mean pairs", r"\frac{n(n-1)}{2} p^2,  p = \frac{2sL - s^2}{L^2}", "uniform boxes of side s"
+            "Mean pairs", r"\frac{n(n-1)}{2} p^2, \quad p = \frac{2sL - s^2}{L^2}", "uniform boxes of side s"
         ),
     )
     try_this = (

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.studies.broadphase import hierarchy_study
-from game.physics.broadphase import HierarchicalGrid
+from game.physics.broadphase import HierarchicalGrid, NaiveBroadPhase
 from game.physics.broadphase.hash_levels import TOP
 from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import ComparedScene, manager_for
@@ -66,16 +66,21 @@ class HierarchicalGridScene(ComparedScene):
         True, group="Shown", label="Cells", help="cells that hold boxes, in the colour of their level"
     )
 
+    parts = (("hierarchical grids", HierarchicalGrid), ("naive pairs", NaiveBroadPhase))
     strips = (
         Strip("Pairs", "", ("pairs",)),
         Strip("Update and all pairs", "s", ("hierarchical", "naive")),
         Strip("Box tests", "", ("box tests",)),
     )
     equations = (
-        Equation("Motion", r"x' = x + v \Delta t,  v' = -v", "explicit Euler; beyond the boundary"),
+        Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
         Equation("Level", r"2^{k-1} < s \le 2^k", "k from the exponent of the size s"),
-        Equation("Cell", r"(i, j) = (\floor{x / 2^k}, \floor{y / 2^k})", "Ericson 2005, 7.2"),
-        Equation("Bucket", r"h = (i + P j) \mod m", "rows stay together; P near 0.618 m"),
+        Equation(
+            "Cell",
+            r"i = \floor\left(\frac{x}{2^k}\right), \quad j = \floor\left(\frac{y}{2^k}\right)",
+            "Ericson 2005, 7.2",
+        ),
+        Equation("Bucket", r"h = (i + P j) \text{ mod } m", "rows stay together; P near 0.618 m"),
         Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
     )
     try_this = (

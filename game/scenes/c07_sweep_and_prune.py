@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.broadphase import sweep_study
-from game.physics.broadphase import SweepAndPrune
+from game.physics.broadphase import NaiveBroadPhase, SweepAndPrune
 from game.physics.broadphase.effects import MOTION
 from game.physics.broadphase.workloads import expected_swaps
 from game.scenes import boxes_view as view
@@ -53,17 +53,20 @@ class SweepAndPruneScene(ComparedScene):
         True, group="Shown", label="Sorted axes", help="end points beside the world; amber: swapped"
     )
 
+    parts = (("sweep and prune", SweepAndPrune), ("naive pairs", NaiveBroadPhase))
     strips = (
         Strip("Swaps in a step", "", ("swaps", "mean"), exact=("mean",)),
         Strip("Update and all pairs", "s", ("sweep", "naive")),
         Strip("Pairs", "", ("pairs",)),
     )
     equations = (
-        Equation("Motion", r"x' = x + v \Delta t,  v' = -v", "explicit Euler; beyond the boundary"),
-        Equation("Order", r"(x, lower) < (x, upper)", "closed boxes: touching overlaps"),
-        Equation("Swaps", r"inversions of the order before", "Kendall's tau"),
+        Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
+        Equation("Order", r"(x, \text{lower}) < (x, \text{upper})", "closed boxes: touching overlaps"),
+        Equation("Swaps", r"s = \sum_{i<j} \text{[} x_i > x_j \text{]}", "inversions of the order before"),
         Equation(
-            "Their mean", r"2 n^2 \frac{8}{\pi^2} v \Delta t (\frac{1}{W} + \frac{1}{H})", "isotropic motion"
+            "Their mean",
+            r"2 n^2 \frac{8}{\pi^2} v \Delta t \left(\frac{1}{W} + \frac{1}{H}\right)",
+            "isotropic motion",
         ),
         Equation("A leap of all", r"2 n (n - 1)", "swaps, mean"),
     )
@@ -157,8 +160,7 @@ class SweepAndPruneScene(ComparedScene):
         if self.axes and len(self.ids) <= MOST_TICKS:
             for axis in range(2):
                 self._draw_axis(canvas, axis)
-        column = view.Column(canvas, 4.6)
-        column.right = -0.75
+        column = view.Column(canvas, 4.6, -0.75)
         self.draw_comparison(column, "sweep", "Sweep and prune", "chalk")
         column.space(6)
         mean = self.mean_swaps()

@@ -238,8 +238,8 @@ cell_cost_study = Study(
     trial=_cell_trial,
     reference="Pairs are the same at every cell size: errors are none. The curve is cost.",
     expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)^2 where all "
-    "covered cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at 2 to 6 "
-    "sizes, one cell for each box at 1 to 1.5.",
+    "covered cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at "
+    "2 to 6 sizes, one cell for each box at 1 to 1.5.",
 )
 cell_size_study = missed_pairs_study(
     "c05", "Uniform grid", lambda size: UniformGrid((0.0, 0.0), EXTENT, 2.0 * size), (cell_cost_study,)

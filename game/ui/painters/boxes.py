@@ -109,6 +109,14 @@ def paint_boxes(
                 pixels[row, column] = _mix(int(pixels[row, column]), line, weight)
 
 
+def warm_up() -> None:
+    """Compile the kernel, by painting one box on a tiny picture."""
+    pixels, clip = np.zeros((4, 4), dtype=np.uint32), np.array((0, 0, 4, 4), dtype=np.int64)
+    low, high = np.zeros((1, 2)), np.ones((1, 2))
+    colors, kinds = np.zeros((1, 2), dtype=np.int64), np.zeros(1, dtype=np.uint8)
+    paint_boxes(pixels, clip, np.zeros(6), low, high, low, high, 1.0, 1.0, kinds, colors, colors, 1)
+
+
 class BoxPainter:
     """Paints boxes by kind on a canvas. ``styles``: for each kind, (fill, its share, outline, its share)."""
 
