@@ -144,7 +144,7 @@ def draw_split(canvas: Canvas, table: Table, first: FirstContact, balls: Balls, 
     if length > 1e-3:
         _dashed_way(canvas, first.ghost, across / length, 0.5 * length, FELT_LINE)
     side = 1.0 if way[0] * n[1] - way[1] * n[0] > 0.0 else -1.0
-    place = np.array(first.ghost) + side * np.array((n[1], -n[0])) * 0.09
+    place = np.array(first.ghost) + side * np.array((n[1], -n[0])) * 0.13
     canvas.label(place, f"cut {math.degrees(first.cut):.0f}°", FELT_LINE)
 
 

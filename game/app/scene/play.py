@@ -257,7 +257,7 @@ class ScenePlay:
         self.view.camera.update(0.0 if self.app.look.less_motion else elapsed_s)
         for message in self.stage.scene.messages():
             cause, _, consequence = message.partition(". ")
-            self.app.tell(cause + ("." if consequence else ""), consequence, "marker")
+            self.app.tell(cause + ("." if consequence else ""), consequence)
         self.shell.update(elapsed_s, self.stage, self.meter)
         self.banner.update(elapsed_s, self.trouble)
 

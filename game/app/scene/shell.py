@@ -127,7 +127,7 @@ class Shell:
         if stage is None:
             empty = (("time", 0.0, "s"), ("step", 0.0, "s"), frame)
             return BarState(self.entry.task, self.entry.title, True, 1.0, panel, empty, ready=False)
-        own = tuple((r.name, float(r.value), r.unit) for r in tuple(stage.readouts())[:1])
+        own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
         readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
         return BarState(self.entry.task, self.entry.title, stage.paused, stage.speed, panel, readouts)
 
