@@ -25,7 +25,7 @@ from game.billiards.contacts.ball_ball_friction import (
     torque_direction,
 )
 from game.billiards.joint import solve_joint_impulses
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.pairs import reach_of
 from game.billiards.state import (
     AT_REST,
@@ -69,7 +69,7 @@ SAME_MOMENT = 1e-9  # s; how far ahead a predicted contact is looked at as a can
 NEW, WAITING, DONE = range(3)  # marks of balls while contacts are gathered
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def has_company(pairs, i, j, now):
     """True if another contact of ball i or j might be of the same moment."""
     soon = now + SAME_MOMENT
@@ -82,7 +82,7 @@ def has_company(pairs, i, j, now):
     return False
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def gap_at(state, i, j, now):
     """Gap of balls i and j at the time `now`, m, and the unit vector from i to j."""
     t = now - state[TIME, i]
@@ -97,7 +97,7 @@ def gap_at(state, i, j, now):
     return distance - reach_of(state[RADIUS, i], state[RADIUS, j]), x / distance, y / distance
 
 
-@lean_kernel
+@inner_kernel
 def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
     """All contacts of this moment that hang together with the one of i and j, nearest first.
 
@@ -139,7 +139,7 @@ def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
     return count, found
 
 
-@lean_kernel
+@inner_kernel
 def _want_friction(state, count, ends, normals, forces, physics):
     """Tangential impulse that each contact wants in this pass, shared out. Returns the largest, N s."""
     largest = 0.0
@@ -167,7 +167,7 @@ def _want_friction(state, count, ends, normals, forces, physics):
     return largest
 
 
-@lean_kernel
+@inner_kernel
 def _sum_friction(state, count, ends, normals, forces, grid):
     """Sum impulses and torques of each ball, on a grid: adding and subtracting `grid` rounds to it."""
     for m in range(count):
@@ -191,7 +191,7 @@ def _sum_friction(state, count, ends, normals, forces, grid):
             state[TURN_Z, ball] += (turn_z + grid) - grid
 
 
-@lean_kernel
+@inner_kernel
 def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
     """Friction of all contacts that got an impulse."""
     for q in range(found):
@@ -220,7 +220,7 @@ def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
             state[WZ, k] += state[TURN_Z, k] * lever
 
 
-@lean_kernel
+@inner_kernel
 def collide_jointly(
     state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
 ):

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import AT_REST, CLOSING_SPEED, CONTACT_GAP, NEVER
 
 MAX_STEPS = 200
@@ -19,7 +19,7 @@ LAST_PLACE = 2.0**-52
 BEHIND = 1e-9  # m; a ball further behind a line than rounding can bring it does not touch it
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _step_apart(gap, slope, curvature):
     """Step to the first root ahead of gap + slope d + curvature d^2/2, with gap > 0; -1 if there is none."""
     discriminant = slope * slope - 2.0 * curvature * gap
@@ -33,7 +33,7 @@ def _step_apart(gap, slope, curvature):
     return -1.0
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _step_in_contact(slope, curvature, threshold):
     """Step from contact to where the next collision might be at the earliest; -1 if there is none."""
     if curvature >= 0.0:
@@ -43,7 +43,7 @@ def _step_in_contact(slope, curvature, threshold):
     return max((slope + threshold) / (-curvature), 1e-12)
 
 
-@lean_kernel
+@inner_kernel
 def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
     """Time until two points on parabolic ways come within `reach` of each other while approaching, s.
 
@@ -93,7 +93,7 @@ def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
     return missed
 
 
-@lean_kernel
+@inner_kernel
 def first_crossing(gap, speed, half_acceleration, horizon):
     """Time until gap + speed t + half_acceleration t^2 falls to 0, s; NEVER if not within `horizon`."""
     if gap <= 0.0:

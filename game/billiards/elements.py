@@ -8,7 +8,7 @@ outside of it, or one that leaves it where there is no nose.
 from __future__ import annotations
 
 from game.billiards.detection import first_crossing, first_touch
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import (
     AT_REST,
     AX,
@@ -49,7 +49,7 @@ WITHIN = 1e-12  # m; rounding of a ball that touches a rail
 LONGEST_SEARCH = 1e9  # s; stands for "without end" where nothing slows a ball
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _edge_crossing(gap, speed, half_acceleration, horizon):
     """`first_crossing`, with the cheap case first: the gap stays open for the whole horizon."""
     if gap + horizon * (min(speed, 0.0) + horizon * min(half_acceleration, 0.0)) > 0.0:
@@ -57,7 +57,7 @@ def _edge_crossing(gap, speed, half_acceleration, horizon):
     return first_crossing(gap, speed, half_acceleration, horizon)
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def _leave_free_rectangle(state, i, horizon, physics):
     """When and over which edge (0 left, 1 right, 2 lower, 3 upper) the path leaves the free rectangle.
 
@@ -93,7 +93,7 @@ def _leave_free_rectangle(state, i, horizon, physics):
     return first, edge
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _faces(state, i, t, cushions, k):
     """True if the foot of ball i on the line of cushion k, t s from now, lies on the cushion."""
     x = state[X, i] + t * (state[VX, i] + t * state[AX, i]) - cushions[k, FROM_X]
@@ -104,7 +104,7 @@ def _faces(state, i, t, cushions, k):
     return 0.0 <= along <= dx * dx + dy * dy
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _nose_at(state, i, t, edge, cushions):
     """The cushion on a free edge that the ball meets t s from now; -1 if there is a mouth."""
     for k in range(cushions.shape[0]):
@@ -113,7 +113,7 @@ def _nose_at(state, i, t, edge, cushions):
     return -1
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _search_cushions(state, i, horizon, cushions):
     """First cushion met within `horizon`: (time, row)."""
     radius = state[RADIUS, i]
@@ -131,7 +131,7 @@ def _search_cushions(state, i, horizon, cushions):
     return horizon, found
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _search_discs(state, i, horizon, discs, grown_by):
     """First disc whose circle, grown by `grown_by` m, the centre enters within `horizon`: (time, row)."""
     found = -1
@@ -146,7 +146,7 @@ def _search_discs(state, i, horizon, discs, grown_by):
     return horizon, found
 
 
-@lean_kernel
+@inner_kernel
 def _search_elements(state, i, horizon, cushions, jaws, pockets):
     """First element of the table met within `horizon`: (time, event, row)."""
     event = NO_EVENT
@@ -166,7 +166,7 @@ def _search_elements(state, i, horizon, cushions, jaws, pockets):
     return t, event, element
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def plan_ball(state, modes, i, cushions, jaws, pockets, physics):
     """Set what ball i will do next of its own: OWN_TIME (s), OWN_EVENT, OWN_ELEMENT.
 

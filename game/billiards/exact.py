@@ -17,7 +17,7 @@ from game.billiards.cluster import collide_jointly, gather_contacts, has_company
 from game.billiards.elements import plan_ball
 from game.billiards.impacts import collide_pair, end_chatter, hit_rail, normal_between
 from game.billiards.joint import BALL_COLUMNS, CONTACT_COLUMNS
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel, lean_kernel
 from game.billiards.motion import advance, end_phase, enter_phase
 from game.billiards.pairs import refresh_pairs
 from game.billiards.state import (
@@ -131,7 +131,7 @@ class Log(NamedTuple):
     final: Array
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def record_ball(segments, row, state, modes, i, physics):
     """Write the segment that ball i now begins."""
     for column in range(SEG_BALL):
@@ -142,7 +142,7 @@ def record_ball(segments, row, state, modes, i, physics):
     segments[row, SEG_MOTION] = modes[MOTION, i]
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def record_event(events, row, time, event, i, j):
     """Write an event."""
     events[row, 0] = time
@@ -151,7 +151,7 @@ def record_event(events, row, time, event, i, j):
     events[row, 3] = j
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def view_room(floats, integers, n):
     """Views into a `Workspace`: state, modes, pairs, ends, forces, normals, velocities, and the joint
     solver's two."""
@@ -175,7 +175,7 @@ def view_room(floats, integers, n):
     )
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def place_balls(state, modes, pairs, balls, physics):
     """Put the balls of a shot on the table, at time 0."""
     n = balls.shape[0]
@@ -198,7 +198,7 @@ def place_balls(state, modes, pairs, balls, physics):
             pairs[REPEATS, i, j] = 0.0
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def soonest_ball(state):
     """The ball whose next event comes first, the lowest number of several."""
     first = 0
@@ -210,7 +210,7 @@ def soonest_ball(state):
     return first
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def happen_to_ball(state, modes, i, cushions, jaws, physics):
     """Carry out what ball i planned of its own. Returns the event."""
     event = modes[OWN_EVENT, i]
@@ -227,7 +227,7 @@ def happen_to_ball(state, modes, i, cushions, jaws, physics):
     return event
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def meet_alone(state, modes, pairs, i, j, now, physics):
     """Balls i and j collide, and no other contact takes part."""
     advance(state, modes, i, now, physics)
@@ -241,7 +241,7 @@ def meet_alone(state, modes, pairs, i, j, now, physics):
     enter_phase(state, modes, j, SLIDING, physics)
 
 
-@lean_kernel
+@inner_kernel
 def meet_in_company(
     state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
 ):
@@ -277,7 +277,7 @@ def meet_in_company(
     return written, changed
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment):
     """Play one shot whose balls are placed. Returns status, end of events, end of segments, end time."""
     state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = room
@@ -349,7 +349,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
     return status, row, segment, end_time
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def write_final(state, modes, end_time, final, physics):
     """Bring all balls to the end and write them. Returns False if a number is not finite."""
     total = 0.0

@@ -17,7 +17,7 @@ from game.billiards.contacts.chatter import (
 from game.billiards.contacts.cushion_han_2005 import bounce_han_2005
 from game.billiards.contacts.cushion_mathavan_2010 import bounce_mathavan_2010
 from game.billiards.contacts.cushion_restitution import bounce
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import (
     BALL_JAW,
     BALL_LAW,
@@ -36,7 +36,7 @@ from game.billiards.state import (
 )
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def bounce_off(state, i, nx, ny, physics):
     """Bounce ball i off a rail with the table's model; n is the unit vector from the rail to the ball."""
     if physics[CUSHION_LAW] == HAN_2005:
@@ -47,7 +47,7 @@ def bounce_off(state, i, nx, ny, physics):
         bounce(state, i, nx, ny, physics[CUSHION_RESTITUTION])
 
 
-@lean_kernel
+@inner_kernel
 def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
     """Ball i, already at the contact, meets a cushion or a jaw."""
     if event == BALL_JAW:
@@ -68,7 +68,7 @@ def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
         part_from_rail(state, i, nx, ny, least_parting_speed(repeats))
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def normal_between(state, i, j):
     """Unit vector from ball i to ball j, both at the same time."""
     nx = state[X, j] - state[X, i]
@@ -79,7 +79,7 @@ def normal_between(state, i, j):
     return nx / distance, ny / distance
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def collide_pair(state, i, j, nx, ny, physics):
     """Two balls in contact collide by the table's model."""
     impulse = collide_along_normal(state, i, j, nx, ny, physics[BALL_RESTITUTION])
@@ -87,7 +87,7 @@ def collide_pair(state, i, j, nx, ny, physics):
         rub_in_contact(state, i, j, nx, ny, impulse, physics)
 
 
-@lean_kernel
+@inner_kernel
 def end_chatter(state, pairs, i, j, nx, ny, now):
     """Count repeats of a contact, in planes MET and REPEATS of pairs; part the balls if it chatters."""
     count = pairs[REPEATS, i, j] + 1.0 if now - pairs[MET, i, j] < CHATTER_TIME else 0.0

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import (
     AX,
     AY,
@@ -45,7 +45,7 @@ from game.billiards.state import (
 )
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def spin_after(wz, elapsed, radius, physics):
     """Spin about z, rad/s, `elapsed` s later."""
     lost = 2.5 * physics[SPINNING_FRICTION] * physics[GRAVITY] / radius * elapsed
@@ -56,7 +56,7 @@ def spin_after(wz, elapsed, radius, physics):
     return 0.0
 
 
-@lean_kernel
+@inner_kernel
 def advance(state, modes, i, time, physics):
     """Bring the state of ball i to `time`, within its phase. Its phase goes on."""
     elapsed = time - state[TIME, i]
@@ -83,7 +83,7 @@ def advance(state, modes, i, time, physics):
         state[WY, i] -= 5.0 * elapsed * ax / radius
 
 
-@lean_kernel
+@inner_kernel
 def enter_phase(state, modes, i, motion, physics):
     """Start a phase of ball i from its present state: sets a, the phase's end (s), and the motion."""
     modes[MOTION, i] = motion
@@ -121,7 +121,7 @@ def enter_phase(state, modes, i, motion, physics):
             state[PHASE_END, i] = now + abs(state[WZ, i]) / decay
 
 
-@lean_kernel
+@inner_kernel
 def end_phase(state, modes, i, physics):
     """Go to the end of the phase of ball i and into the next; what has run out is exactly zero.
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel, lean_kernel
 from game.billiards.motion import spin_after
 from game.billiards.state import (
     ROLLING,
@@ -30,7 +30,7 @@ STEP = 0.02  # s
 GAUSS = 0.5 - math.sqrt(3.0) / 6.0
 
 
-@lean_kernel
+@inner_kernel
 def spin_in_segment(segment, elapsed, radius, physics):
     """Rotation vector `elapsed` s into a segment, rad/s."""
     wx = segment[SEG_WX]
@@ -45,7 +45,7 @@ def spin_in_segment(segment, elapsed, radius, physics):
     return wx, wy, spin_after(segment[SEG_WZ], elapsed, radius, physics)
 
 
-@lean_kernel
+@inner_kernel
 def turn(q, tx, ty, tz):
     """Turn the quaternion q (4,), in place, by the rotation vector t, rad."""
     angle = math.sqrt(tx * tx + ty * ty + tz * tz)
@@ -67,7 +67,7 @@ def turn(q, tx, ty, tz):
     q[3] = q3 / length
 
 
-@lean_kernel
+@inner_kernel
 def turn_through(segment, start, end, radius, physics, q):
     """Turn q by what the ball turns from `start` to `end` s into its segment, in one Magnus step."""
     h = end - start
@@ -82,7 +82,7 @@ def turn_through(segment, start, end, radius, physics, q):
     )
 
 
-@lean_kernel
+@inner_kernel
 def turn_in_segment(segment, elapsed, radius, physics, q):
     """Turn q by what the ball turns in the first `elapsed` s of a segment."""
     wx, wy, wz = spin_in_segment(segment, 0.0, radius, physics)

@@ -13,7 +13,7 @@ import numpy as np
 
 from game.billiards.detection import first_touch
 from game.billiards.elements import LONGEST_SEARCH
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import (
     AT_REST,
     AX,
@@ -37,7 +37,7 @@ from game.billiards.state import (
 BLOCK = 32  # balls whose bits stand in one number
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def reach_of(radius_i, radius_j):
     """Horizontal distance at which two balls on the cloth touch, 2 sqrt(R1 R2), m."""
     if radius_i == radius_j:
@@ -45,7 +45,7 @@ def reach_of(radius_i, radius_j):
     return 2.0 * math.sqrt(radius_i * radius_j)
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def may_meet(state, modes, pairs, i, start, count):
     """Bits of `count` balls from number start on: for which a contact with ball i is not ruled out, and
     with which one was foreseen so far.
@@ -110,7 +110,7 @@ def may_meet(state, modes, pairs, i, start, count):
     return bits, foreseen
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _contact_time(state, i, j, now):
     """Time of the next contact of balls i and j, where i stands at `now`, s."""
     elapsed = now - state[TIME, j]
@@ -130,7 +130,7 @@ def _contact_time(state, i, j, now):
     return t if t >= AT_REST else now + t
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def _rescan(state, modes, pairs, j):
     """Find the least of row j anew."""
     best = NEVER
@@ -144,7 +144,7 @@ def _rescan(state, modes, pairs, j):
     state[NEXT_TIME, j] = min(best, state[OWN_TIME, j])
 
 
-@lean_kernel(forceinline=True)
+@inner_kernel(forceinline=True)
 def refresh_pairs(state, modes, pairs, i):
     """Renew all contact times of ball i, which has just changed and whose plan is made."""
     n = state.shape[1]

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from game.billiards.contacts import BALL_MODELS, CUSHION_MODELS, RESTITUTION
 from game.billiards.exact import Batch
 from game.billiards.layout import Layout, is_clear, layout_of
-from game.billiards.pairs import reach_of
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.state import (
     IN_COLUMNS,
@@ -293,7 +292,7 @@ def _check_overlap(balls: Array) -> None:
     present = [i for i in range(len(balls)) if int(balls[i, 9]) != POCKETED]
     for place, i in enumerate(present):
         for j in present[:place]:
-            reach = reach_of(float(balls[i, 7]), float(balls[j, 7]))
+            reach = 2.0 * math.sqrt(balls[i, 7] * balls[j, 7])
             gap = math.hypot(balls[i, 0] - balls[j, 0], balls[i, 1] - balls[j, 1]) - reach
             if gap < -OVERLAP:
                 raise ShotError(f"balls[{j}] and balls[{i}] overlap by {-gap:.3g} m")

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel, lean_kernel
 from game.billiards.orientation import spin_in_segment
 from game.billiards.state import (
     BALL_BALL,
@@ -36,7 +36,7 @@ class Audit(NamedTuple):
     jump: float
 
 
-@lean_kernel
+@inner_kernel
 def _place(segment, time):
     t = time - segment[SEG_TIME]
     x = segment[SEG_X] + t * (segment[SEG_VX] + t * segment[SEG_AX])
@@ -44,7 +44,7 @@ def _place(segment, time):
     return x, y
 
 
-@lean_kernel
+@inner_kernel
 def _totals(segments, current, time, radii, masses, physics):
     """Energy and momentum of all balls."""
     energy = 0.0
@@ -63,7 +63,7 @@ def _totals(segments, current, time, radii, masses, physics):
     return energy, px, py
 
 
-@lean_kernel
+@inner_kernel
 def _deepest(segments, current, time, radii):
     """Deepest overlap of two balls."""
     worst = -1.0

@@ -6,14 +6,29 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from numba import config
 
-from game.billiards import Physics, Table, make_shot, simulate
-from game.billiards.detection import first_crossing, first_touch
+from game.billiards import Physics, Table, detection, make_shot, simulate
+from game.billiards.lean import lean_kernel
 from game.billiards.rack import BALL_RADIUS
 from game.billiards.state import AT_REST, CLOSING_SPEED, NEVER
 
 REACH = 2.0 * BALL_RADIUS
 near = st.floats(-1.0, 1.0)
+
+
+@lean_kernel
+def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
+    """The inner kernel, with an entrance."""
+    return detection.first_touch(x, y, vx, vy, ax, ay, reach, horizon)
+
+
+@lean_kernel
+def first_crossing(gap, speed, half_acceleration, horizon):
+    """The inner kernel, with an entrance."""
+    return detection.first_crossing(gap, speed, half_acceleration, horizon)
+
+
 OPEN = Table.open()
 
 
@@ -139,3 +154,11 @@ def test_a_line_far_behind_is_not_met():
     assert first_crossing(-1e-3, -1.0, 0.0, 1.0) == NEVER
     assert first_crossing(-1e-12, -1.0, 0.0, 1.0) == 0.0
     assert first_crossing(0.0, 1.0, -1.0, 5.0) == pytest.approx(1.0, rel=1e-14)
+
+
+@pytest.mark.skipif(config.DISABLE_JIT, reason="without compilation every kernel is a plain function")
+def test_an_inner_kernel_refuses_a_call_from_python():
+    for _ in range(2):
+        with pytest.raises(TypeError, match="first_touch: an inner kernel"):
+            detection.first_touch(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, REACH, 1.0)
+        first_touch(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, REACH, 1.0)

@@ -18,11 +18,11 @@ from __future__ import annotations
 import math
 
 from game.billiards.contacts import ALCIATORE_FRICTION
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import BALL_FRICTION, BALL_LAW, BALL_LIMIT, MASS, RADIUS, VX, VY, WX, WY, WZ
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def friction_limit(slip, impulse, physics):
     """Most that friction may do at a slip speed (m/s), for a normal impulse (its horizontal part), N s.
 
@@ -34,7 +34,7 @@ def friction_limit(slip, impulse, physics):
     return mu * physics[BALL_LIMIT] * impulse
 
 
-@lean_kernel
+@inner_kernel
 def slip_between(state, i, j, nx, ny):
     """Slip of the surface of i on that of j, c (3 numbers), m/s; and cos phi, of the true normal's tilt."""
     radius_i = state[RADIUS, i]
@@ -56,7 +56,7 @@ def slip_between(state, i, j, nx, ny):
     return cx - along * n3x, cy - along * n3y, cz - along * sine, cosine
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def torque_direction(state, i, j, nx, ny, px, py, pz):
     """n3 x p, which turns both balls alike when i gets the impulse p (N s) and j its opposite."""
     radius_i = state[RADIUS, i]
@@ -68,7 +68,7 @@ def torque_direction(state, i, j, nx, ny, px, py, pz):
     return cosine * ny * pz - sine * py, sine * px - cosine * nx * pz, cosine * (nx * py - ny * px)
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def rub(state, i, j, nx, ny, px, py, pz):
     """Apply the tangential impulse p (N s) to ball i and its opposite to ball j, with their torques."""
     turn_x, turn_y, turn_z = torque_direction(state, i, j, nx, ny, px, py, pz)
@@ -88,13 +88,13 @@ def rub(state, i, j, nx, ny, px, py, pz):
     state[WZ, j] += lever_j * turn_z
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def sticking_impulse(state, i, j, slip):
     """Tangential impulse that stops a slip of two solid spheres, N s."""
     return slip / (3.5 * (1.0 / state[MASS, i] + 1.0 / state[MASS, j]))
 
 
-@lean_kernel
+@inner_kernel
 def rub_in_contact(state, i, j, nx, ny, impulse, physics):
     """Friction of one contact whose normal impulse was `impulse` (horizontal part, N s)."""
     cx, cy, cz, cosine = slip_between(state, i, j, nx, ny)

@@ -8,17 +8,17 @@ velocities. (Newton 1687, Principia, Scholium to the laws; Leckie and Greenspan 
 
 from __future__ import annotations
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import MASS, VX, VY
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def closing_speed(state, i, j, nx, ny):
     """Speed at which i approaches j along the unit vector n from i to j, m/s."""
     return (state[VX, i] - state[VX, j]) * nx + (state[VY, i] - state[VY, j]) * ny
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def reduced_mass(state, i, j):
     """m1 m2/(m1 + m2), kg."""
     mass_i = state[MASS, i]
@@ -28,7 +28,7 @@ def reduced_mass(state, i, j):
     return mass_i / (mass_i + mass_j) * mass_j
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def push_apart(state, i, j, nx, ny, impulse):
     """Give ball j the impulse (N s) along n, and ball i its opposite."""
     to_i = impulse / state[MASS, i]
@@ -39,7 +39,7 @@ def push_apart(state, i, j, nx, ny, impulse):
     state[VY, j] += to_j * ny
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def collide_along_normal(state, i, j, nx, ny, restitution):
     """Turn the closing speed round, times `restitution`. Returns the impulse, N s."""
     impulse = (1.0 + restitution) * reduced_mass(state, i, j) * closing_speed(state, i, j, nx, ny)

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from game.billiards.contacts.ball_ball_normal import closing_speed, push_apart, reduced_mass
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import MASS, RADIUS, VX, VY, WX, WY, WZ
 
 CHATTER_TIME = 0.02  # s
@@ -21,7 +21,7 @@ FIRST_SPEED = 1e-6  # m/s
 LARGEST_SPEED = 3e-3  # m/s; a parting of 2 ms on cloth with mu = 0.2
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def least_parting_speed(repeats):
     """Separating speed that the rule asks for after so many repeats, at least ALLOWED_REPEATS, m/s."""
     speed = FIRST_SPEED
@@ -32,7 +32,7 @@ def least_parting_speed(repeats):
     return speed
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def spin_energy(state, i):
     """Rotational energy of ball i, J."""
     radius = state[RADIUS, i]
@@ -40,7 +40,7 @@ def spin_energy(state, i):
     return 0.2 * state[MASS, i] * radius * radius * square
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def scale_spin(state, i, factor):
     """Slow all spin of ball i."""
     state[WX, i] *= factor
@@ -48,7 +48,7 @@ def scale_spin(state, i, factor):
     state[WZ, i] *= factor
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def affordable_speed(parting, wanted, mass, available):
     """Parting speed up to `wanted` that `available` J can pay for, and the share of them that remains."""
     cost = 0.5 * mass * (wanted - parting) * (wanted + parting)
@@ -57,7 +57,7 @@ def affordable_speed(parting, wanted, mass, available):
     return math.sqrt(parting * parting + 2.0 * available / mass), 0.0
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def part_balls(state, i, j, nx, ny, wanted):
     """Raise the parting speed of two balls to `wanted` m/s, at the cost of their spin."""
     parting = -closing_speed(state, i, j, nx, ny)
@@ -73,7 +73,7 @@ def part_balls(state, i, j, nx, ny, wanted):
     scale_spin(state, j, factor)
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def part_from_rail(state, i, nx, ny, wanted):
     """Raise the speed at which ball i leaves a rail to `wanted` m/s, at the cost of its spin."""
     parting = state[VX, i] * nx + state[VY, i] * ny

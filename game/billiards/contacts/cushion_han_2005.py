@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import (
     CUSHION_FRICTION,
     CUSHION_HEIGHT,
@@ -25,7 +25,7 @@ from game.billiards.state import (
 )
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def tilted_impulse(sx, sy, c, mass, restitution, friction):
     """Impulse in the tilted frame, (PxE, PyE, PzE) N s, from slip (sx, sy) and normal speed c, m/s."""
     normal = -(1.0 + restitution) * c * mass
@@ -36,7 +36,7 @@ def tilted_impulse(sx, sy, c, mass, restitution, friction):
     return friction * normal * sx / slip, friction * normal * sy / slip, normal
 
 
-@lean_kernel
+@inner_kernel
 def bounce_han_2005(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
     radius = state[RADIUS, i]

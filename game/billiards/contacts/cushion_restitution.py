@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from game.billiards.lean import lean_kernel
+from game.billiards.lean import inner_kernel
 from game.billiards.state import VX, VY
 
 
-@lean_kernel(inline="always")
+@inner_kernel(inline="always")
 def bounce(state, i, nx, ny, restitution):
     """v -= (1 + e) (v . n) n, with n the unit vector from the cushion to the ball."""
     change = (1.0 + restitution) * (state[VX, i] * nx + state[VY, i] * ny)
