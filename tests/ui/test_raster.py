@@ -74,14 +74,14 @@ def test_arc_with_round_ends(start, sweep):
     paper = Paper()
     x, y, radius, width = 20.3, 14.8, 10.0, 3.0
     stroke_arc(paper.pixels, paper.clip, x, y, radius, width, start, sweep, INK, 1.0)
-    turns = start + np.linspace(0.0, 1.0, 400) * sweep
 
     def inside(u, v):
-        u, v = np.broadcast_arrays(u, v)
-        result = np.zeros(u.shape, bool)
-        for t in turns:
-            result |= np.hypot(u - x - radius * math.cos(t), v - y - radius * math.sin(t)) <= 0.5 * width
-        return result
+        turned = np.mod(math.copysign(1.0, sweep) * (np.arctan2(v - y, u - x) - start), 2.0 * math.pi)
+        away = np.where(turned <= abs(sweep), np.abs(np.hypot(u - x, v - y) - radius), np.inf)
+        for t in (start, start + sweep):
+            end = np.hypot(u - x - radius * math.cos(t), v - y - radius * math.sin(t))
+            away = np.minimum(away, end)
+        return away <= 0.5 * width
 
     assert worst(paper.coverage, sampled(inside)) < 0.25
 
