@@ -13,7 +13,9 @@ from game.lab.studies.particles import bounce_study
 from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import CALM, CONTACTS, METHODS, OBSTACLES, Discs, Emitter, Forces, ParticleSystem
-from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
+from game.physics.particles.encounters import STEP
+from game.scenes import c04_findings as findings
+from game.scenes import c04_hand as hand
 from game.scenes.c04_level import MOST_STONES, FountainContent, Stone
 from game.scenes.c04_view import FountainView
 from game.stage import (
@@ -30,13 +32,8 @@ from game.stage import (
     Toggle,
 )
 
-REACH = 0.14  # m, how near to a handle the pointer takes it
 HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
-NEW_RADIUS = 0.25  # m, of a stone put by a click
-LOOKED_AT = 32_768  # particles compared with the exact solution; of more, every second, third, ...
-TOLERANCE = 1e-3  # m beyond the exact envelope that counts as outside
 TOUCH_TIME = 1.0 / 60.0  # s for which a particle counts as touching
-NO_HAND = ("", -1)
 
 
 class Fountain(Scene):
@@ -159,7 +156,7 @@ class Fountain(Scene):
         self.content: FountainContent = content
         self.emitting = True
         self.own = [stone.restitution for stone in content.stones]
-        self.hand: tuple[str, int] = NO_HAND
+        self.hand: tuple[str, int] = hand.NOTHING
         self.target = (0.0, 0.0)
         self.grip = (0.0, 0.0)
         self.since = 0.0  # s: who was born later knows no other law and nozzle than the present ones
@@ -182,7 +179,7 @@ class Fountain(Scene):
                 [particle.position for particle in content.particles],
                 [particle.velocity for particle in content.particles],
             )
-        self._configure()
+        self.configure()
         self.view = FountainView()
 
     def _restitution(self, own: float | None) -> float:
@@ -201,7 +198,7 @@ class Fountain(Scene):
             axis=math.radians(nozzle.tilt),
         )
 
-    def _configure(self) -> None:
+    def configure(self) -> None:
         """Hand all knobs to the system."""
         system = self.system
         system.effects = self.active
@@ -232,12 +229,12 @@ class Fountain(Scene):
         if name in ("rate", "speed", "spread"):
             self._change_emitters()
         else:
-            self._configure()
+            self.configure()
         if name in ("speed", "gravity", "drag", "wind", "fast_drag", "whirl"):
             self.since = self.system.time_s
 
     def effects_changed(self) -> None:
-        self._configure()
+        self.configure()
         self.since = self.system.time_s
 
     def state(self) -> Any:
@@ -245,7 +242,6 @@ class Fountain(Scene):
 
     def restore(self, state: Any) -> None:
         self.system.restore(state)
-        self._configure()
 
     def save_content(self) -> FountainContent:
         """The level as it stands now; living particles are not kept."""
@@ -268,6 +264,8 @@ class Fountain(Scene):
 
     def advance(self, dt: float) -> None:
         system, (what, index) = self.system, self.hand
+        if (system.forces.whirl_x, system.forces.whirl_y) != self.whirl_centre:
+            self.configure()  # the whirl was put back by a step back
         if what == "stone":
             way = np.array(self.target) - system.solids.centres[index]
             pace = math.sqrt(float(way @ way)) / dt
@@ -291,72 +289,7 @@ class Fountain(Scene):
     # -- the hand -----------------------------------------------------------------------------------
 
     def pointer(self, event: Pointer) -> None:
-        point = (event.x, event.y)
-        if event.kind == "down" and event.button == 1:
-            self._take(point, event.shift)
-        elif event.kind == "down" and event.button == 3:
-            self._remove_stone(point)
-        elif event.kind == "move" and self.hand != NO_HAND:
-            self._drag(point)
-        elif event.kind in ("up", "cancel"):
-            self.hand = NO_HAND
-
-    def _take(self, point: tuple[float, float], new: bool) -> None:
-        self.hand = self._at(point)
-        what, index = self.hand
-        if what == "" and new:
-            self._add_stone(point)
-        elif what == "stone":
-            x, y = self.system.solids.centres[index].tolist()
-            self.target = (x, y)
-            self.grip = (x - point[0], y - point[1])
-
-    def _at(self, point: tuple[float, float]) -> tuple[str, int]:
-        """What is to be dragged at a point."""
-        stones = self.system.solids
-        if OBSTACLES in self.active:
-            for j, (x, y, radius) in enumerate(stones.rows[:, :3].tolist()):
-                if math.dist(point, rim_handle(x, y, radius)) < REACH:
-                    return "rim", j
-            for j, (x, y, radius) in enumerate(stones.rows[:, :3].tolist()):
-                if math.dist(point, (x, y)) < max(radius, REACH):
-                    return "stone", j
-        for e, row in enumerate(self.system.state().emitters.tolist()):
-            if math.dist(point, row[:2]) < 2.0 * REACH:
-                return "nozzle", e
-        if WHIRL in self.active and math.dist(point, self.whirl_centre) < 2.0 * REACH:
-            return "whirl", 0
-        return NO_HAND
-
-    def _drag(self, point: tuple[float, float]) -> None:
-        what, index = self.hand
-        x, y = (min(max(value, -1000.0), 1000.0) for value in point)
-        if what == "stone":
-            self.target = (x + self.grip[0], y + self.grip[1])
-        elif what == "rim":
-            row = self.system.solids.rows[index]
-            row[2] = min(max(math.dist((x, y), row[:2].tolist()), 0.02), 500.0)
-        elif what == "nozzle":
-            self.system.place_emitter(index, (x, y))
-            self.since = self.system.time_s
-        elif what == "whirl":
-            self.whirl_centre = (x, y)
-            self._configure()
-
-    def _add_stone(self, point: tuple[float, float]) -> None:
-        if len(self.own) == MOST_STONES:
-            self.told.append(f"There is room for {MOST_STONES} stones.")
-            return
-        index = self.system.solids.add(point, NEW_RADIUS, self.restitution)
-        self.own.append(None)
-        self.hand, self.target, self.grip = ("stone", index), point, (0.0, 0.0)
-
-    def _remove_stone(self, point: tuple[float, float]) -> None:
-        what, index = self._at(point)
-        if what in ("stone", "rim"):
-            self.system.solids.remove(index)
-            del self.own[index]
-            self.hand = NO_HAND
+        hand.take_pointer(self, event)
 
     def action(self, name: str) -> None:
         if name == "emit":
@@ -377,71 +310,13 @@ class Fountain(Scene):
             wind_x=forces.wind_x if windy else 0.0,
         )
 
-    def has_exact(self) -> bool:
-        """Whether the closed form of the flight is known."""
-        return QUADRATIC_DRAG not in self.active and (
-            WHIRL not in self.active or (DRAG not in self.active) or self.whirl == 0.0
-        )
-
-    def exact_envelope(self) -> np.ndarray:
-        """Curve (n, 2) relative to a nozzle that no particle can pass; empty if none is known."""
-        if not self.has_exact() or self.speed == 0.0:
-            return np.zeros((0, 2))
-        return envelope(self.law(), self.speed, self.life)
-
-    def deviation(self) -> tuple[float, int, int]:
-        """Of untouched particles: the worst distance from the exact solution (m), how many are outside, of
-        how many."""
-        system, worst, outside, looked = self.system, 0.0, 0, 0
-        emitters, law = system.state().emitters, self.law()
-        stride = -(-max(len(system), 1) // LOOKED_AT)
-        for low, high in system.segments():
-            bad, out, seen = measure_deviation(
-                system.fields,
-                system.tags,
-                low,
-                high,
-                stride,
-                emitters,
-                law,
-                system.time_s,
-                self.since,
-                TOLERANCE,
-            )
-            worst, outside, looked = max(worst, bad), outside + out * stride, looked + seen
-        return worst, outside, looked
-
     def touching_since(self) -> int:
         """Number of the first step whose impacts still count as touching."""
         steps = max(1, round(TOUCH_TIME / self.step_length))
-        return max(int(self.system.tallies[2]) + 1 - steps, 1)
+        return max(int(self.system.tallies[STEP]) + 1 - steps, 1)
 
     def readouts(self) -> list[Readout]:
-        system = self.system
-        kinetic = potential = 0.0
-        highest = -math.inf
-        touching = 0
-        for low, high in system.segments():
-            k, p, top = measure_swarm(system.fields, low, high, self.law().gravity, self.content.floor)
-            kinetic, potential, highest = kinetic + k, potential + p, max(highest, top)
-            touching += count_touching(system.tags, low, high, self.touching_since())
-        worst, outside, looked = self.deviation() if self.has_exact() else (math.nan, 0, 0)
-        curve = self.exact_envelope()
-        top = max((row[1] for row in system.state().emitters.tolist()), default=0.0)
-        return [
-            Readout("particles", float(len(system))),
-            Readout("highest", highest if len(system) else self.content.floor, "m"),
-            Readout("exact", float(curve[:, 1].max()) + top if len(curve) else math.nan, "m"),
-            Readout("error", worst if looked else math.nan, "m"),
-            Readout("outside the curve", float(outside)),
-            Readout("kinetic", kinetic, "J"),
-            Readout("potential", potential, "J"),
-            Readout("touching", float(touching)),
-            Readout("born", float(system.born)),
-            Readout("impacts", float(system.impacts)),
-            Readout("dropped", float(system.dropped)),
-            Readout("cut short", float(system.cut_short)),
-        ]
+        return findings.readouts(self)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         rows = [("scale:slow:fast", "Speed", f"0 {self.view.top_speed(self):.3g} m/s")]
@@ -449,7 +324,7 @@ class Fountain(Scene):
             rows.append(
                 ("disc:amber", "touching the stone" if len(self.own) == 1 else "touching a stone", "")
             )
-        if len(self.exact_envelope()):
+        if len(findings.exact_envelope(self)):
             rows.append(("dash:text1", "exact envelope", ""))
         return rows
 
@@ -459,8 +334,3 @@ class Fountain(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self, canvas, alpha)
-
-
-def rim_handle(x: float, y: float, radius: float) -> tuple[float, float]:
-    """Where a stone's handle for its radius is: on the rim, up and to the right."""
-    return x + 0.88 * radius, y + 0.475 * radius

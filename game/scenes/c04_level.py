@@ -14,7 +14,7 @@ MOST_STONES = 32
 MOST_NOZZLES = 8
 
 
-class Nozzle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class Nozzle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """Where particles come from. position: m; tilt: ° from straight up, clockwise; share: of the rate."""
 
     position: Point = (0.0, 0.0)
@@ -22,7 +22,7 @@ class Nozzle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tr
     share: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] = 1.0
 
 
-class Stone(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class Stone(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """A round obstacle: centre and radius, m. restitution: its own; without, the one of the panel."""
 
     centre: Point
@@ -30,14 +30,14 @@ class Stone(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tru
     restitution: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] | None = None
 
 
-class Particle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class Particle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """A single particle that is there from the beginning: m, m/s."""
 
     position: Point
     velocity: tuple[Speed, Speed] = (0.0, 0.0)
 
 
-class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """The part of the world in view, m."""
 
     left: Metre = -4.7
@@ -46,7 +46,7 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
     top: Metre = 4.75
 
 
-class FountainContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class FountainContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """[content] of a fountain level. floor: m; whirl: its centre, m."""
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)

@@ -10,6 +10,8 @@ import numpy as np
 from game.physics.fields import DRAG, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import OBSTACLES
 from game.physics.particles.in_between import gather_touching, place_between
+from game.scenes.c04_findings import exact_envelope
+from game.scenes.c04_hand import rim_handle
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
@@ -84,7 +86,7 @@ class FountainView:
             self._touching = np.zeros((capacity, 2))
 
     def _draw_envelope(self, scene: Fountain, canvas: Canvas) -> None:
-        curve = scene.exact_envelope()
+        curve = exact_envelope(scene)
         if not len(curve):
             return
         named = False
@@ -103,7 +105,7 @@ class FountainView:
     def _draw_stones(self, scene: Fountain, canvas: Canvas) -> None:
         for x, y, radius, _, _, e in scene.system.solids.rows.tolist():
             canvas.circle((x, y), radius, "body", 1.0, "text2", 2.0)
-            handle = (x + 0.88 * radius, y + 0.475 * radius)
+            handle = rim_handle(x, y, radius)
             canvas.line((x, y), handle, "text2", 1.4)
             canvas.dot((x, y), 2.5, "text1")
             canvas.handle(handle)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from game.lab.studies.constraints import spring_study
 from game.physics.constraints import MODELS
+from game.physics.constraints.areas import COMPLIANCE, INTACT, STIFFNESS
 from game.scenes.mass_spring import MassSpringScene
 from game.scenes.mass_spring_level import NOT_OWN
 from game.stage import Choice, Equation, Param, Readout, Strip
@@ -80,21 +81,13 @@ class Springs(MassSpringScene):
 
     def readouts(self) -> list[Readout]:
         now, rest = self.system.areas()
-        whole = self.system.outlines.rows[4] > 0.0
+        whole = self.system.outlines.rows[INTACT] > 0.0
         total = float(np.abs(rest[whole]).sum())
         kept = float(np.abs(now[whole]).sum()) / total if total > 0.0 else 1.0
         return [*super().readouts(), Readout("area kept", kept)]
 
-    def knob_changed(self, name: str) -> None:
-        super().knob_changed(name)
-        if name == "model":
-            self._soften_areas()
-
-    def build(self, level: object) -> None:
-        super().build(level)  # type: ignore[arg-type]
-        self._soften_areas()
-
-    def _soften_areas(self) -> None:
-        """Areas hold nearly as firmly as they can with each model."""
-        self.system.outlines.rows[1] = 0.9
-        self.system.outlines.rows[2] = 1e-6
+    def make_system(self) -> None:
+        super().make_system()
+        # areas hold nearly as firmly as they can with each model
+        self.system.outlines.rows[STIFFNESS] = 0.9
+        self.system.outlines.rows[COMPLIANCE] = 1e-6

@@ -27,13 +27,12 @@ from game.physics.constraints.editing import Topology, assemble, topology_of
 from game.physics.fields import GRAVITY, GROUND
 from game.scenes import mass_spring_hand as hand
 from game.scenes.mass_spring_level import (
-    MOST_WRITTEN,
-    NOT_OWN,
     LinkEntry,
     ParticleEntry,
     SpringContent,
     build_network,
 )
+from game.scenes.mass_spring_saving import content_of
 from game.scenes.mass_spring_view import SpringView
 from game.stage import (
     Choice,
@@ -170,10 +169,10 @@ class MassSpringScene(Scene):
         self.chosen = self.first = hand.NOBODY
         self.knife: tuple[float, float] | None = None
         self.told: deque[str] = deque(maxlen=8)
-        self._make_system()
+        self.make_system()
         self.view = SpringView()
 
-    def _make_system(self) -> None:
+    def make_system(self) -> None:
         """The level's network, at its beginning."""
         network = build_network(self.content)
         shape = network.shape
@@ -251,7 +250,7 @@ class MassSpringScene(Scene):
         self.edited = len(state.starts) > 0
         if not self.edited:
             if len(state.torn) != len(self.system.torn) or state.fields.shape != self.system.fields.shape:
-                self._make_system()
+                self.make_system()
         else:
             topology = Topology(
                 state.pairs, state.rest, state.stiffness, state.compliance, state.torn, state.corners,
@@ -267,39 +266,7 @@ class MassSpringScene(Scene):
         self.system.restore(type(self.system.state())(*state[:4]))
 
     def save_content(self) -> SpringContent:
-        """The network as it stands, particle by particle; one too large for that as the level has it."""
-        system = self.system
-        if system.count > MOST_WRITTEN or len(system.torn) > 4 * MOST_WRITTEN:
-            return self.content
-        topology = topology_of(system)
-        weights = system.inverse_masses.tolist()
-        if system.held >= 0:
-            weights[system.held] = float(system.hand[1])
-        rows = zip(system.positions.tolist(), system.velocities.tolist(), weights, strict=True)
-        starts = topology.starts.tolist()
-        links = zip(
-            topology.pairs.tolist(), topology.rest.tolist(), self.own.tolist(), topology.torn, strict=True
-        )
-        return SpringContent(
-            particles=tuple(
-                ParticleEntry(position=tuple(place), velocity=tuple(speed), inverse_mass=weight)
-                for place, speed, weight in rows
-            ),
-            links=tuple(
-                LinkEntry(ends=tuple(ends), rest=rest, stiffness=None if own == NOT_OWN else own)
-                for ends, rest, own, torn in links
-                if not torn
-            ),
-            areas=tuple(
-                tuple(topology.corners[a:b].tolist())
-                for a, b, row in zip(starts[:-1], starts[1:], topology.areas.T, strict=True)
-                if row[4]
-            ),
-            contacts=tuple((a, b) for a, b in topology.contacts.tolist()),
-            floor=self.content.floor,
-            reference=self.content.reference,
-            view=self.content.view,
-        )
+        return content_of(self)
 
     # -- a step -------------------------------------------------------------------------------------
 

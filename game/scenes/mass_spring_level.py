@@ -23,7 +23,7 @@ MOST_WRITTEN = 2_000  # particles and links that are written one by one into a f
 NOT_OWN = -1.0  # a link without a stiffness of its own has the panel's
 
 
-class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     pass
 
 

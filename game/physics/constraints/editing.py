@@ -176,7 +176,9 @@ def links_across(
     over_b = cut_x * (y[b] - start[1]) - cut_y * (x[b] - start[0])
     over_start = side(*start, x[a], y[a], x[b], y[b])
     over_end = side(*end, x[a], y[a], x[b], y[b])
-    crossed = (over_a * over_b < 0.0) & (over_start * over_end < 0.0) & (system.torn == 0)
+    # half open, so that a cut that is made piece by piece misses no link that lies on a joint
+    crossed = ((over_a < 0.0) != (over_b < 0.0)) & ((over_start < 0.0) != (over_end < 0.0))
+    crossed &= system.torn == 0
     return np.flatnonzero(crossed).tolist()
 
 

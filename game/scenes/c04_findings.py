@@ -1,0 +1,75 @@
+"""What is measured of the fountain: energy, height, and its distance from the exact solution."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.fields import DRAG, QUADRATIC_DRAG, WHIRL
+from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
+from game.stage import Readout
+
+if TYPE_CHECKING:
+    from game.scenes.c04_fountain import Fountain
+
+LOOKED_AT = 32_768  # particles compared with the exact solution; of more, every second, third, ...
+TOLERANCE = 1e-3  # m beyond the exact envelope that counts as outside
+
+
+def has_exact(scene: Fountain) -> bool:
+    """Whether the closed form of the flight is known."""
+    on = scene.active
+    return QUADRATIC_DRAG not in on and (WHIRL not in on or DRAG not in on or scene.whirl == 0.0)
+
+
+def exact_envelope(scene: Fountain) -> NDArray[np.float64]:
+    """Curve (n, 2) m from a nozzle that no particle can pass; empty if none is known."""
+    if not has_exact(scene) or scene.speed == 0.0:
+        return np.zeros((0, 2))
+    return envelope(scene.law(), scene.speed, scene.life)
+
+
+def deviation(scene: Fountain) -> tuple[float, int, int]:
+    """Of untouched particles: (worst distance from the exact solution in m, how many are outside, of how
+    many)."""
+    system, worst, outside, looked = scene.system, 0.0, 0, 0
+    emitters, law, now = system.state().emitters, scene.law(), system.time_s
+    stride = -(-max(len(system), 1) // LOOKED_AT)
+    for low, high in system.segments():
+        bad, out, seen = measure_deviation(
+            system.fields, system.tags, low, high, stride, emitters, law, now, scene.since, TOLERANCE
+        )
+        worst, outside, looked = max(worst, bad), outside + out * stride, looked + seen
+    return worst, outside, looked
+
+
+def readouts(scene: Fountain) -> list[Readout]:
+    """All that is measured."""
+    system = scene.system
+    kinetic = potential = 0.0
+    highest = -math.inf
+    touching = 0
+    for low, high in system.segments():
+        k, p, top = measure_swarm(system.fields, low, high, scene.law().gravity, scene.content.floor)
+        kinetic, potential, highest = kinetic + k, potential + p, max(highest, top)
+        touching += count_touching(system.tags, low, high, scene.touching_since())
+    worst, outside, looked = deviation(scene) if has_exact(scene) else (math.nan, 0, 0)
+    curve = exact_envelope(scene)
+    top = max((row[1] for row in system.state().emitters.tolist()), default=0.0)
+    return [
+        Readout("particles", float(len(system))),
+        Readout("highest", highest if len(system) else scene.content.floor, "m"),
+        Readout("exact", float(curve[:, 1].max()) + top if len(curve) else math.nan, "m"),
+        Readout("error", worst if looked else math.nan, "m"),
+        Readout("outside the curve", float(outside)),
+        Readout("kinetic", kinetic, "J"),
+        Readout("potential", potential, "J"),
+        Readout("touching", float(touching)),
+        Readout("born", float(system.born)),
+        Readout("impacts", float(system.impacts)),
+        Readout("dropped", float(system.dropped)),
+        Readout("cut short", float(system.cut_short)),
+    ]
