@@ -31,7 +31,7 @@ def tilted_impulse(sx, sy, c, mass, restitution, friction):
     normal = -(1.0 + restitution) * c * mass
     slip = math.sqrt(sx * sx + sy * sy)
     stopping = slip * 2.0 * mass / 7.0
-    if stopping <= friction * normal:
+    if slip == 0.0 or stopping <= friction * normal:
         return 2.0 * mass / 7.0 * sx, 2.0 * mass / 7.0 * sy, normal
     return friction * normal * sx / slip, friction * normal * sy / slip, normal
 
