@@ -95,10 +95,17 @@ def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
 
 @inner_kernel
 def first_crossing(gap, speed, half_acceleration, horizon):
-    """Time until gap + speed t + half_acceleration t^2 falls to 0, s; NEVER if not within `horizon`."""
-    if gap <= 0.0:
-        if gap < -BEHIND:
+    """Time until gap + speed t + half_acceleration t^2 falls to 0, s; NEVER if not within `horizon`.
+
+    A path that starts further behind than BEHIND may come forward, and fall back later.
+    """
+    if gap < -BEHIND:
+        discriminant = speed * speed - 4.0 * half_acceleration * gap
+        if speed <= 0.0 or half_acceleration >= 0.0 or discriminant <= 0.0:
             return NEVER
+        t = (speed + math.sqrt(discriminant)) / (-2.0 * half_acceleration)
+        return t if t <= horizon else NEVER
+    if gap <= 0.0:
         if speed <= -CLOSING_SPEED:
             return 0.0
         if half_acceleration >= 0.0:

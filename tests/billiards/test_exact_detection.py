@@ -150,8 +150,18 @@ def test_crossing_a_line_against_the_roots(gap, speed, half, horizon):
         assert values.min() > -1e-12
 
 
+def test_from_behind_a_line_a_ball_comes_forward_and_falls_back():
+    """A ball that leaves a pocket's mouth on a curved way, back to the rail beside it."""
+    # -0.01 + 0.4 t - 0.8 t^2 is 0 at (0.4 -+ sqrt(0.16 - 0.032))/1.6
+    wanted = (0.4 + math.sqrt(0.128)) / 1.6
+    assert first_crossing(-0.01, 0.4, -0.8, 1.0) == pytest.approx(wanted, rel=1e-14)
+    assert first_crossing(-0.01, 0.4, -0.8, 0.4) == NEVER
+    assert first_crossing(-0.06, 0.4, -0.8, 1.0) == NEVER
+
+
 def test_a_line_far_behind_is_not_met():
     assert first_crossing(-1e-3, -1.0, 0.0, 1.0) == NEVER
+    assert first_crossing(-1e-3, 1.0, 0.0, 1.0) == NEVER
     assert first_crossing(-1e-12, -1.0, 0.0, 1.0) == 0.0
     assert first_crossing(0.0, 1.0, -1.0, 5.0) == pytest.approx(1.0, rel=1e-14)
 

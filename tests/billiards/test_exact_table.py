@@ -352,6 +352,16 @@ def test_a_ball_wide_of_the_mouth_rattles_in_the_jaws():
     assert 5 < hit < 50
 
 
+def test_a_ball_that_curves_out_of_a_mouth_meets_the_rail_beside_it():
+    shot = make_shot(POOL, [[1.25, 1.3]]).struck(0, (-0.34, -2.38), (85.0, 65.0, 0.0))
+    trajectory = simulate(shot)
+    assert trajectory.segments[:, 1].max() <= 1.25
+    rails = [e for e in trajectory.events if e.type == "ball-cushion"]
+    assert rails and trajectory.state_at(rails[0].time).positions[0, 0] == pytest.approx(
+        POOL.width - R, abs=1e-15
+    )
+
+
 def test_a_pocketed_ball_takes_no_further_part():
     shot = make_shot(POOL, [[0.3, 0.3], [0.6, 0.6]], [(-1.0, -1.0), (-1.0, -1.0)])
     trajectory = simulate(shot)
