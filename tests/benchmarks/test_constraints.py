@@ -40,18 +40,19 @@ def test_cloth_in_substeps(benchmark):
     benchmark.group = "cloth of 100 x 100, 20 iterations"
     system = cloth_system(substeps=20, sweeps=1)
     benchmark(system.step, 1 / 60)
-    assert system.measure().worst_strain < 0.2
+    assert system.measure().worst_strain < 0.5
 
 
 class NumpyCloth:
-    """The same step with numpy: four colours, whole arrays at a time, in place."""
+    """The same step with numpy: four colours, whole planes of numbers at a time, in place."""
 
     def __init__(self):
         r, c = np.mgrid[0:SIDE, 0:SIDE]
-        self.p = np.stack([0.01 * c, -0.01 * r], axis=-1).astype(float)
-        self.v = np.zeros_like(self.p)
+        self.x, self.y = 0.01 * c, -0.01 * r
+        self.vx, self.vy = np.zeros((2, SIDE, SIDE))
         w = np.ones((SIDE, SIDE))
         w[0] = 0.0
+        self.moves = w
         self.families = []
         for axis in (1, 0):
             for first in (0, 1):
@@ -60,29 +61,32 @@ class NumpyCloth:
                 a[axis], b[axis] = slice(first, SIDE - 1, 2), slice(first + 1, SIDE, 2)
                 wa, wb = w[tuple(a)], w[tuple(b)]
                 share = np.where(wa + wb > 0, 1.0 / np.maximum(wa + wb, 1e-300), 0.0)
-                self.families.append((tuple(a), tuple(b), (wa * share)[..., None], (wb * share)[..., None]))
-        self.moves = (w > 0)[..., None]
+                self.families.append((tuple(a), tuple(b), wa * share, wb * share))
 
     def step(self, h):
-        x = self.p.copy()
-        self.v[..., 1] -= 9.81 * h
-        self.p += h * self.v * self.moves
+        x, y = self.x.copy(), self.y.copy()
+        self.vy -= 9.81 * h
+        self.x += h * self.vx * self.moves
+        self.y += h * self.vy * self.moves
         for _ in range(SWEEPS):
             for a, b, part_a, part_b in self.families:
-                pa, pb = self.p[a], self.p[b]
-                d = pb - pa
-                length = np.sqrt(d[..., 0] ** 2 + d[..., 1] ** 2)[..., None]
-                d *= 1.0 - 0.01 / length
-                pa += part_a * d
-                pb -= part_b * d
-        self.v = (self.p - x) / h
+                xa, ya, xb, yb = self.x[a], self.y[a], self.x[b], self.y[b]
+                dx, dy = xb - xa, yb - ya
+                stretch = 1.0 - 0.01 / np.sqrt(dx * dx + dy * dy)
+                dx *= stretch
+                dy *= stretch
+                xa += part_a * dx
+                ya += part_a * dy
+                xb -= part_b * dx
+                yb -= part_b * dy
+        self.vx, self.vy = (self.x - x) / h, (self.y - y) / h
 
 
 def test_cloth_with_numpy(benchmark):
     benchmark.group = "cloth of 100 x 100, 20 iterations"
     cloth = NumpyCloth()
     benchmark(cloth.step, 1 / 60)
-    assert np.all(np.isfinite(cloth.p))
+    assert np.all(np.isfinite(cloth.x))
 
 
 def test_numpy_twin_goes_the_same_way():
@@ -92,7 +96,7 @@ def test_numpy_twin_goes_the_same_way():
         twin.step(1 / 60)
         system.step(1 / 60)
     mine = system.positions[shapes.cloth_index(SIDE, SIDE)]
-    assert np.abs(mine - twin.p).max() < 1e-3
+    assert np.abs(mine - np.stack([twin.x, twin.y], axis=-1)).max() < 1e-3
 
 
 def pymunk_net(pymunk, positions, fixed, pairs, joint):
@@ -148,7 +152,7 @@ def test_chain(benchmark, name):
     benchmark.group = "chain of 100 links"
     rope = shapes.rope((0, 0), (10, 0), 100)
     settings = {"effects": GRAVITY | LINKS, **CHAINS[name]}
-    system = PositionBasedDynamics(*rope[:3], order="natural", **settings)
+    system = PositionBasedDynamics(*rope[:3], **settings)
     benchmark.extra_info["worst strain"] = stretch_of(system.step, lambda: system.positions)
     benchmark(system.step, 1 / 60)
 

@@ -31,9 +31,9 @@ def swarm(count, effects, method="verlet", capacity=0):
     rng = np.random.default_rng(1)
     age, angle = np.sort(rng.random(count))[::-1] * 1.8, (rng.random(count) - 0.5) * 0.5
     x, y = 9 * np.sin(angle) * age, 9 * np.cos(angle) * age - 4.905 * age**2
-    system.add(
-        np.stack([x, np.maximum(y, 0)], 1), np.stack([9 * np.sin(angle), 9 * np.cos(angle) - 9.81 * age], 1)
-    )
+    y = np.maximum(y, 0.0)
+    x = np.where((x - 0.2) ** 2 + (y - 2.4) ** 2 < 0.46**2, 5.0, x)  # nobody begins in the stone
+    system.add(np.stack([x, y], 1), np.stack([9 * np.sin(angle), 9 * np.cos(angle) - 9.81 * age], 1))
     return system
 
 

@@ -11,7 +11,7 @@ from game.physics.fields import DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles.contacts import CONTACTS
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT, REPORTS_BIT
 from game.physics.particles.flight import EXPONENTIAL, METHODS
-from game.physics.particles.forces import FORCE_BITS, Forces
+from game.physics.particles.forces import AIR_BITS, FORCE_BITS, Forces
 from game.physics.particles.solids import LARGEST, Discs
 
 KNOWN = EffectSet.from_mask(FORCE_BITS | GROUND_BIT | OBSTACLES_BIT | REPORTS_BIT)
@@ -164,6 +164,8 @@ class Settings:
         """Substeps that a step of dt (s) is divided into."""
         if self._substeps:
             return self._substeps
+        if not self.mask & AIR_BITS:
+            return 1
         if self._method == EXPONENTIAL:
             return 1
         return min(max(math.ceil(self.stiffness() * dt / SMOOTH), 1), MAX_SUBSTEPS)

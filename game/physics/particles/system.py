@@ -140,24 +140,26 @@ class ParticleSystem(Pool, Settings):
         """Go on by dt (s). ValueError unless it is finite and above 0."""
         if not 0.0 < dt < math.inf:
             raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
-        if dt != self._clock[1]:
-            self._clock[:] = self.time_s, dt, 0.0
-        now = self.time_s
+        origin, step, steps = self._clock.tolist()
+        if dt != step:
+            origin, step, steps = origin + steps * step, dt, 0.0
+        now = origin + steps * step
         self.tallies[encounters.REPORTED] = 0
-        self.solids.impulses[:] = 0.0
+        if len(self.solids):
+            self.solids.impulses[:] = 0.0
         count = self.substeps_for(dt)
         h = dt / count
         for i in range(count):
             self._substep(now + i * h, h)
-        self._clock[2] += 1.0
+        self._clock[:] = origin, step, steps + 1.0
         self.tallies[encounters.STEP] += 1
 
     def _substep(self, now: float, h: float) -> None:
-        rules = Rules(self._contact, self._method, self.mask, self.floor, self.floor_restitution, h)
+        rules = Rules(self._contact, self._method, self.mask, self._floor, self._floor_restitution, h)
         pool = (self.fields, self.tags, self.tallies, self.capacity)
         listed = (self._hits, self._who)
         full = found = len(self._who)
-        while found == full:
+        while found == full and self._oldest_dies_by(now + h):
             found = births.retire(self.mask, *pool, self._life, now, h, *listed, 0)
             self._resolve(rules, found, now)
         self._fly_all(rules, now, h)
@@ -166,22 +168,33 @@ class ParticleSystem(Pool, Settings):
         while found == full:
             found = births.emit(self.mask, *pool, *sources, self._life, now, h, *listed, 0)
             self._resolve(rules, found, now)
-        self._emitters[:, births.FROM_X : births.FROM_Y + 1] = self._emitters[:, : births.POSITION_Y + 1]
-        self.solids.move(h)
+        if len(self._births):
+            self._emitters[:, births.FROM_X : births.FROM_Y + 1] = self._emitters[:, : births.POSITION_Y + 1]
+        if len(self.solids):
+            self.solids.move(h)
+
+    def _oldest_dies_by(self, end: float) -> bool:
+        """Whether there is a particle whose life may end until an instant (s)."""
+        head, count = self.tallies[: encounters.COUNT + 1].tolist()
+        if count == 0:
+            return False
+        return float(self.fields[4, head]) + self._life <= end * (1.0 + 1e-12) + 1e-12 * self._life
 
     def _fly_all(self, rules: Rules, now: float, h: float) -> None:
         """All particles of the pool, in portions whose encounters fit the list."""
         solids = self.solids.rows
         advance = make_advance(self._method, self.mask & (FORCE_BITS | GROUND_BIT | OBSTACLES_BIT))
-        portion = CHUNK if self.mask & (GROUND_BIT | OBSTACLES_BIT) else self.capacity
-        where = (self._law, solids, self.floor, self.slack(h), h)
+        touches = self.mask & (GROUND_BIT | OBSTACLES_BIT)
+        portion = CHUNK if touches else self.capacity
+        where = (self._law, solids, self._floor, self.slack(h) if touches else 0.0, h)
         for low, high in self.segments():
             for begin in range(low, high, portion):
                 end = min(begin + portion, high)
                 found = advance(self.fields, begin, end, *where, self._marks, self._hits, self._who, 0)
-                self._hits[encounters.START, :found] = 0.0
-                self._hits[encounters.DURATION, :found] = h
-                self._resolve(rules, found, now)
+                if found:
+                    self._hits[encounters.START, :found] = 0.0
+                    self._hits[encounters.DURATION, :found] = h
+                    self._resolve(rules, found, now)
 
     def _resolve(self, rules: Rules, found: int, now: float) -> None:
         if found:
