@@ -46,7 +46,9 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
     top: Metre = 4.75
 
 
-class FountainContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class FountainContent(
+    msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True
+):
     """[content] of a fountain level. floor: m; whirl: its centre, m."""
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)

@@ -331,6 +331,6 @@ def _above_rounding(value: float) -> float:
 
 
 _NONE, _NO_INDEX = np.zeros(0), np.zeros(0, dtype=np.int64)
-_UNEDITED = (
+_UNEDITED: tuple[Any, ...] = (
     _NONE, _NO_INDEX, _NONE, _NONE, _NONE, _NO_INDEX, _NO_INDEX, _NONE, _NO_INDEX, _NONE,
 )  # fmt: skip

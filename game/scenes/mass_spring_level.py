@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Annotated, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -156,14 +157,15 @@ def build_network(content: SpringContent) -> Network:
     listed = _listed(content)
     parts = [listed[0]] if len(listed[0].positions) else []
     slacks = [listed[1]] if parts else []
-    for name, entries, make in (
+    makers: tuple[tuple[str, Sequence[Any], Callable[[Any], tuple[shapes.Shape, Any]]], ...] = (
         ("ropes", content.ropes, _rope),
         ("cloths", content.cloths, _cloth),
         ("blocks", content.blocks, _block),
         ("bridges", content.bridges, _bridge),
         ("rings", content.rings, _ring),
         ("cradles", content.cradles, _cradle),
-    ):
+    )
+    for name, entries, make in makers:
         for i, entry in enumerate(entries):
             try:
                 shape, slack = make(entry)

@@ -153,8 +153,8 @@ def swing_trial(setting: Setting) -> Run:
     n = int(setting.knob)
     scheme, solver, divide = SWING[setting.method]
     system = PositionBasedDynamics(
-        [(0.2 * i, 0.0) for i in range(6)], [0.0] + [1.0] * 5, [(i, i + 1) for i in range(5)], order="natural",
-        scheme=scheme, solver=solver, substeps=n if divide else 1, sweeps=1 if divide else n,
+        [(0.2 * i, 0.0) for i in range(6)], [0.0] + [1.0] * 5, [(i, i + 1) for i in range(5)],
+        order="natural", scheme=scheme, solver=solver, substeps=n if divide else 1, sweeps=1 if divide else n,
         effects=GRAVITY | LINKS,
     )  # fmt: skip
     steps = round(SWING_S / FRAME)
@@ -171,7 +171,8 @@ def swing_settings() -> list[Setting]:
     return [
         Setting(
             name, n, {},
-            {"scheme": SWING[name][0], "solver": SWING[name][1], "substeps": min(n, 200) if SWING[name][2] else 1,
+            {"scheme": SWING[name][0], "solver": SWING[name][1],
+             "substeps": min(n, 200) if SWING[name][2] else 1,
              "iterations": 1 if SWING[name][2] else n},
             10.0 + n,
         )
