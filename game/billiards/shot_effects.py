@@ -8,10 +8,10 @@ from game.billiards.table import Table
 from game.physics.effects import EffectSet, declare_effect
 
 CLOTH = declare_effect(
-    "billiards", "cloth", 14, "Cloth", "Balls slide, then roll, and come to rest; without it they go on for ever."
+    "billiards", "cloth", 14, "Cloth", "Balls slide, roll and come to rest; without it they never stop."
 )
 SPIN_DECAY = declare_effect("billiards", "spin-decay", 15, "Spin decay", "Spin about the vertical wears off.")
-THROW = declare_effect("billiards", "throw", 16, "Throw", "Balls rub on each other: cut and spin throw the other.")
+THROW = declare_effect("billiards", "throw", 16, "Throw", "Balls rub on each other: cut and spin throw them.")
 RUBBER = declare_effect("billiards", "rubber", 17, "Cushion friction", "Spin and cushion act on each other.")
 EXACT_EFFECTS = CLOTH | SPIN_DECAY | THROW | RUBBER | POCKETS
 
