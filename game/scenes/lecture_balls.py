@@ -13,6 +13,7 @@ from game.billiards.ball import Ball, Collision, Overshoot
 from game.billiards.lecture_slips import SLIPS
 from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
 from game.levels import Level
+from game.scenes import lecture_balls_record as record
 from game.scenes import lecture_balls_view as view
 from game.scenes.lecture_balls_level import HEIGHT, WIDTH, BallEntry, LectureBallsContent
 from game.stage import (
@@ -38,11 +39,6 @@ METRES = 0.004  # m to a pixel, where the lecture's window is taken as a table
 REACH = 14.0  # px, how near to a ball's arrow head the pointer takes it
 ARROW = 4.0  # px of arrow for a pixel per frame
 NEXT_START_S = 2.5  # s at rest before the balls set off again
-
-# what is remembered of the last collision, for the picture: one row of numbers each
-ANGLE, OVERLAP, RULE, EXCHANGED, CONTACT_X, CONTACT_Y = range(6)
-POSITIONS, AFTER, VELOCITIES, NEW_VELOCITIES = slice(6, 10), slice(10, 14), slice(14, 18), slice(18, 22)
-PARTS, NEW_PARTS, MOMENTA, ENERGIES = slice(22, 26), slice(26, 30), slice(30, 34), slice(34, 36)
 
 
 class LectureBallsState(NamedTuple):
@@ -162,7 +158,7 @@ class LectureBalls(Scene):
         self.energy_lost = 0.0
         self.dragged = -1  # ball 0 or 1 held, 2 or 3 its arrow, -1 nothing
         self.told: deque[str] = deque(maxlen=8)
-        self.last = np.zeros(36)
+        self.last = np.zeros(record.WIDTH)
         self.walls = np.zeros((2, 3))
         self.walls[:, 2] = 9.0
         self.balls = self._new_balls()
@@ -264,18 +260,20 @@ class LectureBalls(Scene):
             self.momentum_lost += math.sqrt(lost[0] * lost[0] + lost[1] * lost[1])
             self.energy_lost += c.energy_before - c.energy_after
             self.hold_s = self.hold
-        if not c.exchanged and self.last[OVERLAP] > 0.0:
+        if not c.exchanged and self.last[record.OVERLAP] > 0.0:
             return
         row = self.last
-        row[:6] = c.angle, c.overlap, RULES.index(c.rule), c.exchanged, *c.contact
-        row[POSITIONS] = np.ravel(c.positions_before)
-        row[AFTER] = np.ravel(c.positions_after)
-        row[VELOCITIES] = np.ravel(c.velocities_before)
-        row[NEW_VELOCITIES] = np.ravel(c.velocities_after)
-        row[PARTS] = np.ravel(c.parts_before)
-        row[NEW_PARTS] = np.ravel(c.parts_after)
-        row[MOMENTA] = *c.momentum_before, *c.momentum_after
-        row[ENERGIES] = c.energy_before, c.energy_after
+        row[record.ANGLE], row[record.OVERLAP] = c.angle, c.overlap
+        row[record.RULE], row[record.EXCHANGED] = RULES.index(c.rule), c.exchanged
+        row[record.CONTACT] = c.contact
+        row[record.POSITIONS] = np.ravel(c.positions_before)
+        row[record.NEW_POSITIONS] = np.ravel(c.positions_after)
+        row[record.VELOCITIES] = np.ravel(c.velocities_before)
+        row[record.NEW_VELOCITIES] = np.ravel(c.velocities_after)
+        row[record.PARTS] = np.ravel(c.parts_before)
+        row[record.NEW_PARTS] = np.ravel(c.parts_after)
+        row[record.MOMENTA] = *c.momentum_before, *c.momentum_after
+        row[record.ENERGY], row[record.NEW_ENERGY] = c.energy_before, c.energy_after
 
     def _start_again(self, dt: float) -> None:
         """After a while at rest both balls set off once more, with other velocities."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from game.scenes import lecture_balls_record as record
 from game.scenes.lecture_balls_level import HEIGHT, WIDTH
 from game.stage import Frame
 from game.ui.canvas import Canvas
@@ -126,18 +127,16 @@ def _draw_depth(
 
 
 def _draw_last_collision(scene: LectureBalls, canvas: Canvas) -> None:
-    from game.scenes import lecture_balls as rows
-
     row = scene.last
     left = WIDTH + 26.0
     canvas.label((left, 6.0), "The last collision", "text1", 15, "semibold", anchor="topleft")
-    if row[rows.OVERLAP] <= 0.0:
+    if row[record.OVERLAP] <= 0.0:
         canvas.label((left, 34.0), "None yet. Drag a ball or its arrow.", "text3", 13, anchor="topleft")
         return
     phase = _phase(scene)
     canvas.label((left, 30.0), STEPS[phase], "amber" if scene.hold_s > 0.0 else "text3", 13, anchor="topleft")
-    _draw_lens(scene, canvas, phase, rows)
-    _draw_numbers(scene, canvas, phase, rows, left)
+    _draw_lens(scene, canvas, phase)
+    _draw_numbers(scene, canvas, phase, left)
 
 
 def _phase(scene: LectureBalls) -> int:
@@ -147,19 +146,19 @@ def _phase(scene: LectureBalls) -> int:
     return min(int(5.0 * (1.0 - scene.hold_s / scene.hold)), 4)
 
 
-def _draw_lens(scene: LectureBalls, canvas: Canvas, phase: int, rows: object) -> None:
+def _draw_lens(scene: LectureBalls, canvas: Canvas, phase: int) -> None:
     row = scene.last
     magnification = LENS_RADIUS / max(ball.radius for ball in scene.balls)
-    contact = row[4:6]
-    pairs = (row[6:10] if phase == 0 else row[10:14]).reshape(2, 2)
+    contact = row[record.CONTACT]
+    pairs = row[record.POSITIONS if phase == 0 else record.NEW_POSITIONS].reshape(2, 2)
     centres = np.array(LENS) + (pairs - contact) * magnification
-    before = np.array(LENS) + (row[6:10].reshape(2, 2) - contact) * magnification
+    before = np.array(LENS) + (row[record.POSITIONS].reshape(2, 2) - contact) * magnification
     for index, ball in enumerate(scene.balls):
         radius = ball.radius * magnification
         if phase == 1:
             canvas.ghost(before[index], radius, 1.0)
         canvas.circle(centres[index], radius, fill="body", fill_alpha=0.8, outline=COLORS[index], width=2.0)
-    angle = float(row[0])
+    angle = float(row[record.ANGLE])
     n = np.array((math.cos(angle), math.sin(angle)))
     reach = 92.0
     if phase >= 1:
@@ -168,16 +167,16 @@ def _draw_lens(scene: LectureBalls, canvas: Canvas, phase: int, rows: object) ->
         )
         _draw_angle(canvas, centres[1], angle)
     canvas.contact(LENS, chosen=True)
-    fastest = max(float(np.abs(row[14:22]).max()), 1e-9)
+    fastest = max(float(np.abs(row[record.VELOCITIES.start : record.NEW_VELOCITIES.stop]).max()), 1e-9)
     scale = LENS_ARROW / (fastest * math.sqrt(2.0))
-    new = row[18:22].reshape(2, 2)
-    old = row[14:18].reshape(2, 2)
+    new = row[record.NEW_VELOCITIES].reshape(2, 2)
+    old = row[record.VELOCITIES].reshape(2, 2)
     for index in range(2):
         if phase in (2, 3):
             _draw_parts(
                 canvas,
                 centres[index],
-                (row[22:26] if phase == 2 else row[26:30]).reshape(2, 2)[index],
+                row[record.PARTS if phase == 2 else record.NEW_PARTS].reshape(2, 2)[index],
                 n,
                 scale,
             )
@@ -208,16 +207,19 @@ def _draw_parts(canvas: Canvas, centre: Array, parts: Array, n: Array, scale: fl
     canvas.arrow(centre, np.array((-n[1], n[0])) * parts[1], "text1", scale=scale, width=1.6)
 
 
-def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, rows: object, left: float) -> None:
+def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, left: float) -> None:
     """What was computed, in rows: before, after."""
     row = scene.last
     unit, momentum_unit, _, speed, _ = scene.measures()
-    parts, new = row[22:26].reshape(2, 2) * speed, row[26:30].reshape(2, 2) * speed
-    px, py, qx, qy = row[30:34] * speed
+    parts = row[record.PARTS].reshape(2, 2) * speed
+    new = row[record.NEW_PARTS].reshape(2, 2) * speed
+    px, py, qx, qy = row[record.MOMENTA] * speed
     lost = math.sqrt((qx - px) ** 2 + (qy - py) ** 2)
     size = math.sqrt(px * px + py * py) + math.sqrt(qx * qx + qy * qy)
     kept = lost <= 1e-12 * size
-    gone = 1.0 - float(row[35]) / float(row[34]) if row[34] > 0.0 else 0.0
+    gone = (
+        1.0 - float(row[record.NEW_ENERGY]) / float(row[record.ENERGY]) if row[record.ENERGY] > 0.0 else 0.0
+    )
     x1, x2, x3 = left, left + 190.0, left + 268.0
     y = 250.0
     canvas.label((x2, y), "before", "text3", 11, anchor="right", offset=(20.0, 0.0))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from game.levels import level_files, load_level
+from game.scenes import lecture_balls_record as record
 from game.scenes.lecture_balls import LectureBalls
 from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
 
@@ -41,7 +42,7 @@ def test_as_printed_loses_momentum_and_the_readout_says_so():
     lost = readout(stage, "momentum lost")
     assert lost > 1.0
     row = stage.scene.last
-    assert lost == pytest.approx(math.dist(row[30:32], row[32:34]), rel=1e-12)
+    assert lost == pytest.approx(math.dist(row[record.MOMENTA][:2], row[record.MOMENTA][2:]), rel=1e-12)
 
 
 def test_head_on_they_exchange_their_velocities():
@@ -53,8 +54,8 @@ def test_head_on_they_exchange_their_velocities():
 
 def test_restitution_acts_on_the_normal_part_for_any_masses():
     stage = until_collision(open_level("heavy-and-light", hold=0.0, restitution=0.6))
-    (n1, t1), (n2, t2) = stage.scene.last[22:26].reshape(2, 2)
-    (m1, u1), (m2, u2) = stage.scene.last[26:30].reshape(2, 2)
+    (n1, t1), (n2, t2) = stage.scene.last[record.PARTS].reshape(2, 2)
+    (m1, u1), (m2, u2) = stage.scene.last[record.NEW_PARTS].reshape(2, 2)
     assert m1 - m2 == pytest.approx(-0.6 * (n1 - n2), rel=1e-12)
     assert (u1, u2) == pytest.approx((t1, t2), abs=1e-12)
 
