@@ -11,8 +11,7 @@ from game.billiards.contacts.chatter import (
     ALLOWED_REPEATS,
     CHATTER_TIME,
     least_parting_speed,
-    part_balls,
-    part_from_rail,
+    part,
 )
 from game.billiards.contacts.cushion_han_2005 import bounce_han_2005
 from game.billiards.contacts.cushion_mathavan_2010 import bounce_mathavan_2010
@@ -65,7 +64,7 @@ def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
     modes[RAIL_COUNT, i] = repeats
     state[RAIL_TIME, i] = now
     if repeats >= ALLOWED_REPEATS:
-        part_from_rail(state, i, nx, ny, least_parting_speed(repeats))
+        part(state, i, -1, -nx, -ny, least_parting_speed(repeats))
 
 
 @inner_kernel(inline="always")
@@ -96,4 +95,4 @@ def end_chatter(state, pairs, i, j, nx, ny, now):
     pairs[MET, i, j] = now
     pairs[MET, j, i] = now
     if count >= ALLOWED_REPEATS:
-        part_balls(state, i, j, nx, ny, least_parting_speed(int(count)))
+        part(state, i, j, nx, ny, least_parting_speed(int(count)))

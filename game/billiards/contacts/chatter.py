@@ -11,9 +11,8 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.contacts.ball_ball_normal import closing_speed, push_apart, reduced_mass
 from game.billiards.lean import inner_kernel
-from game.billiards.state import MASS, RADIUS, VX, VY, WX, WY, WZ
+from game.billiards.state import INVERSE_MASS, RADIUS, VX, VY, WX, WZ
 
 CHATTER_TIME = 0.02  # s
 ALLOWED_REPEATS = 3
@@ -32,54 +31,39 @@ def least_parting_speed(repeats):
     return speed
 
 
-@inner_kernel(inline="always")
-def spin_energy(state, i):
-    """Rotational energy of ball i, J."""
-    radius = state[RADIUS, i]
-    square = state[WX, i] * state[WX, i] + state[WY, i] * state[WY, i] + state[WZ, i] * state[WZ, i]
-    return 0.2 * state[MASS, i] * radius * radius * square
+@inner_kernel
+def part(state, i, j, nx, ny, wanted):
+    """Raise the parting speed of balls i and j to `wanted` m/s, at the cost of their spin.
 
-
-@inner_kernel(inline="always")
-def scale_spin(state, i, factor):
-    """Slow all spin of ball i."""
-    state[WX, i] *= factor
-    state[WY, i] *= factor
-    state[WZ, i] *= factor
-
-
-@inner_kernel(inline="always")
-def affordable_speed(parting, wanted, mass, available):
-    """Parting speed up to `wanted` that `available` J can pay for, and the share of them that remains."""
-    cost = 0.5 * mass * (wanted - parting) * (wanted + parting)
-    if cost <= available:
-        return wanted, (1.0 - cost / available if available > 0.0 else 1.0)
-    return math.sqrt(parting * parting + 2.0 * available / mass), 0.0
-
-
-@inner_kernel(inline="always")
-def part_balls(state, i, j, nx, ny, wanted):
-    """Raise the parting speed of two balls to `wanted` m/s, at the cost of their spin."""
-    parting = -closing_speed(state, i, j, nx, ny)
+    n is the unit vector from i to j; for a ball and a rail j is -1, and n points into the rail.
+    """
+    count = 1 if j < 0 else 2
+    parting = 0.0
+    inverse = 0.0
+    available = 0.0
+    for side in range(count):
+        ball = i if side == 0 else j
+        sign = -1.0 if side == 0 else 1.0
+        parting += sign * (state[VX, ball] * nx + state[VY, ball] * ny)
+        inverse += state[INVERSE_MASS, ball]
+        inertia = 0.4 * state[RADIUS, ball] * state[RADIUS, ball] / state[INVERSE_MASS, ball]
+        for row in range(WX, WZ + 1):
+            available += 0.5 * inertia * state[row, ball] * state[row, ball]
     if parting >= wanted:
         return
-    parting = max(parting, 0.0)
-    mass = reduced_mass(state, i, j)
-    available = spin_energy(state, i) + spin_energy(state, j)
-    speed, left = affordable_speed(parting, wanted, mass, available)
-    push_apart(state, i, j, nx, ny, mass * (speed + closing_speed(state, i, j, nx, ny)))
-    factor = math.sqrt(left)
-    scale_spin(state, i, factor)
-    scale_spin(state, j, factor)
-
-
-@inner_kernel(inline="always")
-def part_from_rail(state, i, nx, ny, wanted):
-    """Raise the speed at which ball i leaves a rail to `wanted` m/s, at the cost of its spin."""
-    parting = state[VX, i] * nx + state[VY, i] * ny
-    if parting >= wanted:
-        return
-    speed, left = affordable_speed(max(parting, 0.0), wanted, state[MASS, i], spin_energy(state, i))
-    state[VX, i] += (speed - parting) * nx
-    state[VY, i] += (speed - parting) * ny
-    scale_spin(state, i, math.sqrt(left))
+    start = max(parting, 0.0)
+    cost = 0.5 * (wanted - start) * (wanted + start) / inverse
+    speed = wanted
+    factor = 0.0
+    if cost > available:
+        speed = math.sqrt(start * start + 2.0 * available * inverse)
+    elif available > 0.0:
+        factor = math.sqrt(1.0 - cost / available)
+    impulse = (speed - parting) / inverse
+    for side in range(count):
+        ball = i if side == 0 else j
+        push = (-impulse if side == 0 else impulse) * state[INVERSE_MASS, ball]
+        state[VX, ball] += push * nx
+        state[VY, ball] += push * ny
+        for row in range(WX, WZ + 1):
+            state[row, ball] *= factor
