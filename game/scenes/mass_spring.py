@@ -38,6 +38,7 @@ from game.stage import (
     Choice,
     Frame,
     Hint,
+    Knob,
     KnobError,
     Param,
     Pointer,
@@ -125,6 +126,14 @@ class MassSpringScene(Scene):
     fixed = Toggle(False, group="Tools", label="Fixed in space", help="inverse mass 0")
     strains = Toggle(True, group="Shown", label="Stretch", help="links coloured by their stretch")
     points = Toggle(True, group="Shown", label="Particles")
+
+    groups: ClassVar[tuple[str, ...]] = ("Solver", "World", "Tools", "Shown")  # as the panel has them
+
+    @classmethod
+    def knobs(cls) -> dict[str, Knob[Any]]:
+        """Knobs by name, group by group: a subclass's own groups come first."""
+        order = {group: i for i, group in enumerate(cls.groups, start=1)}
+        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
 
     hints = (
         Hint(("Drag",), "move a particle"),
