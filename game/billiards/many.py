@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.exact import Batch, Log, play_shots
+from game.billiards.batch import Batch, Log
+from game.billiards.exact import play_shots
 from game.billiards.shot import Shot, batch_of
 from game.billiards.simulation import MAX_EVENTS, check_status, log_for, room_for, simulate_exact
 from game.billiards.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, STATUS

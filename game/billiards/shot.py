@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from game.billiards.batch import Batch
 from game.billiards.contacts import BALL_MODELS, CUSHION_MODELS, RESTITUTION
-from game.billiards.exact import Batch
 from game.billiards.layout import Layout, is_clear, layout_of
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.state import (

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.exact import Log, Workspace, play_shots, workspace
+from game.billiards.batch import Log, Workspace, workspace
+from game.billiards.exact import play_shots
 from game.billiards.lecture_shot import simulate_lecture
 from game.billiards.shot import Shot
 from game.billiards.shot_file import load_shot
