@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from game.billiards.lean import inner_kernel
-from game.billiards.state import INVERSE_MASS, RADIUS, VX, VY, WX, WZ
+from game.billiards.state import MASS, RADIUS, VX, VY, WX, WZ
 
 CHATTER_TIME = 0.02  # s
 ALLOWED_REPEATS = 3
@@ -45,8 +45,8 @@ def part(state, i, j, nx, ny, wanted):
         ball = i if side == 0 else j
         sign = -1.0 if side == 0 else 1.0
         parting += sign * (state[VX, ball] * nx + state[VY, ball] * ny)
-        inverse += state[INVERSE_MASS, ball]
-        inertia = 0.4 * state[RADIUS, ball] * state[RADIUS, ball] / state[INVERSE_MASS, ball]
+        inverse += 1.0 / state[MASS, ball]
+        inertia = 0.4 * state[MASS, ball] * state[RADIUS, ball] * state[RADIUS, ball]
         for row in range(WX, WZ + 1):
             available += 0.5 * inertia * state[row, ball] * state[row, ball]
     if parting >= wanted:
@@ -62,7 +62,7 @@ def part(state, i, j, nx, ny, wanted):
     impulse = (speed - parting) / inverse
     for side in range(count):
         ball = i if side == 0 else j
-        push = (-impulse if side == 0 else impulse) * state[INVERSE_MASS, ball]
+        push = (-impulse if side == 0 else impulse) / state[MASS, ball]
         state[VX, ball] += push * nx
         state[VY, ball] += push * ny
         for row in range(WX, WZ + 1):
