@@ -90,6 +90,10 @@ class CanvasBase:
         """Place of a world point in ``raster_target``, px."""
         return self._place(point)
 
+    def place_all(self, points: Any) -> np.ndarray:
+        """Places (n, 2) of world points in ``raster_target``, px; good until the next call of any kind."""
+        return self._map(points)
+
     def _ink(self, token: Token) -> tuple[int, float]:
         key = token if isinstance(token, str) else tuple(token)
         found = self._inks.get(key)  # type: ignore[arg-type]
