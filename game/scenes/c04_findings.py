@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.fields import DRAG, QUADRATIC_DRAG, WHIRL
+from game.physics.particles import Forces
 from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
 from game.stage import Readout
 
@@ -29,7 +31,15 @@ def exact_envelope(scene: Fountain) -> NDArray[np.float64]:
     """Curve (n, 2) m from a nozzle that no particle can pass; empty if none is known."""
     if not has_exact(scene) or scene.speed == 0.0:
         return np.zeros((0, 2))
-    return envelope(scene.law(), scene.speed, scene.life)
+    return _envelope(scene.law(), scene.speed, scene.life)
+
+
+@lru_cache(maxsize=8)
+def _envelope(law: Forces, speed: float, life: float) -> NDArray[np.float64]:
+    """It is asked for in every picture and changes only with the knobs."""
+    curve = envelope(law, speed, life)
+    curve.flags.writeable = False
+    return curve
 
 
 def deviation(scene: Fountain) -> tuple[float, int, int]:

@@ -12,13 +12,16 @@ from numpy.typing import NDArray
 from game.physics.constraints import AREAS, CONTACTS
 from game.physics.fields import GROUND
 from game.physics.jit import kernel
+from game.scenes.mass_spring_threads import draw_threads
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
     from game.scenes.mass_spring import MassSpringScene
 
 FULL_STRAIN = 0.05  # at which a link has the full colour of stretch or of pressure
-MOST_POINTS = 3_000  # particles drawn as points; more would cover their links
+MOST_POINTS = 1_500  # particles drawn as points; more would cover their links
+MOST_STROKES = 2_500  # links drawn as strokes; more are drawn as threads
+THREAD_OPACITY = 0.8
 MOST_OUTLINES = 1_500
 LARGEST_DOT = 15.0  # design px, of a very heavy particle
 
@@ -109,12 +112,15 @@ class SpringView:
             strains = np.zeros_like(strains)
         inks = (canvas.ink("text2"), canvas.ink("vermilion"), canvas.ink("chalk"))
         color_by_strain(strains, FULL_STRAIN, *inks, self._colors)
-        colors = self._colors
-        if system.tears:
-            whole = system.torn == 0
-            pairs, colors = pairs[whole], colors[whole]
-        width = 2.4 if len(pairs) < 200 else 1.6 if len(pairs) < 5_000 else 1.0
-        canvas.segments(places[pairs[:, 0]], places[pairs[:, 1]], colors, width)
+        if len(pairs) > MOST_STROKES:
+            pixels, clip = canvas.raster_target
+            mapped = canvas.place_all(places)
+            draw_threads(pixels, clip, mapped, pairs, system.torn, self._colors, THREAD_OPACITY)
+            return
+        whole = system.torn == 0
+        width = 2.4 if len(pairs) < 200 else 1.6
+        ends = places[pairs[whole]]
+        canvas.segments(ends[:, 0], ends[:, 1], self._colors[whole], width)
 
     def _radii(self, scene: MassSpringScene) -> NDArray[np.float64]:
         """World radius of balls that bounce off each other, 0 for the rest."""
@@ -131,11 +137,11 @@ class SpringView:
         count = scene.system.count
         size = 3.6 if count <= 60 else 2.4 if count <= 250 else 1.6
         weights = scene.system.inverse_masses
-        for i, (x, y) in enumerate(places.tolist()):
-            if radii[i] > 0.0:
-                canvas.circle((x, y), float(radii[i]), "body", 1.0, "text1", 2.0)
-            elif weights[i] > 0.0:
-                canvas.dot((x, y), min(max(size * (1.0 / weights[i]) ** 0.3, 1.4), LARGEST_DOT), "text1")
+        for i in np.flatnonzero(radii).tolist():
+            canvas.circle(tuple(places[i].tolist()), float(radii[i]), "body", 1.0, "text1", 2.0)
+        dots = (radii == 0.0) & (weights > 0.0)
+        sizes = np.clip(size * np.power(weights[dots], -0.3), 1.4, LARGEST_DOT)
+        canvas.discs(places[dots], canvas.px(1.0) * sizes, "text1")
 
     def _draw_fixed(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
         fixed = np.flatnonzero(scene.system.inverse_masses == 0.0)
