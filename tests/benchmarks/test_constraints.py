@@ -118,6 +118,8 @@ def pymunk_net(pymunk, positions, fixed, pairs, joint):
 
 def test_cloth_with_pymunk(benchmark):
     pymunk = pytest.importorskip("pymunk")
+    if not benchmark.enabled:
+        pytest.skip("the peer is measured only with --benchmark-enable")
     benchmark.group = "cloth of 100 x 100, 20 iterations"
     net = shapes.cloth((0, 0), SIDE, SIDE, 0.01)
     fixed = set(np.flatnonzero(net.inverse_masses == 0.0).tolist())
@@ -159,6 +161,8 @@ def test_chain(benchmark, name):
 
 def test_chain_with_pymunk(benchmark):
     pymunk = pytest.importorskip("pymunk")
+    if not benchmark.enabled:
+        pytest.skip("the peer is measured only with --benchmark-enable")
     benchmark.group = "chain of 100 links"
     rope = shapes.rope((0, 0), (10, 0), 100)
     space, bodies = pymunk_net(pymunk, rope.positions, {0}, rope.links.tolist(), pymunk.PinJoint)

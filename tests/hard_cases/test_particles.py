@@ -129,9 +129,11 @@ def test_h7_graze(contact, offset):
     assert system.positions[0, 0] == pytest.approx(4.0, abs=1e-2)
 
 
-@pytest.mark.parametrize("contact", CONTACTS)
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("e", [0.0, 0.5, 0.9])
+@pytest.mark.parametrize(
+    ("method", "contact", "e"),
+    [(method, contact, 0.5) for method in METHODS for contact in CONTACTS]
+    + [("explicit-euler", contact, e) for contact in CONTACTS for e in (0.0, 0.8)],
+)
 def test_h8_and_bounce_floor(method, contact, e):
     """On a floor and on the top of a stone everything comes to rest, whatever the method."""
     stone = Discs([(3, 0)], [1.0], e)
@@ -140,7 +142,7 @@ def test_h8_and_bounce_floor(method, contact, e):
         floor_restitution=e, life=1e9,
     )  # fmt: skip
     system.add([(0, 1), (3, 2)], [(0, 0), (0, 0)])
-    for _ in range(60 * 20):
+    for _ in range(60 * 8):
         system.step(1 / 60)
     assert np.allclose(system.positions, [(0, 0), (3, 1)], rtol=0, atol=1e-12)
     assert np.allclose(system.velocities, 0.0, rtol=0, atol=1e-12)

@@ -27,6 +27,7 @@ CONTACTS = ("end", "chord", "root")
 END, CHORD, ROOT = range(3)
 MAX_CONTACTS = 8  # in one step of one particle; the time left then is dropped and counted
 TOUCH = 1e-12  # m, gap at which a particle counts as on the surface
+CREEP = 1e-12  # of the speed: an approach as slow as this is rounding
 ROOT_ROUNDS = 80  # the regula falsi used needs about 8; bisection alone would need 53
 
 
@@ -69,7 +70,8 @@ def strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses):
         return vx, vy, 0.0, False
     ax, ay = acceleration(rules.mask, law, x, y, vx, vy)
     e = spring * (rules.floor_restitution if j == solids.shape[0] else solids[j, 5])
-    stays = spring == 0.0 or approach <= rest_speed(rules, e, max(-(ax * nx + ay * ny), 0.0))
+    resting = max(rest_speed(rules, e, max(-(ax * nx + ay * ny), 0.0)), CREEP * (abs(vx) + abs(vy)))
+    stays = e == 0.0 or approach <= resting
     change = approach if stays else (1.0 + e) * approach
     if j < solids.shape[0]:
         impulses[j, 0] -= change * nx

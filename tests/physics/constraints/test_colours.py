@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game.physics.constraints import shapes
@@ -20,6 +20,7 @@ graphs = st.integers(2, 30).flatmap(
 )
 
 
+@settings(max_examples=40)
 @given(graphs)
 def test_neighbours_differ_in_colour(graph):
     count, pairs = graph
@@ -31,6 +32,7 @@ def test_neighbours_differ_in_colour(graph):
         assert colour == MAX_COLOURS or len(np.unique(ends)) == len(ends)
 
 
+@settings(max_examples=40)
 @given(graphs, st.sampled_from(("coloured", "natural", "reversed")))
 def test_every_link_is_solved_once(graph, order):
     count, pairs = graph
