@@ -23,6 +23,12 @@ EFFECTS = {
 }
 
 
+def _only_measured(benchmark):
+    """Each of these compiles a kernel of its own; other tests show that they are right."""
+    if not benchmark.enabled:
+        pytest.skip("measured only with --benchmark-enable")
+
+
 def swarm(count, effects, method="verlet", capacity=0):
     """A fountain in its steady state, made at once: ages spread over the life."""
     system = ParticleSystem(
@@ -67,6 +73,7 @@ def test_gravity_step(benchmark, who, count):
 @pytest.mark.parametrize("name", EFFECTS)
 def test_effects_of_a_step(benchmark, name):
     """Each effect's cost; one that is not declared costs nothing beside the bare step."""
+    _only_measured(benchmark)
     benchmark.group = "effects, 100 000 particles"
     system = swarm(100_000, EFFECTS[name])
     benchmark(system.step, 1e-6)
@@ -75,6 +82,7 @@ def test_effects_of_a_step(benchmark, name):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_methods(benchmark, method):
+    _only_measured(benchmark)
     benchmark.group = "methods, gravity and drag, 100 000 particles"
     system = swarm(100_000, GRAVITY | DRAG, method)
     benchmark(system.step, 1e-6)

@@ -86,14 +86,21 @@ def test_h4_count_of_births():
 def test_h5_stiff_drag_without_substeps_grows_as_predicted(method, growth):
     """k = 200/s at 1/60 s: each step multiplies the speed by the method's polynomial of k dt."""
     system = ParticleSystem(
-        4, effects=EffectSet([DRAG]), method=method, forces=CALM._replace(drag=200.0), substeps=1, life=99
+        4,
+        effects=GRAVITY | DRAG,
+        method=method,
+        forces=CALM._replace(drag=200.0, gravity=0.0),
+        substeps=1,
+        life=99,
     )
     system.add([(0, 0)], [(1, 0)])
     system.step(1 / 60)
     assert abs(system.velocities[0, 0]) == pytest.approx(growth, abs=5e-3)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "method", ["explicit-euler", "verlet", "midpoint", "rk4", "stormer-verlet", "exponential"]
+)
 def test_h5_stiff_drag_is_done_right(method):
     """As the system does it by itself: within 1 % of g / k after 5 / k."""
     k = 200.0

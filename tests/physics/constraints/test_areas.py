@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game.physics.constraints import AREAS, LINKS, PositionBasedDynamics, shapes
@@ -13,6 +13,7 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, GROUND
 
 
+@settings(max_examples=30)
 @given(st.integers(3, 9), st.integers(0, 10_000))
 def test_weight_and_direction_are_those_of_the_gradient(count, seed):
     rng = np.random.default_rng(seed)
