@@ -64,7 +64,7 @@ class ComparedScene(BoxesScene):
         super().knob_changed(name)
         if name in self.shaping():
             counts = self.begun, self.ended
-            self._begin_anew()
+            self.begin_anew()
             self.begun, self.ended = counts
 
     def shaping(self) -> tuple[str, ...]:

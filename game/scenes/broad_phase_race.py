@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -23,22 +23,10 @@ from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import MOST_IN_MATRIX, MOST_NAIVE
 from game.scenes.boxes_level import HEIGHT, WIDTH
 from game.scenes.boxes_scene import RATIO, SHARE, BoxesScene
+from game.scenes.race_table import TABLE_RIGHT, Contestant, RaceTable, short
 from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
 
 MOST_CELLS = 1 << 22
-TABLE_LEFT, TABLE_RIGHT, TABLE_TOP = 12.1, 24.9, 12.2  # m
-BAR_LEFT, BAR_RIGHT = 4.3, 8.6  # m from the table's left
-LEAST_S, MOST_S = 1e-6, 1.0  # s, ends of the bars
-
-
-class Contestant(NamedTuple):
-    """A row of the table: name of the knob, words, colour, what its work counts."""
-
-    name: str
-    words: str
-    color: str
-    work: str
-
 
 PHASES = (
     Contestant("naive", "Naive", "vermilion", "tests"),
@@ -219,7 +207,7 @@ class BroadPhaseRace(BoxesScene):
         super().knob_changed(name)
         if name in ("cell", *(contestant.name for contestant in PHASES)):
             counts = self.begun, self.ended
-            self._begin_anew()
+            self.begin_anew()
             self.begun, self.ended = counts
 
     # -- what is shown ------------------------------------------------------------------------------
@@ -249,7 +237,7 @@ class BroadPhaseRace(BoxesScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
-        table = _Table(canvas)
+        table = RaceTable(canvas)
         table.head("Update and all pairs")
         fastest = min((self.watch.median(name) for name in self.phases), default=math.nan)
         for contestant in PHASES:
@@ -260,7 +248,7 @@ class BroadPhaseRace(BoxesScene):
             seconds = self.watch.median(contestant.name)
             work = self.swaps if isinstance(phase, SweepAndPrune) else phase.tests
             table.row(
-                contestant, seconds, f"{_short(work)} {contestant.work}", view.bytes_text(phase.memory()),
+                contestant, seconds, f"{short(work)} {contestant.work}", view.bytes_text(phase.memory()),
                 self.agree[contestant.name], seconds == fastest,
             )  # fmt: skip
         table.space(20)
@@ -282,58 +270,3 @@ class BroadPhaseRace(BoxesScene):
                 seconds == fastest,
             )
         table.scale()
-
-
-class _Table:
-    """Rows of words, a logarithmic bar and numbers, in world places, heights in design px."""
-
-    def __init__(self, canvas: Any):
-        self.canvas = canvas
-        self.y = TABLE_TOP
-
-    def space(self, height_px: float) -> None:
-        self.y -= self.canvas.px(height_px)
-
-    def _words(
-        self, x: float, text: str, color: str, weight: str = "medium", anchor: str = "left", size: int = 12
-    ) -> None:
-        self.canvas.label((TABLE_LEFT + x, self.y), text, color, size, weight, anchor, halo=False)
-
-    def head(self, words: str) -> None:
-        """A section's head."""
-        self._words(0.0, words, "text1", "semibold")
-        self.space(24)
-
-    def row(
-        self, contestant: Contestant, seconds: float, work: str, memory: str, same: bool | None, first: bool
-    ) -> None:
-        """Name, bar with its time, work, memory; a tick or cross for the answer; the fastest is strong."""
-        canvas, width = self.canvas, BAR_RIGHT - BAR_LEFT
-        left = TABLE_LEFT + BAR_LEFT
-        self._words(0.0, contestant.words, "text1" if first else "text2", "semibold" if first else "medium")
-        canvas.line((left, self.y), (left + width, self.y), "inset", 6.0)
-        length = view.log_share(seconds, LEAST_S, MOST_S)
-        if length > 0.0:
-            canvas.line((left, self.y), (left + length * width, self.y), contestant.color, 6.0)
-            self._words(BAR_RIGHT + 0.25, view.seconds_text(seconds), "text1", "semibold")
-        self.space(17)
-        mark = {None: "", True: "same pairs", False: "pairs differ"}[same]
-        self._words(0.0, mark, "text3" if same else "vermilion", size=11)
-        self._words(BAR_LEFT, work, "text3", size=11)
-        self._words(TABLE_RIGHT - TABLE_LEFT, memory, "text3", anchor="right", size=11)
-        self.space(25)
-
-    def scale(self) -> None:
-        """What the bars' length means."""
-        canvas = self.canvas
-        for i, words in enumerate(("1 µs", "", "", "1 ms", "", "", "1 s")):
-            x = TABLE_LEFT + BAR_LEFT + i / 6.0 * (BAR_RIGHT - BAR_LEFT)
-            canvas.label((x, self.y), words, "text3", 11, "medium", "center", halo=False)
-
-
-def _short(number: float) -> str:
-    """A count with an SI prefix from ten thousand on."""
-    for size, prefix in ((1e9, "G"), (1e6, "M"), (1e4, "k")):
-        if number >= size:
-            return f"{number / min(size, 1e3 if prefix == 'k' else size):.3g} {prefix}"
-    return view.grouped(number)

@@ -140,7 +140,7 @@ class UniformGridScene(BoxesScene):
         super().knob_changed(name)
         if name in ("cell", "storage"):
             counts = self.begun, self.ended
-            self._begin_anew()
+            self.begin_anew()
             self.begun, self.ended = counts
 
     # -- what is shown ------------------------------------------------------------------------------

@@ -91,13 +91,13 @@ class SweepAndPruneScene(ComparedScene):
     def shaping(self) -> tuple[str, ...]:
         return ("manager", "resort")
 
-    def _add(self, lowers: Any, uppers: Any, velocities: Any) -> Any:
+    def add(self, lowers: Any, uppers: Any, velocities: Any) -> Any:
         rows = len(self.ids) + len(lowers)
         if self.sap.manager.greatest < rows - 1:
             if rows > MOST_IN_MATRIX:
                 self.told.append(f"Above {MOST_IN_MATRIX} boxes the pairs are kept in a hash table.")
             self.sap.use_manager(manager_for(rows, self.manager))
-        return super()._add(lowers, uppers, velocities)
+        return super().add(lowers, uppers, velocities)
 
     def pair_up(self) -> None:
         shown = self.axes and len(self.ids) <= MOST_TICKS

@@ -10,11 +10,11 @@ from game.lab.studies.broadphase import (
     cell_size_study,
     count_study,
     hierarchy_study,
-    meeting_times,
     ratio_study,
     speed_study,
     sweep_study,
 )
+from game.lab.studies.broadphase_missed import meeting_times
 from game.lab.study import Outcome, Study
 
 ALL = (

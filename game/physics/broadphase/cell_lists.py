@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.boxes import Ids, grown
+from game.physics.broadphase.door import Ids, grown
 from game.physics.jit import kernel
 
 

@@ -15,8 +15,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.broadphase.boxes import Pairs
-from game.physics.broadphase.uniform_grid import GUARD, UniformGrid, cell_coordinate
+from game.physics.broadphase.door import Pairs
+from game.physics.broadphase.grid_search import GUARD, cell_coordinate
+from game.physics.broadphase.uniform_grid import UniformGrid
 from game.physics.jit import kernel
 
 

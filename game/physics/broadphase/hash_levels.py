@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.broadphase.uniform_grid import ID_MASK
+from game.physics.broadphase.grid_search import ID_MASK
 from game.physics.jit import kernel
 
 LEVELS = 64

@@ -7,6 +7,7 @@ the fine rows that it covers. Each pair is found once.
 
 from __future__ import annotations
 
+from game.physics.broadphase.grid_search import ID_MASK, name_pairs
 from game.physics.broadphase.hash_levels import (
     COUNT,
     FACTOR,
@@ -19,7 +20,6 @@ from game.physics.broadphase.hash_levels import (
     place_boxes,
     sort_by_bucket,
 )
-from game.physics.broadphase.uniform_grid import ID_MASK, name_pairs
 from game.physics.jit import kernel
 
 # Costs of looking between levels, measured, in tests: a run of fine cells, a look at the coarse cells around.

@@ -14,8 +14,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.boxes import BroadPhase, Corners, Ids, Pairs, grown
+from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
+from game.physics.broadphase.door import Corners, Ids, Pairs, grown
+from game.physics.broadphase.grid_search import PADDING
 from game.physics.broadphase.hash_levels import (
     COUNT,
     FACTOR,
@@ -34,7 +36,6 @@ from game.physics.broadphase.hash_levels import (
     place_boxes,
 )
 from game.physics.broadphase.hash_search import find_pairs
-from game.physics.broadphase.uniform_grid import PADDING
 from game.physics.jit import kernel
 
 

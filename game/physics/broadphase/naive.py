@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.boxes import BroadPhase, Corners, Ids, Pairs
+from game.physics.broadphase.boxes import BroadPhase
+from game.physics.broadphase.door import Corners, Ids, Pairs
 from game.physics.jit import kernel
 
 BLOCK = 16  # boxes that are tested at once

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.broadphase.boxes import Pairs, grown
+from game.physics.broadphase.door import Pairs, grown
 from game.physics.broadphase.ordering import PairSorter
 from game.physics.broadphase.pair_table import (
     BEFORE,

@@ -14,7 +14,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.broadphase.boxes import BroadPhase, Ids, Pairs, first_bad_box, grown, id_array
+from game.physics.broadphase.boxes import BroadPhase
+from game.physics.broadphase.door import Ids, Pairs, first_bad_box, grown, id_array
 from game.physics.broadphase.endpoints import (
     FULL,
     ID,

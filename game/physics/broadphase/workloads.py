@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.physics.broadphase.boxes import Corners
+from game.physics.broadphase.door import Corners
 
 WORKLOADS = ("equal", "heavy-tail", "clustered", "line", "lattice", "teleport")
 MEAN_COSINE_DIFFERENCE = 8.0 / math.pi**2  # E|cos a - cos b| of independent uniform directions
