@@ -96,7 +96,7 @@ class FountainView:
             canvas.polyline(points, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
             frame = scene.frame()
             right = points[(points[:, 0] > row[0] + 1.6) & (points[:, 0] < frame.right - 1.0)]
-            if len(right) and not named:
+            if len(right) and not named and len(scene.content.nozzles) == 1:
                 place = right[0]
                 words = "exact envelope: no particle can pass"
                 canvas.label(tuple(place), words, "text1", anchor="left", offset=(14.0, -10.0))

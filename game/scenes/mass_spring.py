@@ -210,7 +210,7 @@ class MassSpringScene(Scene):
                 scheme=self.scheme,
                 solver=self.solver,
                 substeps=int(self.substeps),
-                sweeps=int(self.iterations),
+                iterations=int(self.iterations),
                 gravity=self.gravity,
                 damping=self.damping,
                 floor=self.content.floor,
@@ -308,7 +308,7 @@ class MassSpringScene(Scene):
         links = system.measure()
         elastic = links.energy if self.model_name() == "xpbd" else 0.0
         settings = system.settings
-        projections = len(system.torn) * settings.sweeps * settings.substeps
+        projections = len(system.torn) * settings.iterations * settings.substeps
         return [
             Readout("particles", float(system.count)),
             Readout("links", float(len(system.torn) - system.torn.sum())),

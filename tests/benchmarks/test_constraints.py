@@ -17,7 +17,7 @@ ORDERS = {"coloured": "coloured", "natural order": "natural"}
 
 def cloth_system(order="coloured", **settings):
     net = shapes.cloth((0, 0), SIDE, SIDE, 0.01)
-    settings = {"sweeps": SWEEPS, "effects": GRAVITY | LINKS, **settings}
+    settings = {"iterations": SWEEPS, "effects": GRAVITY | LINKS, **settings}
     return PositionBasedDynamics(*net[:3], order=order, **settings)
 
 
@@ -38,7 +38,7 @@ def test_cloth_with_compliance(benchmark):
 
 def test_cloth_in_substeps(benchmark):
     benchmark.group = "cloth of 100 x 100, 20 iterations"
-    system = cloth_system(substeps=20, sweeps=1)
+    system = cloth_system(substeps=20, iterations=1)
     benchmark(system.step, 1 / 60)
     assert system.measure().worst_strain < 0.5
 
@@ -130,10 +130,10 @@ def test_cloth_with_pymunk(benchmark):
 
 
 CHAINS = {
-    "one substep of 20": {"substeps": 1, "sweeps": 20},
-    "20 substeps of one": {"substeps": 20, "sweeps": 1},
-    "20 substeps, attached": {"substeps": 20, "sweeps": 1, "effects": GRAVITY | LINKS | ATTACHMENTS},
-    "direct, 4 substeps": {"substeps": 4, "sweeps": 2, "solver": "direct"},
+    "one substep of 20": {"substeps": 1, "iterations": 20},
+    "20 substeps of one": {"substeps": 20, "iterations": 1},
+    "20 substeps, attached": {"substeps": 20, "iterations": 1, "effects": GRAVITY | LINKS | ATTACHMENTS},
+    "direct, 4 substeps": {"substeps": 4, "iterations": 2, "solver": "direct"},
 }
 
 

@@ -90,7 +90,7 @@ def test_c14_h4_mass_ratio_slows_the_sweeps_as_predicted(ratio, factor):
     weights = [0.0] + [1.0] * 9 + [1.0 / ratio]
     system = PositionBasedDynamics(
         [(0, -0.1 * i) for i in range(11)], weights, [(i, i + 1) for i in range(10)], order="natural",
-        sweeps=1, effects=LINKS | LINKS,
+        iterations=1, effects=LINKS | LINKS,
     )  # fmt: skip
     system.fields[1, 10] -= 1e-6
     errors = []
@@ -150,7 +150,7 @@ def test_c14_h8_order_matters_no_more_than_the_residual():
     ends, left = [], []
     for order in ORDERS:
         system = PositionBasedDynamics(
-            *net[:3], order=order, sweeps=30, substeps=4, effects=FALLING | DAMPING, damping=2.0
+            *net[:3], order=order, iterations=30, substeps=4, effects=FALLING | DAMPING, damping=2.0
         )
         run(system, 1 / 60, 240)
         ends.append(system.positions)
@@ -168,7 +168,7 @@ def test_c14_h9_wild_hand(scheme):
         *net[:3],
         scheme=scheme,
         substeps=4,
-        sweeps=4,
+        iterations=4,
         speed_limit=20.0,
         effects=FALLING | DAMPING,
         damping=0.5,
@@ -212,7 +212,7 @@ def test_c14_h10_one_link_or_a_thousand(links):
     for solver in ("gauss-seidel", "direct"):
         system = PositionBasedDynamics(
             positions, [0] + [1] * links, [(i, i + 1) for i in range(links)], solver=solver, substeps=8,
-            sweeps=2, effects=FALLING,
+            iterations=2, effects=FALLING,
         )  # fmt: skip
         run(system, 1 / 60, 30)
         if solver == "direct":
@@ -222,8 +222,8 @@ def test_c14_h10_one_link_or_a_thousand(links):
 def test_chain_of_a_hundred_links_hardly_stretches():
     """Under 1 % at 20 projections a link: substeps, attachments, or two direct solves."""
     for settings in (
-        {"substeps": 20, "sweeps": 1, "effects": FALLING | ATTACHMENTS | DAMPING},
-        {"substeps": 4, "sweeps": 2, "solver": "direct", "effects": FALLING | DAMPING},
+        {"substeps": 20, "iterations": 1, "effects": FALLING | ATTACHMENTS | DAMPING},
+        {"substeps": 4, "iterations": 2, "solver": "direct", "effects": FALLING | DAMPING},
     ):
         rope = shapes.rope((0, 0), (0, -5), 100)
         system = run(PositionBasedDynamics(*rope[:3], damping=1.0, **settings), 1 / 60, 300)
@@ -267,8 +267,8 @@ def test_c15_any_stiffness(model, stiffness):
         ({"links": [(0, 0)]}, r"links\[0\]"),
         ({"links": [(0.5, 1)]}, "links"),
         ({"links": [(-1, 0)]}, r"links\[0\]"),
-        ({"sweeps": 0}, "sweeps"),
-        ({"sweeps": 1.5}, "sweeps"),
+        ({"iterations": 0}, "iterations"),
+        ({"iterations": 1.5}, "iterations"),
         ({"substeps": 0}, "substeps"),
         ({"damping": -1.0}, "damping"),
         ({"damping": math.nan}, "damping"),
@@ -298,8 +298,8 @@ def test_absurd_steps_are_refused(dt):
 
 def test_a_refused_change_changes_nothing():
     system = PositionBasedDynamics([(0, 0), (1, 0)], [0, 1], [(0, 1)], effects=FALLING)
-    with pytest.raises(ValueError, match="sweeps"):
-        system.change(substeps=3, sweeps=-1)
+    with pytest.raises(ValueError, match="iterations"):
+        system.change(substeps=3, iterations=-1)
     assert system.settings.substeps == 1
 
 
@@ -317,7 +317,7 @@ def test_c15_very_soft_and_heavy_or_stiff_and_light(model):
 def test_c15_multipliers_begin_anew_each_substep():
     """A stiffness that drifted would show in the rest stretch after a thousand substeps."""
     system = PositionBasedDynamics(
-        [(0, 0), (0, -1)], [0, 1], [(0, 1)], model="xpbd", compliances=0.01, sweeps=3,
+        [(0, 0), (0, -1)], [0, 1], [(0, 1)], model="xpbd", compliances=0.01, iterations=3,
         effects=FALLING | DAMPING, damping=30.0,
     )  # fmt: skip
     stretch = []
@@ -334,7 +334,7 @@ def test_tearing_counts_and_bounds():
     weights = net.inverse_masses.copy()
     weights[shapes.cloth_index(10, 10)[-1]] = 1e-3
     system = PositionBasedDynamics(
-        net.positions, weights, net.links, sweeps=5, effects=FALLING | TEARING, stretch_limit=0.3
+        net.positions, weights, net.links, iterations=5, effects=FALLING | TEARING, stretch_limit=0.3
     )
     torn = 0
     for _ in range(120):
@@ -352,7 +352,7 @@ def test_state_goes_on_exactly_where_it_was_taken():
     def begin():
         return PositionBasedDynamics(
             *jelly[:3], areas=jelly.areas, model="xpbd", compliances=1e-4, scheme="bdf2", substeps=3,
-            sweeps=2, floor=0.0, stretch_limit=0.4, speed_limit=30.0,
+            iterations=2, floor=0.0, stretch_limit=0.4, speed_limit=30.0,
             effects=FALLING | GROUND | AREAS | TEARING | DAMPING | ATTACHMENTS, damping=0.1,
         )  # fmt: skip
 

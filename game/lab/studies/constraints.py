@@ -75,11 +75,11 @@ def counts_between(fewest: int, most: int, number: int) -> list[int]:
 # -- stretch of a hanging chain -------------------------------------------------------------------------
 
 STRETCH: dict[str, Callable[[int], dict[str, Any]]] = {
-    "sweeps": lambda n: {"substeps": 1, "sweeps": n},
-    "over-relaxed": lambda n: {"substeps": 1, "sweeps": n, "relaxation": 1.8},
-    "both": lambda n: {"substeps": round(math.sqrt(n)), "sweeps": round(math.sqrt(n))},
-    "substeps": lambda n: {"substeps": n, "sweeps": 1},
-    "direct": lambda n: {"substeps": n, "sweeps": 1, "solver": "direct"},
+    "iterations": lambda n: {"substeps": 1, "iterations": n},
+    "over-relaxed": lambda n: {"substeps": 1, "iterations": n, "relaxation": 1.8},
+    "both": lambda n: {"substeps": round(math.sqrt(n)), "iterations": round(math.sqrt(n))},
+    "substeps": lambda n: {"substeps": n, "iterations": 1},
+    "direct": lambda n: {"substeps": n, "iterations": 1, "solver": "direct"},
 }
 
 
@@ -101,13 +101,13 @@ def stretch_trial(setting: Setting) -> Run:
     """The hanging chain until it is at rest."""
     if setting.method == "present":
         settings = dict(setting.others)
-        chosen: dict[str, Any] = {name: int(settings[name]) for name in ("substeps", "sweeps")}
+        chosen: dict[str, Any] = {name: int(settings[name]) for name in ("substeps", "iterations")}
         chosen["relaxation"] = float(settings["relaxation"])
     else:
         chosen = STRETCH[setting.method](int(setting.knob))
     system = hanging_chain(**chosen)
     steps = round(SETTLING_S / FRAME)
-    work = LINKS_HANGING * chosen["substeps"] * chosen["sweeps"] * steps
+    work = LINKS_HANGING * chosen["substeps"] * chosen["iterations"] * steps
     return Run(system, FRAME, steps, lambda s: abs(-s.positions[-1, 1] - 1.0), work)
 
 
@@ -122,8 +122,7 @@ def stretch_settings() -> list[Setting]:
 
 
 def _scene(settings: Mapping[str, Any]) -> dict[str, Any]:
-    names = {"sweeps": "iterations"}
-    scene = {names.get(name, name): value for name, value in settings.items()}
+    scene = dict(settings)
     scene["substeps"] = min(int(scene.get("substeps", 1)), 200)
     return scene
 
@@ -132,10 +131,10 @@ def present_stretch(parameters: Mapping[str, Any]) -> Setting:
     """Where a scene with these parameters stands."""
     others = {
         "substeps": float(parameters["substeps"]),
-        "sweeps": float(parameters["iterations"]),
+        "iterations": float(parameters["iterations"]),
         "relaxation": float(parameters["relaxation"]),
     }
-    return Setting("present", others["substeps"] * others["sweeps"], others)
+    return Setting("present", others["substeps"] * others["iterations"], others)
 
 
 # -- a swinging chain -----------------------------------------------------------------------------------
@@ -154,7 +153,8 @@ def swing_trial(setting: Setting) -> Run:
     scheme, solver, divide = SWING[setting.method]
     system = PositionBasedDynamics(
         [(0.2 * i, 0.0) for i in range(6)], [0.0] + [1.0] * 5, [(i, i + 1) for i in range(5)],
-        order="natural", scheme=scheme, solver=solver, substeps=n if divide else 1, sweeps=1 if divide else n,
+        order="natural", scheme=scheme, solver=solver, substeps=n if divide else 1,
+        iterations=1 if divide else n,
         effects=GRAVITY | LINKS,
     )  # fmt: skip
     steps = round(SWING_S / FRAME)
@@ -184,10 +184,10 @@ def swing_settings() -> list[Setting]:
 # -- one spring -----------------------------------------------------------------------------------------
 
 SPRINGS: dict[str, dict[str, Any]] = {
-    "pbd": {"model": "pbd", "sweeps": 4},
-    "pbd-even": {"model": "pbd-even", "sweeps": 4},
-    "xpbd": {"model": "xpbd", "sweeps": 1},
-    "xpbd-bdf2": {"model": "xpbd", "sweeps": 1, "scheme": "bdf2"},
+    "pbd": {"model": "pbd", "iterations": 4},
+    "pbd-even": {"model": "pbd-even", "iterations": 4},
+    "xpbd": {"model": "xpbd", "iterations": 1},
+    "xpbd-bdf2": {"model": "xpbd", "iterations": 1, "scheme": "bdf2"},
 }
 
 
@@ -205,17 +205,16 @@ def spring_trial(setting: Setting) -> Run:
         SPRING_S,
         1,
         lambda s: abs(float(s.positions[1, 0]) - 1.0 - exact),
-        n * int(settings["sweeps"]),
+        n * int(settings["iterations"]),
     )
 
 
 def spring_settings() -> list[Setting]:
     """40 to 10 000 steps for the second."""
-    names = {"sweeps": "iterations"}
     return [
         Setting(
             name, SPRING_S / n, {},
-            {**{names.get(key, key): value for key, value in SPRINGS[name].items()},
+            {**SPRINGS[name],
              "step_length": min(max(SPRING_S / n, 1.0 / 2000.0), 0.1), "substeps": 1},
             10.0 + n,
         )
@@ -229,7 +228,7 @@ def present_spring(parameters: Mapping[str, Any]) -> Setting:
     settings = {
         "model": parameters["model"],
         "scheme": parameters["scheme"],
-        "sweeps": int(parameters["iterations"]),
+        "iterations": int(parameters["iterations"]),
     }
     h = float(parameters["step_length"]) / float(parameters["substeps"])
     return Setting("present", max(h, SPRING_S / 10_000), {}, settings)
@@ -263,7 +262,7 @@ stretch_study = Study(
     counter="projections of a link",
     knob=Knob("work", "sweeps a frame"),
     methods=(
-        Method("sweeps", "n iterations", 1.0),
+        Method("iterations", "n iterations", 1.0),
         Method("over-relaxed", "over-relaxed", None, "each correction 1.8 times as far"),
         Method("both", "√n substeps, √n iterations", None),
         Method("substeps", "n substeps", 2.0),

@@ -9,6 +9,7 @@ from game.physics.constraints.effects import (
     AREAS_BIT,
     ATTACHMENTS_BIT,
     CONTACTS_BIT,
+    DAMPING,
     DAMPING_BIT,
     GRAVITY_BIT,
     GROUND_BIT,
@@ -41,17 +42,17 @@ class Settings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
     effects: of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
-    sweeps of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m. floor: m. relaxation: above 0,
-    below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity. stretch_limit: strain at which a link
-    tears. restitution: of contacts.
+    iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m.
+    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity.
+    stretch_limit: strain at which a link tears. restitution: of contacts.
     """
 
-    effects: EffectSet = GRAVITY | GROUND | LINKS
+    effects: EffectSet = GRAVITY | GROUND | LINKS | DAMPING
     model: str = "pbd"
     scheme: str = "euler"
     solver: str = "gauss-seidel"
     substeps: int = 1
-    sweeps: int = 20
+    iterations: int = 20
     gravity: float = 9.81
     damping: float = 0.0
     floor: float = -LARGEST
@@ -67,7 +68,7 @@ class Settings:
         for name, options in (("model", MODELS), ("scheme", SCHEMES), ("solver", SOLVERS)):
             if getattr(self, name) not in options:
                 raise ValueError(f"{name} = {getattr(self, name)!r}: one of {', '.join(options)} is wanted")
-        for name in ("substeps", "sweeps"):
+        for name in ("substeps", "iterations"):
             turns = getattr(self, name)
             if isinstance(turns, bool) or not isinstance(turns, int) or not 1 <= turns <= MOST_TURNS:
                 raise ValueError(f"{name} = {turns!r}: a whole number, 1 to {MOST_TURNS}, is wanted")

@@ -14,7 +14,7 @@ from game.physics.constraints.areas import AREA, INTACT, outline_area
 from game.physics.constraints.attachments import nearest_pins
 from game.physics.constraints.chains import WORK_ROWS, find_chains
 from game.physics.constraints.colours import arrange_links
-from game.physics.constraints.effects import ATTACHMENTS, TEARING
+from game.physics.constraints.effects import AREAS, ATTACHMENTS, CONTACTS, TEARING
 from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked
 from game.physics.constraints.links import LINK_ROWS, MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
@@ -34,6 +34,7 @@ from game.physics.constraints.motion import (
     tear,
 )
 from game.physics.constraints.settings import LARGEST, Settings
+from game.physics.effects import EffectSet
 
 PADDING = 40  # numbers between the rows, so that equal indices do not fall on one set of a cache
 NOBODY = -1
@@ -65,7 +66,8 @@ class PositionBasedDynamics:
     one number, 0 to 1. rest_lengths: (m,) m, else as given by the positions. compliances: (m,) m/N, for the
     model "xpbd". areas: closed outlines of particles. order: of ORDERS, in which links are solved.
     velocities: (n, 2) m/s. contacts: (c, 2) pairs that bounce off each other at their distances (c,) m.
-    settings: fields of `Settings`. ValueError, naming what is wrong, for nonsense.
+    settings: fields of `Settings`; without effects, all that the arguments ask for. ValueError, naming what
+    is wrong, for nonsense.
     """
 
     def __init__(
@@ -88,6 +90,8 @@ class PositionBasedDynamics:
     ):
         places = _pairs("positions", positions)
         n = len(places)
+        if "effects" not in settings:
+            settings["effects"] = _effects_for(areas, contacts)
         self.settings = Settings(**settings)
         self.fields = np.zeros((FIELD_ROWS, n + PADDING))
         self.count = n
@@ -148,7 +152,7 @@ class PositionBasedDynamics:
         settings, net = self.settings, self._net
         prepare_links(
             self.inverse_masses, net.links, net.order, self.links.stiffness, self.links.compliance, self.torn,
-            MODELS.index(settings.model), settings.sweeps, settings.relaxation, soft_step, net.link_rows,
+            MODELS.index(settings.model), settings.iterations, settings.relaxation, soft_step, net.link_rows,
         )  # fmt: skip
         if ATTACHMENTS in settings.effects:
             arms = arms_of(net.links, self.count)
@@ -190,7 +194,7 @@ class PositionBasedDynamics:
             self._prepare(h, soft_step)
         motion = Motion(
             settings.effects.mask, MODELS.index(settings.model), SCHEMES.index(settings.scheme),
-            int(settings.solver == "direct"), substeps, settings.sweeps, ahead, h, soft_step,
+            int(settings.solver == "direct"), substeps, settings.iterations, ahead, h, soft_step,
             float(settings.gravity), float(settings.damping), float(settings.floor),
             float(settings.speed_limit), float(settings.restitution),
         )  # fmt: skip
@@ -321,6 +325,13 @@ class PositionBasedDynamics:
         for start, length, together in net.runs.tolist():
             run = net.links[start : start + length]
             assert not together or len(np.unique(run)) == 2 * length, "no particle twice in a run"
+
+
+def _effects_for(areas: Any, contacts: ArrayLike) -> EffectSet:
+    """The usual effects, and those that these arguments are for."""
+    effects = Settings().effects
+    effects = effects.with_(AREAS) if len(areas) else effects
+    return effects.with_(CONTACTS) if np.size(contacts) else effects
 
 
 def _pairs(name: str, values: ArrayLike, count: int | None = None) -> Floats:

@@ -41,7 +41,7 @@ def test_weight_and_direction_are_those_of_the_gradient(count, seed):
 def test_a_triangle_alone_gets_its_area_back_and_moves_as_a_whole_nowhere():
     x, y = [0.0, 2.0, 0.5], [0.0, 0.3, 1.0]
     system = PositionBasedDynamics(
-        np.stack([x, y], axis=1), [1.0, 0.5, 2.0], areas=[[0, 1, 2]], effects=EffectSet([AREAS]), sweeps=1
+        np.stack([x, y], axis=1), [1.0, 0.5, 2.0], areas=[[0, 1, 2]], effects=EffectSet([AREAS]), iterations=1
     )
     system.fields[0, 0] -= 0.8
     before, rest = system.areas()
@@ -61,7 +61,7 @@ def test_a_ring_that_falls_on_the_ground_keeps_its_area(model):
     ring = shapes.ring((0, 1.2), 0.5, 40)
     system = PositionBasedDynamics(
         *ring[:3], areas=ring.areas, model=model, floor=0.0, effects=GRAVITY | GROUND | LINKS | AREAS,
-        substeps=8, sweeps=2, damping=1.0, compliances=1e-7,
+        substeps=8, iterations=2, damping=1.0, compliances=1e-7,
     )  # fmt: skip
     for _ in range(180):
         system.step(1 / 60)

@@ -39,7 +39,7 @@ def test_a_rope_does_not_stretch_as_a_whole():
     rope = shapes.rope((0, 0), (5, 0), 100)
     reach = {}
     for name, effects in (("without", GRAVITY | LINKS), ("with", GRAVITY | LINKS | ATTACHMENTS)):
-        system = PositionBasedDynamics(*rope[:3], sweeps=1, effects=effects, damping=0.5)
+        system = PositionBasedDynamics(*rope[:3], iterations=1, effects=effects, damping=0.5)
         furthest = 0.0
         for _ in range(240):
             system.step(1 / 60)

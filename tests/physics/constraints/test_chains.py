@@ -42,7 +42,7 @@ def test_one_solve_is_one_newton_step(count, seed, pinned, compliance):
     rest = rng.uniform(0.3, 1.2, count)
     system = PositionBasedDynamics(
         positions, weights, links, rest_lengths=rest, compliances=compliance, model="xpbd",
-        solver="direct", sweeps=1, effects=ONLY_LINKS,
+        solver="direct", iterations=1, effects=ONLY_LINKS,
     )  # fmt: skip
     system.step(0.1)
     expected = dense_step(positions, weights, links, rest, compliance, 0.1)
@@ -63,7 +63,7 @@ def heavy_chain(ratio, x, y, substeps, order="coloured", **settings):
 @pytest.mark.parametrize("ratio", [1.0, 1e2, 1e4, 1e6])
 def test_a_heavy_end_hangs_without_stretch(ratio):
     """Where sweeps by turns would need thousands of substeps: one solve of one substep."""
-    system = heavy_chain(ratio, 0, -1, 1, solver="direct", sweeps=1)
+    system = heavy_chain(ratio, 0, -1, 1, solver="direct", iterations=1)
     for _ in range(60):
         system.step(1 / 60)
     assert system.measure().worst_strain < 80 * 2.0**-52 * max(ratio, 10.0)  # the matrix's condition
@@ -72,7 +72,7 @@ def test_a_heavy_end_hangs_without_stretch(ratio):
 @pytest.mark.parametrize(("ratio", "substeps"), [(1.0, 4), (1e2, 4), (1e4, 20)])
 def test_a_heavy_end_swings_without_stretch(ratio, substeps):
     """From horizontal; very unequal masses want smaller substeps, or Newton's steps are too long."""
-    system = heavy_chain(ratio, 1, 0, substeps, solver="direct", sweeps=4)
+    system = heavy_chain(ratio, 1, 0, substeps, solver="direct", iterations=4)
     for _ in range(120):
         system.step(1 / 60)
         assert system.measure().worst_strain < 1e-8

@@ -21,7 +21,9 @@ from game.physics.fields import GRAVITY
 
 def jelly():
     block = shapes.block((0, 0), 4, 3, 0.5)
-    system = PositionBasedDynamics(*block[:3], areas=block.areas, effects=GRAVITY | LINKS | AREAS, sweeps=3)
+    system = PositionBasedDynamics(
+        *block[:3], areas=block.areas, effects=GRAVITY | LINKS | AREAS, iterations=3
+    )
     for _ in range(10):
         system.step(1 / 60)
     return system

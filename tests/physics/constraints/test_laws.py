@@ -38,7 +38,7 @@ def hanging(links, length=1.0, mass=1.0, end=1.0, **settings):
 def test_a_sweep_multiplies_the_error_by_cos_squared(links, factor):
     """cos²(pi / 2 N): the last of many sweeps of a chain that was displaced along itself."""
     assert abs(math.cos(math.pi / (2 * links)) ** 2 - factor) < 4 * EPS
-    system = hanging(links, effects=LINKS | LINKS, sweeps=1)
+    system = hanging(links, effects=LINKS | LINKS, iterations=1)
     system.fields[1, links] -= 1e-4
     errors = []
     for _ in range(6 * links):
@@ -52,7 +52,7 @@ def test_a_sweep_multiplies_the_error_by_cos_squared(links, factor):
 def test_stretch_of_one_sweep_a_substep(links, end, total):
     """(N - 1) (M + (N - 2) / 2) g h²; link i below N by (N - 1 - i + M) g h², the last not at all."""
     h = 1.0 / 1200.0
-    system = hanging(links, end=end, substeps=20, sweeps=1, damping=40.0)
+    system = hanging(links, end=end, substeps=20, iterations=1, damping=40.0)
     run(system, 20 * h, 3000)
     stretch = -np.diff(system.positions[:, 1]) - 1.0 / links
     expected = [(links - 1 - i + end) * G * h * h for i in range(1, links)] + [0.0]
@@ -64,7 +64,7 @@ def test_substeps_win_by_their_number_over_sweeps():
     """Equal cost, 20 links: 1x20, 5x4 and 20x1 (substeps x sweeps); n against n² in the stretch."""
     stretch = {}
     for substeps, sweeps in ((1, 20), (5, 4), (20, 1), (80, 1)):
-        system = run(hanging(20, substeps=substeps, sweeps=sweeps, damping=20.0), 1 / 60, 900)
+        system = run(hanging(20, substeps=substeps, iterations=sweeps, damping=20.0), 1 / 60, 900)
         stretch[substeps, sweeps] = -system.positions[-1, 1] - 1.0
     assert stretch[1, 20] == pytest.approx(2.46e-2, rel=0.05)
     assert stretch[5, 4] == pytest.approx(5.1e-3, rel=0.05)
@@ -76,7 +76,7 @@ def test_over_relaxation_is_quicker():
     """With 2 / (1 + sin(pi / 2 N)) to 1e-4 of the error in some 38 sweeps for 10 links, in place of 372."""
     needed = {}
     for relaxation in (1.0, 2.0 / (1.0 + math.sin(math.pi / 20.0))):
-        system = hanging(10, effects=LINKS | LINKS, sweeps=1, relaxation=relaxation)
+        system = hanging(10, effects=LINKS | LINKS, iterations=1, relaxation=relaxation)
         system.fields[1, 10] -= 1e-6
         sweeps = 0
         while np.abs(system.positions[:, 1] + np.linspace(0, 1, 11)).max() > 1e-10:
@@ -100,16 +100,17 @@ def test_rest_stretch_of_a_position_based_spring_depends_on_step_and_sweeps(k, s
     """One bead: g dt² q / (1 - q), q = (1 - k)^n."""
     q = (1 - k) ** sweeps
     assert abs(G * dt * dt * q / (1 - q) - stretch) < 1e-16
-    system = run(hanging(1, stiffness=k, sweeps=sweeps, damping=30.0), dt, 4000)
+    system = run(hanging(1, stiffness=k, iterations=sweeps, damping=30.0), dt, 4000)
     assert abs(-system.positions[1, 1] - 1.0 - stretch) < 1e-12
 
 
 @pytest.mark.parametrize(
-    ("sweeps", "even"), [(1, 0.9), (2, 0.683772233983162), (5, 0.369042655519807), (10, 0.205671765275718)]
+    ("sweeps", "even"),
+    [(1, 0.9), (2, 0.683772233983162), (5, 0.369042655519807), (10, 0.205671765275718)],
 )
 def test_even_stiffness_does_not_depend_on_sweeps(sweeps, even):
     """k' = 1 - (1 - k)^(1/n): the same stretch for any n, though not for any step."""
-    system = hanging(1, stiffness=0.9, sweeps=sweeps, model="pbd-even", damping=5.0)
+    system = hanging(1, stiffness=0.9, iterations=sweeps, model="pbd-even", damping=5.0)
     run(system, 1 / 60, 500)
     assert abs(1 - (1 - 0.9) ** (1 / sweeps) - even) < 1e-14
     assert abs(-system.positions[1, 1] - 1.0 - G / 3600 * 0.1 / 0.9) < 1e-12
@@ -121,7 +122,7 @@ def test_even_stiffness_does_not_depend_on_sweeps(sweeps, even):
 @pytest.mark.parametrize("dt", [1 / 30, 1 / 60, 1 / 240])
 def test_rest_stretch_with_compliance_is_hookes(dt, scheme):
     """m g / k = 0.0981 m for k = 100 N/m at any step."""
-    system = hanging(1, model="xpbd", compliances=0.01, sweeps=1, damping=20.0, scheme=scheme)
+    system = hanging(1, model="xpbd", compliances=0.01, iterations=1, damping=20.0, scheme=scheme)
     run(system, dt, round(20 / dt))
     assert abs(-system.positions[1, 1] - 1.0 - 0.0981) < 1e-12
 
@@ -133,14 +134,16 @@ def test_rest_extension_of_a_chain_with_compliance():
     assert abs(exact - 0.020601) < 1e-15
     for alpha in (1e-5, 1e-6):
         one = run(
-            hanging(20, model="xpbd", compliances=alpha, substeps=20, sweeps=1, damping=20.0), 20 * h, 4000
+            hanging(20, model="xpbd", compliances=alpha, substeps=20, iterations=1, damping=20.0),
+            20 * h,
+            4000,
         )
         extra = -one.positions[-1, 1] - 1.0 - exact * alpha / 1e-5
         assert extra == pytest.approx(190 * G * h * h, rel=1e-6)
-    many = run(hanging(20, model="xpbd", compliances=1e-5, sweeps=2000, damping=20.0), 1 / 60, 600)
+    many = run(hanging(20, model="xpbd", compliances=1e-5, iterations=2000, damping=20.0), 1 / 60, 600)
     assert -many.positions[-1, 1] - 1.0 == pytest.approx(exact, rel=1e-9)
     direct = run(
-        hanging(20, model="xpbd", compliances=1e-5, sweeps=1, solver="direct", damping=20.0), 1 / 60, 600
+        hanging(20, model="xpbd", compliances=1e-5, iterations=1, solver="direct", damping=20.0), 1 / 60, 600
     )
     assert -direct.positions[-1, 1] - 1.0 == pytest.approx(exact, rel=1e-9)
 
@@ -149,8 +152,8 @@ def test_a_spring_with_compliance_loses_the_amplitude_of_backward_euler():
     """1 / sqrt(1 + (w dt)²) a step: 0.439565 after a second with w = 10 rad/s at 60 Hz."""
     w, dt = 10.0, 1 / 60
     system = PositionBasedDynamics(
-        [(0, 0), (1.1, 0)], [0, 1], [(0, 1)], rest_lengths=[1.0], model="xpbd", compliances=0.01, sweeps=1,
-        effects=LINKS | LINKS, velocities=[(0, 0), (0, 0)],
+        [(0, 0), (1.1, 0)], [0, 1], [(0, 1)], rest_lengths=[1.0], model="xpbd", compliances=0.01,
+        iterations=1, effects=LINKS | LINKS, velocities=[(0, 0), (0, 0)],
     )  # fmt: skip
     # amplitude by position and the velocity of implicit Euler: x² + (v / w)² falls by exactly 1 + (w dt)²
     run(system, dt, 1)
@@ -167,7 +170,7 @@ def test_damped_spring_converges_to_the_closed_form():
         for n in counts:
             system = PositionBasedDynamics(
                 [(0, 0), (2.1, 0)], [0, 1], [(0, 1)], rest_lengths=[2.0], model="xpbd", compliances=0.01,
-                sweeps=1, effects=LINKS | DAMPING, damping=2.0, scheme=scheme,
+                iterations=1, effects=LINKS | DAMPING, damping=2.0, scheme=scheme,
             )  # fmt: skip
             run(system, 1.0 / n, n)
             errors.append(abs(system.positions[1, 0] - 2.0 + 0.0336851680590413))
@@ -182,14 +185,14 @@ def test_springs_in_series_and_side_by_side(links, stretch):
     """Side by side k1 + k2; in series 1/k = 1/k1 + 1/k2, here with a bead of next to no mass between."""
     if stretch is None:
         system = PositionBasedDynamics(
-            [(0, 0), (0, -1)], [0, 1], links, model="xpbd", compliances=[0.01, 0.005], sweeps=400,
+            [(0, 0), (0, -1)], [0, 1], links, model="xpbd", compliances=[0.01, 0.005], iterations=400,
             effects=GRAVITY | LINKS | DAMPING, damping=20.0,
         )  # fmt: skip
         run(system, 1 / 60, 600)
         assert -system.positions[1, 1] - 1 == pytest.approx(G / 300, abs=1e-10)
         return
     system = PositionBasedDynamics(
-        [(0, 0), (0, -1), (0, -2)], [0, 1e6, 1], links, model="xpbd", compliances=[0.01, 0.005], sweeps=1,
+        [(0, 0), (0, -1), (0, -2)], [0, 1e6, 1], links, model="xpbd", compliances=[0.01, 0.005], iterations=1,
         solver="direct", effects=GRAVITY | LINKS | DAMPING, damping=20.0,
     )  # fmt: skip
     run(system, 1 / 60, 600)
@@ -202,7 +205,7 @@ def test_springs_in_series_and_side_by_side(links, stretch):
 def pendulum(steps, scheme, until=1.0, **settings):
     """One link of 1 m from horizontal: the angle from straight down, released on the side of +x."""
     system = PositionBasedDynamics(
-        [(0, 0), (1, 0)], [0, 1], [(0, 1)], sweeps=1, scheme=scheme, effects=GRAVITY | LINKS, **settings
+        [(0, 0), (1, 0)], [0, 1], [(0, 1)], iterations=1, scheme=scheme, effects=GRAVITY | LINKS, **settings
     )
     run(system, until / steps, steps)
     return system
@@ -253,7 +256,7 @@ def test_a_swinging_chain_of_five(scheme, substeps, error):
     until, nodes = SWINGING[5]
     positions = [(0.2 * i, 0.0) for i in range(6)]
     system = PositionBasedDynamics(
-        positions, [0] + [1] * 5, [(i, i + 1) for i in range(5)], order="natural", sweeps=1,
+        positions, [0] + [1] * 5, [(i, i + 1) for i in range(5)], order="natural", iterations=1,
         substeps=substeps, scheme=scheme, effects=GRAVITY | LINKS,
     )  # fmt: skip
     run(system, 1 / 60, round(until * 60))
@@ -267,7 +270,11 @@ def test_more_sweeps_do_not_mend_a_trajectory():
     errors = []
     for sweeps in (1, 100):
         system = PositionBasedDynamics(
-            [(0, 0), (0.5, 0), (1, 0)], [0, 1, 1], [(0, 1), (1, 2)], sweeps=sweeps, effects=GRAVITY | LINKS
+            [(0, 0), (0.5, 0), (1, 0)],
+            [0, 1, 1],
+            [(0, 1), (1, 2)],
+            iterations=sweeps,
+            effects=GRAVITY | LINKS,
         )
         run(system, 1 / 60, 60)
         errors.append(np.linalg.norm(system.positions[1:] - np.reshape(nodes, (2, 2)), axis=1).max())
@@ -302,7 +309,7 @@ def test_a_rope_between_two_pins_hangs_as_the_discrete_catenary(links, sag, rise
         system = PositionBasedDynamics(
             np.stack([x, -1e-3 * np.sin(math.pi * x)], axis=1), [0.0] + [1.0] * (links - 1) + [0.0],
             [(i, i + 1) for i in range(links)], rest_lengths=2.0 / links * np.ones(links), substeps=substeps,
-            sweeps=2, solver="direct", effects=GRAVITY | LINKS | DAMPING, damping=8.0, speed_limit=10.0,
+            iterations=2, solver="direct", effects=GRAVITY | LINKS | DAMPING, damping=8.0, speed_limit=10.0,
         )  # fmt: skip
         run(system, 1 / 60, 900)
         assert system.measure().worst_strain < 1e-13
@@ -339,7 +346,7 @@ def test_slowest_swing_of_a_chain(links, mode):
         y.append(y[-1] - math.sqrt(length**2 - (x[i + 1] - x[i]) ** 2))
     system = PositionBasedDynamics(
         np.stack([x, y], axis=1), [0.0] + [1.0] * links, [(i, i + 1) for i in range(links)],
-        rest_lengths=length * np.ones(links), solver="direct", sweeps=2, scheme="bdf2", substeps=40,
+        rest_lengths=length * np.ones(links), solver="direct", iterations=2, scheme="bdf2", substeps=40,
         effects=GRAVITY | LINKS,
     )  # fmt: skip
     quarter = 0.5 * math.pi / w
@@ -359,7 +366,7 @@ def test_momentum_is_kept_without_pins(model, scheme):
     velocities = np.random.default_rng(2).normal(0, 1, jelly.positions.shape)
     system = PositionBasedDynamics(
         *jelly[:3], stiffness=0.5, areas=jelly.areas, model=model, compliances=1e-4, velocities=velocities,
-        effects=LINKS | AREAS, sweeps=3, substeps=2, scheme=scheme,
+        effects=LINKS | AREAS, iterations=3, substeps=2, scheme=scheme,
     )  # fmt: skip
     start = system.momentum()
     run(system, 1 / 60, 120)
@@ -381,7 +388,7 @@ def test_a_projection_turns_nothing(what):
         rest_lengths=[0.1] if what == "link" else None,
         areas=[[0, 1, 2, 3, 4]] if what == "outline" else (),
         effects=LINKS | AREAS,
-        sweeps=1,
+        iterations=1,
     )
     system.outlines.rows[0] *= 3.0
     system.step(1.0)
@@ -415,7 +422,23 @@ def test_what_is_off_does_nothing(what):
     ends = []
     for effects in (everything, everything.without(what)):
         system = PositionBasedDynamics(
-            *jelly[:3], areas=jelly.areas, stiffness=0.3, effects=effects, floor=0.0, damping=0.4, sweeps=2
+            *jelly[:3],
+            areas=jelly.areas,
+            stiffness=0.3,
+            effects=effects,
+            floor=0.0,
+            damping=0.4,
+            iterations=2,
         )
         ends.append(run(system, 1 / 60, 40).positions)
     assert np.abs(ends[0] - ends[1]).max() > 1e-6
+
+
+def test_usual_effects_are_those_that_the_arguments_are_for():
+    """A jelly made without a word about effects falls, keeps its area, is damped and stopped by its floor."""
+    jelly = shapes.block((0, 1), 4, 4, 0.2)
+    system = PositionBasedDynamics(*jelly[:3], areas=jelly.areas, floor=0.0, damping=0.5, substeps=4)
+    assert AREAS in system.settings.effects
+    run(system, 1 / 60, 240)
+    assert system.positions[:, 1].min() == 0.0
+    assert system.energy()[0] < 1e-3

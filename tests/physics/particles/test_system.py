@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numba
 import numpy as np
 import pytest
 
@@ -265,3 +266,19 @@ def test_effects_of_other_rooms_are_refused():
 
     with pytest.raises(ValueError, match=POCKETS.name):
         ParticleSystem(10, effects=GRAVITY | POCKETS)
+
+
+def test_no_instruction_that_rounds_otherwise_elsewhere():
+    """Fused multiply-adds would give other bits on another processor."""
+    from game.physics.particles.advance import make_advance
+
+    system = fountain()
+    system.step(0.01)
+    kernel = make_advance(METHODS.index("verlet"), (EVERYTHING).mask)
+    if not hasattr(kernel, "inspect_asm"):
+        pytest.skip("kernels are not compiled")
+    fresh = numba.njit(nogil=True, error_model="numpy")(kernel.py_func)  # code from the disk cannot be read
+    fresh.compile(kernel.signatures[0])
+    code = "".join(fresh.inspect_asm().values())
+    assert "mulpd" in code
+    assert "fmadd" not in code
