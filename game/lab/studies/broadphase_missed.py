@@ -132,9 +132,9 @@ def missed_pairs_study(
         counter="pairs listed",
         knob=Knob("step_length", "step", "s"),
         methods=(
-            Method("end", "boxes at the end of a step", 1.0),
-            Method("swept", "boxes swept over the step", 1.0),
-            Method("exact", "swept, then times of overlap"),
+            Method("end", "end of the step", 1.0),
+            Method("swept", "swept boxes", 1.0),
+            Method("exact", "swept, exact times"),
         ),
         settings=settings,
         trial=lambda setting: PairsOverTime(make, setting.method, setting.knob),

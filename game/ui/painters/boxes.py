@@ -48,20 +48,14 @@ def paint_boxes(
         kind = kinds[box]
         if kind == HIDDEN:
             continue
-        way = share
-        if (
-            abs(lowers[box, 0] - old_lowers[box, 0]) > leap
-            or abs(lowers[box, 1] - old_lowers[box, 1]) > leap
-            or not abs(uppers[box, 0] - old_uppers[box, 0]) <= leap
-            or not abs(uppers[box, 1] - old_uppers[box, 1]) <= leap
-        ):
-            way = 1.0
-        x0, y0, x1, y1 = lowers[box, 0], lowers[box, 1], uppers[box, 0], uppers[box, 1]
-        if way < 1.0:
-            x0 = old_lowers[box, 0] + way * (x0 - old_lowers[box, 0])
-            y0 = old_lowers[box, 1] + way * (y0 - old_lowers[box, 1])
-            x1 = old_uppers[box, 0] + way * (x1 - old_uppers[box, 0])
-            y1 = old_uppers[box, 1] + way * (y1 - old_uppers[box, 1])
+        x0, y0 = float(lowers[box, 0]), float(lowers[box, 1])
+        x1, y1 = float(uppers[box, 0]), float(uppers[box, 1])
+        a0, b0 = float(old_lowers[box, 0]), float(old_lowers[box, 1])
+        a1, b1 = float(old_uppers[box, 0]), float(old_uppers[box, 1])
+        near = abs(x0 - a0) <= leap and abs(y0 - b0) <= leap  # an infinite corner is not near itself
+        if near and abs(x1 - a1) <= leap and abs(y1 - b1) <= leap:
+            x0, y0 = a0 + share * (x0 - a0), b0 + share * (y0 - b0)
+            x1, y1 = a1 + share * (x1 - a1), b1 + share * (y1 - b1)
         x0, y0 = min(max(x0, -1e6), 1e6), min(max(y0, -1e6), 1e6)
         x1, y1 = min(max(x1, -1e6), 1e6), min(max(y1, -1e6), 1e6)
         u0 = affine[0] * x0 + affine[1] * y0 + affine[4]

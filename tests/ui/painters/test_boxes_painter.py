@@ -73,6 +73,7 @@ def test_nothing_is_painted_outside_the_clip_nor_of_a_hidden_box():
 )
 def test_absurd_boxes_paint_their_part_or_nothing(box):
     picture = paint([box, (30, 20, 36, 26)])
+    assert np.array_equal(paint([box, (30, 20, 36, 26)], share=0.5), picture)
     assert picture[22, 33] != 0
     if box[0] == -np.inf:
         assert picture[10, 20] == FILL
