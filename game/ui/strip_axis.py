@@ -76,10 +76,14 @@ def value_text(value: float, most: float) -> str:
     if not (math.isfinite(value) and 1e-4 < most < 1e7):
         return format_number(value)
     decimals = max(0, 2 - math.floor(math.log10(most)))
+    if decimals == 0:
+        return format_number(round(value))
     number = f"{abs(value):.{decimals}f}"
     return (MINUS if value < 0.0 and float(number) > 0.0 else "") + number
 
 
 def rule_text(value: float) -> str:
     """A round number at a rule."""
-    return f"{value:.3g}".replace("-", MINUS) if 1e-3 < abs(value) < 1e5 else format_number(round(value, 9))
+    if abs(value) >= 1e3 and value == round(value):
+        return format_number(int(value))
+    return f"{value:.3g}".replace("-", MINUS) if 1e-3 < abs(value) < 1e3 else format_number(round(value, 9))
