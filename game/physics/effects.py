@@ -11,7 +11,8 @@ room never renumbers an old one:
     constraints  36 .. 43  links, bending, ground, tearing
     broadphase   44 .. 47  boundary, births and deaths of boxes
     animation    48 .. 51  interpolation, skinning
-    fluids       52 .. 57  pressure, viscosity, surface tension
+    fluids       52 .. 54  pressure, viscosity, surface tension
+    proximity    55 .. 57  shapes' own motion, coherence, exact answers
     spare        58 .. 62
 Bit 63 is never used: masks travel through kernels as signed 64-bit integers.
 
@@ -33,7 +34,8 @@ ROOMS: dict[str, range] = {
     "constraints": range(36, 44),
     "broadphase": range(44, 48),
     "animation": range(48, 52),
-    "fluids": range(52, 58),
+    "fluids": range(52, 55),
+    "proximity": range(55, 58),
     "spare": range(58, 63),
 }
 
