@@ -1,11 +1,21 @@
 """What accuracy costs in time: studies, references, reports."""
 
-from game.lab.analysis import cost_to_reach, fit_order, out_of_order, summarise, upper_envelope
+from game.lab.analysis import (
+    cost_to_reach,
+    fit_exponent,
+    fit_order,
+    out_of_order,
+    slope_of,
+    summarise,
+    upper_envelope,
+)
 from game.lab.report import PlotsMissingError, write_report
 from game.lab.runner import StoppedError, measure, measure_present, run_study
-from game.lab.study import Knob, Method, Outcome, Row, Setting, Study, StudyTable, Trial
+from game.lab.study import ACCURACY, Axes, Knob, Method, Outcome, Row, Setting, Study, StudyTable, Trial
 
 __all__ = [
+    "ACCURACY",
+    "Axes",
     "Knob",
     "Method",
     "Outcome",
@@ -17,11 +27,13 @@ __all__ = [
     "StudyTable",
     "Trial",
     "cost_to_reach",
+    "fit_exponent",
     "fit_order",
     "measure",
     "measure_present",
     "out_of_order",
     "run_study",
+    "slope_of",
     "summarise",
     "upper_envelope",
     "write_report",

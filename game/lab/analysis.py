@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.lab.study import Row, StudyTable
+from game.lab.study import Method, Row, Study, StudyTable
 
 ENVELOPE_BINS = 20
 TARGETS = (1e-2, 1e-4, 1e-6)
 SPAN = 6.0  # of the knob, that an order may be fitted over
+FIXED = 4.0  # times the least cost, from which on the fixed part of it does not count
 LARGER = 1.5  # an error must be so many times larger, at so many times the cost, to be out of order
 
 
@@ -54,6 +55,29 @@ def fit_order(rows: Sequence[Row], floor: float = 0.0, envelope: bool = False, o
         return math.nan
     slope = float(np.polyfit(np.log(places), np.log([row.error for row in points]), 1)[0])
     return slope if over == "knob" else -slope
+
+
+def fit_exponent(rows: Sequence[Row]) -> float:
+    """Least-squares slope of log(cost) over log(knob); nan with fewer than three points to fit.
+
+    Only points that cost FIXED times the cheapest are fitted: below them the cost of a call hides the law.
+    """
+    paid = [row for row in rows if not row.failed and row.cpu_s > 0.0 and row.knob > 0.0]
+    least = min((row.cpu_s for row in paid), default=0.0)
+    points = [row for row in paid if row.cpu_s >= FIXED * least]
+    if len({row.knob for row in points}) < 3:
+        return math.nan
+    return float(np.polyfit(np.log([r.knob for r in points]), np.log([r.cpu_s for r in points]), 1)[0])
+
+
+def slope_of(study: Study, method: Method, rows: Sequence[Row]) -> float:
+    """The slope that the study's picture tells of one method: order of the error, or exponent of the cost.
+
+    A cost of which no exponent is expected has none: it may be a U.
+    """
+    if study.axes.up == "cpu":
+        return fit_exponent(rows) if method.order is not None else math.nan
+    return fit_order(rows, study.floor, study.envelope, study.order_over)
 
 
 def settled(rows: Sequence[Row], failures: Sequence[Row]) -> list[Row]:
@@ -132,7 +156,7 @@ def summarise(table: StudyTable, targets: Sequence[float] = TARGETS) -> list[Met
             MethodSummary(
                 method.name,
                 method.label,
-                fit_order(fitted, study.floor, study.envelope, study.order_over),
+                slope_of(study, method, fitted),
                 method.order,
                 tuple(cost_to_reach(rows, target, study.envelope) for target in targets),
                 len(rows),

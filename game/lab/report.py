@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from game.lab.analysis import TARGETS, summarise, upper_envelope, usable
-from game.lab.study import Row, StudyTable
+from game.lab.study import ACCURACY, Row, Study, StudyTable
 
 # colours that colour-blind people can tell apart, each with a shape of its own (Okabe and Ito 2008)
 FEW = 24  # points that are drawn singly; of more the upper envelope
@@ -60,11 +60,14 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
         lines += [study.expectation, ""]
     if not table.complete:
         lines += ["The run was stopped before all points were measured.", ""]
+    targets = TARGETS if study.axes == ACCURACY else ()
+    cheapest = ["least cost", f"at {study.knob.label}"] if study.axes.up == "cpu" else []
     heads = [
         "method",
-        "order",
+        study.slope_name,
         "expected",
-        *(f"cost of {target:g}" for target in TARGETS),
+        *(f"cost of {target:g}" for target in targets),
+        *cheapest,
         "points",
         "failed",
         "out of order",
@@ -72,7 +75,10 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
     lines += ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
     for line in summarise(table):
         expected = "" if line.expected is None else f"{line.expected:g}"
-        cells = [line.label, _number(line.order), expected, *map(_number, line.costs)]
+        cells = [line.label, _number(line.order), expected, *map(_number, line.costs[: len(targets)])]
+        if cheapest:
+            least = min(table.of(line.method), key=lambda row: row.cpu_s, default=None)
+            cells += ["", ""] if least is None else [_number(least.cpu_s), _number(least.knob)]
         cells += [str(line.points), str(line.failed), str(line.out_of_order)]
         lines.append("| " + " | ".join(cells) + " |")
     lines += _failures(table)
@@ -81,32 +87,34 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
 
 
 def write_png(table: StudyTable, path: Path) -> Path:
-    """Error over CPU time, logarithmic; failed points crossed out. PlotsMissingError without matplotlib."""
+    """The picture of a study by its axes, logarithmic; failed points crossed out.
+
+    PlotsMissingError without matplotlib.
+    """
     figure_class, canvas_class = _matplotlib()
     figure = figure_class(figsize=(9.0, 6.0), dpi=120, layout="constrained")
     canvas_class(figure)
     axes = figure.add_subplot()
     study = table.study
-    positive = [row.error for row in table if not row.failed and row.error > 0.0]
+    positive = [study.up(row) for row in table if not row.failed and study.up(row) > 0.0]
     lowest = min(positive, default=1e-3) / 3.0
     for (colour, shape), line in zip(_series(len(study.methods)), summarise(table), strict=True):
-        rows = sorted(table.of(line.method), key=lambda row: row.cpu_s)
-        order = "" if math.isnan(line.order) else f"  (order {line.order:.2f})"
-        _plot(axes, rows, lowest, color=colour, marker=shape, label=line.label + order)
+        rows = sorted(table.of(line.method), key=study.across)
+        order = "" if math.isnan(line.order) else f"  ({study.slope_name} {line.order:.2f})"
+        _plot(axes, study, rows, lowest, color=colour, marker=shape, label=line.label + order)
         failed = [row for row in table.of(line.method, failed=True) if row.cpu_s > 0.0]
         if failed:
-            heights = [
-                row.error if math.isfinite(row.error) and row.error > 0.0 else lowest for row in failed
-            ]
+            heights = [study.up(row) for row in failed]
+            heights = [y if math.isfinite(y) and y > 0.0 else lowest for y in heights]
             axes.plot(
-                [row.cpu_s for row in failed], heights, "x", color=colour,
+                [study.across(row) for row in failed], heights, "x", color=colour,
                 markersize=9 if len(failed) <= FEW else 5, alpha=1.0 if len(failed) <= FEW else 0.35,
             )  # fmt: skip
     if table.rows:
         axes.set_xscale("log")
         axes.set_yscale("log")
-    axes.set_xlabel("CPU time for each simulated second (s)")
-    axes.set_ylabel(study.error + (f" ({study.error_unit})" if study.error_unit else ""))
+    axes.set_xlabel(_with_unit(*study.across_words()))
+    axes.set_ylabel(_with_unit(*study.up_words()))
     axes.set_title(study.title + ("   x: failed" if any(row.failed for row in table) else ""))
     axes.grid(True, which="major", color="#dddddd")
     axes.legend()
@@ -152,17 +160,23 @@ def _failures(table: StudyTable) -> list[str]:
     return lines
 
 
-def _plot(axes: Any, rows: list[Row], lowest: float, **style: Any) -> None:
+def _with_unit(words: str, unit: str) -> str:
+    return f"{words} ({unit})" if unit else words
+
+
+def _plot(axes: Any, study: Study, rows: list[Row], lowest: float, **style: Any) -> None:
     """Points, joined; of many the upper envelope is joined, as their errors rise and fall like saw teeth.
 
     Errors of zero lie on the lower edge.
     """
-    if len(usable(rows, 0.0)) > FEW:
+    if study.axes.up == "error" and len(usable(rows, 0.0)) > FEW:
         faint = {**style, "label": None, "alpha": 0.22}
-        axes.plot([r.cpu_s for r in rows], [max(r.error, lowest) for r in rows], ls="", ms=3.0, **faint)
-        rows = sorted(upper_envelope(usable(rows, 0.0)), key=lambda row: row.cpu_s)
-    heights = [max(row.error, lowest) for row in rows]
-    axes.plot([row.cpu_s for row in rows], heights, linestyle="-", markersize=5.0, linewidth=1.4, **style)
+        places = [study.across(row) for row in rows]
+        axes.plot(places, [max(study.up(row), lowest) for row in rows], ls="", ms=3.0, **faint)
+        rows = sorted(upper_envelope(usable(rows, 0.0)), key=study.across)
+    places = [study.across(row) for row in rows]
+    heights = [max(study.up(row), lowest) for row in rows]
+    axes.plot(places, heights, linestyle="-", markersize=5.0, linewidth=1.4, **style)
 
 
 def _series(count: int) -> list[tuple[str, str]]:

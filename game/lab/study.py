@@ -10,6 +10,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol
 
+COST = "CPU time for one simulated second"
+
 
 @dataclass(frozen=True)
 class Method:
@@ -73,6 +75,16 @@ class Trial(Protocol):
         """Error and counter of the last run; not timed."""
 
 
+class Axes(NamedTuple):
+    """What the picture of a study shows: ``across``: "cpu" or "knob"; ``up``: "error" or "cpu"."""
+
+    across: str = "cpu"
+    up: str = "error"
+
+
+ACCURACY = Axes()  # what accuracy costs
+
+
 class Row(NamedTuple):
     """One measured point: method, value of the knob, error, CPU seconds for each simulated second, ..."""
 
@@ -103,7 +115,8 @@ class Study:
     setting to trial. envelope: collisions make the error saw-toothed, so orders are fitted to its upper
     envelope. floor: errors below it are rounding and take no part in fits. expectation: what the curves
     should show, in a sentence or two. present: the scene's parameters to the setting they amount to.
-    related: further studies of the same scene.
+    axes: what its picture shows; accuracy against cost, unless what is bought is no accuracy. short: its name
+    among the studies of its scene. related: further studies of the same scene.
     """
 
     name: str
@@ -121,6 +134,8 @@ class Study:
     envelope: bool = False
     floor: float = 1e-13
     present: Callable[[Mapping[str, Any]], Setting] | None = None
+    axes: Axes = ACCURACY
+    short: str = ""
     related: tuple[Study, ...] = ()
 
     def __post_init__(self) -> None:
@@ -131,6 +146,35 @@ class Study:
             raise ValueError(
                 f"study {self.name}: order_over must be knob or counter, got {self.order_over!r}"
             )
+
+        if self.axes.across not in ("cpu", "knob") or self.axes.up not in ("error", "cpu"):
+            raise ValueError(f"study {self.name}: axes must be cpu or knob, error or cpu, got {self.axes}")
+
+    @property
+    def family(self) -> tuple[Study, ...]:
+        """This study and those related to it, the way a scene offers them."""
+        return (self, *self.related)
+
+    @property
+    def slope_name(self) -> str:
+        """What the slope of a curve is called."""
+        return "order" if self.axes.up == "error" else "exponent"
+
+    def across(self, row: Row) -> float:
+        """Where a row stands in the picture, from left to right."""
+        return row.cpu_s if self.axes.across == "cpu" else row.knob
+
+    def up(self, row: Row) -> float:
+        """How high a row stands in the picture."""
+        return row.error if self.axes.up == "error" else row.cpu_s
+
+    def across_words(self) -> tuple[str, str]:
+        """What runs from left to right, and its unit."""
+        return (COST, "s") if self.axes.across == "cpu" else (self.knob.label, self.knob.unit)
+
+    def up_words(self) -> tuple[str, str]:
+        """What runs upwards, and its unit."""
+        return (self.error, self.error_unit) if self.axes.up == "error" else (COST, "s")
 
     def method(self, name: str) -> Method:
         """The method of that name; ValueError if there is none."""

@@ -1,8 +1,8 @@
 """What accuracy costs, as an overlay: the plot, a table of orders and costs, a sentence, the progress.
 
 The overlay knows nothing of how a study is run: it is given ``AccuracyData`` and how far the runs are, and
-gives back commands: ``stop``, ``save-csv``, ``save-picture``, ``close``, and ``point`` with the parameters
-of the point that was clicked.
+gives back commands: ``stop``, ``save-csv``, ``save-picture``, ``close``, ``point`` with the parameters of
+the point that was clicked, and ``study`` with the number of another study of the scene.
 """
 
 from __future__ import annotations
@@ -25,8 +25,10 @@ from game.ui.plot import WorkPrecisionPlot
 from game.ui.plot_data import PlotSeries
 from game.ui.shapes import draw_box
 
+TITLE = "What accuracy costs"
 CARD, PADDING, FOOT = 608, 32, 72  # design px
 TABLE = 320  # design px that the table takes at the right
+TAB, TAB_MOST = 28, 168  # design px: height and greatest width of a study's tab
 WORDS = {"stop": ("Stop", 72), "save-csv": ("Save CSV", 96), "save-picture": ("Save picture", 112)}
 
 
@@ -37,7 +39,7 @@ class AccuracyPage:
         self.look = look
         self.data = data
         self.progress = Progress()
-        self.plot = WorkPrecisionPlot(look, data.error_unit)
+        self.plot = WorkPrecisionPlot(look, data.axes)
         self.overlay = Overlay(look, CARD)
         self.spots = Hotspots()
         self._point: tuple[int, int] | None = None
@@ -55,8 +57,11 @@ class AccuracyPage:
 
     def show(self, data: AccuracyData) -> None:
         """New data, as runs come in."""
+        changed = data.studies != self.data.studies
         self.data = data
-        self.plot.error_unit = data.error_unit
+        if changed:
+            self._place_spots()
+        self.plot.axes = data.axes
         self.plot.show(data.series, data.present, data.target, data.floor)
         self._point = None
         self._card = None
@@ -97,6 +102,8 @@ class AccuracyPage:
                     i, j = pressed
                     return Command("point", dict(self.data.series[i].runs[j].parameters))
         name = self.spots.handle(event)
+        if name is not None and name.startswith("study-"):
+            return Command("study", int(name.removeprefix("study-")))
         return Command(name) if name is not None else None
 
     def _clickable(self, hit: tuple[int, int] | None) -> tuple[int, int] | None:
@@ -112,11 +119,13 @@ class AccuracyPage:
         i, j = self._point
         one, point = self.data.series[i], self.data.series[i].runs[j]
         x, y = self.plot.place(i, point)
-        error = "diverged" if point.diverged else self.plot.error_text(point.error)
+        came = "diverged" if point.diverged else self.plot.error_text(point.y)
         words = f"{one.name}, {point.words}" if point.words else one.name
         place = pygame.Rect(0, 0, 2 * self.look.px(8), 2 * self.look.px(8))
         place.center = (round(x) + self.overlay.card.x, round(y) + self.overlay.card.y)
-        return f"{words}\n{error} for {format_si(point.cpu_s, 's')}", place
+        if self.data.axes.x_unit != "s":
+            return f"{words}\n{came}", place
+        return f"{words}\n{came} for {format_si(point.x, 's')}", place
 
     # -- places -------------------------------------------------------------------------------------
 
@@ -130,7 +139,25 @@ class AccuracyPage:
             right = place.x - px(8)
             enabled = self.progress.running if name == "stop" else self.progress.done > 0
             spots.insert(0, Hotspot(name, place, enabled))
-        self.spots.place([*spots, self.overlay.close_spot()])
+        self.spots.place([*spots, *self._tabs(), self.overlay.close_spot()])
+
+    def _tabs(self) -> list[Hotspot]:
+        """A tab for each study of the scene, in a row that ends before the cross."""
+        px, card = self.look.px, self.overlay.card
+        names = self.data.studies
+        title = self.look.fonts.size(TITLE, 22, "display")[0]
+        right = card.right - px(72)
+        room = right - (card.x + px(PADDING) + title + px(24))
+        if len(names) < 2 or room < px(60) * len(names):
+            return []
+        most = min(px(TAB_MOST), room // len(names) - px(8))
+        widths = [min(self.look.fonts.size(name, 13, "semibold")[0] + px(24), most) for name in names]
+        x = right - sum(widths) - px(8) * (len(names) - 1)
+        tabs = []
+        for i, width in enumerate(widths):
+            tabs.append(Hotspot(f"study-{i}", pygame.Rect(x, card.y + px(22), width, px(TAB))))
+            x += width + px(8)
+        return tabs
 
     def _plot_rect(self) -> pygame.Rect:
         """The plot on the card."""
@@ -163,7 +190,7 @@ class AccuracyPage:
         flat = pygame.Surface(card.get_size(), 0, 32)  # the plot's kernels want an opaque ground
         flat.fill(look.theme.panel)
         room = card.get_width() - px(PADDING) - px(64)
-        look.text(flat, "What accuracy costs", (px(PADDING), px(36)), 22, "display")
+        look.text(flat, TITLE, (px(PADDING), px(36)), 22, "display")
         words = ". ".join(part for part in (self.data.title, self.data.subtitle) if part)
         look.text(
             flat, look.fonts.fit(words, 13, "medium", room), (px(PADDING), px(62)), 13, "medium", "text2"
@@ -184,8 +211,10 @@ class AccuracyPage:
         left, right = flat.get_width() - px(TABLE), flat.get_width() - px(PADDING)
         y = px(104)
         header = f"for {self.plot.error_text(self.data.target, 1)}" if math.isfinite(self.data.target) else ""
+        header = self.data.cost_words or header
+        slope = "exponent" if self.data.axes.slope == "exponent" else "order"
         look.text(flat, "Method", (left, y), 12, "medium", "text2")
-        look.text(flat, "order", (right - px(74), y), 12, "medium", "text2", "right")
+        look.text(flat, slope, (right - px(74), y), 12, "medium", "text2", "right")
         look.text(flat, header, (right, y), 12, "medium", "text2", "right")
         flat.fill(theme.line, (left, y + px(14), right - left, look.border))
         y += px(36)
@@ -257,8 +286,12 @@ class AccuracyPage:
             if spot.name == "close":
                 draw_close(flat, look, rect, self.spots.hover("close"))
                 continue
+            number = spot.name.removeprefix("study-")
+            tab = number != spot.name
+            words = self.data.studies[int(number)] if tab else WORDS[spot.name][0]
+            chosen = tab and int(number) == self.data.study
             draw_button(
-                flat, look, rect, WORDS[spot.name][0], lit=self.spots.hover(spot.name),
+                flat, look, rect, words, primary=chosen, lit=self.spots.hover(spot.name),
                 pressed=self.spots.pressed == spot.name, enabled=spot.enabled,
             )  # fmt: skip
 

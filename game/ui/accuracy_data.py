@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from game.ui.numerals import format_number
-from game.ui.plot_data import PlotSeries, Present
+from game.ui.plot_data import PlotAxes, PlotSeries, Present
 
 
 class TableRow(NamedTuple):
@@ -24,13 +24,16 @@ class AccuracyData(NamedTuple):
 
     title: str  # scene and level
     subtitle: str  # what error, against what
-    error_unit: str
+    axes: PlotAxes
     series: tuple[PlotSeries, ...] = ()
     rows: tuple[TableRow, ...] = ()  # one for each series
     present: Present | None = None
     target: float = math.nan
     sentence: str = ""
     notes: tuple[str, ...] = ()
+    cost_words: str = ""  # over the costs in the table, where they are not for the round error
+    studies: tuple[str, ...] = ()  # short names of all studies of the scene, if there are several
+    study: int = 0  # the one shown
     floor: float = 0.0  # errors up to it are rounding and lie at the foot of the plot
 
 

@@ -12,10 +12,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.lab import Knob, Row, Setting, Study, StudyTable, cost_to_reach, fit_order, upper_envelope
+from game.lab import ACCURACY, Knob, Row, Setting, Study, StudyTable, cost_to_reach, slope_of, upper_envelope
 from game.ui.accuracy_data import AccuracyData, TableRow, sentence_for
 from game.ui.numerals import format_number, format_si
-from game.ui.plot_data import PlotPoint, PlotSeries, Present
+from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries, Present
 from game.ui.theme import SERIES
 
 MANY = 24  # points of a method that can be told apart
@@ -39,22 +39,48 @@ def study_data(
     rows = tuple(
         TableRow(
             _sentence_case(method.label),
-            fit_order(table.of(method.name), study.floor, study.envelope, study.order_over),
+            slope_of(study, method, table.of(method.name)),
             method.order if method.order is not None else math.nan,
-            cost_to_reach(table.of(method.name), target, study.envelope),
+            _cost(table, method.name, target),
         )
         for method in shown
     )
     return AccuracyData(
-        scene_title, f"{_sentence_case(study.error)}; reference: {study.reference}", study.error_unit,
-        series, rows, _present(study, present, series, [method.name for method in shown]), target,
-        _sentence(study, rows, target), _notes(study, series, trouble), study.floor,
+        scene_title, _subtitle(study), _axes(study), series, rows,
+        _present(study, present, series, [method.name for method in shown]), target,
+        _sentence(study, rows, target), _notes(study, series, trouble),
+        "least" if study.axes.up == "cpu" else "", floor=study.floor if study.axes.up == "error" else 0.0,
     )  # fmt: skip
+
+
+def _subtitle(study: Study) -> str:
+    if study.axes == ACCURACY:
+        return f"{_sentence_case(study.error)}; reference: {study.reference}"
+    return f"{_sentence_case(study.up_words()[0])}, against {study.across_words()[0]}. {study.reference}"
+
+
+def _axes(study: Study) -> PlotAxes:
+    words, unit = study.across_words()
+    heading = "CPU time" if study.axes.up == "cpu" else "Error"
+    if study.axes.up == "error" and study.axes.across == "knob":
+        heading = _sentence_case(study.error).split()[0]
+    slope = "slope" if study.axes.up == "error" else study.slope_name
+    return PlotAxes(words, unit, heading, study.up_words()[1], slope)
+
+
+def _cost(table: StudyTable, method: str, target: float) -> float:
+    """What the round error costs, or, where cost is what is shown, the least cost there is."""
+    rows = table.of(method)
+    if table.study.axes.up == "cpu":
+        return min((row.cpu_s for row in rows), default=math.nan)
+    return cost_to_reach(rows, target, table.study.envelope)
 
 
 def round_error(table: StudyTable) -> float:
     """The smallest power of ten that as many methods as possible come to stay below; nan if none does."""
     study = table.study
+    if study.axes != ACCURACY:
+        return math.nan
     errors = [row.error for row in table if not row.failed and row.error > study.floor]
     if not errors:
         return math.nan
@@ -84,19 +110,19 @@ def _point(study: Study, row: Row) -> PlotPoint:
     words = setting_words(study.knob, row.knob, tuple(row.others.items()))
     if row.failed:
         words = f"{words}: {row.failure}"
-    return PlotPoint(row.cpu_s, row.error, row.failed, False, row.scene, words)
+    return PlotPoint(study.across(row), study.up(row), row.failed, False, row.scene, words)
 
 
 def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting]) -> PlotSeries:
     """The runs of one method, a line through them or through their envelope, and those still to come."""
     study = table.study
-    rows = sorted(table.of(method), key=lambda row: row.cpu_s)
+    rows = sorted(table.of(method), key=study.across)
     failed = [_point(study, row) for row in table.of(method, failed=True)]
-    order = fit_order(rows, study.floor, study.envelope, study.order_over)
+    order = slope_of(study, study.method(method), rows)
     cloud: list[PlotPoint] = []
     chosen = rows
-    if len(rows) > MANY:
-        chosen = sorted(upper_envelope(rows, ENVELOPE, study.order_over), key=lambda row: row.cpu_s)
+    if len(rows) > MANY and study.axes.up == "error":
+        chosen = sorted(upper_envelope(rows, ENVELOPE, study.order_over), key=study.across)
         kept = {id(row) for row in chosen}
         cloud = [_point(study, row) for row in rows if id(row) not in kept]
     have = {row.key for row in table.of(method, failed=None)}
@@ -111,6 +137,8 @@ def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting])
 
 def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) -> list[PlotPoint]:
     """Where the runs of a method that are still to come may lie; none without enough to go by."""
+    if study.axes != ACCURACY:
+        return []
     good = [row for row in rows if row.error > study.floor and row.cpu_s > 0.0 and row.knob > 0.0]
     if not missing or len(missing) > MANY or len({row.knob for row in good}) < FEWEST:
         return []
@@ -121,7 +149,7 @@ def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) ->
     found = []
     for setting in missing:
         point = _estimate(study, setting, error, cost)
-        if point.cpu_s > last:
+        if point.x > last:
             found.append(point)
     return sorted(found)
 
@@ -152,14 +180,10 @@ def _present(
 
 def _apart(a: PlotPoint, b: PlotPoint) -> float:
     """How far apart two points of one kind are in the plot, in decades squared."""
-    if (
-        a.diverged != b.diverged
-        or min(a.cpu_s, b.cpu_s) <= 0.0
-        or (not a.diverged and min(a.error, b.error) <= 0.0)
-    ):
+    if a.diverged != b.diverged or min(a.x, b.x) <= 0.0 or (not a.diverged and min(a.y, b.y) <= 0.0):
         return math.inf
-    along = 0.0 if a.diverged else math.log10(a.error / b.error)
-    return math.log10(a.cpu_s / b.cpu_s) ** 2 + along * along
+    along = 0.0 if a.diverged else math.log10(a.y / b.y)
+    return math.log10(a.x / b.x) ** 2 + along * along
 
 
 def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
@@ -171,6 +195,8 @@ def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
     )
     labels = {_sentence_case(method.label): method.label for method in study.methods}
     inside = [row._replace(name=labels.get(row.name, row.name)) for row in rows]
+    if study.axes != ACCURACY:
+        return study.expectation
     return sentence_for(inside, words) or study.expectation
 
 
@@ -178,7 +204,8 @@ def _notes(study: Study, series: Sequence[PlotSeries], trouble: str) -> tuple[st
     notes = [trouble] if trouble else []
     if study.envelope:
         notes.append("Orders are fitted to the upper envelope.")
-    if any(0.0 <= point.error <= study.floor for one in series for point in one.points):
+    of_errors = study.axes.up == "error"
+    if of_errors and any(0.0 <= point.y <= study.floor for one in series for point in one.points):
         notes.append("At the foot: rounding only.")
     if any(point.pending for one in series for point in one.points):
         notes.append("Hollow: still to be measured.")

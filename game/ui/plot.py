@@ -1,4 +1,6 @@
-"""The work-precision plot: error against CPU time, both by decades; each method has its line and marks.
+"""The plot of a study: error against CPU time, or what else its axes say, both by decades.
+
+Each method has its line and marks.
 
 Runs that diverged are crosses in a band above; runs still to come are hollow, on a dashed line. The present
 setting wears an amber ring, with dashed lines to its figures on both axes. The error rises with y: down
@@ -15,11 +17,12 @@ import pygame
 
 from game.ui.look import Look
 from game.ui.numerals import format_number, format_si
-from game.ui.plot_data import PlotPoint, PlotSeries, Present, Range, decades
+from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries, Present, Range, decades
 from game.ui.plot_marks import Brush
 from game.ui.plot_words import PlotWords
 from game.ui.shapes import draw_box
 
+ERROR_OVER_COST = PlotAxes()
 BAND, HIT = 32.0, 9.0  # design px: band of diverged runs; reach of a pointer
 LINE = 2.0
 
@@ -27,9 +30,9 @@ LINE = 2.0
 class WorkPrecisionPlot:
     """Draws series into a rectangle of a surface, and finds the point under a pixel."""
 
-    def __init__(self, look: Look, error_unit: str = "m") -> None:
+    def __init__(self, look: Look, axes: PlotAxes = ERROR_OVER_COST) -> None:
         self.look = look
-        self.error_unit = error_unit
+        self.axes = axes
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.series: tuple[PlotSeries, ...] = ()
         self.present: Present | None = None
@@ -44,8 +47,8 @@ class WorkPrecisionPlot:
         points = [point for one in self.series for point in one.runs]
         if present is not None:
             points.append(present.point)
-        self.x = decades([point.cpu_s for point in points])
-        self.y = decades([p.error for p in points if not p.diverged and p.error > floor])
+        self.x = decades([point.x for point in points])
+        self.y = decades([p.y for p in points if not p.diverged and p.y > floor])
 
     # -- places -------------------------------------------------------------------------------------
 
@@ -55,11 +58,11 @@ class WorkPrecisionPlot:
         band = round(BAND * self.look.k)
         return pygame.Rect(self.rect.x, self.rect.y + band, self.rect.w, max(1, self.rect.h - band))
 
-    def column(self, cpu_s: float) -> float:
-        """Pixel of a CPU time; nan if it has none."""
-        if not (math.isfinite(cpu_s) and cpu_s > 0.0):
+    def column(self, x: float) -> float:
+        """Pixel of what runs from left to right; nan if it has none."""
+        if not (math.isfinite(x) and x > 0.0):
             return math.nan
-        return self.rect.x + self.rect.w * (math.log10(cpu_s) - self.x.low) / (self.x.high - self.x.low)
+        return self.rect.x + self.rect.w * (math.log10(x) - self.x.low) / (self.x.high - self.x.low)
 
     def row(self, error: float) -> float:
         """Pixel of an error; one below the axis, as 0, lies at its foot; nan if it has none."""
@@ -75,10 +78,8 @@ class WorkPrecisionPlot:
         """Pixel of a point of series ``i``; a diverged one lies in the band."""
         if point.diverged:
             rows = max(len(self.series), 1)
-            return self.column(point.cpu_s), self.rect.y + (
-                0.15 + 0.7 * (i + 0.5) / rows
-            ) * BAND * self.look.k
-        return self.column(point.cpu_s), self.row(point.error)
+            return self.column(point.x), self.rect.y + (0.15 + 0.7 * (i + 0.5) / rows) * BAND * self.look.k
+        return self.column(point.x), self.row(point.y)
 
     def hit(self, position: tuple[int, int]) -> tuple[int, int] | None:
         """Series and point nearest to a pixel and within reach."""
@@ -131,7 +132,7 @@ class WorkPrecisionPlot:
             if (n - self.x.low) % step == 0 and not self._under_chip(x):
                 look.text(
                     surface,
-                    format_si(10.0**n, "s", 1),
+                    format_si(10.0**n, self.axes.x_unit, 1),
                     (x, self.rect.bottom + px(18)),
                     12,
                     "medium",
@@ -159,15 +160,16 @@ class WorkPrecisionPlot:
             "right",
         )
         look.text(
-            surface, "Error", (self.rect.x - px(12), self.rect.y - px(12)), 12, "medium", "text2", "right"
+            surface, self.axes.y, (self.rect.x - px(12), self.rect.y - px(12)), 12, "medium", "text2", "right"
         )
-        words = "CPU time for one simulated second"
-        look.text(surface, words, (area.centerx, self.rect.bottom + px(40)), 12, "medium", "text2", "center")
+        look.text(
+            surface, self.axes.x, (area.centerx, self.rect.bottom + px(40)), 12, "medium", "text2", "center"
+        )
 
     def _draw_error_figure(self, surface: pygame.Surface, error: float, y: int) -> None:
         """A figure at the left, unless the amber chip stands there."""
         if self.present is not None:
-            chip = self.row(self.present.point.error)
+            chip = self.row(self.present.point.y)
             if abs(chip - y) < 16 * self.look.k and not self.present.point.diverged:
                 return
         place = (self.rect.x - self.look.px(12), y)
@@ -177,12 +179,12 @@ class WorkPrecisionPlot:
         """Whether a figure of the time axis would lie under the amber chip."""
         if self.present is None:
             return False
-        return abs(self.column(self.present.point.cpu_s) - x) < 44 * self.look.k
+        return abs(self.column(self.present.point.x) - x) < 44 * self.look.k
 
     def error_text(self, error: float, digits: int = 2) -> str:
         """An error with its unit, or as a power of ten if it has none."""
-        if self.error_unit:
-            return format_si(error, self.error_unit, digits)
+        if self.axes.y_unit:
+            return format_si(error, self.axes.y_unit, digits)
         return format_number(error, digits)
 
     def _draw_target(self, brush: Brush) -> None:

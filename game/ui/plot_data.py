@@ -11,10 +11,10 @@ MOST_DECADES = 16
 
 
 class PlotPoint(NamedTuple):
-    """One run. ``error`` in the study's unit, ``cpu_s`` for a simulated second."""
+    """One run: what it is at (``x``, mostly CPU seconds for a simulated one) and what came of it (``y``)."""
 
-    cpu_s: float
-    error: float
+    x: float
+    y: float
     diverged: bool = False
     pending: bool = False  # still to be measured: the place is an estimate
     parameters: Parameters = {}  # that set the scene to it
@@ -22,7 +22,7 @@ class PlotPoint(NamedTuple):
 
 
 class PlotSeries(NamedTuple):
-    """A method: its runs in order of cost, its fitted order (nan if unknown) and how it is drawn.
+    """A method: its runs from left to right, its fitted order (nan if unknown) and how it is drawn.
 
     ``cloud`` holds further runs that are small dots without a line, where there are very many.
     """
@@ -38,6 +38,16 @@ class PlotSeries(NamedTuple):
     def runs(self) -> tuple[PlotPoint, ...]:
         """All runs; ``WorkPrecisionPlot.hit`` gives a place in this."""
         return self.points + self.cloud
+
+
+class PlotAxes(NamedTuple):
+    """Words and units of both axes, a short one over the vertical axis; what a slope is called."""
+
+    x: str = "CPU time for one simulated second"
+    x_unit: str = "s"
+    y: str = "Error"
+    y_unit: str = "m"
+    slope: str = "slope"
 
 
 class Present(NamedTuple):

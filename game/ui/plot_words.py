@@ -1,4 +1,4 @@
-"""The words in a work-precision plot: slopes, the amber figures on the axes, "you are here".
+"""The words in the plot of a study: slopes, the amber figures on the axes, "you are here".
 
 Each stands where the fewest marks and words lie under it, tried in a fixed order of places.
 """
@@ -46,7 +46,7 @@ class PlotWords:
 
     def _draw_slope(self, i: int, one: PlotSeries) -> None:
         look = self.look
-        words = f"slope {one.order:.2f}"
+        words = f"{self.plot.axes.slope} {one.order:.2f}"
         width, height = look.fonts.size(words, 12, "semibold")
         line = [self.plot.place(i, point) for point in one.points if not point.diverged]
         wanted = []
@@ -81,9 +81,9 @@ class PlotWords:
 
     def _draw_chips(self, present: Present, x: float, y: float) -> None:
         """The present figures in amber on both axes."""
-        self._draw_chip(format_si(present.point.cpu_s, "s", 2), round(x), None)
+        self._draw_chip(format_si(present.point.x, self.plot.axes.x_unit, 2), round(x), None)
         if not present.point.diverged:
-            self._draw_chip(self.plot.error_text(present.point.error), None, round(y))
+            self._draw_chip(self.plot.error_text(present.point.y), None, round(y))
 
     def _draw_chip(self, words: str, x: int | None, y: int | None) -> None:
         look, px, rect = self.look, self.look.px, self.plot.rect

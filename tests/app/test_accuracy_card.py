@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import math
 import threading
 from pathlib import Path
@@ -14,7 +15,7 @@ from tests_app import Driver
 from game.app.scene import accuracy_card
 from game.app.scene.accuracy_card import AccuracyCard
 from game.app.scene.study_run import StudyRun, accuracy_data
-from game.lab import Knob, Method, Outcome, Setting, Study
+from game.lab import Axes, Knob, Method, Outcome, Setting, Study
 from game.ui.commands import Command
 
 STEPS = (0.1, 0.05, 0.02, 0.01, 0.005)
@@ -93,7 +94,7 @@ def test_data_tell_orders_costs_and_the_present_setting():
     assert [sum(p.diverged for p in one.points) for one in data.series] == [0, 1]
     assert [row.expected for row in data.rows] == [1.0, 2.0]
     assert data.present is not None
-    assert (data.present.series, data.present.point.error) == (0, 0.02)
+    assert (data.present.series, data.present.point.y) == (0, 0.02)
     assert data.target == 1e-2  # the smallest round error that both reach
     assert all(math.isfinite(row.cost_s) for row in data.rows)
     assert all(point.parameters["gravity"] > 0.0 for one in data.series for point in one.points)
@@ -192,3 +193,28 @@ def test_page_fits_small_and_large_windows(scene: Driver):
         scene.resize(*size)
         scene.frames(2)
     assert isinstance(scene.top, AccuracyCard)
+
+
+def test_a_tab_shows_and_measures_another_study(driver: Driver, monkeypatch: pytest.MonkeyPatch):
+    import example_scene
+
+    cost = {"name": "second", "title": "Second", "short": "Of cost", "axes": Axes("knob", "cpu")}
+    second = dataclasses.replace(make_study(), **cost)
+    family = dataclasses.replace(make_study(), short="Of error", related=(second,))
+    monkeypatch.setattr(example_scene.BouncingBall, "study", family)
+    driver.open()
+    driver.key(pygame.K_a)
+    driver.top.run.wait(60.0)
+    driver.frames(40)
+    page = driver.top.page
+    assert page.data.studies == ("Of error", "Of cost") and page.data.study == 0
+    first = driver.top.run.table
+    driver.click(*page.spots.find("study-1").rect.center)
+    driver.top.run.wait(60.0)
+    driver.frames(40)
+    assert (page.data.study, page.data.cost_words, page.data.axes.y) == (1, "least", "CPU time")
+    assert page.progress.done == 2 * len(STEPS) and driver.top.run.table is not first
+    driver.click(*page.spots.find("study-0").rect.center)
+    driver.top.run.wait(60.0)
+    driver.frames(40)
+    assert page.data.study == 0 and driver.top.run.table is first

@@ -5,8 +5,17 @@ import math
 import numpy as np
 import pytest
 
-from game.lab.analysis import cost_to_reach, fit_order, out_of_order, settled, summarise, upper_envelope
-from game.lab.study import Knob, Method, Row, Study, StudyTable
+from game.lab.analysis import (
+    cost_to_reach,
+    fit_exponent,
+    fit_order,
+    out_of_order,
+    settled,
+    slope_of,
+    summarise,
+    upper_envelope,
+)
+from game.lab.study import Axes, Knob, Method, Row, Study, StudyTable
 
 
 def row(knob, error, cost, failure="", method="m"):
@@ -95,3 +104,25 @@ def test_summary_has_a_line_for_each_method():
     assert first.order == pytest.approx(2.0)
     assert (second.points, second.failed) == (0, 0)
     assert math.isnan(second.order)
+
+
+def test_an_exponent_of_cost_is_fitted_beyond_the_fixed_part():
+    rows = [row(n, 1.0, 1e-5 + 1e-8 * n * n) for n in (10.0 * 2.0**i for i in range(12))]
+    assert fit_exponent(rows) == pytest.approx(2.0, abs=0.05)
+    assert math.isnan(fit_exponent(rows[:2])) and math.isnan(fit_exponent([]))
+
+
+def test_only_a_cost_with_an_expected_exponent_has_a_slope():
+    rows = [row(2.0**i, 2.0**-i, 1e-6 * 4.0**i) for i in range(8)]
+    made = {
+        "name": "s", "title": "S", "error": "e", "error_unit": "m", "counter": "c",
+        "knob": Knob("n", "number"),
+        "methods": (Method("m", "m"),), "settings": list, "trial": None, "reference": "",
+    }  # fmt: skip
+    study = Study(**made, axes=Axes("knob", "cpu"))
+    assert slope_of(study, Method("m", "m", 2.0), rows) == pytest.approx(2.0)
+    assert math.isnan(slope_of(study, Method("m", "m"), rows))
+    assert slope_of(Study(**made), Method("m", "m"), rows) == pytest.approx(-1.0)
+    assert (study.across(rows[3]), study.up(rows[3])) == (8.0, 64e-6)
+    with pytest.raises(ValueError, match="axes"):
+        Study(**made, axes=Axes("time", "cpu"))

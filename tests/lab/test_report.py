@@ -1,13 +1,14 @@
 """Reports: what stands in the files, and what happens without matplotlib."""
 
 import csv
+import dataclasses
 import math
 import sys
 
 import pytest
 
 from game.lab.report import PlotsMissingError, write_report
-from game.lab.study import Knob, Method, Row, Study, StudyTable
+from game.lab.study import Axes, Knob, Method, Row, Study, StudyTable
 
 STUDY = Study(
     name="made-up",
@@ -85,3 +86,13 @@ def test_without_matplotlib_the_rest_is_written(tmp_path, monkeypatch):
         write_report(made_up(), tmp_path)
     assert sorted(file.name for file in tmp_path.iterdir()) == ["made-up.csv", "made-up.md"]
     assert "png" not in (tmp_path / "made-up.md").read_text(encoding="utf-8")
+
+
+def test_a_study_of_cost_tells_where_it_is_least(tmp_path):
+    study = dataclasses.replace(STUDY, axes=Axes("knob", "cpu"))
+    rows = [Row("euler", h, 1.0, (h - 0.3) ** 2 + 0.01, 1, "", {}, {}) for h in (0.1, 0.2, 0.3, 0.4)]
+    files = write_report(StudyTable(study, rows, True), tmp_path)
+    text = files[2].read_text(encoding="utf-8")
+    assert "| least cost | at step |" in text and "cost of" not in text
+    assert "| Euler |" in text and "| 0.01 | 0.3 |" in text
+    assert files[1].stat().st_size > 1000

@@ -27,7 +27,7 @@ from game.ui.legend import Legend
 from game.ui.loading import LoadingCard, draw_shell
 from game.ui.look import Look
 from game.ui.panel import Panel
-from game.ui.plot_data import PlotPoint, PlotSeries, Present
+from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries, Present
 from game.ui.strips import Strips
 from game.ui.theme import DARK, LIGHT, SERIES
 from game.ui.toasts import Toasts
@@ -140,7 +140,7 @@ def draw_accuracy(surface: pygame.Surface, look: Look, stage: Stage) -> None:
         series.append(PlotSeries(name, (*failed, *runs), order, SERIES[style].color, SERIES[style].marker))
         rows.append(TableRow(name, order, order, cost * (error / 1e-3) ** (1.0 / order)))
     data = AccuracyData(
-        "Bouncing ball, from three metres", "Error of the height after 1.2 s", "m", tuple(series),
+        "Bouncing ball, from three metres", "Error of the height after 1.2 s", PlotAxes(), tuple(series),
         tuple(rows), Present(2, series[2].points[7], "Verlet, 240 steps a second"), 1e-3,
         sentence_for(rows, "one millimetre"),
         ("Hollow: still to be measured.", "Click a point to set the scene to it."),

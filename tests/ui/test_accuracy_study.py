@@ -58,7 +58,7 @@ def test_orders_costs_and_lines():
         step = (data.target / 0.5) ** (1.0 / order)
         assert r.cost_s == pytest.approx(1e-6 / step, rel=1e-6)
     for one in data.series:
-        costs = [point.cpu_s for point in one.points]
+        costs = [point.x for point in one.points]
         assert all(a < b for a, b in pairwise(costs)) and not one.cloud
     assert data.series[0].points[0].parameters == {"step_length": STEPS[0]}
     assert data.sentence.startswith("For ") and "second order" in data.sentence.lower()
@@ -73,8 +73,8 @@ def test_runs_to_come_lie_on_the_line_of_those_there_are():
         coming = [point for point in one.points if point.pending]
         assert len(coming) == len(STEPS) - 6
         for point, step in zip(coming, STEPS[6:], strict=True):
-            assert point.error == pytest.approx(error_of(method, step), rel=1e-6)
-            assert point.cpu_s == pytest.approx(1e-6 / step, rel=1e-6)
+            assert point.y == pytest.approx(error_of(method, step), rel=1e-6)
+            assert point.x == pytest.approx(1e-6 / step, rel=1e-6)
     assert any("Hollow" in note for note in data.notes)
 
 

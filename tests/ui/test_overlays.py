@@ -19,7 +19,7 @@ from game.ui.commands import Command
 from game.ui.helppage import HelpPage, paragraphs_of
 from game.ui.look import Look
 from game.ui.plot import WorkPrecisionPlot
-from game.ui.plot_data import PlotPoint, PlotSeries, Present, decades
+from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries, Present, decades
 from game.ui.theme import DARK
 
 SIZES = [(1, 1), (90, 60), (320, 240), (700, 500), (1280, 720), (1920, 1080)]
@@ -46,7 +46,7 @@ ROWS = (
     TableRow("Runge-Kutta 4", math.nan, 4.0, math.nan),
 )
 DATA = AccuracyData(
-    "Bouncing ball", "Error of the height.", "m", SERIES, ROWS,
+    "Bouncing ball", "Error of the height.", PlotAxes(), SERIES, ROWS,
     Present(1, SERIES[1].points[4], "Verlet"), 1e-3, sentence_for(ROWS, "one millimetre"),
     ("Click a point to set the scene to it.",),
 )  # fmt: skip
@@ -175,7 +175,7 @@ def page_at(look, size=(1280, 720)):
 def test_the_overlay_in_any_window(any_look, size):
     page = page_at(any_look, size)
     page.handle(move(size[0] / 2, size[1] / 2))
-    page.show(AccuracyData("Empty", "", ""))
+    page.show(AccuracyData("Empty", "", PlotAxes(y_unit="")))
     page.report(Progress())
     page.draw(pygame.Surface(size, 0, 32))
 

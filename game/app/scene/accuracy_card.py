@@ -13,6 +13,7 @@ from game.app.scene.study_run import StudyRun, accuracy_data
 from game.folders import user_folder
 from game.stage import SetKnob
 from game.ui.accuracy import AccuracyPage
+from game.ui.accuracy_data import AccuracyData
 from game.ui.commands import Command
 from game.ui.tooltips import ToolTip
 
@@ -28,22 +29,37 @@ _tables: dict[str, StudyTable] = {}  # by study: what was measured is gone on wi
 
 
 class AccuracyCard(PageScreen):
-    """Goes on with what was measured earlier in this session."""
+    """Goes on with what was measured earlier; offers all studies of the scene."""
 
     page: AccuracyPage
 
     def __init__(self, app: App, play: ScenePlay, study: Study):
         self.play = play
-        self.run = StudyRun(study, play.stage.scene.values, _tables.get(study.name))
-        _tables[study.name] = self.run.table
-        level = play.stage.level
-        self._title = ", ".join(
-            part for part in (study.title, level.title if level is not None else "") if part
-        )
+        self._studies = study.family
+        self._start(study, None)
         self._since_s = 0.0
         self._shown = -1
         self._tip = ToolTip(app.look)
-        super().__init__(app, AccuracyPage(app.look, accuracy_data(self.run, self._title)))
+        super().__init__(app, AccuracyPage(app.look, self._data()))
+
+    def _start(self, study: Study, before: StudyRun | None) -> None:
+        """Measure a study, once the one before it has stopped."""
+        self.run = StudyRun(study, self.play.stage.scene.values, _tables.get(study.name), before)
+        _tables[study.name] = self.run.table
+
+    def _data(self) -> AccuracyData:
+        study, level = self.run.study, self.play.stage.level
+        title = ", ".join(part for part in (study.title, level.title if level is not None else "") if part)
+        names = tuple(one.short or one.title for one in self._studies) if len(self._studies) > 1 else ()
+        return accuracy_data(self.run, title)._replace(studies=names, study=self._studies.index(study))
+
+    def _choose(self, number: int) -> None:
+        """Show and measure another study."""
+        if self._studies[number] is not self.run.study:
+            self.run.stop()
+            self._start(self._studies[number], self.run)
+            self._shown = -1
+            self._refresh()
 
     def restyle(self) -> None:
         super().restyle()
@@ -75,7 +91,7 @@ class AccuracyCard(PageScreen):
         )
         if state != self._shown:
             self._shown = state
-            self.page.show(accuracy_data(self.run, self._title))
+            self.page.show(self._data())
         self.page.report(self.run.progress)
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -89,6 +105,8 @@ class AccuracyCard(PageScreen):
             self._save_csv()
         elif wish.name == "save-picture":
             self._save_picture()
+        elif wish.name == "study":
+            self._choose(wish.value)
         elif wish.name == "point":
             self._set_scene(dict(wish.value))
 

@@ -10,7 +10,7 @@ from game.ui.accuracy import AccuracyPage
 from game.ui.accuracy_data import AccuracyData, TableRow
 from game.ui.layout import arrange
 from game.ui.look import Look
-from game.ui.plot_data import PlotPoint, PlotSeries
+from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries
 from game.ui.strips import Strips
 
 SIZE = (1280, 720)  # px
@@ -43,5 +43,5 @@ def rehearse(stage: Stage, look: Look, rect: pygame.Rect) -> None:
 def _two_points() -> AccuracyData:
     points = (PlotPoint(1e-3, 1e-2), PlotPoint(1e-2, 1e-3), PlotPoint(1e-2, 1.0, diverged=True))
     return AccuracyData(
-        "", "", "m", (PlotSeries("", points, 1.0),), (TableRow("", 1.0, 1.0, 1e-3),), target=1e-2
+        "", "", PlotAxes(), (PlotSeries("", points, 1.0),), (TableRow("", 1.0, 1.0, 1e-3),), target=1e-2
     )

@@ -14,7 +14,14 @@ from game.ui.accuracy_study import study_data
 class StudyRun:
     """Measures in a thread; ``table`` fills while it runs and may be gone on with later."""
 
-    def __init__(self, study: Study, parameters: Mapping[str, Any], table: StudyTable | None = None):
+    def __init__(
+        self,
+        study: Study,
+        parameters: Mapping[str, Any],
+        table: StudyTable | None = None,
+        after: StudyRun | None = None,
+    ):
+        self._after = after  # is waited for, so that no two measure at once
         self.study = study
         self.table = table if table is not None else StudyTable(study)
         self.present: Row | None = None
@@ -36,7 +43,13 @@ class StudyRun:
         self._thread.join(seconds)
 
     def _work(self) -> None:
+        if self._after is not None:
+            self._after.wait()
+            self._after = None
         try:
+            if self._stop.is_set():
+                self.progress = self.progress._replace(running=False)
+                return
             if self.study.present is not None:
                 self.present = measure_present(self.study, self._parameters)
             run_study(self.study, self._report, self._stop.is_set, self.table)

@@ -149,6 +149,7 @@ lossless_study = _study(
         EXACT,
     ),
     trial=partial(_trial, lambda: three_ball_shot(FRICTIONLESS, (0.0, 0.0, 0.0)), LOSSLESS_TIME),
+    short="No friction",
     expectation="Without friction all tables play the same game, and both stepped ones come nearer with the "
     "first power of the step. The lecture's dear points are the price of a call from Python for each step.",
 )
@@ -165,6 +166,7 @@ billiards_study = _study(
         EXACT,
     ),
     trial=partial(_trial, lambda: three_ball_shot(Physics(), SPIN), CAROM_TIME),
+    short="Carom",
     expectation="Order 1 for the stepped table where its steps are short enough to make the right contacts; "
     "passes mend nothing where balls are few. The lecture's ball knows no spin: it never meets ball 2, "
     "however short the step. Event by event is exact, and cheaper than any of them.",

@@ -89,6 +89,7 @@ effects_study = Study(
         Method("none", "without any of them"),
     ),
     settings=_settings,
+    short="Effects",
     trial=lambda setting: WithoutEffect(setting.method, int(setting.knob)),
     reference="the exact table with all effects.",
     expectation="An effect costs the events that it brings: in a break the cloth is every other one, as "

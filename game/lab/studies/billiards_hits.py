@@ -89,6 +89,7 @@ missed_hits_study = Study(
         Method("lecture", "as in the lecture", 2.0),
     ),
     settings=_hit_settings,
+    short="Missed hits",
     trial=lambda setting: MissedHits(setting.method, setting.knob),
     reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0^2 = D^2 - c^2; column formula.",
     expectation="Whatever physics a contact has, a test once a step overlooks grazing hits: a share that "
@@ -143,6 +144,7 @@ overlap_study = Study(
     knob=STEP,
     methods=tuple(Method(f"passes-{passes}", f"passes: {passes}", None) for passes in PASSES),
     settings=_overlap_settings,
+    short="Overlap",
     trial=lambda setting: BreakOverlap(setting.knob, int(setting.method.split("-")[1])),
     reference="no overlap at all, as on the exact table.",
     expectation="Moving one pair apart pushes the next together: one pass leaves a tightly packed rack "

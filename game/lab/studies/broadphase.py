@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.broadphase_missed import EXTENT, SEED, missed_pairs_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import (
     BroadPhase,
     CoveringGrid,
@@ -92,7 +92,7 @@ cell_cost_study = Study(
     knob=Knob("cell", "cell over box size"),
     methods=(
         Method("corner", "a box in one cell"),
-        Method("covered", "a box in all cells it covers", 2.0),
+        Method("covered", "a box in all cells it covers"),
     ),
     settings=lambda: [
         Setting(method, cell, {}, {"cell": cell, "storage": method}, 1.0)
@@ -100,6 +100,8 @@ cell_cost_study = Study(
         for cell in _geometric(0.25, 32.0, 15)
     ],
     trial=_cell_trial,
+    axes=Axes("knob", "cpu"),
+    short="Cell size",
     reference="Pairs are the same at every cell size: errors are none. The curve is cost.",
     expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)^2 where all "
     "covered cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at "
@@ -162,6 +164,8 @@ ratio_study = Study(
         for ratio in _geometric(1.0, 256.0, 9)
     ],
     trial=_ratio_trial,
+    axes=Axes("knob", "cpu"),
+    short="Size ratio",
     reference="Pairs are the same for all methods: errors are none. The curve is cost.",
     expectation="Twenty large boxes among three thousand small ones: a grid whose cells fit the largest box "
     "tests small boxes against each other; the hierarchy is never far from the best, and needs no tuning.",
@@ -215,6 +219,8 @@ speed_study = Study(
     ),
     settings=_speed_settings,
     trial=_speed_trial,
+    axes=Axes("knob", "error"),
+    short="Speed",
     reference="Column formula: 2 n (8/pi^2) v dt (1/W + 1/H), swaps for each box, for slow isotropic motion.",
     expectation="Swaps grow in proportion to the way in a step, and time with them, until it is cheaper to "
     "sort anew. A grid does not mind the speed.",
@@ -262,6 +268,8 @@ count_study = Study(
         if method != "naive" or count <= MOST_NAIVE
     ],
     trial=_count_trial,
+    axes=Axes("knob", "cpu"),
+    short="Number",
     reference="All methods find the same pairs. Boxes move 2 % of their size in a step, 1.5 overlaps each.",
     expectation="The exponent is 2 for testing all pairs, 1 for grids, 1.5 for the swaps of sweep and prune "
     "at a fixed speed in box sizes.",

@@ -143,5 +143,6 @@ def missed_pairs_study(
         "the step. Swept boxes miss none and name some that do not touch. Testing times of overlap of the "
         "few swept pairs is exact at any step: that is what a swept test costs.",
         present=present,
+        short="Missed pairs",
         related=related,
     )

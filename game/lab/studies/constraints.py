@@ -237,6 +237,7 @@ def present_spring(parameters: Mapping[str, Any]) -> Setting:
 swing_study = Study(
     name="c14-swing",
     title="Rigid links: a swinging chain",
+    short="Swing",
     error="farthest particle from its exact place after 0.8 s",
     error_unit="m",
     counter="projections of a link",
@@ -257,6 +258,7 @@ swing_study = Study(
 stretch_study = Study(
     name="c14",
     title="Rigid links: stretch of a hanging chain",
+    short="Hanging",
     error="stretch of 20 links that should be 1 m long",
     error_unit="m",
     counter="projections of a link",

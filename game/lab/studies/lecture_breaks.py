@@ -87,6 +87,7 @@ missed_hits_study = Study(
     error_unit="",
     counter="pair tests",
     knob=STEP,
+    short="Missed hits",
     order_over="counter",
     methods=(
         Method("lecture", "as in the lecture", 2.0),
@@ -152,6 +153,7 @@ rack_study = Study(
         Method("joint", "jointly", None),
     ),
     settings=_rack_settings,
+    short="Pressed rack",
     trial=lambda setting: PressedRack(
         LectureSettings(**LOSSLESS, order=setting.method, substeps=1, passes=int(setting.knob))
     ),
@@ -218,6 +220,7 @@ symmetry_study = Study(
         Method("joint", "jointly", None),
     ),
     settings=_break_settings,
+    short="Symmetry",
     trial=lambda setting: MirroredBreak(
         setting.knob, LectureSettings(**LOSSLESS, order=setting.method, substeps=1, passes=4)
     ),

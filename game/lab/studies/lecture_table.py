@@ -210,6 +210,7 @@ two_ball_study = _study(
         two_balls(TWO_START, TWO_VELOCITIES, CAROM.radius, TWO_TIME),
         TWO_TIME,
     ),
+    short="Two balls",
     expectation="One collision, found up to a step late: order 1. Substeps shorten the step at full price.",
 )
 
@@ -226,6 +227,7 @@ lecture_table_study = _study(
         CAROM.end,
         CAROM.time,
     ),
+    short="Carom",
     expectation="Order 1 for every stepped method, with a large constant: the struck ball passes the third "
     "by 4.2 mm, and too long a step makes it hit. More passes cost pair tests and mend nothing here. Event "
     "by event is exact, and cheaper.",

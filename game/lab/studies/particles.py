@@ -169,6 +169,7 @@ def present_free(parameters: Mapping[str, Any]) -> Setting:
 free_flight_study = Study(
     name="c04-free",
     title="Particle fountain: free flight",
+    short="Free flight",
     error="distance from the exact place after 1 s",
     error_unit="m",
     counter="evaluations of the force",
@@ -188,6 +189,7 @@ free_flight_study = Study(
 bounce_study = Study(
     name="c04",
     title="Particle fountain: one bounce off the stone",
+    short="Bounce",
     error="distance from the exact place after 1.6 s",
     error_unit="m",
     counter="evaluations of the force",
