@@ -212,9 +212,8 @@ class AccuracyPage:
         y = px(104)
         header = f"for {self.plot.error_text(self.data.target, 1)}" if math.isfinite(self.data.target) else ""
         header = self.data.cost_words or header
-        slope = "exponent" if self.data.axes.slope == "exponent" else "order"
         look.text(flat, "Method", (left, y), 12, "medium", "text2")
-        look.text(flat, slope, (right - px(74), y), 12, "medium", "text2", "right")
+        look.text(flat, self.data.slope_words, (right - px(74), y), 12, "medium", "text2", "right")
         look.text(flat, header, (right, y), 12, "medium", "text2", "right")
         flat.fill(theme.line, (left, y + px(14), right - left, look.border))
         y += px(36)
@@ -249,8 +248,7 @@ class AccuracyPage:
         expected = expected.replace(".00", "")
         x = right - px(74)
         if expected:
-            look.text(flat, expected, (x, y), 13, "medium", "text3", "right")
-            x -= px(29)
+            x -= look.text(flat, expected, (x, y), 13, "medium", "text3", "right").w + px(4)
         width = look.text(flat, order, (x, y), 13, "medium", "text1", "right").w
         room = x - width - px(8) - (left + px(22))
         look.text(flat, look.fonts.fit(row.name, 13, "medium", room), (left + px(22), y), 13)

@@ -32,6 +32,7 @@ class AccuracyData(NamedTuple):
     sentence: str = ""
     notes: tuple[str, ...] = ()
     cost_words: str = ""  # over the costs in the table, where they are not for the round error
+    slope_words: str = "order"  # over the slopes in the table
     studies: tuple[str, ...] = ()  # short names of all studies of the scene, if there are several
     study: int = 0  # the one shown
     floor: float = 0.0  # errors up to it are rounding and lie at the foot of the plot

@@ -49,7 +49,7 @@ def study_data(
         scene_title, _subtitle(study), _axes(study), series, rows,
         _present(study, present, series, [method.name for method in shown]), target,
         _sentence(study, rows, target), _notes(study, series, trouble),
-        "least" if study.axes.up == "cpu" else "", floor=study.floor if study.axes.up == "error" else 0.0,
+        "least" if study.axes.up == "cpu" else "", study.slope_name, floor=study.floor if study.axes.up == "error" else 0.0,
     )  # fmt: skip
 
 
@@ -64,8 +64,7 @@ def _axes(study: Study) -> PlotAxes:
     heading = "CPU time" if study.axes.up == "cpu" else "Error"
     if study.axes.up == "error" and study.axes.across == "knob":
         heading = _sentence_case(study.error).split()[0]
-    slope = "slope" if study.axes.up == "error" else study.slope_name
-    return PlotAxes(words, unit, heading, study.up_words()[1], slope)
+    return PlotAxes(_sentence_case(words), unit, heading, study.up_words()[1])
 
 
 def _cost(table: StudyTable, method: str, target: float) -> float:
@@ -73,6 +72,8 @@ def _cost(table: StudyTable, method: str, target: float) -> float:
     rows = table.of(method)
     if table.study.axes.up == "cpu":
         return min((row.cpu_s for row in rows), default=math.nan)
+    if table.study.axes.across == "knob":
+        return math.nan
     return cost_to_reach(rows, target, table.study.envelope)
 
 

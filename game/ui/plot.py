@@ -150,15 +150,9 @@ class WorkPrecisionPlot:
                 surface.fill(theme.grid2, (area.x, y, area.w, 1))
             if n % every == 0 and n < self.y.high:
                 self._draw_error_figure(surface, 10.0**n, y)
-        look.text(
-            surface,
-            "diverged",
-            (self.rect.x - px(12), self.rect.y + px(16)),
-            12,
-            "medium",
-            "vermilion",
-            "right",
-        )
+        if any(point.diverged for one in self.series for point in one.runs):
+            place = (self.rect.x - px(12), self.rect.y + px(16))
+            look.text(surface, "diverged", place, 12, "medium", "vermilion", "right")
         look.text(
             surface, self.axes.y, (self.rect.x - px(12), self.rect.y - px(12)), 12, "medium", "text2", "right"
         )

@@ -41,13 +41,12 @@ class PlotSeries(NamedTuple):
 
 
 class PlotAxes(NamedTuple):
-    """Words and units of both axes, a short one over the vertical axis; what a slope is called."""
+    """Words and units of both axes, a short word over the vertical one."""
 
     x: str = "CPU time for one simulated second"
     x_unit: str = "s"
     y: str = "Error"
     y_unit: str = "m"
-    slope: str = "slope"
 
 
 class Present(NamedTuple):

@@ -46,7 +46,7 @@ class PlotWords:
 
     def _draw_slope(self, i: int, one: PlotSeries) -> None:
         look = self.look
-        words = f"{self.plot.axes.slope} {one.order:.2f}"
+        words = f"slope {one.order:.2f}"
         width, height = look.fonts.size(words, 12, "semibold")
         line = [self.plot.place(i, point) for point in one.points if not point.diverged]
         wanted = []
