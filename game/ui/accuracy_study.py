@@ -49,7 +49,8 @@ def study_data(
         scene_title, _subtitle(study), _axes(study), series, rows,
         _present(study, present, series, [method.name for method in shown]), target,
         _sentence(study, rows, target), _notes(study, series, trouble),
-        "least" if study.axes.up == "cpu" else "", study.slope_name, floor=study.floor if study.axes.up == "error" else 0.0,
+        "least" if study.axes.up == "cpu" else "", study.slope_name,
+        floor=study.floor if study.axes.up == "error" else 0.0,
     )  # fmt: skip
 
 
