@@ -9,6 +9,18 @@ from importlib import import_module
 from typing import Any
 
 _HOMES = {
+    "Arrangement": "arrangement",
+    "BallSet": "arrangement",
+    "Call": "rules",
+    "Frame": "frame",
+    "GAMES": "games",
+    "ShotSummary": "rules",
+    "Stroke": "arrangement",
+    "Verdict": "rules",
+    "arrange": "arrangement",
+    "new_frame": "frame",
+    "racked": "arrangement",
+    "summarize": "summary",
     "Ball": "ball",
     "Event": "trajectory",
     "Physics": "shot",
