@@ -244,8 +244,7 @@ class AccuracyPage:
             draw_box(flat, ground, px(8), theme.panel.lerp(look.color("amber"), 0.15))
         draw_mark(flat, look, f"{series.marker}:{series.color}", (left + px(6), y), 0.92)
         order = f"{row.order:.2f}" if math.isfinite(row.order) else NOTHING
-        expected = f"of {format_number(row.expected)}" if math.isfinite(row.expected) else ""
-        expected = expected.replace(".00", "")
+        expected = f"of {row.expected:g}" if math.isfinite(row.expected) else ""
         x = right - px(74)
         if expected:
             x -= look.text(flat, expected, (x, y), 13, "medium", "text3", "right").w + px(4)

@@ -12,7 +12,18 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.lab import ACCURACY, Knob, Row, Setting, Study, StudyTable, cost_to_reach, slope_of, upper_envelope
+from game.lab import (
+    ACCURACY,
+    Knob,
+    Row,
+    Setting,
+    Study,
+    StudyTable,
+    cost_to_reach,
+    settled,
+    slope_of,
+    upper_envelope,
+)
 from game.ui.accuracy_data import AccuracyData, TableRow, sentence_for
 from game.ui.numerals import format_number, format_si
 from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries, Present
@@ -39,7 +50,7 @@ def study_data(
     rows = tuple(
         TableRow(
             _sentence_case(method.label),
-            slope_of(study, method, table.of(method.name)),
+            slope_of(study, method, _fitted(table, method.name)),
             method.order if method.order is not None else math.nan,
             _cost(table, method.name, target),
         )
@@ -66,6 +77,11 @@ def _axes(study: Study) -> PlotAxes:
     if study.axes.up == "error" and study.axes.across == "knob":
         heading = _sentence_case(study.error).split()[0]
     return PlotAxes(_sentence_case(words), unit, heading, study.up_words()[1])
+
+
+def _fitted(table: StudyTable, method: str) -> list[Row]:
+    """The rows of a method that its slope is fitted to."""
+    return settled(table.of(method), table.of(method, failed=True))
 
 
 def _cost(table: StudyTable, method: str, target: float) -> float:
@@ -120,7 +136,7 @@ def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting])
     study = table.study
     rows = sorted(table.of(method), key=study.across)
     failed = [_point(study, row) for row in table.of(method, failed=True)]
-    order = slope_of(study, study.method(method), rows)
+    order = slope_of(study, study.method(method), _fitted(table, method))
     cloud: list[PlotPoint] = []
     chosen = rows
     if len(rows) > MANY and study.axes.up == "error":

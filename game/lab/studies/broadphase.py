@@ -271,6 +271,7 @@ count_study = Study(
     axes=Axes("knob", "cpu"),
     short="Number",
     reference="All methods find the same pairs. Boxes move 2 % of their size in a step, 1.5 overlaps each.",
-    expectation="The exponent is 2 for testing all pairs, 1 for grids, 1.5 for the swaps of sweep and prune "
-    "at a fixed speed in box sizes.",
+    expectation="Time grows with the square of the number for testing all pairs, in proportion to it for "
+    "grids. The swaps of sweep and prune grow with the power 1.5 at a fixed speed in box sizes; its time "
+    "follows as far as swaps, and not the sorting and listing, are what it is spent on.",
 )
