@@ -19,7 +19,7 @@ from game.ui.hotspots import Hotspot, Hotspots
 from game.ui.legend import draw_mark
 from game.ui.loading import seconds_text
 from game.ui.look import Look
-from game.ui.numerals import NOTHING, format_number, format_si
+from game.ui.numerals import NOTHING, format_si
 from game.ui.overlay import Overlay, draw_close
 from game.ui.plot import WorkPrecisionPlot
 from game.ui.plot_data import PlotSeries
