@@ -1,0 +1,222 @@
+"""Many pairs in one call: polygons packed one behind the other, poses, and features kept from call to call."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
+from game.physics.narrowphase.features import lean
+from game.physics.narrowphase.gjk import CLIMB, LIMIT, TOLERANCE, gjk_query
+from game.physics.narrowphase.vclip import vclip_query
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+COLUMNS = 7  # distance, x and y of A's point, of B's point, of the normal
+
+
+class PolygonSet:
+    """Polygons packed into one array, for queries of many pairs.
+
+    vertices: (N, 2) m, each polygon from its own anchor; first: (k + 1,) where each begins; anchors, centres:
+    (k, 2) m.
+    """
+
+    __slots__ = ("anchors", "centres", "first", "vertices")
+
+    def __init__(self, shapes: Sequence[Any]) -> None:
+        """ValueError, naming the shape, for what `ConvexPolygon` refuses, and for no shapes."""
+        polygons: list[ConvexPolygon] = []
+        for k, shape in enumerate(shapes):
+            try:
+                polygons.append(as_polygon(shape))
+            except ValueError as error:
+                raise ValueError(f"shapes[{k}]: {error}") from error
+        if not polygons:
+            raise ValueError("shapes: at least one is wanted")
+        self.vertices = np.concatenate([polygon.local for polygon in polygons])
+        self.first = np.cumsum([0, *map(len, polygons)])
+        self.anchors = np.array([polygon.anchor for polygon in polygons])
+        self.centres = np.array([polygon.centre for polygon in polygons])
+
+    def __len__(self) -> int:
+        return len(self.anchors)
+
+
+class Proximities(NamedTuple):
+    """Answers of a batch, a row for each pair; see `Proximity`. Features by number: 2 i vertex, 2 i + 1 edge."""
+
+    distance: Array  # (m,) m
+    point_a: Array  # (m, 2) m
+    point_b: Array
+    feature_a: Integers  # (m,)
+    feature_b: Integers
+    iterations: Integers
+    normal: Array  # (m, 2)
+
+
+@lean
+def relative_frame(anchors_a, k, pose_a, anchors_b, m, pose_b):
+    """(c, s, tx, ty) from B's frame to A's, of polygons k and m at poses (x, y, cos, sin)."""
+    px, py, pc, ps = pose_a[0], pose_a[1], pose_a[2], pose_a[3]
+    qx, qy, qc, qs = pose_b[0], pose_b[1], pose_b[2], pose_b[3]
+    bx, by = anchors_b[m, 0], anchors_b[m, 1]
+    dx, dy = qc * bx - qs * by + qx - px, qs * bx + qc * by + qy - py
+    return (
+        pc * qc + ps * qs,
+        pc * qs - ps * qc,
+        pc * dx + ps * dy - anchors_a[k, 0],
+        pc * dy - ps * dx - anchors_a[k, 1],
+    )
+
+
+@lean
+def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, iterations):
+    """Write what was found, taken from A's frame into the world."""
+    distance, ax, ay, bx, by, nx, ny, feature_a, feature_b = found
+    px, py, pc, ps = pose_a[0], pose_a[1], pose_a[2], pose_a[3]
+    x, y = anchors_a[k, 0], anchors_a[k, 1]
+    ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
+    numbers[row, 0] = distance
+    numbers[row, 1], numbers[row, 2] = pc * ax - ps * ay + px, ps * ax + pc * ay + py
+    numbers[row, 3], numbers[row, 4] = pc * bx - ps * by + px, ps * bx + pc * by + py
+    numbers[row, 5], numbers[row, 6] = pc * nx - ps * ny, ps * nx + pc * ny
+    features[row, 0], features[row, 1] = feature_a, feature_b
+    iterations[row] = steps
+
+
+@lean
+def gjk_many(
+    va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance,
+    method, trace, numbers, features, iterations,
+):  # fmt: skip
+    """GJK for each pair (m, 2); ``features`` (m, 2) holds where to start (or -1) and then what was found."""
+    limit = LIMIT
+    for row in range(pairs.shape[0]):
+        k, m = pairs[row, 0], pairs[row, 1]
+        c, s, tx, ty = relative_frame(anchors_a, k, poses_a[k], anchors_b, m, poses_b[m])
+        x, y = centres_b[m, 0], centres_b[m, 1]
+        hx, hy = c * x - s * y + tx - centres_a[k, 0], s * x + c * y + ty - centres_a[k, 1]
+        found, steps = gjk_query(
+            va, first_a[k], first_a[k + 1] - first_a[k], vb, first_b[m], first_b[m + 1] - first_b[m],
+            c, s, tx, ty, hx, hy, features[row, 0], features[row, 1], tolerance, limit, method, trace,
+        )  # fmt: skip
+        write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
+
+
+@lean
+def vclip_many(
+    va, first_a, anchors_a, poses_a, vb, first_b, anchors_b, poses_b, pairs, trace, numbers, features, iterations
+):
+    """V-Clip for each pair (m, 2); ``features`` (m, 2) holds where to start and then what was found."""
+    for row in range(pairs.shape[0]):
+        k, m = pairs[row, 0], pairs[row, 1]
+        c, s, tx, ty = relative_frame(anchors_a, k, poses_a[k], anchors_b, m, poses_b[m])
+        found, steps = vclip_query(
+            va, first_a[k], first_a[k + 1] - first_a[k], vb, first_b[m], first_b[m + 1] - first_b[m],
+            c, s, tx, ty, features[row, 0], features[row, 1], trace,
+        )  # fmt: skip
+        write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
+
+
+NO_GJK_TRACE = np.empty((0, 16))
+NO_VCLIP_TRACE = np.empty((0, 3))
+
+
+def gjk_batch(
+    a: PolygonSet | Sequence[Any],
+    b: PolygonSet | Sequence[Any],
+    pairs: Any = None,
+    poses_a: Any = None,
+    poses_b: Any = None,
+    features: Integers | None = None,
+    tolerance: float = TOLERANCE,
+) -> Proximities:
+    """GJK for many pairs of convex polygons.
+
+    a, b: sets or sequences of shapes. pairs: (m, 2) of indices into a and b, else the k-th with the k-th.
+    poses_a, poses_b: (k, 4) x, y, cos, sin of each shape, else as given. features: (m, 2) int64, where each
+    walk begins (-1: anew); overwritten with what it found, so that handing it in again begins warm.
+    ValueError for what does not fit.
+    """
+    query = _Query(a, b, pairs, poses_a, poses_b, features)
+    a, b = query.a, query.b
+    gjk_many(
+        a.vertices, a.first, a.anchors, a.centres, query.poses_a, b.vertices, b.first, b.anchors, b.centres,
+        query.poses_b, query.pairs, float(tolerance), CLIMB, NO_GJK_TRACE, query.numbers, query.features,
+        query.iterations,
+    )  # fmt: skip
+    return query.answers()
+
+
+def vclip_batch(
+    a: PolygonSet | Sequence[Any],
+    b: PolygonSet | Sequence[Any],
+    pairs: Any = None,
+    poses_a: Any = None,
+    poses_b: Any = None,
+    features: Integers | None = None,
+) -> Proximities:
+    """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`."""
+    query = _Query(a, b, pairs, poses_a, poses_b, features)
+    a, b = query.a, query.b
+    vclip_many(
+        a.vertices, a.first, a.anchors, query.poses_a, b.vertices, b.first, b.anchors, query.poses_b, query.pairs,
+        NO_VCLIP_TRACE, query.numbers, query.features, query.iterations,
+    )  # fmt: skip
+    return query.answers()
+
+
+class _Query:
+    """The arrays of a batch, checked."""
+
+    def __init__(self, a: Any, b: Any, pairs: Any, poses_a: Any, poses_b: Any, features: Any) -> None:
+        self.a = a if isinstance(a, PolygonSet) else PolygonSet(a)
+        self.b = self.a if b is a else b if isinstance(b, PolygonSet) else PolygonSet(b)
+        self.pairs = self._pairs(pairs)
+        self.poses_a = _poses("poses_a", poses_a, len(self.a))
+        self.poses_b = self.poses_a if poses_b is poses_a and self.a is self.b else _poses(
+            "poses_b", poses_b, len(self.b)
+        )  # fmt: skip
+        m = len(self.pairs)
+        if features is None:
+            features = np.full((m, 2), -1, dtype=np.int64)
+        elif features.shape != (m, 2) or features.dtype != np.int64 or not features.flags.c_contiguous:
+            raise ValueError(f"features: an int64 array ({m}, 2) is wanted")
+        self.features = features
+        self.numbers = np.empty((m, COLUMNS))
+        self.iterations = np.empty(m, dtype=np.int64)
+
+    def _pairs(self, pairs: Any) -> Integers:
+        if pairs is None:
+            if len(self.a) != len(self.b):
+                raise ValueError(f"pairs: {len(self.a)} shapes cannot be paired with {len(self.b)} one by one")
+            return np.repeat(np.arange(len(self.a)), 2).reshape(-1, 2)
+        given = np.ascontiguousarray(pairs, dtype=np.int64)
+        if given.ndim != 2 or given.shape[1] != 2:
+            raise ValueError(f"pairs: rows of two indices are wanted, not an array {given.shape}")
+        for column, shapes in ((0, self.a), (1, self.b)):
+            if len(given) and not 0 <= given[:, column].min() <= given[:, column].max() < len(shapes):
+                raise ValueError(f"pairs: column {column} must be from 0 to {len(shapes) - 1}")
+        return given
+
+    def answers(self) -> Proximities:
+        numbers = self.numbers
+        return Proximities(
+            numbers[:, 0], numbers[:, 1:3], numbers[:, 3:5], self.features[:, 0], self.features[:, 1],
+            self.iterations, numbers[:, 5:7],
+        )  # fmt: skip
+
+
+def _poses(name: str, given: Any, count: int) -> Array:
+    if given is None:
+        return np.tile((0.0, 0.0, 1.0, 0.0), (count, 1))
+    poses = np.ascontiguousarray(given, dtype=np.float64)
+    if poses.shape != (count, 4):
+        raise ValueError(f"{name}: rows x, y, cos, sin for {count} shapes are wanted, not {poses.shape}")
+    if not np.isfinite(poses).all():
+        raise ValueError(f"{name}: must be finite")
+    return poses

@@ -1,0 +1,175 @@
+"""One pair at a time: `vclip`, `gjk`, `sat`, and their traces."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.narrowphase import gjk as gjk_kernels
+from game.physics.narrowphase import vclip as vclip_kernels
+from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
+from game.physics.narrowphase.features import Feature
+from game.physics.narrowphase.proximity import Proximity, certify
+from game.physics.narrowphase.separating_axis import measure_overlap
+from game.physics.narrowphase.vclip import vclip_query
+
+Array = NDArray[np.float64]
+Start = Proximity | tuple[Feature, Feature] | None
+METHODS = ("climb", "scan")
+
+
+def vclip(a: Any, b: Any, start: Start = None, trace: Array = vclip_kernels.NO_TRACE) -> Proximity:
+    """Distance, closest points and features of two convex polygons by V-Clip (Mirtich 1998).
+
+    a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features, from
+    which the walk begins. ``iterations`` counts the steps of the walk. trace: rows to write, see `vclip_trace`.
+    """
+    a, b = as_polygon(a), as_polygon(b)
+    found, steps = vclip_query(
+        a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b), *_codes(start), trace
+    )  # fmt: skip
+    return checked(a, b, found, steps)
+
+
+def gjk(
+    a: Any,
+    b: Any,
+    start: Start = None,
+    tolerance: float = gjk_kernels.TOLERANCE,
+    method: str = "climb",
+    limit: int = gjk_kernels.LIMIT,
+    trace: Array = gjk_kernels.NO_TRACE,
+) -> Proximity:
+    """Distance, closest points and features of two convex polygons by GJK.
+
+    a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features, whose
+    simplex the walk begins with. tolerance: relative, at which it may end before the exact answer. method: how
+    support vertices are found, "climb" or "scan". ValueError for others, and for a limit below 1.
+    """
+    if method not in METHODS:
+        raise ValueError(f"gjk: method must be climb or scan, not {method!r}")
+    if not 0.0 <= tolerance < 1.0:
+        raise ValueError(f"gjk: tolerance must be from 0 to below 1, not {tolerance}")
+    if limit < 1:
+        raise ValueError(f"gjk: limit must be at least 1, not {limit}")
+    a, b = as_polygon(a), as_polygon(b)
+    frame = _frame(a, b)
+    toward = b.centre - a.centre
+    found, steps = gjk_kernels.gjk_query(
+        a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
+        *_codes(start), float(tolerance), int(limit), METHODS.index(method), trace,
+    )  # fmt: skip
+    if tolerance > gjk_kernels.TOLERANCE or limit < gjk_kernels.LIMIT:
+        return _proximity(a, found, steps)
+    return checked(a, b, found, steps)
+
+
+def sat(a: Any, b: Any) -> Proximity:
+    """The edge that parts two polygons best (separating axis): exact depth, but no distance of two vertices.
+
+    For polygons that are apart the distance is a lower bound.
+    """
+    a, b = as_polygon(a), as_polygon(b)
+    found = measure_overlap(a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b))
+    return _proximity(a, found, len(a) + len(b))
+
+
+class FeatureStep(NamedTuple):
+    """A step of V-Clip: the features it stood on, and what it decided there (see ``VERDICTS``)."""
+
+    feature_a: Feature
+    feature_b: Feature
+    verdict: str
+
+
+VERDICTS = ("closest", "overlap", "repair A", "repair B", "moved A", "moved B", "circle")
+
+
+def vclip_trace(a: Any, b: Any, start: Start = None) -> tuple[Proximity, list[FeatureStep]]:
+    """`vclip`, and the steps of its walk; the last of them stands on the answer or finds the overlap."""
+    a, b = as_polygon(a), as_polygon(b)
+    rows = np.empty((4 * (len(a) + len(b)) + 9, vclip_kernels.TRACE_WIDTH))
+    rows[:, 2] = -1.0
+    found = vclip(a, b, start, rows)
+    return found, [
+        FeatureStep(Feature.of(int(i)), Feature.of(int(j)), VERDICTS[int(verdict)])
+        for i, j, verdict in rows[rows[:, 2] >= 0.0].tolist()
+    ]
+
+
+class SimplexStep(NamedTuple):
+    """A step of GJK.
+
+    corners: one or two pairs (vertex of A, vertex of B) of the simplex; closest: v, its point closest to the
+    origin, m; direction: unit vector from v to the origin; support: the pair farthest along it, and corner: that
+    corner w of A - B; distance: \\|v\\|; bound: no point of A - B is nearer than that; kept: what becomes of
+    the simplex ("done", "new", "first and new", "second and new", "inside").
+    """
+
+    corners: tuple[tuple[int, int], ...]
+    closest: tuple[float, float]
+    direction: tuple[float, float]
+    support: tuple[int, int]
+    corner: tuple[float, float]
+    distance: float
+    bound: float
+    kept: str
+
+
+KEPT = ("done", "new", "first and new", "second and new", "inside")
+
+
+def gjk_trace(a: Any, b: Any, start: Start = None, **options: Any) -> tuple[Proximity, list[SimplexStep]]:
+    """`gjk`, and its steps."""
+    rows = np.full((gjk_kernels.LIMIT, gjk_kernels.TRACE_WIDTH), np.nan)
+    found = gjk(a, b, start, trace=rows, **options)
+    steps = []
+    for row in rows[np.isfinite(rows[:, 0])].tolist():
+        corners = ((int(row[1]), int(row[2])), (int(row[3]), int(row[4])))
+        steps.append(
+            SimplexStep(
+                corners[: int(row[0])],
+                (row[7], row[8]),
+                (row[5], row[6]),
+                (int(row[9]), int(row[10])),
+                (row[11], row[12]),
+                row[13],
+                row[14],
+                KEPT[int(row[15])],
+            )
+        )
+    return found, steps
+
+
+def checked(a: ConvexPolygon, b: ConvexPolygon, found: Any, steps: int) -> Proximity:
+    """The answer, certified in debug runs (not with python -O)."""
+    answer = _proximity(a, found, steps)
+    if __debug__ and len(a) + len(b) < 64:
+        certify(a, b, answer)
+    return answer
+
+
+def _frame(a: ConvexPolygon, b: ConvexPolygon) -> tuple[float, float, float, float]:
+    offset = b.anchor - a.anchor
+    return 1.0, 0.0, float(offset[0]), float(offset[1])
+
+
+def _codes(start: Start) -> tuple[int, int]:
+    if start is None:
+        return -1, -1
+    pair = (start.feature_a, start.feature_b) if isinstance(start, Proximity) else start
+    return pair[0].code, pair[1].code
+
+
+def _proximity(a: ConvexPolygon, found: Any, steps: int) -> Proximity:
+    distance, ax, ay, bx, by, nx, ny, feature_a, feature_b = found
+    x, y = float(a.anchor[0]), float(a.anchor[1])
+    if not math.isfinite(distance):
+        raise ValueError("proximity: the polygons are too large or too far apart")
+    return Proximity(
+        distance, (ax + x, ay + y), (bx + x, by + y), Feature.of(feature_a), Feature.of(feature_b), steps,
+        (nx, ny),
+    )  # fmt: skip
