@@ -1,7 +1,10 @@
 """Rigid bodies in three dimensions: quaternions, mass and inertia, integrators, impulses."""
 
+from game.physics.rigid.body import RigidBody
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
+from game.physics.rigid.free_top import FreeTop
 from game.physics.rigid.mass import inverse_moments, mass_properties, principal_axes, sphere_masses
+from game.physics.rigid.motion import METHODS, ORDERS
 from game.physics.rigid.quaternion import (
     quaternion_conjugate,
     quaternion_from_axis_angle,
@@ -16,9 +19,13 @@ from game.physics.rigid.quaternion import (
 )
 
 __all__ = [
+    "METHODS",
+    "ORDERS",
     "PUSHES",
     "ROTATION",
     "WINDOW",
+    "FreeTop",
+    "RigidBody",
     "inverse_moments",
     "mass_properties",
     "principal_axes",

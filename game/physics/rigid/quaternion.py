@@ -84,6 +84,30 @@ def matrix_of(q):
     )  # fmt: skip
 
 
+@kernel
+def quaternion_of(m):
+    """Quaternion, w >= 0, of a rotation matrix given as by `matrix_of`; its length is 1 as far as m is one.
+
+    Shepperd 1978: divides by the largest of the four parts, so that no precision is lost at any angle.
+    """
+    trace = m[0] + m[4] + m[8]
+    if trace >= max(m[0], max(m[4], m[8])):
+        r = math.sqrt(max(1.0 + trace, 1.0))
+        s = 0.5 / r
+        return (0.5 * r, s * (m[7] - m[5]), s * (m[2] - m[6]), s * (m[3] - m[1]))
+    if m[0] >= m[4] and m[0] >= m[8]:
+        r = math.sqrt(1.0 + m[0] - m[4] - m[8])
+        s = math.copysign(0.5, m[7] - m[5]) / r
+        return (s * (m[7] - m[5]), s * r * r, s * (m[3] + m[1]), s * (m[2] + m[6]))
+    if m[4] >= m[8]:
+        r = math.sqrt(1.0 + m[4] - m[0] - m[8])
+        s = math.copysign(0.5, m[2] - m[6]) / r
+        return (s * (m[2] - m[6]), s * (m[3] + m[1]), s * r * r, s * (m[7] + m[5]))
+    r = math.sqrt(1.0 + m[8] - m[0] - m[4])
+    s = math.copysign(0.5, m[3] - m[1]) / r
+    return (s * (m[3] - m[1]), s * (m[2] + m[6]), s * (m[7] + m[5]), s * r * r)
+
+
 # -- at the door ------------------------------------------------------------------------------------
 
 
@@ -146,28 +170,12 @@ def quaternion_to_matrix(q: ArrayLike) -> Array:
 
 
 def quaternion_from_matrix(matrix: ArrayLike) -> Array:
-    """Quaternion (4,), w >= 0, of a rotation matrix (3, 3); ValueError if it is none (to 1e-6).
-
-    Shepperd 1978: divides by the largest of the four parts, so that no precision is lost at any angle.
-    """
+    """Quaternion (4,), w >= 0, of a rotation matrix (3, 3); ValueError if it is none (to 1e-6)."""
     m = np.array(_numbers("matrix", matrix, 9)).reshape(3, 3)
     off = np.abs(m @ m.T - np.eye(3)).max()
     if not off < 1e-6 or np.linalg.det(m) < 0.0:
         raise ValueError("matrix: is not a rotation")
-    trace = m[0, 0] + m[1, 1] + m[2, 2]
-    four = np.array((trace, m[0, 0], m[1, 1], m[2, 2]))
-    largest = int(np.argmax(four))
-    if largest == 0:
-        q = np.array((1.0 + trace, m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]))
-    else:
-        i = largest - 1
-        j, k = (i + 1) % 3, (i + 2) % 3
-        q = np.empty(4)
-        q[0] = m[k, j] - m[j, k]
-        q[1 + i] = 1.0 + m[i, i] - m[j, j] - m[k, k]
-        q[1 + j] = m[j, i] + m[i, j]
-        q[1 + k] = m[k, i] + m[i, k]
-    return quaternion_normalized(q if q[0] >= 0.0 else -q)
+    return np.array(normalize(quaternion_of(tuple(m.reshape(-1).tolist()))))
 
 
 def turn_between(p: ArrayLike, q: ArrayLike) -> float:

@@ -1,0 +1,178 @@
+"""The state of a rigid body and what follows from it: velocity, spin, accelerations, tensor, energy."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.effects import EffectSet
+from game.physics.fields import GRAVITY
+from game.physics.rigid.motion import FORCE, INVERSE_MASS, INVERSES, MOMENTS, TORQUE, L, P, Q, X
+from game.physics.rigid.quaternion import (
+    quaternion_conjugate,
+    quaternion_multiply,
+    quaternion_normalized,
+    quaternion_to_matrix,
+)
+from game.physics.rigid.settings import vector
+from game.physics.rigid.window import place_spheres
+
+Array = NDArray[np.float64]
+
+
+class BodyState:
+    """x, q, P, L of one body, what it is made of, the loads of its next step; and all that they mean.
+
+    states (1, 13), constants (1, 7), loads (1, 6): see motion. offsets (n, 3) m and radii (n,) m of its
+    spheres, in the principal frame; axes (3, 3): that frame in the body's own, in columns.
+    """
+
+    states: Array
+    constants: Array
+    loads: Array
+    offsets: Array
+    radii: Array
+    axes: Array
+    _frame: Array  # the axes as a quaternion
+    effects: EffectSet
+    gravity: float
+
+    # -- state --------------------------------------------------------------------------------------
+
+    @property
+    def state(self) -> Array:
+        """(13,): place, turn of the principal frame, momentum, angular momentum. A view."""
+        return self.states[0]
+
+    @property
+    def position(self) -> Array:
+        """Centre of mass (3,) m."""
+        return self.states[0, X:Q].copy()
+
+    @position.setter
+    def position(self, value: ArrayLike) -> None:
+        self.states[0, X:Q] = vector("position", value)
+
+    @property
+    def orientation(self) -> Array:
+        """Turn (4,) of the body's own axes, scalar first."""
+        return quaternion_multiply(self.states[0, Q:P], quaternion_conjugate(self._frame))
+
+    @orientation.setter
+    def orientation(self, value: ArrayLike) -> None:
+        self.states[0, Q:P] = quaternion_multiply(quaternion_normalized(value), self._frame)
+
+    @property
+    def momentum(self) -> Array:
+        """P (3,) kg m/s."""
+        return self.states[0, P:L].copy()
+
+    @momentum.setter
+    def momentum(self, value: ArrayLike) -> None:
+        self.states[0, P:L] = vector("momentum", value)
+
+    @property
+    def angular_momentum(self) -> Array:
+        """L (3,) kg m²/s about the centre of mass, world frame."""
+        return self.states[0, L:].copy()
+
+    @angular_momentum.setter
+    def angular_momentum(self, value: ArrayLike) -> None:
+        self.states[0, L:] = vector("angular_momentum", value)
+
+    # -- what follows from it -----------------------------------------------------------------------
+
+    @property
+    def mass(self) -> float:
+        """kg."""
+        return 1.0 / float(self.constants[0, INVERSE_MASS])
+
+    @property
+    def moments(self) -> Array:
+        """Principal moments (3,) kg m², ascending."""
+        return self.constants[0, MOMENTS:INVERSES].copy()
+
+    @property
+    def rotation(self) -> Array:
+        """(3, 3), from the principal frame to the world's: its columns are the principal axes."""
+        return quaternion_to_matrix(self.states[0, Q:P])
+
+    @property
+    def inertia(self) -> Array:
+        """J(t) = R I Rᵀ (3, 3) kg m², world frame."""
+        turn = self.rotation
+        return (turn * self.moments) @ turn.T
+
+    @property
+    def inverse_inertia(self) -> Array:
+        """J⁻¹ (3, 3), world frame; about an axis without inertia nothing turns."""
+        turn = self.rotation
+        return (turn * self.constants[0, INVERSES:]) @ turn.T
+
+    @property
+    def velocity(self) -> Array:
+        """v = P / m (3,) m/s."""
+        return self.states[0, P:L] * self.constants[0, INVERSE_MASS]
+
+    @velocity.setter
+    def velocity(self, value: ArrayLike) -> None:
+        self.states[0, P:L] = vector("velocity", value) * self.mass
+
+    @property
+    def angular_velocity(self) -> Array:
+        """w = J⁻¹ L (3,) rad/s, world frame."""
+        return self.rotation @ self.spin
+
+    @angular_velocity.setter
+    def angular_velocity(self, value: ArrayLike) -> None:
+        self.states[0, L:] = self.inertia @ vector("angular_velocity", value)
+
+    @property
+    def spin(self) -> Array:
+        """The angular velocity (3,) rad/s about the principal axes."""
+        return (self.states[0, L:] @ self.rotation) * self.constants[0, INVERSES:]
+
+    @property
+    def force(self) -> Array:
+        """Sum (3,) N of the forces of the next step, with that of gravity."""
+        force = self.loads[0, FORCE:TORQUE].copy()
+        force[1] -= self._fall() * self.mass
+        return force
+
+    @property
+    def torque(self) -> Array:
+        """Sum (3,) N m of the torques of the next step about the centre of mass."""
+        return self.loads[0, TORQUE:].copy()
+
+    @property
+    def acceleration(self) -> Array:
+        """a = f / m (3,) m/s²."""
+        return self.force * self.constants[0, INVERSE_MASS]
+
+    @property
+    def angular_acceleration(self) -> Array:
+        """α = J⁻¹ (t - w x L) (3,) rad/s²: it is not nought for a free body whose w and L differ."""
+        return self.inverse_inertia @ (self.torque - np.cross(self.angular_velocity, self.states[0, L:]))
+
+    @property
+    def kinetic_energy(self) -> tuple[float, float]:
+        """J of the motion of the centre of mass, and of the rotation."""
+        momentum, spin = self.states[0, P:L], self.spin
+        shift = 0.5 * float(momentum @ momentum) * float(self.constants[0, INVERSE_MASS])
+        return shift, 0.5 * float(self.moments @ (spin * spin))
+
+    @property
+    def largest_rotation_energy(self) -> float:
+        """L² / (2 I1), J: what the energy of rotation can rise to while L stays."""
+        angular = self.states[0, L:]
+        inverses = self.constants[0, INVERSES:]
+        return 0.5 * float(angular @ angular) * float(inverses.max())
+
+    def spheres(self) -> Array:
+        """Centres (n, 3) m of the spheres."""
+        places = np.empty_like(self.offsets)
+        place_spheres(self.states[0], self.offsets, places)
+        return places
+
+    def _fall(self) -> float:
+        return float(self.gravity) if GRAVITY in self.effects else 0.0

@@ -1,0 +1,51 @@
+"""What a rigid body is told beside its state: each setting checked at the door."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.effects import EffectSet
+from game.physics.fields import DRAG, GRAVITY
+from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
+from game.physics.rigid.motion import METHODS
+from game.physics.rigid.window import WALLS
+
+KNOWN = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES
+LARGEST = 1e150  # of any number given, so that squares are numbers
+_LIMITS = {"gravity": (-1e6, 1e6), "damping": (0.0, 1e6), "restitution": (0.0, 1.0)}
+_OPTIONS = {"method": METHODS, "wall": WALLS}
+
+
+def checked_setting(name: str, value: Any) -> Any:
+    """A setting of `RigidBody.change` in its own type, or ValueError."""
+    if name in _OPTIONS:
+        if value not in _OPTIONS[name]:
+            raise ValueError(f"{name} = {value!r}: one of {', '.join(_OPTIONS[name])} is wanted")
+        return value
+    if name in _LIMITS:
+        least, most = _LIMITS[name]
+        if not least <= value <= most:
+            raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")
+        return float(value)
+    if name in ("lower", "upper"):
+        return vector(name, value)
+    if name == "normalizing":
+        return bool(value)
+    if name != "effects":
+        raise ValueError(f"{name}: a rigid body has no such setting")
+    effects = value if isinstance(value, EffectSet) else EffectSet([value])
+    unknown = [effect.name for effect in effects if effect not in KNOWN]
+    if unknown:
+        raise ValueError(f"effects: a rigid body knows nothing of {', '.join(unknown)}")
+    return effects
+
+
+def vector(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """(3,) finite numbers, or ValueError."""
+    vector = np.array(value, dtype=np.float64)
+    if vector.shape != (3,) or not (np.abs(vector) <= LARGEST).all():
+        raise ValueError(f"{name}: three finite numbers are wanted")
+    return vector
