@@ -1,0 +1,14 @@
+"""What a step of an animation may compute beside sampling the keys."""
+
+from __future__ import annotations
+
+from game.physics.effects import declare_effect
+
+EASING = declare_effect("animation", "easing", 48, "Easing", "The whole motion follows a timing curve.")
+CONSTANT_SPEED = declare_effect(
+    "animation",
+    "constant-speed",
+    49,
+    "Constant speed",
+    "Time is spread by arc length: equal ways in equal times.",
+)

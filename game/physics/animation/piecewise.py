@@ -1,0 +1,133 @@
+"""A curve of cubic Bezier pieces: points, tangents, directions, length, lines to draw it by."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.animation.arc_length import ArcLength
+from game.physics.animation.flattening import even_parameters, flatten_adaptively
+
+Array = NDArray[np.float64]
+LARGEST = 1e100  # of a control point: squares stay finite
+VANISHING = 1e-12  # of the control polygon: a derivative up to this is rounding
+
+
+class PiecewiseCubic:
+    """Pieces with control points (n, 4, d), one after the other; piece i has the parameters i to i + 1.
+
+    Parameters may be given as one number or as an array; below 0 and above n they mean the ends. At the end
+    of a piece the point is exactly its control point. ValueError for what is no such array of finite numbers
+    up to 1e100, and for parameters that are not finite.
+    """
+
+    def __init__(self, controls: ArrayLike) -> None:
+        array = np.array(controls, dtype=np.float64)
+        if array.ndim != 3 or array.shape[1] != 4 or 0 in array.shape:
+            raise ValueError(f"control points: shape (pieces, 4, d) is wanted, not {array.shape}")
+        if not np.all(np.abs(array) <= LARGEST):
+            raise ValueError(f"control points: finite numbers up to {LARGEST:g} are wanted")
+        self.controls = array + 0.0
+
+    @property
+    def pieces(self) -> int:
+        """How many there are."""
+        return len(self.controls)
+
+    def point(self, parameters: ArrayLike) -> Array:
+        """Points (..., d)."""
+        piece, u, v = self._places(parameters)
+        p = self.controls[piece]
+        u, v = u[..., None], v[..., None]
+        weights = (v * v * v, 3.0 * u * v * v, 3.0 * u * u * v, u * u * u)
+        return sum((w * p[..., k, :] for k, w in enumerate(weights)), np.zeros(()))
+
+    def tangent(self, parameters: ArrayLike) -> Array:
+        """Derivatives (..., d) by the parameter; at a joint those of the piece that begins there."""
+        piece, u, v = self._places(parameters)
+        q = 3.0 * np.diff(self.controls, axis=1)[piece]
+        u, v = u[..., None], v[..., None]
+        return v * v * q[..., 0, :] + 2.0 * u * v * q[..., 1, :] + u * u * q[..., 2, :]
+
+    def direction(self, parameters: ArrayLike) -> Array:
+        """Unit vectors (..., d) the way the curve goes on, also where its derivative vanishes.
+
+        Where control points coincide or the curve has a cusp, the next derivative that is not zero says where
+        it goes; at the very end of a piece, where it came from. A piece that is a point has none: zeros.
+        """
+        piece, u, v = self._places(parameters)
+        first = np.diff(self.controls, axis=1)[piece]
+        second = np.diff(self.controls, n=2, axis=1)[piece]
+        third = np.diff(self.controls, n=3, axis=1)[piece][..., 0, :]
+        scale = np.sqrt((first * first).sum(axis=-1)).sum(axis=-1, keepdims=True)
+        u, v = u[..., None], v[..., None]
+        sign = np.where(v == 0.0, -1.0, 1.0)  # at the end one looks back
+        found = v * v * first[..., 0, :] + 2.0 * u * v * first[..., 1, :] + u * u * first[..., 2, :]
+        for following in (sign * (v * second[..., 0, :] + u * second[..., 1, :]), third):
+            size = np.sqrt((found * found).sum(axis=-1, keepdims=True))
+            found = np.where(size > VANISHING * scale, found, following)
+        size = np.sqrt((found * found).sum(axis=-1, keepdims=True))
+        return np.asarray(np.where(size > VANISHING * scale, found / np.where(size > 0.0, size, 1.0), 0.0))
+
+    # -- length -------------------------------------------------------------------------------------
+
+    @cached_property
+    def arc(self) -> ArcLength:
+        """Lengths along the curve."""
+        return ArcLength(self.controls)
+
+    @property
+    def length(self) -> float:
+        """Length of the whole curve."""
+        return self.arc.total
+
+    def length_to(self, parameters: ArrayLike) -> Array:
+        """Length from the beginning to each parameter."""
+        return self.arc.to(parameters)
+
+    def parameter_at(self, lengths: ArrayLike) -> Array:
+        """Parameter at each length from the beginning."""
+        return self.arc.parameter(lengths)
+
+    # -- lines --------------------------------------------------------------------------------------
+
+    def flatten(self, tolerance: float, how: Literal["adaptive", "even"] = "adaptive") -> Array:
+        """Points (k, d) of a chain of lines that is nowhere farther than ``tolerance`` from the curve.
+
+        Adaptively halved, or in Wang's number of even parts; never more than 65 536 lines a piece. Between
+        pieces that do not meet there is a line as well. ValueError unless tolerance > 0.
+        """
+        if not (np.isfinite(tolerance) and tolerance > 0.0):
+            raise ValueError(f"tolerance = {tolerance!r}: a positive number is wanted")
+        if how == "even":
+            return self.point(even_parameters(self.controls, tolerance))
+        return flatten_adaptively(self.controls, tolerance)[0]
+
+    def joint_gaps(self) -> Array:
+        """How far (n - 1, 2) the inner joints are from C0 and C1: gaps of points and of derivatives."""
+        left, right = self.controls[:-1], self.controls[1:]
+        gap = right[:, 0] - left[:, 3]
+        bend = 3.0 * ((right[:, 1] - right[:, 0]) - (left[:, 3] - left[:, 2]))
+        return np.sqrt(np.stack(((gap * gap).sum(axis=1), (bend * bend).sum(axis=1)), axis=1))
+
+    def check(self) -> None:
+        """ValueError if the length does not lie between chords and control polygons."""
+        way = np.diff(self.controls, axis=1)
+        polygon = float(np.sqrt((way * way).sum(axis=2)).sum())
+        chord = self.controls[:, 3] - self.controls[:, 0]
+        least = float(np.sqrt((chord * chord).sum(axis=1)).sum())
+        if not least - 1e-12 * polygon <= self.length <= polygon * (1.0 + 1e-12):
+            raise ValueError(f"length {self.length!r} is not between {least!r} and {polygon!r}")
+
+    def _places(self, parameters: ArrayLike) -> tuple[NDArray[np.int64], Array, Array]:
+        """Piece, u and 1 - u of each parameter; the end of the curve is that of its last piece."""
+        at = np.asarray(parameters, dtype=np.float64)
+        if not np.isfinite(at).all():
+            raise ValueError("parameters: finite numbers are wanted")
+        at = np.clip(at, 0.0, float(self.pieces))
+        piece = np.minimum(at.astype(np.int64), self.pieces - 1)
+        u = at - piece
+        return piece, u, 1.0 - u
