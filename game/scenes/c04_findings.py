@@ -70,7 +70,7 @@ def readouts(scene: Fountain) -> list[Readout]:
     curve = exact_envelope(scene)
     top = max((row[1] for row in system.state().emitters.tolist()), default=0.0)
     return [
-        Readout("particles", float(len(system))),
+        Readout("particles", len(system)),
         Readout("highest", highest if len(system) else scene.content.floor, "m"),
         Readout("exact", float(curve[:, 1].max()) + top if len(curve) else math.nan, "m"),
         Readout("error", worst if looked else math.nan, "m"),

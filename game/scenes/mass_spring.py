@@ -310,7 +310,7 @@ class MassSpringScene(Scene):
         settings = system.settings
         projections = len(system.torn) * settings.iterations * settings.substeps
         return [
-            Readout("particles", float(system.count)),
+            Readout("particles", system.count),
             Readout("links", float(len(system.torn) - system.torn.sum())),
             Readout("worst", _above_rounding(links.worst_strain)),
             Readout("as a whole", _above_rounding(links.length_ratio - 1.0)),
