@@ -12,3 +12,7 @@ CONSTANT_SPEED = declare_effect(
     "Constant speed",
     "Time is spread by arc length: equal ways in equal times.",
 )
+SKINNING = declare_effect("animation", "skinning", 50, "Skinning", "The skin follows the bones.")
+JOINT_LIMITS = declare_effect(
+    "animation", "joint-limits", 51, "Joint limits", "Bones turn only as far as their joints allow."
+)

@@ -1,0 +1,89 @@
+"""Closed outlines of skin: the area they enclose, rounder ones from few points, and points within."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from game.physics.animation.skeleton import Array
+from game.physics.animation.weights import WeightError, checked_points
+from game.physics.jit import kernel
+
+MOST_INSIDE = 200_000
+
+
+@kernel
+def sum_areas(points, starts, areas):
+    """Write the signed areas (m,) of outlines, corners from ``starts[j]`` to ``starts[j + 1]``."""
+    for j in range(areas.shape[0]):
+        first, last = starts[j], starts[j + 1]
+        twice = 0.0
+        for k in range(first, last):
+            m = k + 1 if k + 1 < last else first
+            ax, ay = points[k, 0] - points[first, 0], points[k, 1] - points[first, 1]
+            bx, by = points[m, 0] - points[first, 0], points[m, 1] - points[first, 1]
+            twice += ax * by - ay * bx
+        areas[j] = 0.5 * twice
+
+
+@kernel
+def mark_inside(points, outline, inside):
+    """Write 1 for points (v, 2) within an outline (m, 2) by the even-odd rule, else 0."""
+    for v in range(points.shape[0]):
+        x, y = points[v, 0], points[v, 1]
+        crossings = 0
+        j = outline.shape[0] - 1
+        for k in range(outline.shape[0]):
+            low, high = outline[j, 1] > y, outline[k, 1] > y
+            if low != high:
+                part = (y - outline[j, 1]) / (outline[k, 1] - outline[j, 1])
+                if x < outline[j, 0] + part * (outline[k, 0] - outline[j, 0]):
+                    crossings += 1
+            j = k
+        inside[v] = crossings % 2
+
+
+def area(outline: ArrayLike) -> float:
+    """Area of a closed outline (m, 2), positive if counterclockwise."""
+    points = checked_points(outline)
+    areas = np.empty(1)
+    sum_areas(points, np.array([0, len(points)]), areas)
+    return float(areas[0])
+
+
+def rounded(outline: ArrayLike, spacing: float) -> Array:
+    """A closed outline through the same points along uniform Catmull-Rom curves, a point each ``spacing`` m.
+
+    Made for skins drawn by a few clicks, whose limbs would bend in corners. WeightError below three points.
+    """
+    points = checked_points(outline)
+    if len(points) < 3 or not spacing > 0.0:
+        raise WeightError("outline: at least three points and a spacing above 0 m are wanted")
+    before, after, second = np.roll(points, 1, 0), np.roll(points, -1, 0), np.roll(points, -2, 0)
+    parts = []
+    for p0, p1, p2, p3 in zip(before, points, after, second, strict=True):
+        length = math.sqrt(float(((p2 - p1) ** 2).sum()))
+        count = min(max(1, math.ceil(length / spacing)), 1_000)
+        t = (np.arange(count) / count)[:, None]
+        curve = 2.0 * p1 + (p2 - p0) * t + (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) * t * t
+        parts.append(0.5 * (curve + (3.0 * (p1 - p2) + p3 - p0) * t**3))
+    return np.concatenate(parts)
+
+
+def points_inside(outline: ArrayLike, spacing: float) -> Array:
+    """Points (v, 2) of a triangular grid within a closed outline; at most MOST_INSIDE, then coarser."""
+    corners = checked_points(outline)
+    if not spacing > 0.0:
+        raise WeightError(f"spacing: more than 0 m is wanted, got {spacing!r}")
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    box = (high[0] - low[0]) * (high[1] - low[1])
+    step = max(spacing, math.sqrt(max(box, 1e-300) / MOST_INSIDE))
+    rows = np.arange(low[1] + 0.5 * step, high[1], step * math.sqrt(0.75))
+    columns = np.arange(low[0], high[0], step)
+    x = columns[None, :] + (0.5 * step * (np.arange(len(rows)) % 2))[:, None]
+    grid = np.column_stack([x.ravel(), np.repeat(rows, len(columns))])
+    inside = np.empty(len(grid), dtype=np.int64)
+    mark_inside(grid, corners, inside)
+    return grid[inside == 1]
