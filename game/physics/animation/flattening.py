@@ -1,10 +1,11 @@
 """Curves as chains of straight lines that are nowhere farther from them than a tolerance.
 
 Evenly: n lines a piece with n = ceil(sqrt(3/4 max(|P0 - 2 P1 + P2|, |P1 - 2 P2 + P3|) / tolerance)) (Wang
-1984), which looks at the sharpest bend alone. Adaptively: a piece is halved until it is flat enough. A cubic
-differs from its chord by u (1 - u) ((1 - u) a + u b) with a = 3 P1 - 2 P0 - P3 and b = 3 P2 - P0 - 2 P3, so
-by no more than the longer of them, by components, over 4 (Fischer 2000, "Piecewise linear approximation of
-Bezier curves").
+1984), which looks at the sharpest bend alone, and at the pace as well as at the shape. Adaptively: a piece is
+halved until it is flat, by one of two bounds. With both inner control points beside the chord, the curve is
+no farther from it than 3/4 of the farther of them. And it differs from an even pace along the chord by
+u (1 - u) ((1 - u) a + u b) with a = 3 P1 - 2 P0 - P3 and b = 3 P2 - P0 - 2 P3, so by no more than the longer
+of these, by components, over 4 (Fischer 2000, "Piecewise linear approximation of Bezier curves").
 """
 
 from __future__ import annotations
@@ -31,12 +32,27 @@ def even_count(controls: Array, tolerance: float) -> int:
 @kernel(_nrt=False)
 def is_flat(q, tolerance):
     """Is a piece, controls q (4, d), within the tolerance of its chord?"""
-    total = 0.0
+    uneven = square = first = second = 0.0
     for j in range(q.shape[1]):
         a = 3.0 * q[1, j] - 2.0 * q[0, j] - q[3, j]
         b = 3.0 * q[2, j] - q[0, j] - 2.0 * q[3, j]
-        total += max(a * a, b * b)
-    return total <= 16.0 * tolerance * tolerance
+        uneven += max(a * a, b * b)
+        chord = q[3, j] - q[0, j]
+        square += chord * chord
+        first += (q[1, j] - q[0, j]) * chord
+        second += (q[2, j] - q[0, j]) * chord
+    if uneven <= 16.0 * tolerance * tolerance:
+        return True
+    if square == 0.0 or min(first, second) < 0.0 or max(first, second) > square:
+        return False
+    first_off = second_off = 0.0
+    for j in range(q.shape[1]):
+        chord = q[3, j] - q[0, j]
+        a = q[1, j] - q[0, j] - first / square * chord
+        b = q[2, j] - q[0, j] - second / square * chord
+        first_off += a * a
+        second_off += b * b
+    return 9.0 * max(first_off, second_off) <= 16.0 * tolerance * tolerance
 
 
 @kernel(_nrt=False)
