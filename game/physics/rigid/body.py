@@ -97,8 +97,6 @@ class RigidBody(BodyState):
         if not (isinstance(mass, int | float | np.number) and 0.0 < mass < LARGEST):
             raise ValueError(f"mass: must be above 0 and finite, got {mass!r}")
         moments, self.axes = principal_axes(inertia)
-        if moments[0] + moments[1] < moments[2] * (1.0 - 1e-9):
-            raise ValueError("inertia: no body has a moment larger than the other two together")
         self._frame = quaternion_from_matrix(self.axes)
         row = self.constants[0]
         row[INVERSE_MASS] = 1.0 / mass

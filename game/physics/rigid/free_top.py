@@ -19,6 +19,7 @@ smooth and periodic, and summed by Gauss's rule to the last digits (Celledoni, F
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,6 +28,7 @@ from game.physics.jit import kernel
 from game.physics.rigid.quaternion import multiply, normalize, quaternion_of, rotate_back
 
 Array = NDArray[np.float64]
+CLOSE = 1e-8  # relative gap of the two means, whose square is below rounding
 LEVELS = 40  # of the arithmetic-geometric mean; six do unless the motion is next to the separatrix
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 MOST_PANELS = 100_000  # of Gauss's rule: beyond, a single step is absurdly long
@@ -34,46 +36,56 @@ MOST_PANELS = 100_000  # of Gauss's rule: beyond, a single step is absurdly long
 
 @kernel
 def mean_level(m1, level):
-    """(a, c) of the arithmetic-geometric mean from 1 and √m1 after ``level`` halvings of their gap c."""
+    """(a, b) after so many steps of the arithmetic-geometric mean from 1 and √m1."""
     a = 1.0
     b = math.sqrt(m1)
-    c = math.sqrt(max(1.0 - m1, 0.0))
     for _ in range(level):
-        c = 0.5 * (a - b)
         product = a * b
         a = 0.5 * (a + b)
         b = math.sqrt(product)
-    return a, c
+    return a, b
 
 
 @kernel
 def elliptic_functions(u, m1):
-    """Jacobi's sn, cn, dn of u with the complementary parameter m1 = 1 - m (Abramowitz and Stegun 16.4)."""
+    """Jacobi's sn, cn, dn of u with the complementary parameter m1 = 1 - m.
+
+    Bulirsch 1965, by Gauss's transformation of cn/sn and dn, which keeps their digits next to m = 1.
+    """
     if m1 <= 0.0:
         w = math.exp(-abs(u))
         sech = 2.0 * w / (1.0 + w * w)
         return math.tanh(u), sech, sech
     level = 0
-    a, c = mean_level(m1, level)
-    while c > 1e-8 * a and level < LEVELS:
+    a, b = mean_level(m1, level)
+    while a - b > CLOSE * a and level < LEVELS:
         level += 1
-        a, c = mean_level(m1, level)
-    phase = 2.0**level * a * u
-    while level > 0:
+        a, b = mean_level(m1, level)
+    mean = 0.5 * (a + b)
+    phase = mean * u
+    sn = math.sin(phase)
+    if abs(sn) < 1e-100:
+        return sn, math.cos(phase), 1.0
+    ratio = math.cos(phase) / sn
+    c, dn = mean * ratio, 1.0
+    while level >= 0:
         # the levels once more from above: six short loops, and no array to keep them in
-        a, c = mean_level(m1, level)
-        phase = 0.5 * (phase + math.asin(max(-1.0, min(1.0, c / a * math.sin(phase)))))
+        a, b = mean_level(m1, level)
+        ratio *= c
+        c *= dn
+        dn = (b + ratio) / (a + ratio)
+        ratio = c / a
         level -= 1
-    cn = math.cos(phase)
-    return math.sin(phase), cn, math.sqrt(m1 + max(1.0 - m1, 0.0) * cn * cn)
+    sn = math.copysign(1.0 / math.sqrt(c * c + 1.0), sn)
+    return sn, c * sn, dn
 
 
 @kernel
 def polhode(w, i):
     """The curve that the spin w (3 numbers, rad/s) runs through; i: ascending moments (3 numbers, kg m²).
 
-    Gives (about3, A1, A2, A3, sign, p, m1, sn0, cn0, dn0); about3: 1 if axis 3 is the one it runs about, 0
-    if axis 1.
+    Gives (about3, A1, A2, A3, sign, p, m1, sn0, cn0, dn0, w); about3: whether axis 3 is the one it runs
+    about, or axis 1. A spin about a principal axis has p = 0 and stays.
     """
     d21, d31, d32 = i[1] - i[0], i[2] - i[0], i[2] - i[1]
     high = i[0] * d31 * w[0] * w[0] + i[1] * d32 * w[1] * w[1]  # 2 E I3 - L²
@@ -100,13 +112,21 @@ def polhode(w, i):
         if length > 0.0:
             sn /= length
             cn /= length
-    return about3, a1, a2, a3, sign, p, m1, sn, cn, math.sqrt(m1 + (1.0 - m1) * cn * cn)
+    if cn < 0.0:  # half a period on; so that the separatrix, where cn is never negative, needs no case
+        sn, cn, a2 = -sn, -cn, -a2
+        if about3:
+            a1 = -a1
+        else:
+            a3 = -a3
+    return about3, a1, a2, a3, sign, p, m1, sn, cn, math.sqrt(m1 + (1.0 - m1) * cn * cn), w
 
 
 @kernel
 def spin_on(curve, t):
     """Spin (3 numbers, rad/s, in the body's frame) after t s on a polhode."""
-    about3, a1, a2, a3, sign, p, m1, sn0, cn0, dn0 = curve
+    about3, a1, a2, a3, sign, p, m1, sn0, cn0, dn0, start = curve
+    if p == 0.0:
+        return start
     s, c, d = elliptic_functions(p * t, m1)
     m = 1.0 - m1
     divisor = cn0 * cn0 + sn0 * sn0 * d * d  # 1 - m sn0² s², which would cancel near the separatrix
@@ -132,7 +152,7 @@ def turned_about_momentum(curve, i, t):
         squared += i[k] * start[k] * i[k] * start[k]
     momentum = math.sqrt(squared)
     room = 0.5 * math.pi  # distance of the integrand's poles from real u, at least
-    if widest > 0.0:
+    if widest != 0.0:
         room = min(room, math.atan(math.sqrt(max(squared / (widest * widest) - 1.0, 1e-12))))
     panels = min(int(abs(curve[5] * t) * 1.5 / room) + 1, MOST_PANELS)
     h = t / panels
@@ -230,17 +250,19 @@ class FreeTop:
 
     def flips(self, seconds: float) -> list[float]:
         """Times (s) up to ``seconds`` at which the spin about the middle axis changes its sign."""
-        half = 0.5 * self.period
-        if not (math.isfinite(half) and self._curve[2] > 0.0):
+        p, m1, sn = (float(self._curve[k]) for k in (5, 6, 7))
+        if p == 0.0 or self._curve[2] == 0.0:
             return []
-        # sn is 0 at phase 0 and at half periods; the phase now is found by bisection of a quarter
+        if m1 == 0.0:  # on the separatrix, from one end of the middle axis to the other: sn = tanh
+            at = -math.asinh(sn / float(self._curve[8])) / p if sn < 0.0 else math.inf
+            return [at] if at <= seconds else []
+        half = 0.5 * self.period
         first = _first_zero(lambda t: float(self.spin(t)[1]), half)
         return [first + k * half for k in range(max(0, math.floor((seconds - first) / half) + 1))]
 
 
-def _first_zero(function: object, half: float) -> float:
+def _first_zero(function: Callable[[float], float], half: float) -> float:
     """First time above 0 at which a function of period 2 half, with one zero in each half, changes sign."""
-    assert callable(function)
     low, high = 1e-12 * half, half
     sign = function(low) > 0.0
     for _ in range(200):
