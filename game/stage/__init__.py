@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.clock import FixedStep
-from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent, Stamped
+from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent, Stamped
 from game.stage.knobs import Choice, Knob, KnobError, Param, Toggle
 from game.stage.recording import Recording, RecordingError
-from game.stage.scene import Equation, Frame, Hint, Readout, Scene, SceneAction, Strip, WarmUp
+from game.stage.scene import Equation, Frame, Hearing, Hint, Readout, Scene, SceneAction, Sound, Strip, WarmUp
 from game.stage.series import StripSeries
 
 if TYPE_CHECKING:
@@ -29,12 +29,14 @@ __all__ = [
     "Action",
     "Catalogue",
     "Choice",
+    "Decision",
     "EffectMeter",
     "Entry",
     "Equation",
     "Fault",
     "FixedStep",
     "Frame",
+    "Hearing",
     "Hint",
     "Knob",
     "KnobError",
@@ -47,6 +49,7 @@ __all__ = [
     "SceneAction",
     "SetEffect",
     "SetKnob",
+    "Sound",
     "Stage",
     "StageEvent",
     "Stamped",

@@ -20,6 +20,7 @@ class Entry(NamedTuple):
     module: str
     class_name: str
     keywords: str = ""
+    roomy: bool = False  # a game: all of the window is its stage until the panel is asked for
 
     def load(self) -> type[Scene]:
         """Import the scene's class and check that it says the same of itself as this row."""

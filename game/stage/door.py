@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import get_args
 
-from game.stage.events import Action, Pointer, PointerKind, SetEffect, SetKnob, StageEvent
+from game.stage.events import Action, Decision, Pointer, PointerKind, SetEffect, SetKnob, StageEvent
 from game.stage.knobs import KnobError
 from game.stage.scene import Scene
 
+MOST_VALUES = 64  # numbers of a decision
 _POINTER_KINDS: tuple[str, ...] = get_args(PointerKind)
 
 
@@ -20,11 +21,24 @@ def checked_event(event: StageEvent, scene_type: type[Scene]) -> StageEvent:
         if event.name not in [action.name for action in scene_type.actions]:
             raise KnobError(f"{event.name}: {scene_type.name} has no such action")
         return event
+    if isinstance(event, Decision):
+        return _checked_decision(event)
     if isinstance(event, SetKnob):
         return SetKnob(event.name, scene_type.knob(event.name).check(event.value))
     if isinstance(event, SetEffect):
         return SetEffect(scene_type.effect(event.name).name, bool(event.on))
     raise KnobError(f"{type(event).__name__} is no stage event")
+
+
+def _checked_decision(event: Decision) -> Decision:
+    """The event in plain numbers; KnobError if there are too many or one is not finite."""
+    try:
+        values = tuple(float(value) for value in event.values)
+    except (TypeError, ValueError, OverflowError):
+        raise KnobError("decision: numbers are wanted") from None
+    if len(values) > MOST_VALUES or not all(map(math.isfinite, values)):
+        raise KnobError(f"decision: at most {MOST_VALUES} finite numbers are wanted")
+    return Decision(str(event.name), values)
 
 
 def _checked_pointer(event: Pointer) -> Pointer:

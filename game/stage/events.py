@@ -1,4 +1,4 @@
-"""What comes in to a scene, and all that comes in: pointer, named action, knob set, effect switched.
+"""What comes in to a scene, and all that comes in: pointer, action, decision, knob set, effect switched.
 
 Each is stamped with the number of steps made before it acts, so a list of them is a replay (HARD_CASES
 K-H8), and a story or a test is written in the same words as a person's hand.
@@ -31,6 +31,17 @@ class Action(msgspec.Struct, frozen=True, tag="action", forbid_unknown_fields=Tr
     name: str
 
 
+class Decision(msgspec.Struct, frozen=True, tag="decision", forbid_unknown_fields=True):
+    """What a player without a hand has decided, such as a stroke: a name, and numbers that the scene knows.
+
+    A computer player thinks as long as it likes, in a thread; only what it decides comes in, so a recording
+    holds its choices and a replay asks nobody.
+    """
+
+    name: str
+    values: tuple[float, ...] = ()
+
+
 class SetKnob(msgspec.Struct, frozen=True, tag="knob", forbid_unknown_fields=True):
     """A parameter, choice or switch set to a value."""
 
@@ -45,7 +56,7 @@ class SetEffect(msgspec.Struct, frozen=True, tag="effect", forbid_unknown_fields
     on: bool
 
 
-StageEvent = Pointer | Action | SetKnob | SetEffect
+StageEvent = Pointer | Action | Decision | SetKnob | SetEffect
 
 
 class Stamped(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

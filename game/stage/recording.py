@@ -14,7 +14,7 @@ import msgspec
 
 from game import __version__
 from game.files import FileProblem, read_text, write_text
-from game.stage.events import Pointer, SetKnob, Stamped
+from game.stage.events import Decision, Pointer, SetKnob, Stamped
 
 MAX_BYTES = 256 << 20
 MAX_EVENTS = 1_000_000
@@ -92,6 +92,8 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
             numbers: tuple[float, ...] = ()
             if isinstance(event, Pointer):
                 numbers = (event.x, event.y, event.wheel)
+            elif isinstance(event, Decision):
+                numbers = event.values
             elif isinstance(event, SetKnob) and isinstance(event.value, float):
                 numbers = (event.value,)
             if not all(map(math.isfinite, numbers)):

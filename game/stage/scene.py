@@ -15,7 +15,7 @@ import numpy as np
 
 from game.levels import Level, LevelError
 from game.physics.effects import Effect, EffectSet
-from game.stage.events import Pointer, Stamped
+from game.stage.events import Decision, Pointer, Stamped
 from game.stage.knobs import Knob, KnobError, knobs_of
 
 if TYPE_CHECKING:
@@ -60,6 +60,23 @@ class SceneAction(NamedTuple):
     name: str
     label: str
     key: str
+
+
+class Sound(NamedTuple):
+    """One sound: when (s), its kind (see ui/sound.py), speed of the impact m/s, pan -1 (left) to 1."""
+
+    time: float
+    kind: str
+    speed: float
+    pan: float = 0.0
+
+
+class Hearing(NamedTuple):
+    """A line of sounds and a place in it: another ``key`` is another line; ``time`` s runs on by itself."""
+
+    key: object
+    time: float
+    sounds: Sequence[Sound]
 
 
 class Frame(NamedTuple):
@@ -230,6 +247,17 @@ class Scene:
     def action(self, name: str) -> None:
         """One of ``actions``."""
 
+    def decisions(self) -> Sequence[Decision]:
+        """What the scene's own players have decided since the last call; each is to be posted as an event.
+
+        Asked for where somebody plays, never in a replay. It must not change the state.
+        """
+        return ()
+
+    def decide(self, event: Decision) -> None:
+        """A decision of ``decisions``; ValueError for one that cannot be."""
+        raise ValueError(f"{event.name}: {self.name} takes no decisions")
+
     def knob_changed(self, name: str) -> None:
         """A knob without ``rebuild`` has a new value."""
 
@@ -254,6 +282,14 @@ class Scene:
     def messages(self) -> Sequence[str]:
         """New things worth telling since the last call (fouls, limits reached); shown as fading messages."""
         return ()
+
+    def hearing(self) -> Hearing | None:
+        """What is to be heard, and where in it the scene is now; None: nothing."""
+        return None
+
+    def worth_keeping(self) -> object:
+        """A value that changes whenever the content should be kept against a crash; None: never."""
+        return None
 
     def save_content(self) -> msgspec.Struct | None:
         """The present content as a level's [content], or None if the scene keeps none."""

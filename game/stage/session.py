@@ -13,7 +13,7 @@ from time import perf_counter
 from typing import Any, NamedTuple
 
 from game.physics.effects import EffectSet
-from game.stage.events import Action, Pointer, SetEffect, SetKnob, StageEvent
+from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent
 from game.stage.knobs import KnobError
 from game.stage.memory import recall, remember
 from game.stage.recording import CHECK_INTERVAL, MAX_EVENTS, Check
@@ -86,6 +86,11 @@ class Session:
     def snapshot_bytes(self) -> int:
         """What the snapshots take."""
         return self._ring.bytes
+
+    @property
+    def repeating(self) -> bool:
+        """True while steps lead through a future that is remembered."""
+        return self._repeating
 
     @property
     def checks(self) -> list[Check]:
@@ -162,6 +167,8 @@ class Session:
             scene.pointer(event)
         elif isinstance(event, Action):
             scene.action(event.name)
+        elif isinstance(event, Decision):
+            scene.decide(event)
         elif isinstance(event, SetEffect):
             scene.active = scene.active.with_(event.name) if event.on else scene.active.without(event.name)
             scene.effects_changed()

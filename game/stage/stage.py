@@ -261,6 +261,13 @@ class Stage:
         self._session.let_in(checked_event(event, self.scene_type))
         self._follow_session()
 
+    def listen(self) -> None:
+        """Post what the scene's own players have decided, unless a remembered future will say it."""
+        if self._paused or self._session.fault is not None or self._session.repeating:
+            return
+        for event in self.scene.decisions():
+            self.post(event)
+
     def _follow_session(self) -> None:
         """Take over step number and step length where the session moved by itself."""
         self.clock.steps = self._session.step
