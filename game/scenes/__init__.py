@@ -104,5 +104,25 @@ CATALOGUE = Catalogue(
             class_name="BroadPhaseRace",
             keywords="broad phase race compare naive grid hierarchical sweep and prune pair manager workload",
         ),
+        Entry(
+            name="c10",
+            task="C10",
+            title="V-Clip",
+            fact="a walk among Voronoi regions",
+            category="Bounding volumes and distance",
+            module="game.scenes.c10_vclip",
+            class_name="VClip",
+            keywords="narrow phase closest features points distance voronoi region mirtich penetration depth coherence",
+        ),
+        Entry(
+            name="c11",
+            task="C11",
+            title="GJK",
+            fact="simplexes near the origin",
+            category="Bounding volumes and distance",
+            module="game.scenes.c11_gjk",
+            class_name="Gjk",
+            keywords="narrow phase minkowski difference simplex support hill climbing epa penetration distance",
+        ),
     )
 )

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
 from game.physics.narrowphase.features import lean
-from game.physics.narrowphase.gjk import CLIMB, LIMIT, TOLERANCE, gjk_query
+from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, gjk_query
 from game.physics.narrowphase.vclip import vclip_query
 
 Array = NDArray[np.float64]
@@ -91,7 +91,7 @@ def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, ite
 @lean
 def gjk_many(
     va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance,
-    method, trace, numbers, features, iterations,
+    method, deep, trace, numbers, features, iterations,
 ):  # fmt: skip
     """GJK for each pair (m, 2); ``features`` (m, 2) holds where to start (or -1) and then what was found."""
     limit = LIMIT
@@ -102,22 +102,24 @@ def gjk_many(
         hx, hy = c * x - s * y + tx - centres_a[k, 0], s * x + c * y + ty - centres_a[k, 1]
         found, steps = gjk_query(
             va, first_a[k], first_a[k + 1] - first_a[k], vb, first_b[m], first_b[m + 1] - first_b[m],
-            c, s, tx, ty, hx, hy, features[row, 0], features[row, 1], tolerance, limit, method, trace,
+            c, s, tx, ty, hx, hy, features[row, 0], features[row, 1], tolerance, limit, method, deep,
+            trace,
         )  # fmt: skip
         write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
 
 
 @lean
 def vclip_many(
-    va, first_a, anchors_a, poses_a, vb, first_b, anchors_b, poses_b, pairs, trace, numbers, features, iterations
-):
+    va, first_a, anchors_a, poses_a, vb, first_b, anchors_b, poses_b, pairs, deep, trace, numbers, features,
+    iterations,
+):  # fmt: skip
     """V-Clip for each pair (m, 2); ``features`` (m, 2) holds where to start and then what was found."""
     for row in range(pairs.shape[0]):
         k, m = pairs[row, 0], pairs[row, 1]
         c, s, tx, ty = relative_frame(anchors_a, k, poses_a[k], anchors_b, m, poses_b[m])
         found, steps = vclip_query(
             va, first_a[k], first_a[k + 1] - first_a[k], vb, first_b[m], first_b[m + 1] - first_b[m],
-            c, s, tx, ty, features[row, 0], features[row, 1], trace,
+            c, s, tx, ty, features[row, 0], features[row, 1], deep, trace,
         )  # fmt: skip
         write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
 
@@ -134,19 +136,22 @@ def gjk_batch(
     poses_b: Any = None,
     features: Integers | None = None,
     tolerance: float = TOLERANCE,
+    deep: bool = True,
+    method: str = "climb",
 ) -> Proximities:
     """GJK for many pairs of convex polygons.
 
     a, b: sets or sequences of shapes. pairs: (m, 2) of indices into a and b, else the k-th with the k-th.
     poses_a, poses_b: (k, 4) x, y, cos, sin of each shape, else as given. features: (m, 2) int64, where each
-    walk begins (-1: anew); overwritten with what it found, so that handing it in again begins warm.
+    walk begins (-1: anew); overwritten with what it found, so that handing it in again begins warm. deep: whether
+    the depth of overlaps is wanted (else their distance is 0).
     ValueError for what does not fit.
     """
     query = _Query(a, b, pairs, poses_a, poses_b, features)
     a, b = query.a, query.b
     gjk_many(
         a.vertices, a.first, a.anchors, a.centres, query.poses_a, b.vertices, b.first, b.anchors, b.centres,
-        query.poses_b, query.pairs, float(tolerance), CLIMB, NO_GJK_TRACE, query.numbers, query.features,
+        query.poses_b, query.pairs, float(tolerance), METHODS.index(method), deep, NO_GJK_TRACE, query.numbers, query.features,
         query.iterations,
     )  # fmt: skip
     return query.answers()
@@ -159,13 +164,14 @@ def vclip_batch(
     poses_a: Any = None,
     poses_b: Any = None,
     features: Integers | None = None,
+    deep: bool = True,
 ) -> Proximities:
     """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`."""
     query = _Query(a, b, pairs, poses_a, poses_b, features)
     a, b = query.a, query.b
     vclip_many(
         a.vertices, a.first, a.anchors, query.poses_a, b.vertices, b.first, b.anchors, query.poses_b, query.pairs,
-        NO_VCLIP_TRACE, query.numbers, query.features, query.iterations,
+        deep, NO_VCLIP_TRACE, query.numbers, query.features, query.iterations,
     )  # fmt: skip
     return query.answers()
 
@@ -193,7 +199,9 @@ class _Query:
     def _pairs(self, pairs: Any) -> Integers:
         if pairs is None:
             if len(self.a) != len(self.b):
-                raise ValueError(f"pairs: {len(self.a)} shapes cannot be paired with {len(self.b)} one by one")
+                raise ValueError(
+                    f"pairs: {len(self.a)} shapes cannot be paired with {len(self.b)} one by one"
+                )
             return np.repeat(np.arange(len(self.a)), 2).reshape(-1, 2)
         given = np.ascontiguousarray(pairs, dtype=np.int64)
         if given.ndim != 2 or given.shape[1] != 2:

@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from game.physics.narrowphase.features import after, known_feature, lean, measure
-from game.physics.narrowphase.separating_axis import measure_overlap
+from game.physics.narrowphase.separating_axis import measure_touching
 from game.physics.narrowphase.simplex import (
     FIRST_AND_NEW,
     INSIDE,
@@ -27,7 +27,8 @@ from game.physics.narrowphase.simplex import (
     support_scan,
 )
 
-CLIMB, SCAN = 0, 1  # how support vertices are found
+METHODS = ("climb", "scan")  # how support vertices are found
+SCAN = 1
 TOLERANCE = 1e-14  # relative: v.v - v.w below this times v.v ends the walk
 LIMIT = 100  # steps; 12 are many
 APART, INSIDE_SIMPLEX, AT_ORIGIN, UNFINISHED = 0, 1, 2, 3
@@ -211,15 +212,16 @@ def measure_chord(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1):
     return distance, ax, ay, ax + distance * nx, ay + distance * ny, nx, ny, feature_a, feature_b
 
 
-
 @lean
 def gjk_query(
-    va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, trace
+    va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, deep,
+    trace,
 ):  # fmt: skip
     """`walk` and what it has found: the nine numbers of `measure`, and the number of steps."""
     status, steps, i0, j0, i1, j1, _, _ = walk(
         va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, trace
     )
     if status == INSIDE_SIMPLEX or status == AT_ORIGIN:
-        return measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty), steps
+        a, b = 2 * i0, 2 * j0
+        return measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, a, b), steps
     return measure_simplex(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1), steps

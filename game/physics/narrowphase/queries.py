@@ -12,24 +12,27 @@ from game.physics.narrowphase import gjk as gjk_kernels
 from game.physics.narrowphase import vclip as vclip_kernels
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
 from game.physics.narrowphase.features import Feature
+from game.physics.narrowphase.gjk import METHODS
 from game.physics.narrowphase.proximity import Proximity, certify
 from game.physics.narrowphase.separating_axis import measure_overlap
 from game.physics.narrowphase.vclip import vclip_query
 
 Array = NDArray[np.float64]
 Start = Proximity | tuple[Feature, Feature] | None
-METHODS = ("climb", "scan")
 
 
-def vclip(a: Any, b: Any, start: Start = None, trace: Array = vclip_kernels.NO_TRACE) -> Proximity:
+def vclip(
+    a: Any, b: Any, start: Start = None, deep: bool = True, trace: Array = vclip_kernels.NO_TRACE
+) -> Proximity:
     """Distance, closest points and features of two convex polygons by V-Clip (Mirtich 1998).
 
     a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features, from
-    which the walk begins. ``iterations`` counts the steps of the walk. trace: rows to write, see `vclip_trace`.
+    which the walk begins. ``iterations`` counts the steps of the walk. deep: whether the depth of an overlap is
+    wanted; else the distance is 0 and the normal (0, 0). trace: rows to write, see `vclip_trace`.
     """
     a, b = as_polygon(a), as_polygon(b)
     found, steps = vclip_query(
-        a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b), *_codes(start), trace
+        a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b), *_codes(start), deep, trace
     )  # fmt: skip
     return checked(a, b, found, steps)
 
@@ -41,13 +44,14 @@ def gjk(
     tolerance: float = gjk_kernels.TOLERANCE,
     method: str = "climb",
     limit: int = gjk_kernels.LIMIT,
+    deep: bool = True,
     trace: Array = gjk_kernels.NO_TRACE,
 ) -> Proximity:
     """Distance, closest points and features of two convex polygons by GJK.
 
     a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features, whose
     simplex the walk begins with. tolerance: relative, at which it may end before the exact answer. method: how
-    support vertices are found, "climb" or "scan". ValueError for others, and for a limit below 1.
+    support vertices are found, "climb" or "scan". deep: as for `vclip`. ValueError for others, and for a limit below 1.
     """
     if method not in METHODS:
         raise ValueError(f"gjk: method must be climb or scan, not {method!r}")
@@ -60,7 +64,7 @@ def gjk(
     toward = b.centre - a.centre
     found, steps = gjk_kernels.gjk_query(
         a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
-        *_codes(start), float(tolerance), int(limit), METHODS.index(method), trace,
+        *_codes(start), float(tolerance), int(limit), METHODS.index(method), deep, trace,
     )  # fmt: skip
     if tolerance > gjk_kernels.TOLERANCE or limit < gjk_kernels.LIMIT:
         return _proximity(a, found, steps)
@@ -88,12 +92,14 @@ class FeatureStep(NamedTuple):
 VERDICTS = ("closest", "overlap", "repair A", "repair B", "moved A", "moved B", "circle")
 
 
-def vclip_trace(a: Any, b: Any, start: Start = None) -> tuple[Proximity, list[FeatureStep]]:
+def vclip_trace(
+    a: Any, b: Any, start: Start = None, deep: bool = True
+) -> tuple[Proximity, list[FeatureStep]]:
     """`vclip`, and the steps of its walk; the last of them stands on the answer or finds the overlap."""
     a, b = as_polygon(a), as_polygon(b)
     rows = np.empty((4 * (len(a) + len(b)) + 9, vclip_kernels.TRACE_WIDTH))
     rows[:, 2] = -1.0
-    found = vclip(a, b, start, rows)
+    found = vclip(a, b, start, deep, rows)
     return found, [
         FeatureStep(Feature.of(int(i)), Feature.of(int(j)), VERDICTS[int(verdict)])
         for i, j, verdict in rows[rows[:, 2] >= 0.0].tolist()

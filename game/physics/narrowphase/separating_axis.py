@@ -84,3 +84,13 @@ def measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty):
     length = math.sqrt(hx * hx + hy * hy)
     nx, ny = (c * hx - s * hy) / length, (s * hx + c * hy) / length
     return distance, ax, ay, ax + distance * nx, ay + distance * ny, nx, ny, feature_a, feature_b
+
+
+@lean
+def measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, feature_a, feature_b):
+    """As `measure_overlap`; if not ``deep``, only that they overlap: distance 0 at the features, no normal."""
+    if deep:
+        return measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty)
+    i, j = feature_a >> 1, feature_b >> 1
+    bx, by = c * vb[fb + j, 0] - s * vb[fb + j, 1] + tx, s * vb[fb + j, 0] + c * vb[fb + j, 1] + ty
+    return 0.0, va[fa + i, 0], va[fa + i, 1], bx, by, 0.0, 0.0, feature_a, feature_b

@@ -26,7 +26,7 @@ from game.physics.narrowphase.features import (
     measure,
     measure_to_edge,
 )
-from game.physics.narrowphase.separating_axis import measure_overlap
+from game.physics.narrowphase.separating_axis import measure_overlap, measure_touching
 
 BEHIND = -1  # what `clip_vertex` says of a vertex in the strip of an edge, but behind it
 CLOSEST, OVERLAPPING, REPAIRED_A, REPAIRED_B, MOVED_A, MOVED_B = 0, 1, 2, 3, 4, 5
@@ -256,7 +256,7 @@ def nearest_edge(v, first, count, x, y):
 
 
 @lean
-def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, trace):
+def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, deep, trace):
     """The walk from two features to the closest ones: the nine numbers of `measure`, and the steps made."""
     feature_a = start_a if known_feature(start_a, na) else 0
     feature_b = start_b if known_feature(start_b, nb) else 0
@@ -280,12 +280,13 @@ def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, trace):
         if steps < trace.shape[0]:
             trace[steps, 0], trace[steps, 1], trace[steps, 2] = feature_a, feature_b, CIRCLED
         found = measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty)
-        if found[0] <= 0.0 and na + nb > 2:
+        if found[0] <= 0.0 and na + nb > 2 and deep:
             return found, steps
-        feature_a, feature_b = closest_features(va, fa, na, vb, fb, nb, c, s, tx, ty)
-        verdict = CLOSEST
+        if found[0] > 0.0 or na + nb == 2:
+            feature_a, feature_b = closest_features(va, fa, na, vb, fb, nb, c, s, tx, ty)
+            verdict = CLOSEST
     if verdict == CLOSEST:
         found = measure(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b)
         if found[0] > 0.0:
             return found, steps
-    return measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty), steps
+    return measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, feature_a, feature_b), steps

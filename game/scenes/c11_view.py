@@ -1,0 +1,168 @@
+"""How GJK is drawn: the polygons at the left, their Minkowski difference and the simplexes at the right."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.narrowphase.minkowski import minkowski_difference
+from game.scenes import convex_pair_view as view
+from game.stage import Frame
+from game.ui.canvas import Canvas
+from game.ui.numerals import format_si
+
+if TYPE_CHECKING:
+    from game.physics.narrowphase.queries import SimplexStep
+    from game.scenes.c11_gjk import Gjk
+    from game.scenes.convex_pair_level import View
+
+Array = NDArray[np.float64]
+INSET = 0.72  # width of the difference's part of the stage, over that of the polygons
+MOST_DOTS = 80
+WORDS = {
+    "done": "no corner is nearer: v is the answer",
+    "new": "w alone is nearest: keep it",
+    "first and new": "keep the first corner and w",
+    "second and new": "keep the second corner and w",
+    "inside": "the triangle holds the origin: they overlap",
+}
+
+
+class Inset(NamedTuple):
+    """Where the difference is drawn: (x, y) goes to (left + scale x, bottom + scale y), units."""
+
+    scale: float
+    x: float
+    y: float
+
+    def place(self, points: Array) -> Array:
+        """Points (n, 2) of A - B where they are drawn."""
+        return np.asarray(points) * self.scale + (self.x, self.y)
+
+
+def frame_of(seen: View) -> Frame:
+    """The view of the polygons, and the difference's part to the right of it."""
+    return Frame(seen.left, seen.bottom, seen.right + INSET * (seen.right - seen.left), seen.top)
+
+
+def inset_for(seen: View, difference: Array) -> Inset:
+    """Where a difference (n, 2) and the origin fit."""
+    width, height = seen.right - seen.left, seen.top - seen.bottom
+    points = np.vstack((difference, np.zeros((1, 2))))
+    low, high = points.min(axis=0), points.max(axis=0)
+    room = (0.9 * INSET * width, 0.74 * height)
+    size = np.maximum(high - low, 1e-300)
+    scale = float(min(room[0] / size[0], room[1] / size[1]))
+    middle = 0.5 * (low + high) * scale
+    return Inset(
+        scale,
+        seen.right + 0.5 * INSET * width - float(middle[0]),
+        0.5 * (seen.top + seen.bottom) - 0.02 * height - float(middle[1]),
+    )
+
+
+def draw(scene: Gjk, canvas: Canvas) -> None:
+    """All of it, from the back to the front."""
+    trace = scene.trace() if scene.ready else []
+    index = len(trace) - 1 if scene.shown < 0 else min(scene.shown, len(trace) - 1)
+    whole = index == len(trace) - 1
+    shapes = view.draw_shapes(scene, canvas)
+    view.draw_hulls(scene, canvas)
+    if scene.ready:
+        if scene.supports and trace and (scene.shown >= 0 or not whole):
+            draw_supports(canvas, shapes, trace[index])
+        if whole:
+            view.draw_parted(scene, canvas, shapes)
+            view.draw_answer(scene, canvas, shapes)
+        if scene.minkowski:
+            draw_difference(scene, canvas, shapes, trace[: index + 1], whole)
+        if trace and (scene.shown >= 0 or len(trace) > 1):
+            words = f"step {index + 1} of {len(trace)}: {WORDS[trace[index].kept]}"
+            view.caption(scene, canvas, words)
+    view.draw_hand(scene, canvas)
+
+
+def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep) -> None:
+    """The vertices farthest along the direction, and the direction at both polygons."""
+    x, y = step.direction
+    for k, sign in ((0, 1.0), (1, -1.0)):
+        i = step.support[k] % len(shapes[k])
+        corner = shapes[k][i]
+        canvas.ring(corner, 8.0, "pink", 2.0)
+        canvas.dot(corner, 4.0, "pink")
+        length = canvas.px(46.0)
+        canvas.arrow(corner, (sign * x * length, sign * y * length), "pink", None, width=1.8)
+        for pair in step.corners:
+            canvas.dot(shapes[k][pair[k] % len(shapes[k])], 4.5, "amber")
+
+
+def draw_difference(
+    scene: Gjk, canvas: Canvas, shapes: list[Array], shown: list[SimplexStep], whole: bool
+) -> None:
+    """A - B, the origin, the simplexes so far, v and w."""
+    seen = scene.content.view
+    difference = minkowski_difference(shapes[0], shapes[1])
+    inset = inset_for(seen, difference)
+    corners = inset.place(difference)
+    width = seen.right - seen.left
+    canvas.line((seen.right, seen.bottom), (seen.right, seen.top), "line", 1.0)
+    canvas.polygon(corners, "violet", 0.09, "violet", 1.8)
+    if len(corners) <= MOST_DOTS:
+        canvas.discs(corners, canvas.px(2.2), "violet")
+    top = (seen.right + 0.5 * INSET * width, seen.top)
+    canvas.label(
+        top, "Minkowski difference A − B", "violet", 13, "semibold", anchor="top", offset=(0.0, 14.0)
+    )
+    origin = (inset.x, inset.y)
+    arm = canvas.px(9.0)
+    for dx, dy in ((arm, 0.0), (0.0, arm)):
+        ends = ((origin[0] - dx, origin[1] - dy), (origin[0] + dx, origin[1] + dy))
+        canvas.line(*ends, "text1", 1.6)
+    if not shown:
+        return
+    draw_simplexes(scene, canvas, shapes, inset, shown, whole)
+    place = shown[-1].closest if not (whole and scene.answer[0] <= 0.0) else (0.0, 0.0)
+    away = (-1.0 if place[0] > 0.0 else 1.0, -1.0 if place[1] > 0.0 else 1.0)
+    canvas.label(
+        origin, "origin", "text1", 12, anchor="left" if away[0] > 0 else "right",
+        offset=(10.0 * away[0], -14.0 * away[1]),
+    )  # fmt: skip
+
+
+def draw_simplexes(
+    scene: Gjk, canvas: Canvas, shapes: list[Array], inset: Inset, shown: list[SimplexStep], whole: bool
+) -> None:
+    """Simplexes, the newer the stronger; of the last one also v, w and the bound."""
+    scale = scene.content.scale
+
+    def corner(pair: tuple[int, int]) -> Array:
+        return inset.place(shapes[0][pair[0] % len(shapes[0])] - shapes[1][pair[1] % len(shapes[1])])
+
+    for number, step in enumerate(shown, start=1):
+        alpha = 0.2 + 0.8 * number / len(shown)
+        points = [corner(pair) for pair in step.corners]
+        if len(points) == 2:
+            canvas.line(points[0], points[1], "amber", 2.6 if number == len(shown) else 1.6, alpha=alpha)
+        for point in points:
+            canvas.dot(point, 4.0, "amber", alpha)
+    last = shown[-1]
+    new = corner(last.support)
+    if last.kept == "inside":
+        triangle = np.array([*(corner(pair) for pair in last.corners), new])
+        canvas.polygon(triangle, "amber", 0.15, "amber", 2.0)
+    tip = inset.place(np.array(last.closest) / scale)
+    origin = (inset.x, inset.y)
+    if math.dist(tip, origin) > canvas.px(4.0):
+        color = "green" if last.kept == "done" else "amber"
+        canvas.arrow(origin, (tip[0] - origin[0], tip[1] - origin[1]), color, "v", width=2.0)
+    canvas.ring(new, 7.0, "pink", 2.0)
+    canvas.label(new, "w", "pink", 13, "semibold", offset=(12.0, -12.0))
+    if last.kept == "done" and whole and scene.answer[0] > 0.0:
+        words = f"|v| = {format_si(float(scene.answer[0]), 'm')}"
+        canvas.label(
+            (0.5 * (tip[0] + origin[0]), 0.5 * (tip[1] + origin[1])), words, "green", 12, "semibold",
+            offset=(0.0, -16.0),
+        )  # fmt: skip

@@ -1,0 +1,416 @@
+"""What the V-Clip and GJK scenes share: two convex polygons that are drawn, moved, turned and measured."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from time import perf_counter
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.levels import Level
+from game.physics.narrowphase import ConvexPolygon, Feature, NonConvexError, Proximity, certify
+from game.physics.narrowphase.batch import PolygonSet
+from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
+from game.scenes import outline_editor as editor
+from game.scenes.convex_pair_level import MOST_CORNERS, PairContent, ShapeEntry, board_of, entry_of
+from game.scenes.outlines import Outline, placed
+from game.scenes.stopwatch import Stopwatch
+from game.stage import (
+    Choice,
+    Frame,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+    WarmUp,
+)
+
+Array = NDArray[np.float64]
+REACH = 0.022  # of the height in view: how near to a thing the pointer takes it
+MOST_KEPT = 64  # outlines whose polygons are kept
+REPEATS = 200  # queries that are timed together
+WHOLE = -1  # steps shown: all
+RULES = editor.Rules(most_outlines=2, most_points=MOST_CORNERS, may_be_open=False)
+NAMES = ("A", "B")
+
+
+class PairState(NamedTuple):
+    """places, rates: (2, 3) unit, unit, rad of A and B, and per s. features: (2,) found last, and where from
+    (2,); answer: (8,) distance, points and normal in units, steps of the query. counts: queries, steps.
+    """
+
+    places: Array
+    rates: Array
+    features: NDArray[np.int64]
+    begun: NDArray[np.int64]
+    answer: Array
+    counts: NDArray[np.int64]
+
+
+class ConvexPairScene(Scene):
+    """Base of C10 and C11. A subclass says how the pair is measured and what of it is drawn."""
+
+    effects = SHAPE_MOTION | COHERENCE | EXACT_ANSWER
+    dt = 1.0 / 60.0
+    content_type = PairContent
+    takes: ClassVar[frozenset[str]] = frozenset()
+
+    tool = Choice(
+        "move", editor.TOOLS, labels=("Move", "Draw", "Corners"), group="Tools",
+        help="drag and turn; click a new polygon; drag, add and take away corners",
+    )  # fmt: skip
+    start_a = Param(
+        0, 0, 2 * MOST_CORNERS, whole=True, group="Query", label="Begin at, of A",
+        help="feature without coherence: 2 i is vertex i, 2 i + 1 the edge after it",
+    )  # fmt: skip
+    start_b = Param(0, 0, 2 * MOST_CORNERS, whole=True, group="Query", label="Begin at, of B")
+    numbers = Toggle(True, group="Shown", label="Numbers", help="of vertices, when they are few")
+
+    hints = (
+        Hint(("Drag",), "move"),
+        Hint(("Shift", "Drag"), "turn"),
+        Hint(("←", "→"), "walk through the query"),
+        Hint(("H",), "take the hull"),
+    )
+    actions = (
+        SceneAction("earlier", "step of the query before", "left"),
+        SceneAction("later", "next step of the query", "right"),
+        SceneAction("all", "all steps of the query", "up"),
+        SceneAction("start", "begin at the next features", "s"),
+        SceneAction("hull", "take the hull", "h"),
+        SceneAction("move", "move", "1"),
+        SceneAction("draw", "draw", "2"),
+        SceneAction("points", "corners", "3"),
+        SceneAction("turn-left", "turn left", "q"),
+        SceneAction("turn-right", "turn right", "e"),
+        SceneAction("close", "close the line", "return"),
+        SceneAction("delete", "delete", "delete"),
+        SceneAction("undo", "take back", "ctrl+z"),
+        SceneAction("redo", "do again", "ctrl+y"),
+    )
+    strips = (
+        Strip("Steps", "per query", ("steps",)),
+        Strip("Distance", "m", ("distance",)),
+        Strip("Query", "s", ("query",)),
+    )
+    default_content: ClassVar[PairContent] = PairContent(
+        a=ShapeEntry(corners=7, radius=1.4, flat=0.75, position=(-1.8, 0.0), spin=9.0),
+        b=ShapeEntry(corners=5, radius=1.2, position=(1.9, 0.1), spin=-24.0),
+    )
+
+    # -- how the pair is measured -------------------------------------------------------------------
+
+    def measure(self, a: ConvexPolygon, b: ConvexPolygon, start: tuple[Feature, Feature]) -> Proximity:
+        """The answer of the scene's method."""
+        raise NotImplementedError
+
+    def time_batch(self, shapes: PolygonSet, pairs: NDArray[np.int64], features: NDArray[np.int64]) -> None:
+        """The same query for many pairs, to be timed."""
+        raise NotImplementedError
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        self.content: PairContent = (
+            level.content if level is not None and level.content is not None else self.default_content
+        )
+        self.board = board_of(self.content)
+        self.rates = np.array(
+            [(*entry.velocity, math.radians(entry.spin)) for entry in (self.content.a, self.content.b)]
+        )
+        self.features = np.array((self.start_a, self.start_b), dtype=np.int64)
+        self.begun = self.features.copy()
+        self.answer = np.zeros(8)
+        self.counts = np.zeros(2, dtype=np.int64)
+        self.shown = WHOLE
+        self.told: deque[str] = deque(maxlen=8)
+        self.watch = Stopwatch()
+        self._shapes: dict[int, tuple[Any, ConvexPolygon | NonConvexError]] = {}
+        self.query(fresh=True)
+
+    def shape(self, index: int) -> ConvexPolygon | None:
+        """A polygon in the world, m; None if its outline is refused."""
+        outline = self.board.outlines[index]
+        found = self._cleaned(outline)
+        if not isinstance(found, ConvexPolygon):
+            return None
+        moved = found.moved(*outline.position, outline.angle)
+        scale, origin = self.content.scale, self.content.origin
+        if scale == 1.0 and origin == (0.0, 0.0):
+            return moved
+        return ConvexPolygon((moved.vertices + origin) * scale)
+
+    def drawn_corners(self, index: int) -> Array:
+        """Corners (n, 2) of an outline in the level's unit: those that count, or all if it is refused."""
+        outline = self.board.outlines[index]
+        found = self._cleaned(outline)
+        if isinstance(found, ConvexPolygon):
+            return found.moved(*outline.position, outline.angle).vertices
+        return placed(outline)
+
+    def refusal(self, index: int) -> NonConvexError | None:
+        """Why an outline is refused; None if it is convex."""
+        found = self._cleaned(self.board.outlines[index])
+        return found if isinstance(found, NonConvexError) else None
+
+    def _cleaned(self, outline: Outline) -> ConvexPolygon | NonConvexError:
+        """The polygon of an outline in its own place, or why there is none; found once for each outline."""
+        key = id(outline.points)
+        kept = self._shapes.get(key)
+        if kept is not None and kept[0] is outline.points:
+            return kept[1]
+        found: ConvexPolygon | NonConvexError
+        try:
+            found = ConvexPolygon(outline.points)
+        except NonConvexError as error:
+            found = error
+        if len(self._shapes) > MOST_KEPT:
+            self._shapes.clear()
+        self._shapes[key] = (outline.points, found)
+        return found
+
+    # -- the query ----------------------------------------------------------------------------------
+
+    def starts(self) -> tuple[int, int]:
+        """The chosen features where a query without coherence begins."""
+        limits = [max(2 * len(shape), 1) if (shape := self.shape(k)) else 1 for k in (0, 1)]
+        return int(self.start_a) % limits[0], int(self.start_b) % limits[1]
+
+    def query(self, fresh: bool = False) -> None:
+        """Measure the pair as it is now. fresh: not from the last answer."""
+        if len(self.board.outlines) < 2:
+            return
+        a, b = self.shape(0), self.shape(1)
+        if a is None or b is None:
+            return
+        coherent = COHERENCE in self.active and not fresh
+        self.begun[:] = self.features if coherent else self.starts()
+        found = self.measure(a, b, self.start_features(a, b))
+        self.features[:] = found.feature_a.code, found.feature_b.code
+        scale, origin = self.content.scale, self.content.origin
+        points = [
+            value / scale - origin[k] for point in (found.point_a, found.point_b)
+            for k, value in enumerate(point)
+        ]  # fmt: skip
+        self.answer[:] = (found.distance, *points, *found.normal, found.iterations)
+        self.counts += (1, found.iterations)
+
+    def start_features(self, a: ConvexPolygon, b: ConvexPolygon) -> tuple[Feature, Feature]:
+        """Where the last query began, as features that these polygons have."""
+        first, second = (int(code) for code in self.begun)
+        return Feature.of(first % (2 * len(a))), Feature.of(second % (2 * len(b)))
+
+    @property
+    def ready(self) -> bool:
+        """True if there is a pair to measure."""
+        return len(self.board.outlines) == 2 and self.shape(0) is not None and self.shape(1) is not None
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> PairState:
+        places = editor.places_of(self.board)
+        if len(places) < 2:
+            places = np.vstack((places, np.zeros((2 - len(places), 3))))
+        return PairState(places, self.rates, self.features, self.begun, self.answer, self.counts)
+
+    def restore(self, state: PairState) -> None:
+        count = len(self.board.outlines)
+        self.board = editor.with_places(self.board, state.places[:count])
+        for array, then in (
+            (self.rates, state.rates),
+            (self.features, state.features),
+            (self.begun, state.begun),
+            (self.answer, state.answer),
+            (self.counts, state.counts),
+        ):
+            np.copyto(array, then)
+
+    def save_content(self) -> PairContent | None:
+        if len(self.board.outlines) < 2:
+            return None
+        entries = [
+            entry_of(outline, (float(x), float(y)), math.degrees(spin))
+            for outline, (x, y, spin) in zip(self.board.outlines, self.rates.tolist(), strict=True)
+        ]
+        return PairContent(
+            a=entries[0], b=entries[1], scale=self.content.scale, origin=self.content.origin,
+            view=self.content.view,
+        )  # fmt: skip
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        if SHAPE_MOTION in self.active:
+            self._drift(dt)
+        self.query()
+
+    def _drift(self, dt: float) -> None:
+        """Shapes that nobody holds go on; at the border of the view they turn back."""
+        places = editor.places_of(self.board)
+        view = self.content.view
+        for k in range(len(places)):
+            if self.board.held and self.board.chosen == k:
+                continue
+            places[k] += self.rates[k] * dt
+            places[k, 2] = math.remainder(places[k, 2], 2.0 * math.pi)
+            for axis, low, high in ((0, view.left, view.right), (1, view.bottom, view.top)):
+                outward = places[k, axis] < low if self.rates[k, axis] < 0.0 else places[k, axis] > high
+                if outward:
+                    self.rates[k, axis] = -self.rates[k, axis]
+        self.board = editor.with_places(self.board, places)
+
+    def pointer(self, event: Pointer) -> None:
+        view = self.content.view
+        before = self.board
+        self.board = editor.take_pointer(
+            self.board, event, RULES, self.tool, REACH * (view.top - view.bottom)
+        )  # fmt: skip
+        self._after_edit(before)
+
+    def action(self, name: str) -> None:
+        before = self.board
+        if name in ("earlier", "later", "all"):
+            self._show(name)
+        elif name == "start":
+            self._next_start()
+        elif name == "hull":
+            self.accept_hull()
+        elif name in editor.TOOLS:
+            self.values["tool"] = name
+        elif name in ("turn-left", "turn-right"):
+            turn = editor.NOTCH if name == "turn-left" else -editor.NOTCH
+            self.board = editor.turn(self.board, turn)
+        else:
+            self.board = editor.act(self.board, name, RULES)
+        self._after_edit(before)
+
+    def _after_edit(self, before: editor.Board) -> None:
+        """Tell what the editor says, name a refusal, and measure again if something has changed."""
+        if self.board.told:
+            self.told.append(self.board.told)
+        if self.board.outlines == before.outlines and bool(self.board.held) == bool(before.held):
+            return
+        for k in range(len(self.board.outlines)):
+            refused = self.refusal(k)
+            if refused is not None and not self.board.held:
+                words = f"{NAMES[k]} is not convex at corner {refused.vertex}. Press H to take its hull."
+                if words not in self.told:
+                    self.told.append(words)
+        self.query()
+
+    def accept_hull(self) -> None:
+        """Put the hull in place of each outline that is refused."""
+        outlines = list(self.board.outlines)
+        for k, outline in enumerate(outlines):
+            refused = self.refusal(k)
+            if refused is not None:
+                corners = Outline(tuple(map(tuple, refused.hull.vertices.tolist())))
+                outlines[k] = Outline(corners.points, True, outline.position, outline.angle)
+        if tuple(outlines) == self.board.outlines:
+            self.told.append("Both outlines are convex.")
+            return
+        self.board = editor.with_outlines(self.board, tuple(outlines))
+
+    def _next_start(self) -> None:
+        """Begin at the next pair of features: of B first, then of A."""
+        a, b = self.shape(0), self.shape(1)
+        if a is None or b is None:
+            return
+        first, second = self.starts()
+        second += 1
+        if second >= 2 * len(b):
+            first, second = (first + 1) % (2 * len(a)), 0
+        self.values["start_a"], self.values["start_b"] = first, second
+        self.query(fresh=True)
+
+    def _show(self, name: str) -> None:
+        last = self.trace_length() - 1
+        now = last if self.shown == WHOLE else min(self.shown, last)
+        if name == "all" or last < 0:
+            self.shown = WHOLE
+        elif name == "earlier":
+            self.shown = max(now - 1, 0)
+        else:
+            self.shown = WHOLE if self.shown == WHOLE or now >= last else now + 1
+
+    def trace_length(self) -> int:
+        """Steps of the last query that can be shown."""
+        raise NotImplementedError
+
+    def knob_changed(self, name: str) -> None:
+        if name in ("start_a", "start_b"):
+            self.query(fresh=True)
+        elif name == "tool":
+            self.board = editor.act(self.board, "cancel", RULES)
+        else:
+            self.query()
+
+    def effects_changed(self) -> None:
+        self.query(fresh=COHERENCE not in self.active)
+
+    def messages(self) -> Sequence[str]:
+        new = tuple(self.told)
+        self.told.clear()
+        return new
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        distance, steps = float(self.answer[0]), float(self.answer[7])
+        queries, total = (int(count) for count in self.counts)
+        rows = [
+            Readout("distance", distance, "m"),
+            Readout("steps", steps),
+            Readout("query", self.query_time(), "s"),
+            Readout("mean steps", total / max(queries, 1)),
+        ]
+        if self.ready:
+            rows.append(Readout("certificate lacks", self.certificate()))
+        return rows
+
+    def certificate(self) -> float:
+        """What the optimality certificate of the last answer lacks, in extents; infinite if it fails."""
+        a, b = self.shape(0), self.shape(1)
+        if a is None or b is None:
+            return 0.0
+        try:
+            return certify(a, b, self.present())
+        except ValueError:
+            return math.inf
+
+    def present(self) -> Proximity:
+        """The last answer."""
+        scale, origin = self.content.scale, self.content.origin
+        row = self.answer.tolist()
+        point_a, point_b = (((row[k] + origin[0]) * scale, (row[k + 1] + origin[1]) * scale) for k in (1, 3))
+        first, second = (Feature.of(int(code)) for code in self.features)
+        return Proximity(row[0], point_a, point_b, first, second, int(row[7]), (row[5], row[6]))
+
+    def query_time(self) -> float:
+        """Time of a query as a batch has it, s: for the picture alone."""
+        a, b = self.shape(0), self.shape(1)
+        if len(self.board.outlines) < 2 or a is None or b is None:
+            return 0.0
+        shapes = PolygonSet((a, b))
+        pairs = np.tile(np.array((0, 1), dtype=np.int64), (REPEATS, 1))
+        features = np.tile(self.begun, (REPEATS, 1))
+        began = perf_counter()
+        self.time_batch(shapes, pairs, features)
+        self.watch.add("query", (perf_counter() - began) / REPEATS)
+        return self.watch.median("query")
+
+    def frame(self) -> Frame:
+        view = self.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        return (WarmUp("two polygons", lambda: cls().advance(cls.dt)),)
