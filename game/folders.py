@@ -10,6 +10,8 @@ from __future__ import annotations
 import os
 import stat
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import platformdirs
@@ -50,6 +52,20 @@ def cache_folder() -> Path:
     """
     system = platformdirs.user_cache_dir("carom", appauthor=False)
     return _chosen("CAROM_CACHE_DIR") or _absolute(system, "cache")
+
+
+@contextmanager
+def home_at(folder: Path) -> Iterator[None]:
+    """Everything that is written, but for the cache, goes to this folder for a while."""
+    before = os.environ.get("CAROM_HOME")
+    os.environ["CAROM_HOME"] = str(folder)
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ["CAROM_HOME"]
+        else:
+            os.environ["CAROM_HOME"] = before
 
 
 def _chosen(variable: str) -> Path | None:

@@ -9,46 +9,9 @@ import pygame
 import pytest
 from tests_app import Driver, example_entry
 
-from game.app.keys import COMMANDS, parse_chord
+from game.app.fuzz.hand import SIZES, any_event
 from game.app.scene.screen import SceneScreen
 from game.stage.catalogue import Catalogue
-
-PLACES = [parse_chord(command.key) for command in COMMANDS if command.name not in ("quit", "full-screen")]
-LETTERS = [parse_chord(letter) for letter in "abcdefghijklmnoprstuvwxyz"]
-MORE = [parse_chord(word) for word in ("return", "up", "down", "left", "right", "end", "delete")]
-SIZES = [(1, 1), (40, 900), (320, 240), (640, 480), (1000, 700), (1280, 720), (1600, 1000)]
-
-
-def any_event(hand: random.Random, size: tuple[int, int]) -> list[pygame.Event]:
-    """One thing that a hand, or the window system, may do."""
-    at = (hand.randrange(-5, size[0] + 5), hand.randrange(-5, size[1] + 5))
-    kind = hand.randrange(12)
-    if kind < 4:
-        chord = hand.choice(PLACES + LETTERS + MORE)
-        code = hand.choice([pygame.K_RETURN, pygame.K_UP, pygame.K_DOWN, pygame.K_a, pygame.K_TAB])
-        fields = {"key": code, "scancode": chord.scancode, "mod": pygame.KMOD_CTRL if chord.control else 0}
-        return [pygame.Event(pygame.KEYDOWN, unicode="", **fields), pygame.Event(pygame.KEYUP, **fields)]
-    if kind < 7:
-        rel = (hand.randrange(-30, 30), hand.randrange(-30, 30))
-        return [pygame.Event(pygame.MOUSEMOTION, pos=at, rel=rel, buttons=(0, 0, 0))]
-    if kind < 10:
-        button, down = hand.choice([1, 1, 1, 2, 3, 9]), hand.random() < 0.5
-        return [pygame.Event(pygame.MOUSEBUTTONDOWN if down else pygame.MOUSEBUTTONUP, pos=at, button=button)]
-    if kind == 10:
-        return [pygame.Event(pygame.MOUSEWHEEL, x=0, y=hand.randrange(-3, 4), pos=at)]
-    other = [
-        pygame.Event(pygame.WINDOWFOCUSLOST),
-        pygame.Event(pygame.WINDOWLEAVE),
-        pygame.Event(pygame.WINDOWMINIMIZED),
-        pygame.Event(pygame.WINDOWRESTORED),
-        pygame.Event(pygame.TEXTINPUT, text=hand.choice("ab1-. é")),
-        pygame.Event(pygame.JOYAXISMOTION, instance_id=0, axis=hand.randrange(4), value=hand.uniform(-1, 1)),
-        pygame.Event(pygame.JOYBUTTONDOWN, instance_id=0, button=hand.randrange(9)),
-        pygame.Event(pygame.JOYBUTTONUP, instance_id=0, button=hand.randrange(9)),
-        pygame.Event(pygame.JOYHATMOTION, instance_id=0, hat=0, value=(hand.randrange(-1, 2), 0)),
-        pygame.Event(pygame.USEREVENT),
-    ]
-    return [hand.choice(other)]
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

@@ -1,0 +1,178 @@
+"""One scene under a random hand: events, parameter values and files, and what came of them."""
+
+from __future__ import annotations
+
+import math
+import traceback
+from pathlib import Path
+from random import Random
+from time import perf_counter
+from typing import Any, NamedTuple
+
+import pygame
+
+from game.app.driver import Driver
+from game.app.fuzz.hand import SIZES, any_drag, any_event
+from game.app.fuzz.hostile import spoil
+from game.app.fuzz.values import any_value
+from game.app.keys import parse_chord
+from game.app.memory import resident_bytes
+from game.app.scene.screen import SceneScreen
+from game.levels import LevelError, level_files, parse_level
+from game.stage.catalogue import Catalogue
+from game.stage.events import SetEffect, SetKnob
+
+SLOW_S = 0.1  # an event whose frame takes longer is felt as a hang
+FRAME_LENGTHS = (0.0, 0.0, 0.004, 0.016, 0.016, 0.1)  # s of simulated time
+AGAIN = 400  # events after which the scene is opened anew, so that what broke it does not hide the rest
+
+
+class FuzzReport(NamedTuple):
+    """What came of a scene: events posted, knob values refused, files refused, faults told to the user,
+    frames of no simulated time longer than SLOW_S and the longest of them (s), growth of memory in the
+    second half (bytes), and the trouble: empty, or what was raised, with the number of the event."""
+
+    scene: str
+    events: int
+    refused: int
+    bad_files: int
+    faults: int
+    slow: int
+    longest_s: float
+    growth: int
+    trouble: str
+
+
+class FuzzSession:
+    """Plays one scene of a catalogue with a random hand of that seed; the user's files go to ``folder``."""
+
+    def __init__(self, catalogue: Catalogue, scene: str, seed: int, folder: Path):
+        self.scene = scene
+        self.hand = Random(f"{scene} {seed}")
+        self.driver = Driver(folder, (1280, 720), catalogue)
+        self.folder = folder
+        self.events = self.refused = self.bad_files = self.faults = self.slow = 0
+        self.longest_s = 0.0
+
+    def run(self, events: int) -> FuzzReport:
+        """Post so many events; never raises."""
+        trouble = ""
+        half = grown = 0
+        try:
+            while self.events < events and not trouble:
+                if self.events % AGAIN == 0 or not isinstance(self.driver.top, SceneScreen):
+                    self._open()
+                if not half and 2 * self.events >= events:
+                    half = resident_bytes()
+                trouble = self._one_thing()
+            grown = resident_bytes() - half if half else 0
+        except Exception:
+            trouble = traceback.format_exc(limit=-3)
+        finally:
+            self.driver.close()
+        where = f"event {self.events}: {trouble}" if trouble else ""
+        return FuzzReport(
+            self.scene, self.events, self.refused, self.bad_files, self.faults, self.slow, self.longest_s,
+            grown, where,
+        )  # fmt: skip
+
+    def _open(self) -> None:
+        """The scene anew, with any of its levels."""
+        driver = self.driver
+        driver.resize(1280, 720)
+        if not driver.app.running:
+            raise RuntimeError("the program has ended")
+        files = level_files(self.scene)
+        driver.app.open_scene(self.scene, level=self.hand.choice(files) if files else None)
+        screen = driver.top
+        if screen.loader is not None:
+            screen.loader.wait(300.0)
+        driver.frames(2)
+        if not isinstance(driver.top, SceneScreen):
+            raise RuntimeError(f"{self.scene} could not be opened")
+        self.events += 1
+
+    def _one_thing(self) -> str:
+        """One event, drag, value, or file; what is wrong after it."""
+        hand, driver = self.hand, self.driver
+        play = getattr(driver.top, "play", None)
+        kind = hand.random()
+        if play is None or kind < 0.7:
+            chords = self._chords(play)
+            self._frame(any_event(hand, driver.window.size, chords))
+        elif kind < 0.8:
+            for events in any_drag(hand, driver.window.size):
+                self._frame(events)
+        elif kind < 0.93:
+            self._set_something(play)
+        elif kind < 0.97:
+            self._open_spoilt_level(play)
+        else:
+            driver.resize(*hand.choice(SIZES))
+            self.events += 1
+        return self._check()
+
+    @staticmethod
+    def _chords(play: Any) -> list[Any]:
+        actions = play.stage.scene.actions if play is not None else ()
+        return [parse_chord(action.key) for action in actions]
+
+    def _frame(self, events: list[pygame.Event]) -> None:
+        """Post events in a frame; one in which no time passes is measured."""
+        self.driver.waiting += events
+        self.events += 1
+        seconds = self.hand.choice(FRAME_LENGTHS)
+        if seconds > 0.0:
+            self.driver.frames(1, seconds)
+            return
+        begin = perf_counter()
+        self.driver.frames(1, 0.0)
+        took = perf_counter() - begin
+        self.longest_s = max(self.longest_s, took)
+        self.slow += took > SLOW_S
+
+    def _set_something(self, play: Any) -> None:
+        """A knob to any value, or an effect on or off."""
+        scene, hand = play.stage.scene, self.hand
+        knobs = list(scene.knobs().items())
+        effects = scene.effects.names
+        self.events += 1
+        if effects and (not knobs or hand.random() < 0.2):
+            play.post(SetEffect(hand.choice(effects), hand.random() < 0.5))
+        elif knobs:
+            name, knob = hand.choice(knobs)
+            if not play.post(SetKnob(name, any_value(hand, knob))):
+                self.refused += 1
+        self.driver.frames(1, hand.choice(FRAME_LENGTHS))
+
+    def _open_spoilt_level(self, play: Any) -> None:
+        """A level of the scene, spoilt: it is refused in one line, or opens."""
+        files = level_files(self.scene)
+        self.events += 1
+        if not files:
+            return
+        scene_type = play.stage.scene_type
+        text = spoil(self.hand.choice(files).read_text(encoding="utf-8"), self.hand)
+        try:
+            play.stage.load_level(parse_level(text, self.scene, scene_type.content_type))
+        except LevelError as error:
+            self.bad_files += 1
+            if "\n" in str(error):
+                raise RuntimeError(f"not one line: {error}") from error
+        self.driver.frames(1, 0.016)
+
+    def _check(self) -> str:
+        """What is wrong with the scene now; a fault that was told to the user is counted and reset."""
+        play = getattr(self.driver.top, "play", None)
+        if play is None:
+            return ""
+        if play.drawing_error:
+            return play.drawing_error
+        fault = play.stage.fault
+        if fault is None:
+            return "" if math.isfinite(play.stage.time_s) else "the time is not finite"
+        if fault.error is not None:
+            return f"the scene raised {fault.quantity}: {fault.message}"
+        self.faults += 1
+        play.reset()
+        return ""
