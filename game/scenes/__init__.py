@@ -35,6 +35,16 @@ CATALOGUE = Catalogue(
             keywords="billiards exact event driven stepped chaos accuracy spin draw masse",
         ),
         Entry(
+            name="c01",
+            task="C01",
+            title="Key-frames",
+            fact="twelve ways between keys",
+            category="Animation",
+            module="game.scenes.c01_key_framing",
+            class_name="KeyFraming",
+            keywords="keyframes interpolation nearest linear bezier catmull rom spline easing onion skin",
+        ),
+        Entry(
             name="c04",
             task="C04",
             title="Particle fountain",

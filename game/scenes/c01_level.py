@@ -1,0 +1,60 @@
+"""What a level file of the key-framing scene may say: keys, the timing curve, the view."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import msgspec
+
+MOST_KEYS = 200
+Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
+Speed = Annotated[float, msgspec.Meta(ge=-100_000.0, le=100_000.0)]  # m/s
+Part = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
+Point = tuple[Metre, Metre]
+Velocity = tuple[Speed, Speed]
+
+
+class KeyEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+    """A key-frame: time s, position m, angle degrees.
+
+    velocity: m/s, for Bezier curves, whose control points lie a third of the piece's duration times it before
+    and after the key; without, it is found from the neighbours. velocity_before: another one before the key,
+    which is then a corner.
+    """
+
+    time: Part
+    position: Point = (0.0, 0.0)
+    angle: Annotated[float, msgspec.Meta(ge=-36_000.0, le=36_000.0)] = 0.0
+    velocity: Velocity | None = None
+    velocity_before: Velocity | None = None
+
+
+class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+    """The part of the world in view, m; its lowest quarter is the timeline."""
+
+    left: Metre = -6.4
+    bottom: Metre = -3.45
+    right: Metre = 6.4
+    top: Metre = 3.2
+
+
+class Motion(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+    """[content] of a key-framing level.
+
+    keys: in any order; of equal times the order counts. timing: x1, y1, x2, y2 of the timing curve, where the
+    panel says "own". start: s, time of the keys where the slider has 0. box: width and height, m.
+    """
+
+    keys: Annotated[tuple[KeyEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_KEYS)] = (
+        KeyEntry(time=0.0),
+    )
+    timing: tuple[Part, Annotated[float, msgspec.Meta(ge=-3.0, le=4.0)], Part,
+                  Annotated[float, msgspec.Meta(ge=-3.0, le=4.0)]] = (0.42, 0.0, 0.58, 1.0)  # fmt: skip
+    start: Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)] = 0.0
+    box: tuple[
+        Annotated[float, msgspec.Meta(gt=0.0, le=100.0)], Annotated[float, msgspec.Meta(gt=0.0, le=100.0)]
+    ] = (
+        1.1,
+        0.66,
+    )
+    view: View = View()

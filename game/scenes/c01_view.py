@@ -1,0 +1,252 @@
+"""How the key-framing scene is drawn: path, onion skin, keys, the box, the timeline, the timing curve."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.animation import CONSTANT_SPEED, EASING, mix_rotations
+from game.scenes.c01_animation import Animation
+from game.scenes.c01_hand import turning_handle
+from game.scenes.c01_timeline import Places, places_of, x_of
+from game.ui.canvas import PREDICTION_DASH, Canvas
+
+if TYPE_CHECKING:
+    from game.scenes.c01_key_framing import KeyFraming
+
+Array = NDArray[np.float64]
+MOST_POSES = 40  # keys that are drawn as boxes; more would hide each other
+MOST_TIMES = 14  # keys whose times are written
+ARROW_SECONDS = 0.06  # s of way that the arrow of velocity shows
+LONGEST_ARROW = 2.2  # m
+_UNIT_BOX = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])
+
+
+def box_corners(pose: Sequence[float] | Array, box: tuple[float, float]) -> Array:
+    """Corners (4, 2) of a box of width and height at a pose x, y, angle."""
+    x, y, angle = float(pose[0]), float(pose[1]), float(pose[2])
+    cos, sin = math.cos(angle), math.sin(angle)
+    return (_UNIT_BOX * box) @ np.array([(cos, sin), (-sin, cos)]) + (x, y)
+
+
+class KeyFramingView:
+    """Draws the scene; keeps nothing but the times of the timing curve."""
+
+    def __init__(self) -> None:
+        self._parts = np.linspace(0.0, 1.0, 61)
+
+    def legend(self, scene: KeyFraming) -> Sequence[tuple[str, str, str]]:
+        """What the marks mean."""
+        keys = len(scene.motion.keys)
+        rows = [
+            ("box:text1", "box now", f"{scene.present():.2f} s"),
+            ("ring:accent", "key-frames", str(keys)),
+        ]
+        if scene.onion:
+            rows.append(("box:ghost", "onion skin", str(scene.onion)))
+        if scene.interpolation != "nearest" and keys + scene.closed > 1:
+            rows.append(("line:chalk", "path", f"{scene.animation().length:.3g} m"))
+        if scene.compare != "none":
+            rows.append(("dash:pink", _label(scene.compare).lower(), ""))
+        if scene.matrices:
+            rows.append(("box:vermilion", "matrices mixed", ""))
+        return rows
+
+    def draw(self, scene: KeyFraming, canvas: Canvas) -> None:
+        """All of it, from the back to the front."""
+        animation, places = scene.animation(), places_of(scene.motion.view)
+        canvas.grid(None, "")
+        if scene.compare != "none":
+            self._draw_compared(scene, canvas)
+        self._draw_path(scene, canvas, animation)
+        self._draw_onion(scene, canvas, animation)
+        if scene.interpolation == "bezier":
+            self._draw_handles(scene, canvas, animation)
+        self._draw_keys(scene, canvas)
+        self._draw_box(scene, canvas, animation)
+        self._draw_timeline(scene, canvas, animation, places)
+        if EASING in scene.active:
+            self._draw_timing(scene, canvas, animation, places)
+
+    # -- on the stage -------------------------------------------------------------------------------
+
+    def _draw_path(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
+        places = animation.track.values[:, :2]
+        times = animation.track.times
+        jumps = (
+            np.flatnonzero(np.diff(times) == 0.0)
+            if scene.interpolation != "nearest"
+            else range(len(times) - 1)
+        )
+        for i in jumps:
+            canvas.line(tuple(places[i]), tuple(places[i + 1]), "ghost", 1.2, dash=(2.0, 6.0))
+        for chain in animation.chains(scene.tolerance):
+            canvas.polyline(chain, "chalk", 2.2)
+            if scene.corners:
+                for point in chain:
+                    canvas.dot(tuple(point), 2.6, "text1")
+
+    def _draw_compared(self, scene: KeyFraming, canvas: Canvas) -> None:
+        other = scene.animation(scene.compare)
+        for chain in other.chains(scene.tolerance):
+            canvas.polyline(chain, "pink", 1.6, dash=PREDICTION_DASH)
+        corners = box_corners(other.pose(scene.shown_part()), scene.motion.box)
+        canvas.polygon(corners, outline="pink", width=1.6)
+
+    def _draw_onion(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
+        count = int(scene.onion)
+        if not count:
+            return
+        parts = (np.arange(count) + 0.5) / count
+        now = scene.shown_part()
+        for part, pose in zip(parts.tolist(), animation.poses(parts), strict=True):
+            apart = abs(part - now)
+            apart = min(apart, 1.0 - apart) if scene.closed else apart
+            alpha = 0.2 + 0.4 * max(0.0, 1.0 - apart / 0.25)
+            canvas.polygon(box_corners(pose, scene.motion.box), outline="ghost", width=1.2, alpha=alpha)
+
+    def _draw_handles(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
+        for key, pair in zip(scene.motion.keys, animation.handles(), strict=True):
+            for point in pair:
+                if np.isfinite(point).all():
+                    canvas.line(key.position, tuple(point), "green", 1.4)
+                    canvas.dot(tuple(point), 4.5, "stage")
+                    canvas.ring(tuple(point), 4.5, "green", 2.0)
+
+    def _draw_keys(self, scene: KeyFraming, canvas: Canvas) -> None:
+        keys, box = scene.motion.keys, scene.motion.box
+        for i, key in enumerate(keys):
+            chosen = i == scene.chosen
+            if len(keys) <= MOST_POSES:
+                pose = (*key.position, math.radians(key.angle))
+                color = "amber" if chosen else "text2"
+                canvas.polygon(box_corners(pose, box), outline=color, width=1.4, alpha=1.0 if chosen else 0.7)
+                tip = turning_handle(scene, *pose)
+                canvas.line(key.position, tip, color, 1.2, alpha=1.0 if chosen else 0.5)
+                canvas.dot(tip, 3.4, color)
+            canvas.handle(key.position)
+            if len(keys) <= MOST_TIMES:
+                canvas.label(key.position, f"{key.time:.2f} s", "text2", 11, offset=(0.0, 15.0))
+
+    def _draw_box(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
+        x, y, angle = pose = scene.shown_pose()
+        box = scene.motion.box
+        if scene.matrices:
+            self._draw_mixed(scene, canvas, animation)
+        corners = box_corners(pose, box)
+        canvas.polygon(corners, fill="body", fill_alpha=0.9, outline="text1", width=2.4)
+        nose = (x + 0.5 * box[0] * math.cos(angle), y + 0.5 * box[0] * math.sin(angle))
+        tip = turning_handle(scene, x, y, angle)
+        canvas.line((x, y), nose, "text1", 1.6)
+        canvas.line(nose, tip, "accent", 1.4)
+        canvas.handle(tip)
+        canvas.dot((x, y), 4.5, "amber")
+        if scene.velocity and not scene.hand[0]:
+            way = animation.velocity(scene.shown_part()) * ARROW_SECONDS
+            length = math.sqrt(float(way @ way))
+            way = way * min(1.0, LONGEST_ARROW / length) if length > 0.0 else way
+            canvas.arrow((x, y), tuple(way), "chalk", "v")
+
+    def _draw_mixed(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
+        """The box by rotation matrices mixed between the keys on either side."""
+        track = animation.track
+        time = float(animation.playback.key_times(scene.shown_part()))
+        i = int(np.clip(np.searchsorted(track.times, time, side="right") - 1, 0, max(len(track) - 2, 0)))
+        j = min(i + 1, len(track) - 1)
+        length = float(track.times[j] - track.times[i])
+        share = min(max((time - float(track.times[i])) / length, 0.0), 1.0) if length > 0.0 else 0.0
+        mixed = mix_rotations(float(track.values[i, 2]), float(track.values[j, 2]), share)
+        x, y, _ = scene.shown_pose()
+        corners = (_UNIT_BOX * scene.motion.box) @ mixed.T + (x, y)
+        canvas.polygon(corners, fill="vermilion", fill_alpha=0.28, outline="vermilion", width=2.0)
+
+    # -- over time ----------------------------------------------------------------------------------
+
+    def _draw_timeline(self, scene: KeyFraming, canvas: Canvas, animation: Animation, places: Places) -> None:
+        band, plot = places.band, places.plot
+        seen = canvas.camera.visible()
+        left, right = min(seen.left, band.left), max(seen.right, band.right)
+        floor = min(seen.bottom, band.bottom)
+        corners = np.array([(left, floor), (right, floor), (right, band.top), (left, band.top)])
+        canvas.polygon(corners, fill="panel")
+        canvas.line((left, band.top), (right, band.top), "line", 1.0)
+        self._draw_speeds(canvas, animation, places)
+        canvas.line((plot.left, places.axis), (plot.right, places.axis), "line2", 1.6)
+        for tenth in range(11):
+            x = x_of(places, 0.1 * tenth)
+            canvas.line(
+                (x, places.axis), (x, places.axis - canvas.px(5.0 if tenth % 5 else 8.0)), "line2", 1.2
+            )
+            if tenth % 2 == 0:
+                words = f"{0.1 * tenth:.1f}" if 0 < tenth < 10 else ("0" if tenth == 0 else "1 s")
+                canvas.label((x, places.axis), words, "text3", 11, offset=(0.0, 16.0), halo=False)
+        self._draw_marks(scene, canvas, animation, places)
+        x = x_of(places, scene.present())
+        top = plot.top + canvas.px(6.0)
+        canvas.line((x, places.axis), (x, top), "amber", 1.6)
+        w, h = canvas.px(6.0), canvas.px(9.0)
+        canvas.polygon(np.array([(x, top - h), (x + w, top), (x - w, top)]), fill="amber")
+        side = "right" if scene.present() > 0.9 else "left"
+        offset = (-10.0 if side == "right" else 10.0, -2.0)
+        canvas.label((x, top), f"{scene.present():.3f} s", "amber", 12, "semibold", side, offset, halo=False)
+
+    def _draw_speeds(self, canvas: Canvas, animation: Animation, places: Places) -> None:
+        plot = places.plot
+        speeds = animation.speeds
+        most = float(speeds.max())
+        scale = (plot.top - plot.bottom) / most if most > 0.0 else 0.0
+        x = plot.left + animation.parts * (plot.right - plot.left)
+        curve = np.column_stack((x, plot.bottom + speeds * scale))
+        area = np.concatenate((curve, [(plot.right, plot.bottom), (plot.left, plot.bottom)]))
+        if most > 0.0:
+            canvas.polygon(area, fill="chalk", fill_alpha=0.16)
+            canvas.polyline(curve, "chalk", 1.6)
+        words = f"Speed, up to {most:.3g} m/s" if most > 0.0 else "Speed: nothing moves"
+        canvas.label((plot.left, plot.top), words, "text2", 12, anchor="left", offset=(0.0, -8.0), halo=False)
+
+    def _draw_marks(self, scene: KeyFraming, canvas: Canvas, animation: Animation, places: Places) -> None:
+        """Diamonds at the times of keys, and where each is reached if that is another time."""
+        timed = EASING in scene.active or CONSTANT_SPEED in scene.active
+        arrivals = animation.arrivals.tolist() if timed else []
+        for i, key in enumerate(scene.motion.keys):
+            x = x_of(places, key.time)
+            if timed and math.isfinite(arrivals[i]):
+                there = (x_of(places, arrivals[i]), places.plot.bottom)
+                canvas.line((x, places.axis), there, "text3", 1.0)
+                canvas.dot(there, 2.6, "text2")
+            size = canvas.px(6.5)
+            diamond = [
+                (x, places.axis + size),
+                (x + size, places.axis),
+                (x, places.axis - size),
+                (x - size, places.axis),
+            ]
+            color = "amber" if i == scene.chosen else "accent"
+            canvas.polygon(np.array(diamond), fill=color, outline="panel", width=1.2)
+
+    def _draw_timing(self, scene: KeyFraming, canvas: Canvas, animation: Animation, places: Places) -> None:
+        box = places.timing
+        frame = np.array([box.at(0, 0), box.at(1, 0), box.at(1, 1), box.at(0, 1)])
+        canvas.polygon(frame, fill="panel", fill_alpha=0.9, outline="line2", width=1.0)
+        canvas.line(box.at(0, 0), box.at(1, 1), "line2", 1.0, dash=(4.0, 4.0))
+        x1, y1, x2, y2 = scene.timing()
+        curve = np.column_stack((self._parts, animation.easing(self._parts)))
+        canvas.line(box.at(0, 0), box.at(x1, y1), "green", 1.4)
+        canvas.line(box.at(1, 1), box.at(x2, y2), "green", 1.4)
+        canvas.polyline(np.array([box.at(x, y) for x, y in curve]), "chalk", 2.2)
+        for spot in (box.at(x1, y1), box.at(x2, y2)):
+            canvas.dot(spot, 4.5, "stage")
+            canvas.ring(spot, 4.5, "green", 2.0)
+        now = scene.shown_part()
+        canvas.dot(box.at(now, float(animation.easing(now))), 4.0, "amber")
+        canvas.label(box.at(0.5, 1.0), "Timing curve", "text2", 12, anchor="bottom", offset=(0.0, -6.0))
+
+
+def _label(name: str) -> str:
+    from game.scenes.c01_key_framing import SHORT
+
+    return SHORT[name]
