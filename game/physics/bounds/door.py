@@ -1,0 +1,60 @@
+"""The door of the bounding volumes: what is no point and no line is refused here, in one line."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+LARGEST = 1e100  # m; products of two such numbers are still far from overflow
+MOST_POINTS = 1 << 20
+
+
+def as_points(values: ArrayLike, name: str = "points") -> Array:
+    """Points as an (n, 2) array of their own, m; ValueError if there is none or one is no finite point."""
+    try:
+        given = np.array(values, dtype=np.float64, order="C")
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: an (n, 2) array of numbers is wanted") from None
+    if given.ndim != 2 or given.shape[1] != 2:
+        raise ValueError(f"{name}: shape (n, 2) is wanted, not {given.shape}")
+    if not 1 <= len(given) <= MOST_POINTS:
+        raise ValueError(f"{name}: 1 to {MOST_POINTS} points are wanted, not {len(given)}")
+    bad = ~(np.abs(given) <= LARGEST).all(axis=1)
+    if bad.any():
+        i = int(bad.argmax())
+        raise ValueError(f"{name}[{i}]: {given[i].tolist()} is not finite or beyond {LARGEST:g} m")
+    return given + 0.0  # no negative zero
+
+
+def as_step(step_degrees: float) -> float:
+    """An angle step in degrees; ValueError unless above 0.001 and up to 90."""
+    step = float(step_degrees)
+    if not 1e-3 <= step <= 90.0:
+        raise ValueError(f"step_degrees: 0.001 to 90 is wanted, not {step_degrees!r}")
+    return step
+
+
+def as_vector(values: Any, name: str) -> tuple[float, float]:
+    """Two finite numbers, m."""
+    x, y = as_points([values], name)[0].tolist()
+    return x, y
+
+
+def as_angle(angle: float, name: str) -> float:
+    """A finite angle, rad."""
+    if not math.isfinite(angle):
+        raise ValueError(f"{name}: a finite angle is wanted, not {angle!r}")
+    return float(angle)
+
+
+def turns_of(step_degrees: float) -> Array:
+    """Directions (k, 2) from 0 to below 90 degrees, so many degrees apart: cosine and sine."""
+    count = max(1, math.ceil(90.0 / step_degrees - 1e-9))
+    return np.array(
+        [(math.cos(a), math.sin(a)) for a in (math.radians(i * step_degrees) for i in range(count))]
+    )

@@ -1,0 +1,147 @@
+"""One box or one capsule round a set of points: by degrees as the course says, refined, and exactly."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.bounds.building import AABB, CALIPERS, CAPSULE, OBB, REFINED, SEARCH, fit_volume
+from game.physics.bounds.door import Array, as_points, as_step, turns_of
+from game.physics.bounds.hull import hull_of
+
+ROUNDING = 1e-12  # of the extent, that a point may lie outside of its volume
+
+
+class Box(NamedTuple):
+    """An oriented box. centre m; axis: unit vector along the longer side; half: its half lengths, m."""
+
+    centre: tuple[float, float]
+    axis: tuple[float, float]
+    half: tuple[float, float]
+
+    @property
+    def area(self) -> float:
+        """m²."""
+        return 4.0 * self.half[0] * self.half[1]
+
+    def corners(self) -> Array:
+        """Corners (4, 2), counter-clockwise, m."""
+        (x, y), (c, s), (a, b) = self.centre, self.axis, self.half
+        return np.array(
+            [
+                (x + c * u - s * v, y + s * u + c * v)
+                for u, v in ((-a, -b), (a, -b), (a, b), (-a, b))
+            ]
+        )  # fmt: skip
+
+    def outside(self, points: ArrayLike) -> Array:
+        """How far points (n, 2) lie beyond the nearest side, m; 0 or less inside."""
+        off = np.asarray(points, dtype=np.float64).reshape(-1, 2) - self.centre
+        c, s = self.axis
+        along, across = np.abs(off @ (c, s)) - self.half[0], np.abs(off @ (-s, c)) - self.half[1]
+        return np.maximum(along, across)
+
+
+class Capsule(NamedTuple):
+    """All points within ``radius`` (m) of the core from ``start`` to ``end`` (m)."""
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    radius: float
+
+    @property
+    def length(self) -> float:
+        """Length of the core, m."""
+        dx, dy = self.end[0] - self.start[0], self.end[1] - self.start[1]
+        return math.sqrt(dx * dx + dy * dy)
+
+    @property
+    def area(self) -> float:
+        """m²."""
+        return 2.0 * self.radius * self.length + math.pi * self.radius**2
+
+    def outside(self, points: ArrayLike) -> Array:
+        """Distance of points (n, 2) from the core less the radius, m; 0 or less inside."""
+        off = np.asarray(points, dtype=np.float64).reshape(-1, 2) - self.start
+        way = np.array(self.end) - self.start
+        square = float(way @ way)
+        share = np.clip(off @ way / square, 0.0, 1.0) if square > 0.0 else np.zeros(len(off))
+        rest = off - share[:, None] * way
+        return np.sqrt((rest * rest).sum(axis=1)) - self.radius
+
+
+def fit_row(points: Array, kind: int, fit: int, step_degrees: float) -> NDArray[np.float64]:
+    """Row (6,) of the volume of checked points (n, 2)."""
+    hull, origin = hull_of(points)
+    volumes = np.zeros((1, 6))
+    x, y = origin.tolist()
+    step = math.radians(step_degrees)
+    turns = turns_of(step_degrees)
+    supports, bounds = np.zeros(4, dtype=np.int64), np.zeros((2 * len(turns), 3))
+    fit_volume(kind, fit, hull, len(hull), turns, step, x, y, volumes, 0, supports, bounds)
+    return volumes[0]
+
+
+def box_of(row: ArrayLike) -> Box:
+    """A row of six numbers as a box."""
+    x, y, c, s, a, b = np.asarray(row).tolist()
+    return Box((x, y), (c, s), (a, b))
+
+
+def capsule_of(row: ArrayLike) -> Capsule:
+    """A row of six numbers as a capsule."""
+    ax, ay, bx, by, radius, _ = np.asarray(row).tolist()
+    return Capsule((ax, ay), (bx, by), radius)
+
+
+def fit_obb(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = False) -> Box:
+    """The box of least area among those turned by multiples of a step; the first of equal ones.
+
+    points (n, 2) m; each axis pair is turned from 0 to below 90 degrees, the points are projected, the
+    centre is the middle of the projections. ``refine``: the best angle is improved by golden section. With a
+    best rectangle of aspect a and a step of 2 δ the area is within 1 + (a + 1/a) sin(2 δ) / 2 of the least.
+    """
+    fit = REFINED if refine else SEARCH
+    return box_of(fit_row(as_points(points), OBB, fit, as_step(step_degrees)))
+
+
+def minimal_obb(points: ArrayLike) -> Box:
+    """The box of least area round points (n, 2) m, by rotating calipers (Freeman and Shapira 1975)."""
+    return box_of(fit_row(as_points(points), OBB, CALIPERS, 1.0))
+
+
+def upright_box(points: ArrayLike) -> Box:
+    """The box of points (n, 2) m whose sides are upright and level."""
+    return box_of(fit_row(as_points(points), AABB, SEARCH, 1.0))
+
+
+def principal_box(points: ArrayLike) -> Box:
+    """The box of points (n, 2) m on the axes of their greatest and least variance: quick, not small."""
+    given = as_points(points)
+    off = given - given.mean(axis=0)
+    xx, xy, yy = float(off[:, 0] @ off[:, 0]), float(off[:, 0] @ off[:, 1]), float(off[:, 1] @ off[:, 1])
+    angle = 0.5 * math.atan2(2.0 * xy, xx - yy)
+    c, s = math.cos(angle), math.sin(angle)
+    along, across = off @ (c, s), off @ (-s, c)
+    u, v = 0.5 * (along.max() + along.min()), 0.5 * (across.max() + across.min())
+    x, y = given.mean(axis=0).tolist()
+    half = 0.5 * float(np.ptp(along)), 0.5 * float(np.ptp(across))
+    return Box((x + c * u - s * v, y + s * u + c * v), (c, s), half)
+
+
+def fit_capsule(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = False) -> Capsule:
+    """The capsule of least area whose core lies along a multiple of a step, in the middle of the projection.
+
+    points (n, 2) m. Its radius is half of the breadth, its core as short as the round ends allow.
+    ``refine``: the best angle is improved by golden section.
+    """
+    fit = REFINED if refine else SEARCH
+    return capsule_of(fit_row(as_points(points), CAPSULE, fit, as_step(step_degrees)))
+
+
+def thinnest_capsule(points: ArrayLike) -> Capsule:
+    """The capsule of least radius round points (n, 2) m, with the shortest core for it, by calipers."""
+    return capsule_of(fit_row(as_points(points), CAPSULE, CALIPERS, 1.0))

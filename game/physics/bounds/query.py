@@ -1,0 +1,249 @@
+"""The question two trees are asked: where do you overlap? Once (`tandem`), or from step to step (`Query`)."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.bounds import traversal
+from game.physics.bounds.building import CHILD, PARENT
+from game.physics.bounds.door import Array, as_angle, as_vector
+from game.physics.bounds.segments import SCRATCH
+from game.physics.bounds.tree import BoundingTree
+from game.physics.jit import kernel
+
+Indices = NDArray[np.int64]
+REST, ANCESTOR, OVERLAPPING = 0, 1, 2  # marks of nodes
+ROUNDINGS = 64.0 * np.finfo(float).eps  # of all coordinates together, that a gap must exceed to separate
+NOT_BEGUN = np.array([[0, 0, traversal.MET, 0, 0]], dtype=np.int32)
+
+
+class Tandem(NamedTuple):
+    """What a query found.
+
+    leaf_pairs (k, 2): leaves of both trees that overlap. crossings (c, 2): segments that meet, sorted.
+    volume_tests, segment_tests: how many were made. rows (n, 5): the pairs of nodes in order, with verdict
+    (traversal.APART, OPENED, MET), age, and whether the pair was tested. gaps (n, 3): for tested ones the gap
+    in m and its axis, a unit vector from a to b, in the frame of the first tree.
+    """
+
+    leaf_pairs: Indices
+    crossings: Indices
+    volume_tests: int
+    segment_tests: int
+    rows: NDArray[np.int32]
+    gaps: Array
+
+    @property
+    def separated(self) -> bool:
+        """Whether no two leaves overlap."""
+        return len(self.leaf_pairs) == 0
+
+
+@kernel
+def mark_nodes(rows, count, parents_a, parents_b, marks_a, marks_b):
+    """Mark leaves that overlap, and their ancestors up to the roots; ``marks`` (m,) uint8 are written."""
+    for i in range(len(marks_a)):
+        marks_a[i] = 0
+    for i in range(len(marks_b)):
+        marks_b[i] = 0
+    for k in range(count):
+        if rows[k, 2] != 2:
+            continue
+        for tree in range(2):
+            marks = marks_a if tree == 0 else marks_b
+            parents = parents_a if tree == 0 else parents_b
+            node = rows[k, tree]
+            marks[node] = 2
+            node = parents[node]
+            while node >= 0 and marks[node] == 0:
+                marks[node] = 1
+                node = parents[node]
+
+
+class Query:
+    """Two trees that are asked again and again; keeps its room, and the front if told to go on from it.
+
+    After `run`: ``volume_tests``, ``segment_tests``, ``leaves_met``, ``crossing_count``; `answer` copies all.
+    """
+
+    def __init__(self, tree_a: BoundingTree, tree_b: BoundingTree):
+        if tree_a.kind != tree_b.kind:
+            raise ValueError(f"trees: of one kind are wanted, not {tree_a.kind} and {tree_b.kind}")
+        self.tree_a, self.tree_b = tree_a, tree_b
+        self._rows = np.zeros((256, 5), dtype=np.int32)
+        self._old = np.zeros((256, 5), dtype=np.int32)
+        self._old[:1] = NOT_BEGUN
+        self._old_count = 1
+        self._gaps = np.zeros((256, 3))
+        self._crossings = np.zeros((32, 2), dtype=np.int64)
+        self._stack = np.zeros((tree_a.depth + tree_b.depth + 3, 2), dtype=np.int64)
+        self._counts = np.zeros(5, dtype=np.int64)
+        self._place = np.array([1.0, 0.0, 0.0, 0.0])
+        self._scratch = np.zeros(SCRATCH)
+        self._marks = np.zeros(len(tree_a), dtype=np.uint8), np.zeros(len(tree_b), dtype=np.uint8)
+        self._parents = tuple(np.ascontiguousarray(tree.links[:, PARENT]) for tree in (tree_a, tree_b))
+
+    def run(
+        self,
+        offset_b: ArrayLike,
+        turn_b: float = 0.0,
+        *,
+        exact: bool = True,
+        coherent: bool = False,
+        patience: int = traversal.PATIENCE,
+    ) -> None:
+        """Ask with the second tree turned by ``turn_b`` (rad) and moved by ``offset_b`` (m).
+
+        exact: test the segments of leaves that overlap. coherent: begin with the front of the last query.
+        Upright boxes cannot be turned here: turn their tree. ValueError for what is no place.
+        """
+        x, y = as_vector(offset_b, "offset_b")
+        turn = as_angle(turn_b, "turn_b")
+        if turn != 0.0 and self.tree_a.kind == "aabb":
+            raise ValueError("turn_b: upright boxes do not turn; give the tree of the turned polyline")
+        self._place[:] = math.cos(turn), math.sin(turn), x, y
+        if coherent:
+            self._old, self._rows, self._old_count = self._rows, self._old, self.row_count
+            if not self._old_count:
+                self._old[:1], self._old_count = NOT_BEGUN, 1
+        else:
+            self._old[:1], self._old_count = NOT_BEGUN, 1
+        while self._traverse(abs(x) + abs(y), exact, patience) != traversal.DONE:
+            pass
+
+    def _traverse(self, way: float, exact: bool, patience: int) -> int:
+        """One attempt; a result that has no room gets more of it."""
+        a, b = self.tree_a, self.tree_b
+        slack = ROUNDINGS * (a.reach + b.reach + way)
+        status = traversal.traverse(
+            a.kind_number, a.volumes, a.links, a.sizes, a.ends, a.order, b.volumes, b.links, b.sizes, b.ends,
+            b.order, self._place, slack, exact, patience, self._old[: self._old_count], self._rows,
+            self._gaps, self._crossings, self._stack, self._counts, self._scratch,
+        )  # fmt: skip
+        if status == traversal.MORE_ROWS:
+            room = 2 * len(self._rows)
+            self._rows, self._gaps = np.zeros((room, 5), dtype=np.int32), np.zeros((room, 3))
+        elif status == traversal.MORE_CROSSINGS:
+            self._crossings = np.zeros((2 * int(self._counts[traversal.CROSSINGS]), 2), dtype=np.int64)
+        elif len(self._gaps) < len(self._rows):
+            self._gaps = np.zeros((len(self._rows), 3))
+        return int(status)
+
+    @property
+    def row_count(self) -> int:
+        """Pairs written down by the last query."""
+        return int(self._counts[traversal.ROWS])
+
+    @property
+    def volume_tests(self) -> int:
+        """Pairs of volumes tested by the last query."""
+        return int(self._counts[traversal.VOLUMES_TESTED])
+
+    @property
+    def segment_tests(self) -> int:
+        """Pairs of segments tested by the last query."""
+        return int(self._counts[traversal.SEGMENTS_TESTED])
+
+    @property
+    def leaves_met(self) -> int:
+        """Pairs of leaves that overlap."""
+        return int(self._counts[traversal.LEAVES_MET])
+
+    @property
+    def crossing_count(self) -> int:
+        """Pairs of segments that meet."""
+        return int(self._counts[traversal.CROSSINGS])
+
+    @property
+    def rows(self) -> NDArray[np.int32]:
+        """Rows of the last query, as in `Tandem`; good until the next one."""
+        return self._rows[: self.row_count]
+
+    @property
+    def gaps(self) -> Array:
+        """Gaps and axes of the last query; good until the next one."""
+        return self._gaps[: self.row_count]
+
+    @property
+    def crossings(self) -> Indices:
+        """Segments that meet (c, 2), unsorted; good until the next query."""
+        return self._crossings[: self.crossing_count]
+
+    def front(self) -> NDArray[np.int32]:
+        """What the next coherent query begins with; a copy, for a snapshot."""
+        return self.rows[:, :4].copy()
+
+    def begin_with(self, front: NDArray[np.int32]) -> None:
+        """Let the next coherent query begin with a front that `front` gave; an empty one begins anew."""
+        count = len(front)
+        if count > len(self._rows):
+            self._rows, self._gaps = np.zeros((2 * count, 5), dtype=np.int32), np.zeros((2 * count, 3))
+        self._rows[:count, :4] = front
+        self._rows[:count, 4] = 0
+        self._counts[traversal.ROWS] = count
+
+    def marks(self, count: int | None = None) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+        """Marks of both trees' nodes after ``count`` rows (None: all): REST, ANCESTOR, OVERLAPPING."""
+        n = self.row_count if count is None else min(max(count, 0), self.row_count)
+        mark_nodes(self._rows, n, *self._parents, *self._marks)
+        return self._marks
+
+    def answer(self) -> Tandem:
+        """All of the last query, in arrays of its own."""
+        rows, crossings = self.rows, self.crossings
+        order = np.lexsort((crossings[:, 1], crossings[:, 0]))
+        return Tandem(
+            rows[rows[:, traversal.VERDICT] == traversal.MET, :2].astype(np.int64), crossings[order],
+            self.volume_tests, self.segment_tests, rows.copy(), self.gaps.copy(),
+        )  # fmt: skip
+
+    def check(self) -> None:
+        """AssertionError unless the rows cover both trees, and each gap is a certificate of separation.
+
+        The pairs at which branches end must hold every pair of leaves just once.
+        """
+        rows, gaps = self.rows, self.gaps
+        a, b = self.tree_a, self.tree_b
+        covered = 0
+        for node_a, node_b, verdict in rows[:, :3].tolist():
+            if verdict != traversal.OPENED:
+                covered += len(a.segments_of(node_a)) * len(b.segments_of(node_b))
+        assert covered == a.segments * b.segments, f"{covered} of {a.segments * b.segments} segment pairs"
+        assert int((rows[:, traversal.VERDICT] == traversal.OPENED).sum()) * 2 + 1 == len(rows)
+        c, s, x, y = self._place.tolist()
+        turn = np.array([[c, s], [-s, c]])
+        apart = (rows[:, traversal.VERDICT] == traversal.APART) & (rows[:, traversal.TESTED] == 1)
+        for k in np.flatnonzero(apart).tolist():
+            axis = gaps[k, 1:]
+            mine = a.ends[a.segments_of(rows[k, 0])].reshape(-1, 2) @ axis
+            theirs = (b.ends[b.segments_of(rows[k, 1])].reshape(-1, 2) @ turn + (x, y)) @ axis
+            assert theirs.min() - mine.max() > 0.0, f"row {k}: not separated by its axis"
+
+
+def tandem(
+    tree_a: BoundingTree,
+    tree_b: BoundingTree,
+    offset_b: ArrayLike = (0.0, 0.0),
+    turn_b: float = 0.0,
+    *,
+    exact: bool = True,
+) -> Tandem:
+    """Which leaves of two trees overlap, which of their segments meet, and how that was found.
+
+    The second tree is turned by ``turn_b`` (rad) about its origin and moved by ``offset_b`` (m). Touching
+    counts. ValueError for trees of different kinds, or what is no place.
+    """
+    if tree_a.kind == "aabb" and turn_b != 0.0:
+        tree_b, turn_b = tree_b.turned(turn_b), 0.0
+    query = Query(tree_a, tree_b)
+    query.run(offset_b, turn_b, exact=exact)
+    return query.answer()
+
+
+def is_leaf(tree: BoundingTree, node: int) -> bool:
+    """Whether a node has no children."""
+    return bool(tree.links[node, CHILD] < 0)

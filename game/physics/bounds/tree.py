@@ -1,0 +1,200 @@
+"""Bounding-volume trees over polylines: boxes, capsules, and upright boxes to compare with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, grow_tree
+from game.physics.bounds.door import Array, as_angle, as_points, as_step, turns_of
+from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
+
+KINDS = ("obb", "capsule", "aabb")
+FITS = ("search", "refined", "calipers")
+SPLITS = ("half", "median", "perimeter")
+Indices = NDArray[np.int64]
+
+
+def tree_depth_bound(segments: int) -> int:
+    """No tree over so many segments is deeper: halved in space at first, by number below."""
+    return 3 * math.ceil(math.log2(max(segments, 2))) + 9
+
+
+class BoundingTree:
+    """A binary tree of volumes over the segments of a polyline, in the polyline's own frame.
+
+    points (k, 2) m, ``closed`` or open; ends (n, 4) m: its segments. volumes (m, 6): rows as `box_of` and
+    `capsule_of` take them, breadth first from the root 0. links (m, 5): first of two children or -1, first
+    and one past the last place in ``order`` (n,), parent or -1, depth. sizes (m,) m. reach: m, greatest
+    coordinate. Made by `build_tree`; nothing is changed afterwards.
+    """
+
+    def __init__(
+        self,
+        kind: str,
+        points: Array,
+        closed: bool,
+        ends: Array,
+        order: Indices,
+        volumes: Array,
+        links: Indices,
+        sizes: Array,
+        rebuild: Callable[[Array], BoundingTree],
+    ):
+        self.kind, self.points, self.closed, self.ends, self.order = kind, points, closed, ends, order
+        self.volumes, self.links, self.sizes = volumes, links, sizes
+        self.kind_number = KINDS.index(kind)
+        self.reach = float(np.abs(points).max()) + float(sizes[0])
+        self._rebuild = rebuild
+
+    def __len__(self) -> int:
+        """Number of nodes."""
+        return len(self.links)
+
+    @property
+    def segments(self) -> int:
+        """Number of segments."""
+        return len(self.ends)
+
+    @property
+    def depth(self) -> int:
+        """Depth of the deepest node; the root's is 0."""
+        return int(self.links[-1, DEPTH])
+
+    @property
+    def leaves(self) -> Indices:
+        """Nodes without children."""
+        return np.flatnonzero(self.links[:, CHILD] < 0)
+
+    def level(self, depth: int) -> slice:
+        """The nodes of a depth; they stand one behind the other."""
+        first, last = np.searchsorted(self.links[:, DEPTH], (depth, depth + 1)).tolist()
+        return slice(first, last)
+
+    def segments_of(self, node: int) -> Indices:
+        """Segments below a node."""
+        return self.order[self.links[node, BEGIN] : self.links[node, END]]
+
+    def volume(self, node: int) -> Any:
+        """The `Box` or `Capsule` of a node."""
+        return capsule_of(self.volumes[node]) if self.kind == "capsule" else box_of(self.volumes[node])
+
+    def areas(self) -> Array:
+        """Areas (m,) of all volumes, m²."""
+        v = self.volumes
+        if self.kind != "capsule":
+            return np.asarray(4.0 * v[:, 4] * v[:, 5])
+        way = v[:, 2:4] - v[:, 0:2]
+        return np.asarray(2.0 * v[:, 4] * np.sqrt((way * way).sum(axis=1)) + np.pi * v[:, 4] ** 2)
+
+    def corners(self) -> Array:
+        """Corners (m, 4, 2) of all boxes, counter-clockwise, m; of capsules, of the box beside the core."""
+        v = self.volumes
+        if self.kind != "capsule":
+            centre, along = v[:, None, 0:2], v[:, None, 2:4]
+            half_u, half_v = v[:, None, 4:5], v[:, None, 5:6]
+        else:
+            way = v[:, 2:4] - v[:, 0:2]
+            length = np.sqrt((way * way).sum(axis=1, keepdims=True))
+            unit = np.divide(way, length, out=np.tile((1.0, 0.0), (len(v), 1)), where=length > 0.0)
+            centre, along = 0.5 * (v[:, None, 0:2] + v[:, None, 2:4]), unit[:, None, :]
+            half_u, half_v = (0.5 * length)[:, None, :], v[:, None, 4:5]
+        across = np.stack((-along[..., 1], along[..., 0]), axis=-1)
+        u, v_ = np.array((-1.0, 1.0, 1.0, -1.0))[:, None], np.array((-1.0, -1.0, 1.0, 1.0))[:, None]
+        return np.asarray(centre + u * half_u * along + v_ * half_v * across)
+
+    def turned(self, angle: float) -> BoundingTree:
+        """The tree of the polyline turned about its origin by an angle, rad.
+
+        Boxes and capsules turn with it; upright boxes are built anew, as theirs have to stay upright.
+        """
+        c, s = math.cos(as_angle(angle, "angle")), math.sin(angle)
+        turn = np.array([[c, s], [-s, c]])
+        points = self.points @ turn
+        if self.kind == "aabb":
+            return self._rebuild(points)
+        volumes = self.volumes.copy()
+        for column in (0, 2):
+            volumes[:, column : column + 2] = self.volumes[:, column : column + 2] @ turn
+        ends = (self.ends.reshape(-1, 2) @ turn).reshape(-1, 4)
+        return BoundingTree(
+            self.kind, points, self.closed, ends, self.order, volumes, self.links, self.sizes, self._rebuild
+        )
+
+    def check(self) -> None:
+        """AssertionError if a node does not hold its points, or the links are no tree over all segments."""
+        links, n = self.links, self.segments
+        assert np.array_equal(np.sort(self.order), np.arange(n)), "order is no permutation"
+        assert np.all(np.isfinite(self.volumes)), "a volume is not finite"
+        inner = np.flatnonzero(links[:, CHILD] >= 0)
+        children = links[inner, CHILD]
+        assert np.array_equal(np.sort(np.concatenate(([0], children, children + 1))), np.arange(len(links)))
+        assert np.array_equal(links[children, PARENT], inner)
+        assert np.array_equal(links[children + 1, PARENT], inner)
+        assert np.array_equal(links[children, BEGIN], links[inner, BEGIN])
+        assert np.array_equal(links[children, END], links[children + 1, BEGIN])
+        assert np.array_equal(links[children + 1, END], links[inner, END])
+        assert np.all(links[:, BEGIN] < links[:, END]), "a node is empty"
+        assert np.all(np.diff(links[:, DEPTH]) >= 0), "not breadth first"
+        assert self.depth <= tree_depth_bound(n), f"depth {self.depth} over {n} segments"
+        extent = float(np.ptp(self.points, axis=0).max())
+        slack = ROUNDING * extent + 8.0 * np.finfo(float).eps * float(np.abs(self.points).max())
+        for node in range(len(links)):
+            outside = self.volume(node).outside(self.ends[self.segments_of(node)].reshape(-1, 2)).max()
+            assert outside <= slack, f"node {node}: a point lies {outside} m outside"
+
+
+def build_tree(
+    polyline: ArrayLike,
+    kind: str = "obb",
+    leaf_size: int = 4,
+    *,
+    closed: bool = False,
+    fit: str = "search",
+    step_degrees: float = 1.0,
+    split: str = "half",
+) -> BoundingTree:
+    """The tree of the segments of a polyline (k, 2) m, top down, every node fitted anew.
+
+    kind: "obb", "capsule" or "aabb". leaf_size: most segments in a leaf. fit: "search" by angle steps,
+    "refined" by golden section after that, "calipers" (boxes of least area, capsules of least radius). split:
+    "half" in the middle of the volume across its longer side, "median" of the segments' middles, or where
+    perimeters times numbers are least. A single point is a segment without length. ValueError for what is no
+    polyline or no such option.
+    """
+    points = as_points(polyline, "polyline")
+    for name, value, options in (("kind", kind, KINDS), ("fit", fit, FITS), ("split", split, SPLITS)):
+        if value not in options:
+            raise ValueError(f"{name}: one of {', '.join(options)} is wanted, not {value!r}")
+    if isinstance(leaf_size, bool) or leaf_size != int(leaf_size) or leaf_size < 1:
+        raise ValueError(f"leaf_size: a whole number above 0 is wanted, not {leaf_size!r}")
+    step = as_step(step_degrees)
+    following = np.roll(points, -1, axis=0)
+    ends = np.hstack((points, following))
+    if not (closed and len(points) > 2) and len(points) > 1:
+        ends = ends[:-1].copy()
+    n, turns = len(ends), turns_of(step)
+    loose = ends.reshape(-1, 2)
+    order, sorted_ids = np.arange(n), np.lexsort((loose[:, 1], loose[:, 0]))
+    volumes, links, sizes = np.zeros((2 * n, 6)), np.zeros((2 * n, 5), dtype=np.int64), np.zeros(2 * n)
+    count = grow_tree(
+        KINDS.index(kind), FITS.index(fit), SPLITS.index(split), int(leaf_size),
+        2 * math.ceil(math.log2(max(n, 2))) + 8, turns, math.radians(step), ends, loose, order,
+        sorted_ids, volumes, links, sizes, np.empty((4 * n + 2, 2)), np.empty(n, dtype=np.int64), np.empty(n),
+        np.empty(n, dtype=np.int64), np.empty(2 * n, dtype=np.int64), np.zeros(4, dtype=np.int64),
+        np.zeros((2 * len(turns), 3)),
+    )  # fmt: skip
+
+    def rebuild(turned: Array) -> BoundingTree:
+        return build_tree(
+            turned, kind, leaf_size, closed=closed, fit=fit, step_degrees=step_degrees, split=split
+        )
+
+    return BoundingTree(
+        kind, points, closed, ends, order, volumes[:count].copy(), links[:count].copy(), sizes[:count].copy(),
+        rebuild,
+    )  # fmt: skip
