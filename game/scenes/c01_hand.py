@@ -61,7 +61,7 @@ def what_is_at(scene: KeyFraming, point: Point) -> tuple[str, int]:
     animation = scene.animation()
     for i, pair in enumerate(animation.handles().tolist()):
         spots += [(math.dist(point, spot), "handle", 2 * i + side) for side, spot in enumerate(pair)]
-    x, y, angle = scene.shown_pose()
+    x, y, angle = scene.pose.tolist()
     spots.append((math.dist(point, turning_handle(scene, x, y, angle)), "turn", -1))
     for i, key in enumerate(scene.motion.keys):
         spot = turning_handle(scene, *key.position, math.radians(key.angle))

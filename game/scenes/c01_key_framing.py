@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.keyframing import keyframing_study
 from game.levels import Level
-from game.physics.animation import CONSTANT_SPEED, EASING, EASINGS, INTERPOLATIONS
+from game.physics.animation import INTERPOLATIONS
 from game.scenes import c01_editing as editing
 from game.scenes import c01_hand as hand
-from game.scenes.c01_animation import Animation, Settings
+from game.scenes.c01_clock import REPEATS, folded, frame_of, held, phase_of
+from game.scenes.c01_document import CHOSEN, LABELS, SHAPING, Edit, MotionScene
 from game.scenes.c01_level import Motion
 from game.scenes.c01_view import KeyFramingView
 from game.stage import (
@@ -27,47 +26,25 @@ from game.stage import (
     Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Strip,
     Toggle,
 )
 
 Array = NDArray[np.float64]
-LABELS = (
-    "Nearest key", "Linear", "Bezier curves", "Rest at every key", "Catmull-Rom, uniform",
-    "Catmull-Rom, centripetal", "Catmull-Rom, chordal", "Secants", "Monotone", "Parabolas", "Natural spline",
-    "Spline",
-)  # fmt: skip
-SHORT = dict(zip(INTERPOLATIONS, LABELS, strict=True))
-SHAPING = (
-    "interpolation",
-    "closed",
-    "shortest",
-    "turning",
-    "easing",
-)  # knobs that an undo takes back as well
-CHOSEN = ("key_time", "key_x", "key_y", "key_angle")
-MOST_UNDO = 200
-OWN = "own"
-
-
-class Edit(NamedTuple):
-    """What undo and redo go between: the motion, and the knobs that shape it."""
-
-    motion: Motion
-    knobs: tuple[Any, ...]
 
 
 class KeyFrameState(NamedTuple):
-    """What moves, and what it moves by. clock: phase it began at, steps since, their length s, playing."""
+    """The box and what it moves by. pose: x, y m, angle rad. clock: see c01_clock. timing: x1, y1, x2, y2."""
+
+    pose: Array
 
     clock: Array
     keys: Array
     timing: Array
 
 
-class KeyFraming(Scene):
+class KeyFraming(MotionScene):
     """Key-frames say where the box is and how it is turned at a few times; an interpolation says the rest.
     Nearest neighbour jumps, lines have corners, cubics differ only in how steep they are at the keys: that
     alone decides between overshoot, loops, jolts and accuracy.
@@ -82,26 +59,9 @@ class KeyFraming(Scene):
     name = "c01"
     task = "C01"
     title = "Key-frames"
-    effects = EASING | CONSTANT_SPEED
-    content_type = Motion
     study = keyframing_study
     takes = frozenset(("right",))
 
-    interpolation = Choice(
-        "centripetal", INTERPOLATIONS, labels=LABELS, group="Interpolation",
-        help="how the box goes from key to key",
-    )  # fmt: skip
-    closed = Toggle(False, group="Interpolation", label="Back to the first key", help="at one second")
-    shortest = Toggle(
-        True,
-        group="Interpolation",
-        label="Turn the shortest way",
-        help="from 350° to 10° by 20°, not by −340°",
-    )
-    turning = Choice(
-        "keys", ("keys", "path"), labels=("By its keys", "Along the path"), group="Interpolation",
-        label="The box turns", help="angles of the keys, or the direction of the way",
-    )  # fmt: skip
     time = Param(
         0.0, 0.0, 1.0, unit="s", step=0.001, group="Time", help="where in the second the box is shown"
     )
@@ -113,19 +73,10 @@ class KeyFraming(Scene):
         3.0, 0.25, 30.0, unit="s", log=True, group="Time", label="The second lasts", help="1 s is real time"
     )
     repeat = Choice(
-        "loop", ("loop", "once", "there-and-back"), labels=("Again", "Once", "Back"), group="Time",
+        "loop", REPEATS, labels=("Again", "Once", "Back"), group="Time",
         label="At the end",
     )  # fmt: skip
     playing = Toggle(True, group="Time", label="Play")
-    easing = Choice(
-        "ease-in-out", (*EASINGS, OWN), group="Timing curve",
-        labels=("Linear", "Ease", "Ease in", "Ease out", "Ease in and out", "Swing", "Rush", "My own"),
-        help="drag its two handles at the top right", label="Timing curve",
-    )  # fmt: skip
-    key_time = Param(0.0, 0.0, 1.0, unit="s", step=0.001, group="Chosen key", label="At the time")
-    key_x = Param(0.0, -1000.0, 1000.0, unit="m", group="Chosen key", label="x")
-    key_y = Param(0.0, -1000.0, 1000.0, unit="m", group="Chosen key", label="y")
-    key_angle = Param(0.0, -36_000.0, 36_000.0, unit="°", group="Chosen key", label="Angle")
     onion = Param(
         16, 0, 120, whole=True, group="Shown", label="Onion skin", help="boxes at as many equal steps of time"
     )
@@ -215,67 +166,37 @@ class KeyFraming(Scene):
 
     def build(self, level: Level | None) -> None:
         content = level.content if level is not None and level.content is not None else Motion()
-        self.motion: Motion = editing.ordered(content)
-        self.past: list[Edit] = []
-        self.future: list[Edit] = []
-        self.before: Edit | None = None
-        self.hand: tuple[str, int] = hand.NOTHING
-        self.grip = (0.0, 0.0)
-        self.chosen = -1
-        self.told: deque[str] = deque(maxlen=8)
+        self.begin_editing(content)
         self.clock = np.array([self.values["time"], 0.0, self.dt, float(self.playing)])
-        self._kept: dict[str, tuple[Any, Animation]] = {}
+        self.pose = np.zeros(3)
         self._timing = np.array(self.motion.timing)
-        self.shaped = self._knobs()
         self.view = KeyFramingView()
-        self.animation()
-
-    def _knobs(self) -> tuple[Any, ...]:
-        return tuple(self.values[name] for name in SHAPING)
-
-    def animation(self, interpolation: str | None = None) -> Animation:
-        """The motion made ready (or the same with another interpolation); made anew when it changes."""
-        name = interpolation or self.interpolation
-        settings = Settings(name, self.closed, self.shortest, self.turning == "path", self.easing)
-        kept = self._kept.get("compared" if interpolation else "")
-        if kept is not None and kept[0][0] is self.motion and kept[0][1:] == (settings, self.active):
-            return kept[1]
-        made = Animation(self.motion, settings, self.active)
-        self._kept["compared" if interpolation else ""] = ((self.motion, settings, self.active), made)
-        return made
+        self.place_box()
 
     # -- time ---------------------------------------------------------------------------------------
 
     def phase(self) -> float:
         """Where in the second playback is; more than 1 on the way back."""
-        begin, steps, dt, _ = self.clock.tolist()
-        return float(self._wrapped(begin + steps * dt / self.duration))
-
-    def _wrapped(self, phase: float) -> float:
-        if self.repeat == "once":
-            return min(phase, 1.0)
-        return phase % (1.0 if self.repeat == "loop" else 2.0)
+        return phase_of(self.clock, self.repeat, self.duration)
 
     def present(self) -> float:
         """Time (s) on the slider."""
-        return 1.0 - abs(1.0 - self.phase())
+        return folded(self.phase())
 
     def shown_part(self) -> float:
         """The part of the second at which the box is shown: that of the frame while it plays."""
         if not self.playing:
             return self.present()
-        phase, frames = self.phase(), self.fps * self.duration
-        phase = min(math.floor(phase * frames + 1e-9) / frames, phase)
-        return 1.0 - abs(1.0 - phase)
+        return folded(held(self.phase(), self.fps * self.duration))
 
-    def shown_pose(self) -> tuple[float, float, float]:
-        """x, y (m) and angle (rad) of the box: at the present time, or of the key in the hand."""
+    def place_box(self) -> None:
+        """Put the box where it is at the present time, or where the key in the hand is."""
         what, index = self.hand
         if what in ("key", "turn") and 0 <= index < len(self.motion.keys):
             key = self.motion.keys[index]
-            return *key.position, math.radians(key.angle)
-        x, y, angle = self.animation().pose(self.shown_part()).tolist()
-        return x, y, angle
+            self.pose[:] = (*key.position, math.radians(key.angle))
+        else:
+            self.pose[:] = self.animation().pose(self.shown_part())
 
     def set_time(self, time: float) -> None:
         """Go to a time of the slider."""
@@ -294,6 +215,7 @@ class KeyFraming(Scene):
             self.values["playing"] = False
             self.clock[3] = 0.0
         self.values["time"] = self.present()
+        self.place_box()
 
     # -- knobs and actions --------------------------------------------------------------------------
 
@@ -309,29 +231,19 @@ class KeyFraming(Scene):
             self.clock[3] = float(self.playing)
         elif name in SHAPING:
             self.note(Edit(self.motion, self.shaped))
-            self.shaped = self._knobs()
+            self.shaped = self.shaping()
         elif name in CHOSEN and self.chosen >= 0:
-            self._take_chosen(name)
-
-    def _take_chosen(self, name: str) -> None:
-        """Give the chosen key what the panel says."""
-        index, motion = self.chosen, self.motion
-        if name == "key_time":
-            motion, self.chosen = editing.with_time(motion, index, self.key_time)
-        elif name == "key_angle":
-            motion = editing.with_change(motion, index, angle=self.key_angle)
-        else:
-            motion = editing.with_change(motion, index, position=(self.key_x, self.key_y))
-        self.change(motion)
+            self.take_chosen(name)
+        self.place_box()
 
     def effects_changed(self) -> None:
-        self.animation()
+        self.place_box()
 
     def action(self, name: str) -> None:
         if name == "undo":
-            self._go(self.past, self.future, "There is nothing to undo.")
+            self.go_between(self.past, self.future, "There is nothing to undo.")
         elif name == "redo":
-            self._go(self.future, self.past, "There is nothing to do again.")
+            self.go_between(self.future, self.past, "There is nothing to do again.")
         elif name == "delete":
             if self.chosen >= 0:
                 self.delete_key(self.chosen)
@@ -341,7 +253,7 @@ class KeyFraming(Scene):
             if self.motion is not before.motion:
                 self.note(before)
         elif name == "corner":
-            self._toggle_corner()
+            self.toggle_corner()
         elif name == "play":
             self.values["playing"] = not self.playing
             self.knob_changed("playing")
@@ -351,24 +263,7 @@ class KeyFraming(Scene):
             self.knob_changed("interpolation")
         else:
             self._to_key(-1 if name == "earlier" else 1)
-
-    def _toggle_corner(self) -> None:
-        if self.chosen < 0:
-            return
-        key = self.motion.keys[self.chosen]
-        if key.velocity_before is not None:
-            self.change(editing.with_change(self.motion, self.chosen, velocity_before=None))
-            return
-        animation = self.animation()
-        after = animation.handles()[self.chosen, 1] - key.position
-        gap = animation.gap(self.chosen, before=False)
-        velocity = key.velocity
-        if velocity is None and gap > 0.0 and np.isfinite(after).all():
-            x, y = (after * (3.0 / gap)).tolist()
-            velocity = editing.limited((x, y), editing.FASTEST)
-        if velocity is not None:
-            change = {"velocity": velocity, "velocity_before": velocity}
-            self.change(editing.with_change(self.motion, self.chosen, **change))
+        self.place_box()
 
     def _to_key(self, way: int) -> None:
         """Rest at the key before or after the present time."""
@@ -382,80 +277,9 @@ class KeyFraming(Scene):
         self.set_time(target)
         self.choose(max(i for i, key in enumerate(self.motion.keys) if key.time == target))
 
-    # -- edits --------------------------------------------------------------------------------------
-
-    def edit(self) -> Edit:
-        """What there is now, for an undo."""
-        return Edit(self.motion, self._knobs())
-
-    def set_edit(self, edit: Edit) -> None:
-        """Go to what there was."""
-        self.motion = edit.motion
-        self.values.update(zip(SHAPING, edit.knobs, strict=True))
-        self.shaped = edit.knobs
-        self.choose(min(self.chosen, len(self.motion.keys) - 1))
-
-    def note(self, before: Edit) -> None:
-        """Something has been changed; it can be undone to ``before``."""
-        if before != self.edit():
-            self.past = [*self.past, before][-MOST_UNDO:]
-            self.future = []
-
-    def change(self, motion: Motion) -> None:
-        """Another motion, in one edit."""
-        before = self.edit()
-        self.motion = motion
-        self.note(before)
-        self.choose(min(self.chosen, len(motion.keys) - 1))
-
-    def _go(self, source: list[Edit], target: list[Edit], words: str) -> None:
-        if self.hand != hand.NOTHING:
-            return
-        if not source:
-            self.told.append(words)
-            return
-        now = self.edit()
-        edit = source[-1]
-        source[:] = source[:-1]
-        target.append(now)
-        self.set_edit(edit)
-
-    def delete_key(self, index: int) -> None:
-        """Take a key away."""
-        try:
-            motion = editing.without_key(self.motion, index)
-        except ValueError as error:
-            self.told.append(f"{str(error).capitalize()}.")
-            return
-        if self.chosen >= index:
-            self.chosen -= 1
-        self.change(motion)
-
-    def choose(self, index: int) -> None:
-        """Let a key be the chosen one (-1: none), and the panel say what it is."""
-        self.chosen = index
-        self.show_chosen()
-
-    def show_chosen(self) -> None:
-        """The panel's numbers are those of the chosen key."""
-        if not 0 <= self.chosen < len(self.motion.keys):
-            return
-        key = self.motion.keys[self.chosen]
-        self.values["key_time"], self.values["key_angle"] = key.time, key.angle
-        self.values["key_x"], self.values["key_y"] = key.position
-
-    def timing(self) -> tuple[float, float, float, float]:
-        """Handles of the present timing curve."""
-        return self.motion.timing if self.easing == OWN else EASINGS[self.easing]
-
-    def set_timing(self, four: list[float]) -> None:
-        """A timing curve of one's own."""
-        self.motion = msgspec.structs.replace(self.motion, timing=tuple(four))
-        self.values["easing"] = OWN
-        self.shaped = self._knobs()
-
     def pointer(self, event: Pointer) -> None:
         hand.take_pointer(self, event)
+        self.place_box()
 
     # -- remembering --------------------------------------------------------------------------------
 
@@ -463,18 +287,17 @@ class KeyFraming(Scene):
         animation = self.animation()
         if tuple(self._timing) != self.motion.timing:
             self._timing = np.array(self.motion.timing)
-        return KeyFrameState(self.clock, animation.rows, self._timing)
+        return KeyFrameState(self.pose, self.clock, animation.rows, self._timing)
 
     def restore(self, state: KeyFrameState) -> None:
         self.clock[:] = state.clock
         self.values["playing"] = bool(state.clock[3])
         self.values["time"] = self.present()
-        if (
-            not np.array_equal(state.keys, editing.as_rows(self.motion))
-            or tuple(state.timing) != self.motion.timing
-        ):
+        same = np.array_equal(state.keys, editing.as_rows(self.motion))
+        if not same or tuple(state.timing) != self.motion.timing:
             self.motion = editing.from_rows(self.motion, state.keys, state.timing)
-        self.shaped = self._knobs()
+        self.shaped = self.shaping()
+        self.pose[:] = state.pose
 
     def save_content(self) -> Motion:
         return self.motion
@@ -488,14 +311,14 @@ class KeyFraming(Scene):
 
     def readouts(self) -> list[Readout]:
         animation, part = self.animation(), self.shown_part()
-        x, y, angle = self.shown_pose()
+        x, y, angle = self.pose.tolist()
         turned = math.degrees(angle)
         frames = self.fps * self.duration
         return [
             Readout("speed", float(np.minimum(animation.playback.speed(part), 1e6)), "m/s"),
             Readout("on the slider", self.present(), "s"),
             Readout("angle", turned - 360.0 * math.ceil(turned / 360.0 - 0.5), "°"),
-            Readout("frame", float(math.floor(self.phase() * frames + 1e-9))),
+            Readout("frame", float(frame_of(self.phase(), frames))),
             Readout("x", x, "m"),
             Readout("y", y, "m"),
             Readout("keys", float(len(self.motion.keys))),

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import CONSTANT_SPEED, EASING, mix_rotations
 from game.scenes.c01_animation import Animation
+from game.scenes.c01_document import SHORT
 from game.scenes.c01_hand import turning_handle
 from game.scenes.c01_timeline import Places, places_of, x_of
 from game.ui.canvas import PREDICTION_DASH, Canvas
@@ -51,7 +52,7 @@ class KeyFramingView:
         if scene.interpolation != "nearest" and keys + scene.closed > 1:
             rows.append(("line:chalk", "path", f"{scene.animation().length:.3g} m"))
         if scene.compare != "none":
-            rows.append(("dash:pink", _label(scene.compare).lower(), ""))
+            rows.append(("dash:pink", SHORT[scene.compare].lower(), ""))
         if scene.matrices:
             rows.append(("box:vermilion", "matrices mixed", ""))
         return rows
@@ -133,7 +134,7 @@ class KeyFramingView:
                 canvas.label(key.position, f"{key.time:.2f} s", "text2", 11, offset=(0.0, 15.0))
 
     def _draw_box(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
-        x, y, angle = pose = scene.shown_pose()
+        x, y, angle = pose = scene.pose.tolist()
         box = scene.motion.box
         if scene.matrices:
             self._draw_mixed(scene, canvas, animation)
@@ -160,7 +161,7 @@ class KeyFramingView:
         length = float(track.times[j] - track.times[i])
         share = min(max((time - float(track.times[i])) / length, 0.0), 1.0) if length > 0.0 else 0.0
         mixed = mix_rotations(float(track.values[i, 2]), float(track.values[j, 2]), share)
-        x, y, _ = scene.shown_pose()
+        x, y, _ = scene.pose.tolist()
         corners = (_UNIT_BOX * scene.motion.box) @ mixed.T + (x, y)
         canvas.polygon(corners, fill="vermilion", fill_alpha=0.28, outline="vermilion", width=2.0)
 
@@ -244,9 +245,3 @@ class KeyFramingView:
         now = scene.shown_part()
         canvas.dot(box.at(now, float(animation.easing(now))), 4.0, "amber")
         canvas.label(box.at(0.5, 1.0), "Timing curve", "text2", 12, anchor="bottom", offset=(0.0, -6.0))
-
-
-def _label(name: str) -> str:
-    from game.scenes.c01_key_framing import SHORT
-
-    return SHORT[name]

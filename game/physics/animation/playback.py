@@ -52,6 +52,8 @@ class Playback:
         along = np.asarray(parts, dtype=np.float64)
         if self.easing is not None:
             along = self.easing(along)
+            if self.track.loop:  # a curve that draws back or overshoots goes round
+                along = np.where((along < 0.0) | (along > 1.0), along - np.floor(along), along)
         if not self.spread or self.path is None:
             return np.asarray(self.begin + along * (self.end - self.begin))
         at = self.path.parameter_at(along * self.path.length)

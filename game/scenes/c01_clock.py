@@ -1,0 +1,40 @@
+"""Where in its second a motion is: counted in steps, folded on the way back, held for the time of a frame.
+
+``clock`` is (4,): the phase it began at, steps made since, their length (s), and whether it plays. A phase
+runs from 0 to 1, and from 1 to 2 on the way back. Counting steps, not adding times, no rounding gathers.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+REPEATS = ("loop", "once", "there-and-back")
+ROUNDING = 1e-9  # of a frame: a phase that close to the next one is there
+
+
+def phase_of(clock: Array, repeat: str, duration: float) -> float:
+    """The phase now; duration: s that the second lasts."""
+    begin, steps, dt, _ = clock.tolist()
+    phase = begin + steps * dt / duration
+    if repeat == "once":
+        return float(min(phase, 1.0))
+    return float(phase % (1.0 if repeat == "loop" else 2.0))
+
+
+def folded(phase: float) -> float:
+    """Part of the second, 0 to 1, of a phase."""
+    return 1.0 - abs(1.0 - phase)
+
+
+def frame_of(phase: float, frames: float) -> int:
+    """Number of the frame that is shown; frames: how many the second has."""
+    return math.floor(phase * frames + ROUNDING)
+
+
+def held(phase: float, frames: float) -> float:
+    """The phase at which the frame that is shown was sampled."""
+    return min(frame_of(phase, frames) / frames, phase)
