@@ -1,0 +1,60 @@
+"""From a game to what its shooter is after: the aims that the search follows."""
+
+from __future__ import annotations
+
+from game.billiards.games.combination import SHORTEST_CHAIN, CombinationMatch
+from game.billiards.games.eight_ball import EIGHT, GROUPS, EightBall
+from game.billiards.games.nine_ball import NINE, NineBall
+from game.billiards.rules import CUE_BALL, Game
+from game.billiards.search.rating import Aims
+
+
+def bits_of(numbers: tuple[int, ...], wanted: tuple[int, ...]) -> int:
+    """Balls as bits of their rows. numbers: of the rows."""
+    return sum(1 << row for row, number in enumerate(numbers) if number in wanted)
+
+
+def aims_of(game: Game, numbers: tuple[int, ...], solo: bool = False) -> list[Aims]:
+    """What the shooter may be after: one for each group while an eight-ball table is open, else one.
+
+    numbers: of the balls on the table, by row, the white one among them. solo: only clearing it counts.
+    """
+    if isinstance(game, EightBall):
+        return _eight_ball_aims(game, numbers, solo)
+    balls = bits_of(numbers, game.on_table)
+    if isinstance(game, NineBall):
+        nine = bits_of(numbers, (NINE,))
+        lowest = bits_of(numbers, game.legal_first())
+        return [Aims(lowest, balls, balls, win=nine, other=balls, called=False, rotation=True, solo=solo)]
+    if isinstance(game, CombinationMatch):
+        chain = SHORTEST_CHAIN if len(game.on_table) > 1 else 0
+        return [Aims(balls, balls, balls, other=balls, called=False, solo=solo, chain=chain)]
+    return [Aims(balls, balls, balls, called=False, solo=True)]
+
+
+def _eight_ball_aims(game: EightBall, numbers: tuple[int, ...], solo: bool) -> list[Aims]:
+    """Aims for the own group, or for each of them."""
+    eight = bits_of(numbers, (EIGHT,))
+    found = []
+    for group in GROUPS if game.open_table else (game.groups[game.turn],):
+        own = bits_of(numbers, GROUPS[group])
+        others = bits_of(numbers, tuple(b for name in GROUPS if name != group for b in GROUPS[name]))
+        first = own if own else eight
+        playable = bits_of(numbers, game.legal_first()) if game.open_table else first
+        found.append(
+            Aims(
+                playable | first, first, own | eight, win=0 if own else eight, lose=eight if own else 0,
+                other=others | eight, called=game.calling == "all" or (game.calling == "eight" and not own),
+                solo=solo,
+            )
+        )  # fmt: skip
+    return found
+
+
+def all_aims(numbers: tuple[int, ...], targets: tuple[int, ...], first: tuple[int, ...], chain: int) -> Aims:
+    """Aims without a game: any of the targets, in any order, hit by way of `first`."""
+    wanted = bits_of(numbers, targets)
+    touched = (
+        bits_of(numbers, first) if first else bits_of(numbers, tuple(n for n in numbers if n != CUE_BALL))
+    )
+    return Aims(touched, wanted, wanted, solo=True, chain=chain)

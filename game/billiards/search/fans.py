@@ -1,0 +1,91 @@
+"""Fans of strokes: the same stroke at many azimuths, and the stretch of them that does what is wanted.
+
+Throw, squirt and real cushions turn a ball off the geometric way; a fan finds by how much, and the middle of
+its widest stretch of successes is where a hand may err most.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.lean import lean_kernel
+from game.billiards.search.candidates import AIM, SPREAD, WINDOW
+from game.billiards.search.rating import SCORED, WON
+from game.billiards.search.strokes import AZIMUTH, ELEVATION, SPEED, TIP_LEFT, TIP_UP
+
+Array = NDArray[np.float64]
+
+LEAST_RAYS = 9
+MOST_RAYS = 41
+RAYS_A_WINDOW = 4.0  # rays within the window that geometry leaves
+
+
+def rays_for(candidates: Array, least: int = LEAST_RAYS, most: int = MOST_RAYS) -> NDArray[np.int64]:
+    """How many rays (c,) the fan of each candidate has, an odd number each."""
+    wanted = RAYS_A_WINDOW * candidates[:, SPREAD] / np.maximum(candidates[:, WINDOW], 1e-6)
+    half = np.clip(np.ceil(0.5 * wanted), (least - 1) // 2, (most - 1) // 2)
+    return 2 * half.astype(np.int64) + 1
+
+
+@lean_kernel
+def spread_fans(candidates, styles, rays, starts, squirt, strokes):
+    """Strokes of all fans, candidate by candidate, style by style, ray by ray, to strokes (m, 5).
+
+    styles (s, 4): speed m/s, tip left and up in ball radii, elevation rad. rays (c,), starts (c,): how many
+    rays a candidate has, and where its strokes begin. squirt (s,): by how much a style turns the ball, rad.
+    """
+    for c in range(candidates.shape[0]):
+        for s in range(styles.shape[0]):
+            for k in range(rays[c]):
+                row = strokes[starts[c] + s * rays[c] + k]
+                share = 2.0 * k / (rays[c] - 1) - 1.0
+                row[SPEED] = styles[s, 0]
+                row[AZIMUTH] = candidates[c, AIM] - squirt[s] + share * candidates[c, SPREAD]
+                row[ELEVATION] = styles[s, 3]
+                row[TIP_LEFT] = styles[s, 1]
+                row[TIP_UP] = styles[s, 2]
+
+
+@lean_kernel
+def widest_runs(kinds, rays, starts, styles, middles, lengths):
+    """Of each fan the longest run of successes: its middle stroke and its length, to (c, s) arrays.
+
+    kinds (m,): classes of the strokes. A length of 0: no success; of two equal runs the first is taken.
+    """
+    for c in range(rays.shape[0]):
+        for s in range(styles):
+            first = starts[c] + s * rays[c]
+            best = 0
+            middle = first
+            run = 0
+            for k in range(rays[c]):
+                kind = kinds[first + k]
+                run = run + 1 if kind in (SCORED, WON) else 0
+                if run > best:
+                    best = run
+                    middle = first + k - run // 2
+            middles[c, s] = middle
+            lengths[c, s] = best
+
+
+def squirt_of(styles: Array, ball_mass: float, end_mass: float) -> Array:
+    """By how much a tip off the centre turns the ball's way (s,), rad: `cue.strike`."""
+    a = styles[:, 1]
+    rest = 1.0 - a * a
+    return -np.arctan2(2.5 * a * np.sqrt(rest), 1.0 + ball_mass / end_mass + 2.5 * rest)
+
+
+def make_styles(
+    speeds: tuple[float, ...], ups: tuple[float, ...], lefts: tuple[float, ...], elevation: float = 0.0
+) -> Array:
+    """All ways to strike (s, 4) from speeds (m/s) and tip offsets (ball radii)."""
+    rows = [(v, left, up, elevation) for v in speeds for up in ups for left in lefts]
+    return np.array(rows).reshape(-1, 4)
+
+
+def chance_of_run(half: Array, sigma: float) -> Array:
+    """Chance that an azimuth of deviation sigma (rad) stays within `half` (rad) of where it was meant."""
+    return np.array([math.erf(value / (math.sqrt(2.0) * sigma)) for value in half.tolist()])

@@ -1,0 +1,149 @@
+"""`find_shots`: the shots that a table offers, played exactly and under noise, the best first."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.arrangement import Arrangement, Stroke
+from game.billiards.rules import CUE_BALL
+from game.billiards.search.aims import all_aims
+from game.billiards.search.candidates import AIM, BALL, CUT_FROM, DIRECT, INTO, KIND, KINDS, VIA
+from game.billiards.search.deeper import look_deeper
+from game.billiards.search.looking import Effort, Looked, look
+from game.billiards.search.rating import Aims
+from game.billiards.search.strokes import Board, Noise, draw_noise
+from game.billiards.search.view import Clock, View
+from game.billiards.shot import Physics
+from game.billiards.table import Table
+
+Array = NDArray[np.float64]
+
+DRAWS = 256  # of noise, for each search
+QUICK = Effort(finalists=96, samples=64)
+
+
+class FoundShot(NamedTuple):
+    """A stroke, and what it is good for.
+
+    stroke: as it is meant. ball, pocket: what it pots. kind: "direct", "cut", "bank", "kick", "combination". via:
+    number of the ball in between, None if there is none. chance: share of its noisy samples that pot the
+    ball without a foul. worth: estimated chance to win (alone: to clear the table) after it.
+    """
+
+    stroke: Stroke
+    ball: int
+    pocket: int
+    kind: str
+    via: int | None
+    chance: float
+    worth: float
+
+
+@lru_cache(maxsize=4)
+def thread_pool(threads: int) -> ThreadPoolExecutor | None:
+    """Threads that are kept for all searches; None for one, which needs no other."""
+    return None if threads <= 1 else ThreadPoolExecutor(threads, thread_name_prefix="search")
+
+
+def processors() -> int:
+    """How many threads a search takes if it is not told."""
+    return os.cpu_count() or 1
+
+
+def find_shots(
+    lie: Arrangement,
+    table: Table | None = None,
+    *,
+    targets: tuple[int, ...] = (),
+    first: tuple[int, ...] = (),
+    aims: Aims | None = None,
+    kinds: tuple[str, ...] = KINDS,
+    chain: int = 0,
+    physics: Physics = Physics(),  # noqa: B008  (immutable)
+    noise: Noise = Noise(),  # noqa: B008  (immutable)
+    effort: Effort = QUICK,
+    limit: int = 10,
+    seed: int = 0,
+    threads: int | None = None,
+    seconds: float | None = None,
+) -> list[FoundShot]:
+    """The shots that pot a ball, the best first: at most `limit`, at most one for each ball, pocket and kind.
+
+    lie: the balls, the white one among them; table: the pool table if left out. targets: numbers of the balls
+    to pot (none: all); first: those that may be touched first (none: all). aims: what the shooter is after, in
+    rows of `lie`, instead of both. kinds: of "direct" (with cuts), "bank", "kick", "combination". chain: least
+    balls in the potted one's chain, the white one and itself counted. noise: how unsteady the hand is. effort:
+    how many strokes are tried. threads: None: one for each processor. seconds: stop looking after about so
+    long; without it what is found depends on nothing but the other arguments.
+
+    ValueError for unknown kinds, a target that is not there, or a table without the white ball.
+    """
+    table = Table.pool() if table is None else table
+    for kind in kinds:
+        if kind not in KINDS:
+            raise ValueError(f"find_shots kinds: {kind!r} is not one of {', '.join(KINDS)}")
+    for number in (*targets, *first):
+        if number not in lie.numbers or number == CUE_BALL:
+            raise ValueError(f"find_shots: ball {number!r} is not on the table")
+    if limit < 1:
+        raise ValueError(f"find_shots limit: must be at least 1, got {limit!r}")
+    view = View(Board(lie, table, physics), noise)
+    if aims is None:
+        numbered = tuple(n for n in lie.numbers if n != CUE_BALL)
+        aims = all_aims(lie.numbers, targets or numbered, first, chain)
+    effort = effort._replace(kinds=tuple(kind for kind in effort.kinds if kind in kinds))
+    looked = search(view, aims, effort, seed, threads, Clock(seconds))
+    return [] if looked is None else named_shots(view, looked, limit)
+
+
+def search(
+    view: View,
+    aims: Aims,
+    effort: Effort,
+    seed: int,
+    threads: int | None = None,
+    clock: Clock = Clock(),  # noqa: B008
+) -> Looked | None:
+    """Look, and look deeper if the effort says so."""
+    pool = thread_pool(processors() if threads is None else threads)
+    draws = draw_noise(seed, DRAWS)
+    looked = look(view, aims, effort, draws, pool, clock)
+    if looked is None or not effort.deep or clock.is_out():
+        return looked
+    return look_deeper(view, aims, looked, effort, draws, pool, clock)
+
+
+def named_shots(view: View, looked: Looked, limit: int) -> list[FoundShot]:
+    """The best stroke for each ball, pocket and kind, at most `limit`."""
+    found: dict[tuple[float, ...], FoundShot] = {}
+    numbers = view.board.lie.numbers
+    for stroke, candidate, chance, worth in zip(
+        looked.strokes, looked.candidates, looked.chance.tolist(), looked.worth.tolist(), strict=True
+    ):
+        key = tuple(candidate[[BALL, INTO, KIND, VIA]].tolist())
+        if key in found:
+            continue
+        via = int(candidate[VIA])
+        found[key] = FoundShot(
+            Stroke(*stroke.tolist()), numbers[int(candidate[BALL])], int(candidate[INTO]),
+            _kind_name(view, candidate), numbers[via] if via >= 0 else None, chance, worth,
+        )  # fmt: skip
+        if len(found) == limit:
+            break
+    return list(found.values())
+
+
+def _kind_name(view: View, candidate: Array) -> str:
+    """The kind of a candidate; a direct one with a cut is a cut."""
+    if int(candidate[KIND]) != DIRECT:
+        return KINDS[int(candidate[KIND])]
+    ball, pocket = int(candidate[BALL]), int(candidate[INTO])
+    way = view.gates[pocket, :2] - view.places[ball]
+    away = float(candidate[AIM]) - float(np.arctan2(way[1], way[0]))
+    return "cut" if np.cos(away) < np.cos(CUT_FROM) else "direct"

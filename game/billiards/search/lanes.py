@@ -1,0 +1,185 @@
+"""Geometry of a pot: the window that a pocket leaves to a ball, free lanes, and the chance of a hit.
+
+A ball goes down cleanly if its centre passes between its pocket's jaws, each grown by the ball's radius. Seen
+from the ball that is a window of angles. A hand's unsteadiness turns the way of the object ball by about
+sigma d/(2 R cos cut), where d is the way of the white ball (Leckie and Greenspan 2006, Monte-Carlo methods
+in pool strategy game trees; Smith 2007, PickPocket: a computer billiards shark). The chance of a pot is the
+share of a normal distribution in the window.
+
+These are estimates for choosing what to play; what is chosen is played exactly.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.lean import inner_kernel
+from game.billiards.table import Table
+
+Array = NDArray[np.float64]
+
+# columns of gates (p, 8): the pocket, its radius of capture, its jaws (x, y m) and their radius (0: no jaws)
+GATE_X, GATE_Y, GATE_RADIUS, LEFT_X, LEFT_Y, RIGHT_X, RIGHT_Y, JAW_RADIUS = range(8)
+
+YIELDING = 0.006  # m; so much deeper than clean a ball may hit a jaw, and still fall more often than not
+CLEARANCE = 0.001  # m; lanes are wider than the balls by this
+LEAST_COSINE = 0.2  # of the cut; thinner cuts are not played
+SIGHT = 0.0026  # rad; unsteadiness of the white ball's direction: azimuth, and squirt of an unsteady tip
+RUB = 0.004  # rad; unsteadiness of the object ball's direction whatever the distance: throw
+NEAR = 0.45  # m; how near the white ball is taken to be to a ball that is played later
+SLACK = 0.5 * 0.0572 * 0.9  # m; 2 R cos cut over two for it
+
+
+def gates_of(table: Table) -> Array:
+    """Pockets with their jaws (p, 8), in the table's frame. Left and right as seen from the bed."""
+    gates = np.zeros((len(table.pockets), 8))
+    middle = np.array([0.5 * table.width, 0.5 * table.length])
+    for k, (x, y, radius) in enumerate(table.pockets.tolist()):
+        gates[k, :3] = x, y, radius
+        if len(table.jaws) < 2:
+            continue
+        away = np.sqrt(((table.jaws[:, :2] - (x, y)) ** 2).sum(axis=1))
+        a, b = np.argsort(away, kind="stable")[:2]
+        if away[b] > 4.0 * radius:
+            continue
+        inward = middle - (x, y)
+        side = (table.jaws[a, 0] - x) * inward[1] - (table.jaws[a, 1] - y) * inward[0]
+        left, right = (a, b) if side > 0.0 else (b, a)
+        gates[k, LEFT_X : LEFT_Y + 1] = table.jaws[left, :2]
+        gates[k, RIGHT_X : RIGHT_Y + 1] = table.jaws[right, :2]
+        gates[k, JAW_RADIUS] = table.jaws[left, 2]
+    return gates
+
+
+@inner_kernel
+def pocket_window(gates, p, x, y, radius):
+    """Direction (rad) of the middle of pocket p's window for a ball at (x, y) m, and half its width (rad).
+
+    Not above 0: the pocket cannot be reached. The direction is that of the pocket's middle then.
+    """
+    dx = gates[p, GATE_X] - x
+    dy = gates[p, GATE_Y] - y
+    away = math.sqrt(dx * dx + dy * dy)
+    towards = math.atan2(dy, dx)
+    if away <= gates[p, GATE_RADIUS]:
+        return towards, 1.0
+    if gates[p, JAW_RADIUS] == 0.0:
+        return towards, math.asin(gates[p, GATE_RADIUS] / away)
+    reach = gates[p, JAW_RADIUS] + radius - YIELDING
+    low = -1.5
+    high = 1.5
+    for side in range(2):
+        jaw_x = gates[p, LEFT_X + 2 * side] - x
+        jaw_y = gates[p, LEFT_Y + 2 * side] - y
+        far = math.sqrt(jaw_x * jaw_x + jaw_y * jaw_y)
+        if far <= reach:
+            continue
+        # angle from the pocket's middle to the jaw, without a branch cut
+        turn = math.atan2(dx * jaw_y - dy * jaw_x, dx * jaw_x + dy * jaw_y)
+        if side == 0:
+            high = min(high, turn - math.asin(reach / far))
+        else:
+            low = max(low, turn + math.asin(reach / far))
+    return towards + 0.5 * (low + high), 0.5 * (high - low)
+
+
+@inner_kernel
+def lane_is_free(places, radii, from_x, from_y, to_x, to_y, radius, skip, skip_too):
+    """True if a ball of this radius can go straight from one point to another, all m, and touch no ball.
+
+    places (n, 2) m, radii (n,) m. Balls `skip` and `skip_too` are not looked at.
+    """
+    dx = to_x - from_x
+    dy = to_y - from_y
+    square = dx * dx + dy * dy
+    for k in range(places.shape[0]):
+        if k in (skip, skip_too):
+            continue
+        x = places[k, 0] - from_x
+        y = places[k, 1] - from_y
+        reach = radius + radii[k] + CLEARANCE
+        along = x * dx + y * dy
+        if along <= 0.0:
+            # behind the start: in the way only if it is touched there already, and the lane leads into it
+            continue
+        if along >= square:
+            x -= dx
+            y -= dy
+            if x * x + y * y < reach * reach:
+                return False
+            continue
+        across = x * dy - y * dx
+        if across * across < reach * reach * square:
+            return False
+    return True
+
+
+@inner_kernel(inline="always")
+def chance_within(half, sigma):
+    """Share of a normal distribution within +-half."""
+    return math.erf(half / (1.4142135623730951 * sigma))
+
+
+@inner_kernel
+def pot_chance(places, radii, gates, cue, ball, p, sight, bed):
+    """Chance that the white ball pots `ball` directly into pocket p; 0 if it cannot.
+
+    places (n, 2), radii (n,) m. sight: unsteadiness of the white ball's direction, rad. bed: (left, right,
+    lower, upper) of the straight rails, m.
+    """
+    x = places[ball, 0]
+    y = places[ball, 1]
+    direction, half = pocket_window(gates, p, x, y, radii[ball])
+    if half <= 0.0:
+        return 0.0
+    reach = 2.0 * math.sqrt(radii[cue] * radii[ball])
+    ux = math.cos(direction)
+    uy = math.sin(direction)
+    ghost_x = x - reach * ux
+    ghost_y = y - reach * uy
+    margin = radii[cue] - 0.002
+    if not (bed[0] + margin <= ghost_x <= bed[1] - margin and bed[2] + margin <= ghost_y <= bed[3] - margin):
+        return 0.0
+    dx = ghost_x - places[cue, 0]
+    dy = ghost_y - places[cue, 1]
+    distance = math.sqrt(dx * dx + dy * dy)
+    cosine = 1.0 if distance < 1e-9 else (dx * ux + dy * uy) / distance
+    if cosine < LEAST_COSINE:
+        return 0.0
+    if not lane_is_free(places, radii, x, y, gates[p, GATE_X], gates[p, GATE_Y], radii[ball], ball, cue):
+        return 0.0
+    if not lane_is_free(
+        places, radii, places[cue, 0], places[cue, 1], ghost_x, ghost_y, radii[cue], cue, ball
+    ):
+        return 0.0
+    sigma = sight * (distance / (reach * cosine) + 1.0) + RUB
+    return chance_within(half, sigma)
+
+
+@inner_kernel
+def openness(places, radii, gates, cue, ball, sight):
+    """Chance that a ball can be potted later on, once the white ball lies well for it."""
+    best = 0.0
+    second = 0.0
+    for p in range(gates.shape[0]):
+        _, half = pocket_window(gates, p, places[ball, 0], places[ball, 1], radii[ball])
+        if half <= 0.0:
+            continue
+        sigma = sight * (NEAR / (2.0 * SLACK) + 1.0) + RUB
+        chance = chance_within(half, sigma)
+        if chance <= second:
+            continue
+        if not lane_is_free(
+            places, radii, places[ball, 0], places[ball, 1], gates[p, GATE_X], gates[p, GATE_Y],
+            radii[ball], ball, cue,
+        ):  # fmt: skip
+            continue
+        if chance > best:
+            second = best
+            best = chance
+        else:
+            second = chance
+    return best + 0.3 * second * (1.0 - best)

@@ -1,0 +1,209 @@
+"""What a table is worth to the player at turn: a quick estimate for very many tables.
+
+The chance to clear it: the best pot now, times how open each of the other balls is that must go down. What
+is left of certainty is shared by who comes to the table next, and how open that one's balls are.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.lean import inner_kernel, lean_kernel
+from game.billiards.search.lanes import openness, pot_chance
+from game.billiards.search.outcomes import (
+    CHAIN,
+    CUSHIONED,
+    DOWN,
+    FIRST_BALLS,
+    GIVEN_UP,
+    NOWHERE,
+    POCKET,
+    SCRATCH,
+)
+
+Array = NDArray[np.float64]
+
+# what a stroke led to, for the shooter
+MISSED, SCORED, WON, FOULED, LOST = range(5)
+
+BLOCKED = 0.25  # openness of a ball to which no pocket is open
+HOLD = 0.35  # chance to win, once a run has ended, if the other's balls are all shut
+OPEN_LOSS = 0.25  # what of it is lost if they are all open
+IN_HAND = 0.97  # chance of a pot with the white ball in hand, of one that is open
+
+
+class Aims(NamedTuple):
+    """What the shooter is after; sets of balls as bits of their rows.
+
+    first: may be touched first. score: keep the turn when they go down. needed: must go down for the rack to
+    be won, now or later. win, lose: end the rack. other: what the opponent needs. called: only the ball and
+    pocket that were meant count. rotation: the lowest ball must be played first, and a foul with a winning
+    ball is a foul only. solo: nobody else plays, so that a miss or a foul is worth nothing. chain: so many
+    balls, the white one and itself among them, must have sent a ball on for it to count.
+    """
+
+    first: int
+    score: int
+    needed: int
+    win: int = 0
+    lose: int = 0
+    other: int = 0
+    called: bool = True
+    rotation: bool = False
+    solo: bool = False
+    chain: int = 0
+
+
+FIRST_AIM, SCORE_AIM, NEEDED_AIM, WIN_AIM, LOSE_AIM, OTHER_AIM = range(6)
+CALLED_AIM, ROTATION_AIM, SOLO_AIM, CHAIN_AIM = range(6, 10)
+
+
+def packed(aims: Aims) -> NDArray[np.int64]:
+    """Aims as the kernels read them, (10,)."""
+    return np.array([int(field) for field in aims], dtype=np.int64)
+
+
+@inner_kernel
+def clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, open_chances):
+    """Estimated chance to pot all `needed` balls in one visit, beginning with one of `playable` (bits).
+
+    open_chances (n,): room. Returns 1 if nothing is needed.
+    """
+    n = places.shape[0]
+    product = 1.0
+    count = 0
+    for i in range(n):
+        open_chances[i] = 1.0
+        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
+            open_chances[i] = max(openness(places, radii, gates, cue, i, sight), BLOCKED)
+            product *= open_chances[i]
+            count += 1
+    if count == 0:
+        return 1.0
+    best = 0.0
+    for i in range(n):
+        if playable & needed & (1 << i) == 0 or places[i, 0] <= 0.5 * NOWHERE:
+            continue
+        others = product / open_chances[i]
+        if others <= best:
+            continue
+        for p in range(gates.shape[0]):
+            chance = pot_chance(places, radii, gates, cue, i, p, sight, bed) * others
+            best = max(best, chance)
+    return best
+
+
+@inner_kernel
+def next_playable(aims, places, needed):
+    """Of the `needed` balls (bits) those that may be played at next: in rotation the lowest, else those that
+    do not end the rack, as long as there are any."""
+    left = 0
+    for i in range(places.shape[0]):
+        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
+            left |= 1 << i
+            if aims[ROTATION_AIM] != 0:
+                return left
+    before = left & ~(aims[WIN_AIM] | aims[LOSE_AIM])
+    return before if before != 0 else left
+
+
+@inner_kernel(inline="always")
+def _is_sent_by(chain, least):
+    """True if a chain has at least so many balls."""
+    count = 0
+    for i in range(16):
+        count += (chain >> i) & 1
+    return count >= least
+
+
+@inner_kernel
+def classify(facts, ways, aims, ball, pocket):
+    """What a stroke led to (MISSED to LOST), whose shooter meant to pot `ball` into `pocket` (-1: any)."""
+    down = facts[DOWN]
+    foul = (
+        facts[GIVEN_UP] != 0
+        or facts[SCRATCH] != 0
+        or facts[FIRST_BALLS] & aims[FIRST_AIM] == 0
+        or (down == 0 and facts[CUSHIONED] == 0)
+    )
+    if down & aims[LOSE_AIM] != 0:
+        return LOST
+    if down & aims[WIN_AIM] != 0:
+        meant = aims[CALLED_AIM] == 0 or (
+            ball >= 0 and aims[WIN_AIM] & (1 << ball) != 0 and ways[ball, POCKET] == pocket
+        )
+        if foul or not meant:
+            return FOULED if aims[ROTATION_AIM] != 0 else LOST
+        return WON
+    if foul:
+        return FOULED
+    if aims[CALLED_AIM] != 0:
+        hit = ball >= 0 and ways[ball, POCKET] >= 0 and (pocket < 0 or ways[ball, POCKET] == pocket)
+        return SCORED if hit and _is_sent_by(ways[ball, CHAIN], aims[CHAIN_AIM]) else MISSED
+    for i in range(ways.shape[0]):
+        if down & aims[SCORE_AIM] & (1 << i) != 0 and _is_sent_by(ways[i, CHAIN], aims[CHAIN_AIM]):
+            return SCORED
+    return MISSED
+
+
+@lean_kernel
+def classify_all(facts, ways, aims, meant, kinds):
+    """Class of each stroke (m,). meant (m, 2): ball and pocket (-1: none)."""
+    for s in range(facts.shape[0]):
+        kinds[s] = classify(facts[s], ways[s], aims, meant[s, 0], meant[s, 1])
+
+
+@lean_kernel
+def rate_all(kinds, places, radii, gates, cue, aims, sight, bed, room, worth):
+    """Worth (m,) of what strokes of these classes left: the estimated chance to win.
+
+    places (m, n, 2) m; bed (4,) m, see `lanes`; room (n,). With `solo` it is the chance to clear the table.
+    """
+    solo = aims[SOLO_AIM] != 0
+    for s in range(kinds.shape[0]):
+        kind = kinds[s]
+        if kind == WON:
+            worth[s] = 1.0
+        elif kind == LOST or (solo and kind != SCORED):
+            worth[s] = 0.0
+        elif kind == SCORED:
+            worth[s] = worth_on_turn(places[s], radii, gates, cue, aims, sight, bed, room)
+        else:
+            worth[s] = worth_off_turn(places[s], radii, gates, cue, aims, sight, bed, room, kind == FOULED)
+
+
+@inner_kernel
+def worth_on_turn(places, radii, gates, cue, aims, sight, bed, room):
+    """Chance to win for the player at turn."""
+    playable = next_playable(aims, places, aims[NEEDED_AIM])
+    run = clearing_chance(places, radii, gates, cue, playable, aims[NEEDED_AIM], sight, bed, room)
+    if aims[SOLO_AIM] != 0:
+        return run
+    other = open_product(places, radii, gates, cue, aims[OTHER_AIM], sight)
+    return run + (1.0 - run) * (HOLD - OPEN_LOSS * other)
+
+
+@inner_kernel
+def open_product(places, radii, gates, cue, needed, sight):
+    """How open a player's balls are, all together."""
+    product = 1.0
+    for i in range(places.shape[0]):
+        if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
+            product *= max(openness(places, radii, gates, cue, i, sight), BLOCKED)
+    return product
+
+
+@inner_kernel
+def worth_off_turn(places, radii, gates, cue, aims, sight, bed, room, in_hand):
+    """Chance to win for a player whose opponent comes to the table."""
+    other = aims[OTHER_AIM]
+    if in_hand:
+        run = IN_HAND * open_product(places, radii, gates, cue, other, sight)
+    else:
+        playable = next_playable(aims, places, other)
+        run = clearing_chance(places, radii, gates, cue, playable, other, sight, bed, room)
+    mine = open_product(places, radii, gates, cue, aims[NEEDED_AIM], sight)
+    return 1.0 - (run + (1.0 - run) * (HOLD - OPEN_LOSS * mine))

@@ -1,0 +1,247 @@
+"""Many strokes at one arrangement of balls: struck, played and summed up in three kernel calls a chunk.
+
+`Board` is the arrangement made ready. What comes of a stroke depends neither on the others nor on the number
+of threads; buffers belong to the thread that uses them.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.arrangement import Arrangement
+from game.billiards.batch import Log
+from game.billiards.cue import CUE_END_MASS, CUE_MASS
+from game.billiards.exact import play_shots
+from game.billiards.lean import inner_kernel, lean_kernel
+from game.billiards.rules import CUE_BALL
+from game.billiards.search.outcomes import Outcomes, sum_up
+from game.billiards.shot import Physics
+from game.billiards.simulation import log_for, room_for
+from game.billiards.state import (
+    IN_COLUMNS,
+    IN_MASS,
+    IN_MOTION,
+    IN_RADIUS,
+    IN_VX,
+    IN_VY,
+    IN_WX,
+    IN_WY,
+    IN_WZ,
+    PHYSICS_COLUMNS,
+    SLIDING,
+)
+from game.billiards.table import Table
+
+Array = NDArray[np.float64]
+
+CHUNK = 128  # strokes that a thread takes at a time
+EVENTS_A_STROKE = 64  # first guess of the room in a log
+MAX_EVENTS = 3000  # of a stroke; the few that need more are given up
+
+# columns of strokes (m, 5), the fields of `arrangement.Stroke`
+SPEED, AZIMUTH, ELEVATION, TIP_LEFT, TIP_UP = range(5)
+LARGEST_TIP = 0.7  # ball radii; noise does not carry the tip farther out
+LEAST_SPEED = 0.02  # m/s
+STEEPEST = 1.5  # rad
+
+_buffers = threading.local()
+
+
+class Noise(NamedTuple):
+    """Standard deviations of what a hand does: tip m, elevation rad, azimuth rad, speed m/s."""
+
+    tip: float = 0.5e-3
+    elevation: float = math.radians(0.1)
+    azimuth: float = math.radians(0.125)
+    speed: float = 0.075
+
+    def scaled(self, factor: float) -> Noise:
+        """A hand that is so many times as unsteady."""
+        return Noise(*(factor * sigma for sigma in self))
+
+
+STEADY = Noise(0.0, 0.0, 0.0, 0.0)
+
+
+@inner_kernel(inline="always")
+def strike_ball(stroke, ball, end_mass, cue_mass):
+    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays."""
+    a = stroke[TIP_LEFT]
+    b = stroke[TIP_UP]
+    radius = ball[IN_RADIUS]
+    mass = ball[IN_MASS]
+    cosine = math.cos(stroke[ELEVATION])
+    sine = math.sin(stroke[ELEVATION])
+    c = math.sqrt(1.0 - a * a - b * b)
+    k = 0.4 * radius * radius
+    side = radius * a
+    lever = radius * (sine * c + cosine * b) * cosine - radius * (cosine * c - sine * b) * sine
+    speed = 2.0 * stroke[SPEED] / (1.0 + mass / cue_mass + (side * side + lever * lever) / k)
+    turn = stroke[AZIMUTH] + 0.5 * math.pi
+    rest = 1.0 - a * a
+    aside = turn - math.atan2(2.5 * a * math.sqrt(rest), 1.0 + mass / end_mass + 2.5 * rest)
+    ball[IN_VX] = math.sin(aside) * speed * cosine
+    ball[IN_VY] = -math.cos(aside) * speed * cosine
+    roll = speed / k * lever
+    swerve = speed / k * side * sine
+    ball[IN_WX] = math.cos(turn) * roll - math.sin(turn) * swerve
+    ball[IN_WY] = math.sin(turn) * roll + math.cos(turn) * swerve
+    ball[IN_WZ] = -speed / k * side * cosine
+    ball[IN_MOTION] = SLIDING
+
+
+@lean_kernel
+def strike_all(strokes, base, cue, end_mass, cue_mass, balls):
+    """The balls of each stroke (m, n, 11): those of `base` (n, 11) with ball `cue` struck."""
+    for s in range(strokes.shape[0]):
+        for i in range(base.shape[0]):
+            for column in range(base.shape[1]):
+                balls[s, i, column] = base[i, column]
+        strike_ball(strokes[s], balls[s, cue], end_mass, cue_mass)
+
+
+@lean_kernel
+def add_noise(strokes, draws, sigmas, noisy):
+    """Each stroke (m, 5) with each of k draws (k, 5) of normal numbers, to noisy (m k, 5).
+
+    sigmas (4,): a `Noise`, the tip's in ball radii. A tip is kept on the ball, a butt above the cloth.
+    """
+    k = draws.shape[0]
+    for s in range(strokes.shape[0]):
+        for d in range(k):
+            row = noisy[s * k + d]
+            row[SPEED] = max(strokes[s, SPEED] + sigmas[3] * draws[d, SPEED], LEAST_SPEED)
+            row[AZIMUTH] = strokes[s, AZIMUTH] + sigmas[2] * draws[d, AZIMUTH]
+            raised = abs(strokes[s, ELEVATION] + sigmas[1] * draws[d, ELEVATION])
+            row[ELEVATION] = min(raised, STEEPEST)
+            a = strokes[s, TIP_LEFT] + sigmas[0] * draws[d, TIP_LEFT]
+            b = strokes[s, TIP_UP] + sigmas[0] * draws[d, TIP_UP]
+            shrink = LARGEST_TIP / max(math.sqrt(a * a + b * b), LARGEST_TIP)
+            row[TIP_LEFT] = a * shrink
+            row[TIP_UP] = b * shrink
+
+
+class _Room(NamedTuple):
+    """Buffers of one thread for n balls."""
+
+    balls: Array
+    constants: Array
+    ranges: NDArray[np.int64]
+    log: Log
+
+
+def _room(n: int) -> _Room:
+    rooms: dict[int, _Room] = _buffers.__dict__.setdefault("rooms", {})
+    if n not in rooms:
+        rooms[n] = _Room(
+            np.empty((CHUNK, n, IN_COLUMNS)),
+            np.empty((CHUNK, PHYSICS_COLUMNS)),
+            np.empty((CHUNK, 4), np.int64),
+            log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), paths=False),
+        )
+    return rooms[n]
+
+
+class Board:
+    """An arrangement with its white ball, ready for many strokes.
+
+    lie, table, physics: what was given. cue: row of the white ball. ValueError without a white ball.
+    """
+
+    def __init__(self, lie: Arrangement, table: Table, physics: Physics = Physics()) -> None:  # noqa: B008
+        if CUE_BALL not in lie.numbers:
+            raise ValueError("search: there is no white ball on the table")
+        self.lie = lie
+        self.table = table
+        self.physics = physics
+        self.cue = lie.numbers.index(CUE_BALL)
+        shot = lie.shot(table, physics)
+        self.base = shot.balls
+        self.radii = np.ascontiguousarray(shot.balls[:, IN_RADIUS])
+        self.radius = float(self.radii[self.cue])
+        self.middle = shot.layout.middle
+        self._constants = shot.constants
+        self._elements = shot.batch.elements
+        self._ranges = shot.batch.ranges[0]
+
+    @property
+    def places(self) -> Array:
+        """Where the balls lie (n, 2), m in the table's frame."""
+        return self.base[:, :2] + self.middle
+
+    def moved(self, places: Array, kept: NDArray[np.intp]) -> Board:
+        """The board with some of its rows, at rest at other places (n, 2) m; nothing is checked."""
+        board = Board.__new__(Board)
+        board.__dict__.update(self.__dict__)
+        board.base = self.base[kept]
+        board.base[:, :2] = places[kept] - self.middle
+        board.cue = int(np.flatnonzero(kept == self.cue)[0])
+        board.radii = self.radii[kept]
+        return board
+
+    @property
+    def count(self) -> int:
+        """How many balls there are, the white one among them."""
+        return len(self.base)
+
+    def play(self, strokes: Array, pool: ThreadPoolExecutor | None = None) -> Outcomes:
+        """What comes of strokes (m, 5). pool: threads to share them among."""
+        outcomes = Outcomes.empty(len(strokes), self.count)
+        starts = range(0, len(strokes), CHUNK)
+        in_threads(pool, lambda start: self._play_chunk(strokes, outcomes, start), starts)
+        return outcomes
+
+    def _play_chunk(self, strokes: Array, outcomes: Outcomes, start: int) -> None:
+        """Play one chunk into its rows of the outcomes."""
+        end = min(start + CHUNK, len(strokes))
+        m = end - start
+        room = _room(self.count)
+        balls, constants, ranges = room.balls[:m], room.constants[:m], room.ranges[:m]
+        constants[:] = self._constants
+        ranges[:] = self._ranges
+        strike_all(strokes[start:end], self.base, self.cue, CUE_END_MASS, CUE_MASS, balls)
+        log = room.log
+        rows = Log(log.events, log.segments, log.ends[:m], log.final[:m])
+        first = 0
+        while first < m:
+            played = int(
+                play_shots(
+                    *room_for(self.count), balls, constants, self._elements, ranges, *rows,
+                    first, math.inf, MAX_EVENTS,
+                )
+            )  # fmt: skip
+            sum_up(
+                rows.events, rows.ends, rows.final, self.cue, first, played,
+                *(column[start:end] for column in outcomes),
+            )  # fmt: skip
+            first = played
+
+
+def in_threads(
+    pool: ThreadPoolExecutor | None, task: Callable[[int], Any], items: Sequence[int]
+) -> list[Any]:
+    """Do a task for each item, in threads if there is a pool; results in the order of items."""
+    if pool is None or len(items) < 2:
+        return [task(item) for item in items]
+    return list(pool.map(task, items))
+
+
+def draw_noise(seed: int, count: int) -> Array:
+    """Normal numbers (count, 5) for `add_noise`, each column of mean 0: half of them mirror the others."""
+    half = np.random.default_rng(seed).standard_normal(((count + 1) // 2, 5))
+    return np.ascontiguousarray(np.concatenate([half, -half])[:count])
+
+
+def with_noise(strokes: Array, draws: Array, noise: Noise, radius: float) -> Array:
+    """Each stroke (m, 5) as an unsteady hand does it, k times: (m k, 5). draws (k, 5): normal numbers."""
+    noisy = np.empty((len(strokes) * len(draws), 5))
+    sigmas = np.array([noise.tip / radius, noise.elevation, noise.azimuth, noise.speed])
+    add_noise(np.ascontiguousarray(strokes), draws, sigmas, noisy)
+    return noisy
