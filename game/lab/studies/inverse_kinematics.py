@@ -1,0 +1,3 @@
+"""x"""
+
+reaching_study = None

@@ -1,0 +1,3 @@
+"""x"""
+
+skinning_study = None
