@@ -4,7 +4,7 @@ from game.physics.narrowphase.batch import PolygonSet, Proximities, gjk_batch, v
 from game.physics.narrowphase.convex import ConvexPolygon, NonConvexError, convex_hull
 from game.physics.narrowphase.features import Feature
 from game.physics.narrowphase.proximity import Proximity, certify
-from game.physics.narrowphase.queries import gjk, gjk_trace, sat, vclip, vclip_trace
+from game.physics.narrowphase.queries import epa, epa_trace, gjk, gjk_trace, sat, vclip, vclip_trace
 
 __all__ = [
     "ConvexPolygon",
@@ -15,6 +15,8 @@ __all__ = [
     "Proximity",
     "certify",
     "convex_hull",
+    "epa",
+    "epa_trace",
     "gjk",
     "gjk_batch",
     "gjk_trace",

@@ -191,7 +191,7 @@ def measure_chord(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1):
     ix, iy = va[fa + i1, 0] - va[fa + i0, 0], va[fa + i1, 1] - va[fa + i0, 1]
     edge_a, edge_b = edge_between(i0, i1, na), edge_between(j0, j1, nb)
     w0x, w0y = corner(va, fa, vb, fb, c, s, tx, ty, i0, j0)
-    if edge_a >= 0 and edge_b >= 0 and ix * ey - iy * ex == 0.0:
+    if i0 != i1 and j0 != j1 and edge_a >= 0 and edge_b >= 0 and ix * ey - iy * ex == 0.0:
         x, y = vb[fb + j0, 0], vb[fb + j0, 1]
         edge_a = facing_edge(va, fa, na, edge_a, c * x - s * y + tx, s * x + c * y + ty)
         x, y = va[fa + i0, 0] - tx, va[fa + i0, 1] - ty

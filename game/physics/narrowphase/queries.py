@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.narrowphase import epa as epa_kernels
 from game.physics.narrowphase import gjk as gjk_kernels
 from game.physics.narrowphase import vclip as vclip_kernels
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
@@ -81,6 +82,28 @@ def sat(a: Any, b: Any) -> Proximity:
     return _proximity(a, found, len(a) + len(b))
 
 
+def epa(
+    a: Any, b: Any, start: Start = None, method: str = "climb", trace: Array = gjk_kernels.NO_TRACE,
+    expansion: Array = epa_kernels.NO_TRACE,
+) -> Proximity:  # fmt: skip
+    """`gjk`, with the depth of an overlap by expanding a polygon (EPA) instead of looking at all edges.
+
+    ``iterations`` counts the steps of both.
+    """
+    if method not in METHODS:
+        raise ValueError(f"epa: method must be climb or scan, not {method!r}")
+    a, b = as_polygon(a), as_polygon(b)
+    frame = _frame(a, b)
+    toward = b.centre - a.centre
+    room = len(a) + len(b) + 3
+    found, steps, more = epa_kernels.epa_query(
+        a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
+        *_codes(start), gjk_kernels.TOLERANCE, gjk_kernels.LIMIT, METHODS.index(method),
+        np.empty((room, 2), dtype=np.int64), np.empty(room), trace, expansion,
+    )  # fmt: skip
+    return checked(a, b, found, steps + more)
+
+
 class FeatureStep(NamedTuple):
     """A step of V-Clip: the features it stood on, and what it decided there (see ``VERDICTS``)."""
 
@@ -132,6 +155,10 @@ def gjk_trace(a: Any, b: Any, start: Start = None, **options: Any) -> tuple[Prox
     """`gjk`, and its steps."""
     rows = np.full((gjk_kernels.LIMIT, gjk_kernels.TRACE_WIDTH), np.nan)
     found = gjk(a, b, start, trace=rows, **options)
+    return found, _simplex_steps(rows)
+
+
+def _simplex_steps(rows: Array) -> list[SimplexStep]:
     steps = []
     for row in rows[np.isfinite(rows[:, 0])].tolist():
         corners = ((int(row[1]), int(row[2])), (int(row[3]), int(row[4])))
@@ -147,7 +174,52 @@ def gjk_trace(a: Any, b: Any, start: Start = None, **options: Any) -> tuple[Prox
                 KEPT[int(row[15])],
             )
         )
-    return found, steps
+    return steps
+
+
+class PolytopeStep(NamedTuple):
+    """A step of EPA.
+
+    corners: pairs (vertex of A, vertex of B) of the polygon, counterclockwise; edge: the place of the corner
+    where its nearest edge begins; height: how far that is from the origin, m; support: the pair farthest along
+    its normal; grows: whether that lies beyond it, and is the next corner.
+    """
+
+    corners: tuple[tuple[int, int], ...]
+    edge: int
+    height: float
+    support: tuple[int, int]
+    grows: bool
+
+
+def epa_trace(
+    a: Any, b: Any, start: Start = None, method: str = "climb"
+) -> tuple[Proximity, list[SimplexStep], list[PolytopeStep]]:  # fmt: skip
+    """`epa`, the steps of GJK, and then those of EPA."""
+    a, b = as_polygon(a), as_polygon(b)
+    rows = np.full((gjk_kernels.LIMIT, gjk_kernels.TRACE_WIDTH), np.nan)
+    more = np.full((len(a) + len(b) + 3, epa_kernels.TRACE_WIDTH), np.nan)
+    found = epa(a, b, start, method, rows, more)
+    steps = _simplex_steps(rows)
+    expansion: list[PolytopeStep] = []
+    corners = _first_corners(a, b, steps if start is None else [])
+    for edge, height, i, j, grows in more[np.isfinite(more[:, 0])].tolist():
+        support = (int(i), int(j))
+        expansion.append(PolytopeStep(tuple(corners), int(edge), height, support, bool(grows)))
+        if grows:
+            corners.insert(int(edge) + 1, support)
+    return found, steps, expansion
+
+
+def _first_corners(a: ConvexPolygon, b: ConvexPolygon, steps: list[SimplexStep]) -> list[tuple[int, int]]:
+    """The polygon that EPA begins with after these steps of GJK."""
+    simplex = [*steps[-1].corners, steps[-1].support] if steps and steps[-1].kept == "inside" else []
+    first, second, third = (simplex * 3)[:3] if simplex else [(0, 0)] * 3
+    corners = np.zeros((3, 2), dtype=np.int64)
+    count = epa_kernels.first_polygon(
+        a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b), *first, *second, *third, corners
+    )  # fmt: skip
+    return [(int(i), int(j)) for i, j in corners[:count]]
 
 
 def checked(a: ConvexPolygon, b: ConvexPolygon, found: Any, steps: int) -> Proximity:

@@ -28,7 +28,8 @@ from game.physics.narrowphase.features import (
 )
 from game.physics.narrowphase.separating_axis import measure_overlap, measure_touching
 
-BEHIND = -1  # what `clip_vertex` says of a vertex in the strip of an edge, but behind it
+BEHIND = -1  # what `clip_vertex` and `clip_edge` say of what is beside an edge, but not in front
+CROSSING = -2  # what `clip_edge` says of an edge that crosses or meets another
 CLOSEST, OVERLAPPING, REPAIRED_A, REPAIRED_B, MOVED_A, MOVED_B = 0, 1, 2, 3, 4, 5
 CIRCLED = 6  # the walk came back to where it had been: all features were looked at
 TRACE_WIDTH = 3  # feature of A, feature of B, what was decided there
@@ -40,7 +41,7 @@ def clip_vertex(v, first, count, feature, x, y):
     """Where a vertex (x, y) of the other polygon lies as a feature's Voronoi region sees it.
 
     Returns the feature itself if within (borders included), the neighbour beyond the border that is crossed,
-    or BEHIND an edge. Cases vertex-vertex and vertex-edge.
+    or BEHIND an edge (or on it). Cases vertex-vertex and vertex-edge.
     """
     if count == 1:
         return feature
@@ -55,7 +56,7 @@ def clip_vertex(v, first, count, feature, x, y):
             return 2 * i
         if ex * (x - v[first + n, 0]) + ey * (y - v[first + n, 1]) > 0.0:
             return 2 * n
-        return BEHIND if ex * dy - ey * dx > 0.0 else feature
+        return BEHIND if ex * dy - ey * dx >= 0.0 else feature
     if along > 0.0:
         return feature + 1
     n = before(i, count)
@@ -73,7 +74,7 @@ def clip_edge(v, first, count, feature, px, py, qx, qy):
     beyond a border exactly if the foot on the line p q is beyond it, which the two directions alone decide.
 
     Of an edge: the answer is the vertex whose border the part beside the edge must cross to come nearer, the
-    edge itself if an end of p q is nearest (or both are parallel), or BEHIND if they cross.
+    edge itself if an end of p q is nearest (or both are parallel), CROSSING, or BEHIND.
     """
     if count == 1:
         return feature
@@ -108,8 +109,8 @@ def clip_edge(v, first, count, feature, px, py, qx, qy):
         high += (near - far) * end / (end - start)
     elif end > squared:
         high += (near - far) * (end - squared) / (end - start)
-    if low < 0.0 < high:
-        return BEHIND
+    if low <= 0.0:
+        return CROSSING if high > 0.0 or low == 0.0 else BEHIND
     if near < far and start < 0.0:
         return 2 * i
     if near < far and start > squared:
@@ -167,8 +168,13 @@ def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
         px, py = into(c, s, tx, ty, vb, fb + j)
         qx, qy = into(c, s, tx, ty, vb, fb + after(j, nb))
         seen = clip_edge(va, fa, na, feature_a, px, py, qx, qy)
-        if seen == BEHIND:
+        if seen == CROSSING:
             return feature_a, feature_b, OVERLAPPING
+        if seen == BEHIND:
+            if clip_vertex(va, fa, na, feature_a, px, py) != BEHIND:
+                px, py, feature_b = qx, qy, 2 * after(j, nb) + 1
+            best, distance = edge_in_front(va, fa, na, px, py)
+            return 2 * best + 1, feature_b - 1, OVERLAPPING if distance <= 0.0 else REPAIRED_A
         if seen != feature_a:
             return seen, feature_b, MOVED_A
         return end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, after(j, nb))
@@ -198,22 +204,17 @@ def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
 @lean
 def end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, next_b):
     """Of an edge of B (from p to q) beside one of A: its nearer end, or the edge if parallel and face to face."""
-    i = feature_a >> 1
-    n = after(i, na)
-    ox, oy = va[fa + i, 0], va[fa + i, 1]
+    n = after(feature_a >> 1, na)
+    ox, oy = va[fa + (feature_a >> 1), 0], va[fa + (feature_a >> 1), 1]
     ex, ey = va[fa + n, 0] - ox, va[fa + n, 1] - oy
     near = ey * (px - ox) - ex * (py - oy)
     falls = ey * (qx - px) - ex * (qy - py)
     if falls == 0.0 and near >= 0.0 and ex * (qx - px) + ey * (qy - py) < 0.0:
         return feature_a, feature_b, CLOSEST
-    if falls == 0.0:  # one is behind the other: the end that lies beside the edge shows it
+    if falls == 0.0:  # the edge of A lies behind that of B: an end that is beside it goes on
         beside = ex * (px - ox) + ey * (py - oy)
-        if 0.0 <= beside <= ex * ex + ey * ey:
-            return feature_a, feature_b - 1, MOVED_B
-        beside = ex * (qx - ox) + ey * (qy - oy)
-        if 0.0 <= beside <= ex * ex + ey * ey:
-            return feature_a, 2 * next_b, MOVED_B
-        return 2 * i, feature_b, MOVED_A
+        inside = 0.0 <= beside <= ex * ex + ey * ey
+        return feature_a, feature_b - 1 if inside else 2 * next_b, MOVED_B
     return feature_a, 2 * next_b if falls < 0.0 else feature_b - 1, MOVED_B
 
 
