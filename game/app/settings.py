@@ -34,6 +34,7 @@ class Settings(msgspec.Struct, forbid_unknown_fields=True):
     width: Side = 1280  # px, window
     height: Side = 720
     panel: bool = True
+    panel_in_games: bool = False  # a game has all of the window until its panel is asked for
     keys: dict[str, str] = {}
 
 

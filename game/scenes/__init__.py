@@ -5,6 +5,17 @@ from game.stage.catalogue import Catalogue, Entry
 CATALOGUE = Catalogue(
     (
         Entry(
+            name="billiards",
+            task="L.10",
+            title="Billiards",
+            fact="8-ball, 9-ball, trick shots",
+            category="Billiards",
+            module="game.scenes.billiards",
+            class_name="Billiards",
+            keywords="pool eight-ball nine-ball combination match trick shots puzzles drills opponents A02 exact cue",
+            roomy=True,
+        ),
+        Entry(
             name="lecture-balls",
             task="L",
             title="Two balls",

@@ -150,7 +150,8 @@ class SceneScreen(Screen):
                 self.app.catalogue.neighbour(self.entry.name, 1 if name == "next" else -1).name
             )
         elif name == "panel":
-            self.app.settings.panel = not self.app.settings.panel
+            name = "panel_in_games" if self.entry.roomy else "panel"
+            setattr(self.app.settings, name, not getattr(self.app.settings, name))
             self.restyle()
         elif self.play is not None:
             return self._command_in_play(self.play, name)

@@ -69,8 +69,11 @@ class Shell:
     def place(self) -> None:
         """Lay out for the present window, scale and theme."""
         app, look = self.app, self.app.look
+        panel = app.settings.panel_in_games if self.entry.roomy else app.settings.panel
         strips = len(self.strips.strips) if self.strips is not None else 3
-        self.layout = arrange(*app.window.size, look.k, panel=app.settings.panel, strips=strips)
+        if self.entry.roomy and not panel:
+            strips = 0
+        self.layout = arrange(*app.window.size, look.k, panel=panel, strips=strips)
         self.bar.place(self.layout.top_bar, look)
         self.hints.place(self.layout.hint_bar, look)
         for widget in (self.legend, self.tip, self.loading):

@@ -1,0 +1,362 @@
+"""The billiard game: eight-ball, nine-ball, combination match, practice, drills, trick shots."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import Any, NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.arrangement import Stroke
+from game.billiards.frame import Frame as GameFrame
+from game.billiards.lecture_state import POCKETS
+from game.billiards.rules import CUE_BALL, Call
+from game.billiards.shot import Physics
+from game.billiards.shot_effects import EXACT_EFFECTS, physics_of
+from game.billiards.trajectory import rotation_matrices
+from game.levels import Level
+from game.scenes import billiards_hand as hand
+from game.scenes import billiards_moves as moves
+from game.scenes import billiards_view as view
+from game.scenes.billiards_cue import warm_ups as cue_warm_ups
+from game.scenes.billiards_layout import FRAME
+from game.scenes.billiards_level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
+from game.scenes.billiards_opponent import Thinker
+from game.scenes.billiards_players import GRADES, think
+from game.scenes.billiards_round import Conditions, Played, Round, Struck, begin, play
+from game.scenes.billiards_sounds import hearing_of, sounds_of
+from game.scenes.cue_control import CueControl
+from game.scenes.demo_shots import scattered_orientations
+from game.scenes.table_view import warm_ups as table_warm_ups
+from game.stage import (
+    Choice,
+    Decision,
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Sound,
+    Strip,
+    Toggle,
+    WarmUp,
+)
+
+Array = NDArray[np.float64]
+
+AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
+PHASE_S, REPLAY_S = range(2)  # columns of the clock
+
+
+class BilliardsState(NamedTuple):
+    """What is on the table at this moment.
+
+    clock (2,) s: time of the phase, place in the replay. places (16, 2) m by number. turns, turns_before
+    (16, 3, 3): how the balls lie, and lay before the last stroke. cue (7,). word: of the round.
+    """
+
+    clock: Array
+    places: Array
+    turns: Array
+    turns_before: Array
+    cue: Array
+    word: str
+
+
+class Kept:
+    """What is computed from the round and kept as long as that holds; no part of the state."""
+
+    def __init__(self) -> None:
+        self.word_of: Round | None = None
+        self.word = ""
+        self.played_of: Struck | None = None
+        self.played: Played | None = None
+        self.sounds_of: Struck | None = None
+        self.sounds: tuple[Sound, ...] = ()
+        self.sight: Any = None  # see billiards_sight
+
+
+class Billiards(Scene):
+    """A pool table to play on. Every stroke is computed to its end at the moment when the tip meets the ball,
+    from one event to the next: ball meets ball, cushion, jaw or pocket, sliding turns into rolling. What you
+    see afterwards is that computation looked at in its time, and so is the line before you strike: it is no
+    guess, but the stroke itself.
+
+    Eight-ball and nine-ball follow the rules of the World Pool-Billiard Association. In the combination match
+    a ball counts only if it goes down by way of another one. Puzzles and drills have goals, and up to three
+    stars.
+    """
+
+    name = "billiards"
+    task = "L.10"
+    title = "Billiards"
+    effects = EXACT_EFFECTS
+    quarter_turns = 1
+    takes = frozenset(("wheel", "middle", "right"))
+    content_type = BilliardsContent
+
+    game = Choice(
+        "level",
+        ("level", "eight-ball", "nine-ball", "combination", "practice"),
+        labels=("As the level says", "8-ball", "9-ball", "Combination match", "Practice"),
+        group="Game", rebuild=True,
+    )  # fmt: skip
+    first_player = Choice(
+        "person", ("person", *GRADES), group="Game", label="First player", help="you, or a computer player"
+    )
+    second_player = Choice(
+        "person", ("person", *GRADES), group="Game", label="Second player", help="you, or a computer player"
+    )
+    considered = Toggle(
+        False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
+    )
+    power = Param(
+        4.0, 0.1, 10.0, unit="m/s", group="Stroke", help="speed of a ball that is struck in its middle"
+    )
+    tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
+    tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
+    elevation = Param(0.0, 0.0, 80.0, unit="°", group="Stroke", help="of the butt of the cue")
+    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the ways after it")
+    events = Param(
+        12, 1, 60, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
+    )
+    sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
+    rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")
+    ball_restitution = Param(0.95, 0.5, 1.0, group="Table", label="Ball restitution")
+    cushion_restitution = Param(0.85, 0.3, 1.0, group="Table", label="Cushion restitution")
+    radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much smaller some balls are")
+    mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
+
+    strips = (
+        Strip("Energy", "J", ("energy",)),
+        Strip("White ball", "m/s", ("white ball",)),
+        Strip("Events", "", ("events",)),
+    )
+    hints = (
+        Hint(("Move",), "aim"),
+        Hint(("Drag",), "pull back, let go"),
+        Hint(("Shift",), "fine aim"),
+        Hint(("Wheel",), "turn by 0.05°"),
+        Hint(("Enter",), "strike"),
+        Hint(("V",), "aim line"),
+        Hint(("U",), "undo"),
+        Hint(("R",), "replay"),
+    )
+    actions = (
+        SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),
+        SceneAction("undo", "undo the last stroke, aim as before", "U"),
+        SceneAction("replay", "replay of the last stroke", "R"),
+        SceneAction("view", "aim line on or off", "V"),
+        SceneAction("set-up", "place the balls freely", "E"),
+        SceneAction("rack", "next rack, or the same anew", "N"),
+        SceneAction("demo", "plays itself", "D"),
+        SceneAction("centre", "strike the middle of the ball", "C"),
+        SceneAction("safety", "announce a safety or a push-out", "B"),
+        SceneAction("left", "turn the cue left", "left"),
+        SceneAction("right", "turn the cue right", "right"),
+        SceneAction("harder", "more power", "up"),
+        SceneAction("softer", "less power", "down"),
+        SceneAction("first", "take the first option", "1"),
+        SceneAction("second", "take the second option", "2"),
+        SceneAction("third", "take the third option", "3"),
+        SceneAction("fourth", "take the fourth option", "4"),
+    )  # fmt: skip
+    equations = (
+        Equation(
+            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
+        ),
+        Equation("Next contact of two balls", r"|\v{r}_2(t) - \v{r}_1(t)|^2 = 4 R^2", "a quartic in t"),
+        Equation("Cue and ball", r"v = \frac{2 V}{1 + m/M + \frac{5}{2} (a^2 + b^2)}", "Alciatore, TP A-30"),
+        Equation("Throw", r"\mu = a + b e^{-c v}", "Alciatore 2006"),
+    )
+    try_this = (
+        "Drag the blue mark on the white ball's picture down, and see the line after the contact bend back.",
+        "Raise the cue to 60 degrees, the tip to the side, strike gently: the ball turns round another.",
+        "Choose a computer player as second player, and let it show its thoughts.",
+        "Press E, lay out a position of your own, save it, and play it again and again.",
+    )
+    demo = ()
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        given = level.content if level is not None else None
+        content: BilliardsContent = given or BilliardsContent()
+        if self.game not in ("level", content.game):
+            content = BilliardsContent(game=self.game, players=content.players, calling=content.calling)  # type: ignore[arg-type]
+        self.content = content
+        balls = ball_set(self.radius_spread, self.mass_spread, self.seed)
+        conditions = self.conditions(tuple(balls.radii.tolist()), tuple(balls.masses.tolist()))
+        game = game_of(content)
+        lie = lie_of(content, game, conditions.table, balls, self.seed)
+        self.round: Round = begin(GameFrame(game, lie, conditions.table, conditions.physics), conditions)
+        self.phase = AIMING
+        self.clock = np.zeros(2)
+        self.places = np.zeros((16, 2))
+        self.turns = rotation_matrices(scattered_orientations(16, self.seed))
+        self.turns_before = self.turns.copy()
+        self.cue = CueControl(0.5 * math.pi)
+        self.pending: Stroke | None = None  # while the cue swings
+        self.practised = False
+        self.grip = ""  # what the pointer holds
+        self.call = Call()  # what the player has announced by hand
+        self.replay_runs = True
+        self.replay_speed = 1.0
+        self.plays_itself = False
+        self.rest_s = 0.0
+        self.racks = 0
+        self.told: deque[str] = deque(maxlen=8)
+        self.thinker = Thinker(think)
+        self.thoughts: tuple[Stroke, ...] = ()  # what a computer player considered before its last stroke
+        self.fine_at = math.nan  # bearing of the pointer at which the aim was made finely, rad
+        self.power_before = self.power
+        self.kept = Kept()
+        moves.lay_out(self)
+
+    def conditions(self, radii: tuple[float, ...], masses: tuple[float, ...]) -> Conditions:
+        """What knobs and effects make of the table."""
+        physics = Physics(
+            sliding=self.sliding, rolling=self.rolling,
+            ball_restitution=self.ball_restitution, cushion_restitution=self.cushion_restitution,
+        )  # fmt: skip
+        return Conditions(radii, masses, physics_of(self.active, physics), POCKETS in self.active)
+
+    def state(self) -> BilliardsState:
+        return BilliardsState(
+            self.clock, self.places, self.turns, self.turns_before, self.cue.data, self.word
+        )
+
+    def restore(self, state: BilliardsState) -> None:
+        super().restore(state._replace(cue=self.cue.data, word=self.word))
+        self.cue.data[:] = state.cue
+
+    @property
+    def word(self) -> str:
+        """A word that stands for the round, for the digest: equal rounds, equal words."""
+        kept = self.kept
+        if kept.word_of is not self.round:
+            kept.word_of, kept.word = self.round, moves.word_of(self.round)
+        return f"{self.phase} {kept.word}"
+
+    def knob_changed(self, name: str) -> None:
+        if name in ("sliding", "rolling", "ball_restitution", "cushion_restitution"):
+            self.effects_changed()
+
+    def effects_changed(self) -> None:
+        now = self.round.conditions
+        self.round = msgspec.structs.replace(self.round, conditions=self.conditions(now.radii, now.masses))
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        return [
+            WarmUp("exact table", lambda: moves.warm_up(cls())),
+            *cue_warm_ups(),
+            *table_warm_ups(),
+        ]
+
+    # -- stepping -----------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        if self.phase == STRIKING:
+            self.clock[PHASE_S] += dt
+            moves.swing(self)
+        elif self.phase == ROLLING:
+            self.clock[PHASE_S] += dt
+            moves.roll(self)
+        elif self.phase == REPLAY:
+            moves.run_replay(self, dt)
+        elif self.phase == AIMING:
+            self.rest_s += dt
+            if self.plays_itself:
+                moves.play_by_itself(self)
+
+    @property
+    def played(self) -> Played | None:
+        """What comes, or came, of the last stroke; None before the first."""
+        kept, last = self.kept, self.round.last
+        if kept.played_of is not last:
+            kept.played = play(self.round) if last is not None else None
+            kept.played_of = last
+        return kept.played
+
+    @property
+    def sounds(self) -> tuple[Sound, ...]:
+        """What is to be heard of the last stroke."""
+        kept, last = self.kept, self.round.last
+        if kept.sounds_of is not last:
+            played = self.played
+            kept.sounds = sounds_of(played.trajectory, last.stroke.cue_speed) if last and played else ()
+            kept.sounds_of = last
+        return kept.sounds
+
+    @property
+    def person_plays(self) -> bool:
+        """True if the player at turn is a person."""
+        return not self.plays_itself and self.grade_of(self.round.game.turn) == "person"
+
+    def grade_of(self, player: int) -> str:
+        """ "person", or the grade of a computer player."""
+        return str(self.first_player if player == 0 else self.second_player)
+
+    # -- what comes in ------------------------------------------------------------------------------
+
+    def pointer(self, event: Pointer) -> None:
+        hand.pointer(self, event)
+
+    def action(self, name: str) -> None:
+        hand.action(self, name)
+
+    def decisions(self) -> list[Decision]:
+        return moves.decisions(self)
+
+    def decide(self, event: Decision) -> None:
+        moves.decide(self, event)
+
+    # -- what is shown ------------------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return FRAME
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        view.draw(self, canvas, alpha)
+
+    def hearing(self) -> Hearing | None:
+        return hearing_of(self)
+
+    def legend(self) -> list[tuple[str, str, str]]:
+        return []
+
+    def readouts(self) -> tuple[Readout, ...]:
+        energy, speed, count = moves.measures(self)
+        return (
+            Readout("balls", len([1 for number, *_ in self.round.places if number != CUE_BALL])),
+            Readout("energy", energy, "J"),
+            Readout("white ball", speed, "m/s"),
+            Readout("events", count),
+            Readout("strokes", self.round.strokes),
+            Readout("shot", float(self.clock[PHASE_S]) if self.phase == ROLLING else 0.0, "s"),
+        )
+
+    def messages(self) -> list[str]:
+        told = list(self.told)
+        self.told.clear()
+        return told
+
+    def worth_keeping(self) -> object:
+        return None if self.plays_itself or not self.round.strokes else (self.round.game, self.round.places)
+
+    def save_content(self) -> BilliardsContent:
+        """Game and table as they are; in the midst of a stroke, as they were before it."""
+        balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in self.round.places]
+        return BilliardsContent(
+            game=self.content.game, players=self.content.players, calling=self.content.calling,
+            balls=balls, solution=self.content.solution,
+            saved=msgspec.to_builtins(self.round.game),
+        )  # fmt: skip

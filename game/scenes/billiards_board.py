@@ -1,0 +1,264 @@
+"""The score board above the table: who plays, with what, how it stands; and the line below that says why."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple
+
+import pygame
+
+from game.billiards.games import CombinationMatch, Drill, EightBall, NineBall, Practice
+from game.billiards.games.eight_ball import GROUPS
+from game.billiards.goals import described
+from game.billiards.table import POCKET_NAMES
+from game.scenes import billiards_layout as layout
+from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
+from game.ui.canvas import Canvas
+from game.ui.icons import icon
+from game.ui.look import Look
+from game.ui.painters.ball_picture import ball_chip
+from game.ui.shapes import draw_box, draw_disc
+
+if TYPE_CHECKING:
+    from game.scenes.billiards import Billiards
+
+COLORS = ("amber", "accent")  # of the two players
+GAME_TITLES = {
+    EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination match", Practice: "Practice",
+    Drill: "Drill",
+}  # fmt: skip
+MOST_CHIPS = 9
+
+
+class Card(NamedTuple):
+    """What the card of a player says. chips: balls; those gone are ticked."""
+
+    name: str
+    status: str
+    active: bool
+    chips: tuple[tuple[int, bool], ...] = ()
+
+
+class Standing(NamedTuple):
+    """All that the board says."""
+
+    title: str
+    under: str
+    cards: tuple[Card, ...]
+    score: str
+    caption: str
+
+
+def standing_of(scene: Billiards) -> Standing:
+    """How the game stands."""
+    game = scene.round.game
+    title = GAME_TITLES.get(type(game), "")
+    if scene.phase == SET_UP:
+        title, under = "Set up", "free placing"
+    elif scene.phase == REPLAY:
+        under = "replay"
+    else:
+        under = _situation(scene)
+    if len(game.players) == 1:
+        return Standing(title, under, (_single(scene),), "", "")
+    cards = tuple(_card(scene, player) for player in range(2))
+    score = f"{game.won[0]} : {game.won[1]}"
+    caption = "racks"
+    if isinstance(game, CombinationMatch):
+        score, caption = f"{game.points[0]} : {game.points[1]}", "balls"
+    return Standing(title, under, cards, score, caption)
+
+
+def _situation(scene: Billiards) -> str:
+    game = scene.round.game
+    if game.over:
+        return "rack over"
+    if game.opening:
+        return "break"
+    if isinstance(game, EightBall) and game.open_table:
+        return "open table"
+    return f"{len(game.on_table)} on the table"
+
+
+def _card(scene: Billiards, player: int) -> Card:
+    """The card of one of two players."""
+    game = scene.round.game
+    active = game.turn == player and not game.over
+    doing = _doing(scene) if active else "won the rack" if game.winner == player else ""
+    parts = []
+    chips: tuple[tuple[int, bool], ...] = ()
+    if isinstance(game, EightBall) and game.groups[player]:
+        group = GROUPS[game.groups[player]]
+        left = game.balls_of(player)
+        parts.append(f"{game.groups[player]}, {len(left)} left" if left else "on the 8")
+        chips = tuple((ball, ball not in left) for ball in group)
+    elif isinstance(game, NineBall) and active:
+        chips = tuple((ball, ball not in game.on_table) for ball in range(1, 10))
+    if game.fouls_in_row[player] and isinstance(game, NineBall):
+        parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
+    if doing:
+        parts.append(doing)
+    grade = scene.grade_of(player)
+    name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
+    return Card(name, " · ".join(parts), active, chips)
+
+
+def _doing(scene: Billiards) -> str:
+    """What the player at turn does."""
+    game = scene.round.game
+    if scene.phase in (STRIKING, ROLLING):
+        return "plays"
+    if game.options:
+        return "chooses"
+    if scene.plays_itself or not scene.person_plays:
+        return "thinks"
+    if scene.call.safety:
+        return "plays safe"
+    if scene.call.push_out:
+        return "pushes out"
+    return "white ball in hand" if game.in_hand else "aims"
+
+
+def _single(scene: Billiards) -> Card:
+    """The card of the only player."""
+    game = scene.round.game
+    if isinstance(game, Drill):
+        stars = "★" * game.best + "☆" * (1 + len(game.more) - game.best)
+        tries = (
+            f"{game.made} of {game.attempts} made, {game.streak} in a row" if game.attempts else "first try"
+        )
+        title = scene.level.title if scene.level is not None and scene.level.title else game.players[0]
+        return Card(title, f"{stars}   {tries}", True)
+    if isinstance(game, Practice):
+        status = f"{game.potted} potted with {game.strokes} strokes, run of {game.run}"
+        return Card(
+            game.players[0], status, True, tuple((ball, False) for ball in game.on_table[:MOST_CHIPS])
+        )
+    return Card(game.players[0], "", True)
+
+
+# -- drawing ------------------------------------------------------------------------------------------
+
+
+def draw_board(scene: Billiards, canvas: Canvas, look: Look) -> None:
+    """Title, cards and score; and the line below the table."""
+    rect = _rect(canvas, layout.BOARD)
+    if rect.w < 60 or rect.h < 16:
+        return
+    picture = _board_picture(standing_of(scene), rect.size, look)
+    canvas.surface.blit(picture, rect)
+    if scene.phase not in (SET_UP, REPLAY):
+        _draw_line(scene, canvas, look)
+
+
+@lru_cache(maxsize=12)
+def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pygame.Surface:
+    """The board as a picture, made anew only when it says something else."""
+    picture = pygame.Surface(size, pygame.SRCALPHA, 32)
+    px, height = look.px, size[1]
+    look.text(picture, standing.title, (px(4), 0.5 * height - px(10)), 15, "semibold", "text1")
+    look.text(picture, standing.under, (px(4), 0.5 * height + px(10)), 12, "medium", "text3")
+    if len(standing.cards) == 1:
+        box = pygame.Rect(px(144), 0, size[0] - 2 * px(144), height)
+        _draw_card(picture, box, standing.cards[0], 0, look)
+        return picture
+    width = px(300)
+    boxes = (
+        pygame.Rect(px(144), 0, width, height),
+        pygame.Rect(size[0] - px(144) - width, 0, width, height),
+    )
+    for player, (card, box) in enumerate(zip(standing.cards, boxes, strict=True)):
+        _draw_card(picture, box, card, player, look)
+    middle = 0.5 * size[0]
+    look.text(picture, standing.score, (middle, 0.5 * height - px(8)), 24, "display", "text1", "center")
+    look.text(picture, standing.caption, (middle, 0.5 * height + px(17)), 12, "medium", "text3", "center")
+    return picture
+
+
+def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: int, look: Look) -> None:
+    """One card; the second player's is mirrored."""
+    theme, px = look.theme, look.px
+    fill, line = (theme.accent_soft, theme.accent) if card.active else (theme.panel, theme.line)
+    draw_box(picture, box, px(8), fill, line, max(2, px(2)) if card.active else look.border)
+    side = 1 if player == 0 else -1
+    edge = box.left if player == 0 else box.right
+    align = "left" if player == 0 else "right"
+    badge = (edge + side * px(26), box.centery)
+    draw_disc(picture, badge, px(15), look.color(COLORS[player]))
+    ink = theme.ink_on_amber if player == 0 else theme.on_accent
+    look.text(picture, card.name[:1], badge, 15, "bold", ink, "center")
+    x = edge + side * px(50)
+    room = box.w - px(62)
+    chips_width = len(card.chips) * px(22)
+    if room - chips_width < px(110):
+        chips_width = 0
+    name = look.fonts.fit(card.name, 15, "semibold", room - chips_width)
+    status = look.fonts.fit(card.status, 12, "medium", room - chips_width)
+    look.text(picture, name, (x, box.centery - px(10)), 15, "semibold", "text1", align)
+    look.text(picture, status, (x, box.centery + px(10)), 12, "medium", "text2", align)
+    if not chips_width:
+        return
+    far = box.right - px(16) if player == 0 else box.left + px(16)
+    for place, (number, gone) in enumerate(reversed(card.chips) if player == 0 else card.chips):
+        at = (far - side * place * px(22), box.centery)
+        if gone:
+            draw_disc(picture, at, px(8), None, theme.line2, look.border)
+            tick = icon("check", px(10), theme.text3)
+            picture.blit(tick, tick.get_rect(center=at))
+        else:
+            chip = ball_chip(number, max(9.0 * look.k, 2.0), (fill.r, fill.g, fill.b))
+            picture.blit(chip, chip.get_rect(center=at))
+
+
+def _draw_line(scene: Billiards, canvas: Canvas, look: Look) -> None:
+    """What was said last, or what to do now."""
+    rect = _rect(canvas, layout.FOOT)
+    words, foul = line_of(scene)
+    if not words:
+        return
+    x = rect.x + look.px(4)
+    if foul:
+        mark = icon("warning", look.px(18), look.color("vermilion"))
+        canvas.surface.blit(mark, mark.get_rect(midleft=(x, rect.centery)))
+        x += look.px(26)
+    text = look.fonts.fit(words, 14, "medium", rect.right - x)
+    look.text(canvas.surface, text, (x, rect.centery), 14, "medium", "vermilion" if foul else "text1")
+
+
+def line_of(scene: Billiards) -> tuple[str, bool]:
+    """The line below the table, and whether it tells of a foul."""
+    game, round_ = scene.round.game, scene.round
+    if scene.phase in (STRIKING, ROLLING):
+        return _announced(scene), False
+    if round_.words:
+        return " ".join(round_.words), round_.foul
+    if isinstance(game, Drill):
+        return " ".join(described(game.goal, POCKET_NAMES)), False
+    if scene.phase != AIMING or scene.plays_itself or not scene.person_plays:
+        return "", False
+    if game.in_hand:
+        where = " behind the line" if game.in_hand == "behind the line" else ""
+        return (
+            f"{game.shooter} has the white ball in hand: drag it{where}, then pull the cue back and let go.",
+            False,
+        )
+    return f"{game.shooter} plays.", False
+
+
+def _announced(scene: Billiards) -> str:
+    """What was called before the stroke, in words."""
+    last = scene.round.last
+    call = scene.call if scene.phase == STRIKING or last is None else last.call
+    if call.safety:
+        return "A safety."
+    if call.push_out:
+        return "A push-out."
+    if call.ball is None or call.pocket is None or not scene.round.game.needs_call():
+        return ""
+    return f"Called: the {call.ball} into the {POCKET_NAMES[call.pocket]} pocket."
+
+
+def _rect(canvas: Canvas, box: layout.Box) -> pygame.Rect:
+    left, top = canvas.camera.to_screen(box.top, box.left)
+    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
+    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))

@@ -1,0 +1,458 @@
+"""What happens on the billiard table: strokes, their ends, undo, racks, replays, and what players decide.
+
+Functions of the scene; they alone change it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import msgspec
+import numpy as np
+
+from game.billiards.aim import first_contact
+from game.billiards.arrangement import Stroke, racked
+from game.billiards.cue import strike as struck_ball
+from game.billiards.frame import rack_for
+from game.billiards.games import Practice
+from game.billiards.rules import CUE_BALL, Call, Hand
+from game.scenes import billiards_round as rounds
+from game.scenes.billiards_cue import StrokeMotion, stroke_motion
+from game.scenes.billiards_opponent import Question
+from game.scenes.billiards_players import decision_of, simple_stroke
+from game.scenes.billiards_round import Round
+from game.scenes.cue_control import MAX_SPEED
+from game.stage import Decision
+
+if TYPE_CHECKING:
+    from game.scenes.billiards import Billiards
+
+AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
+PHASE_S, REPLAY_S = range(2)
+NEXT_STROKE_S = 0.7  # s of rest before the table's own next stroke
+NEW_RACK_S = 2.5
+POWER_STEP = 0.1  # m/s for a key
+REPLAY_SPEEDS = (0.0625, 0.125, 0.25, 0.5, 1.0, 2.0)
+
+
+@lru_cache(maxsize=1)
+def speed_ratio() -> float:
+    """Speed of a ball struck in its middle over that of the cue (Alciatore, TP A-30)."""
+    vx, vy, _ = struck_ball(1.0, 0.0).velocity
+    return math.sqrt(vx * vx + vy * vy)
+
+
+def lay_out(scene: Billiards) -> None:
+    """The places of the state follow the round."""
+    for number, x, y in scene.round.places:
+        scene.places[number] = x, y
+
+
+def word_of(round_: Round) -> str:
+    """A hash of all that a round says, but for what came before it."""
+    last = round_.last
+    said = (
+        msgspec.to_builtins(round_.game), round_.places, round_.conditions, round_.call, round_.strokes,
+        None if last is None else (last.places, last.stroke, last.call, last.conditions),
+    )  # fmt: skip
+    return hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()
+
+
+def start_phase(scene: Billiards, phase: str) -> None:
+    """Go over to a phase, its clock at 0."""
+    scene.phase = phase
+    scene.clock[PHASE_S] = 0.0
+    scene.rest_s = 0.0
+
+
+# -- a stroke -----------------------------------------------------------------------------------------
+
+
+def aimed_stroke(scene: Billiards) -> Stroke:
+    """The stroke that cue and instruments are set to."""
+    return Stroke(
+        scene.power / speed_ratio(),
+        scene.cue.aim,
+        math.radians(scene.elevation),
+        scene.tip_left,
+        scene.tip_up,
+    )
+
+
+def motion_of(scene: Billiards) -> StrokeMotion:
+    """How the cue moves for the pending or the last stroke."""
+    stroke = scene.pending
+    if stroke is None:
+        stroke = scene.round.last.stroke if scene.round.last is not None else Stroke(1.0, 0.0)
+    return _motion(stroke.cue_speed * speed_ratio(), scene.practised)
+
+
+@lru_cache(maxsize=8)
+def _motion(speed: float, practised: bool) -> StrokeMotion:
+    return stroke_motion(speed, practised)
+
+
+def begin_stroke(scene: Billiards, stroke: Stroke, call: Call, practised: bool) -> None:
+    """The cue starts to swing. ValueError if no stroke may be played now."""
+    if scene.phase != AIMING or not scene.round.playable:
+        raise ValueError("stroke: none may be played now")
+    scene.pending, scene.practised = stroke, practised
+    scene.call = call
+    scene.grip = ""
+    scene.cue.let_go()
+    scene.cue.point_to(stroke.azimuth)
+    start_phase(scene, STRIKING)
+
+
+def swing(scene: Billiards) -> None:
+    """When the tip has met the ball, the stroke is played."""
+    motion = motion_of(scene)
+    late = float(scene.clock[PHASE_S]) - motion.hit_s
+    if late < 0.0 or scene.pending is None:
+        return
+    stroke, scene.pending = scene.pending, None
+    call, scene.call = scene.call, Call()
+    before = scene.round
+    scene.round = rounds.strike(before, stroke, call)
+    try:
+        played = scene.played
+    except ValueError as error:
+        scene.round = before
+        scene.told.append(f"The stroke cannot be played. {error}")
+        start_phase(scene, AIMING)
+        return
+    assert played is not None
+    scene.turns_before[:] = scene.turns
+    start_phase(scene, ROLLING)
+    scene.clock[PHASE_S] = late
+    roll(scene)
+
+
+def roll(scene: Billiards) -> None:
+    """The balls where they are by now; at the end of the shot the verdict holds."""
+    played = scene.played
+    assert played is not None
+    time = float(scene.clock[PHASE_S])
+    numbers = rows_of(scene)
+    scene.places[numbers] = played.trajectory.state_at(time).positions
+    if time >= shown_s(scene):
+        settle(scene)
+
+
+def shown_s(scene: Billiards) -> float:
+    """How long the last stroke is shown: to its end, and until the cue has gone, s."""
+    played = scene.played
+    motion = motion_of(scene)
+    return max(played.trajectory.end_time if played is not None else 0.0, motion.end_s - motion.hit_s) + 0.05
+
+
+def rows_of(scene: Billiards) -> list[int]:
+    """Numbers of the balls of the last stroke, in its trajectory's order."""
+    last = scene.round.last
+    return [number for number, _, _ in last.places] if last is not None else []
+
+
+def settle(scene: Billiards) -> None:
+    """The shot is over: the verdict is told, and the next player aims."""
+    played = scene.played
+    assert played is not None
+    numbers = rows_of(scene)
+    end = played.trajectory.orientations_at(played.trajectory.end_time, scene.turns_before[numbers])
+    scene.turns[numbers] = end
+    scene.round = played.after
+    lay_out(scene)
+    start_phase(scene, AIMING)
+    for text in _grouped(scene.round.words):
+        scene.told.append(text)
+
+
+def _grouped(words: tuple[str, ...]) -> list[str]:
+    """The words of a verdict as one message: what happened, then what follows."""
+    return [" ".join(words)] if words else []
+
+
+def skip(scene: Billiards) -> None:
+    """On to the end of the shot."""
+    if scene.phase == ROLLING:
+        scene.clock[PHASE_S] = shown_s(scene)
+        roll(scene)
+
+
+def call_for(scene: Billiards, stroke: Stroke) -> Call:
+    """What is announced: by hand, or else the ball aimed at and the pocket on its line."""
+    call = scene.call
+    if call.safety or call.push_out or not scene.round.game.needs_call():
+        return call
+    lie, table = scene.round.lie, scene.round.conditions.table
+    in_play = np.ones(len(lie.numbers), dtype=np.bool_)
+    row = lie.numbers.index(CUE_BALL)
+    first = first_contact(row, stroke.azimuth, lie.positions, lie.radii, in_play, table)
+    ball = call.ball
+    if ball is None and first.kind == "ball":
+        ball = lie.numbers[first.target]
+    if ball is None or ball == CUE_BALL or ball not in lie.numbers:
+        return call
+    if call.pocket is None and first.kind == "ball" and lie.numbers[first.target] == ball:
+        way = math.atan2(first.normal[1], first.normal[0])
+        onward = first_contact(first.target, way, lie.positions, lie.radii, in_play, table)
+        pocket = onward.target if onward.kind == "pocket" else nearest_pocket(scene, onward.ghost)
+        return Call(ball, pocket)
+    return Call(ball, call.pocket)
+
+
+def nearest_pocket(scene: Billiards, place: tuple[float, float]) -> int | None:
+    """Row of the pocket nearest to a place; None where there is none."""
+    pockets = scene.round.conditions.table.pockets
+    if not len(pockets):
+        return None
+    apart = pockets[:, :2] - np.asarray(place)
+    return int((apart * apart).sum(axis=1).argmin())
+
+
+# -- back, on, and anew -------------------------------------------------------------------------------
+
+
+def undo(scene: Billiards) -> None:
+    """Before the last stroke of a person, aimed as it was."""
+    if scene.phase in (REPLAY, SET_UP):
+        leave(scene)
+        return
+    if scene.phase == STRIKING:
+        scene.pending = None
+        start_phase(scene, AIMING)
+        return
+    taken = scene.round
+    if taken.earlier is None:
+        scene.told.append("Nothing to undo. No stroke has been played.")
+        return
+    while taken.earlier is not None:
+        stroke = taken.last
+        taken = taken.earlier
+        if scene.grade_of(taken.game.turn) == "person" or scene.plays_itself:
+            break
+    scene.round = taken
+    scene.turns[:] = scene.turns_before
+    if stroke is not None and scene.grade_of(taken.game.turn) == "person":
+        aim_as(scene, stroke.stroke)
+    scene.call = Call()
+    lay_out(scene)
+    start_phase(scene, AIMING)
+
+
+def aim_as(scene: Billiards, stroke: Stroke) -> None:
+    """Set cue and instruments to a stroke."""
+    scene.cue.let_go()
+    scene.cue.point_to(stroke.azimuth)
+    scene.power = min(max(stroke.cue_speed * speed_ratio(), 0.1), MAX_SPEED)
+    scene.tip_left = min(max(stroke.tip_left, -0.6), 0.6)
+    scene.tip_up = min(max(stroke.tip_up, -0.6), 0.6)
+    scene.elevation = min(max(math.degrees(stroke.elevation), 0.0), 80.0)
+
+
+def rack(scene: Billiards) -> None:
+    """The next rack if the game is over, else this game from its beginning."""
+    scene.racks += 1
+    seed = scene.seed * 1000 + scene.racks
+    if scene.phase in (REPLAY, SET_UP):
+        leave(scene)
+    if scene.round.game.over:
+        scene.round = rounds.next_rack(scene.round, seed)
+    else:
+        racks = scene.racks
+        plays, word = scene.plays_itself, scene.round.conditions
+        scene.build(scene.level)
+        scene.racks, scene.plays_itself = racks, plays
+        scene.round = msgspec.structs.replace(scene.round, conditions=word)
+        if not scene.content.balls:
+            frame = scene.round.frame
+            fresh = rack_for(frame.game, frame.table, word.balls, seed)
+            scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(fresh))
+    scene.call = Call()
+    lay_out(scene)
+    start_phase(scene, AIMING)
+
+
+def take_option(scene: Billiards, row: int) -> None:
+    """The player at turn chooses one of the options, counted from 0; nothing if there is no such."""
+    options = scene.round.game.options
+    if scene.phase != AIMING or not 0 <= row < len(options):
+        return
+    scene.round = rounds.choose(scene.round, options[row].name)
+    lay_out(scene)
+    scene.told.extend(_grouped(scene.round.words))
+    scene.rest_s = 0.0
+
+
+def announce(scene: Billiards) -> None:
+    """A push-out where one is allowed, else a safety; once more takes it back."""
+    if scene.phase != AIMING:
+        return
+    if scene.round.game.may_push_out():
+        scene.call = Call(push_out=not scene.call.push_out)
+    elif scene.round.game.needs_call():
+        scene.call = Call(safety=not scene.call.safety)
+
+
+# -- replay and set-up --------------------------------------------------------------------------------
+
+
+def watch(scene: Billiards) -> None:
+    """Into the replay of the last stroke, or out of it."""
+    if scene.phase == REPLAY:
+        leave(scene)
+    elif scene.phase == AIMING and scene.round.last is not None:
+        scene.grip = ""
+        scene.cue.let_go()
+        scene.clock[REPLAY_S] = 0.0
+        scene.replay_runs = True
+        start_phase(scene, REPLAY)
+    elif scene.phase == AIMING:
+        scene.told.append("Nothing to show. No stroke has been played.")
+
+
+def run_replay(scene: Billiards, dt: float) -> None:
+    """Let the replay go on; it stops at the end of the stroke."""
+    if not scene.replay_runs or scene.grip == "scrub":
+        return
+    scene.clock[REPLAY_S] = min(scene.clock[REPLAY_S] + dt * scene.replay_speed, shown_s(scene))
+    if scene.clock[REPLAY_S] >= shown_s(scene):
+        scene.replay_runs = False
+
+
+def toggle_replay(scene: Billiards) -> None:
+    """Run or stand; from the end it begins anew."""
+    if not scene.replay_runs and scene.clock[REPLAY_S] >= shown_s(scene):
+        scene.clock[REPLAY_S] = 0.0
+    scene.replay_runs = not scene.replay_runs
+
+
+def change_replay_speed(scene: Billiards) -> None:
+    """The next slower speed, and after the slowest the fastest."""
+    place = REPLAY_SPEEDS.index(scene.replay_speed)
+    scene.replay_speed = REPLAY_SPEEDS[(place - 1) % len(REPLAY_SPEEDS)]
+
+
+def set_up(scene: Billiards) -> None:
+    """Into the free placing of balls, or out of it."""
+    if scene.phase == SET_UP:
+        leave(scene)
+    elif scene.phase == AIMING:
+        scene.grip = ""
+        scene.cue.let_go()
+        scene.plays_itself = False
+        scene.round = msgspec.structs.replace(scene.round, earlier=rounds.shortened(scene.round))
+        start_phase(scene, SET_UP)
+
+
+def leave(scene: Billiards) -> None:
+    """Out of replay or set-up; what was set up is practised."""
+    if scene.phase == SET_UP and scene.round.earlier is not None:
+        before = scene.round.earlier
+        if before.places != scene.round.places:
+            numbers = tuple(number for number, _, _ in scene.round.places if number != CUE_BALL)
+            hand: Hand = "" if scene.round.white is not None else "anywhere"
+            game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
+            scene.round = rounds.with_white(
+                msgspec.structs.replace(scene.round, game=game, last=None, words=(), call=Call())
+            )
+            lay_out(scene)
+        else:
+            scene.round = before
+    scene.grip = ""
+    start_phase(scene, AIMING)
+
+
+def fill_table(scene: Billiards, full: bool) -> None:
+    """While balls are placed: all of them racked, or the white one alone."""
+    if scene.phase != SET_UP:
+        return
+    frame = scene.round.frame
+    lie = racked(frame.table, "eight-ball", scene.round.conditions.balls)
+    kept = lie if full else lie.without(*range(1, 16))
+    scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(kept))
+    lay_out(scene)
+
+
+# -- players without a hand ---------------------------------------------------------------------------
+
+
+def question_of(scene: Billiards) -> Question:
+    """What a computer player at turn is asked."""
+    key = (scene.round.strokes, word_of(scene.round))
+    seed = int.from_bytes(key[1].encode()[:7], "little")
+    return Question(key, scene.round.frame, scene.grade_of(scene.round.game.turn), seed)
+
+
+def decisions(scene: Billiards) -> list[Decision]:
+    """What the computer player at turn has decided, if it is one and has."""
+    computer = not scene.person_plays and not scene.plays_itself and not scene.round.game.over
+    if not computer or scene.phase != AIMING or scene.grip:
+        scene.thinker.forget()
+        return []
+    thought = scene.thinker.ask(question_of(scene))
+    if thought is None:
+        return []
+    if not thought.decisions:  # it failed; the game goes on
+        return [decision_of(simple_stroke(scene.round.frame, scene.round.strokes))]
+    return list(thought.decisions)
+
+
+def decide(scene: Billiards, event: Decision) -> None:
+    """Let a decision act. ValueError for one that cannot be."""
+    values = event.values
+    if scene.phase != AIMING:
+        raise ValueError(f"{event.name}: nothing is to be decided now")
+    if event.name == "stroke" and len(values) == 9:
+        ball, pocket = (None if value < 0.0 else int(value) for value in values[5:7])
+        call = Call(ball, pocket, bool(values[7]), bool(values[8]))
+        begin_stroke(scene, Stroke(*values[:5]), call, practised=True)
+    elif event.name == "white" and len(values) == 2:
+        scene.round = rounds.white_moved(scene.round, *values)
+        lay_out(scene)
+    elif event.name == "option" and len(values) == 1:
+        options = scene.round.game.options
+        if not 0 <= int(values[0]) < len(options):
+            raise ValueError(f"option {int(values[0])}: there are {len(options)}")
+        take_option(scene, int(values[0]))
+    else:
+        raise ValueError(f"{event.name}: stroke, white or option, each with its numbers, are wanted")
+
+
+def play_by_itself(scene: Billiards) -> None:
+    """The table's own strokes, the same for the same round, and a new rack when one is over."""
+    game = scene.round.game
+    if game.over:
+        if scene.rest_s > NEW_RACK_S:
+            rack(scene)
+    elif scene.rest_s > NEXT_STROKE_S:
+        if game.options:
+            take_option(scene, 0)
+        elif scene.round.playable:
+            stroke = simple_stroke(scene.round.frame, scene.seed + scene.round.strokes)
+            begin_stroke(scene, stroke, Call(), practised=True)
+
+
+def measures(scene: Billiards) -> tuple[float, float, int]:
+    """Energy J (of motion along the cloth), speed of the white ball m/s, and events so far."""
+    if scene.phase not in (ROLLING, REPLAY) or scene.played is None or scene.round.last is None:
+        return 0.0, 0.0, 0
+    time = float(scene.clock[PHASE_S if scene.phase == ROLLING else REPLAY_S])
+    trajectory = scene.played.trajectory
+    moving = trajectory.state_at(time).velocities
+    numbers = rows_of(scene)
+    masses = np.array(scene.round.last.conditions.masses)[numbers]
+    energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum())
+    white = moving[numbers.index(CUE_BALL)]
+    count = int(np.searchsorted(trajectory.times, time, side="right"))
+    return energy, math.sqrt(float(white @ white)), count
+
+
+def warm_up(scene: Billiards) -> None:
+    """Play one stroke, so that all kernels of the table are compiled."""
+    begin_stroke(scene, Stroke(4.0, 0.5 * math.pi), Call(), practised=False)
+    for _ in range(100):
+        scene.advance(0.02)
+    scene.readouts()

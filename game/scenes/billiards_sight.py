@@ -1,0 +1,211 @@
+"""What a stroke would do, seen before it is played: the exact ways of the balls up to the n-th event."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.rules import CUE_BALL
+from game.billiards.state import (
+    BALL_BALL,
+    BALL_CUSHION,
+    BALL_JAW,
+    BALL_POCKET,
+    SEG_AX,
+    SEG_AY,
+    SEG_BALL,
+    SEG_TIME,
+    SEG_VX,
+    SEG_VY,
+    SEG_X,
+    SEG_Y,
+)
+from game.billiards.trajectory import Trajectory
+from game.scenes.billiards_round import Struck, trajectory_of
+from game.ui.canvas import Canvas
+from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
+
+if TYPE_CHECKING:
+    from game.scenes.billiards import Billiards
+
+Array = NDArray[np.float64]
+
+DASH = (8.0, 6.0)  # design px
+CURVED = 12  # points on a stretch that bends
+LEAST_WAY = 0.004  # m; a ball that moves less is not shown to move
+
+
+class Way(NamedTuple):
+    """The way of one ball: its number, points (n, 2) m, and whether it ends in a pocket."""
+
+    number: int
+    points: Array
+    potted: bool
+
+
+class Sight(NamedTuple):
+    """What is foreseen. approach: of the white ball to its first ball; after: from there on.
+
+    ghost: where the white ball then is; target: the ball it meets, None if none; cut: rad. others: ways of
+    the balls that move. bounces: where the white ball meets cushions. last: where it comes to rest, None if
+    that is later than is shown, or in a pocket.
+    """
+
+    approach: Array
+    after: Array
+    ghost: tuple[float, float] | None
+    target: int | None
+    target_place: tuple[float, float]
+    cut: float
+    others: tuple[Way, ...]
+    bounces: tuple[tuple[float, float], ...]
+    last: tuple[float, float] | None
+
+
+def foresee(struck: Struck, events: int) -> Sight:
+    """The ways of a stroke up to its n-th contact. ValueError if it cannot be played."""
+    trajectory = trajectory_of(struck)
+    rows = trajectory.rows
+    contacts = rows[rows[:, 1] <= BALL_POCKET]
+    whole = len(contacts) < events
+    until = trajectory.end_time if whole else float(contacts[events - 1, 0])
+    numbers = [number for number, _, _ in struck.places]
+    cue = numbers.index(CUE_BALL)
+    seen = contacts[contacts[:, 0] <= until]
+    first = next((row for row in seen.tolist() if row[1] == BALL_BALL and cue in row[2:]), None)
+    meets = first[0] if first is not None else until
+    ways = _Ways(trajectory)
+    ghost, target, cut, place = None, None, 0.0, (0.0, 0.0)
+    if first is not None:
+        other = int(first[3] if int(first[2]) == cue else first[2])
+        ghost, target = ways.place(cue, meets), numbers[other]
+        place = ways.place(other, meets)
+        cut = _cut(ways.way(cue, 0.0, meets), ghost, place)
+    sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
+    others = tuple(
+        Way(numbers[ball], points, ball in sunk)
+        for ball in range(len(numbers))
+        if ball != cue and _length(points := ways.way(ball, 0.0, until)) > LEAST_WAY
+    )
+    bounces = tuple(
+        ways.place(cue, t) for t, e, i, _ in seen.tolist() if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
+    )
+    last = ways.place(cue, until) if whole and cue not in sunk else None
+    return Sight(
+        ways.way(cue, 0.0, meets),
+        ways.way(cue, meets, until),
+        ghost,
+        target,
+        place,
+        cut,
+        others,
+        bounces,
+        last,
+    )
+
+
+def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]) -> float:
+    """Angle between the way at the contact and the line of centres, rad."""
+    if len(approach) < 2:
+        return 0.0
+    way = approach[-1] - approach[-2]
+    normal = np.array(place) - ghost
+    size = math.sqrt(float(way @ way) * float(normal @ normal))
+    return math.acos(min(max(float(way @ normal) / size, -1.0), 1.0)) if size > 0.0 else 0.0
+
+
+def _length(points: Array) -> float:
+    steps = np.diff(points, axis=0)
+    return float(np.sqrt((steps * steps).sum(axis=1)).sum())
+
+
+class _Ways:
+    """Points on the ways of a trajectory's balls."""
+
+    def __init__(self, trajectory: Trajectory) -> None:
+        rows = trajectory.segments
+        balls = rows[:, SEG_BALL].astype(int)
+        self._rows = [rows[balls == ball] for ball in range(len(trajectory.end))]
+
+    def place(self, ball: int, time: float) -> tuple[float, float]:
+        """Where a ball is at a time, m."""
+        rows = self._rows[ball]
+        row = rows[max(int(np.searchsorted(rows[:, SEG_TIME], time, side="right")) - 1, 0)]
+        t = max(time - float(row[SEG_TIME]), 0.0)
+        return (
+            float(row[SEG_X] + t * (row[SEG_VX] + t * row[SEG_AX])),
+            float(row[SEG_Y] + t * (row[SEG_VY] + t * row[SEG_AY])),
+        )
+
+    def way(self, ball: int, start: float, end: float) -> Array:
+        """Points (n, 2) m of a ball's way between two times."""
+        rows = self._rows[ball]
+        times = rows[:, SEG_TIME]
+        first = max(int(np.searchsorted(times, start, side="right")) - 1, 0)
+        points = [self.place(ball, start)]
+        for k in range(first, len(rows)):
+            t0 = max(float(times[k]), start)
+            t1 = min(float(times[k + 1]) if k + 1 < len(rows) else end, end)
+            if t1 <= t0:
+                continue
+            vx, vy, ax, ay = (float(rows[k, c]) for c in (SEG_VX, SEG_VY, SEG_AX, SEG_AY))
+            bent = abs(vx * ay - vy * ax) > 1e-9 and (vx or vy)
+            count = CURVED if bent else 1
+            local = np.linspace(t0, t1, count + 1)[1:] - float(times[k])
+            xs = rows[k, SEG_X] + local * (vx + local * ax)
+            ys = rows[k, SEG_Y] + local * (vy + local * ay)
+            points += list(zip(xs.tolist(), ys.tolist(), strict=True))
+        return np.array(points)
+
+
+def sight_of(scene: Billiards, struck: Struck) -> Sight | None:
+    """What is foreseen of a stroke; kept while nothing changes."""
+    key = (struck.places, struck.stroke, struck.conditions, scene.events)
+    kept = scene.kept.sight
+    if kept is None or kept[0] != key:
+        try:
+            kept = (key, foresee(struck, int(scene.events)))
+        except ValueError:
+            kept = (key, None)
+        scene.kept.sight = kept
+    return kept[1]
+
+
+def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, clear: bool = True) -> None:
+    """The lines on the cloth; ``clear``: with the label of the cut."""
+    for way in sight.others:
+        own = way.number == sight.target
+        canvas.polyline(way.points, FELT_COOL, 2.0 if own else 1.5, dash=DASH, alpha=0.9 if own else 0.55)
+        if way.potted:
+            canvas.ring(way.points[-1], 5.0, FELT_COOL, 1.5)
+    if len(sight.after) > 1:
+        canvas.polyline(sight.after, FELT_LINE, 1.5, dash=DASH, alpha=0.9)
+    canvas.polyline(sight.approach, FELT_LINE, 1.5)
+    for place in sight.bounces:
+        canvas.dot(place, 3.0, FELT)
+        canvas.ring(place, 3.0, FELT_LINE, 1.25)
+    if sight.ghost is not None:
+        canvas.circle(sight.ghost, radius, fill=FELT_LINE, fill_alpha=0.22, outline=FELT_LINE, width=1.5)
+        canvas.circle(sight.target_place, target_radius + canvas.px(4.0), outline=FELT_COOL, width=1.5)
+    if sight.last is not None:
+        canvas.circle(
+            sight.last, radius, fill=FELT_LINE, fill_alpha=0.16, outline=FELT_LINE, width=1.0, alpha=0.7
+        )
+    if sight.ghost is not None and clear:
+        gx, gy = sight.ghost
+        tx, ty = sight.target_place
+        side = 2.4 * radius
+        away = math.sqrt((tx - gx) ** 2 + (ty - gy) ** 2) or 1.0
+        place = (gx - (ty - gy) / away * side, gy + (tx - gx) / away * side)
+        canvas.label(place, f"cut {math.degrees(sight.cut):.0f}°", FELT_LINE, 12, "semibold")
+
+
+def draw_considered(canvas: Canvas, strokes: tuple, white: tuple[float, float]) -> None:
+    """Strokes that a computer player considered, as rays from the white ball, the best brightest."""
+    for rank, stroke in enumerate(strokes[:24]):
+        length = 0.12 + 0.06 * min(stroke.cue_speed, 6.0)
+        end = (white[0] + length * math.cos(stroke.azimuth), white[1] + length * math.sin(stroke.azimuth))
+        canvas.line(white, end, FELT_WARM, 2.0 if rank == 0 else 1.2, alpha=0.9 if rank == 0 else 0.35)

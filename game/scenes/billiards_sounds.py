@@ -1,0 +1,93 @@
+"""What is to be heard of a stroke: tip, balls, cushions and pockets, as loud as they meet."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from game.billiards.state import (
+    BALL_BALL,
+    BALL_CUSHION,
+    BALL_JAW,
+    BALL_POCKET,
+    SEG_AX,
+    SEG_AY,
+    SEG_BALL,
+    SEG_TIME,
+    SEG_VX,
+    SEG_VY,
+    SEG_X,
+    SEG_Y,
+)
+from game.billiards.trajectory import Trajectory
+from game.stage import Hearing, Sound
+
+if TYPE_CHECKING:
+    from game.scenes.billiards import Billiards
+
+KINDS = {BALL_BALL: "ball", BALL_CUSHION: "cushion", BALL_JAW: "cushion", BALL_POCKET: "pocket"}
+QUIETEST = 0.05  # m/s; what meets more slowly is not heard
+
+
+def sounds_of(trajectory: Trajectory, cue_speed: float) -> tuple[Sound, ...]:
+    """The sounds of a shot in order of time; speeds are those at which the two close in on each other."""
+    length = trajectory.shot.table.length
+    white = trajectory.shot.positions[trajectory.shot.ids.index("0")]
+    sounds = [Sound(0.0, "tip", cue_speed, _pan(float(white[1]), length))]
+    ways = _Ways(trajectory)
+    for time, code, i, j in trajectory.rows.tolist():
+        kind = KINDS.get(int(code))
+        if kind is None:
+            continue
+        (x, y), (vx, vy) = ways.arriving(int(i), time)
+        if kind == "ball":
+            (ox, oy), (wx, wy) = ways.arriving(int(j), time)
+            dx, dy = ox - x, oy - y
+            speed = ((vx - wx) * dx + (vy - wy) * dy) / max((dx * dx + dy * dy) ** 0.5, 1e-9)
+        elif kind == "cushion" and int(code) == BALL_CUSHION:
+            nx, ny = trajectory.shot.table.cushions[int(j), 4:6].tolist()
+            speed = -(vx * nx + vy * ny)
+        else:
+            speed = (vx * vx + vy * vy) ** 0.5
+        if kind == "pocket":
+            speed = max(speed, 0.5)  # it falls in, however slowly it came
+        if speed > QUIETEST:
+            sounds.append(Sound(time, kind, speed, _pan(y, length)))
+    return tuple(sounds)
+
+
+def _pan(y: float, length: float) -> float:
+    return max(-1.0, min(1.0, 1.6 * (y / length - 0.5)))
+
+
+class _Ways:
+    """Where balls are just before a moment, and how fast."""
+
+    def __init__(self, trajectory: Trajectory) -> None:
+        rows = trajectory.segments
+        balls = rows[:, SEG_BALL].astype(int)
+        self._rows = [rows[balls == ball] for ball in range(len(trajectory.end))]
+        self._times = [part[:, SEG_TIME] for part in self._rows]
+
+    def arriving(self, ball: int, time: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Place m and velocity m/s of a ball on the stretch that ends at a time."""
+        at = max(int(np.searchsorted(self._times[ball], time, side="left")) - 1, 0)
+        row = self._rows[ball][at]
+        t = max(time - float(row[SEG_TIME]), 0.0)
+        ax, ay = float(row[SEG_AX]), float(row[SEG_AY])
+        vx, vy = float(row[SEG_VX]), float(row[SEG_VY])
+        place = float(row[SEG_X]) + t * (vx + t * ax), float(row[SEG_Y]) + t * (vy + t * ay)
+        return place, (vx + 2.0 * t * ax, vy + 2.0 * t * ay)
+
+
+def hearing_of(scene: Billiards) -> Hearing | None:
+    """The line of sounds of the shot that rolls or is replayed, and the moment in it."""
+    last = scene.round.last
+    if scene.phase not in ("rolling", "replay") or last is None or scene.played is None:
+        return None
+    replay = scene.phase == "replay"
+    if replay and (not scene.replay_runs or scene.replay_speed < 0.5):
+        return None  # sounds are not slowed down
+    time = float(scene.clock[1 if replay else 0])
+    return Hearing((scene.phase, scene.round.strokes, id(last)), time, scene.sounds)
