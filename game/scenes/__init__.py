@@ -165,5 +165,16 @@ CATALOGUE = Catalogue(
             class_name="Gjk",
             keywords="narrow phase minkowski difference simplex support hill climbing epa penetration distance",
         ),
+        Entry(
+            name="c12",
+            task="C12",
+            title="Rigid body",
+            fact="ten integrators, one hammer",
+            category="Rigid bodies",
+            module="game.scenes.c12_rigid_body",
+            class_name="RigidBodyScene",
+            keywords="rigid body inertia tensor quaternion euler midpoint runge kutta splitting gyroscopic jacobi "
+            "angular momentum hammer dzhanibekov intermediate axis force torque density",
+        ),
     )
 )

@@ -279,6 +279,24 @@ def _reaching(pen: Pen) -> None:
     pen.disc(*target, 2.6, "amber")
 
 
+def _rigid_body(pen: Pen) -> None:
+    """A hammer in its box, and the outline of where it was."""
+    pen.fill("stage")
+    for a, b in (((18, 26), (106, 14)), ((106, 14), (146, 26)), ((18, 92), (106, 84)), ((106, 84), (146, 92))):
+        pen.line((a, b), "line2", 0.8)
+    for x, top, low in ((18, 26, 92), (106, 14, 84), (146, 26, 92)):
+        pen.line(((x, top), (x, low)), "line2", 0.8)
+    for k in range(6):
+        pen.disc(98.0 - 7.0 * k, 66.0 - 2.5 * k, 5.2, "line2", ring=0.8)
+    for k in range(6):
+        pen.disc(42.0 + 6.6 * k, 68.0 - 3.4 * k, 5.4, "text1")
+    for k in (-2, 2, -1, 1, 0):
+        x, y = 86.0 + 4.6 * k, 45.0 + 10.5 * k
+        pen.disc(x, y, 11.0, "chalk")
+        pen.disc(x - 3.0, y - 3.6, 3.2, pygame.Color("#B9DEFB"))
+    pen.arrow((78.0, 49.0), (132.0, 24.0), "pink")
+
+
 def _unknown(pen: Pen) -> None:
     """A thrown ball in a grid: for a scene that has no drawing of its own."""
     pen.fill("stage")
@@ -304,6 +322,7 @@ SKETCHES: dict[str, Callable[[Pen], None]] = {
     "c03": _reaching,
     "c10": _vclip,
     "c11": _gjk,
+    "c12": _rigid_body,
 }
 
 

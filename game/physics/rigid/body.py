@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import Any
 
@@ -141,6 +142,13 @@ class RigidBody(BodyState):
     def apply_torque(self, torque: ArrayLike) -> None:
         """Let a torque (3,) N m act during the next step."""
         self.loads[0, TORQUE:] += vector("torque", torque)
+
+    def copy(self) -> RigidBody:
+        """Another body of the same state, settings and forces."""
+        other = copy.copy(self)
+        for name in ("states", "constants", "loads", "offsets", "radii", "axes", "_frame", "lower", "upper"):
+            setattr(other, name, getattr(self, name).copy())
+        return other
 
     def clear_forces(self) -> None:
         """Forget all forces applied since the last step."""

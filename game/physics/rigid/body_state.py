@@ -15,6 +15,7 @@ from game.physics.rigid.quaternion import (
     quaternion_to_matrix,
 )
 from game.physics.rigid.settings import vector
+from game.physics.rigid.turning import measure
 from game.physics.rigid.window import place_spheres
 
 Array = NDArray[np.float64]
@@ -157,9 +158,8 @@ class BodyState:
     @property
     def kinetic_energy(self) -> tuple[float, float]:
         """J of the motion of the centre of mass, and of the rotation."""
-        momentum, spin = self.states[0, P:L], self.spin
-        shift = 0.5 * float(momentum @ momentum) * float(self.constants[0, INVERSE_MASS])
-        return shift, 0.5 * float(self.moments @ (spin * spin))
+        shift, rotation, _, _ = measure(self.states[0], self.constants[0])
+        return shift, rotation
 
     @property
     def largest_rotation_energy(self) -> float:

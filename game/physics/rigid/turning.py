@@ -35,6 +35,19 @@ def momentum_of(q, w, moments):
 
 
 @kernel
+def measure(row, body):
+    """Kinetic energy (J) of shift and rotation, |L| and |q| of a state and its constants (see motion)."""
+    q = (row[3], row[4], row[5], row[6])
+    size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
+    angular = (row[10], row[11], row[12])
+    l1, l2, l3 = rotate_back(normalize(q), angular)
+    squared = row[7] * row[7] + row[8] * row[8] + row[9] * row[9]
+    rotation = 0.5 * (l1 * l1 * body[4] + l2 * l2 * body[5] + l3 * l3 * body[6])
+    momentum = math.sqrt(angular[0] * angular[0] + angular[1] * angular[1] + angular[2] * angular[2])
+    return 0.5 * squared * body[0], rotation, momentum, size
+
+
+@kernel
 def shifted(v, w, h):
     """v + h w."""
     return (v[0] + h * w[0], v[1] + h * w[1], v[2] + h * w[2])

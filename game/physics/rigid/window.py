@@ -9,7 +9,7 @@ centre of mass to that point (Baraff 1997). Points equally far out are struck in
 from __future__ import annotations
 
 from game.physics.jit import kernel
-from game.physics.rigid.quaternion import rotate
+from game.physics.rigid.quaternion import normalize, rotate
 from game.physics.rigid.turning import spin_of
 
 WALLS = ("mirror", "impulse")
@@ -20,7 +20,7 @@ EQUALLY_DEEP = 1e-9  # m
 @kernel
 def place_spheres(row, offsets, places):
     """Write the centres (k, 3) m of spheres with these offsets (k, 3) in the principal frame of a state."""
-    q = (row[3], row[4], row[5], row[6])
+    q = normalize((row[3], row[4], row[5], row[6]))
     for s in range(offsets.shape[0]):
         arm = rotate(q, (offsets[s, 0], offsets[s, 1], offsets[s, 2]))
         for k in range(3):
@@ -60,7 +60,7 @@ def cross(a, b):
 @kernel
 def strike(row, body, axis, side, point, restitution):
     """Impulse of a wall on a point (m) of a body; 1 if the point was on its way out, else 0 and nothing."""
-    q, angular = (row[3], row[4], row[5], row[6]), (row[10], row[11], row[12])
+    q, angular = normalize((row[3], row[4], row[5], row[6])), (row[10], row[11], row[12])
     inverses = (body[4], body[5], body[6])
     n = (side if axis == 0 else 0.0, side if axis == 1 else 0.0, side if axis == 2 else 0.0)
     arm = (point[0] - row[0], point[1] - row[1], point[2] - row[2])

@@ -1,0 +1,121 @@
+"""The bodies of the rigid body scene: A, its twin B by another method, and the exact one, pushed alike.
+
+Each has an account: the energy and angular momentum that its method alone has made, in steps without
+torque and without a wall, and how often its middle axis has flipped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.rigid import RigidBody, mass_properties, quaternion_to_matrix
+from game.physics.rigid.turning import measure
+from game.scenes.c12_level import RADIUS, SHARE
+
+Array = NDArray[np.float64]
+A, B, EXACT = range(3)
+MADE_ENERGY, MADE_MOMENTUM, FLIPS, SIDE, ACCOUNT = 0, 1, 2, 3, 4  # columns of an account
+FINE = 8  # steps of the exact body in one of the others while something turns it
+
+
+class Bodies:
+    """Three bodies of one design (n, 6), of a density in kg/m³."""
+
+    def __init__(self, design: Array, density: float):
+        self.design, self.density = design, density
+        self.accounts = np.zeros((3, ACCOUNT))
+        self._make()
+
+    def _make(self) -> None:
+        """Bodies at rest with the body's own axes along the world's."""
+        places, radii = self.design[:, :3], self.design[:, RADIUS]
+        body = RigidBody.from_spheres(places, radii, self.density * self.design[:, SHARE])
+        _, self.center, _ = mass_properties(places, radii, self.design[:, SHARE])
+        self.all = [body, body.copy(), body.copy()]
+
+    @property
+    def rows(self) -> Array:
+        """States (3, 13), a copy."""
+        return np.concatenate([body.states for body in self.all])
+
+    def take(self, rows: Array, design: Array, density: float) -> None:
+        """Take over states (3, 13) of bodies of a design."""
+        if density != self.density or not np.array_equal(design, self.design):
+            self.design, self.density = design.copy(), density
+            self._make()
+        for body, row in zip(self.all, rows, strict=True):
+            body.states[0] = row
+            body.clear_forces()
+
+    def start(self, place: Sequence[float] | None, orientation: Any, velocity: Any, spin: Any) -> None:
+        """Put all three where a level has them."""
+        turn = quaternion_to_matrix(orientation)
+        for body in self.all:
+            body.position = turn @ self.center if place is None else place
+            body.orientation = orientation
+            body.velocity, body.angular_velocity = velocity, spin
+
+    def meet(self) -> None:
+        """Let the others be as A is, and begin new accounts."""
+        for body in self.all[1:]:
+            body.states[:] = self.all[A].states
+        self.accounts[:] = 0.0
+        self.accounts[:, SIDE] = np.sign(self.all[A].spin[1])
+
+    def change_density(self, density: float, keep: str) -> None:
+        """Make all of it of another density; keep "momentum" or "velocity"."""
+        for body in self.all:
+            body.change_density(density / self.density, keep)
+        rows = self.rows
+        self.take(rows, self.design, density)  # so that the constants are those of the design, to the bit
+        self.accounts[:, :FLIPS] = 0.0
+
+    def reshape(self, design: Array) -> None:
+        """Other spheres; place, turn, velocity and spin of the body's matter stay as they are."""
+        before, center, accounts = self.all, self.center, self.accounts.copy()
+        self.design = design.copy()
+        self._make()
+        for old, new in zip(before, self.all, strict=True):
+            way = quaternion_to_matrix(old.orientation) @ (self.center - center)
+            spin = old.angular_velocity
+            new.position, new.orientation = old.position + way, old.orientation
+            new.velocity, new.angular_velocity = old.velocity + np.cross(spin, way), spin
+        self.accounts[:] = accounts
+        self.accounts[:, :FLIPS] = 0.0
+
+    def point_of(self, index: int, arm: Sequence[float]) -> Array:
+        """Where (3,) m a point of the design's frame is on a body; arm (3,) m from the centre of mass."""
+        body = self.all[index]
+        return body.position + quaternion_to_matrix(body.orientation) @ np.asarray(arm)
+
+    def arm_of(self, index: int, point: Array) -> tuple[float, float, float]:
+        """The opposite: where a point of the world is in the body's own axes, from its centre of mass."""
+        body = self.all[index]
+        x, y, z = ((point - body.position) @ quaternion_to_matrix(body.orientation)).tolist()
+        return x, y, z
+
+    def step(self, dt: float, twin: bool, push: Sequence[float] | None) -> None:
+        """Go on by dt s; push: force (3) N and arm (3) m of its point, or None."""
+        for index, body in enumerate(self.all):
+            if index == B and not twin:
+                continue
+            if push is not None:
+                body.apply_force(push[:3], self.point_of(index, push[3:6]))
+            free, bounces = body.is_free, body.bounces
+            before = measure(body.state, body.constants[0])
+            fine = FINE if index == EXACT and not free else 1
+            body.step(dt / fine, fine)
+            after = measure(body.state, body.constants[0])
+            account = self.accounts[index]
+            if free and body.bounces == bounces:
+                account[MADE_ENERGY] += after[1] - before[1]
+                account[MADE_MOMENTUM] += after[2] - before[2]
+            side = np.sign(body.spin[1])
+            if side * account[SIDE] < 0.0:
+                account[FLIPS] += 1.0
+            if side:
+                account[SIDE] = side

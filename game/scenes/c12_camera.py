@@ -1,0 +1,56 @@
+"""How the rigid body scene is looked at: along parallel rays, turned about the vertical and tilted."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def camera_matrix(turn: float, tilt: float) -> Array:
+    """(3, 3) whose rows are, in the world's frame, the picture's right, its up, and the way to the viewer.
+
+    turn, tilt: degrees; tilt above 0 looks from above.
+    """
+    a, t = math.radians(turn), math.radians(tilt)
+    ca, sa, ct, st = math.cos(a), math.sin(a), math.cos(t), math.sin(t)
+    return np.array(((ca, 0.0, sa), (sa * st, ct, -ca * st), (-sa * ct, st, ca * ct)))
+
+
+def hit_sphere(
+    view: Array, places: Array, radii: Array, point: tuple[float, float]
+) -> tuple[int, Array] | None:
+    """The foremost sphere at a point of the picture and the place (3,) m on its surface; None beside all.
+
+    view: of `camera_matrix`; places (n, 3) m; point: picture coordinates, m.
+    """
+    seen = places @ view.T
+    off = (seen[:, 0] - point[0]) ** 2 + (seen[:, 1] - point[1]) ** 2
+    inside = off <= radii * radii
+    if not inside.any():
+        return None
+    near = np.where(inside, seen[:, 2] + np.sqrt(np.maximum(radii * radii - off, 0.0)), -np.inf)
+    index = int(np.argmax(near))
+    return index, view.T @ np.array((point[0], point[1], near[index]))
+
+
+def on_plane(view: Array, center: Array, point: tuple[float, float]) -> Array:
+    """The place (3,) m at a point of the picture in the plane across the view through ``center``."""
+    return view.T @ np.array((point[0], point[1], float(view[2] @ center)))
+
+
+def box_edges(half: Array) -> Array:
+    """(12, 2, 3): the edges of a box about the origin."""
+    edges = []
+    for axis in range(3):
+        others = [k for k in range(3) if k != axis]
+        for s in (-1.0, 1.0):
+            for t in (-1.0, 1.0):
+                ends = np.zeros((2, 3))
+                ends[:, axis] = (-half[axis], half[axis])
+                ends[:, others[0]], ends[:, others[1]] = s * half[others[0]], t * half[others[1]]
+                edges.append(ends)
+    return np.array(edges)

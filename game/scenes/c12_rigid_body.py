@@ -1,0 +1,405 @@
+"""One rigid body of spheres in space, by ten ways to integrate its turning."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.levels import Level
+from game.physics.fields import DRAG, GRAVITY
+from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW, turn_between
+from game.physics.rigid.motion import P, Q
+from game.physics.rigid.turning import measure
+from game.physics.rigid.window import WALLS
+from game.scenes import c12_hand as hand
+from game.scenes.c12_bodies import EXACT, FLIPS, MADE_ENERGY, MADE_MOMENTUM, A, B, Bodies
+from game.scenes.c12_camera import camera_matrix
+from game.scenes.c12_level import RigidContent, SphereEntry, design_of, entries_of
+from game.scenes.c12_view import RigidView
+from game.stage import (
+    Choice,
+    Equation,
+    Frame,
+    Hint,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
+
+Array = NDArray[np.float64]
+LABELS = (
+    "Explicit Euler", "Semi-implicit Euler", "Exponential map", "Midpoint", "Runge-Kutta 4",
+    "Implicit gyroscopic", "Splitting", "Exact (Jacobi)", "Euler of ω, body frame", "Euler of ω, world frame",
+)  # fmt: skip
+HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
+TITLE_ROOM = 0.25  # m
+TRAIL = 600  # steps that the trail of L on its sphere goes back
+ROUNDING = 1e-12
+GAP = 0.12  # m, between the panes of the twin view
+SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "tool", "pushing", "new_density")
+
+
+class RigidState(NamedTuple):
+    """What moves, of what it is made, and what is remembered of it."""
+
+    rows: Array  # (3, 13)
+    accounts: Array  # (3, 4)
+    design: Array  # (n, 6)
+    density: Array  # (1,)
+    trail: Array  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
+
+
+class RigidBodyScene(Scene):
+    """Spheres are joined to one body. Its mass, centre and inertia tensor follow from theirs by the offset
+    theorem; its state is place, quaternion, momentum and angular momentum, and velocity and spin follow from
+    those.
+
+    No force turns the hammer that the scene begins with, and yet it turns over, again and again: a spin
+    about the middle axis of inertia is not stable.
+
+    Explicit Euler keeps L to the bit, but not the energy: that rises until the body turns about its axis of
+    least inertia, and can rise no more. The exact solution, by Jacobi's elliptic functions, goes along as an
+    outline.
+
+    The small sphere shows L as the body sees it. A free body's L stays on a curve of its own energy; a method
+    that makes energy spirals outwards to an end of axis 1.
+    """
+
+    name = "c12"
+    task = "C12"
+    title = "Rigid body"
+    effects = ROTATION | WINDOW | PUSHES | GRAVITY | DRAG
+    dt = 1.0 / 60.0
+    content_type = RigidContent
+    takes = frozenset(("right",))
+
+    method = Choice(
+        METHODS[0], METHODS, labels=LABELS, group="Method", label="Integrator",
+        help="how place, quaternion and momenta go on by a step",
+    )  # fmt: skip
+    step_length = Param(1.0 / 60.0, 1.0 / 2000.0, 0.1, unit="s", log=True, group="Method", label="Time step")
+    normalizing = Toggle(
+        True, group="Method", label="Normalize q", help="bring |q| back to 1 after each step"
+    )
+    twin = Toggle(False, group="Method", label="Twin view", rebuild=True, help="two methods side by side")
+    second = Choice(
+        "splitting", METHODS, labels=LABELS, group="Method", label="Integrator of B", help="in the twin view"
+    )
+    density = Param(
+        700.0,
+        1.0,
+        20_000.0,
+        unit="kg/m³",
+        log=True,
+        group="Body",
+        help="of the material; mass and inertia follow",
+    )
+    keep = Choice(
+        "momentum", ("momentum", "velocity"), labels=("Momenta", "Velocities"), group="Body",
+        label="New density keeps", help="what goes on as it was when the density is changed",
+    )  # fmt: skip
+    tool = Choice(
+        "push", hand.TOOLS, labels=("Push", "New sphere", "Take off"), group="Hand",
+        help="what the left button does",
+    )  # fmt: skip
+    pushing = Choice(
+        "release", ("release", "hold"), labels=("Let go", "While held"), group="Hand", label="Push when",
+        help="a force that is drawn and then let go, or a pull as long as the button is down",
+    )  # fmt: skip
+    strength = Param(
+        2_000.0, 1.0, 1e6, unit="N/m", log=True, group="Hand", help="force for each metre of the arrow drawn"
+    )
+    push_time = Param(0.1, 0.001, 2.0, unit="s", log=True, group="Hand", help="how long a drawn force acts")
+    new_density = Param(
+        1.0, 0.01, 100.0, log=True, group="Hand", label="New sphere", help="density over that of the material"
+    )
+    wall = Choice(
+        "mirror", WALLS, labels=("Mirror", "Strike"), group="World", label="Window",
+        help="mirrors the velocity; or strikes the point that touches, so that the spin changes",
+    )  # fmt: skip
+    restitution = Param(1.0, 0.0, 1.0, group="World", help="speed after the window over speed before")
+    gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
+    damping = Param(0.2, 0.0, 20.0, unit="1/s", group="World", help="share of both momenta lost to the air")
+    turn = Param(
+        HOME[0], -180.0, 180.0, unit="°", group="View", label="Turned", help="camera about the vertical"
+    )
+    tilt = Param(
+        HOME[1], -90.0, 90.0, unit="°", group="View", label="Tilted", help="camera, from above if above 0"
+    )
+    ghost = Toggle(True, group="View", label="Exact body", help="outline of the exact solution")
+    vectors = Toggle(True, group="View", label="Vectors", help="f, v, a, P, and ω, L of the turning")
+    axes = Toggle(False, group="View", label="Principal axes", help="1, 2, 3 by ascending moment")
+    momentum_sphere = Toggle(True, group="View", label="Sphere of L", help="L as the body sees it")
+
+    hints = (
+        Hint(("Drag",), "a force on the body; beside it: turn the view"),
+        Hint(("1", "2", "3"), "push, new sphere, take off"),
+        Hint(("Right drag",), "turn the view"),
+    )
+    actions = (
+        SceneAction("push", "push", "1"),
+        SceneAction("sphere", "new sphere", "2"),
+        SceneAction("remove", "take off", "3"),
+        SceneAction("undo", "take back", "ctrl+z"),
+        SceneAction("redo", "do again", "ctrl+y"),
+        SceneAction("still", "stop the body", "0"),
+        SceneAction("meet", "all as A is", "m"),
+    )
+    strips = (
+        Strip("Energy of rotation", "J", ("A", "B", "exact", "bound"), exact=("exact", "bound")),
+        Strip("Angular momentum made", "", ("L of A", "L of B")),
+        Strip("Length of q, off 1", "", ("q of A", "q of B")),
+    )
+    equations = (
+        Equation(
+            "Motion",
+            r"\dot{\v{x}} = \v{P} / m,  \dot{\v{P}} = \v{f},  \dot{\v{L}} = \v{\tau}",
+            "Newton, Euler",
+        ),
+        Equation("Quaternion", r"\dot{q} = \frac{1}{2} (0, \v{\omega}) q", "Hamilton"),
+        Equation("Spin", r"\v{\omega} = J^{-1} \v{L},  J = R I R^T", "Baraff 1997"),
+        Equation(
+            "Offset theorem", r"I = \sum \frac{2}{5} m r^2 E + m (d^2 E - \v{d} \v{d}^T)", "Huygens, Steiner"
+        ),
+        Equation(
+            "Accelerations",
+            r"\v{a} = \v{f} / m,  \v{\alpha} = J^{-1} (\v{\tau} - \v{\omega} \times \v{L})",
+            "",
+        ),
+        Equation(
+            "Energy of rotation",
+            r"E = \frac{1}{2} \v{\omega} \cdot \v{L} \le \frac{L^2}{2 I_1}",
+            "at equal L",
+        ),
+        Equation(
+            "Wobble about the middle axis",
+            r"\omega_2 \sqrt{\frac{(I_2 - I_1)(I_3 - I_2)}{I_1 I_3}}",
+            "growth, 1/s",
+        ),
+    )
+    try_this = (
+        "Wait until the hammer flips; then switch the twin view on and compare two integrators.",
+        "Set a time step of 1/10 s: explicit Euler is lost at once, the splitting only jitters.",
+        "Take Implicit gyroscopic: what most engines use. It loses energy and angular momentum.",
+        "Push the head, then the handle, with the same force. Double the density and do it again.",
+        "Switch normalizing off and look at |q| with explicit Euler, and with the exponential map.",
+    )
+    default_content = RigidContent(
+        spheres=(
+            SphereEntry(position=(0.0, 0.0, 0.0), radius=0.3),
+            SphereEntry(position=(0.7, 0.3, 0.0), radius=0.25),
+        ),
+        spin=(0.3, 2.0, 0.5),
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        self.content: RigidContent = (
+            level.content if level is not None and level.content is not None else self.default_content
+        )
+        self.grip, self.pane = "", A
+        self.arm = self.start = self.target = (0.0, 0.0, 0.0)
+        self.last = (0.0, 0.0)
+        self.push: tuple[float, ...] | None = None  # force N, arm m, seconds left
+        self.done: list[hand.Edit] = []
+        self.undone: list[hand.Edit] = []
+        self.told: deque[str] = deque(maxlen=8)
+        self.steps = 0
+        self.trail = np.zeros((2, TRAIL, 3))
+        content = self.content
+        self.bodies = Bodies(design_of(content), self.density)
+        self.bodies.start(content.place, content.orientation, content.velocity, content.spin)
+        self.bodies.meet()
+        self.view = RigidView()
+        self._configure()
+        self._note()
+
+    @property
+    def half(self) -> Array:
+        """Half the sides (3,) m of the box of each body."""
+        half = np.array(self.content.window, dtype=np.float64)
+        if self.twin:  # two boxes side by side in the picture of one
+            home = np.abs(camera_matrix(*HOME))[0]
+            half[0] = max(0.5 * (self.frame().right - GAP) - home[2] * half[2], 0.25 * half[0]) / home[0]
+        return half
+
+    def pane_shift(self, pane: int) -> float:
+        """Where (m) the middle of a body's box is in the picture."""
+        if not self.twin:
+            return 0.0
+        shift = 0.5 * self.frame().right
+        return shift if pane == B else -shift
+
+    def _configure(self) -> None:
+        """Hand the knobs to the bodies."""
+        for index, body in enumerate(self.bodies.all):
+            body.change(
+                method=(self.method, self.second, "exact")[index],
+                effects=self.active,
+                gravity=self.gravity,
+                damping=self.damping,
+                normalizing=self.normalizing or index == EXACT,
+                wall=self.wall,
+                restitution=self.restitution,
+                lower=-self.half,
+                upper=self.half,
+            )
+
+    def knob_changed(self, name: str) -> None:
+        if name == "density":
+            self.bodies.change_density(self.density, self.keep)
+        if name not in SHOWN_ONLY:
+            self._configure()
+
+    def effects_changed(self) -> None:
+        self._configure()
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> RigidState:
+        bodies = self.bodies
+        return RigidState(bodies.rows, bodies.accounts, bodies.design, np.array([bodies.density]), self.trail)
+
+    def restore(self, state: RigidState) -> None:
+        self.bodies.take(state.rows, state.design, float(state.density[0]))
+        np.copyto(self.bodies.accounts, state.accounts)
+        np.copyto(self.trail, state.trail)
+        self._configure()
+
+    def save_content(self) -> RigidContent:
+        """The spheres as they are now, in their own frame, with the motion that the body has."""
+        body = self.bodies.all[A]
+        return RigidContent(
+            spheres=entries_of(self.bodies.design),
+            place=tuple(body.position.tolist()),
+            orientation=tuple(body.orientation.tolist()),
+            velocity=tuple(body.velocity.tolist()),
+            spin=tuple(body.angular_velocity.tolist()),
+            window=self.content.window,
+        )
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        flips = self.bodies.accounts[A, FLIPS]
+        self.bodies.step(dt, self.twin, self._push_now(dt))
+        self.steps += 1
+        self._note()
+        if flips == 0.0 < self.bodies.accounts[A, FLIPS]:
+            self.told.append("The body has turned over, with no force on it.")
+
+    def _push_now(self, dt: float) -> tuple[float, ...] | None:
+        """Force and arm of this step; of a push that ends within it, the share that is left."""
+        held = hand.held_force(self)
+        if held is not None:
+            return *held, *self.arm
+        if self.push is None:
+            return None
+        left = self.push[6]
+        share = min(1.0, left / dt)
+        force = tuple(share * f for f in self.push[:3])
+        arm = self.push[3:6]
+        self.push = (*self.push[:6], left - dt) if left > dt * (1.0 + 1e-9) else None
+        return *force, *arm
+
+    def _note(self) -> None:
+        """Write where L is, seen from the bodies, into the trail."""
+        for index in (A, B):
+            body = self.bodies.all[index]
+            seen = body.moments * body.spin
+            length = math.sqrt(float(seen @ seen))
+            self.trail[index, self.steps % TRAIL] = seen / length if length > 0.0 else seen
+
+    def pointer(self, event: Pointer) -> None:
+        hand.take_pointer(self, event)
+        self._configure()
+
+    def action(self, name: str) -> None:
+        if name == "undo":
+            hand.undo(self)
+        elif name == "redo":
+            hand.redo(self)
+        elif name == "still":
+            for body in self.bodies.all:
+                body.states[0, P:] = 0.0
+            self.push = None
+            self.bodies.meet()
+        elif name == "meet":
+            self.bodies.meet()
+        else:
+            self.values["tool"] = name
+        self._configure()
+
+    def messages(self) -> Sequence[str]:
+        new = tuple(self.told)
+        self.told.clear()
+        return new
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        bodies = self.bodies
+        body = bodies.all[A]
+        shift, _, momentum, _ = measure(body.state, body.constants[0])
+        found = [
+            Readout("off", math.degrees(self._angle_off(A)), "°"),
+            Readout("spin", math.sqrt(float(body.spin @ body.spin)), "rad/s"),
+            Readout("flips", float(bodies.accounts[A, FLIPS])),
+            Readout("mass", body.mass, "kg"),
+            Readout("exact", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
+            Readout("bound", body.largest_rotation_energy, "J"),
+            Readout("|L|", momentum, "kg m²/s"),
+            Readout("|P|", math.sqrt(2.0 * shift * body.mass), "kg m/s"),
+            Readout("shift", shift, "J"),
+        ]
+        found.extend(Readout(f"I{k + 1}", moment, "kg m²") for k, moment in enumerate(body.moments.tolist()))
+        for index, name in ((A, "A"), (B, "B")):
+            if index == B and not self.twin:
+                continue
+            found.extend(self._account(index, name))
+        return found
+
+    def _account(self, index: int, name: str) -> list[Readout]:
+        """What a body's method has made of energy, angular momentum and |q|."""
+        body, account = self.bodies.all[index], self.bodies.accounts[index]
+        _, rotation, momentum, size = measure(body.state, body.constants[0])
+        had, was = rotation - account[MADE_ENERGY], momentum - account[MADE_MOMENTUM]
+        return [
+            Readout(name, rotation, "J"),
+            Readout(f"E of {name}", account[MADE_ENERGY] / had if had > 0.0 else 0.0),
+            Readout(f"L of {name}", _above_rounding(account[MADE_MOMENTUM] / was if was > 0.0 else 0.0)),
+            Readout(f"q of {name}", _above_rounding(size - 1.0)),
+            Readout(f"off {name}", math.degrees(self._angle_off(index)), "°"),
+        ]
+
+    def _angle_off(self, index: int) -> float:
+        """Angle (rad) between a body and the exact one."""
+        bodies = self.bodies.all
+        return turn_between(bodies[index].states[0, Q:P], bodies[EXACT].states[0, Q:P])
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend(self)
+
+    def frame(self) -> Frame:
+        corners = np.abs(camera_matrix(*HOME)) @ np.array(self.content.window)
+        x, y = corners[:2].tolist()
+        y += TITLE_ROOM if self.twin else 0.0
+        return Frame(-x, -y, x, y)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(self, canvas, alpha)
+
+
+def _above_rounding(value: float) -> float:
+    """A measured error, 0 where it is rounding."""
+    return value if abs(value) > ROUNDING else 0.0

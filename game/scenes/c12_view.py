@@ -1,0 +1,258 @@
+"""How the rigid body scene is drawn: boxes, lit spheres, the exact outline, vectors, and the sphere of L."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.fields import GRAVITY
+from game.physics.rigid import ROTATION, WINDOW, quaternion_to_matrix
+from game.physics.rigid.motion import P, Q, X
+from game.scenes import c12_hand as hand
+from game.scenes.c12_bodies import EXACT, A, B
+from game.scenes.c12_camera import box_edges, camera_matrix
+from game.scenes.c12_level import COLOR, COLORS, RADIUS
+from game.scenes.c12_momentum_sphere import draw_momentum_sphere
+from game.stage import blend, blend_quaternions
+from game.ui.canvas import EXACT_DASH, Canvas
+from game.ui.painters.spheres import SpherePainter
+
+if TYPE_CHECKING:
+    from game.scenes.c12_rigid_body import RigidBodyScene
+
+Array = NDArray[np.float64]
+INKS = {"ivory": 0xE9E0CF, "stone": 0xA79C8E}  # beside the colours of the theme
+VELOCITY_M, ACCELERATION_M, SPIN_M = 0.3, 0.04, 0.22  # m for each m/s, m/s², rad/s
+FORCE_M = 0.0005  # m for each N of a push that acts
+MOST_OUTLINES = 60  # spheres, the largest of which make the exact outline
+CORNERS = np.linspace(0.0, 2.0 * math.pi, 61)
+
+
+class RigidView:
+    """Draws the bodies; keeps the painter's memory."""
+
+    def __init__(self) -> None:
+        self._painter = SpherePainter()
+
+    def legend(self, scene: RigidBodyScene) -> Sequence[tuple[str, str, str]]:
+        """What the marks mean."""
+        rows = []
+        if scene.ghost:
+            rows.append(("dash:text1", "exact", ""))
+        if scene.vectors:
+            body = scene.bodies.all[A]
+            if np.abs(body.momentum).max() > 1e-9 * body.mass:
+                rows.append(("arrow:chalk", "velocity v, momentum P", ""))
+            if GRAVITY in scene.active or self._force(scene, A)[1] is not None:
+                rows.append(("arrow:violet", "acceleration a", ""))
+            if scene.grip == "push" or self._force(scene, A)[1] is not None:
+                rows.append(("arrow:amber", "force f", ""))
+            if ROTATION in scene.active:
+                rows.append(("arrow:pink", "spin ω", ""))
+                rows.append(("arrow:green", "angular momentum L", ""))
+        return rows
+
+    def draw(self, scene: RigidBodyScene, canvas: Canvas, alpha: float) -> None:
+        """All of it, from the back to the front."""
+        view = camera_matrix(scene.turn, scene.tilt)
+        rows = self._between(scene, alpha)
+        panes = (A, B) if scene.twin else (A,)
+        for pane in panes:
+            self._draw_box(scene, canvas, view, pane, behind=True)
+        self._draw_spheres(scene, canvas, view, rows, panes)
+        for pane in panes:
+            shift = np.array((scene.pane_shift(pane), 0.0))
+            if scene.ghost:
+                self._draw_exact(scene, canvas, view, rows, shift)
+            self._draw_box(scene, canvas, view, pane, behind=False)
+            if scene.axes:
+                self._draw_axes(scene, canvas, view, rows[pane], shift)
+            if scene.vectors:
+                self._draw_vectors(scene, canvas, view, rows[pane], pane, shift)
+        self._draw_hand(scene, canvas, view)
+        if scene.twin:
+            self._draw_titles(scene, canvas, panes)
+        if scene.momentum_sphere and ROTATION in scene.active:
+            draw_momentum_sphere(scene, canvas)
+
+    def _between(self, scene: RigidBodyScene, alpha: float) -> Array:
+        """States (3, 13) between the last two steps."""
+        now, before = scene.bodies.rows, scene.previous
+        if (
+            before is None
+            or before.rows.shape != now.shape
+            or before.design.shape != scene.bodies.design.shape
+        ):
+            return now
+        rows = now.copy()
+        rows[:, X:Q] = blend(before.rows[:, X:Q], now[:, X:Q], alpha)
+        rows[:, Q:P] = blend_quaternions(_units(before.rows[:, Q:P]), _units(now[:, Q:P]), alpha)
+        return rows
+
+    # -- bodies -------------------------------------------------------------------------------------
+
+    def _draw_spheres(
+        self, scene: RigidBodyScene, canvas: Canvas, view: Array, rows: Array, panes: Sequence[int]
+    ) -> None:
+        """All spheres of all panes in one go."""
+        design, n = scene.bodies.design, len(scene.bodies.design)
+        scale = canvas.pixels_per_unit
+        inks = [INKS[name] if name in INKS else canvas.ink(name) for name in COLORS]
+        points, turns = np.empty((n * len(panes), 3)), np.empty((len(panes), 3, 3))
+        for k, pane in enumerate(panes):
+            seen, turns[k] = _seen(scene, view, rows[pane])
+            part = points[k * n : (k + 1) * n]
+            part[:, 2] = scale * seen[:, 2]
+            part[:, :2] = canvas.place_all(seen[:, :2] + (scene.pane_shift(pane), 0.0))
+        pixels, clip = canvas.raster_target
+        self._painter.draw(
+            pixels, clip, points, np.tile(scale * design[:, RADIUS], len(panes)), turns,
+            np.repeat(np.arange(len(panes)), n), np.tile(np.array(inks, np.uint32)[design[:, COLOR].astype(int)], len(panes)),
+        )  # fmt: skip
+
+    def _draw_exact(
+        self, scene: RigidBodyScene, canvas: Canvas, view: Array, rows: Array, shift: Array
+    ) -> None:
+        """Outlines of the exact body's spheres."""
+        design = scene.bodies.design
+        seen, _ = _seen(scene, view, rows[EXACT])
+        if len(design) > MOST_OUTLINES:
+            largest = np.argsort(-design[:, RADIUS], kind="stable")[:MOST_OUTLINES]
+            seen, design = seen[largest], design[largest]
+        for arc in outline_arcs(seen[:, :2] + shift, design[:, RADIUS]):
+            canvas.polyline(arc, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
+
+    # -- around them --------------------------------------------------------------------------------
+
+    def _draw_box(self, scene: RigidBodyScene, canvas: Canvas, view: Array, pane: int, behind: bool) -> None:
+        """Edges of the window: those behind the body, or those before it."""
+        on = WINDOW in scene.active
+        edges = box_edges(scene.half) @ view.T
+        depth = edges[:, :, 2].mean(axis=1)
+        chosen = depth < 0.0 if behind else depth >= 0.0
+        shift = (scene.pane_shift(pane), 0.0)
+        for a, b in (edges[chosen][:, :, :2] + shift).tolist():
+            canvas.line(
+                a, b, "line2" if on else "line", 1.2, None if on else (3.0, 6.0), 0.9 if behind else 0.5
+            )
+
+    def _draw_axes(
+        self, scene: RigidBodyScene, canvas: Canvas, view: Array, row: Array, shift: Array
+    ) -> None:
+        """The three principal axes, with their numbers."""
+        turn = view @ quaternion_to_matrix(row[Q:P])
+        center = view @ row[X:Q]
+        reach = _reach(scene) + 0.25
+        for k in range(3):
+            tip = reach * turn[:2, k]
+            a, b = center[:2] + shift - tip, center[:2] + shift + tip
+            canvas.line(a, b, "text3", 1.2, (5.0, 4.0))
+            canvas.label(b + 0.12 * turn[:2, k], str(k + 1), "text2", 12, "semibold")
+
+    def _draw_vectors(
+        self, scene: RigidBodyScene, canvas: Canvas, view: Array, row: Array, pane: int, shift: Array
+    ) -> None:
+        """v, P, a, f at the centre or their point; ω and L."""
+        body = scene.bodies.all[pane]
+        center = (view @ row[X:Q])[:2] + shift
+
+        def arrow(vector: Array, scale: float, color: str, label: str, width: float = 2.4) -> None:
+            canvas.arrow(center, scale * (view @ vector)[:2], color, label, width=width)
+
+        if ROTATION in scene.active:
+            middle = float(body.moments[1])
+            if middle > 0.0:
+                arrow(body.angular_momentum / middle, SPIN_M, "green", "L")
+            arrow(body.angular_velocity, SPIN_M, "pink", "ω")
+        # P beside v: as long as v would be with the mass of a density of 700 kg/m³
+        arrow(body.momentum / (body.mass * 700.0 / scene.density), VELOCITY_M, "chalk", "P", 1.2)
+        arrow(body.velocity, VELOCITY_M, "chalk", "v")
+        force, point = self._force(scene, pane)
+        acceleration = force / body.mass
+        if GRAVITY in scene.active:
+            acceleration = acceleration - (0.0, scene.gravity, 0.0)
+        arrow(acceleration, ACCELERATION_M, "violet", "a")
+        if point is not None:
+            tail = (view @ point)[:2] + shift
+            canvas.arrow(tail, FORCE_M * (view @ force)[:2], "amber", "f")
+            canvas.dot(tail, 4.5, "amber")
+
+    def _force(self, scene: RigidBodyScene, pane: int) -> tuple[Array, Array | None]:
+        """Force (3,) N by hand that acts on a body now, and its point (3,) m."""
+        held = hand.held_force(scene)
+        if held is not None:
+            return np.array(held), scene.bodies.point_of(pane, scene.arm)
+        if scene.push is not None:
+            return np.array(scene.push[:3]), scene.bodies.point_of(pane, scene.push[3:6])
+        return np.zeros(3), None
+
+    def _draw_hand(self, scene: RigidBodyScene, canvas: Canvas, view: Array) -> None:
+        """The force that is being drawn, or the sphere that is being put on."""
+        if scene.grip not in ("push", "sphere"):
+            return
+        shift = np.array((scene.pane_shift(scene.pane), 0.0))
+        start, target = ((view @ np.array(at))[:2] + shift for at in (scene.start, scene.target))
+        if scene.grip == "sphere":
+            radius = hand.new_radius(scene)
+            canvas.circle(start, radius, "amber", 0.2, "amber", 2.0)
+            canvas.label(start, f"{radius:.2f} m", "text1", 12, offset=(0.0, -14.0))
+            return
+        if scene.pushing == "hold":
+            start = (view @ scene.bodies.point_of(scene.pane, scene.arm))[:2] + shift
+            canvas.line(start, target, "amber", 1.6, (8.0, 6.0))
+        else:
+            canvas.arrow(start, target - start, "amber", "f")
+        canvas.dot(start, 4.5, "amber")
+        newton = scene.strength * math.dist(start, target)
+        words = f"{newton / 1000.0:.2f} kN" if newton >= 1000.0 else f"{newton:.0f} N"
+        canvas.label(target, words, "amber", 12, "semibold", offset=(0.0, -18.0))
+
+    def _draw_titles(self, scene: RigidBodyScene, canvas: Canvas, panes: Sequence[int]) -> None:
+        """Letter and method above each box."""
+        top = scene.frame().top
+        for pane in panes:
+            knob = type(scene).second if pane == B else type(scene).method
+            value = scene.second if pane == B else scene.method
+            words = f"{'AB'[pane]}  {knob.labels[knob.options.index(value)]}"
+            color = "green" if pane == B else "chalk"
+            canvas.label((scene.pane_shift(pane), top), words, color, 13, "semibold", "top")
+
+
+def _units(q: Array) -> Array:
+    """Quaternions (n, 4) at length 1."""
+    return q / np.sqrt((q * q).sum(axis=1, keepdims=True))
+
+
+def _seen(scene: RigidBodyScene, view: Array, row: Array) -> tuple[Array, Array]:
+    """Centres (n, 3) m of a body's spheres in the picture's frame, and its turn there (3, 3)."""
+    turn = view @ quaternion_to_matrix(row[Q:P])
+    return scene.bodies.all[A].offsets @ turn.T + view @ row[X:Q], turn
+
+
+def outline_arcs(centers: Array, radii: Array) -> list[Array]:
+    """The outline of overlapping discs, (n, 2) m and (n,) m, as chains of points: what lies in no other disc."""
+    circle = np.column_stack((np.cos(CORNERS), np.sin(CORNERS)))
+    arcs = []
+    for i, (center, radius) in enumerate(zip(centers, radii, strict=True)):
+        points = center + radius * circle
+        apart = points[:, None, :] - centers[None, :, :]
+        inside = (apart * apart).sum(axis=2) < (radii * radii)[None, :] * (1.0 - 1e-9)
+        inside[:, i] = False
+        free = ~inside.any(axis=1)
+        breaks = np.flatnonzero(np.diff(free.astype(np.int8))) + 1
+        arcs += [
+            points[part]
+            for part in np.split(np.arange(len(points)), breaks)
+            if free[part[0]] and len(part) > 1
+        ]
+    return arcs
+
+
+def _reach(scene: RigidBodyScene) -> float:
+    """Radius (m) about the centre of mass within which the body is."""
+    offsets = scene.bodies.all[A].offsets
+    return float((np.sqrt((offsets * offsets).sum(axis=1)) + scene.bodies.design[:, RADIUS]).max())

@@ -1,0 +1,309 @@
+"""The rigid body scene, C12: built, pushed, its density changed, kept inside, replayed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
+
+from game.levels import Level, LevelError, format_level, level_files, parse_level
+from game.physics.rigid import mass_properties
+from game.scenes.c12_bodies import EXACT, A, B
+from game.scenes.c12_camera import camera_matrix
+from game.scenes.c12_level import RigidContent
+from game.scenes.c12_rigid_body import RigidBodyScene
+from game.stage import Action, SetEffect, SetKnob, Stage, replay_scene
+
+LEVELS = level_files("c12")
+
+
+def plain(**knobs) -> Stage:
+    """Two spheres at rest side by side, looked at from the front."""
+    content = RigidContent.__struct_fields__ and parse_level(
+        'scene = "c12"\n[effects]\noff = ["gravity", "drag"]\n[content]\nspheres = [\n'
+        "{ position = [-0.5, 0.0], radius = 0.3 }, { position = [0.5, 0.0], radius = 0.3 } ]\n",
+        "c12",
+        RigidContent,
+    )
+    return Stage(
+        RigidBodyScene, level=content, parameters={"turn": 0.0, "tilt": 0.0, "density": 100.0, **knobs}
+    )
+
+
+def body(stage, index=A):
+    return stage.scene.bodies.all[index]
+
+
+def test_spheres_are_read_and_joined():
+    """C12.1, .4"""
+    stage = plain()
+    mass, center, inertia = mass_properties([(-0.5, 0.0), (0.5, 0.0)], [0.3, 0.3], 100.0)
+    assert body(stage).mass == pytest.approx(mass)
+    assert np.allclose(body(stage).position, center, atol=1e-15)
+    assert np.allclose(body(stage).inertia, inertia, rtol=1e-13, atol=1e-13)
+
+
+def test_spheres_are_clicked_and_dragged_and_taken_off():
+    """C12.1: also while it stands still; undone, redone, saved and read back."""
+    stage = plain()
+    stage.pause()
+    stage.post(Action("sphere"))
+    click(stage, (0.0, 0.8))
+    assert np.allclose(stage.scene.bodies.design[2, :4], (0.0, 0.8, 0.0, 0.15), atol=1e-12)
+    drag(stage, (0.0, -0.5), (0.25, -0.5), steps=3, run=0)
+    assert np.allclose(stage.scene.bodies.design[3, :4], (0.0, -0.5, 0.0, 0.25), atol=1e-12)
+    assert np.allclose(body(stage).spheres(), stage.scene.bodies.design[:, :3], atol=1e-12)
+    stage.post(Action("remove"))
+    click(stage, (-0.5, 0.0))
+    assert len(stage.scene.bodies.design) == 3
+    stage.post(Action("undo"))
+    stage.post(Action("undo"))
+    assert len(stage.scene.bodies.design) == 3
+    assert stage.scene.bodies.design[2, 1] == pytest.approx(0.8)
+    stage.post(Action("redo"))
+    stage.post(Action("redo"))
+    assert len(stage.scene.bodies.design) == 3
+    assert stage.scene.bodies.design[0, 0] == 0.5
+    text = format_level(Level(scene="c12", content=stage.scene.save_content()))
+    back = RigidBodyScene(parse_level(text, "c12", RigidContent), {"density": 100.0})
+    assert np.allclose(back.bodies.all[A].spheres(), body(stage).spheres(), atol=1e-12)
+    assert np.allclose(back.bodies.all[A].inertia, body(stage).inertia, rtol=1e-12, atol=1e-12)
+    for _ in range(3):
+        click(stage, stage.scene.bodies.all[A].spheres()[0][:2])
+    assert len(stage.scene.bodies.design) == 1
+    assert any("last sphere" in words for words in stage.scene.messages())
+    stage.resume()
+    stage.run(5)
+    assert stage.fault is None
+
+
+def test_what_is_put_on_while_it_turns_changes_no_velocity_of_what_was_there():
+    stage = plain()
+    body(stage).angular_velocity = (0.0, 0.0, 2.0)
+    stage.scene.bodies.meet()
+    old, before = body(stage).position, body(stage).velocity
+    stage.post(Action("sphere"))
+    click(stage, (0.0, 1.0))
+    now = body(stage)
+    assert np.allclose(now.angular_velocity, (0.0, 0.0, 2.0), atol=1e-12)
+    way = now.position - old
+    assert np.allclose(now.velocity, before + np.cross((0, 0, 2.0), way), atol=1e-12)
+
+
+def test_a_drawn_force_acts_at_its_point():
+    """C12.5, .6: P = f t, L = r x f t; drawn while it acts."""
+    stage = plain(strength=1000.0, push_time=0.05)
+    drag(stage, (0.5, 0.1), (0.5, 0.4), steps=2, run=0)
+    assert stage.scene.push is not None
+    words = [row[1] for row in stage.scene.legend()]
+    assert "force f" in words
+    stage.run(10)
+    assert stage.scene.push is None
+    assert np.allclose(body(stage).momentum, (0.0, 300.0 * 0.05, 0.0), rtol=1e-12, atol=1e-12)
+    angular = body(stage).angular_momentum
+    assert angular[2] == pytest.approx(0.5 * 15.0, rel=2e-3)
+    assert np.allclose(body(stage, B).momentum, body(stage).momentum)
+    assert np.allclose(body(stage, EXACT).angular_momentum, angular, rtol=0.05, atol=0.05)
+    before = body(stage).momentum
+    stage.run(3)
+    assert np.array_equal(body(stage).momentum, before)
+
+
+def test_the_point_that_is_pushed_is_on_the_surface_before():
+    """A force in the picture's plane at the near side of a sphere turns about the vertical as well."""
+    stage = plain(push_time=0.02)
+    drag(stage, (0.5, 0.0), (0.8, 0.0), steps=2, run=0)
+    stage.run(3)
+    assert np.allclose(body(stage).momentum, (2000 * 0.3 * 0.02, 0, 0), atol=1e-9)
+    assert body(stage).angular_momentum[1] == pytest.approx(0.3 * 12.0, rel=1e-2)
+
+
+def test_a_pull_as_long_as_the_button_is_down():
+    stage = plain(pushing="hold", strength=200.0)
+    press(stage, (0.5, 0.1))
+    for i in range(60):
+        move(stage, (0.5, 0.1 + 0.01 * i))
+        stage.run(1)
+    assert body(stage).velocity[1] > 0.1
+    release(stage, (0.5, 0.7))
+    before = body(stage).momentum
+    stage.run(2)
+    assert np.array_equal(body(stage).momentum, before)
+    stage.post(SetEffect("pushes", False))
+    drag(stage, body(stage).spheres()[1][:2], (3.0, 3.0), steps=3)
+    assert np.array_equal(body(stage).momentum, before)
+
+
+def test_the_view_is_turned_with_the_right_button_or_beside_the_body():
+    stage = plain()
+    drag(stage, (0.0, 0.0), (1.0, -0.5), button=3, steps=4, run=0)
+    assert stage.scene.turn == pytest.approx(28.0)
+    assert stage.scene.tilt == pytest.approx(14.0)
+    drag(stage, (2.0, 1.5), (1.0, 1.5), steps=4, run=0)
+    assert stage.scene.turn == pytest.approx(0.0, abs=1e-9)
+    view = camera_matrix(30.0, 40.0)
+    assert np.allclose(view @ view.T, np.eye(3), atol=1e-15)
+    assert view[2] @ (0, 1, 0) == pytest.approx(math.sin(math.radians(40.0)))
+    assert np.linalg.det(view) == pytest.approx(1.0)
+
+
+def test_it_stays_in_its_window_mirrored_or_struck():
+    """C12.7"""
+    for wall in ("mirror", "impulse"):
+        stage = open_level(RigidBodyScene, "default", wall=wall, method="splitting")
+        for index in (A, B, EXACT):
+            body(stage, index).velocity = (3.0, 2.0, -1.0)
+        shift, turning = body(stage).kinetic_energy
+        for _ in range(300):
+            stage.run(1)
+            places, radii = body(stage).spheres(), body(stage).radii[:, None]
+            assert np.all(np.abs(places) + radii <= stage.scene.half + 1e-9)
+        assert body(stage).bounces > 5
+        assert sum(body(stage).kinetic_energy) == pytest.approx(shift + turning, rel=1e-3)
+        if wall == "mirror":
+            assert body(stage).kinetic_energy[0] == pytest.approx(shift, rel=1e-12)
+
+
+def test_density_is_changed_while_it_runs():
+    """C12.8"""
+    stage = open_level(RigidBodyScene, "default")
+    stage.run(10)
+    before = readouts(stage)
+    stage.post(SetKnob("density", 1400.0))
+    after = readouts(stage)
+    assert after["mass"] == pytest.approx(2.0 * before["mass"])
+    assert after["I2"] == pytest.approx(2.0 * before["I2"])
+    assert after["spin"] == pytest.approx(0.5 * before["spin"])
+    stage.post(SetKnob("keep", "velocity"))
+    stage.post(SetKnob("density", 700.0))
+    assert readouts(stage)["spin"] == pytest.approx(0.5 * before["spin"])
+    assert readouts(stage)["mass"] == before["mass"]
+    stage.run(5)
+    assert stage.fault is None
+
+
+def test_the_hammer_flips_about_its_middle_axis():
+    """The default level, by the splitting: as often as the exact one, and the scene says so."""
+    stage = open_level(RigidBodyScene, "default", method="splitting")
+    told = []
+    for _ in range(90):
+        stage.run(10)
+        told += stage.scene.messages()
+    accounts = stage.scene.bodies.accounts
+    assert accounts[A, 2] >= 3
+    assert accounts[A, 2] == accounts[EXACT, 2]
+    assert any("turned over" in words for words in told)
+    assert readouts(stage)["off A"] < 10.0
+
+
+def test_twin_view_and_accounts():
+    """Explicit Euler makes energy up to the bound and keeps L; the engines' way loses both; |q| drifts if let."""
+    stage = open_level(RigidBodyScene, "default", twin=True, second="implicit-gyroscopic")
+    stage.run(1200)
+    now = readouts(stage)
+    assert now["E of A"] > 0.5
+    assert now["A"] <= now["bound"] * (1 + 1e-12)
+    assert now["L of A"] == 0.0
+    assert now["E of B"] < -0.01
+    assert now["L of B"] < -0.01
+    assert now["q of A"] == 0.0
+    assert now["exact"] == pytest.approx(now["A"] / (1.0 + now["E of A"]), rel=1e-9)
+    stage.post(SetKnob("normalizing", False))
+    stage.run(60)
+    assert readouts(stage)["q of A"] > 0.01
+    stage.post(Action("meet"))
+    assert readouts(stage)["off A"] == 0.0
+    stage.post(Action("still"))
+    assert readouts(stage)["spin"] == 0.0
+
+
+def test_effects_that_are_off_do_nothing():
+    stage = open_level(RigidBodyScene, "default")
+    stage.post(SetEffect("rotation", False))
+    turn = body(stage).orientation
+    stage.run(20)
+    assert np.array_equal(body(stage).orientation, turn)
+    stage.post(SetEffect("gravity", True))
+    stage.run(10)
+    assert body(stage).velocity[1] < -1.0
+    stage.post(SetEffect("window", False))
+    stage.run(200)
+    assert body(stage).position[1] < -10.0
+    stage.post(SetEffect("drag", True))
+    stage.post(SetEffect("gravity", False))
+    speed = body(stage).velocity[1]
+    stage.run(60)
+    assert body(stage).velocity[1] == pytest.approx(speed * math.exp(-0.2), rel=1e-9)
+
+
+@pytest.mark.parametrize("path", LEVELS, ids=lambda path: path.stem)
+def test_every_level_steps_restores_and_steps_again(path):
+    stage = stage_of(RigidBodyScene, path)
+    stage.run(12)
+    for _ in range(4):
+        assert stage.step_back()
+    middle = stage.digest()
+    stage.run(8)
+    again = stage_of(RigidBodyScene, path)
+    again.run(8)
+    assert again.digest() == middle
+    again.run(8)
+    assert again.digest() == stage.digest()
+    assert stage.fault is None
+    for one in stage.scene.bodies.all:
+        one.check()
+
+
+def test_a_recorded_session_with_edits_replays_exactly():
+    stage = open_level(RigidBodyScene, "default", twin=True)
+    stage.run(5)
+    seen = camera_matrix(stage.scene.turn, stage.scene.tilt) @ body(stage).spheres()[8]
+    drag(stage, (seen[0] + stage.scene.pane_shift(A), seen[1]), (-1.0, 1.0), steps=6)
+    stage.run(3)
+    stage.post(Action("sphere"))
+    drag(stage, (2.0, 0.6), (2.3, 0.6), steps=3)
+    stage.post(SetKnob("density", 900.0))
+    stage.post(SetKnob("method", "rk4"))
+    drag(stage, (0.0, 1.0), (0.7, 1.2), button=3, steps=4)
+    stage.post(Action("undo"))
+    stage.post(SetEffect("window", False))
+    stage.run(10)
+    assert replay_scene(stage.recording, RigidBodyScene).digest() == stage.digest()
+    number, digest = stage.step_number, stage.digest()
+    for _ in range(20):
+        assert stage.step_back()
+    while stage.step_number < number:
+        stage.step()
+    assert stage.digest() == digest
+
+
+@pytest.mark.parametrize(
+    ("text", "field"),
+    [
+        ("[content]\nspin = [0.0, 1.0, 2.0]", "spheres"),
+        ("[content]\nspheres = [{ position = [0, 0], radius = 0.0 }]", "content.spheres[0].radius"),
+        ("[content]\nspheres = [{ position = [0], radius = 1.0 }]", "content.spheres[0].position"),
+        ("[content]\nspheres = [{ position = [0, nan], radius = 1.0 }]", "content.spheres[0].position[1]"),
+        (
+            '[content]\nspheres = [{ position = [0, 0], radius = 1.0, color = "red" }]',
+            "content.spheres[0].color",
+        ),
+        (
+            "[content]\norientation = [0, 0, 0, 0]\nspheres = [{ position = [0, 0], radius = 1.0 }]",
+            "quaternion",
+        ),
+        (
+            "[[content.rocks]]\nhalf_axes = [1, 1, 1]\nspheres = 5000\nradius = 0.1",
+            "content.rocks[0].spheres",
+        ),
+        ("[parameters]\ndensity = -1.0", "parameters.density"),
+        ('[parameters]\nmethod = "verlet"', "parameters.method"),
+        ("[content]\nsphere = []", "sphere"),
+    ],
+)
+def test_what_is_broken_in_a_level_is_named(text, field):
+    with pytest.raises(LevelError) as caught:
+        RigidBodyScene(parse_level(f'scene = "c12"\n{text}\n', "c12", RigidContent))
+    assert field in str(caught.value)
