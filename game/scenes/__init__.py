@@ -176,5 +176,16 @@ CATALOGUE = Catalogue(
             keywords="rigid body inertia tensor quaternion euler midpoint runge kutta splitting gyroscopic jacobi "
             "angular momentum hammer dzhanibekov intermediate axis force torque density",
         ),
+        Entry(
+            name="c13",
+            task="C13",
+            title="Sphere collisions",
+            fact="cradle, pile, hourglass",
+            category="Rigid bodies",
+            module="game.scenes.c13_sphere_collisions",
+            class_name="SphereCollisions",
+            keywords="rigid body impulse collision restitution friction newton cradle pile stack hourglass "
+            "time of impact split impulse baumgarte warm start break rack discs",
+        ),
     )
 )

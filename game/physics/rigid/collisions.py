@@ -1,0 +1,431 @@
+"""Spheres that collide: candidates from any broad phase, impulses, positions, and a ledger of it all."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.broadphase import BroadPhase
+from game.physics.rigid.collision_settings import (
+    LAGS,
+    CollisionSettings,
+    Numbers,
+    Surroundings,
+    Tables,
+    material_tables,
+    surroundings_of,
+)
+from game.physics.rigid.collision_steps import (
+    BOUNCES,
+    CLOCK,
+    COUNTERS,
+    LAST_H,
+    MADE,
+    ROUNDS,
+    bear_part,
+    finish_part,
+    move_by_velocity,
+    move_flat,
+    planar_part,
+    prepare_part,
+)
+from game.physics.rigid.contacts import boxes_of, farthest_moved, find_touches, near_pairs
+from game.physics.rigid.impulses import ROW_COLUMNS, collide_at_once, collide_in_turn
+from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, deepest_overlap, sum_totals
+from game.physics.rigid.planar_impulses import FLAT_COLUMNS, PLANAR_COLUMNS, lies_in_plane
+from game.physics.rigid.position_correction import project_apart, split_apart
+from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, STRINGS
+from game.physics.rigid.spheres import (
+    WORK_COLUMNS,
+    MotionState,
+    SphereBodies,
+    gather_velocities,
+    place_spheres,
+)
+from game.physics.rigid.time_of_impact import first_impact, swept_pairs
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+SKIN = 0.2  # of the smallest radius: candidates are found anew when a sphere has gone half of it
+PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
+IMPACTS_PER_SPHERE, MOST_IMPACTS = 8, 400  # parts of a step, at most
+
+
+class CollisionState(NamedTuple):
+    """All that later steps depend on. The arrays are the world's own, not copies."""
+
+    positions: Floats  # (n, 3) m
+    orientations: Floats  # (n, 4)
+    momenta: Floats  # (n, 3) kg m/s
+    spins: Floats  # (n, 3) kg m²/s
+    pairs: Ints  # (p, 2) candidates
+    found_at: Floats  # (s, 3) m, where spheres were when these were found
+    keys: Ints  # (m,) touches of the last step
+    held: Floats  # (m, 4) their impulses, kg m/s
+    pulls: Floats  # (n, 6) forces N and torques N m of the next step
+    ring: Floats  # (LEDGER_ROWS, LEDGER_COLUMNS) last collisions
+    counters: Floats  # (8,): see collision_steps
+
+
+class Totals(NamedTuple):
+    """Of all bodies together; angular momentum about the origin."""
+
+    momentum: tuple[float, float, float]  # kg m/s
+    spin: tuple[float, float, float]  # kg m²/s
+    moving: float  # J
+    turning: float  # J
+    height: float  # J, above y = 0
+
+    @property
+    def energy(self) -> float:
+        """J, all of it."""
+        return self.moving + self.turning + self.height
+
+
+class CollidingSpheres:
+    """Bodies of spheres that hit, bear and rub each other, and walls.
+
+    bodies: a `SphereBodies`. surroundings: of `surroundings_of`. tables: of `material_tables`. broad_phase:
+    any of game.physics.broadphase, empty; None tests every sphere against every other. settings: fields of
+    `CollisionSettings`. ValueError, naming what is wrong, for nonsense.
+    """
+
+    def __init__(
+        self,
+        bodies: SphereBodies,
+        surroundings: Surroundings | None = None,
+        tables: Tables | None = None,
+        broad_phase: BroadPhase | None = None,
+        **settings: Any,
+    ):
+        self.settings = CollisionSettings(**settings)
+        self.bodies = bodies
+        self.surroundings = surroundings if surroundings is not None else surroundings_of()
+        self.tables = tables if tables is not None else material_tables(0.5, 0.3)
+        self.broad_phase = broad_phase
+        s, n = len(bodies.makeup.radii), bodies.count
+        if int(bodies.makeup.kinds.max(initial=0)) > len(self.tables.restitution) - 2:
+            raise ValueError(f"kinds: there are {len(self.tables.restitution) - 1} materials")
+        if self.surroundings.hung.size and not (self.surroundings.hung.min() >= 0) & (
+            self.surroundings.hung.max() < s
+        ):
+            raise ValueError(f"strings: spheres 0 to {s - 1} can hang")
+        self.smallest = float(bodies.makeup.radii.min())
+        self.skin = SKIN * self.smallest
+        self.pulls = np.zeros((n, 6))
+        self.ring = np.zeros((LEDGER_ROWS, LEDGER_COLUMNS))
+        self.counters = np.zeros(COUNTERS)
+        self._work = np.zeros((n + 1, WORK_COLUMNS))
+        self._flat = np.zeros((n + 1, FLAT_COLUMNS))
+        self._shifts = np.zeros((n + 1, 4))
+        self._sums = np.zeros((2, 7))
+        self._places = bodies.places()
+        self._found_at = np.full((s, 3), 1e9)  # nowhere: candidates are found at the first step
+        self._pairs: Ints = np.zeros((0, 2), dtype=np.int64)
+        self._room_for_pairs: Ints = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
+        self._boxes: Any = None
+        self.tests = 0  # of pairs, in the last step
+        self.parts = 0  # of the last step
+        self._make_room(max(64, 4 * s))
+        self._count = self._old_count = 0
+
+    # -- room ---------------------------------------------------------------------------------------
+
+    def _make_room(self, room: int) -> None:
+        """Arrays for so many touches; what the last step left is kept."""
+        old = (
+            getattr(self, "_old_keys", np.zeros(0, dtype=np.int64)),
+            getattr(self, "_old_held", np.zeros((0, 4))),
+        )
+        self._touches = np.zeros((room, 4))
+        self._who: NDArray[np.int32] = np.zeros((room, 2), dtype=np.int32)
+        self._ids: NDArray[np.uint32] = np.zeros((room, 2), dtype=np.uint32)
+        self._keys: Ints = np.zeros(room, dtype=np.int64)
+        self._held = np.zeros((room, 4))
+        self._old_keys: Ints = np.zeros(room, dtype=np.int64)
+        self._old_held = np.zeros((room, 4))
+        self._old_keys[: len(old[0])] = old[0]
+        self._old_held[: len(old[1])] = old[1]
+        self._pushes = np.zeros(room)
+        self._general = np.zeros((0, ROW_COLUMNS))
+        self._planar = np.zeros((0, PLANAR_COLUMNS))
+
+    def change(self, **settings: Any) -> None:
+        """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense."""
+        self.settings = dataclasses.replace(self.settings, **settings)
+
+    # -- candidates ---------------------------------------------------------------------------------
+
+    def _find_candidates(self) -> None:
+        """Pairs that may touch, when somebody has gone so far that there may be others."""
+        if COLLISIONS not in self.settings.effects:
+            return
+        radii = self.bodies.makeup.radii
+        if self.broad_phase is not None:
+            if farthest_moved(self._places, self._found_at) <= 0.5 * self.skin:
+                return
+            lower, upper = boxes_of(self._places, radii, 2.0 * self.skin)
+            if self._boxes is None:
+                self._boxes = self.broad_phase.add_boxes(lower, upper)
+            else:
+                self.broad_phase.update_boxes(self._boxes, lower, upper)
+            self._pairs = self.broad_phase.pairs()
+            self.tests += len(radii)
+        else:
+            self._pairs = self._brute_force(0.0)
+            self.tests += len(radii) * (len(radii) - 1) // 2
+        np.copyto(self._found_at, self._places)
+
+    def _brute_force(self, h: float) -> Ints:
+        """Pairs that touch nearly, or that could meet within h (s)."""
+        radii = self.bodies.makeup.radii
+        found = math.inf
+        while True:
+            if h > 0.0:
+                found = swept_pairs(self._places, self.bodies.makeup, self._work, h, self._room_for_pairs)
+            else:
+                found = near_pairs(self._places, radii, self.skin, self._room_for_pairs)
+            if found <= len(self._room_for_pairs):
+                return self._room_for_pairs[:found].copy()
+            self._room_for_pairs = np.zeros((2 * found, 2), dtype=np.int64)
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def step(self, dt: float) -> None:
+        """Go on by dt (s). ValueError unless it is finite and above 0."""
+        if not 0.0 < dt < math.inf:
+            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+        settings = self.settings
+        nominal = dt / settings.substeps
+        self.tests = self.parts = 0
+        whole = IMPACT_TIMES in settings.effects
+        for _ in range(settings.substeps):
+            left = nominal
+            most = min(IMPACTS_PER_SPHERE * len(self.bodies.makeup.radii), MOST_IMPACTS) if whole else 1
+            for part in range(most):
+                h = self._time_to_impact(left) if whole and part < most - 1 else left
+                self._part(h, nominal)
+                self.parts += 1
+                left -= h
+                if not left > 1e-15 * nominal:
+                    break
+        self.pulls[:] = 0.0
+
+    def _time_to_impact(self, left: float) -> float:
+        """Seconds until the first impact, at most those left of a substep."""
+        bodies, settings = self.bodies, self.settings
+        gather_velocities(bodies.state, bodies.makeup, self._work)
+        self._place()
+        pairs = self._swept_candidates(left)
+        gravity = settings.gravity if "gravity" in settings.effects.names else 0.0
+        first: float = first_impact(
+            self._places, bodies.makeup, self._work, pairs, self.surroundings, settings.effects.mask, left,
+            float(gravity), LAGS[settings.scheme], float(settings.fast),
+        )  # fmt: skip
+        return max(first, 1e-9 * left)
+
+    def _swept_candidates(self, h: float) -> Ints:
+        """Pairs that could meet within h (s)."""
+        radii = self.bodies.makeup.radii
+        if self.broad_phase is None:
+            self.tests += len(radii) * (len(radii) - 1) // 2
+            return self._brute_force(h)
+        velocities = self._work[self.bodies.makeup.owners, :2]
+        ends = self._places[:, :2] + h * velocities
+        reach = radii[:, None]
+        lower = np.minimum(self._places[:, :2], ends) - reach
+        upper = np.maximum(self._places[:, :2], ends) + reach
+        if self._boxes is None:
+            self._boxes = self.broad_phase.add_boxes(lower, upper)
+        else:
+            self.broad_phase.update_boxes(self._boxes, lower, upper)
+        self._found_at.fill(1e9)
+        return self.broad_phase.pairs()
+
+    def planar(self) -> bool:
+        """True if the next step will be that of single spheres in a plane."""
+        bodies, settings = self.bodies, self.settings
+        if settings.path == "general" or settings.law == "at-once" or not bodies.alike:
+            return False
+        many = bodies.count >= PLANAR_FROM or settings.path == "planar"
+        if not many or (STRINGS in settings.effects and self.surroundings.hung.size):
+            return False
+        state = bodies.state
+        flat: bool = lies_in_plane(state.positions, state.momenta, state.spins)
+        return flat and not self.pulls[:, 2:5].any()
+
+    def _part(self, h: float, nominal: float) -> None:
+        bodies, settings = self.bodies, self.settings
+        mask = settings.effects.mask
+        numbers = settings.numbers(h, nominal, float(self.counters[LAST_H]), self.smallest)
+        planar = self.planar()
+        work = self._flat if planar else self._work
+        if settings.scheme == "explicit-euler":
+            (move_flat if planar else move_by_velocity)(bodies.state, bodies.makeup, mask, work, numbers.h)
+        self._find_touches(mask)
+        shared = (
+            self._touches, self._who, self._ids, self._keys, self._count, self._old_keys, self._old_count,
+            self._held, self._old_held,
+        )  # fmt: skip
+        first = (bodies.state, bodies.makeup, self.surroundings, self.tables, mask, numbers, work)
+        if planar:
+            if len(self._planar) < len(self._keys):
+                self._planar = np.zeros((len(self._keys), PLANAR_COLUMNS))
+            planar_part(*first, *shared, self._planar, self._pushes, self.pulls, self.ring, self.counters)
+        else:
+            self._general_part(mask, numbers)
+        self._keys, self._old_keys = self._old_keys, self._keys
+        self._held, self._old_held = self._old_held, self._held
+        self._old_count = self._count
+
+    def _general_part(self, mask: int, numbers: Numbers) -> None:
+        """The rest of a part, for any bodies."""
+        if len(self._general) < len(self._keys):
+            self._general = np.zeros((len(self._keys), ROW_COLUMNS))
+        state, makeup, work, rows = self.bodies.state, self.bodies.makeup, self._work, self._general
+        touches, who, ids, count = self._touches, self._who, self._ids, self._count
+        gather_velocities(state, makeup, work)
+        fastest = prepare_part(
+            state, makeup, self.tables, numbers, work, self._places, touches, who, ids, self._keys, count,
+            self._old_keys, self._old_count, self._held, self._old_held, rows,
+        )  # fmt: skip
+        self.counters[ROUNDS : BOUNCES + 1] = 0.0
+        if fastest > 0.0:
+            collide = collide_at_once if self.settings.law == "at-once" else collide_in_turn
+            self.counters[ROUNDS : BOUNCES + 1] = collide(
+                work, state.positions, makeup.radii, touches, who, ids, count, rows, fastest, numbers,
+                self.ring, self.counters, self._sums,
+            )  # fmt: skip
+        bear_part(work, touches, ids, count, self._held, rows, self._shifts, self.pulls, numbers)
+        limits = numbers.slop, numbers.share, numbers.most_shift, numbers.passes
+        if self.settings.correction == "split":
+            split_apart(touches, ids, count, self._shifts, self._pushes, *limits)
+        elif self.settings.correction == "projection":
+            project_apart(self._places, makeup.radii, touches, who, ids, count, self._shifts, *limits)
+        finish_part(state, makeup, self.surroundings, mask, numbers, work, self._shifts, self.counters)
+
+    def _find_touches(self, mask: int) -> None:
+        bodies = self.bodies
+        self._place()
+        self._find_candidates()
+        margin = self.settings.slop * self.smallest
+        while True:
+            self._count = find_touches(
+                self._places, bodies.makeup, self._pairs, self.surroundings, mask, margin, self._touches,
+                self._who, self._ids, self._keys,
+            )  # fmt: skip
+            if self._count <= len(self._keys):
+                return
+            self._make_room(2 * self._count)
+
+    def _place(self) -> None:
+        """Bring the places of spheres up to date."""
+        if self.bodies.single:
+            self._places = self.bodies.state.positions
+        else:
+            place_spheres(self.bodies.state, self.bodies.makeup, self._places)
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    def apply_force(self, body: int, force: ArrayLike, point: ArrayLike) -> None:
+        """A force (3,) N at a point (3,) m of the world, during the next step; it also turns the body."""
+        if not 0 <= body < self.bodies.count:
+            raise ValueError(f"body {body}: there are 0 to {self.bodies.count - 1}")
+        pull, place = np.array(force, dtype=np.float64), np.array(point, dtype=np.float64)
+        if pull.shape != (3,) or place.shape != (3,) or not np.isfinite([*pull, *place]).all():
+            raise ValueError("force, point: three finite numbers each are wanted")
+        self.pulls[body, :3] += pull
+        self.pulls[body, 3:] += np.cross(place - self.bodies.state.positions[body], pull)
+
+    # -- what there is ------------------------------------------------------------------------------
+
+    def totals(self) -> Totals:
+        """Momentum, angular momentum and energies."""
+        bodies = self.bodies
+        gather_velocities(bodies.state, bodies.makeup, self._work)
+        gravity = self.settings.gravity if "gravity" in self.settings.effects.names else 0.0
+        sums = sum_totals(bodies.state, bodies.makeup, self._work, float(gravity))
+        return Totals(tuple(sums[:3]), tuple(sums[3:6]), *sums[6:])
+
+    def overlap(self) -> float:
+        """Deepest overlap now, m."""
+        bodies = self.bodies
+        self._place()
+        self._find_candidates()
+        room = max(64, 4 * len(self._places), len(self._keys))
+        touches, keys = np.zeros((room, 4)), np.zeros(room, np.int64)
+        who, ids = np.zeros((room, 2), np.int32), np.zeros((room, 2), np.uint32)
+        count = find_touches(
+            self._places, bodies.makeup, self._pairs, self.surroundings, self.settings.effects.mask, 0.0,
+            touches, who, ids, keys,
+        )  # fmt: skip
+        return float(deepest_overlap(touches, who, min(count, room))[0])
+
+    @property
+    def touches(self) -> tuple[Floats, NDArray[np.int32], Floats]:
+        """Of the last step: normals and gaps (m, 4), spheres (m, 2), bearing impulses (m, 4)."""
+        m = self._old_count
+        return self._touches[:m], self._who[:m], self._old_held[:m]
+
+    @property
+    def time(self) -> float:
+        """s since the start."""
+        return float(self.counters[CLOCK])
+
+    @property
+    def collisions(self) -> int:
+        """Collisions so far."""
+        return int(self.counters[MADE])
+
+    @property
+    def rounds(self) -> int:
+        """Rounds of collisions in the last part of the last step."""
+        return int(self.counters[ROUNDS])
+
+    @property
+    def bounces(self) -> int:
+        """Collisions in the last part of the last step."""
+        return int(self.counters[BOUNCES])
+
+    def ledger(self) -> Floats:
+        """Last collisions (k, LEDGER_COLUMNS), oldest first; see ledger.py for the columns."""
+        made = self.collisions
+        if made <= LEDGER_ROWS:
+            return self.ring[:made].copy()
+        return np.roll(self.ring, -(made % LEDGER_ROWS), axis=0)
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> CollisionState:
+        """The state as arrays that the world goes on using."""
+        m = self._old_count
+        return CollisionState(
+            *self.bodies.state, self._pairs, self._found_at, self._old_keys[:m], self._old_held[:m],
+            self.pulls, self.ring, self.counters,
+        )  # fmt: skip
+
+    def restore(self, state: CollisionState) -> None:
+        """Take over a copy of a state of a world of the same bodies."""
+        for mine, theirs in zip(self.bodies.state, MotionState(*state[:4]), strict=True):
+            np.copyto(mine, theirs)
+        self._pairs = state.pairs.copy()
+        np.copyto(self._found_at, state.found_at)
+        m = len(state.keys)
+        if m > len(self._old_keys):
+            self._make_room(2 * m)
+        self._old_keys[:m], self._old_held[:m] = state.keys, state.held
+        self._old_count = m
+        np.copyto(self.pulls, state.pulls)
+        np.copyto(self.ring, state.ring)
+        np.copyto(self.counters, state.counters)
+
+    def check(self) -> None:
+        """Verify what must always hold; AssertionError names what does not."""
+        self.bodies.check()
+        keys = self._old_keys[: self._old_count]
+        assert np.all(np.diff(keys) > 0), "touches by ascending key, each once"
+        assert (self._old_held[: self._old_count, 0] >= 0.0).all(), "impulses only push"

@@ -1,0 +1,338 @@
+"""Bodies made of spheres, as structures of arrays: what they are (`SphereBodies`) and how they move.
+
+Mostly each sphere is a body of its own. Several may be joined to one; then its mass, centre and inertia
+follow from the spheres (the offset theorem). Motion is kept as position, orientation, momentum and angular
+momentum about the body's own centre; velocities are made from them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.rigid.quaternion import matrix_of, quaternion_to_matrix
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+MAX_SPHERES = 1_000_000
+LARGEST = 1e6  # m and m/s: far enough for any window, near enough for squares
+SOLID = 0.4  # of m r², inertia of a solid ball about its centre
+INERTIAS = ("unit", "solid")
+
+# columns of the velocities that a step works on; the last row is a body that nothing moves
+VX, VY, VZ, WX, WY, WZ, WEIGHT, IXX, IYY, IZZ, IXY, IXZ, IYZ = range(13)
+WORK_COLUMNS = 16
+
+
+class MotionState(NamedTuple):
+    """How bodies move: all that changes, one row for each body."""
+
+    positions: Floats  # (n, 3) m, of centres of mass
+    orientations: Floats  # (n, 4) unit quaternions, scalar first
+    momenta: Floats  # (n, 3) kg m/s
+    spins: Floats  # (n, 3) kg m²/s, angular momentum about the centre of mass
+
+
+class Makeup(NamedTuple):
+    """What bodies are made of: all that does not change."""
+
+    masses: Floats  # (n,) kg, infinite for what nothing moves
+    inverse_inertias: Floats  # (n, 6) 1/(kg m²) in the body's frame: xx yy zz xy xz yz
+    round_bodies: NDArray[np.uint8]  # (n,) 1 where inertia is the same about all axes
+    radii: Floats  # (s,) m
+    owners: Ints  # (s,) body of each sphere
+    offsets: Floats  # (s, 3) m from the body's centre, in its frame
+    kinds: Ints  # (s,) material
+
+
+@lean_kernel
+def gather_velocities(state, makeup, work):
+    """Velocities, inverse masses and inverse inertias in the world's frame, (n + 1, WORK_COLUMNS) written."""
+    n = makeup.masses.shape[0]
+    for column in range(WORK_COLUMNS):
+        work[n, column] = 0.0
+    for i in range(n):
+        weight = 1.0 / makeup.masses[i]
+        lx, ly, lz = state.spins[i, 0], state.spins[i, 1], state.spins[i, 2]
+        xx, yy, zz, xy, xz, yz = world_inertia(state.orientations, makeup, i)
+        work[i, VX] = state.momenta[i, 0] * weight
+        work[i, VY] = state.momenta[i, 1] * weight
+        work[i, VZ] = state.momenta[i, 2] * weight
+        work[i, WX] = xx * lx + xy * ly + xz * lz
+        work[i, WY] = xy * lx + yy * ly + yz * lz
+        work[i, WZ] = xz * lx + yz * ly + zz * lz
+        work[i, WEIGHT] = weight
+        work[i, IXX] = xx
+        work[i, IYY] = yy
+        work[i, IZZ] = zz
+        work[i, IXY] = xy
+        work[i, IXZ] = xz
+        work[i, IYZ] = yz
+
+
+@inner_kernel
+def world_inertia(orientations, makeup, i):
+    """Inverse inertia of body i in the world's frame: xx, yy, zz, xy, xz, yz."""
+    j = makeup.inverse_inertias
+    if makeup.round_bodies[i]:
+        return j[i, 0], j[i, 0], j[i, 0], 0.0, 0.0, 0.0
+    q = orientations
+    a, b, c, d, e, f, g, h, k = matrix_of((q[i, 0], q[i, 1], q[i, 2], q[i, 3]))
+    xx, yy, zz, xy, xz, yz = j[i, 0], j[i, 1], j[i, 2], j[i, 3], j[i, 4], j[i, 5]
+    # rows of R J
+    ax, ay, az = a * xx + b * xy + c * xz, a * xy + b * yy + c * yz, a * xz + b * yz + c * zz
+    dx, dy, dz = d * xx + e * xy + f * xz, d * xy + e * yy + f * yz, d * xz + e * yz + f * zz
+    gx, gy, gz = g * xx + h * xy + k * xz, g * xy + h * yy + k * yz, g * xz + h * yz + k * zz
+    return (
+        ax * a + ay * b + az * c, dx * d + dy * e + dz * f, gx * g + gy * h + gz * k,
+        ax * d + ay * e + az * f, ax * g + ay * h + az * k, dx * g + dy * h + dz * k,
+    )  # fmt: skip
+
+
+@lean_kernel
+def place_spheres(state, makeup, places):
+    """World positions of all spheres' centres, (s, 3) m written."""
+    for s in range(makeup.radii.shape[0]):
+        i = makeup.owners[s]
+        ox, oy, oz = makeup.offsets[s, 0], makeup.offsets[s, 1], makeup.offsets[s, 2]
+        places[s, 0] = state.positions[i, 0]
+        places[s, 1] = state.positions[i, 1]
+        places[s, 2] = state.positions[i, 2]
+        if ox != 0.0 or oy != 0.0 or oz != 0.0:
+            q = state.orientations
+            a, b, c, d, e, f, g, h, k = matrix_of((q[i, 0], q[i, 1], q[i, 2], q[i, 3]))
+            places[s, 0] += a * ox + b * oy + c * oz
+            places[s, 1] += d * ox + e * oy + f * oz
+            places[s, 2] += g * ox + h * oy + k * oz
+
+
+class SphereBodies:
+    """What bodies are made of, how they stand and move.
+
+    positions: (s, 3) or (s, 2) m, of the spheres. radii: (s,) m. velocities, turning: (n, 3) m/s and rad/s
+    of the bodies. masses: (s,) kg, infinite for a sphere that nothing moves. inertias: "unit" (1 kg m², as
+    the course has it), "solid" (2/5 m r²), (n,) numbers or (n, 3, 3) tensors in the frame of the body.
+    kinds: (s,) materials. owners: (s,) body of each sphere, 0, 1, ...; None makes each sphere a body.
+    ValueError, naming what is wrong, for nonsense.
+    """
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        radii: ArrayLike,
+        velocities: ArrayLike | None = None,
+        turning: ArrayLike | None = None,
+        *,
+        masses: ArrayLike = 1.0,
+        inertias: ArrayLike | str = "unit",
+        orientations: ArrayLike | None = None,
+        kinds: ArrayLike = 0,
+        owners: ArrayLike | None = None,
+    ):
+        places = _vectors("positions", positions, None)
+        s = len(places)
+        radii = _numbers("radii", radii, s, 1e-9, LARGEST)
+        weights = _numbers("masses", masses, s, 1e-12, math.inf)
+        self.single = owners is None
+        who = np.arange(s) if owners is None else _owners(owners, s)
+        n = int(who.max()) + 1
+        mass, centre = _joined(places, weights, who, n)
+        self.state = MotionState(centre, np.zeros((n, 4)), np.zeros((n, 3)), np.zeros((n, 3)))
+        self.state.orientations[:] = _turns(orientations, n)
+        offsets = places - centre[who]
+        if not self.single:
+            self._turn_back(offsets, who)
+        inverse, round_bodies = _inverse_inertias(inertias, offsets, radii, weights, who, mass)
+        self.makeup = Makeup(mass, inverse, round_bodies, radii, who, offsets, _kinds(kinds, s))
+        self.count = n
+        self.alike = self.single and bool(round_bodies.all())  # each a ball that turns alike about all axes
+        self.set_velocities(
+            np.zeros((n, 3)) if velocities is None else velocities,
+            np.zeros((n, 3)) if turning is None else turning,
+        )
+
+    @classmethod
+    def of_parts(cls, makeup: Makeup, state: MotionState) -> SphereBodies:
+        """Bodies of parts that other bodies gave; they are taken as they are, not copied."""
+        bodies = cls.__new__(cls)
+        bodies.makeup, bodies.state, bodies.count = makeup, state, len(makeup.masses)
+        bodies.single = len(makeup.radii) == bodies.count and not makeup.offsets.any()
+        bodies.alike = bodies.single and bool(makeup.round_bodies.all())
+        return bodies
+
+    def _turn_back(self, offsets: Floats, owners: Ints) -> None:
+        """Bring offsets (s, 3) from the world's frame into those of the bodies."""
+        for s, i in enumerate(owners.tolist()):
+            rotation = quaternion_to_matrix(self.state.orientations[i])
+            offsets[s] = rotation.T @ offsets[s]
+
+    def set_velocities(self, velocities: ArrayLike, turning: ArrayLike) -> None:
+        """Give all bodies velocities (n, 3) m/s and angular velocities (n, 3) rad/s."""
+        v = _vectors("velocities", velocities, self.count)
+        w = _vectors("turning", turning, self.count)
+        heavy = np.isinf(self.makeup.masses)
+        if np.any(v[heavy] != 0.0) or np.any(w[heavy] != 0.0):
+            raise ValueError("velocities: a body of infinite mass stays where it is")
+        np.copyto(self.state.momenta, v * np.where(heavy, 0.0, self.makeup.masses)[:, None])
+        inverse = self.makeup.inverse_inertias[:, :1]
+        np.copyto(self.state.spins, np.divide(w, inverse, out=np.zeros_like(w), where=inverse > 0.0))
+        for i in np.flatnonzero(self.makeup.round_bodies == 0).tolist():
+            rotation = quaternion_to_matrix(self.state.orientations[i])
+            tensor = np.linalg.inv(symmetric(self.makeup.inverse_inertias[i]))
+            self.state.spins[i] = rotation @ tensor @ rotation.T @ w[i]
+
+    @property
+    def velocities(self) -> Floats:
+        """(n, 3) m/s."""
+        return self.state.momenta / self.makeup.masses[:, None]
+
+    @property
+    def turning(self) -> Floats:
+        """Angular velocities (n, 3) rad/s."""
+        work = np.zeros((self.count + 1, WORK_COLUMNS))
+        gather_velocities(self.state, self.makeup, work)
+        return work[:-1, WX : WZ + 1].copy()
+
+    def places(self) -> Floats:
+        """World positions of all spheres (s, 3) m, a copy."""
+        if self.single:
+            return self.state.positions.copy()
+        places = np.empty((len(self.makeup.radii), 3))
+        place_spheres(self.state, self.makeup, places)
+        return places
+
+    def check(self) -> None:
+        """Verify what must always hold; AssertionError names what does not."""
+        for name, array in self.state._asdict().items():
+            assert np.isfinite(array).all(), f"{name} are finite"
+        lengths = np.sqrt((self.state.orientations**2).sum(axis=1))
+        assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-12, "orientations have length 1"
+        heavy = np.isinf(self.makeup.masses)
+        assert not self.state.momenta[heavy].any(), "what nothing moves has no momentum"
+
+
+def symmetric(six: ArrayLike) -> Floats:
+    """(3, 3) from xx, yy, zz, xy, xz, yz."""
+    xx, yy, zz, xy, xz, yz = np.asarray(six, dtype=np.float64).tolist()
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def _joined(places: Floats, weights: Floats, owners: Ints, n: int) -> tuple[Floats, Floats]:
+    """Mass (n,) and centre of mass (n, 3) of each body."""
+    if len(places) == n:
+        return weights.copy(), places.copy()
+    mass, centre = np.zeros(n), np.zeros((n, 3))
+    for i in range(n):
+        mine = owners == i
+        own = weights[mine]
+        if np.isinf(own).any():
+            raise ValueError("masses: spheres joined to a body must have a finite mass")
+        mass[i] = math.fsum(own.tolist())
+        first = places[mine][0]
+        centre[i] = first + (own[:, None] * (places[mine] - first)).sum(axis=0) / mass[i]
+    return mass, centre
+
+
+def _inverse_inertias(
+    inertias: Any, offsets: Floats, radii: Floats, weights: Floats, owners: Ints, mass: Floats
+) -> tuple[Floats, NDArray[np.uint8]]:
+    """Inverse inertia (n, 6) in the bodies' frames, and which are the same about all axes."""
+    n = len(mass)
+    if isinstance(inertias, str):
+        if inertias not in INERTIAS:
+            raise ValueError(f"inertias = {inertias!r}: one of {', '.join(INERTIAS)}, or numbers")
+        if inertias == "unit":
+            inertias = np.ones(n)
+        elif n == len(radii):
+            inertias = SOLID * weights * radii * radii
+        else:
+            inertias = _by_offsets(offsets, radii, weights, owners, n)
+    given = np.array(inertias, dtype=np.float64)
+    if given.ndim < 2:
+        given = np.broadcast_to(given, (n,))
+        if not (given > 0.0).all():
+            raise ValueError("inertias: numbers above 0 kg m² are wanted")
+        moments = np.where(np.isinf(mass), math.inf, given)
+        six = np.zeros((n, 6))
+        six[:, :3] = (1.0 / moments)[:, None]
+        return six, np.ones(n, dtype=np.uint8)
+    if given.shape != (n, 3, 3) or not np.isfinite(given).all():
+        raise ValueError(f"inertias: one number or finite tensor for each of {n} bodies is wanted")
+    six = np.zeros((n, 6))
+    for i in range(n):
+        if not np.allclose(given[i], given[i].T, rtol=1e-9) or np.linalg.eigvalsh(given[i])[0] <= 0.0:
+            raise ValueError(f"inertias[{i}]: must be symmetric and positive definite")
+        inverse = np.linalg.inv(given[i])
+        six[i] = inverse[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    even = (six[:, 0] == six[:, 1]) & (six[:, 0] == six[:, 2]) & ~six[:, 3:].any(axis=1)
+    return six, even.astype(np.uint8)
+
+
+def _by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners: Ints, n: int) -> Floats:
+    """Inertia tensors (n, 3, 3) of joined solid spheres by the offset theorem (Huygens and Steiner)."""
+    tensors = np.zeros((n, 3, 3))
+    for s, i in enumerate(owners.tolist()):
+        d = offsets[s]
+        tensors[i] += weights[s] * ((SOLID * radii[s] ** 2 + d @ d) * np.eye(3) - np.outer(d, d))
+    return tensors
+
+
+def _owners(owners: ArrayLike, s: int) -> Ints:
+    who = np.array(owners, dtype=np.int64).reshape(-1)
+    if who.shape != (s,) or not np.array_equal(np.unique(who), np.arange(who.max(initial=-1) + 1)):
+        raise ValueError(f"owners: a body 0, 1, ... for each of {s} spheres is wanted, none left out")
+    return who
+
+
+def _kinds(kinds: ArrayLike, s: int) -> Ints:
+    array = np.array(np.broadcast_to(np.asarray(kinds, dtype=np.int64), (s,)))
+    if (array < 0).any():
+        raise ValueError("kinds: whole numbers from 0 are wanted")
+    return array
+
+
+def _turns(orientations: ArrayLike | None, n: int) -> Floats:
+    """Unit quaternions (n, 4)."""
+    if orientations is None:
+        return np.tile((1.0, 0.0, 0.0, 0.0), (n, 1))
+    q = np.array(orientations, dtype=np.float64)
+    if q.shape != (n, 4) or not np.isfinite(q).all():
+        raise ValueError(f"orientations: {n} quaternions of finite numbers are wanted")
+    lengths = np.sqrt((q * q).sum(axis=1))
+    if not (lengths > 1e-150).all():
+        raise ValueError("orientations: a quaternion without length is no turn")
+    turned: Floats = q / lengths[:, None]
+    return turned
+
+
+def _vectors(name: str, values: ArrayLike, count: int | None) -> Floats:
+    """(n, 3) finite numbers within the world from (n, 3) or (n, 2), or ValueError."""
+    given = np.array(values, dtype=np.float64)
+    if given.size == 0 and count in (None, 0):
+        return np.zeros((0, 3)) if count == 0 else _refuse(f"{name}: at least one is wanted")
+    if given.ndim != 2 or given.shape[1] not in (2, 3) or len(given) > MAX_SPHERES:
+        raise ValueError(f"{name}: rows of two or three numbers are wanted, at most {MAX_SPHERES}")
+    if count is not None and len(given) != count:
+        raise ValueError(f"{name}: {count} rows are wanted, not {len(given)}")
+    if not np.isfinite(given).all() or np.abs(given).max() > LARGEST:
+        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+    vectors = np.zeros((len(given), 3))
+    vectors[:, : given.shape[1]] = given
+    return vectors
+
+
+def _numbers(name: str, values: ArrayLike, count: int, least: float, most: float) -> Floats:
+    given = np.array(values, dtype=np.float64)
+    if given.size not in (1, count) or given.ndim > 1:
+        raise ValueError(f"{name}: one number, or one for each of {count}, is wanted")
+    if not ((given >= least) & (given <= most)).all():
+        raise ValueError(f"{name}: {least:g} to {most:g} is wanted")
+    return np.array(np.broadcast_to(given, (count,)))
+
+
+def _refuse(why: str) -> Floats:
+    raise ValueError(why)

@@ -1,0 +1,135 @@
+"""When the first of the spheres that do not touch yet will: exactly, for flight under constant gravity.
+
+Two spheres fall alike, so they approach along a straight line and |d + v t| = r_a + r_b is a quadratic; its
+constant term is taken as (d - R)(d + R), which loses no digits for spheres that nearly touch. A wall is met
+where v t - c g t² uses up the gap; c says how the scheme falls: 0 explicit, 1 semi-implicit, 1/2 exact.
+Source: Ericson, Real-Time Collision Detection (2005), 5.5.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.rigid.impulses import TOUCHING
+from game.physics.rigid.sphere_effects import COLLISIONS_BIT, LEDGES_BIT, WINDOW_BIT
+from game.physics.rigid.spheres import VX, VY, VZ
+
+NEVER = math.inf
+
+
+@inner_kernel
+def meeting_time(dx, dy, dz, vx, vy, vz, reach, touching):
+    """First t >= 0 (s) with |d + v t| = reach, or infinity if never or if they touch already."""
+    square = dx * dx + dy * dy + dz * dz
+    closing = -(dx * vx + dy * vy + dz * vz)
+    if not closing > 0.0:
+        return NEVER
+    length = math.sqrt(square)
+    if length - reach <= touching:
+        return NEVER
+    speed = vx * vx + vy * vy + vz * vz
+    left = (length - reach) * (length + reach)
+    under = closing * closing - speed * left
+    if under < 0.0:
+        return NEVER
+    return left / (closing + math.sqrt(under))
+
+
+@inner_kernel
+def falling_time(gap, speed, bend, touching):
+    """First t > 0 (s) with gap + speed t - bend t² = 0, or infinity if never or if it touches already."""
+    if gap <= touching:
+        return speed / bend if speed > 0.0 and bend > 0.0 else NEVER
+    under = speed * speed + 4.0 * bend * gap
+    if under < 0.0:
+        return NEVER
+    below = math.sqrt(under) - speed
+    return 2.0 * gap / below if below > 0.0 else NEVER
+
+
+@inner_kernel
+def window_time(places, radius, work, s, i, window, bend):
+    """When sphere s of body i meets the window, s."""
+    touching = TOUCHING * radius
+    x, y = places[s, 0], places[s, 1]
+    first = falling_time(x - radius - window[0], work[i, VX], 0.0, touching)
+    first = min(first, falling_time(window[2] - radius - x, -work[i, VX], 0.0, touching))
+    first = min(first, falling_time(y - radius - window[1], work[i, VY], bend, touching))
+    return min(first, falling_time(window[3] - radius - y, -work[i, VY], -bend, touching))
+
+
+@inner_kernel
+def ledge_time(x, y, radius, vx, vy, ledge):
+    """When a sphere that goes straight on meets a ledge, s: its line, or else the nearer of its ends."""
+    ex, ey = ledge[2] - ledge[0], ledge[3] - ledge[1]
+    length = math.sqrt(ex * ex + ey * ey)
+    px, py = x - ledge[0], y - ledge[1]
+    across = (px * ey - py * ex) / length
+    speed = (vx * ey - vy * ex) / length
+    side = 1.0 if across >= 0.0 else -1.0
+    gap = side * across - radius
+    touching = TOUCHING * radius
+    if gap > touching and -side * speed > 0.0:
+        t = gap / (-side * speed)
+        along = ((px + vx * t) * ex + (py + vy * t) * ey) / length
+        if 0.0 <= along <= length:
+            return t
+    first = meeting_time(-px, -py, 0.0, -vx, -vy, 0.0, radius, touching)
+    return min(first, meeting_time(ex - px, ey - py, 0.0, -vx, -vy, 0.0, radius, touching))
+
+
+@lean_kernel
+def first_impact(places, makeup, work, pairs, surroundings, mask, h, fall, lag, fast):
+    """Seconds until the first new touch, or h if there is none before. Nothing is changed.
+
+    fall: m/s² downwards; lag: c of the scheme. fast: only what moves farther than this part of its radius
+    within h is looked at.
+    """
+    radii, owners = makeup.radii, makeup.owners
+    first = h
+    if mask & COLLISIONS_BIT:
+        for p in range(pairs.shape[0]):
+            a, b = pairs[p, 0], pairs[p, 1]
+            i, j = owners[a], owners[b]
+            vx, vy, vz = work[j, VX] - work[i, VX], work[j, VY] - work[i, VY], work[j, VZ] - work[i, VZ]
+            least = fast * min(radii[a], radii[b])
+            if i == j or (vx * vx + vy * vy + vz * vz) * h * h < least * least:
+                continue
+            dx, dy = places[b, 0] - places[a, 0], places[b, 1] - places[a, 1]
+            dz = places[b, 2] - places[a, 2]
+            touching = TOUCHING * radii[a]
+            first = min(first, meeting_time(dx, dy, dz, vx, vy, vz, radii[a] + radii[b], touching))
+    for s in range(radii.shape[0]):
+        i = owners[s]
+        vx, vy = work[i, VX], work[i, VY]
+        if (vx * vx + vy * vy) * h * h < fast * fast * radii[s] * radii[s]:
+            continue
+        if mask & WINDOW_BIT:
+            first = min(first, window_time(places, radii[s], work, s, i, surroundings.window, lag * fall))
+        if mask & LEDGES_BIT:
+            for k in range(surroundings.ledges.shape[0]):
+                x, y, down = places[s, 0], places[s, 1], lag * fall * h
+                first = min(first, ledge_time(x, y, radii[s], vx, vy - down, surroundings.ledges[k]))
+    return first
+
+
+@lean_kernel
+def swept_pairs(places, makeup, work, h, pairs):
+    """Brute force: pairs a < b of spheres that could meet within h (s), sorted. pairs (room, 2) written."""
+    radii, owners = makeup.radii, makeup.owners
+    m = 0
+    for a in range(radii.shape[0]):
+        i = owners[a]
+        for b in range(a + 1, radii.shape[0]):
+            j = owners[b]
+            vx, vy, vz = work[j, VX] - work[i, VX], work[j, VY] - work[i, VY], work[j, VZ] - work[i, VZ]
+            way = math.sqrt(vx * vx + vy * vy + vz * vz) * h + radii[a] + radii[b]
+            dx, dy = places[b, 0] - places[a, 0], places[b, 1] - places[a, 1]
+            dz = places[b, 2] - places[a, 2]
+            if dx * dx + dy * dy + dz * dz <= way * way:
+                if m < pairs.shape[0]:
+                    pairs[m, 0] = a
+                    pairs[m, 1] = b
+                m += 1
+    return m

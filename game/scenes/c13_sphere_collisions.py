@@ -1,0 +1,348 @@
+"""Spheres that collide: impulses at contacts, piles, Newton's cradle."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.levels import Level
+from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
+from game.physics.fields import DRAG, GRAVITY
+from game.physics.rigid import PUSHES, ROTATION, WINDOW
+from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
+from game.physics.rigid.collisions import CollidingSpheres, CollisionState
+from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
+from game.physics.rigid.spheres import Makeup, MotionState, SphereBodies
+from game.scenes import c13_hand as hand
+from game.scenes.c13_level import CollisionContent, SphereEntry, bodies_of, makings_of, tables_of
+from game.scenes.c13_saving import content_of
+from game.scenes.c13_view import CollisionView
+from game.stage import (
+    Choice,
+    Equation,
+    Frame,
+    Hint,
+    Knob,
+    KnobError,
+    Param,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    Toggle,
+)
+
+Array = NDArray[np.float64]
+BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
+NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
+TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
+CELL = 1.15  # times the largest diameter: edge of the grid's cells
+
+
+class SphereState(NamedTuple):
+    """All that moves (see `CollisionState`), and what spheres there are (see `Makeup`)."""
+
+    positions: Array
+    orientations: Array
+    momenta: Array
+    spins: Array
+    pairs: NDArray[np.int64]
+    found_at: Array
+    keys: NDArray[np.int64]
+    held: Array
+    pulls: Array
+    ring: Array
+    counters: Array
+    masses: Array
+    inverse_inertias: Array
+    round_bodies: NDArray[np.uint8]
+    radii: Array
+    owners: NDArray[np.int64]
+    offsets: Array
+    kinds: NDArray[np.int64]
+    hung: NDArray[np.int64]
+    strings: Array
+
+
+class SphereCollisions(Scene):
+    """Spheres fly, hit each other and the walls of the window, slide, roll and pile up. Each is a rigid body
+    in space, with position, orientation, momentum and angular momentum; the picture shows the plane, and the
+    line of a radius shows how each has turned.
+
+    Where two touch and approach, an impulse along their line of centres turns the approach around: by the
+    restitution e. Friction acts across it, at the contact point, and so makes them turn. What merely rests
+    gets the impulses that bear it, found for all touches together in a few sweeps.
+
+    Every collision is entered into a ledger: momentum and angular momentum must not change, and energy only
+    by what restitution and friction take.
+    """
+
+    name = "c13"
+    task = "C13"
+    title = "Sphere collisions"
+    effects = (
+        GRAVITY | DRAG | ROTATION | WINDOW | PUSHES | COLLISIONS | FRICTION | IMPACT_TIMES | STRINGS | LEDGES
+    )
+    dt = 1.0 / 120.0
+    may_be_infinite = frozenset(("masses",))
+    content_type = CollisionContent
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+
+    restitution = Param(0.8, 0.0, 1.0, group="Collisions", label="Restitution e", help="between spheres")
+    friction = Param(0.2, 0.0, 2.0, group="Collisions", label="Friction μ", help="between spheres")
+    wall_restitution = Param(
+        1.0,
+        0.0,
+        1.0,
+        group="Collisions",
+        label="e at walls",
+        help="1 mirrors the velocity",
+    )
+    wall_friction = Param(0.0, 0.0, 2.0, group="Collisions", label="μ at walls")
+    law = Choice(
+        "in-turn", LAWS, labels=("In turn", "At once"), group="Collisions",
+        help="touches one after the other until none approaches, or Newton's law at all together",
+    )  # fmt: skip
+    rest = Param(
+        4.0, 0.0, 20.0, group="Collisions", label="Resting speed", unit="g h",
+        help="approach over g h / (1 − e²) below which nothing bounces",
+    )  # fmt: skip
+    step_length = Param(1.0 / 120.0, 1.0 / 2000.0, 0.1, unit="s", log=True, group="Motion", label="Time step")
+    substeps = Param(1, 1, 50, whole=True, log=True, group="Motion", help="parts of a step")
+    scheme = Choice(
+        "explicit-euler", SCHEMES, labels=("Explicit", "Semi-impl.", "Parabola"), group="Motion",
+        help="explicit Euler as the course says, semi-implicit, or exact free flight",
+    )  # fmt: skip
+    correction = Choice(
+        "split", CORRECTIONS, labels=("None", "Baumgarte", "Soft", "Split impulses", "Projection"),
+        group="Bearing", help="how overlap is taken away; Baumgarte and soft contacts push, and so add energy",
+    )  # fmt: skip
+    iterations = Param(
+        10, 1, 200, whole=True, log=True, group="Bearing", help="sweeps of the impulses that bear what rests"
+    )
+    passes = Param(3, 0, 50, whole=True, group="Bearing", help="sweeps of position correction")
+    slop = Param(
+        0.01, 0.0, 0.2, group="Bearing", label="Overlap left", unit="r", help="of the smallest radius"
+    )
+    warm = Toggle(True, group="Bearing", label="Warm start", help="begin with the last step's impulses")
+    broad_phase = Choice(
+        "brute-force", BROAD_PHASES, labels=("Brute force", "Grid", "Hierarchical grid", "Sweep and prune"),
+        group="Bearing", rebuild=True, help="how pairs are found that may touch",
+    )  # fmt: skip
+    gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
+    drag = Param(0.1, 0.0, 20.0, unit="N s/m", group="World", help="of the air, in proportion to velocity")
+    real = Toggle(
+        False, group="World", label="Real masses", rebuild=True,
+        help="mass from density and 2/5 m r²; else mass 1 and inertia 1, as the course has it",
+    )  # fmt: skip
+    density = Param(
+        1.0, 1e-3, 1e5, unit="kg/m³", log=True, group="World", rebuild=True, help="for real masses"
+    )
+    tool = Choice(
+        "push", hand.TOOLS, labels=("Push", "New sphere", "Take away"), group="Tools",
+        help="a force from where you press to where you let go; click a sphere into being, or away",
+    )  # fmt: skip
+    push_strength = Param(40.0, 0.1, 1e4, unit="N/m", log=True, group="Tools", help="force to drawn length")
+    push_time = Param(0.1, 0.001, 1.0, unit="s", log=True, group="Tools", help="how long a force acts")
+    radius = Param(0.25, 0.01, 5.0, unit="m", log=True, group="Tools", help="of new spheres")
+    shown_impulses = Toggle(True, group="Shown", label="Impulses", help="of collisions of the last 0.5 s")
+    shown_bearing = Toggle(False, group="Shown", label="Bearing forces", help="lines as wide as their force")
+    ledger = Toggle(True, group="Shown", label="Ledger", help="the last collisions in figures")
+
+    hints = (
+        Hint(("Drag",), "push a sphere"),
+        Hint(("1", "2", "3"), "tools"),
+        Hint(("Right click",), "take away"),
+    )
+    actions = (
+        SceneAction("push", "push", "1"),
+        SceneAction("sphere", "new sphere", "2"),
+        SceneAction("remove", "take away", "3"),
+    )
+    strips = (
+        Strip("Energy", "J", ("moving", "turning", "sum")),
+        Strip("Momentum", "kg m/s", ("P x", "P y")),
+        Strip("Overlap", "m", ("deepest",)),
+    )
+    equations = (
+        Equation(
+            "Motion", r"\v{x}' = \v{x} + h\v{P}/m,  q' = q + \frac{h}{2} \v{\omega} q", "explicit Euler"
+        ),
+        Equation(
+            "Contact speed",
+            r"v_n = (\v{v}_b + \v{\omega}_b\times\v{r}_b - \v{v}_a - \v{\omega}_a\times\v{r}_a)\cdot\v{n}",
+        ),
+        Equation("Impulse", r"j = -(1+e) v_n m_n,  1/m_n = 1/m_a + 1/m_b", "for spheres; Hahn 1988"),
+        Equation(
+            "Friction", r"j_t = \min(\mu j, u_t m_t),  1/m_t = 1/m_n + r_a^2/I_a + r_b^2/I_b", "Coulomb"
+        ),
+        Equation("Energy", r"\Delta E = -\frac{1}{2}(1-e^2) m_n v_n^2", "smooth spheres"),
+        Equation("Bearing", r"\Delta\lambda = \max(\lambda - m_n v_n, 0) - \lambda", "Catto 2005"),
+        Equation("Rest", r"e = 0  \text{ below }  v_n = 4 g h / (1 - e^2)", "overlap must not make energy"),
+        Equation("Impact time", r"\abs{\v{d} + \v{v} t} = r_a + r_b", "Ericson 2005, 5.5"),
+    )
+    try_this = (
+        "Press on a sphere off its centre, draw, let go: it moves and turns.",
+        'Open Newton\'s cradle; choose the law "at once": all balls move, and energy and momentum still fit.',
+        "Take impact times away in the fast-and-small level: the bullet passes through.",
+        "Open the pile and choose no correction, then Baumgarte, then split impulses: see overlap and energy.",
+    )
+    default_content: ClassVar[CollisionContent] = CollisionContent(
+        spheres=(
+            SphereEntry(position=(-2.0, 2.0), velocity=(2.0, 0.0)),
+            SphereEntry(position=(1.0, 2.2)),
+        )
+    )
+
+    groups: ClassVar[tuple[str, ...]] = ("Collisions", "Motion", "Bearing", "World", "Tools", "Shown")
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        self.content: CollisionContent = (
+            level.content if level is not None and level.content is not None else self.default_content
+        )
+        self.told: deque[str] = deque(maxlen=8)
+        self.pressed: hand.Pressed | None = None
+        self.pushes: list[hand.Push] = []
+        makings = makings_of(self.content, self.seed)
+        self.take_bodies(bodies_of(makings, self.real, self.density), makings.surroundings)
+        self.view = CollisionView()
+
+    def take_bodies(self, bodies: SphereBodies, surroundings: Any) -> None:
+        """Go on with these bodies and surroundings; what the world remembers of touches is lost."""
+        before = getattr(self, "world", None)
+        self.world = CollidingSpheres(bodies, surroundings, self._tables(), self._broad_phase(bodies))
+        if before is not None:
+            np.copyto(self.world.ring, before.ring)
+            np.copyto(self.world.counters, before.counters)
+        self._configure()
+
+    def _tables(self) -> Any:
+        return tables_of(
+            self.content, self.restitution, self.friction, self.wall_restitution, self.wall_friction
+        )
+
+    def _broad_phase(self, bodies: SphereBodies) -> BroadPhase | None:
+        if self.broad_phase == "grid":
+            view = self.content.view
+            cell = CELL * 2.0 * float(bodies.makeup.radii.max())
+            cell = max(cell, (view.right - view.left) / 2_000.0, (view.top - view.bottom) / 2_000.0)
+            return UniformGrid((view.left, view.bottom), (view.right, view.top), cell)
+        if self.broad_phase == "hierarchical":
+            return HierarchicalGrid()
+        return SweepAndPrune() if self.broad_phase == "sweep-and-prune" else None
+
+    def _configure(self) -> None:
+        """Hand the knobs to the world; KnobError if it refuses one."""
+        try:
+            self.world.change(
+                effects=self.active,
+                scheme=self.scheme,
+                law=self.law,
+                correction=self.correction,
+                iterations=int(self.iterations),
+                passes=int(self.passes),
+                substeps=int(self.substeps),
+                gravity=self.gravity,
+                drag=self.drag,
+                slop=self.slop,
+                rest=self.rest,
+                warm=self.warm,
+            )
+        except ValueError as error:
+            raise KnobError(str(error)) from None
+
+    def knob_changed(self, name: str) -> None:
+        if name in TABLE_KNOBS:
+            self.world.tables = self._tables()
+        elif name == "tool":
+            hand.begin_anew(self)
+        elif name not in NOT_SETTINGS:
+            self._configure()
+
+    def effects_changed(self) -> None:
+        self._configure()
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        hand.act(self, dt)
+        self.world.step(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        hand.take_pointer(self, event)
+
+    def action(self, name: str) -> None:
+        self.values["tool"] = name
+        hand.begin_anew(self)
+
+    def messages(self) -> Sequence[str]:
+        new = tuple(self.told)
+        self.told.clear()
+        return new
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> SphereState:
+        around = self.world.surroundings
+        return SphereState(*self.world.state(), *self.world.bodies.makeup, around.hung, around.strings)
+
+    def restore(self, state: SphereState) -> None:
+        makeup = Makeup(*(part.copy() for part in state[11:18]))
+        mine = self.world.bodies.makeup
+        same = len(mine.radii) == len(makeup.radii) and np.array_equal(mine.radii, makeup.radii)
+        if not same or not np.array_equal(mine.masses, makeup.masses):
+            motion = MotionState(*(part.copy() for part in state[:4]))
+            around = self.world.surroundings._replace(hung=state.hung.copy(), strings=state.strings.copy())
+            self.take_bodies(SphereBodies.of_parts(makeup, motion), around)
+        self.world.restore(CollisionState(*state[:11]))
+
+    def save_content(self) -> CollisionContent:
+        return content_of(self)
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        world = self.world
+        totals = world.totals()
+        gaps = world.touches[0][:, 3]
+        entries = world.ring[: min(world.collisions, len(world.ring))]
+        return [
+            Readout("spheres", float(len(world.bodies.makeup.radii))),
+            Readout("collisions", float(world.collisions)),
+            Readout("sum", totals.energy, "J"),
+            Readout("touches", float(len(gaps))),
+            Readout("moving", totals.moving, "J"),
+            Readout("turning", totals.turning, "J"),
+            Readout("P x", totals.momentum[0], "kg m/s"),
+            Readout("P y", totals.momentum[1], "kg m/s"),
+            Readout("L z", totals.spin[2], "kg m²/s"),
+            Readout("deepest", float(np.max(-gaps, initial=0.0)), "m"),
+            Readout("rounds", float(world.rounds)),
+            Readout("momentum lost", float(entries[:, 14].max(initial=0.0)), "kg m/s"),
+            Readout("pair tests a step", float(world.tests)),
+            Readout("parts of a step", float(world.parts)),
+        ]
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend(self)
+
+    def frame(self) -> Frame:
+        view = self.content.view
+        margin = 0.015 * (view.top - view.bottom)
+        return Frame(view.left - margin, view.bottom - margin, view.right + margin, view.top + margin)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(self, canvas, alpha)
+
+    @classmethod
+    def knobs(cls) -> dict[str, Knob[Any]]:
+        """Knobs by name, group by group."""
+        order = {group: i for i, group in enumerate(cls.groups)}
+        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 99)))
