@@ -125,7 +125,7 @@ class Billiards(Scene):
     elevation = Param(0.0, 0.0, 80.0, unit="°", group="Stroke", help="of the butt of the cue")
     prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the ways after it")
     events = Param(
-        12, 1, 60, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
+        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
     )
     sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")

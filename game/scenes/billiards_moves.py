@@ -165,13 +165,6 @@ def settle(scene: Billiards) -> None:
     scene.round = played.after
     lay_out(scene)
     start_phase(scene, AIMING)
-    for text in _grouped(scene.round.words):
-        scene.told.append(text)
-
-
-def _grouped(words: tuple[str, ...]) -> list[str]:
-    """The words of a verdict as one message: what happened, then what follows."""
-    return [" ".join(words)] if words else []
 
 
 def skip(scene: Billiards) -> None:
@@ -282,7 +275,6 @@ def take_option(scene: Billiards, row: int) -> None:
         return
     scene.round = rounds.choose(scene.round, options[row].name)
     lay_out(scene)
-    scene.told.extend(_grouped(scene.round.words))
     scene.rest_s = 0.0
 
 

@@ -19,10 +19,11 @@ from game.billiards.arrangement import (
     is_free,
     nearest_free,
 )
+from game.billiards.cue import strike as struck_ball
 from game.billiards.frame import Frame
 from game.billiards.rack import HEAD_SPOT
 from game.billiards.rules import CUE_BALL, Call, Game, ShotSummary, Verdict
-from game.billiards.shot import Physics, ShotError
+from game.billiards.shot import Physics, Shot, ShotError
 from game.billiards.simulation import SimulationError, simulate
 from game.billiards.summary import summarize
 from game.billiards.table import Table
@@ -187,12 +188,23 @@ def shortened(round_: Round, most: int = MOST_KEPT) -> Round:
     return kept
 
 
+@lru_cache(maxsize=4)
+def resting_shot(places: Places, conditions: Conditions) -> Shot:
+    """The balls at rest, checked and ready for many strokes. ShotError if they overlap."""
+    return lie_from(places, conditions.balls).shot(conditions.table, conditions.physics)
+
+
 def trajectory_of(struck: Struck) -> Trajectory:
     """The paths of a stroke. ValueError if it cannot be played."""
-    lie = lie_from(struck.places, struck.conditions.balls)
     try:
-        shot = lie.shot(struck.conditions.table, struck.conditions.physics, struck.stroke)
-        return simulate(shot, until=LONGEST_S)
+        shot = resting_shot(struck.places, struck.conditions)
+        conditions = struck.conditions
+        made = struck_ball(
+            *struck.stroke,
+            ball_mass=conditions.masses[CUE_BALL], ball_radius=conditions.radii[CUE_BALL],
+        )  # fmt: skip
+        row = [number for number, _, _ in struck.places].index(CUE_BALL)
+        return simulate(shot.struck(row, made.velocity, made.spin), until=LONGEST_S)
     except (ShotError, SimulationError) as error:
         raise ValueError(f"stroke: {error}") from None
 

@@ -14,17 +14,9 @@ from game.billiards.state import (
     BALL_CUSHION,
     BALL_JAW,
     BALL_POCKET,
-    SEG_AX,
-    SEG_AY,
-    SEG_BALL,
-    SEG_TIME,
-    SEG_VX,
-    SEG_VY,
-    SEG_X,
-    SEG_Y,
 )
-from game.billiards.trajectory import Trajectory
 from game.scenes.billiards_round import Struck, trajectory_of
+from game.scenes.billiards_ways import Ways
 from game.ui.canvas import Canvas
 from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
@@ -34,7 +26,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 DASH = (8.0, 6.0)  # design px
-CURVED = 12  # points on a stretch that bends
 LEAST_WAY = 0.004  # m; a ball that moves less is not shown to move
 
 
@@ -77,23 +68,25 @@ def foresee(struck: Struck, events: int) -> Sight:
     seen = contacts[contacts[:, 0] <= until]
     first = next((row for row in seen.tolist() if row[1] == BALL_BALL and cue in row[2:]), None)
     meets = first[0] if first is not None else until
-    ways = _Ways(trajectory)
+    ways = Ways(trajectory)
     ghost, target, cut, place = None, None, 0.0, (0.0, 0.0)
     if first is not None:
         other = int(first[3] if int(first[2]) == cue else first[2])
-        ghost, target = ways.place(cue, meets), numbers[other]
-        place = ways.place(other, meets)
+        ghost, target = ways.arriving(cue, meets)[0], numbers[other]
+        place = ways.arriving(other, meets)[0]
         cut = _cut(ways.way(cue, 0.0, meets), ghost, place)
     sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
     others = tuple(
         Way(numbers[ball], points, ball in sunk)
         for ball in range(len(numbers))
-        if ball != cue and _length(points := ways.way(ball, 0.0, until)) > LEAST_WAY
+        if ball != cue and ways.moves(ball) and _length(points := ways.way(ball, 0.0, until)) > LEAST_WAY
     )
     bounces = tuple(
-        ways.place(cue, t) for t, e, i, _ in seen.tolist() if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
+        ways.arriving(cue, t)[0]
+        for t, e, i, _ in seen.tolist()
+        if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
     )
-    last = ways.place(cue, until) if whole and cue not in sunk else None
+    last = ways.arriving(cue, until + 1e-9)[0] if whole and cue not in sunk else None
     return Sight(
         ways.way(cue, 0.0, meets),
         ways.way(cue, meets, until),
@@ -118,47 +111,9 @@ def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]
 
 
 def _length(points: Array) -> float:
-    steps = np.diff(points, axis=0)
-    return float(np.sqrt((steps * steps).sum(axis=1)).sum())
-
-
-class _Ways:
-    """Points on the ways of a trajectory's balls."""
-
-    def __init__(self, trajectory: Trajectory) -> None:
-        rows = trajectory.segments
-        balls = rows[:, SEG_BALL].astype(int)
-        self._rows = [rows[balls == ball] for ball in range(len(trajectory.end))]
-
-    def place(self, ball: int, time: float) -> tuple[float, float]:
-        """Where a ball is at a time, m."""
-        rows = self._rows[ball]
-        row = rows[max(int(np.searchsorted(rows[:, SEG_TIME], time, side="right")) - 1, 0)]
-        t = max(time - float(row[SEG_TIME]), 0.0)
-        return (
-            float(row[SEG_X] + t * (row[SEG_VX] + t * row[SEG_AX])),
-            float(row[SEG_Y] + t * (row[SEG_VY] + t * row[SEG_AY])),
-        )
-
-    def way(self, ball: int, start: float, end: float) -> Array:
-        """Points (n, 2) m of a ball's way between two times."""
-        rows = self._rows[ball]
-        times = rows[:, SEG_TIME]
-        first = max(int(np.searchsorted(times, start, side="right")) - 1, 0)
-        points = [self.place(ball, start)]
-        for k in range(first, len(rows)):
-            t0 = max(float(times[k]), start)
-            t1 = min(float(times[k + 1]) if k + 1 < len(rows) else end, end)
-            if t1 <= t0:
-                continue
-            vx, vy, ax, ay = (float(rows[k, c]) for c in (SEG_VX, SEG_VY, SEG_AX, SEG_AY))
-            bent = abs(vx * ay - vy * ax) > 1e-9 and (vx or vy)
-            count = CURVED if bent else 1
-            local = np.linspace(t0, t1, count + 1)[1:] - float(times[k])
-            xs = rows[k, SEG_X] + local * (vx + local * ax)
-            ys = rows[k, SEG_Y] + local * (vy + local * ay)
-            points += list(zip(xs.tolist(), ys.tolist(), strict=True))
-        return np.array(points)
+    """How far the end of a way, or its middle, is from its beginning, m."""
+    (x, y), (mx, my), (ex, ey) = points[0].tolist(), points[len(points) // 2].tolist(), points[-1].tolist()
+    return max(abs(mx - x), abs(my - y), abs(ex - x), abs(ey - y))
 
 
 def sight_of(scene: Billiards, struck: Struck) -> Sight | None:

@@ -4,23 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from game.billiards.state import (
     BALL_BALL,
     BALL_CUSHION,
     BALL_JAW,
     BALL_POCKET,
-    SEG_AX,
-    SEG_AY,
-    SEG_BALL,
-    SEG_TIME,
-    SEG_VX,
-    SEG_VY,
-    SEG_X,
-    SEG_Y,
 )
 from game.billiards.trajectory import Trajectory
+from game.scenes.billiards_ways import Ways
 from game.stage import Hearing, Sound
 
 if TYPE_CHECKING:
@@ -35,7 +26,7 @@ def sounds_of(trajectory: Trajectory, cue_speed: float) -> tuple[Sound, ...]:
     length = trajectory.shot.table.length
     white = trajectory.shot.positions[trajectory.shot.ids.index("0")]
     sounds = [Sound(0.0, "tip", cue_speed, _pan(float(white[1]), length))]
-    ways = _Ways(trajectory)
+    ways = Ways(trajectory)
     for time, code, i, j in trajectory.rows.tolist():
         kind = KINDS.get(int(code))
         if kind is None:
@@ -59,26 +50,6 @@ def sounds_of(trajectory: Trajectory, cue_speed: float) -> tuple[Sound, ...]:
 
 def _pan(y: float, length: float) -> float:
     return max(-1.0, min(1.0, 1.6 * (y / length - 0.5)))
-
-
-class _Ways:
-    """Where balls are just before a moment, and how fast."""
-
-    def __init__(self, trajectory: Trajectory) -> None:
-        rows = trajectory.segments
-        balls = rows[:, SEG_BALL].astype(int)
-        self._rows = [rows[balls == ball] for ball in range(len(trajectory.end))]
-        self._times = [part[:, SEG_TIME] for part in self._rows]
-
-    def arriving(self, ball: int, time: float) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Place m and velocity m/s of a ball on the stretch that ends at a time."""
-        at = max(int(np.searchsorted(self._times[ball], time, side="left")) - 1, 0)
-        row = self._rows[ball][at]
-        t = max(time - float(row[SEG_TIME]), 0.0)
-        ax, ay = float(row[SEG_AX]), float(row[SEG_AY])
-        vx, vy = float(row[SEG_VX]), float(row[SEG_VY])
-        place = float(row[SEG_X]) + t * (vx + t * ax), float(row[SEG_Y]) + t * (vy + t * ay)
-        return place, (vx + 2.0 * t * ax, vy + 2.0 * t * ay)
 
 
 def hearing_of(scene: Billiards) -> Hearing | None:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
+ROOMY_MARGIN = 6.0  # design px
 METER_BUDGET_S = 0.0004  # s a frame for measuring what effects cost
 
 
@@ -71,8 +72,13 @@ class ScenePlay:
 
     def restyle(self) -> None:
         """Window, scale or theme has changed."""
-        self.view.place(self.shell.layout.free_stage, self.app.look)
+        self._place_view()
         self.banner.place(self.shell.layout.free_stage)
+
+    def _place_view(self) -> None:
+        """Fit the scene's frame into the stage; a game comes nearer to its edges."""
+        margin = ROOMY_MARGIN * self.app.look.k if self.shell.entry.roomy else None
+        self.view.place(self.shell.layout.free_stage, self.app.look, margin)
 
     def close(self) -> None:
         """The scene is left."""
@@ -225,7 +231,7 @@ class ScenePlay:
 
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
-        self.view.place(self.shell.layout.free_stage, self.app.look)
+        self._place_view()
         self.view.camera.home(smooth=False)
         level = self.stage.level
         if level is not None and level.about:
