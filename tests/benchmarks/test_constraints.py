@@ -8,17 +8,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from game.lab.benchmarks.constraints import SIDE, NumpyCloth, cloth_system, pymunk_chain, pymunk_cloth
 from game.physics.constraints import ATTACHMENTS, DAMPING, LINKS, PositionBasedDynamics, shapes
 from game.physics.fields import GRAVITY
 
-SIDE, SWEEPS = 100, 20
 ORDERS = {"coloured": "coloured", "natural order": "natural"}
-
-
-def cloth_system(order="coloured", **settings):
-    net = shapes.cloth((0, 0), SIDE, SIDE, 0.01)
-    settings = {"iterations": SWEEPS, "effects": GRAVITY | LINKS, **settings}
-    return PositionBasedDynamics(*net[:3], order=order, **settings)
 
 
 @pytest.mark.parametrize("order", ORDERS)
@@ -43,45 +37,6 @@ def test_cloth_in_substeps(benchmark):
     assert system.measure().worst_strain < 0.5
 
 
-class NumpyCloth:
-    """The same step with numpy: four colours, whole planes of numbers at a time, in place."""
-
-    def __init__(self):
-        r, c = np.mgrid[0:SIDE, 0:SIDE]
-        self.x, self.y = 0.01 * c, -0.01 * r
-        self.vx, self.vy = np.zeros((2, SIDE, SIDE))
-        w = np.ones((SIDE, SIDE))
-        w[0] = 0.0
-        self.moves = w
-        self.families = []
-        for axis in (1, 0):
-            for first in (0, 1):
-                a = [slice(None), slice(None)]
-                b = [slice(None), slice(None)]
-                a[axis], b[axis] = slice(first, SIDE - 1, 2), slice(first + 1, SIDE, 2)
-                wa, wb = w[tuple(a)], w[tuple(b)]
-                share = np.where(wa + wb > 0, 1.0 / np.maximum(wa + wb, 1e-300), 0.0)
-                self.families.append((tuple(a), tuple(b), wa * share, wb * share))
-
-    def step(self, h):
-        x, y = self.x.copy(), self.y.copy()
-        self.vy -= 9.81 * h
-        self.x += h * self.vx * self.moves
-        self.y += h * self.vy * self.moves
-        for _ in range(SWEEPS):
-            for a, b, part_a, part_b in self.families:
-                xa, ya, xb, yb = self.x[a], self.y[a], self.x[b], self.y[b]
-                dx, dy = xb - xa, yb - ya
-                stretch = 1.0 - 0.01 / np.sqrt(dx * dx + dy * dy)
-                dx *= stretch
-                dy *= stretch
-                xa += part_a * dx
-                ya += part_a * dy
-                xb -= part_b * dx
-                yb -= part_b * dy
-        self.vx, self.vy = (self.x - x) / h, (self.y - y) / h
-
-
 def test_cloth_with_numpy(benchmark):
     benchmark.group = "cloth of 100 x 100, 20 iterations"
     cloth = NumpyCloth()
@@ -99,32 +54,12 @@ def test_numpy_twin_goes_the_same_way():
     assert np.abs(mine - np.stack([twin.x, twin.y], axis=-1)).max() < 1e-3
 
 
-def pymunk_net(pymunk, positions, fixed, pairs, joint):
-    space = pymunk.Space()
-    space.gravity = 0, -9.81
-    space.iterations = SWEEPS
-    bodies = []
-    for i, place in enumerate(positions):
-        body = space.static_body if i in fixed else pymunk.Body(1.0, 1.0)
-        if i not in fixed:
-            body.position = tuple(place)
-            space.add(body)
-        bodies.append(body)
-    for a, b in pairs:
-        ends = [(0, 0) if bodies[i] is not space.static_body else tuple(positions[i]) for i in (a, b)]
-        space.add(joint(bodies[a], bodies[b], *ends))
-    return space, bodies
-
-
 def test_cloth_with_pymunk(benchmark):
-    pymunk = pytest.importorskip("pymunk")
+    pytest.importorskip("pymunk")
     if not benchmark.enabled:
         pytest.skip("the peer is measured only with --benchmark-enable")
     benchmark.group = "cloth of 100 x 100, 20 iterations"
-    net = shapes.cloth((0, 0), SIDE, SIDE, 0.01)
-    fixed = set(np.flatnonzero(net.inverse_masses == 0.0).tolist())
-    pairs = [(a, b) for a, b in net.links.tolist() if not (a in fixed and b in fixed)]
-    space, _ = pymunk_net(pymunk, net.positions, fixed, pairs, pymunk.PinJoint)
+    space = pymunk_cloth()
     benchmark(space.step, 1 / 60)
     assert len(space.bodies) == SIDE * (SIDE - 1)
 
@@ -160,13 +95,12 @@ def test_chain(benchmark, name):
 
 
 def test_chain_with_pymunk(benchmark):
-    pymunk = pytest.importorskip("pymunk")
+    pytest.importorskip("pymunk")
     if not benchmark.enabled:
         pytest.skip("the peer is measured only with --benchmark-enable")
     benchmark.group = "chain of 100 links"
-    rope = shapes.rope((0, 0), (10, 0), 100)
-    space, bodies = pymunk_net(pymunk, rope.positions, {0}, rope.links.tolist(), pymunk.PinJoint)
-    start = rope.positions[0]
+    space, bodies = pymunk_chain()
+    start = np.zeros(2)
     benchmark.extra_info["worst strain"] = stretch_of(
         space.step, lambda: np.array([start, *(tuple(body.position) for body in bodies[1:])])
     )

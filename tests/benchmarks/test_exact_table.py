@@ -5,39 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from game.billiards import Physics, Table, eight_ball_rack, make_shot, simulate, simulate_many, strike
+from game.billiards import Physics, Table, make_shot, simulate, simulate_many
 from game.billiards.exact import play_shots
 from game.billiards.many import play_batch
 from game.billiards.rack import BALL_RADIUS
 from game.billiards.shot import batch_of
 from game.billiards.simulation import MAX_EVENTS, log_for, room_for
+from game.lab.benchmarks.billiards import BATCH, break_shot, cut_shot, random_shots
 
 R = BALL_RADIUS
-POOL = Table.pool()
-BATCH = 100
-
-
-def _break(gap):
-    racked = eight_ball_rack(POOL, R, gap=gap, seed=3)
-    return make_shot(POOL, racked).struck(0, (0.02, 8.0), (-30.0, 0.0, 0.0))
-
-
-def _cut():
-    return make_shot(POOL, [[0.6, 0.6], [0.62, 1.2]]).struck(0, (0.0, 3.0), (-30.0, 0.0, 0.0))
-
-
-def _random(n):
-    rng = np.random.default_rng(n)
-    shots = []
-    while len(shots) < BATCH:
-        places = rng.uniform((R, R), (POOL.width - R, POOL.length - R), (n, 2))
-        gaps = np.hypot(*(places[:, None] - places[None]).transpose(2, 0, 1)) + 9.0 * np.eye(n)
-        if gaps.min() > 2.0 * R:
-            stroke = strike(
-                rng.uniform(0.5, 4.0), rng.uniform(0.0, 2.0 * math.pi), 0.0, *rng.uniform(-0.3, 0.3, 2)
-            )
-            shots.append(make_shot(POOL, places).struck(0, stroke.velocity, stroke.spin))
-    return shots
 
 
 def _events(run):
@@ -45,22 +21,22 @@ def _events(run):
 
 
 @pytest.mark.parametrize("gap", [1e-4, 0.0], ids=["spaced rack", "touching rack"])
-def test_break(benchmark, gap):
+def testbreak_shot(benchmark, gap):
     """Goal: 60 microseconds, called from Python, with the array of events and all paths."""
-    shot = _break(gap)
+    shot = break_shot(gap)
     trajectory = benchmark(simulate, shot)
     benchmark.extra_info["events"] = len(trajectory.rows)
     assert len(trajectory.rows) > 50
 
 
 def test_break_with_the_list_of_events(benchmark):
-    shot = _break(1e-4)
+    shot = break_shot(1e-4)
     events = benchmark(lambda: simulate(shot).events)
     assert events[0].type in ("ball-ball", "sliding-rolling")
 
 
 def test_break_in_the_kernel_alone(benchmark):
-    shot = _break(1e-4)
+    shot = break_shot(1e-4)
     log = log_for(1, 16, 4096)
     arguments = (*room_for(16), *shot.batch, *log, 0, math.inf, MAX_EVENTS)
     assert benchmark(play_shots, *arguments) == 1
@@ -69,7 +45,7 @@ def test_break_in_the_kernel_alone(benchmark):
 
 def test_cut_in_a_batch(benchmark):
     """Goal: 5 microseconds a shot."""
-    batch = batch_of([_cut()] * BATCH)
+    batch = batch_of([cut_shot()] * BATCH)
     benchmark.extra_info["shots"] = BATCH
     parts = benchmark(play_batch, batch, math.inf, MAX_EVENTS)
     assert sum(end - first for _, first, end in parts) == BATCH
@@ -78,7 +54,7 @@ def test_cut_in_a_batch(benchmark):
 @pytest.mark.parametrize("n", [2, 5, 9, 16])
 def test_random_shots_in_a_batch(benchmark, n):
     """Goals: 3, 5, 8 and 15 microseconds a shot."""
-    shots = _random(n)
+    shots = random_shots(n)
     batch = batch_of(shots)
     benchmark.extra_info["shots"] = BATCH
     benchmark.extra_info["events"] = _events(simulate_many(shots, threads=1))
@@ -98,12 +74,12 @@ def test_cradle(benchmark, balls):
 
 def test_state_at_a_time(benchmark):
     """One frame of a picture of 16 balls."""
-    trajectory = simulate(_break(1e-4))
+    trajectory = simulate(break_shot(1e-4))
     state = benchmark(trajectory.state_at, 0.7)
     assert state.positions.shape == (16, 2)
 
 
 def test_orientations_at_a_time(benchmark):
-    trajectory = simulate(_break(1e-4))
+    trajectory = simulate(break_shot(1e-4))
     turned = benchmark(trajectory.orientations_at, 0.7)
     assert turned.shape == (16, 3, 3)

@@ -1,0 +1,13 @@
+"""How long things take beside what else a Python programmer can install, as ratios of one run."""
+
+from game.lab.benchmarks.scenario import Measured, Peer, Scenario, measure_scenario
+
+__all__ = ["Measured", "Peer", "Scenario", "all_scenarios", "measure_scenario"]
+
+
+def all_scenarios() -> tuple[Scenario, ...]:
+    """Every scenario, room by room."""
+    from game.lab.benchmarks import billiards, broadphase, constraints, particles
+
+    rooms = (billiards, broadphase, particles, constraints)
+    return tuple(scenario for room in rooms for scenario in room.SCENARIOS)

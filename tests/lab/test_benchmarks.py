@@ -1,0 +1,45 @@
+"""Scenarios and how they are timed; no time is judged."""
+
+from __future__ import annotations
+
+import pytest
+
+from game.lab.benchmarks import Measured, Peer, Scenario, all_scenarios, measure_scenario
+
+
+def test_names_differ_and_words_are_there():
+    scenarios = all_scenarios()
+    assert len({scenario.name for scenario in scenarios}) == len(scenarios) > 15
+    assert all(scenario.title and scenario.unit and scenario.count >= 1 for scenario in scenarios)
+
+
+@pytest.mark.parametrize("name", ["cut", "grid-equal-1000", "particles-10000", "chain"])
+def test_a_scenario_of_each_room_runs(name):
+    scenario = next(scenario for scenario in all_scenarios() if scenario.name == name)
+    call = scenario.prepare()
+    call()
+    call()
+
+
+def test_peers_are_timed_in_turns_and_missing_ones_left_out():
+    order = []
+
+    def missing():
+        raise ImportError("no such package")
+
+    def slow():
+        order.append("slow")
+        sum(range(300_000))
+
+    scenario = Scenario(
+        "made-up", "Made up", "call", lambda: lambda: order.append("quick"), 4,
+        (Peer("slow", lambda: slow), Peer("missing", missing)),
+    )  # fmt: skip
+    measured = measure_scenario(scenario, turns=3)
+    assert list(measured.peers) == ["slow"]
+    assert measured.median_s <= measured.worst_s
+    assert measured.ratio("slow") == measured.peers["slow"] / measured.median_s
+    assert order[-1] == "slow" and "quick" in order
+    assert Measured(scenario, 2.0, 3.0, {"slow": 8.0}).ratio("slow") == 4.0
+    with pytest.raises(ValueError, match="turns"):
+        measure_scenario(scenario, turns=0)
