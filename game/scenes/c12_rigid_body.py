@@ -240,6 +240,10 @@ class RigidBodyScene(Scene):
         shift = 0.5 * self.frame().right
         return shift if pane == B else -shift
 
+    def method_label(self, pane: int) -> str:
+        """Words for the method of a body."""
+        return LABELS[METHODS.index(self.second if pane == B else self.method)]
+
     def _configure(self) -> None:
         """Hand the knobs to the bodies."""
         for index, body in enumerate(self.bodies.all):

@@ -102,6 +102,7 @@ class RigidView:
         design, n = scene.bodies.design, len(scene.bodies.design)
         scale = canvas.pixels_per_unit
         inks = [INKS[name] if name in INKS else canvas.ink(name) for name in COLORS]
+        colors = np.array(inks, np.uint32)[design[:, COLOR].astype(int)]
         points, turns = np.empty((n * len(panes), 3)), np.empty((len(panes), 3, 3))
         for k, pane in enumerate(panes):
             seen, turns[k] = _seen(scene, view, rows[pane])
@@ -111,7 +112,7 @@ class RigidView:
         pixels, clip = canvas.raster_target
         self._painter.draw(
             pixels, clip, points, np.tile(scale * design[:, RADIUS], len(panes)), turns,
-            np.repeat(np.arange(len(panes)), n), np.tile(np.array(inks, np.uint32)[design[:, COLOR].astype(int)], len(panes)),
+            np.repeat(np.arange(len(panes)), n), np.tile(colors, len(panes)),
         )  # fmt: skip
 
     def _draw_exact(
@@ -215,9 +216,7 @@ class RigidView:
         """Letter and method above each box."""
         top = scene.frame().top
         for pane in panes:
-            knob = type(scene).second if pane == B else type(scene).method
-            value = scene.second if pane == B else scene.method
-            words = f"{'AB'[pane]}  {knob.labels[knob.options.index(value)]}"
+            words = f"{'AB'[pane]}  {scene.method_label(pane)}"
             color = "green" if pane == B else "chalk"
             canvas.label((scene.pane_shift(pane), top), words, color, 13, "semibold", "top")
 
@@ -234,7 +233,7 @@ def _seen(scene: RigidBodyScene, view: Array, row: Array) -> tuple[Array, Array]
 
 
 def outline_arcs(centers: Array, radii: Array) -> list[Array]:
-    """The outline of overlapping discs, (n, 2) m and (n,) m, as chains of points: what lies in no other disc."""
+    """The outline of overlapping discs, (n, 2) and (n,) m, as chains of points: what lies in no other."""
     circle = np.column_stack((np.cos(CORNERS), np.sin(CORNERS)))
     arcs = []
     for i, (center, radius) in enumerate(zip(centers, radii, strict=True)):

@@ -21,15 +21,14 @@ LEVELS = level_files("c12")
 
 def plain(**knobs) -> Stage:
     """Two spheres at rest side by side, looked at from the front."""
-    content = RigidContent.__struct_fields__ and parse_level(
+    level = parse_level(
         'scene = "c12"\n[effects]\noff = ["gravity", "drag"]\n[content]\nspheres = [\n'
         "{ position = [-0.5, 0.0], radius = 0.3 }, { position = [0.5, 0.0], radius = 0.3 } ]\n",
         "c12",
         RigidContent,
     )
-    return Stage(
-        RigidBodyScene, level=content, parameters={"turn": 0.0, "tilt": 0.0, "density": 100.0, **knobs}
-    )
+    knobs = {"turn": 0.0, "tilt": 0.0, "density": 100.0, **knobs}
+    return Stage(RigidBodyScene, level=level, parameters=knobs)
 
 
 def body(stage, index=A):
@@ -104,7 +103,6 @@ def test_a_drawn_force_acts_at_its_point():
     assert np.allclose(body(stage).momentum, (0.0, 300.0 * 0.05, 0.0), rtol=1e-12, atol=1e-12)
     angular = body(stage).angular_momentum
     assert angular[2] == pytest.approx(0.5 * 15.0, rel=2e-3)
-    assert np.allclose(body(stage, B).momentum, body(stage).momentum)
     assert np.allclose(body(stage, EXACT).angular_momentum, angular, rtol=0.05, atol=0.05)
     before = body(stage).momentum
     stage.run(3)
@@ -199,7 +197,7 @@ def test_the_hammer_flips_about_its_middle_axis():
 
 
 def test_twin_view_and_accounts():
-    """Explicit Euler makes energy up to the bound and keeps L; the engines' way loses both; |q| drifts if let."""
+    """Explicit Euler makes energy and keeps L; the engines' way loses both; |q| drifts if it is let."""
     stage = open_level(RigidBodyScene, "default", twin=True, second="implicit-gyroscopic")
     stage.run(1200)
     now = readouts(stage)

@@ -1,8 +1,8 @@
 """Lit spheres that cut through one another and turn: two tones in the octants of their own frame.
 
-Looked at along parallel rays, so that a sphere is a disc whose depth is known at every pixel. First the depths
-are laid, then the colours, from the back to the front: only what is seen is shaded, rims and the lines where
-spheres meet are soft.
+Looked at along parallel rays, so that a sphere is a disc whose depth is known at every pixel. First the
+depths are laid, then the colours, from the back to the front: only what is seen is shaded, rims and the lines
+where spheres meet are soft.
 """
 
 from __future__ import annotations
@@ -101,8 +101,8 @@ def paint_spheres(
 ) -> None:
     """Spheres from the back to the front; those behind others only where they are seen.
 
-    ``points`` (n, 3) px, z towards the viewer; ``radii`` (n,) px; ``turns`` (m, 3, 3) from a sphere's frame to
-    the picture's (x right, y up, z to the viewer), of which sphere i has ``owners[i]``; ``colors`` (n,)
+    ``points`` (n, 3) px, z towards the viewer; ``radii`` (n,) px; ``turns`` (m, 3, 3) from a sphere's frame
+    to the picture's (x right, y up, z to the viewer), of which sphere i has ``owners[i]``; ``colors`` (n,)
     uint32; ``depths`` (h, w) float32 as ``lay_depths`` leaves them.
     """  # fmt: skip
     for i in range(points.shape[0]):
