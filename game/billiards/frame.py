@@ -51,9 +51,9 @@ class Frame(NamedTuple):
         verdict = self.game.judge(summary, call)
         return Played(trajectory, summary, verdict, self.follow(verdict, after_shot(self.lie, summary)))
 
-    def choose(self, name: str) -> Frame:
-        """The frame after the player at turn has chosen an option."""
-        return self.follow(self.game.choose(name), self.lie)
+    def choose(self, name: str, seed: int | None = None) -> Frame:
+        """The frame after the player at turn has chosen an option. seed: of a new rack, if there is one."""
+        return self.follow(self.game.choose(name), self.lie, seed)
 
     def next_rack(self, seed: int | None = None) -> Frame:
         """The next rack."""

@@ -54,7 +54,5 @@ def _eight_ball_aims(game: EightBall, numbers: tuple[int, ...], solo: bool) -> l
 def all_aims(numbers: tuple[int, ...], targets: tuple[int, ...], first: tuple[int, ...], chain: int) -> Aims:
     """Aims without a game: any of the targets, in any order, hit by way of `first`."""
     wanted = bits_of(numbers, targets)
-    touched = (
-        bits_of(numbers, first) if first else bits_of(numbers, tuple(n for n in numbers if n != CUE_BALL))
-    )
-    return Aims(touched, wanted, wanted, solo=True, chain=chain)
+    numbered = tuple(number for number in numbers if number != CUE_BALL)
+    return Aims(bits_of(numbers, first or numbered), wanted, wanted, solo=True, chain=chain)

@@ -32,6 +32,7 @@ COLUMNS = 8
 
 DIRECT, BANK, KICK, COMBINATION = range(4)
 KINDS = ("direct", "bank", "kick", "combination")
+NO_POT = len(KINDS)  # kind of a stroke that means to pot nothing
 CUT_FROM = math.radians(30.0)  # a direct shot with at least this cut is called a cut
 
 THROW = 0.09  # rad; most that friction turns the way of an object ball

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from game.billiards.arrangement import Arrangement, Stroke
 from game.billiards.rules import CUE_BALL
 from game.billiards.search.aims import all_aims
-from game.billiards.search.candidates import AIM, BALL, CUT_FROM, DIRECT, INTO, KIND, KINDS, VIA
+from game.billiards.search.candidates import AIM, BALL, CUT_FROM, DIRECT, INTO, KIND, KINDS, NO_POT, VIA
 from game.billiards.search.deeper import look_deeper
 from game.billiards.search.looking import Effort, Looked, look
 from game.billiards.search.rating import Aims
@@ -31,14 +31,15 @@ QUICK = Effort(finalists=96, samples=64)
 class FoundShot(NamedTuple):
     """A stroke, and what it is good for.
 
-    stroke: as it is meant. ball, pocket: what it pots. kind: "direct", "cut", "bank", "kick", "combination". via:
-    number of the ball in between, None if there is none. chance: share of its noisy samples that pot the
-    ball without a foul. worth: estimated chance to win (alone: to clear the table) after it.
+    stroke: as it is meant. ball, pocket: what it pots, None with a safe stroke. kind: "direct", "cut",
+    "bank", "kick", "combination" or "safety". via: number of the ball in between, None if there is none.
+    chance: share of its noisy samples that pot the ball without a foul. worth: estimated chance to win
+    (alone: to clear the table).
     """
 
     stroke: Stroke
-    ball: int
-    pocket: int
+    ball: int | None
+    pocket: int | None
     kind: str
     via: int | None
     chance: float
@@ -75,12 +76,12 @@ def find_shots(
 ) -> list[FoundShot]:
     """The shots that pot a ball, the best first: at most `limit`, at most one for each ball, pocket and kind.
 
-    lie: the balls, the white one among them; table: the pool table if left out. targets: numbers of the balls
-    to pot (none: all); first: those that may be touched first (none: all). aims: what the shooter is after, in
-    rows of `lie`, instead of both. kinds: of "direct" (with cuts), "bank", "kick", "combination". chain: least
-    balls in the potted one's chain, the white one and itself counted. noise: how unsteady the hand is. effort:
-    how many strokes are tried. threads: None: one for each processor. seconds: stop looking after about so
-    long; without it what is found depends on nothing but the other arguments.
+    lie: the balls, the white one among them; table: the pool table if left out. targets: numbers of the
+    balls to pot (none: all); first: those that may be touched first (none: all). aims: what the shooter is
+    after, in rows of `lie`, instead of both. kinds: of "direct" (with cuts), "bank", "kick", "combination".
+    chain: least balls in the potted one's chain, the white one and itself counted. noise: how unsteady the
+    hand is. effort: how many strokes are tried. threads: None: one for each processor. seconds: stop looking
+    after about so long; without it what is found depends on nothing but the other arguments.
 
     ValueError for unknown kinds, a target that is not there, or a table without the white ball.
     """
@@ -129,9 +130,9 @@ def named_shots(view: View, looked: Looked, limit: int) -> list[FoundShot]:
         key = tuple(candidate[[BALL, INTO, KIND, VIA]].tolist())
         if key in found:
             continue
-        via = int(candidate[VIA])
+        ball, pocket, via = (int(candidate[column]) for column in (BALL, INTO, VIA))
         found[key] = FoundShot(
-            Stroke(*stroke.tolist()), numbers[int(candidate[BALL])], int(candidate[INTO]),
+            Stroke(*stroke.tolist()), numbers[ball] if ball >= 0 else None, pocket if ball >= 0 else None,
             _kind_name(view, candidate), numbers[via] if via >= 0 else None, chance, worth,
         )  # fmt: skip
         if len(found) == limit:
@@ -141,6 +142,8 @@ def named_shots(view: View, looked: Looked, limit: int) -> list[FoundShot]:
 
 def _kind_name(view: View, candidate: Array) -> str:
     """The kind of a candidate; a direct one with a cut is a cut."""
+    if int(candidate[KIND]) == NO_POT:
+        return "safety"
     if int(candidate[KIND]) != DIRECT:
         return KINDS[int(candidate[KIND])]
     ball, pocket = int(candidate[BALL]), int(candidate[INTO])

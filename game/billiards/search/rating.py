@@ -1,11 +1,13 @@
 """What a table is worth to the player at turn: a quick estimate for very many tables.
 
-The chance to clear it: the best pot now, times how open each of the other balls is that must go down. What
-is left of certainty is shared by who comes to the table next, and how open that one's balls are.
+The chance to clear it: the best pot now, times how open each of the other balls is that must go down. If that
+fails, both players are in a race: how far each is from clearing the table, as the logarithm of the chance,
+says who wins it.
 """
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -30,8 +32,9 @@ Array = NDArray[np.float64]
 MISSED, SCORED, WON, FOULED, LOST = range(5)
 
 BLOCKED = 0.25  # openness of a ball to which no pocket is open
-HOLD = 0.35  # chance to win, once a run has ended, if the other's balls are all shut
-OPEN_LOSS = 0.25  # what of it is lost if they are all open
+FAR = 0.03  # chance of a pot that stands for none, in the race
+RACE = 0.4  # by how much the odds to win a race change with the distance
+TURN = 0.3  # advantage in the race of who is at turn, in the same measure
 IN_HAND = 0.97  # chance of a pot with the white ball in hand, of one that is open
 
 
@@ -176,17 +179,6 @@ def rate_all(kinds, places, radii, gates, cue, aims, sight, bed, room, worth):
 
 
 @inner_kernel
-def worth_on_turn(places, radii, gates, cue, aims, sight, bed, room):
-    """Chance to win for the player at turn."""
-    playable = next_playable(aims, places, aims[NEEDED_AIM])
-    run = clearing_chance(places, radii, gates, cue, playable, aims[NEEDED_AIM], sight, bed, room)
-    if aims[SOLO_AIM] != 0:
-        return run
-    other = open_product(places, radii, gates, cue, aims[OTHER_AIM], sight)
-    return run + (1.0 - run) * (HOLD - OPEN_LOSS * other)
-
-
-@inner_kernel
 def open_product(places, radii, gates, cue, needed, sight):
     """How open a player's balls are, all together."""
     product = 1.0
@@ -196,14 +188,38 @@ def open_product(places, radii, gates, cue, needed, sight):
     return product
 
 
+@inner_kernel(inline="always")
+def _win_chance(run, mine, other):
+    """Chance to win for the player at turn: by clearing the table, else in the race.
+
+    run: chance to clear it. mine, other: how open the balls of both are, with the next pot in it.
+    """
+    ahead = RACE * (math.log(max(mine, 1e-9)) - math.log(max(other, 1e-9))) + TURN
+    return run + (1.0 - run) / (1.0 + math.exp(-ahead))
+
+
+@inner_kernel
+def worth_on_turn(places, radii, gates, cue, aims, sight, bed, room):
+    """Chance to win for the player at turn."""
+    needed = aims[NEEDED_AIM]
+    playable = next_playable(aims, places, needed)
+    run = clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, room)
+    if aims[SOLO_AIM] != 0:
+        return run
+    mine = max(run, FAR * open_product(places, radii, gates, cue, needed, sight))
+    other = open_product(places, radii, gates, cue, aims[OTHER_AIM], sight)
+    return _win_chance(run, mine, other)
+
+
 @inner_kernel
 def worth_off_turn(places, radii, gates, cue, aims, sight, bed, room, in_hand):
     """Chance to win for a player whose opponent comes to the table."""
-    other = aims[OTHER_AIM]
+    needed = aims[OTHER_AIM]
+    other = open_product(places, radii, gates, cue, needed, sight)
     if in_hand:
-        run = IN_HAND * open_product(places, radii, gates, cue, other, sight)
+        run = IN_HAND * other
     else:
-        playable = next_playable(aims, places, other)
-        run = clearing_chance(places, radii, gates, cue, playable, other, sight, bed, room)
+        playable = next_playable(aims, places, needed)
+        run = clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, room)
     mine = open_product(places, radii, gates, cue, aims[NEEDED_AIM], sight)
-    return 1.0 - (run + (1.0 - run) * (HOLD - OPEN_LOSS * mine))
+    return 1.0 - _win_chance(run, max(run, FAR * other), mine)

@@ -1,0 +1,71 @@
+"""Strokes that are not meant to pot: safe ones, which leave the other little, and push-outs."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.search.candidates import BALL, COLUMNS, INTO, KIND, NO_POT, VIA
+from game.billiards.search.looking import Looked, sample
+from game.billiards.search.rating import FOULED, LOST, SCORED, Aims
+from game.billiards.search.view import View
+
+Array = NDArray[np.float64]
+
+SPEEDS = (0.35, 0.6, 0.9, 1.4, 2.2)  # m/s
+UPS = (-0.3, 0.0, 0.3)  # ball radii
+OFFSETS = np.linspace(-0.97, 0.97, 13)  # where a ball is hit, as a share of what can be
+ROUND = 120  # directions all around, when the balls are hidden
+
+
+def _strokes_at(view: View, first: int) -> Array:
+    """Strokes (m, 5) at every ball that may be touched first, thick and thin; and all around."""
+    white = view.places[view.board.cue]
+    directions: list[float] = []
+    for ball in range(view.board.count):
+        if first >> ball & 1:
+            dx, dy = view.places[ball] - white
+            reach = view.radii[ball] + view.radii[view.board.cue]
+            half = float(np.arcsin(min(1.0, reach / np.hypot(dx, dy))))
+            directions += (np.arctan2(dy, dx) + half * OFFSETS).tolist()
+    directions += np.linspace(0.0, 2.0 * np.pi, ROUND, endpoint=False).tolist()
+    return np.array([(v, a, 0.0, 0.0, up) for a in directions for v in SPEEDS for up in UPS])
+
+
+def no_candidates(count: int) -> Array:
+    """Candidates (c, 8) of strokes that mean to pot nothing."""
+    rows = np.zeros((count, COLUMNS))
+    rows[:, [BALL, INTO, VIA]] = -1.0
+    rows[:, KIND] = NO_POT
+    return rows
+
+
+def look_for_safety(
+    view: View, aims: Aims, finalists: int, draws: Array, pool: ThreadPoolExecutor | None = None
+) -> Looked:
+    """The strokes after which the other has least, under noise; draws (k, 5), see `with_noise`."""
+    strokes = _strokes_at(view, aims.first)
+    outcomes = view.board.play(strokes, pool)
+    nothing = np.full((len(strokes), 2), -1, np.int64)
+    kinds = view.classes(outcomes, aims, nothing)
+    worth = view.worth(outcomes, aims, kinds, pool)
+    best = np.argsort(-worth, kind="stable")[:finalists]
+    return sample(view, aims, strokes[best], no_candidates(len(best)), draws, pool)
+
+
+def look_for_push_out(view: View, aims: Aims, seed: int, pool: ThreadPoolExecutor | None = None) -> Array:
+    """A stroke (5,) after which it matters least who plays: the other player will choose."""
+    rng = np.random.default_rng(seed)
+    strokes = np.zeros((600, 5))
+    strokes[:, 0] = rng.uniform(0.3, 2.0, len(strokes))
+    strokes[:, 1] = rng.uniform(0.0, 2.0 * np.pi, len(strokes))
+    outcomes = view.board.play(strokes, pool)
+    nothing = np.full((len(strokes), 2), -1, np.int64)
+    free = aims._replace(first=(1 << view.board.count) - 1, win=0, lose=0)
+    kinds = view.classes(outcomes, free, nothing)
+    lost = np.isin(kinds, (FOULED, LOST))
+    worth = view.worth(outcomes, aims, np.full(len(strokes), SCORED), pool)
+    even = np.where(lost, -1.0, np.minimum(worth, 1.0 - worth))
+    return strokes[int(np.argmax(even))]
