@@ -30,7 +30,7 @@ Past = tuple[tuple[Outline, ...], ...]
 TOOLS = ("move", "draw", "points")
 NOBODY = -1
 HISTORY = 64  # edits that can be taken back
-FARTHEST = 1e4  # m, from the origin, that the hand may go
+FARTHEST = 1e9  # m, from the origin, that the hand may go
 NOTCH = math.radians(5.0)  # turn of one notch of a wheel
 
 

@@ -29,13 +29,7 @@ class Box(NamedTuple):
 
     def corners(self) -> Array:
         """Corners (4, 2), counter-clockwise, m."""
-        (x, y), (c, s), (a, b) = self.centre, self.axis, self.half
-        return np.array(
-            [
-                (x + c * u - s * v, y + s * u + c * v)
-                for u, v in ((-a, -b), (a, -b), (a, b), (-a, b))
-            ]
-        )  # fmt: skip
+        return np.asarray(corners_of(np.array([(*self.centre, *self.axis, *self.half)]))[0])
 
     def outside(self, points: ArrayLike) -> Array:
         """How far points (n, 2) lie beyond the nearest side, m; 0 or less inside."""
@@ -71,6 +65,14 @@ class Capsule(NamedTuple):
         share = np.clip(off @ way / square, 0.0, 1.0) if square > 0.0 else np.zeros(len(off))
         rest = off - share[:, None] * way
         return np.sqrt((rest * rest).sum(axis=1)) - self.radius
+
+
+def corners_of(rows: Array) -> Array:
+    """Corners (m, 4, 2) of boxes (m, 6), counter-clockwise, m."""
+    along = rows[:, None, 2:4]
+    across = np.stack((-along[..., 1], along[..., 0]), axis=-1)
+    u, v = np.array((-1.0, 1.0, 1.0, -1.0))[:, None], np.array((-1.0, -1.0, 1.0, 1.0))[:, None]
+    return np.asarray(rows[:, None, 0:2] + u * rows[:, None, 4:5] * along + v * rows[:, None, 5:6] * across)
 
 
 def fit_row(points: Array, kind: int, fit: int, step_degrees: float) -> NDArray[np.float64]:

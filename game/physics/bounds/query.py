@@ -21,6 +21,15 @@ ROUNDINGS = 64.0 * np.finfo(float).eps  # of all coordinates together, that a ga
 NOT_BEGUN = np.array([[0, 0, traversal.MET, 0, 0]], dtype=np.int32)
 
 
+class QueryRecord(NamedTuple):
+    """rows (n, 5), gaps (n, 3), crossings (c, 2) as in `Tandem`; counts (5,) of tests and findings."""
+
+    rows: NDArray[np.int32]
+    gaps: Array
+    crossings: Indices
+    counts: Indices
+
+
 class Tandem(NamedTuple):
     """What a query found.
 
@@ -173,18 +182,27 @@ class Query:
         """Segments that meet (c, 2), unsorted; good until the next query."""
         return self._crossings[: self.crossing_count]
 
-    def front(self) -> NDArray[np.int32]:
-        """What the next coherent query begins with; a copy, for a snapshot."""
-        return self.rows[:, :4].copy()
+    def record(self) -> QueryRecord:
+        """All that `put_back` needs to stand after this query again; views, good until the next one."""
+        return QueryRecord(self.rows, self.gaps, self.crossings, self._counts)
 
-    def begin_with(self, front: NDArray[np.int32]) -> None:
-        """Let the next coherent query begin with a front that `front` gave; an empty one begins anew."""
-        count = len(front)
+    def put_back(self, record: QueryRecord) -> None:
+        """Stand after an earlier query of the same trees; the next coherent one begins with its front.
+
+        ValueError if the record names nodes that these trees do not have.
+        """
+        count = len(record.rows)
+        sizes = len(self.tree_a), len(self.tree_b)
+        if count and (record.rows[:, :2].min() < 0 or (record.rows[:, :2].max(axis=0) >= sizes).any()):
+            raise ValueError("record: of a query of other trees")
         if count > len(self._rows):
             self._rows, self._gaps = np.zeros((2 * count, 5), dtype=np.int32), np.zeros((2 * count, 3))
-        self._rows[:count, :4] = front
-        self._rows[:count, 4] = 0
-        self._counts[traversal.ROWS] = count
+        if len(record.crossings) > len(self._crossings):
+            self._crossings = np.zeros((2 * len(record.crossings), 2), dtype=np.int64)
+        self._rows[:count] = record.rows
+        self._gaps[:count] = record.gaps
+        self._crossings[: len(record.crossings)] = record.crossings
+        self._counts[:] = record.counts
 
     def marks(self, count: int | None = None) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
         """Marks of both trees' nodes after ``count`` rows (None: all): REST, ANCESTOR, OVERLAPPING."""

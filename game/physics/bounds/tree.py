@@ -91,22 +91,6 @@ class BoundingTree:
         way = v[:, 2:4] - v[:, 0:2]
         return np.asarray(2.0 * v[:, 4] * np.sqrt((way * way).sum(axis=1)) + np.pi * v[:, 4] ** 2)
 
-    def corners(self) -> Array:
-        """Corners (m, 4, 2) of all boxes, counter-clockwise, m; of capsules, of the box beside the core."""
-        v = self.volumes
-        if self.kind != "capsule":
-            centre, along = v[:, None, 0:2], v[:, None, 2:4]
-            half_u, half_v = v[:, None, 4:5], v[:, None, 5:6]
-        else:
-            way = v[:, 2:4] - v[:, 0:2]
-            length = np.sqrt((way * way).sum(axis=1, keepdims=True))
-            unit = np.divide(way, length, out=np.tile((1.0, 0.0), (len(v), 1)), where=length > 0.0)
-            centre, along = 0.5 * (v[:, None, 0:2] + v[:, None, 2:4]), unit[:, None, :]
-            half_u, half_v = (0.5 * length)[:, None, :], v[:, None, 4:5]
-        across = np.stack((-along[..., 1], along[..., 0]), axis=-1)
-        u, v_ = np.array((-1.0, 1.0, 1.0, -1.0))[:, None], np.array((-1.0, -1.0, 1.0, 1.0))[:, None]
-        return np.asarray(centre + u * half_u * along + v_ * half_v * across)
-
     def turned(self, angle: float) -> BoundingTree:
         """The tree of the polyline turned about its origin by an angle, rad.
 

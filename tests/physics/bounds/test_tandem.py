@@ -218,19 +218,21 @@ def test_a_front_gives_the_same_crossings_with_fewer_tests(kind):
     assert with_front.row_count == 1 and with_front.volume_tests == 1
 
 
-def test_a_front_can_be_kept_and_taken_up_again():
+def test_a_query_can_be_kept_and_taken_up_again():
     a, b = build_tree(walk(21, 300)), build_tree(walk(22, 300))
     query, twin = Query(a, b), Query(a, b)
     query.run((0.1, 0.0))
-    front = query.front()
+    kept = type(query.record())(*(part.copy() for part in query.record()))
+    before = query.answer()
     query.run((0.11, 0.0), coherent=True)
-    twin.begin_with(front)
+    twin.put_back(kept)
+    assert twin.volume_tests == before.volume_tests and np.array_equal(twin.rows, before.rows)
+    assert np.array_equal(twin.answer().crossings, before.crossings)
     twin.run((0.11, 0.0), coherent=True)
     assert np.array_equal(twin.rows, query.rows) and np.array_equal(twin.gaps, query.gaps)
-    twin.begin_with(front[:0])
-    twin.run((0.11, 0.0), coherent=True)
-    query.run((0.11, 0.0))
-    assert np.array_equal(twin.rows, query.rows)
+    small = Query(build_tree([(0, 0), (1, 1)]), b)
+    with pytest.raises(ValueError, match="other trees"):
+        small.put_back(kept)
 
 
 def test_marks_are_leaves_and_their_ancestors_up_to_the_roots():

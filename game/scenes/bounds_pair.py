@@ -1,0 +1,176 @@
+"""Two outlines, their trees of one kind, and the query between them, kept from step to step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.bounds import BoundingTree, Nearest, Query, build_tree, least_capsule, minimal_obb, nearest
+from game.physics.bounds.fits import corners_of
+from game.physics.bounds.query import QueryRecord
+from game.scenes.outline_level import array_of
+from game.scenes.outlines import Outline
+
+Array = NDArray[np.float64]
+ROUND = 9  # points of one end of a capsule's outline
+ROUGH = 0.1  # how near to the least capsule is proven; it is polished all the same
+
+
+class TreeOptions(NamedTuple):
+    """How trees are built; see `build_tree`."""
+
+    kind: str = "obb"
+    leaf_size: int = 4
+    fit: str = "search"
+    step_degrees: float = 1.0
+    split: str = "half"
+
+
+class Place(NamedTuple):
+    """Where a frame lies in the world: m, m, rad."""
+
+    x: float
+    y: float
+    angle: float
+
+    def to_world(self, points: Array) -> Array:
+        """Points (..., 2) of the frame in the world."""
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        x, y = points[..., 0], points[..., 1]
+        return np.stack((c * x - s * y + self.x, s * x + c * y + self.y), axis=-1)
+
+
+def tree_of(outline: Outline, options: TreeOptions) -> BoundingTree:
+    """The tree of an outline in its own frame."""
+    return build_tree(
+        array_of(outline), options.kind, options.leaf_size, closed=outline.closed, fit=options.fit,
+        step_degrees=options.step_degrees, split=options.split,
+    )  # fmt: skip
+
+
+def paths_of(tree: BoundingTree) -> Array:
+    """Outlines (m, p, 2) of all volumes in the tree's frame: corners of boxes, round ends of capsules."""
+    return rows_to_paths(tree.kind, tree.volumes)
+
+
+def rows_to_paths(kind: str, v: Array) -> Array:
+    """Outlines (m, p, 2) of volumes (m, 6) of a kind."""
+    if kind != "capsule":
+        return corners_of(v)
+    way = v[:, 2:4] - v[:, 0:2]
+    turn = np.arctan2(way[:, 1], way[:, 0])[:, None]
+    bend = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ROUND)[None, :]
+    radius = v[:, 4][:, None, None]
+    far = v[:, None, 2:4] + radius * np.stack((np.cos(turn + bend), np.sin(turn + bend)), axis=-1)
+    back = turn + np.pi
+    near = v[:, None, 0:2] + radius * np.stack((np.cos(back + bend), np.sin(back + bend)), axis=-1)
+    return np.concatenate((far, near), axis=1)
+
+
+class TreePair:
+    """Trees of two outlines, and the query. Upright boxes are built anew when an outline has turned."""
+
+    def __init__(self, options: TreeOptions):
+        self.options = options
+        self.trees: list[BoundingTree] = []
+        self.paths: list[Array] = []
+        self.query: Query | None = None
+        self._shapes: list[tuple[object, bool, float]] = []
+        self._asked: object = None
+        self._exact: list[float] = []
+
+    def exact_area(self, index: int) -> float:
+        """Area of the least volume of the kind round an outline, m²: for upright boxes, of the least box."""
+        if math.isnan(self._exact[index]):
+            points = self.trees[index].points
+            if self.options.kind == "capsule":
+                self._exact[index] = least_capsule(points, ROUGH)[0].area
+            else:
+                self._exact[index] = minimal_obb(points).area
+        return self._exact[index]
+
+    def angle_of(self, outline: Outline) -> float:
+        """How far the frame of an outline's tree is turned, rad: upright boxes have the world's."""
+        return 0.0 if self.options.kind == "aabb" else outline.angle
+
+    def _fits(self, i: int, outline: Outline) -> bool:
+        """Whether tree ``i`` is that of an outline."""
+        if i >= len(self._shapes):
+            return False
+        points, closed, turn = self._shapes[i]
+        same = points is outline.points or points == outline.points
+        return same and closed == outline.closed and turn == outline.angle - self.angle_of(outline)
+
+    def is_stale(self, outlines: Sequence[Outline]) -> bool:
+        """Whether a tree has to be built for these outlines."""
+        return len(outlines) != len(self.trees) or not all(map(self._fits, range(len(outlines)), outlines))
+
+    def take(self, outlines: Sequence[Outline]) -> None:
+        """Let the trees be those of these outlines."""
+        if not self.is_stale(outlines):
+            return
+        kept = [i < len(self.trees) and self._fits(i, outline) for i, outline in enumerate(outlines)]
+        turns = [outline.angle - self.angle_of(outline) for outline in outlines]
+        trees = []
+        for i, outline in enumerate(outlines):
+            tree = self.trees[i] if kept[i] else tree_of(outline, self.options)
+            trees.append(tree if kept[i] or turns[i] == 0.0 else tree.turned(turns[i]))
+        self.paths = [self.paths[i] if kept[i] else paths_of(tree) for i, tree in enumerate(trees)]
+        self._shapes = [
+            (outline.points, outline.closed, turn) for outline, turn in zip(outlines, turns, strict=True)
+        ]
+        self._exact = [self._exact[i] if kept[i] else math.nan for i in range(len(trees))]
+        self.trees = trees
+        self.query = Query(trees[0], trees[1]) if len(trees) == 2 else None
+        self._asked = None
+
+    def place(self, outline: Outline) -> Place:
+        """Where the frame of an outline's tree lies."""
+        return Place(*outline.position, self.angle_of(outline))
+
+    def relative(self, outlines: Sequence[Outline]) -> tuple[tuple[float, float], float]:
+        """Place of the second tree in the frame of the first: offset m, turn rad."""
+        a, b = self.place(outlines[0]), self.place(outlines[1])
+        c, s = math.cos(a.angle), math.sin(a.angle)
+        dx, dy = b.x - a.x, b.y - a.y
+        return (c * dx + s * dy, c * dy - s * dx), b.angle - a.angle
+
+    def ask(self, outlines: Sequence[Outline], exact: bool = True, coherent: bool = False) -> None:
+        """Run the query where the outlines are."""
+        if self.query is None:
+            return
+        offset, turn = self.relative(outlines)
+        self.query.run(offset, turn, exact=exact, coherent=coherent)
+        self._asked = (outlines[0], outlines[1], exact)
+
+    def ask_if_moved(self, outlines: Sequence[Outline], exact: bool = True) -> None:
+        """The same from the roots, if outlines or places are others than last time."""
+        self.take(outlines)
+        if self.query is not None and self._asked != (outlines[0], outlines[1], exact):
+            self.ask(outlines, exact)
+
+    def put_back(self, record: QueryRecord) -> None:
+        """Stand after an earlier query; nothing if there is none."""
+        if self.query is not None and len(record.rows):
+            self.query.put_back(record)
+
+    def distance(self, outlines: Sequence[Outline]) -> Nearest | None:
+        """How far the outlines are apart, the points in the world; None unless there are two."""
+        if self.query is None:
+            return None
+        offset, turn = self.relative(outlines)
+        found = nearest(self.trees[0], self.trees[1], offset, turn)
+        ends = self.place(outlines[0]).to_world(np.array((found.point_a, found.point_b)))
+        a, b = ends.tolist()
+        return found._replace(point_a=(a[0], a[1]), point_b=(b[0], b[1]))
+
+    def check(self) -> None:
+        """AssertionError if trees or query are not what they have to be."""
+        for tree in self.trees:
+            tree.check()
+        if self.query is not None and self.query.row_count:
+            self.query.check()

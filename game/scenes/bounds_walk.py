@@ -1,0 +1,181 @@
+"""Walking through the method: the fit direction by direction, the tree node by node, the query pair by pair.
+
+A walk is a row of steps that is known from its beginning; the scene's cursor says how many have been made.
+So it goes back as well as on.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.bounds import (
+    Query,
+    build_tree,
+    fit_capsule,
+    fit_obb,
+    minimal_obb,
+    nearest,
+    thinnest_capsule,
+    traversal,
+)
+from game.physics.bounds.boxes import write_box
+from game.physics.bounds.building import CHILD, area_on_axis
+from game.physics.bounds.capsules import write_capsule
+from game.physics.bounds.hull import hull_of
+
+if TYPE_CHECKING:
+    from game.physics.bounds import BoundingTree
+    from game.scenes.bounds_scene import BoundsScene
+
+Array = NDArray[np.float64]
+WALKS = ("off", "fit", "build", "query")
+
+
+class FitWalk(NamedTuple):
+    """The search by angle steps on one node: angles (k,) rad and the areas (k,) m² on them; the hull."""
+
+    angles: Array
+    areas: Array
+    hull: Array
+    origin: Array
+    exact: float  # m², area of the exact fit
+
+
+def node_of(scene: BoundsScene) -> int:
+    """The node whose fit is walked through."""
+    trees = scene.pair.trees
+    return min(int(scene.node), len(trees[scene.chosen]) - 1) if trees else 0
+
+
+def fit_walk(scene: BoundsScene) -> FitWalk:
+    """The search on the chosen node, all of it."""
+    tree = scene.pair.trees[scene.chosen]
+    points = tree.ends[tree.segments_of(node_of(scene))].reshape(-1, 2)
+    hull, origin = hull_of(points)
+    quarter = 90.0 if tree.kind == "obb" else 180.0
+    count = max(1, math.ceil(quarter / scene.angle_step - 1e-9))
+    angles = np.radians(scene.angle_step * np.arange(count))
+    if tree.kind == "aabb":
+        angles = angles[:1]
+    kind = tree.kind_number if tree.kind != "aabb" else 0
+    areas = np.array([area_on_axis(kind, hull, len(hull), math.cos(a), math.sin(a)) for a in angles.tolist()])
+    exact = thinnest_capsule(points).area if tree.kind == "capsule" else minimal_obb(points).area
+    return FitWalk(angles, areas, hull, origin, exact)
+
+
+def fit_row(walk: FitWalk, angle: float, kind: str) -> Array:
+    """The volume (1, 6) on an axis at an angle (rad)."""
+    row = np.zeros((1, 6))
+    write = write_capsule if kind == "capsule" else write_box
+    x, y = walk.origin.tolist()
+    write(walk.hull, len(walk.hull), math.cos(angle), math.sin(angle), x, y, row, 0)
+    return row
+
+
+def length_of(scene: BoundsScene) -> int:
+    """How many steps the walk in play has."""
+    trees, query = scene.pair.trees, scene.pair.query
+    if not trees or scene.walked == "off":
+        return 0
+    if scene.walked == "fit":
+        if scene.pair.options.kind == "aabb":
+            return 1
+        quarter = 90.0 if scene.pair.options.kind == "obb" else 180.0
+        return max(1, math.ceil(quarter / scene.angle_step - 1e-9))
+    if scene.walked == "build":
+        return sum(len(tree) for tree in trees)
+    return query.row_count if query is not None else 0
+
+
+def building_at(scene: BoundsScene) -> tuple[int, int]:
+    """The tree and the node that are built in the present step; the root of A before the first."""
+    left = max(scene.cursor - 1, 0)
+    for i, tree in enumerate(scene.pair.trees):
+        if left < len(tree):
+            return i, left
+        left -= len(tree)
+    return len(scene.pair.trees) - 1, len(scene.pair.trees[-1]) - 1
+
+
+def caption(scene: BoundsScene) -> str:
+    """What the present step of the walk does, in words."""
+    total = length_of(scene)
+    if scene.cursor == 0 or not scene.pair.trees:
+        return f"{total} steps: single steps or the arrow keys go on and back"
+    if scene.walked == "fit":
+        return _fit_caption(scene, total)
+    if scene.walked == "build":
+        return _build_caption(scene, total)
+    return _query_caption(scene, total)
+
+
+def _fit_caption(scene: BoundsScene, total: int) -> str:
+    walk = fit_walk(scene)
+    k = min(scene.cursor, len(walk.angles)) - 1
+    best = int(walk.areas[: k + 1].argmin())
+    area = f"{math.degrees(walk.angles[k]):.3g}°: {walk.areas[k]:.4g} m²"
+    if best == k:
+        return f"Direction {k + 1} of {total}, {area}, the least so far"
+    return f"Direction {k + 1} of {total}, {area}; least so far {walk.areas[best]:.4g} m²"
+
+
+def _build_caption(scene: BoundsScene, total: int) -> str:
+    index, node = building_at(scene)
+    tree = scene.pair.trees[index]
+    count = len(tree.segments_of(node))
+    child = int(tree.links[node, CHILD])
+    words = f"{'AB'[index]}, node {node + 1} of {len(tree)}: {count} segments, "
+    if child < 0:
+        return words + "a leaf"
+    return words + f"halved: {len(tree.segments_of(child))} and {len(tree.segments_of(child + 1))}"
+
+
+def _query_caption(scene: BoundsScene, total: int) -> str:
+    query = scene.pair.query
+    if query is None:
+        return "Two outlines are wanted"
+    k = min(scene.cursor, query.row_count) - 1
+    a, b, verdict = query.rows[k, :3].tolist()
+    words = f"Pair {k + 1} of {total}, A{a} and B{b}: "
+    if verdict == traversal.APART:
+        return words + f"apart by {query.gaps[k, 0]:.3g} m, this branch ends"
+    if verdict == traversal.MET:
+        return words + "two leaves overlap, their segments are tested"
+    opens_a = is_opened_first(query.tree_a, query.tree_b, a, b)
+    return words + f"they overlap, {'A' if opens_a else 'B'} is larger and is opened"
+
+
+def is_opened_first(tree_a: BoundingTree, tree_b: BoundingTree, a: int, b: int) -> bool:
+    """Whether of an overlapping pair the first tree's volume is opened."""
+    if tree_b.links[b, CHILD] < 0:
+        return True
+    return bool(tree_a.links[a, CHILD] >= 0 and tree_a.sizes[a] >= tree_b.sizes[b])
+
+
+def excess_of(scene: BoundsScene) -> float:
+    """Area of both roots over that of exact ones, less 1; NaN without any."""
+    found = exact = 0.0
+    for i, tree in enumerate(scene.pair.trees):
+        found += float(tree.areas()[0])
+        exact += scene.pair.exact_area(i)
+    return found / exact - 1.0 if exact > 0.0 else math.nan
+
+
+def warm_up(part: str) -> None:
+    """Compile what a part of the scene needs."""
+    line = [(0.0, 0.0), (1.0, 0.5), (2.0, 0.0), (2.5, 1.0)]
+    tree = build_tree(line, "obb", 1)
+    if part == "build":
+        hull, _ = hull_of(tree.points)
+        area_on_axis(0, hull, len(hull), 1.0, 0.0)
+        fit_obb(line), fit_capsule(line)
+    elif part == "query":
+        query = Query(tree, tree)
+        query.run((0.5, 0.0))
+        query.marks()
+    else:
+        nearest(tree, tree, (5.0, 0.0))

@@ -1,0 +1,64 @@
+"""Trees of capsules (line-swept spheres) over two outlines, beside trees of boxes on the same ones."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from game.lab.studies.bounds import capsule_study
+from game.physics.bounds import KINDS
+from game.scenes.bounds_scene import BoundsScene
+from game.stage import Choice, Equation, Strip
+
+
+class Capsules(BoundsScene):
+    """The same trees with capsules: all points within a radius of a core segment. The core is laid along each
+    direction in turn, in the middle of the projection; the radius is half of the breadth; and the core is as
+    short as its round ends allow. The least area wins.
+
+    A capsule has no corners to turn: two of them overlap if their cores are nearer than both radii together,
+    one distance of two segments. It takes a few more tests than boxes on thin curves, as its round ends reach
+    beyond them.
+
+    The least capsule of all is hard to find: it need not lie along a side of the hull, nor have the least
+    radius. Here it is found by branch and bound, with a proof.
+    """
+
+    name = "c09"
+    task = "C09"
+    title = "Capsules"
+    study = capsule_study
+    second_kind: ClassVar[str] = "obb"
+
+    volume = Choice(
+        "capsule", KINDS, labels=("Boxes", "Capsules", "Upright"), group="Volumes",
+        help="oriented boxes, capsules, or boxes that stay upright",
+    )  # fmt: skip
+
+    strips = (
+        Strip("Volume tests", "", ("volume tests", "tests beside")),
+        Strip("Segment tests", "", ("segment tests",)),
+        Strip("Query time", "s", ("query",)),
+    )
+    equations = (
+        Equation(
+            "Capsule", r"\abs{\v{x} - \v{c}(t)} \le r,  \v{c}(t) = \v{a} + t (\v{b} - \v{a}),  0 \le t \le 1"
+        ),
+        Equation("Radius on a direction", r"r = \frac{1}{2}(\max v - \min v)", "the course"),
+        Equation(
+            "Ends of the core",
+            r"u_0 = \min (u_i + q_i),  u_1 = \max (u_i - q_i),  q_i^2 = r^2 - (v_i - \bar{v})^2",
+        ),
+        Equation("Area", r"A = 2 r L + \pi r^2", "core length L"),
+        Equation("Overlap", r"d(\text{core}_A, \text{core}_B) \le r_A + r_B", "Larsen and others 2000"),
+        Equation(
+            "Proof of the least",
+            r"A \ge 2 r_1 L(\theta, r_2 + D \sin\frac{\delta}{2}) + \pi r_1^2",
+            "in a cell of directions and radii",
+        ),
+    )
+    try_this = (
+        "Switch on side by side: capsules and boxes on the same outlines, with their tests.",
+        "Press W and walk through the fit: the area against the direction, and where the least lies.",
+        "Open the two arcs and bring them close: boxes separate them with fewer tests.",
+        "Open the square: its least capsule is neither its circle nor the one of least radius.",
+    )
