@@ -1,22 +1,38 @@
-"""``accuracy``: what accuracy costs, measured and written as CSV, PNG and Markdown."""
+"""``accuracy``: what accuracy costs, measured and written as CSV, PNG and Markdown; of all scenes as a page.
+
+What was measured is kept in the folder as it comes in, so that an interrupted run goes on where it stopped.
+"""
 
 from __future__ import annotations
 
 import argparse
+import json
+import signal
 import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given
 from game.app.mistake import MistakeError
+
+if TYPE_CHECKING:
+    from game.app.report.page import SceneReport
+    from game.lab import Study, StudyTable
+
+INTERRUPTED = 130  # exit status
+PAGE = "index.html"
 
 
 def add(commands: Any) -> None:
     """Declare the command."""
     parser = commands.add_parser("accuracy", help="measure what accuracy costs", allow_abbrev=False)
     parser.add_argument("scene", nargs="?", metavar="SCENE", help="name of a scene")
-    parser.add_argument("--all", action="store_true", help="the studies of all scenes")
+    parser.add_argument("--all", action="store_true", help="the studies of all scenes, on one page")
     parser.add_argument("--out", metavar="FOLDER", default="report", help="folder of the report (report)")
+    parser.add_argument("--anew", action="store_true", help="measure again what is there from before")
     parser.set_defaults(execute=execute)
 
 
@@ -25,6 +41,7 @@ def execute(options: argparse.Namespace) -> int:
     if bool(options.scene) == options.all:
         raise MistakeError("accuracy: name a scene, or say --all")
     folder = _made_folder(options.out)
+    from game.app.report.page import write_page
     from game.scenes import CATALOGUE
 
     types = [entry.load() for entry in CATALOGUE] if options.all else [given.scene_type_named(options.scene)]
@@ -33,8 +50,21 @@ def execute(options: argparse.Namespace) -> int:
         raise MistakeError(
             f"accuracy: {options.scene or 'no scene'} has {'no' if options.scene else 'a'} study"
         )
-    for scene_type in studied:
-        _measure(scene_type, folder / scene_type.name if options.all else folder)
+    reports = []
+    with _interruption() as stopped:
+        for number, scene_type in enumerate(studied, 1):
+            place = f"{number} of {len(studied)}  " if options.all else ""
+            name = scene_type.name if options.all else ""
+            reports.append(_measure(scene_type, folder, name, place, stopped, options.anew))
+            if options.all:
+                page = write_page(reports, folder / PAGE)
+            if stopped.is_set():
+                break
+    if options.all:
+        print(page)
+    if stopped.is_set():
+        print("Stopped; the same command goes on from here.", file=sys.stderr)
+        return INTERRUPTED
     return 0
 
 
@@ -48,25 +78,88 @@ def _made_folder(word: str) -> Path:
     return folder
 
 
-def _measure(scene_type: Any, folder: Path) -> None:
-    """The studies of one scene into one folder."""
+@contextmanager
+def _interruption() -> Iterator[threading.Event]:
+    """An event that Ctrl+C sets, the first time; the second one ends the program as usual."""
+    stopped = threading.Event()
+    if threading.current_thread() is not threading.main_thread():
+        yield stopped
+        return
+    before = signal.getsignal(signal.SIGINT)
+
+    def stop(number: int, frame: Any) -> None:
+        stopped.set()
+        signal.signal(signal.SIGINT, before)
+
+    signal.signal(signal.SIGINT, stop)
+    try:
+        yield stopped
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _measure(
+    scene_type: Any, folder: Path, name: str, place: str, stopped: threading.Event, anew: bool
+) -> SceneReport:
+    """The studies of one scene into one folder; with a name into one of that name, and the effects too."""
+    from game.app.report.page import SceneReport
+    from game.app.report.prices import measure_prices
     from game.lab import PlotsMissingError, run_study, write_report
 
-    for study in (scene_type.study, *scene_type.study.related):
-        print(f"{study.title}", file=sys.stderr)
-        table = run_study(study, progress=_show_progress)
+    into = _made_folder(str(folder / name)) if name else folder
+    tables = []
+    for study in scene_type.study.family:
+        if stopped.is_set():
+            break
+        print(f"{place}{study.title}", file=sys.stderr)
+        table = run_study(
+            study, _show_progress, stopped.is_set, None if anew else _kept(study, into, bool(name))
+        )
         if sys.stderr.isatty():
             print(file=sys.stderr)
+        tables.append(table)
         try:
-            paths = write_report(table, folder)
+            _keep(table, into)
+            paths = write_report(table, into)
         except (OSError, PlotsMissingError) as error:
-            raise MistakeError(f"--out {folder}: {error}") from None
+            raise MistakeError(f"--out {into}: {error}") from None
         for path in paths:
             print(path)
+    prices = measure_prices(scene_type) if name and not stopped.is_set() else None
+    return SceneReport(scene_type, tuple(tables), name, prices)
+
+
+def _kept(study: Study, folder: Path, complete: bool) -> StudyTable | None:
+    """What an earlier run has measured of a study, whole ones only if ``complete``; None if there is nothing.
+
+    Whoever names a scene wants it measured; of all scenes only what is missing.
+    """
+    from game.files import FileProblem, read_text
+    from game.lab import StudyTable
+
+    try:
+        values = json.loads(read_text(folder / f"{study.name}.json", 1 << 26))
+        table = StudyTable.from_dict(study, values)
+    except (FileProblem, ValueError, TypeError, AttributeError, RecursionError):
+        return None
+    return table if complete or not table.complete else None
+
+
+def _keep(table: StudyTable, folder: Path) -> None:
+    """Write what was measured, to go on with; numbers that are not finite are kept."""
+    from game.files import FileProblem, write_text
+
+    try:
+        write_text(folder / f"{table.study.name}.json", json.dumps(table.to_dict()) + "\n")
+    except FileProblem as problem:
+        raise OSError(str(problem)) from None
 
 
 def _show_progress(done: int, total: int, label: str, seconds_left: float) -> None:
     """One line that is written over, where somebody looks at it."""
     if sys.stderr.isatty():
         left = f"{seconds_left:.0f} s left" if seconds_left > 0.0 else ""
-        print(f"\r{done} of {total}  {label:<32} {left:<14}", end="", file=sys.stderr, flush=True)
+        bar = "█" * round(20 * done / max(total, 1))
+        print(
+            f"\r{bar:<20} {done} of {total}  {label:<32.32} {left:<14}", end="", file=sys.stderr, flush=True
+        )
