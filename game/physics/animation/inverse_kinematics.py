@@ -134,6 +134,7 @@ class Solver:
         tolerance: float = TOLERANCE,
         iterations: int = ITERATIONS,
         limited: bool = True,
+        keep_best: bool = True,
     ) -> Solutions:
         """Solve for many targets (m, 2) m, each from the present pose, which stays."""
         targets = np.array(targets, dtype=np.float64, order="C")
@@ -144,7 +145,7 @@ class Solver:
         chain.numbers[STEP], chain.numbers[DAMPING] = 1.0, 0.1 * self._reach
         angles = np.repeat(chain.links[ANGLE : ANGLE + 1], len(targets), axis=0)
         found = np.empty((len(targets), 4))
-        self._run(method, tolerance, iterations, True, angles, targets, self.history[:0], found)
+        self._run(method, tolerance, iterations, keep_best, angles, targets, self.history[:0], found)
         counts = found.astype(np.int64)
         return Solutions(angles - chain.turns, found[:, 0].copy(), counts[:, 1], counts[:, 2])
 
