@@ -26,6 +26,7 @@ from game.stage.catalogue import Catalogue
 from game.ui.layout import auto_scale
 from game.ui.look import Look
 from game.ui.shapes import draw_disc
+from game.ui.sound import SoundPlayer
 from game.ui.theme import theme_named
 from game.ui.toasts import Toasts
 
@@ -58,6 +59,7 @@ class App:
         self.screens = ScreenStack()
         self.gamepads = Gamepads()
         self.canvas_warming = CanvasWarming()
+        self.sounds = SoundPlayer(settings.volume)
         self.running = True
         self.background = background
         self._events = events
@@ -156,6 +158,7 @@ class App:
                 self.clock.wait(1.0 / hz - (self.clock.now() - began))
         finally:
             self.screens.clear()
+            self.sounds.close()
 
     def frame(self) -> None:
         """Take the events, pass the time, draw and show the picture."""

@@ -35,6 +35,7 @@ class Settings(msgspec.Struct, forbid_unknown_fields=True):
     height: Side = 720
     panel: bool = True
     panel_in_games: bool = False  # a game has all of the window until its panel is asked for
+    volume: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] = 0.7  # of sounds; 0 is silence
     keys: dict[str, str] = {}
 
 

@@ -126,4 +126,4 @@ def share_of_scrubber(y: float) -> float:
 
 def tray_place(number: int) -> tuple[float, float]:
     """Where a ball lies in the tray below the table while it is not on it (x, y), m."""
-    return 0.5 * (FOOT.top + FOOT.bottom), FOOT.left + metres(30.0) + number * metres(44.0)
+    return 0.5 * (FOOT.top + FOOT.bottom), FOOT.left + metres(26.0) + number * metres(37.0)

@@ -16,11 +16,11 @@ import numpy as np
 from game.billiards.aim import first_contact
 from game.billiards.arrangement import Stroke, racked
 from game.billiards.cue import strike as struck_ball
-from game.billiards.frame import rack_for
-from game.billiards.games import Practice
+from game.billiards.games import Drill, Practice
 from game.billiards.rules import CUE_BALL, Call, Hand
 from game.scenes import billiards_round as rounds
 from game.scenes.billiards_cue import StrokeMotion, stroke_motion
+from game.scenes.billiards_level import game_of, lie_of
 from game.scenes.billiards_opponent import Question
 from game.scenes.billiards_players import decision_of, simple_stroke
 from game.scenes.billiards_round import Round
@@ -246,24 +246,24 @@ def aim_as(scene: Billiards, stroke: Stroke) -> None:
 
 
 def rack(scene: Billiards) -> None:
-    """The next rack if the game is over, else this game from its beginning."""
+    """The next rack if the game is over, else this game, or this drill, from its beginning."""
     scene.racks += 1
     seed = scene.seed * 1000 + scene.racks
     if scene.phase in (REPLAY, SET_UP):
         leave(scene)
-    if scene.round.game.over:
-        scene.round = rounds.next_rack(scene.round, seed)
+    round_ = scene.round
+    if round_.game.over and not isinstance(round_.game, Drill):
+        scene.round = rounds.next_rack(round_, seed)
     else:
-        racks = scene.racks
-        plays, word = scene.plays_itself, scene.round.conditions
-        scene.build(scene.level)
-        scene.racks, scene.plays_itself = racks, plays
-        scene.round = msgspec.structs.replace(scene.round, conditions=word)
-        if not scene.content.balls:
-            frame = scene.round.frame
-            fresh = rack_for(frame.game, frame.table, word.balls, seed)
-            scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(fresh))
-    scene.call = Call()
+        content = scene.content
+        if not isinstance(round_.game, Drill):
+            content = msgspec.structs.replace(content, balls=[], saved={})
+        game = game_of(content)
+        lie = lie_of(content, game, round_.conditions.table, round_.conditions.balls, seed)
+        frame = round_.frame._replace(game=game, lie=lie)
+        scene.round = rounds.begin(frame, round_.conditions)
+    scene.pending, scene.call, scene.grip = None, Call(), ""
+    scene.cue.let_go()
     lay_out(scene)
     start_phase(scene, AIMING)
 

@@ -18,6 +18,7 @@ from game.billiards.state import (
 from game.scenes.billiards_round import Struck, trajectory_of
 from game.scenes.billiards_ways import Ways
 from game.ui.canvas import Canvas
+from game.ui.painters.aim import draw_cloth_label
 from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
 if TYPE_CHECKING:
@@ -152,10 +153,10 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
     if sight.ghost is not None and clear:
         gx, gy = sight.ghost
         tx, ty = sight.target_place
-        side = 2.4 * radius
+        side = 1.6 * radius + canvas.px(34.0)
         away = math.sqrt((tx - gx) ** 2 + (ty - gy) ** 2) or 1.0
-        place = (gx - (ty - gy) / away * side, gy + (tx - gx) / away * side)
-        canvas.label(place, f"cut {math.degrees(sight.cut):.0f}°", FELT_LINE, 12, "semibold")
+        x, y = canvas.camera.to_screen(gx - (ty - gy) / away * side, gy + (tx - gx) / away * side)
+        draw_cloth_label(canvas.surface, canvas.fonts, f"cut {math.degrees(sight.cut):.0f}°", (x, y))
 
 
 def draw_considered(canvas: Canvas, strokes: tuple, white: tuple[float, float]) -> None:

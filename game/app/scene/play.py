@@ -12,6 +12,7 @@ import pygame
 from game.app.keys import chord_of, parse_chord
 from game.app.scene import files
 from game.app.scene.banner import FaultBanner
+from game.app.scene.keeping import Keeper
 from game.app.scene.opening import Opening
 from game.app.scene.pointer import ScenePointer
 from game.app.script import Script
@@ -23,6 +24,7 @@ from game.stage import (
     KnobError,
     Recording,
     RecordingError,
+    Scene,
     SetKnob,
     Stage,
     StageEvent,
@@ -54,6 +56,11 @@ class ScenePlay:
         self.drawing_error = ""
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, files.level_rows(stage.scene_type))
+        self.keeper = (
+            Keeper(stage.scene.name) if type(stage.scene).worth_keeping is not Scene.worth_keeping else None
+        )
+        if type(stage.scene).hearing is not Scene.hearing:
+            app.sounds.prepare()
         self.restyle()
 
     @property
@@ -82,6 +89,9 @@ class ScenePlay:
 
     def close(self) -> None:
         """The scene is left."""
+        self.app.sounds.follow(None)
+        if self.keeper is not None:
+            self.keeper.close()
         if self.shell.panel is not None:
             self.shell.panel.close()
 
@@ -129,6 +139,13 @@ class ScenePlay:
         begun = self.hand.cancel()
         self._post_hand()
         return begun
+
+    def _listen(self) -> None:
+        """Let the scene's own players have their say; what is refused is told."""
+        try:
+            self.stage.listen()
+        except KnobError as error:
+            self.app.tell("Not taken.", str(error), "warning")
 
     def _post_hand(self) -> None:
         for event in self.hand.take():
@@ -254,7 +271,11 @@ class ScenePlay:
         if self.script is not None:
             self.script.advance(elapsed_s)
         else:
+            self._listen()
             self.stage.advance(elapsed_s)
+        if self.keeper is not None and self.script is None:
+            self.keeper.update(self.stage)
+        self.app.sounds.follow(None if self.stage.paused else self.stage.scene.hearing())
         panel = self.shell.panel
         if not self.stage.paused and panel is not None and panel.shows_effects:
             self.meter.slice(

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import pygame
 
+from game.app.scene.keeping import kept_path
 from game.app.scene.loader import Loader
 from game.app.scene.opening import Opening
 from game.app.scene.shell import Shell
@@ -42,12 +43,18 @@ class SceneScreen(Screen):
         super().__init__(app)
         self.entry = entry
         self.opening = opening
+        self.goes_on = entry.roomy and opening == Opening() and kept_path(entry.name).exists()
+        if self.goes_on:
+            self.opening = Opening(level=kept_path(entry.name))
         self.shell = Shell(app, entry)
-        self.loader: Loader | None = Loader(
-            entry, opening, app.canvas_warming, app.look, self.shell.layout.free_stage
-        )
+        self.loader: Loader | None = self._load()
         self.play: ScenePlay | None = None
         self._waiting = ""
+
+    def _load(self) -> Loader:
+        return Loader(
+            self.entry, self.opening, self.app.canvas_warming, self.app.look, self.shell.layout.free_stage
+        )
 
     @property
     def title(self) -> str:
@@ -81,6 +88,11 @@ class SceneScreen(Screen):
     def _open(self, loader: Loader) -> None:
         """The scene is there, or it is not: then say why and go back to the menu."""
         self.loader = None
+        if loader.stage is None and self.goes_on:
+            self.goes_on, self.opening = False, Opening()
+            self.app.tell("The kept game cannot be read.", loader.error, "warning")
+            self.loader = self._load()
+            return
         if loader.stage is None:
             self.app.open_menu(self.entry.name)
             self.app.tell(f"{self.entry.title} cannot be opened.", loader.error, "warning")
@@ -88,6 +100,8 @@ class SceneScreen(Screen):
         from game.app.scene.play import ScenePlay
 
         self.play = ScenePlay(self.app, self.shell, loader.stage, self.opening)
+        if self.goes_on:
+            self.app.tell("Your game goes on.", "N begins a new one.")
 
     def closed(self) -> None:
         if self.loader is not None:

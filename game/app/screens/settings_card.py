@@ -1,4 +1,4 @@
-"""The card of the settings: theme, size of the interface, motion, full screen."""
+"""The card of the settings: theme, size of the interface, sound, motion, full screen."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from game.app.application import App
 
 ROW = 56  # design px
+VOLUMES = ((0.0, "Off"), (0.25, "Soft"), (0.7, "Normal"), (1.0, "Loud"))
 SCALES = (0.75, 0.9, 1.0, 1.25, 1.5, 2.0)
 
 
@@ -27,6 +28,7 @@ class _Line(NamedTuple):
 LINES = (
     _Line("Theme", "colours of the interface", (("theme-dark", "Dark"), ("theme-light", "Light"))),
     _Line("Size", "of letters and controls", tuple((f"scale-{s:g}", f"{s * 100:.0f} %") for s in SCALES)),
+    _Line("Sound", "of balls and cushions", tuple((f"volume-{v:g}", w) for v, w in VOLUMES)),
     _Line("Motion", "fades and lifts of the interface", (("motion-all", "All"), ("motion-less", "Less"))),
     _Line(
         "Window",
@@ -53,6 +55,7 @@ class SettingsCard(CardScreen):
         return {
             f"theme-{settings.theme}",
             f"scale-{settings.ui_scale:g}",
+            f"volume-{settings.volume:g}",
             "motion-less" if settings.less_motion else "motion-all",
             "screen-full" if self.app.window.full_screen else "screen-window",
         }
@@ -79,6 +82,9 @@ class SettingsCard(CardScreen):
             settings.theme = "light" if value == "light" else "dark"
         elif kind == "scale":
             settings.ui_scale = float(value)
+        elif kind == "volume":
+            settings.volume = self.app.sounds.volume = float(value)
+            self.app.sounds.prepare()
         elif kind == "motion":
             settings.less_motion = value == "less"
         elif (value == "full") != self.app.window.full_screen:

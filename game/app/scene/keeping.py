@@ -1,0 +1,70 @@
+"""A game under way is kept as a level, so that it goes on after the program was closed, or killed.
+
+A thread writes, whole files or none, while the main one goes on drawing; of several states that wait only the
+newest is written.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from game.app.scene.files import present_level
+from game.folders import user_folder
+from game.levels import Level, save_level
+
+if TYPE_CHECKING:
+    from game.stage import Stage
+
+TITLE = "Game in progress"
+
+
+def kept_path(scene_name: str) -> Path:
+    """Where the game of a scene is kept."""
+    return user_folder() / "levels" / scene_name / "autosave.toml"
+
+
+class Keeper:
+    """Keeps the game of one scene."""
+
+    def __init__(self, scene_name: str) -> None:
+        self.path = kept_path(scene_name)
+        self._token: object = None
+        self._waiting: Level | None = None
+        self._wake = threading.Condition()
+        self._closing = False
+        self._thread: threading.Thread | None = None
+
+    def update(self, stage: Stage) -> None:
+        """Hand over the game as it is, if it has changed since."""
+        token = stage.scene.worth_keeping()
+        if token is None or token == self._token:
+            return
+        self._token = token
+        with self._wake:
+            self._waiting = present_level(stage, TITLE)
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._write, name="keeper", daemon=True)
+                self._thread.start()
+            self._wake.notify()
+
+    def close(self) -> None:
+        """Write what still waits."""
+        with self._wake:
+            self._closing = True
+            self._wake.notify()
+        if self._thread is not None:
+            self._thread.join()
+
+    def _write(self) -> None:
+        while True:
+            with self._wake:
+                while self._waiting is None:
+                    if self._closing:
+                        return
+                    self._wake.wait()
+                level, self._waiting = self._waiting, None
+            with contextlib.suppress(ValueError, OSError):  # a full disk costs the kept game and nothing else
+                save_level(level, self.path)

@@ -1,0 +1,205 @@
+"""Sounds of a billiard room, made of damped tones and noise, and a player that follows a line of them.
+
+Nothing is read from files. What is heard in a frame is mixed into one short piece, each sound at its own
+moment within the frame, as loud and as bright as the impact was fast, and where on the table it was. Without
+a sound card all of it is silent. The player is told what a scene says of itself and never touches it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import threading
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.stage import Hearing, Sound
+
+Array = NDArray[np.float64]
+
+RATE = 44_100  # Hz
+VOICES = 12  # most sounds that are mixed into one piece: the loudest
+CHANNELS = 16  # pieces that may sound at a time
+LOUD_SPEED = 4.0  # m/s, of an impact at full gain
+QUIETEST = 0.05  # m/s; what is slower is not heard
+LOUDEST = 1.6  # gain beyond which nothing grows louder
+MASTER = 0.42
+LAYERS = 4  # a sound is kept in so many degrees of brightness
+LONGEST_GAP_S = 0.3  # of a scene's time between two frames; what is skipped is not heard
+LATE_S = 0.1  # a line joined later than this after its beginning is joined where it is
+
+
+class _Tone(NamedTuple):
+    """A damped tone: frequency Hz, share, time constant s."""
+
+    hertz: float
+    share: float
+    fades_s: float
+
+
+BALL = (_Tone(3100.0, 1.0, 0.0045), _Tone(4900.0, 0.65, 0.0035), _Tone(7300.0, 0.40, 0.0025))
+TIP = (_Tone(700.0, 1.0, 0.008), _Tone(2200.0, 0.55, 0.005))
+KINDS = ("tip", "ball", "cushion", "pocket")
+
+
+def gain_of(speed: float) -> float:
+    """How loud an impact is; 0 for one that is not heard."""
+    return min((speed / LOUD_SPEED) ** 0.7, LOUDEST) if speed >= QUIETEST else 0.0
+
+
+def layer_of(speed: float) -> int:
+    """Which brightness an impact has, 0 to LAYERS - 1."""
+    share = math.log2(max(speed, QUIETEST) / 0.25) / 5.0
+    return min(max(int(share * LAYERS), 0), LAYERS - 1)
+
+
+@lru_cache(maxsize=len(KINDS) * LAYERS)
+def sample_of(kind: str, layer: int) -> Array:
+    """A sound (n,) of largest value 1. ValueError for a kind that there is none of."""
+    bright = (layer + 1.0) / LAYERS
+    if kind == "ball":
+        made = _tones(BALL, 0.030, bright)
+    elif kind == "tip":
+        made = _tones(TIP, 0.045, bright) + 0.15 * bright * _noise(0.045, 3000.0, 0.002, 1)
+    elif kind == "cushion":
+        thump = _tones((_Tone(120.0, 1.0, 0.028),), 0.11, 1.0)
+        made = thump + (0.5 + 0.5 * bright) * _noise(0.11, 350.0 + 900.0 * bright, 0.018, 2)
+    elif kind == "pocket":
+        made = _pocket(bright)
+    else:
+        raise ValueError(f"sound {kind!r}: one of {', '.join(KINDS)} is wanted")
+    made = made / np.abs(made).max()
+    made.setflags(write=False)
+    return made
+
+
+def _pocket(bright: float) -> Array:
+    """A thud on leather, and the click of the ball on those that lie there."""
+    made = np.zeros(int(0.36 * RATE))
+    thud = _tones((_Tone(110.0, 1.0, 0.045), _Tone(64.0, 0.5, 0.06)), 0.22, 1.0)
+    made[: len(thud)] += thud
+    rustle = _noise(0.22, 600.0 + 600.0 * bright, 0.03, 3)
+    made[: len(rustle)] += 0.5 * rustle
+    click = 0.22 * _tones(BALL, 0.03, 0.4)
+    start = int(0.19 * RATE)
+    made[start : start + len(click)] += click
+    return made
+
+
+def _tones(tones: Sequence[_Tone], length_s: float, bright: float) -> Array:
+    """Damped tones; the higher ones are weaker where it is less bright."""
+    t = np.arange(int(length_s * RATE)) / RATE
+    attack = np.minimum(t / 0.0004, 1.0)
+    total = np.zeros_like(t)
+    for rank, tone in enumerate(tones):
+        share = tone.share * bright ** (0.8 * rank)
+        total += share * np.exp(-t / tone.fades_s) * np.sin(2.0 * np.pi * tone.hertz * t)
+    return total * attack * np.minimum((t[-1] - t) / 0.003, 1.0)
+
+
+def _noise(length_s: float, hertz: float, fades_s: float, seed: int) -> Array:
+    """Noise below a frequency (one pole), fading."""
+    t = np.arange(int(length_s * RATE)) / RATE
+    raw = np.random.default_rng(seed).normal(size=len(t))
+    keep = math.exp(-2.0 * math.pi * hertz / RATE)
+    reach = min(int(8.0 / (1.0 - keep)) + 1, len(t))
+    low = np.convolve(raw, (1.0 - keep) * keep ** np.arange(reach))[: len(t)]
+    shape = np.minimum(t / 0.0004, 1.0) * np.exp(-t / fades_s) * np.minimum((t[-1] - t) / 0.003, 1.0)
+    return low / np.abs(low).max() * shape
+
+
+def mixed(sounds: Sequence[Sound], start: float, volume: float) -> NDArray[np.int16]:
+    """Sounds as samples (n, 2) from the moment ``start`` (s) on; none: (0, 2)."""
+    heard = [sound for sound in sounds if gain_of(sound.speed) > 0.0]
+    heard.sort(key=lambda sound: -gain_of(sound.speed))
+    parts = []
+    for sound in heard[:VOICES]:
+        first = max(int((sound.time - start) * RATE), 0)
+        parts.append((first, sample_of(sound.kind, layer_of(sound.speed)), sound))
+    if not parts:
+        return np.zeros((0, 2), np.int16)
+    total = np.zeros((max(first + len(sample) for first, sample, _ in parts), 2))
+    for first, sample, sound in parts:
+        loud = gain_of(sound.speed) * volume * MASTER
+        angle = 0.25 * math.pi * (1.0 + min(max(sound.pan, -1.0), 1.0) * 0.8)  # equal power
+        total[first : first + len(sample), 0] += loud * math.cos(angle) * sample
+        total[first : first + len(sample), 1] += loud * math.sin(angle) * sample
+    return np.rint(32767.0 * np.tanh(total)).astype(np.int16)
+
+
+class SoundPlayer:
+    """Plays what a scene's line of sounds reaches, frame by frame. ``volume``: 0 to 1."""
+
+    def __init__(self, volume: float = 0.7) -> None:
+        self.volume = volume
+        self.pieces = 0  # played so far
+        self._key: object = None
+        self._time = 0.0
+        self._ready = False
+        self._opening: threading.Thread | None = None
+
+    @property
+    def ready(self) -> bool:
+        """True if there is a card that sounds."""
+        return self._ready
+
+    def prepare(self) -> None:
+        """Open the sound card behind the window; without one, or without a screen, all stays silent."""
+        if self._opening is None and self.volume > 0.0 and _wanted():
+            self._opening = threading.Thread(target=self._open, daemon=True, name="sound")
+            self._opening.start()
+
+    def _open(self) -> None:
+        with contextlib.suppress(pygame.error, NotImplementedError):
+            pygame.mixer.init(RATE, -16, 2, 512, allowedchanges=0)
+            pygame.mixer.set_num_channels(CHANNELS)
+            for kind in KINDS:
+                for layer in range(LAYERS):
+                    sample_of(kind, layer)
+            self._ready = True
+
+    def follow(self, hearing: Hearing | None) -> None:
+        """Play what lies between the last frame's moment and this one's."""
+        if hearing is None:
+            self._key = None
+            return
+        now = hearing.time
+        if hearing.key != self._key:
+            self._key = hearing.key
+            self._time = now if now > LATE_S else -1e-9
+        since, self._time = self._time, now
+        if not since < now <= since + LONGEST_GAP_S:
+            return
+        due = [sound for sound in hearing.sounds if since < sound.time <= now]
+        if due and self._ready and self.volume > 0.0:
+            self._play(mixed(due, since, self.volume))
+
+    def _play(self, samples: NDArray[np.int16]) -> None:
+        if not len(samples):
+            return
+        with contextlib.suppress(pygame.error):
+            channel = pygame.mixer.find_channel()
+            if channel is not None:
+                channel.play(pygame.mixer.Sound(buffer=samples.tobytes()))
+                self.pieces += 1
+
+    def close(self) -> None:
+        """Give the card back."""
+        if self._opening is not None:
+            self._opening.join()
+            self._opening = None
+        if self._ready:
+            self._ready = False
+            pygame.mixer.quit()
+
+
+def _wanted() -> bool:
+    """False where pictures are made without a screen, unless a sound driver was named on purpose."""
+    named = os.environ.get("SDL_AUDIODRIVER", "")
+    return bool(named) or os.environ.get("SDL_VIDEODRIVER", "") not in ("dummy", "offscreen")
