@@ -19,6 +19,8 @@ ROUNDING = 1e-9  # of a frame: a phase that close to the next one is there
 def phase_of(clock: Array, repeat: str, duration: float) -> float:
     """The phase now; duration: s that the second lasts."""
     begin, steps, dt, _ = clock.tolist()
+    if steps == 0.0:
+        return float(begin)  # the end of the second is not its beginning while it rests there
     phase = begin + steps * dt / duration
     if repeat == "once":
         return float(min(phase, 1.0))
@@ -27,7 +29,7 @@ def phase_of(clock: Array, repeat: str, duration: float) -> float:
 
 def folded(phase: float) -> float:
     """Part of the second, 0 to 1, of a phase."""
-    return 1.0 - abs(1.0 - phase)
+    return phase if phase <= 1.0 else 2.0 - phase
 
 
 def frame_of(phase: float, frames: float) -> int:
@@ -36,5 +38,8 @@ def frame_of(phase: float, frames: float) -> int:
 
 
 def held(phase: float, frames: float) -> float:
-    """The phase at which the frame that is shown was sampled."""
-    return min(frame_of(phase, frames) / frames, phase)
+    """Part of the second at which the frame that is shown was sampled, the same there and back."""
+    frame = float(frame_of(phase, frames))
+    if frame > frames:
+        frame = 2.0 * frames - frame
+    return min(max(frame / frames, 0.0), 1.0)

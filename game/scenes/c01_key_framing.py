@@ -187,7 +187,7 @@ class KeyFraming(MotionScene):
         """The part of the second at which the box is shown: that of the frame while it plays."""
         if not self.playing:
             return self.present()
-        return folded(held(self.phase(), self.fps * self.duration))
+        return held(self.phase(), self.fps * self.duration)
 
     def place_box(self) -> None:
         """Put the box where it is at the present time, or where the key in the hand is."""

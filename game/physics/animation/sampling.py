@@ -47,7 +47,10 @@ def make_track(times: Array, coefficients: Array) -> Track:
     count = CELLS_PER_KEY * len(times)
     with np.errstate(over="ignore", divide="ignore"):
         density = float(np.float64(count) / span)
-        inverse = np.minimum(1.0 / np.diff(times, append=np.inf), 1e300)
+        lengths = np.diff(times)
+        inverse = np.minimum(1.0 / lengths, 1e300)
+    # so that u, rounded, is never above 1
+    inverse = np.append(np.where(lengths * inverse > 1.0, np.nextafter(inverse, 0.0), inverse), 0.0)
     if not density < 1e300:
         density = 0.0
     begins = times[0] + span * (np.arange(count + 2) / count)
@@ -111,8 +114,8 @@ def sampler(variant: int, width: int) -> Callable[..., Any]:
                         out[to + np.uintp(j)] = 0.0 if rate else coefficients[first + np.uintp(j)]
                     continue
             i = find_piece(times, guide, density, t)
-            u = min((t - times[i]) * inverse[i], 1.0)
-            pace = min(inverse[i], LONGEST_RATE)
+            u = (t - times[i]) * inverse[i]
+            pace = min(inverse[i], LONGEST_RATE) if rate else 0.0
             first = i * columns * np.uintp(4)
             for j in range(columns):
                 c = first + np.uintp(j)

@@ -74,6 +74,26 @@ def test_length_is_that_of_quadrature_and_goes_back(points):
     assert (there[0], there[-1]) == (0.0, 1.0) or curve.length == 0.0
 
 
+def test_length_of_a_way_there_and_back():
+    """On a line the length is known, and a kink of the speed lies between any points one looks at."""
+    curve = CubicBezier([(1, -1), (1, 1), (1, 2), (1, -1)])
+    turn = max(np.roots((-3.0, -2.0, 2.0)))  # where y' = 3 (2 (1-u)^2 + 2 u (1-u) - 3 u^2) vanishes
+    top = curve.point(turn)[1]
+    assert curve.length == pytest.approx(2 * (top + 1), rel=1e-15)
+    for share in (0.3, 0.5 - 1e-9, 0.5, 0.5 + 1e-6, 0.9):
+        u = curve.parameter_at(share * curve.length)
+        y = curve.point(u)[1]
+        way = y + 1 if u <= turn else 2 * top + 1 - y
+        assert way == pytest.approx(share * curve.length, abs=8e-15)
+    rng = np.random.default_rng(0)
+    for k in range(300):
+        points = rng.integers(-3, 4, size=(4, 1 + k % 2)).astype(float)
+        bend = CubicBezier(points)
+        ways = np.linspace(0, bend.length, 9)
+        polygon = np.abs(np.diff(points, axis=0)).sum()
+        assert np.abs(bend.length_to(bend.parameter_at(ways)) - ways).max() <= 1e-14 * polygon
+
+
 @settings(max_examples=20, deadline=None)
 @given(quadruples, st.floats(-4, 0))
 def test_lines_keep_the_tolerance(points, power):

@@ -1,0 +1,71 @@
+"""The studies of key-framing: what their curves must show."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from game.lab import run_study
+from game.lab.analysis import fit_order, out_of_order
+from game.lab.studies.keyframing import (
+    METHODS,
+    key_settings,
+    keyframing_study,
+    line_study,
+    present_keys,
+    present_lines,
+    spread_study,
+    uneven_study,
+)
+from game.physics.animation import INTERPOLATIONS
+
+
+def fewer(study, knobs):
+    """The study at some of its knobs."""
+    chosen = [setting for setting in study.settings() if setting.knob in knobs]
+    return replace(study, settings=lambda: chosen)
+
+
+@pytest.mark.parametrize(("study", "column"), [(keyframing_study, 1), (uneven_study, 2)])
+def test_orders_of_all_methods(study, column):
+    table = run_study(fewer(study, (32.0, 64.0, 128.0, 256.0, 512.0)), repeats=1)
+    for name, row in METHODS.items():
+        order = fit_order(table.of(name), over="counter")
+        assert row[column] - 0.15 <= order <= row[column] + 0.25, name
+        assert out_of_order(table.of(name)) == []
+        assert study.method(name).order == row[column]
+
+
+def test_lines_keep_their_tolerance_and_halving_needs_fewer():
+    table = run_study(fewer(line_study, [s.knob for s in line_study.settings()][8:18]), repeats=1)
+    for row in table:
+        assert row.error <= row.knob * (1.0 + 1e-6)
+    for even, adaptive in zip(table.of("even"), table.of("adaptive"), strict=True):
+        assert adaptive.counter <= 0.75 * even.counter
+    assert fit_order(table.of("even"), over="counter") == pytest.approx(2.0, abs=0.15)
+
+
+def test_equal_ways_by_table_and_by_newton():
+    table = run_study(spread_study, repeats=1)
+    assert fit_order(table.of("table"), over="counter") == pytest.approx(2.0, abs=0.2)
+    assert table.of("newton")[0].error < 1e-13
+    assert table.of("even")[0].error > 0.1
+
+
+def test_present_settings_can_be_placed_and_points_set():
+    from game.scenes.c01_key_framing import KeyFraming
+
+    for name in INTERPOLATIONS:
+        setting = present_keys({"interpolation": name})
+        trial = keyframing_study.trial(setting)
+        trial.run()
+        assert 0.0 < trial.outcome().error < 2.0
+    trial = line_study.trial(present_lines({"tolerance": 0.01}))
+    trial.run()
+    assert trial.outcome().error <= 0.01
+    assert len(key_settings()) == 13 * len(METHODS)
+    for study in keyframing_study.family:
+        for setting in study.settings():
+            for name, value in setting.scene.items():
+                KeyFraming.knob(name).check(value)
