@@ -36,19 +36,18 @@ class Bodies:
         body = RigidBody.from_spheres(places, radii, self.density * self.design[:, SHARE])
         _, self.center, _ = mass_properties(places, radii, self.design[:, SHARE])
         self.all = [body, body.copy(), body.copy()]
-
-    @property
-    def rows(self) -> Array:
-        """States (3, 13), a copy."""
-        return np.concatenate([body.states for body in self.all])
+        self.rows = np.concatenate([body.states for body in self.all])  # (3, 13), their states lie in it
+        for index, one in enumerate(self.all):
+            one.states = self.rows[index : index + 1]
 
     def take(self, rows: Array, design: Array, density: float) -> None:
         """Take over states (3, 13) of bodies of a design."""
+        rows = rows.copy()
         if density != self.density or not np.array_equal(design, self.design):
             self.design, self.density = design.copy(), density
             self._make()
-        for body, row in zip(self.all, rows, strict=True):
-            body.states[0] = row
+        self.rows[:] = rows
+        for body in self.all:
             body.clear_forces()
 
     def start(self, place: Sequence[float] | None, orientation: Any, velocity: Any, spin: Any) -> None:
@@ -61,17 +60,15 @@ class Bodies:
 
     def meet(self) -> None:
         """Let the others be as A is, and begin new accounts."""
-        for body in self.all[1:]:
-            body.states[:] = self.all[A].states
+        self.rows[1:] = self.rows[A]
         self.accounts[:] = 0.0
-        self.accounts[:, SIDE] = np.sign(self.all[A].spin[1])
+        self.accounts[:, SIDE] = self.all[A].spin[1]
 
     def change_density(self, density: float, keep: str) -> None:
         """Make all of it of another density; keep "momentum" or "velocity"."""
         for body in self.all:
             body.change_density(density / self.density, keep)
-        rows = self.rows
-        self.take(rows, self.design, density)  # so that the constants are those of the design, to the bit
+        self.take(self.rows, self.design, density)  # constants those of the design, to the bit
         self.accounts[:, :FLIPS] = 0.0
 
     def reshape(self, design: Array) -> None:
@@ -114,8 +111,7 @@ class Bodies:
             if free and body.bounces == bounces:
                 account[MADE_ENERGY] += after[1] - before[1]
                 account[MADE_MOMENTUM] += after[2] - before[2]
-            side = np.sign(body.spin[1])
-            if side * account[SIDE] < 0.0:
+            if after[5] * account[SIDE] < 0.0:
                 account[FLIPS] += 1.0
-            if side:
-                account[SIDE] = side
+            if after[5] != 0.0:
+                account[SIDE] = after[5]

@@ -10,10 +10,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.rotation import rotation_study
 from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW, turn_between
-from game.physics.rigid.motion import P, Q
+from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW
+from game.physics.rigid.motion import INVERSES, MOMENTS, P, Q
+from game.physics.rigid.quaternion import angle_between
 from game.physics.rigid.turning import measure
 from game.physics.rigid.window import WALLS
 from game.scenes import c12_hand as hand
@@ -54,7 +56,7 @@ class RigidState(NamedTuple):
     rows: Array  # (3, 13)
     accounts: Array  # (3, 4)
     design: Array  # (n, 6)
-    density: Array  # (1,)
+    density: float  # kg/m³
     trail: Array  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
 
 
@@ -80,6 +82,7 @@ class RigidBodyScene(Scene):
     effects = ROTATION | WINDOW | PUSHES | GRAVITY | DRAG
     dt = 1.0 / 60.0
     content_type = RigidContent
+    study = rotation_study
     takes = frozenset(("right",))
 
     method = Choice(
@@ -272,10 +275,10 @@ class RigidBodyScene(Scene):
 
     def state(self) -> RigidState:
         bodies = self.bodies
-        return RigidState(bodies.rows, bodies.accounts, bodies.design, np.array([bodies.density]), self.trail)
+        return RigidState(bodies.rows, bodies.accounts, bodies.design, bodies.density, self.trail)
 
     def restore(self, state: RigidState) -> None:
-        self.bodies.take(state.rows, state.design, float(state.density[0]))
+        self.bodies.take(state.rows, state.design, float(state.density))
         np.copyto(self.bodies.accounts, state.accounts)
         np.copyto(self.trail, state.trail)
         self._configure()
@@ -320,9 +323,11 @@ class RigidBodyScene(Scene):
         """Write where L is, seen from the bodies, into the trail."""
         for index in (A, B):
             body = self.bodies.all[index]
-            seen = body.moments * body.spin
-            length = math.sqrt(float(seen @ seen))
-            self.trail[index, self.steps % TRAIL] = seen / length if length > 0.0 else seen
+            _, _, momentum, _, *spin = measure(body.state, body.constants[0])
+            place = self.trail[index, self.steps % TRAIL]
+            place[:] = spin
+            if momentum > 0.0:
+                place *= body.constants[0, MOMENTS:INVERSES] / momentum
 
     def pointer(self, event: Pointer) -> None:
         hand.take_pointer(self, event)
@@ -354,10 +359,10 @@ class RigidBodyScene(Scene):
     def readouts(self) -> list[Readout]:
         bodies = self.bodies
         body = bodies.all[A]
-        shift, _, momentum, _ = measure(body.state, body.constants[0])
+        shift, _, momentum, _, *spin = measure(body.state, body.constants[0])
         found = [
             Readout("off", math.degrees(self._angle_off(A)), "°"),
-            Readout("spin", math.sqrt(float(body.spin @ body.spin)), "rad/s"),
+            Readout("spin", math.sqrt(sum(w * w for w in spin)), "rad/s"),
             Readout("flips", float(bodies.accounts[A, FLIPS])),
             Readout("mass", body.mass, "kg"),
             Readout("exact", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
@@ -376,7 +381,7 @@ class RigidBodyScene(Scene):
     def _account(self, index: int, name: str) -> list[Readout]:
         """What a body's method has made of energy, angular momentum and |q|."""
         body, account = self.bodies.all[index], self.bodies.accounts[index]
-        _, rotation, momentum, size = measure(body.state, body.constants[0])
+        _, rotation, momentum, size, *_ = measure(body.state, body.constants[0])
         had, was = rotation - account[MADE_ENERGY], momentum - account[MADE_MOMENTUM]
         return [
             Readout(name, rotation, "J"),
@@ -388,8 +393,8 @@ class RigidBodyScene(Scene):
 
     def _angle_off(self, index: int) -> float:
         """Angle (rad) between a body and the exact one."""
-        bodies = self.bodies.all
-        return turn_between(bodies[index].states[0, Q:P], bodies[EXACT].states[0, Q:P])
+        rows = self.bodies.rows
+        return float(angle_between(tuple(rows[index, Q:P].tolist()), tuple(rows[EXACT, Q:P].tolist())))
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)

@@ -9,10 +9,11 @@ from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.rigid.motion import FORCE, INVERSE_MASS, INVERSES, MOMENTS, TORQUE, L, P, Q, X
 from game.physics.rigid.quaternion import (
+    matrix_of,
+    normalize,
     quaternion_conjugate,
     quaternion_multiply,
     quaternion_normalized,
-    quaternion_to_matrix,
 )
 from game.physics.rigid.settings import vector
 from game.physics.rigid.turning import measure
@@ -96,7 +97,7 @@ class BodyState:
     @property
     def rotation(self) -> Array:
         """(3, 3), from the principal frame to the world's: its columns are the principal axes."""
-        return quaternion_to_matrix(self.states[0, Q:P])
+        return np.array(matrix_of(normalize(tuple(self.states[0, Q:P].tolist())))).reshape(3, 3)
 
     @property
     def inertia(self) -> Array:
@@ -131,7 +132,7 @@ class BodyState:
     @property
     def spin(self) -> Array:
         """The angular velocity (3,) rad/s about the principal axes."""
-        return (self.states[0, L:] @ self.rotation) * self.constants[0, INVERSES:]
+        return np.array(measure(self.states[0], self.constants[0])[4:])
 
     @property
     def force(self) -> Array:
@@ -158,8 +159,7 @@ class BodyState:
     @property
     def kinetic_energy(self) -> tuple[float, float]:
         """J of the motion of the centre of mass, and of the rotation."""
-        shift, rotation, _, _ = measure(self.states[0], self.constants[0])
-        return shift, rotation
+        return measure(self.states[0], self.constants[0])[:2]
 
     @property
     def largest_rotation_energy(self) -> float:

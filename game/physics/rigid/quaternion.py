@@ -108,6 +108,13 @@ def quaternion_of(m):
     return (s * (m[3] - m[1]), s * (m[2] + m[6]), s * (m[7] + m[5]), s * r * r)
 
 
+@kernel
+def angle_between(p, q):
+    """Angle (rad, 0 to pi) of the turn that leads from p to q, of any length; q and -q are the same."""
+    w, x, y, z = multiply((p[0], -p[1], -p[2], -p[3]), q)
+    return 2.0 * math.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
+
+
 # -- at the door ------------------------------------------------------------------------------------
 
 
@@ -180,9 +187,7 @@ def quaternion_from_matrix(matrix: ArrayLike) -> Array:
 
 def turn_between(p: ArrayLike, q: ArrayLike) -> float:
     """Angle (rad, 0 to pi) of the turn that leads from orientation p to q; q and -q are the same."""
-    a, b = _unit(p), _unit(q)
-    w, x, y, z = multiply((a[0], -a[1], -a[2], -a[3]), b)
-    return 2.0 * math.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
+    return float(angle_between(_numbers("p", p, 4), _numbers("q", q, 4)))
 
 
 def _unit(q: ArrayLike) -> tuple[float, ...]:

@@ -36,15 +36,19 @@ def momentum_of(q, w, moments):
 
 @kernel
 def measure(row, body):
-    """Kinetic energy (J) of shift and rotation, |L| and |q| of a state and its constants (see motion)."""
+    """Kinetic energy (J) of shift and rotation, |L|, |q|, and the spin about the principal axes (3 numbers).
+
+    row, body: a state and its constants, see motion.
+    """
     q = (row[3], row[4], row[5], row[6])
     size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     angular = (row[10], row[11], row[12])
     l1, l2, l3 = rotate_back(normalize(q), angular)
     squared = row[7] * row[7] + row[8] * row[8] + row[9] * row[9]
-    rotation = 0.5 * (l1 * l1 * body[4] + l2 * l2 * body[5] + l3 * l3 * body[6])
+    w1, w2, w3 = l1 * body[4], l2 * body[5], l3 * body[6]
+    rotation = 0.5 * (l1 * w1 + l2 * w2 + l3 * w3)
     momentum = math.sqrt(angular[0] * angular[0] + angular[1] * angular[1] + angular[2] * angular[2])
-    return 0.5 * squared * body[0], rotation, momentum, size
+    return 0.5 * squared * body[0], rotation, momentum, size, w1, w2, w3
 
 
 @kernel
