@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
-from game.physics.narrowphase.features import lean
 from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, gjk_query
 from game.physics.narrowphase.vclip import vclip_query
 
@@ -58,7 +58,7 @@ class Proximities(NamedTuple):
     normal: Array  # (m, 2)
 
 
-@lean
+@inner_kernel
 def relative_frame(anchors_a, k, pose_a, anchors_b, m, pose_b):
     """(c, s, tx, ty) from B's frame to A's, of polygons k and m at poses (x, y, cos, sin)."""
     px, py, pc, ps = pose_a[0], pose_a[1], pose_a[2], pose_a[3]
@@ -73,7 +73,7 @@ def relative_frame(anchors_a, k, pose_a, anchors_b, m, pose_b):
     )
 
 
-@lean
+@inner_kernel
 def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, iterations):
     """Write what was found, taken from A's frame into the world."""
     distance, ax, ay, bx, by, nx, ny, feature_a, feature_b = found
@@ -88,13 +88,12 @@ def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, ite
     iterations[row] = steps
 
 
-@lean
+@lean_kernel
 def gjk_many(
-    va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance,
+    va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance, limit,
     method, deep, trace, numbers, features, iterations,
 ):  # fmt: skip
     """GJK for each pair (m, 2); ``features`` (m, 2) holds where to start (or -1) and then what was found."""
-    limit = LIMIT
     for row in range(pairs.shape[0]):
         k, m = pairs[row, 0], pairs[row, 1]
         c, s, tx, ty = relative_frame(anchors_a, k, poses_a[k], anchors_b, m, poses_b[m])
@@ -108,7 +107,7 @@ def gjk_many(
         write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
 
 
-@lean
+@lean_kernel
 def vclip_many(
     va, first_a, anchors_a, poses_a, vb, first_b, anchors_b, poses_b, pairs, deep, trace, numbers, features,
     iterations,
@@ -151,7 +150,7 @@ def gjk_batch(
     a, b = query.a, query.b
     gjk_many(
         a.vertices, a.first, a.anchors, a.centres, query.poses_a, b.vertices, b.first, b.anchors, b.centres,
-        query.poses_b, query.pairs, float(tolerance), METHODS.index(method), deep, NO_GJK_TRACE, query.numbers, query.features,
+        query.poses_b, query.pairs, float(tolerance), LIMIT, METHODS.index(method), deep, NO_GJK_TRACE, query.numbers, query.features,
         query.iterations,
     )  # fmt: skip
     return query.answers()

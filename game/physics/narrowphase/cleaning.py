@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from game.physics.jit import kernel
+from game.physics.lean import inner_kernel, lean_kernel
 
 MERGED = 2.0**-40  # of the extent: vertices nearer to each other are one
 FLAT = 2.0**-45  # of the extent: a corner that sticks out no more than this is dropped
@@ -19,7 +17,7 @@ ROUNDED = 2.0**-50  # of the largest coordinate: how far a corner may be dented 
 NOT_CONVEX = -1
 
 
-@kernel
+@inner_kernel
 def sagitta(points, a, b, c):
     """How far corner ``b`` sticks out (to the right) of the chord from ``a`` to ``c``; rows of (n, 2)."""
     ux, uy = points[c, 0] - points[a, 0], points[c, 1] - points[a, 1]
@@ -30,7 +28,7 @@ def sagitta(points, a, b, c):
     return (vx * uy - vy * ux) / length
 
 
-@kernel
+@inner_kernel
 def merge(points, tolerance, kept):
     """Write the rows of (n, 2) that do not repeat the one before them; return how many."""
     count = 0
@@ -55,7 +53,7 @@ def merge(points, tolerance, kept):
     return count
 
 
-@kernel
+@inner_kernel
 def extreme_rows(points, kept, count):
     """Places in ``kept`` of the leftmost (then lowest) and rightmost (then highest) rows."""
     low, high = 0, 0
@@ -70,7 +68,7 @@ def extreme_rows(points, kept, count):
     return low, high
 
 
-@kernel
+@inner_kernel
 def turns_once(points, kept, count):
     """True if the edges of an outline that only turns left point every way just once."""
     changes = 0
@@ -87,11 +85,11 @@ def turns_once(points, kept, count):
     return changes <= 4
 
 
-@kernel
-def clean_outline(points, kept):
+@lean_kernel
+def clean_outline(points, kept, ordered):
     """Find the corners of a convex outline among (n, 2) points given in order, either way round.
 
-    Writes their rows counterclockwise into ``kept`` (n,) and returns (count, row): count 1 for a point, 2
+    Writes their rows counterclockwise into ``kept`` (n,), uses ``ordered`` (n,), and returns (count, row): count 1 for a point, 2
     for a segment, or NOT_CONVEX with a row at which the outline turns the wrong way.
     """
     n = points.shape[0]
@@ -109,11 +107,11 @@ def clean_outline(points, kept):
         first, second = kept[min(low, high)], kept[max(low, high)]
         kept[0], kept[1] = first, second
         return 2, 0
-    ordered = counterclockwise(points, kept, count, low)
-    return turn_left(points, ordered, FLAT * extent, dent, kept)
+    order_leftward(points, kept, count, low, ordered)
+    return turn_left(points, ordered, count, FLAT * extent, dent, kept)
 
 
-@kernel
+@inner_kernel
 def is_thin(points, kept, count, low, high, tolerance):
     """True if all rows lie on the line between the extreme ones."""
     for k in range(count):
@@ -122,9 +120,9 @@ def is_thin(points, kept, count, low, high, tolerance):
     return True
 
 
-@kernel
-def counterclockwise(points, kept, count, first):
-    """The rows in ``kept`` from place ``first`` on, turned round if their signed area is negative."""
+@inner_kernel
+def order_leftward(points, kept, count, first, ordered):
+    """Write the rows in ``kept`` from place ``first`` on, turned round if their signed area is negative."""
     area = 0.0
     base = kept[0]
     for k in range(1, count - 1):
@@ -132,17 +130,14 @@ def counterclockwise(points, kept, count, first):
         area += (points[a, 0] - points[base, 0]) * (points[b, 1] - points[base, 1])
         area -= (points[a, 1] - points[base, 1]) * (points[b, 0] - points[base, 0])
     way = 1 if area >= 0.0 else -1
-    ordered = np.empty(count, np.int64)
     for k in range(count):
         ordered[k] = kept[(first + way * k) % count]
-    return ordered
 
 
-@kernel
-def turn_left(points, ordered, flat, dent, kept):
+@inner_kernel
+def turn_left(points, ordered, n, flat, dent, kept):
     """Corners of an outline that begins at its leftmost point; see `clean_outline`."""
     count = 0
-    n = ordered.shape[0]
     for k in range(n + 1):
         row = ordered[k % n]
         while count > 1:

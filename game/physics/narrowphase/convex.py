@@ -48,7 +48,7 @@ class ConvexPolygon:
     def __init__(self, points: Any) -> None:
         given = outline_points(points)
         kept = np.empty(len(given), dtype=np.int64)
-        count, vertex = clean_outline(given, kept)
+        count, vertex = clean_outline(given, kept, np.empty_like(kept))
         if count == NOT_CONVEX:
             raise NonConvexError(convex_hull(given), int(vertex))
         self._take(given[kept[:count]], kept[:count].copy())
@@ -59,7 +59,7 @@ class ConvexPolygon:
         self.anchor = vertices[0].copy()
         self.local = vertices - self.anchor
         self.centre = self.local.mean(axis=0)
-        for array in (self.vertices, self.source, self.anchor, self.local, self.centre):
+        for array in (self.vertices, self.source):
             array.flags.writeable = False
 
     def moved(self, x: float = 0.0, y: float = 0.0, angle: float = 0.0) -> ConvexPolygon:
@@ -74,6 +74,7 @@ class ConvexPolygon:
         copy.local = self.local @ turned
         copy.centre = self.centre @ turned
         copy.vertices = copy.local + copy.anchor
+        copy.vertices.flags.writeable = False
         return copy
 
     def __len__(self) -> int:
@@ -114,7 +115,7 @@ class ConvexPolygon:
     def check(self) -> None:
         """ValueError unless all corners turn left, once round."""
         kept = np.empty(len(self), dtype=np.int64)
-        count, vertex = clean_outline(np.ascontiguousarray(self.vertices), kept)
+        count, vertex = clean_outline(self.local, kept, np.empty_like(kept))
         if count != len(self):
             raise ValueError(f"convex polygon: does not turn left at vertex {vertex}")
 

@@ -11,7 +11,8 @@ import math
 
 import numpy as np
 
-from game.physics.narrowphase.features import known_feature, lean
+from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.narrowphase.features import known_feature
 from game.physics.narrowphase.gjk import (
     AT_ORIGIN,
     INSIDE_SIMPLEX,
@@ -30,7 +31,7 @@ TRACE_WIDTH = (
 NO_TRACE = np.empty((0, TRACE_WIDTH))
 
 
-@lean
+@lean_kernel
 def first_polygon(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1, i2, j2, corners):
     """Write two or three corners (i, j) of A - B to begin with, counterclockwise; return how many.
 
@@ -63,7 +64,7 @@ def first_polygon(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1, i2, j2, 
     return 1
 
 
-@lean
+@inner_kernel
 def edge_height(va, fa, vb, fb, c, s, tx, ty, corners, k, m):
     """Outward distance of the edge from corner k to corner m, and its normal, not of unit length."""
     i, j = corners[k, 0], corners[k, 1]
@@ -75,7 +76,7 @@ def edge_height(va, fa, vb, fb, c, s, tx, ty, corners, k, m):
     return (ey * x - ex * y) / length, ey, -ex
 
 
-@lean
+@inner_kernel
 def expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace):
     """Expand the polygon in ``corners`` until its nearest edge is on the border: (place of the edge, count,
     steps). ``corners`` (n, 2) and ``heights`` (n,) need room for all vertices of A and B, and three more.
@@ -114,7 +115,7 @@ def expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace)
         heights[best + 1] = edge_height(va, fa, vb, fb, c, s, tx, ty, corners, best + 1, m)[0]
 
 
-@lean
+@lean_kernel
 def epa_query(
     va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, corners, heights,
     gjk_trace, trace,

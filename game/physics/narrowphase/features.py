@@ -10,9 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.jit import kernel
-
-lean = kernel(_nrt=False)  # for kernels that make no arrays: no counting of references
+from game.physics.lean import inner_kernel
 
 
 class Feature(NamedTuple):
@@ -35,31 +33,31 @@ class Feature(NamedTuple):
         return f"{self.kind} {self.index}"
 
 
-@lean
+@inner_kernel
 def after(i, count):
     """The vertex after vertex i."""
     return i + 1 if i + 1 < count else 0
 
 
-@lean
+@inner_kernel
 def before(i, count):
     """The vertex before vertex i."""
     return i - 1 if i > 0 else count - 1
 
 
-@lean
+@inner_kernel
 def inverse_frame(c, s, tx, ty):
     """(c, s, tx, ty) that takes a point of A into the frame of B."""
     return c, -s, -(c * tx + s * ty), s * tx - c * ty
 
 
-@lean
+@inner_kernel
 def known_feature(code, count):
     """True if a polygon of so many vertices has a feature of this number."""
     return 0 <= code < 2 * count and (count > 1 or code == 0)
 
 
-@lean
+@inner_kernel
 def measure_vertices(ax, ay, bx, by):
     """Distance, and unit vector from a to b (0, 0 where they coincide)."""
     dx, dy = bx - ax, by - ay
@@ -69,7 +67,7 @@ def measure_vertices(ax, ay, bx, by):
     return distance, dx / distance, dy / distance
 
 
-@lean
+@inner_kernel
 def measure_to_edge(x, y, ox, oy, px, py):
     """Distance of (x, y) from the line o to p, foot (fx, fy), and unit vector from the point to the foot.
 
@@ -94,7 +92,7 @@ def measure_to_edge(x, y, ox, oy, px, py):
     return -cross / length, fx, fy, -nx, -ny
 
 
-@lean
+@inner_kernel
 def opposite_edge(va, fa, na, vertex, ex, ey):
     """The edge at a vertex that runs exactly against (ex, ey), or -1."""
     if na == 1:
@@ -111,7 +109,7 @@ def opposite_edge(va, fa, na, vertex, ex, ey):
     return -1
 
 
-@lean
+@inner_kernel
 def measure_edges(va, fa, na, vb, fb, nb, c, s, tx, ty, i, j):
     """Distance, witness points (frame of A) and unit vector from A to B of parallel edges i and j.
 
@@ -134,7 +132,7 @@ def measure_edges(va, fa, na, vb, fb, nb, c, s, tx, ty, i, j):
     return distance, x, y, x + distance * nx, y + distance * ny, nx, ny
 
 
-@lean
+@inner_kernel
 def measure(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
     """What two closest features say: (distance, x, y of A's point, of B's, normal, feature_a, feature_b).
 

@@ -14,7 +14,8 @@ import math
 
 import numpy as np
 
-from game.physics.narrowphase.features import after, known_feature, lean, measure
+from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.narrowphase.features import after, known_feature, measure
 from game.physics.narrowphase.separating_axis import measure_touching
 from game.physics.narrowphase.simplex import (
     FIRST_AND_NEW,
@@ -37,7 +38,7 @@ TRACE_WIDTH = 16  # count, i0 j0 i1 j1, direction x y, v x y, i j, w x y, distan
 NO_TRACE = np.empty((0, TRACE_WIDTH))
 
 
-@lean
+@inner_kernel
 def local_edge(va, fa, vb, fb, c, s, i0, j0, i1, j1):
     """The edge of A - B between two of its corners, from differences within A and within B."""
     hx, hy = vb[fb + j1, 0] - vb[fb + j0, 0], vb[fb + j1, 1] - vb[fb + j0, 1]
@@ -47,14 +48,14 @@ def local_edge(va, fa, vb, fb, c, s, i0, j0, i1, j1):
     )
 
 
-@lean
+@inner_kernel
 def corner(va, fa, vb, fb, c, s, tx, ty, i, j):
     """The corner a_i - b_j of A - B."""
     x, y = vb[fb + j, 0], vb[fb + j, 1]
     return va[fa + i, 0] - (c * x - s * y + tx), va[fa + i, 1] - (s * x + c * y + ty)
 
 
-@lean
+@inner_kernel
 def walk(
     va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, trace
 ):  # fmt: skip
@@ -81,6 +82,8 @@ def walk(
         else:
             count = 2
     else:
+        if hx == 0.0 and hy == 0.0:
+            hx = 1.0  # any direction will do, but the first corner must be a support vertex
         i0 = support_cold(va, fa, na, hx, hy)
         j0 = support_cold(vb, fb, nb, -(c * hx + s * hy), s * hx - c * hy)
         i1, j1 = i0, j0
@@ -145,7 +148,7 @@ def walk(
     return UNFINISHED, limit, i0, j0, i1, j1, i, j
 
 
-@lean
+@inner_kernel
 def edge_between(i0, i1, count):
     """The edge between two neighbouring vertices, or -1."""
     if i1 == after(i0, count):
@@ -155,7 +158,7 @@ def edge_between(i0, i1, count):
     return -1
 
 
-@lean
+@inner_kernel
 def facing_edge(v, first, count, edge, x, y):
     """That edge; of a segment, the one of its two sides that faces the point (in the polygon's frame)."""
     if count != 2:
@@ -164,7 +167,7 @@ def facing_edge(v, first, count, edge, x, y):
     return 1 if (v[first + 1, 0] - ox) * (y - oy) - (v[first + 1, 1] - oy) * (x - ox) > 0.0 else 0
 
 
-@lean
+@inner_kernel
 def measure_simplex(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1):
     """As `measure`, of the simplex that a walk has ended with."""
     if i0 == i1 and j0 == j1:
@@ -184,7 +187,7 @@ def measure_simplex(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1):
     return measure_chord(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1)
 
 
-@lean
+@inner_kernel
 def measure_chord(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1):
     """As `measure`, of a simplex that moves on both polygons: two parallel edges, or a walk ended early."""
     ex, ey = local_edge(va, fa, vb, fb, c, s, i0, j0, i1, j1)
@@ -212,7 +215,7 @@ def measure_chord(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1):
     return distance, ax, ay, ax + distance * nx, ay + distance * ny, nx, ny, feature_a, feature_b
 
 
-@lean
+@lean_kernel
 def gjk_query(
     va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, deep,
     trace,

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import math
 
-from game.physics.narrowphase.features import after, before, inverse_frame, lean
+from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.narrowphase.features import after, before, inverse_frame
 
 
-@lean
+@inner_kernel
 def deepest_of_edges(va, fa, na, vb, fb, nb, c, s, tx, ty):
     """Of A's edges, the one that B is least behind: (signed distance of B's deepest vertex, edge, vertex)."""
     best, best_edge, best_vertex = -math.inf, 0, 0
@@ -49,7 +50,7 @@ def deepest_of_edges(va, fa, na, vb, fb, nb, c, s, tx, ty):
     return best, best_edge, best_vertex
 
 
-@lean
+@inner_kernel
 def separating_axis(va, fa, na, vb, fb, nb, c, s, tx, ty):
     """The edge of A or B whose normal parts them best: (signed distance, feature of A, feature of B).
 
@@ -63,7 +64,7 @@ def separating_axis(va, fa, na, vb, fb, nb, c, s, tx, ty):
     return best, 2 * edge + 1, 2 * vertex
 
 
-@lean
+@lean_kernel
 def measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty):
     """As `measure`, for polygons that touch or overlap: the distance is minus the depth."""
     distance, feature_a, feature_b = separating_axis(va, fa, na, vb, fb, nb, c, s, tx, ty)
@@ -86,7 +87,7 @@ def measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty):
     return distance, ax, ay, ax + distance * nx, ay + distance * ny, nx, ny, feature_a, feature_b
 
 
-@lean
+@inner_kernel
 def measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, feature_a, feature_b):
     """As `measure_overlap`; if not ``deep``, only that they overlap: distance 0 at the features, no normal."""
     if deep:

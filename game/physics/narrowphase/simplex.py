@@ -7,12 +7,13 @@ the length of a short edge. Sources: Gilbert, Johnson and Keerthi 1988; Ericson 
 
 from __future__ import annotations
 
-from game.physics.narrowphase.features import after, before, lean
+from game.physics.lean import lean_kernel
+from game.physics.narrowphase.features import after, before
 
 NEW_ONLY, FIRST_AND_NEW, SECOND_AND_NEW, INSIDE = 1, 2, 3, 4
 
 
-@lean
+@lean_kernel
 def closest_point(px, py, qx, qy):
     """The point of the segment from p to q that is closest to the origin, and its share of the way (0 to 1)."""
     ex, ey = qx - px, qy - py
@@ -26,7 +27,7 @@ def closest_point(px, py, qx, qy):
     return px + part * ex, py + part * ey, part
 
 
-@lean
+@lean_kernel
 def best_simplex(count, px, py, qx, qy, wx, wy):
     """What to keep of a point p or a segment p, q when w, which lies beyond it, is added.
 
@@ -38,8 +39,10 @@ def best_simplex(count, px, py, qx, qy, wx, wy):
         return FIRST_AND_NEW if over_p else NEW_ONLY
     over_q = (qx - wx) * wx + (qy - wy) * wy < 0.0
     side = px * qy - py * qx
-    beyond_p = (wx * py - wy * px) * side < 0.0  # outside of the edge from w to p
-    beyond_q = (qx * wy - qy * wx) * side < 0.0
+    # outside of the edges from w; signs are compared, as products of four lengths could vanish
+    past_p, past_q = wx * py - wy * px, qx * wy - qy * wx
+    beyond_p = past_p != 0.0 and (past_p < 0.0) != (side < 0.0)
+    beyond_q = past_q != 0.0 and (past_q < 0.0) != (side < 0.0)
     if beyond_p and over_p:
         return FIRST_AND_NEW
     if beyond_q and over_q:
@@ -47,7 +50,7 @@ def best_simplex(count, px, py, qx, qy, wx, wy):
     return NEW_ONLY if beyond_p or beyond_q else INSIDE
 
 
-@lean
+@lean_kernel
 def support_hc(v, first, count, start, dx, dy):
     """The vertex farthest along (dx, dy), by climbing from vertex ``start`` to better neighbours.
 
@@ -73,7 +76,7 @@ def support_hc(v, first, count, start, dx, dy):
     return best
 
 
-@lean
+@lean_kernel
 def support_scan(v, first, count, dx, dy):
     """The vertex farthest along (dx, dy), by looking at all of them."""
     best = 0
@@ -85,7 +88,7 @@ def support_scan(v, first, count, dx, dy):
     return best
 
 
-@lean
+@lean_kernel
 def support_cold(v, first, count, dx, dy):
     """The same with nothing to start from: eight vertices far apart are asked, then it climbs."""
     if count <= 8:

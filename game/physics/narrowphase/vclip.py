@@ -17,12 +17,12 @@ import math
 
 import numpy as np
 
+from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import (
     after,
     before,
     inverse_frame,
     known_feature,
-    lean,
     measure,
     measure_to_edge,
 )
@@ -36,7 +36,7 @@ TRACE_WIDTH = 3  # feature of A, feature of B, what was decided there
 NO_TRACE = np.empty((0, TRACE_WIDTH))
 
 
-@lean
+@lean_kernel
 def clip_vertex(v, first, count, feature, x, y):
     """Where a vertex (x, y) of the other polygon lies as a feature's Voronoi region sees it.
 
@@ -65,9 +65,11 @@ def clip_vertex(v, first, count, feature, x, y):
     return feature
 
 
-@lean
+@lean_kernel
 def clip_edge(v, first, count, feature, px, py, qx, qy):
     """Where the nearest point of the edge p to q of the other polygon lies, as a feature's region sees it.
+
+    The other polygon is on the left of the way from p to q.
 
     Of a vertex: the edge is clipped by the region's two borders; if the distance to the vertex still falls
     where it leaves the region, the answer is the edge on that side, else the vertex itself. The distance falls
@@ -118,7 +120,7 @@ def clip_edge(v, first, count, feature, px, py, qx, qy):
     return feature
 
 
-@lean
+@inner_kernel
 def edge_in_front(v, first, count, x, y):
     """The edge that a point is farthest in front of, and how far; not above 0 if it is inside."""
     best, edge = -math.inf, 0
@@ -132,14 +134,14 @@ def edge_in_front(v, first, count, x, y):
     return edge, best
 
 
-@lean
+@inner_kernel
 def into(c, s, tx, ty, v, row):
     """A vertex in the other frame."""
     x, y = v[row, 0], v[row, 1]
     return c * x - s * y + tx, s * x + c * y + ty
 
 
-@lean
+@inner_kernel
 def clip_vertex_to_edge(vx, fx, nx, vertex, vy, fy, ny, edge, c, s, tx, ty):
     """One step from a vertex of X and an edge of Y: (new vertex or edge of X, of Y, verdict).
 
@@ -160,7 +162,7 @@ def clip_vertex_to_edge(vx, fx, nx, vertex, vy, fy, ny, edge, c, s, tx, ty):
     return seen, edge, CLOSEST if seen == vertex else MOVED_A
 
 
-@lean
+@inner_kernel
 def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
     """One step of the walk: (feature of A, feature of B, verdict)."""
     i, j = feature_a >> 1, feature_b >> 1
@@ -201,7 +203,7 @@ def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
     return feature_a, seen, CLOSEST if seen == feature_b else MOVED_B
 
 
-@lean
+@inner_kernel
 def end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, next_b):
     """Of an edge of B (from p to q) beside one of A: its nearer end, or the edge if parallel and face to face."""
     n = after(feature_a >> 1, na)
@@ -218,7 +220,7 @@ def end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, next_b):
     return feature_a, 2 * next_b if falls < 0.0 else feature_b - 1, MOVED_B
 
 
-@lean
+@lean_kernel
 def closest_features(va, fa, na, vb, fb, nb, c, s, tx, ty):
     """The closest vertex and edge, or two vertices, by looking at all pairs of them."""
     best, best_a, best_b = math.inf, 0, 0
@@ -243,7 +245,7 @@ def closest_features(va, fa, na, vb, fb, nb, c, s, tx, ty):
     return best_a, best_b
 
 
-@lean
+@inner_kernel
 def nearest_edge(v, first, count, x, y):
     """Of the edges that a point lies beside and before, the nearest and its distance (inf if none)."""
     best, feature = math.inf, 0
@@ -256,7 +258,7 @@ def nearest_edge(v, first, count, x, y):
     return feature, best
 
 
-@lean
+@lean_kernel
 def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, deep, trace):
     """The walk from two features to the closest ones: the nine numbers of `measure`, and the steps made."""
     feature_a = start_a if known_feature(start_a, na) else 0
