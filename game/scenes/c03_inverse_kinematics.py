@@ -159,7 +159,9 @@ class InverseKinematics(FigureScene):
         chain = self.content.chain
         if chain is not None:
             self.target[:] = chain.target
-        self._solve_all(0.0)
+            end = self.rig.skeleton.ends[self.inside[-1]].tolist()
+            self.measured = [Solution(math.dist(end, chain.target), 0, 0, "")] * len(SHOWN)
+            self.trail[:] = self.measured[0].error
 
     def refresh(self) -> None:
         """The solver of the new skeleton's chain, and room for a pose of each method."""
@@ -225,9 +227,9 @@ class InverseKinematics(FigureScene):
                 self.target[1] = chain.path.centre[1] + chain.path.reach[1] * math.sin(
                     chain.path.turns * turn
                 )
-        self._solve_all(dt)
+        self._solve_all()
 
-    def _solve_all(self, dt: float) -> None:
+    def _solve_all(self) -> None:
         """Let every method go on from its own pose; the figure is left in that of the chosen one."""
         if self.solver is None:
             return
