@@ -68,12 +68,12 @@ _GLANCE = Effort(
 )  # fmt: skip
 
 NOVICE = Grade(
-    "novice", "Novice", "Sees the straight shots, hits the middle of the ball, and hopes.", 4.0,
+    "novice", "Novice", "Sees the straight shots, hits the middle of the ball, and hopes.", 4.5,
     Effort(("direct",), (1.2, 2.2), (0.0,), (0.0,), candidates=4, rays=17, finalists=4, samples=12),
     _GLANCE, places=4, careful=False, break_speed=4.5,
 )  # fmt: skip
 CLUB = Grade(
-    "club", "Club player", "Plays draw and follow, and thinks of the next ball.", 2.4,
+    "club", "Club player", "Plays draw and follow, and thinks of the next ball.", 2.8,
     Effort(
         ("direct", "bank"), (0.8, 1.4, 2.2), (-0.3, 0.0, 0.3), (0.0,), candidates=6, rays=17, finalists=12,
         samples=16,
@@ -81,7 +81,7 @@ CLUB = Grade(
     _GLANCE, places=8, safe=6, break_speed=5.2,
 )  # fmt: skip
 EXPERT = Grade(
-    "expert", "Expert", "Knows spin, banks and combinations, and when to play safe.", 1.5,
+    "expert", "Expert", "Knows spin, banks and combinations, and when to play safe.", 1.9,
     Effort(
         ("direct", "bank", "combination"), (0.6, 0.9, 1.4, 2.0, 3.0), (-0.4, -0.2, 0.0, 0.2, 0.4),
         (-0.3, 0.0, 0.3), candidates=6, rays=17, finalists=32, samples=24,
