@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -25,7 +25,7 @@ from game.scenes.billiards_cue import warm_ups as cue_warm_ups
 from game.scenes.billiards_layout import FRAME
 from game.scenes.billiards_level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
 from game.scenes.billiards_opponent import Thinker
-from game.scenes.billiards_players import GRADES, think
+from game.scenes.billiards_players import GRADE_LABELS, GRADES, think, warm_up
 from game.scenes.billiards_round import Conditions, Played, Round, Struck, begin, play
 from game.scenes.billiards_sounds import hearing_of, sounds_of
 from game.scenes.cue_control import CueControl
@@ -48,6 +48,9 @@ from game.stage import (
     Toggle,
     WarmUp,
 )
+
+if TYPE_CHECKING:
+    from game.billiards.search.finding import FoundShot
 
 Array = NDArray[np.float64]
 
@@ -81,6 +84,7 @@ class Kept:
         self.sounds_of: Struck | None = None
         self.sounds: tuple[Sound, ...] = ()
         self.sight: Any = None  # see billiards_sight
+        self.considered: tuple[FoundShot, ...] = ()  # by a computer player before its last stroke
 
 
 class Billiards(Scene):
@@ -109,11 +113,13 @@ class Billiards(Scene):
         group="Game", rebuild=True,
     )  # fmt: skip
     first_player = Choice(
-        "person", ("person", *GRADES), group="Game", label="First player", help="you, or a computer player"
-    )
+        "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
+        group="Game", label="First player", help="you, or a computer player",
+    )  # fmt: skip
     second_player = Choice(
-        "person", ("person", *GRADES), group="Game", label="Second player", help="you, or a computer player"
-    )
+        "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
+        group="Game", label="Second player", help="you, or a computer player",
+    )  # fmt: skip
     considered = Toggle(
         False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
     )
@@ -213,8 +219,7 @@ class Billiards(Scene):
         self.rest_s = 0.0
         self.racks = 0
         self.told: deque[str] = deque(maxlen=8)
-        self.thinker = Thinker(think)
-        self.thoughts: tuple[Stroke, ...] = ()  # what a computer player considered before its last stroke
+        self.thinker = Thinker(think, warm_up)
         self.fine_at = math.nan  # bearing of the pointer at which the aim was made finely, rad
         self.power_before = self.power
         self.kept = Kept()

@@ -110,8 +110,10 @@ def _doing(scene: Billiards) -> str:
         return "plays"
     if game.options:
         return "chooses"
-    if scene.plays_itself or not scene.person_plays:
-        return "thinks"
+    if scene.plays_itself:
+        return "plays by itself"
+    if not scene.person_plays:
+        return "thinks" if scene.thinker.warm else "gets ready (once, some seconds)"
     if scene.call.safety:
         return "plays safe"
     if scene.call.push_out:

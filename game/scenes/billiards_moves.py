@@ -273,7 +273,8 @@ def take_option(scene: Billiards, row: int) -> None:
     options = scene.round.game.options
     if scene.phase != AIMING or not 0 <= row < len(options):
         return
-    scene.round = rounds.choose(scene.round, options[row].name)
+    scene.racks += 1
+    scene.round = rounds.choose(scene.round, options[row].name, scene.seed * 1000 + scene.racks)
     lay_out(scene)
     scene.rest_s = 0.0
 
@@ -380,6 +381,9 @@ def question_of(scene: Billiards) -> Question:
 
 def decisions(scene: Billiards) -> list[Decision]:
     """What the computer player at turn has decided, if it is one and has."""
+    players = range(len(scene.round.game.players))
+    if any(scene.grade_of(player) != "person" for player in players):
+        scene.thinker.prepare()
     computer = not scene.person_plays and not scene.plays_itself and not scene.round.game.over
     if not computer or scene.phase != AIMING or scene.grip:
         scene.thinker.forget()
@@ -387,6 +391,7 @@ def decisions(scene: Billiards) -> list[Decision]:
     thought = scene.thinker.ask(question_of(scene))
     if thought is None:
         return []
+    scene.kept.considered = thought.considered
     if not thought.decisions:  # it failed; the game goes on
         return [decision_of(simple_stroke(scene.round.frame, scene.round.strokes))]
     return list(thought.decisions)

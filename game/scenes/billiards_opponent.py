@@ -7,18 +7,20 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from game.billiards.arrangement import Stroke
 from game.billiards.frame import Frame
 from game.stage import Decision
 
+if TYPE_CHECKING:
+    from game.billiards.search.finding import FoundShot
+
 
 class Thought(NamedTuple):
-    """What a player has come to: decisions in order, and the strokes that were considered, the best first."""
+    """What a player has come to: decisions in order, and the shots that were considered, the best first."""
 
     decisions: tuple[Decision, ...]
-    considered: tuple[Stroke, ...] = ()
+    considered: tuple[FoundShot, ...] = ()
 
 
 class Question(NamedTuple):
@@ -36,8 +38,10 @@ Think = Callable[[Question], Thought]
 class Thinker:
     """Answers the newest question; answers to older ones are forgotten."""
 
-    def __init__(self, think: Think) -> None:
+    def __init__(self, think: Think, warm_up: Callable[[], None]) -> None:
+        """``warm_up`` is done once, before the first question: it compiles what thinking needs."""
         self._think = think
+        self._warm_up: Callable[[], None] | None = warm_up
         self._lock = threading.Lock()
         self._key: object = None
         self._thread: threading.Thread | None = None
@@ -49,6 +53,18 @@ class Thinker:
         """True while a question is open."""
         with self._lock:
             return self._key is not None and self._answer is None
+
+    @property
+    def warm(self) -> bool:
+        """False while what thinking needs is still being compiled, or was never asked for."""
+        return self._warm_up is None
+
+    def prepare(self) -> None:
+        """Begin to compile what thinking needs, if that has not been done."""
+        with self._lock:
+            if self._warm_up is not None and self._thread is None:
+                self._thread = threading.Thread(target=self._make_ready, daemon=True, name="opponent")
+                self._thread.start()
 
     def ask(self, question: Question) -> Thought | None:
         """The answer to a question, or None as long as there is none; asking again costs nothing."""
@@ -67,7 +83,17 @@ class Thinker:
         with self._lock:
             self._key, self._answer = None, None
 
+    def _make_ready(self) -> None:
+        call, self.failure = self._warm_up, ""
+        try:
+            if call is not None:
+                call()
+        except Exception as error:  # thinking itself will fail the same way, and is seen to there
+            self.failure = f"{type(error).__name__}: {error}"
+        self._warm_up = None
+
     def _run(self, question: Question) -> None:
+        self._make_ready()
         try:
             thought = self._think(question)
         except Exception as error:  # a player that fails must not stop the game: it plays on simply

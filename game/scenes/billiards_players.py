@@ -1,37 +1,62 @@
-"""The grades of computer players, and how one of them thinks about a frame."""
+"""Computer players at the table: how one of them thinks about a frame, and what its hand makes of it."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from game.billiards.arrangement import Stroke
+from game.billiards.frame import Frame
+from game.billiards.rules import CUE_BALL, Call
 from game.scenes.billiards_opponent import Question, Thought
 from game.scenes.demo_shots import choose_stroke
 from game.stage import Decision
 
-GRADES = ("beginner",)
+GRADES = ("novice", "club", "expert", "master")  # of game.billiards.opponents
+GRADE_LABELS = ("Novice", "Club player", "Expert", "Master")
+THINK_S = 3.0  # s, that a player thinks at most
+SWING_RATIO = 0.65  # speed of a cue over that of a ball that it strikes in the middle
+HAND_SEED = 50_021
 
 
 def think(question: Question) -> Thought:
-    """The decisions of a player of some grade."""
-    frame = question.frame
-    if frame.game.options:
-        return Thought((Decision("option", (0.0,)),))
-    return Thought((decision_of(simple_stroke(frame, question.seed)),))
+    """The decisions of a player of some grade. It uses one processor: the other one draws."""
+    from game.billiards.opponents import GRADES as PLAYERS
+    from game.billiards.opponents import decide, stroke_of_hand
+
+    frame, grade = question.frame, PLAYERS[question.grade]
+    made = decide(frame, grade, question.seed, THINK_S, threads=1)
+    if made.option:
+        names = [option.name for option in frame.game.options]
+        return Thought((Decision("option", (float(names.index(made.option)),)),))
+    decisions = [Decision("white", made.place)] if made.place is not None else []
+    if made.stroke is not None:
+        radius = float(frame.lie.balls.radii[CUE_BALL])
+        stroke = stroke_of_hand(made.stroke, grade, question.seed + HAND_SEED, radius)
+        decisions.append(decision_of(stroke, made.call))
+    return Thought(tuple(decisions), made.considered)
 
 
-def simple_stroke(frame, seed: int) -> Stroke:
-    """The straightest open pot of a ball that counts, or a hit at the nearest ball; deterministic."""
+def warm_up() -> None:
+    """Compile what thinking needs, by letting a player think about a small table."""
+    from game.billiards.frame import new_frame
+    from game.billiards.games import EightBall
+    from game.billiards.opponents import GRADES as PLAYERS
+    from game.billiards.opponents import decide
+
+    frame = new_frame(EightBall(on_table=(1, 8, 9), opening=False, in_hand="anywhere"))
+    decide(frame, PLAYERS["master"], 0, 0.1, threads=1)
+
+
+def simple_stroke(frame: Frame, seed: int) -> Stroke:
+    """The straightest open pot of a ball that counts, or a hit at the nearest ball; the same for a seed."""
     lie, wanted = frame.lie, set(frame.game.targets())
-    import numpy as np
-
-    in_play = np.array([number == 0 or number in wanted for number in lie.numbers])
-    chosen = choose_stroke(
-        lie.positions, lie.radii, in_play, frame.table, seed, 0 if frame.game.opening else 1
-    )
-    return Stroke(chosen.speed / 1.54, chosen.aim)
+    in_play = np.array([number == CUE_BALL or number in wanted for number in lie.numbers])
+    chosen = choose_stroke(lie.positions, lie.radii, in_play, frame.table, seed, int(not frame.game.opening))
+    return Stroke(chosen.speed * SWING_RATIO, chosen.aim)
 
 
-def decision_of(
-    stroke: Stroke, ball: int = -1, pocket: int = -1, safety: bool = False, push: bool = False
-) -> Decision:
-    """A stroke as a decision."""
-    return Decision("stroke", (*stroke, float(ball), float(pocket), float(safety), float(push)))
+def decision_of(stroke: Stroke, call: Call = Call()) -> Decision:  # noqa: B008  (immutable)
+    """A stroke and what is announced with it, as a decision."""
+    ball = -1.0 if call.ball is None else float(call.ball)
+    pocket = -1.0 if call.pocket is None else float(call.pocket)
+    return Decision("stroke", (*stroke, ball, pocket, float(call.safety), float(call.push_out)))

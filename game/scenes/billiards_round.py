@@ -232,10 +232,13 @@ def play(round_: Round) -> Played:
     return Played(trajectory, summary, verdict, with_white(after))
 
 
-def choose(round_: Round, name: str) -> Round:
-    """The round after the player at turn has chosen an option; ValueError if there is no such option."""
+def choose(round_: Round, name: str, seed: int) -> Round:
+    """The round after the player at turn has chosen an option; ValueError if there is no such option.
+
+    seed: of a new rack, if that was chosen.
+    """
     verdict = round_.game.choose(name)
-    frame = round_.frame.follow(verdict, round_.lie)
+    frame = round_.frame.follow(verdict, round_.lie, seed)
     after = msgspec.structs.replace(
         round_, game=frame.game, places=places_from(frame.lie), words=tuple(verdict.words), foul=False
     )

@@ -15,13 +15,15 @@ from game.billiards.state import (
     BALL_JAW,
     BALL_POCKET,
 )
-from game.scenes.billiards_round import Struck, trajectory_of
+from game.scenes.billiards_round import Places, Struck, trajectory_of
 from game.scenes.billiards_ways import Ways
 from game.ui.canvas import Canvas
 from game.ui.painters.aim import draw_cloth_label
 from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
 if TYPE_CHECKING:
+    from game.billiards.search.finding import FoundShot
+    from game.billiards.table import Table
     from game.scenes.billiards import Billiards
 
 Array = NDArray[np.float64]
@@ -159,9 +161,36 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         draw_cloth_label(canvas.surface, canvas.fonts, f"cut {math.degrees(sight.cut):.0f}°", (x, y))
 
 
-def draw_considered(canvas: Canvas, strokes: tuple, white: tuple[float, float]) -> None:
-    """Strokes that a computer player considered, as rays from the white ball, the best brightest."""
-    for rank, stroke in enumerate(strokes[:24]):
-        length = 0.12 + 0.06 * min(stroke.cue_speed, 6.0)
-        end = (white[0] + length * math.cos(stroke.azimuth), white[1] + length * math.sin(stroke.azimuth))
-        canvas.line(white, end, FELT_WARM, 2.0 if rank == 0 else 1.2, alpha=0.9 if rank == 0 else 0.35)
+def draw_considered(
+    canvas: Canvas, shots: tuple[FoundShot, ...], places: Places, table: Table, played: bool
+) -> None:
+    """Shots that a computer player considered: from the white ball to the ball and on to its pocket.
+
+    The best is strongest, with the chance that it was given; ``played``: that is the one being played.
+    """
+    where = {number: (x, y) for number, x, y in places}
+    white = where.get(CUE_BALL)
+    if white is None:
+        return
+    for rank, shot in reversed(list(enumerate(shots))):
+        strong = rank == 0
+        color, alpha = (FELT_WARM, 0.95 if strong else 0.4)
+        width = 2.0 if strong else 1.25
+        reach = 0.25
+        way = (math.cos(shot.stroke.azimuth), math.sin(shot.stroke.azimuth))
+        ball = where.get(shot.ball) if shot.ball is not None else None
+        first = where.get(shot.via) if shot.via is not None else ball
+        if first is not None and shot.kind != "kick":
+            reach = math.hypot(first[0] - white[0], first[1] - white[1])
+        end = (white[0] + reach * way[0], white[1] + reach * way[1])
+        canvas.line(white, end, color, width, alpha=alpha)
+        if ball is None or shot.pocket is None:
+            continue
+        if shot.via is not None and first is not None:
+            canvas.line(first, ball, color, width, dash=DASH, alpha=alpha)
+        canvas.line(ball, table.pockets[shot.pocket, :2], color, width, dash=DASH, alpha=alpha)
+        if strong or not played:
+            words = f"{shot.kind} {100.0 * shot.chance:.0f} %"
+            canvas.label(
+                ball, words, color, 11, "semibold", offset=(0.0, -18.0), alpha=1.0 if strong else 0.7
+            )

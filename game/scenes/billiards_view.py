@@ -62,8 +62,8 @@ def draw(scene: Billiards, canvas: Canvas, alpha: float) -> None:
     if aimed and scene.prediction and scene.grip not in ("white",):
         _draw_aim(scene, canvas)
     draw_balls(canvas, balls, table)
-    if scene.considered and scene.thoughts and scene.phase == STRIKING and scene.round.white is not None:
-        draw_considered(canvas, scene.thoughts, scene.round.white)
+    if scene.considered and scene.phase == STRIKING and not scene.person_plays:
+        draw_considered(canvas, scene.kept.considered, scene.round.places, table, played=False)
     _draw_cue(scene, canvas, time, aimed)
     if roomy:
         look = look_of(canvas)
