@@ -62,6 +62,7 @@ class App:
         self.sounds = SoundPlayer(settings.volume)
         self.running = True
         self.background = background
+        self.tour_due = False  # the first scene opened begins with the tour
         self._events = events
         self._hidden = False
         self._held: set[int] = set()

@@ -45,6 +45,7 @@ COMMANDS = (
     Command("save", "save level and recording", "ctrl+s"),
     Command("open", "open level or recording", "ctrl+o"),
     Command("help", "help", "f1"),
+    Command("tour", "tour of the window", "f3"),
     Command("theme", "dark or light", "f2"),
     Command("settings", "settings", "f10"),
     Command("full-screen", "full screen", "f11"),

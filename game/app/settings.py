@@ -36,6 +36,7 @@ class Settings(msgspec.Struct, forbid_unknown_fields=True):
     panel: bool = True
     panel_in_games: bool = False  # a game has all of the window until its panel is asked for
     volume: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] = 0.7  # of sounds; 0 is silence
+    toured: bool = False  # the tour has been shown
     keys: dict[str, str] = {}
 
 

@@ -28,6 +28,7 @@ def start(
     pygame.key.set_repeat(REPEAT_AFTER_MS, REPEAT_MS)
     app = App(window, CATALOGUE, settings, user_folder())
     window.set_icon(logo(64, app.look.theme))
+    app.tour_due = not settings.toured
     app.open_menu()
     if scene_name:
         app.open_scene(scene_name, opening=opening)

@@ -22,7 +22,8 @@ h1,h2,h3{line-height:1.2}h2{border-top:1px solid #ccc;padding-top:1.2rem;margin-
 table{border-collapse:collapse;margin:.6rem 0}td,th{padding:.2rem .7rem;text-align:right}
 td:first-child,th:first-child{text-align:left}tr+tr td{border-top:1px solid #e4e4e4}
 img{max-width:100%}.bad{color:#b23a00}.quiet{color:#66707a}nav a{margin-right:1rem}
-@media(prefers-color-scheme:dark){body{background:#11181d;color:#e8e6df}img{filter:invert(.88) hue-rotate(180deg)}
+@media(prefers-color-scheme:dark){body{background:#11181d;color:#e8e6df}
+img{filter:invert(.88) hue-rotate(180deg)}
 tr+tr td{border-color:#2c363d}h2{border-color:#2c363d}a{color:#6db8ff}}
 """
 
@@ -41,10 +42,13 @@ def write_page(reports: Sequence[SceneReport], path: Path) -> Path:
     parts = [
         "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>",
         f"<title>Carom: what accuracy costs</title><style>{STYLE}</style>",
-        "<h1>What accuracy costs</h1><p>Cost is CPU time of one thread, the least of several repeats, for one "
-        "simulated second unless an axis says otherwise. Slopes are least-squares fits beyond the last point "
-        "at which a method failed; such points are crosses in the pictures.</p><nav>",
-        *(f"<a href='#{r.scene_type.name}'>{escape(r.scene_type.task or r.scene_type.title)}</a>" for r in reports),
+        "<h1>What accuracy costs</h1><p>Cost is CPU time of one thread, the least of several repeats, for "
+        "one simulated second unless an axis says otherwise. Slopes are least-squares fits beyond the last "
+        "point at which a method failed; such points are crosses in the pictures.</p><nav>",
+        *(
+            f"<a href='#{r.scene_type.name}'>{escape(r.scene_type.task or r.scene_type.title)}</a>"
+            for r in reports
+        ),
         "</nav>",
     ]
     for report in reports:
@@ -94,7 +98,7 @@ def _prices(prices: Prices) -> list[str]:
     """A row for each effect; how a step is without any."""
     parts = [
         "<h3>What every effect costs</h3>",
-        f"<p>A step takes {_cost(prices.step_s)} as the scene opens, {_cost(prices.bare_s)} with no effect at all. "
+        f"<p>A step takes {_cost(prices.step_s)} as the scene opens, {_cost(prices.bare_s)} with no effect. "
         "What a scene does not declare is not in its compiled step, and costs nothing.</p>",
         "<table><tr><th>effect</th><th>a step with it costs more by</th></tr>",
     ]

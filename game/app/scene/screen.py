@@ -27,6 +27,7 @@ PAUSE_ROWS = (
     ("open", "Open what was saved"),
     ("save", "Save level and recording"),
     ("help", "Help"),
+    ("tour", "Tour of the window"),
     ("settings", "Settings"),
     ("next", "Next scene"),
     ("back", "Menu"),
@@ -102,6 +103,8 @@ class SceneScreen(Screen):
         self.play = ScenePlay(self.app, self.shell, loader.stage, self.opening)
         if self.goes_on:
             self.app.tell("Your game goes on.", "N begins a new one.")
+        if self.app.tour_due:
+            self._open_tour()
 
     def closed(self) -> None:
         if self.loader is not None:
@@ -182,6 +185,8 @@ class SceneScreen(Screen):
             from game.app.scene.help_card import HelpCard
 
             self.app.push(HelpCard(self.app, play.stage.scene_type))
+        elif name == "tour":
+            self._open_tour()
         elif name == "accuracy":
             self._open_accuracy(play)
         elif name == "pause-menu":
@@ -189,6 +194,15 @@ class SceneScreen(Screen):
         else:
             return play.command(name)
         return True
+
+    def _open_tour(self) -> None:
+        """The tour, which from now on comes only when it is asked for."""
+        from game.app.scene.tour import TourScreen
+
+        self.app.tour_due = False
+        self.app.settings.toured = True
+        self.app.save_settings()
+        self.app.push(TourScreen(self.app, self.shell))
 
     def _open_pause_menu(self) -> None:
         """All that can be done, as a list; the scene stands still under it."""
