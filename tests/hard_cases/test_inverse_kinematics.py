@@ -166,9 +166,9 @@ def test_h8_at_both_limits_the_error_only_falls(method):
     found = solver.solve((-0.2, 0.9), method, 1e-6, 300)
     assert np.all(skeleton.angles <= skeleton.upper)
     assert np.all(skeleton.angles >= skeleton.lower)
-    free = solver.history[: min(solver.count, 30)]
-    if method != "gradient":
-        assert np.all(np.diff(free) <= 1e-12)
+    changes = np.diff(solver.history[: solver.count])
+    at_rest = np.flatnonzero(np.abs(changes) <= 1e-14)  # from there on it is kicked, to no avail
+    assert np.all(changes[: at_rest[0] if len(at_rest) else 30] < 0.0)
     bent = abs(1.0 + 0.8 * cmath.exp(0.5j) + 0.6 * cmath.exp(1.0j))  # as near as both limits let it come
     assert found.error == pytest.approx(bent - math.hypot(0.2, 0.9), abs=1e-6)
 

@@ -27,7 +27,7 @@ FIRST = 4.0  # first try over the safe step
 
 @kernel
 def relax_by_armijo(base, links, target, points, numbers):
-    """One iteration; gives the number of times that the chain was placed. Row PULL must hold Jᵀe."""
+    """One iteration; gives how often the chain was placed, negative if no step helps. PULL holds Jᵀe."""
     before = error_of(points, target)
     copy_row(links, ANGLE, TRIAL)
     step = numbers[MEMORY] if numbers[MEMORY] > 0.0 else FIRST / numbers[REACH_SQUARE]
@@ -46,4 +46,4 @@ def relax_by_armijo(base, links, target, points, numbers):
         step *= 0.5
     place_points(base, links, ANGLE, points)
     numbers[MEMORY] = 0.0
-    return HALVINGS + 1
+    return -HALVINGS - 1

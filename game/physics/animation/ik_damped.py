@@ -22,12 +22,14 @@ from game.physics.animation.ik_chain import (
     copy_row,
     error_of,
     place_points,
+    pull_joints,
     turn_joints,
 )
 from game.physics.jit import kernel
 
-FIRST, LEAST, MOST = 1e-3, 1e-12, 1e12  # λ² over Σ r_i²
-LESS, MORE = 0.1, 4.0  # change of λ² after a turn that helped, and one that did not
+FIRST, LEAST = 1e-3, 1e-12  # λ² over Σ r_i²
+LESS, MORE = 0.1, 10.0  # change of λ² after a turn that helped, and one that did not
+TRIES = 16  # dampings in one iteration; beyond, no turn helps
 
 
 @kernel
@@ -61,21 +63,23 @@ def _held(links, i):
 
 @kernel
 def relax_adaptively(base, links, target, points, numbers):
-    """One try with the present damping; gives the number of times that the chain was placed."""
+    """One turn that helps; gives how often the chain was placed, negative if there is none."""
     size = numbers[REACH_SQUARE]
     square = numbers[MEMORY] if numbers[MEMORY] > 0.0 else FIRST * size
     before = error_of(points, target)
     copy_row(links, ANGLE, TRIAL)
-    solve_damped(links, target, points, square)
-    turn_joints(links, 1.0)
-    place_points(base, links, ANGLE, points)
-    if error_of(points, target) < before:
-        numbers[MEMORY] = max(LESS * square, LEAST * size)
-        return 1
-    copy_row(links, TRIAL, ANGLE)
-    place_points(base, links, ANGLE, points)
-    numbers[MEMORY] = min(MORE * square, MOST * size)
-    return 2
+    for tries in range(TRIES):
+        pull_joints(points, target, links)
+        solve_damped(links, target, points, square)
+        turn_joints(links, 1.0)
+        place_points(base, links, ANGLE, points)
+        if error_of(points, target) < before:
+            numbers[MEMORY] = max(LESS * square, LEAST * size)
+            return 2 * tries + 1
+        copy_row(links, TRIAL, ANGLE)
+        place_points(base, links, ANGLE, points)
+        square *= MORE
+    return -2 * TRIES
 
 
 @kernel

@@ -51,7 +51,7 @@ BEYOND = 1.25  # of the reach: where a target farther off is aimed at
 
 @kernel(inline="always")
 def relax(method, base, links, aim, points, numbers):
-    """One iteration of a method; gives the number of times that the chain was placed."""
+    """One iteration of a method; gives how often the chain was placed, negative if it stayed as it was."""
     if method == GRADIENT:
         return relax_by_gradient(base, links, aim, points, numbers)
     if method == BUSS:
@@ -106,8 +106,9 @@ def solve_links(method, base, links, start, targets, points, aim, numbers, setti
     """Move a chain's end to targets (m, 2), each from the angles (and to those) in ``start`` (m, n).
 
     settings: tolerance (m), most iterations, and 1.0 to keep the best pose on the way, not the last one
-    (which is done anyway after a kick that has led nowhere). history (h,): the errors before each iteration
-    of the last target, as far as it has room. found (m, 4): error, iterations, placings, ending.
+    (which is done anyway after a kick that has led nowhere, but not if it ends soon after one). history (h,):
+    the errors before each iteration of the last target, as far as it has room. found (m, 4): error,
+    iterations, placings, ending.
     """
     tolerance, most, keep_best = settings[0], int(settings[1]), settings[2] > 0.0
     for task in range(targets.shape[0]):
@@ -119,6 +120,7 @@ def solve_links(method, base, links, start, targets, points, aim, numbers, setti
         numbers[REACH_SQUARE], numbers[MEMORY] = squared_reach(links), 0.0
         place_points(base, links, ANGLE, points)
         best, mark, mark_best, kicks, placings, ending, k = math.inf, 0, math.inf, 0, 1, SPENT, 0
+        kicked, stuck = -WINDOW, False
         while True:
             error = error_of(points, target)
             if k < history.shape[0]:
@@ -131,25 +133,29 @@ def solve_links(method, base, links, start, targets, points, aim, numbers, setti
                 break
             if k >= most:
                 break
-            still = k - mark >= WINDOW
-            if still:
-                still = mark_best - best <= PROGRESS * tolerance
+            still = stuck
+            if k - mark >= WINDOW:
+                still = still or mark_best - best <= PROGRESS * tolerance
                 mark, mark_best = k, best
             dead = pull_joints(points, goal, links) <= DEAD * error_of(points, goal) * reach
             if not (dead or still):
                 k += 1
-                placings += relax(method, base, links, goal, points, numbers)
+                taken = relax(method, base, links, goal, points, numbers)
+                placings, stuck = placings + abs(taken), taken < 0
                 continue
             if best <= least + tolerance or kicks == MOST_KICKS:
                 ending = NO_PROGRESS
                 break
             if kicks > 0:
                 copy_row(links, BEST, ANGLE)
+            if dead:
+                kicked = k
             kick_joint(links, kicks)
             place_points(base, links, ANGLE, points)
-            k += 1
+            k, stuck = k + 1, False
             kicks, placings, mark, mark_best, numbers[MEMORY] = kicks + 1, placings + 1, k, best, 0.0
-        if (keep_best or kicks > 0) and best < error:
+        begun = ending == SPENT and k - kicked < WINDOW  # a kick that the next call may go on from
+        if (keep_best or kicks > 0) and best < error and not begun:
             copy_row(links, BEST, ANGLE)
             place_points(base, links, ANGLE, points)
             error = best

@@ -99,9 +99,9 @@ def test_errors_never_grow(method, x, y, start):
         skeleton.pose(np.array(start) / 2)
         solver = Solver(skeleton, 0, 4, remembered=60)
         solver.solve((x, y), method, 1e-6, 30, limited=limited)
-        errors = solver.history[: solver.count]
-        grows = np.diff(errors) > 16 * EPS * 6
-        assert not np.any(grows[:20])
+        changes = np.diff(solver.history[: solver.count])
+        at_rest = np.flatnonzero(np.abs(changes) <= 16 * EPS * 6)  # from there on it may be kicked
+        assert np.all(changes[: at_rest[0] if len(at_rest) else 20] <= 0.0)
 
 
 def test_the_largest_stable_step_of_a_straight_chain():
