@@ -8,8 +8,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.narrowphase import ConvexPolygon, Feature, PolygonSet, Proximity, gjk, gjk_batch
-from game.physics.narrowphase.queries import METHODS, SimplexStep, gjk_trace, vclip
+from game.physics.narrowphase import (
+    ConvexPolygon,
+    Feature,
+    PolygonSet,
+    Proximity,
+    epa,
+    epa_trace,
+    gjk_batch,
+    vclip,
+)
+from game.physics.narrowphase.gjk import METHODS
+from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.physics.proximity_effects import EXACT_ANSWER
 from game.scenes import c11_view as view
 from game.scenes.convex_pair import ConvexPairScene
@@ -66,12 +76,12 @@ class Gjk(ConvexPairScene):
     try_this = (
         "Switch coherence off and walk through the query with the arrow keys: simplex by simplex to the origin.",
         "Drag B onto A: the difference moves over the origin, and the polytope grows to its border.",
-        "Open the two gears and compare scan with climb.",
+        "Open the two coins and compare scan with climb.",
         "Set the tolerance to a tenth: the query ends early, with a distance that is a little too large.",
     )
 
     def measure(self, a: ConvexPolygon, b: ConvexPolygon, start: tuple[Feature, Feature]) -> Proximity:
-        return gjk(a, b, start, **self.options())
+        return epa(a, b, start, **self.options())
 
     def options(self) -> dict[str, Any]:
         """What the knobs say to a query."""
@@ -87,12 +97,13 @@ class Gjk(ConvexPairScene):
             deep=EXACT_ANSWER in self.active, method=self.method,
         )  # fmt: skip
 
-    def trace(self) -> list[SimplexStep]:
-        """The steps of the last query."""
+    def trace(self) -> list[SimplexStep | PolytopeStep]:
+        """The steps of the last query: GJK's, then in an overlap EPA's."""
         a, b = self.shape(0), self.shape(1)
         if a is None or b is None:
             return []
-        return gjk_trace(a, b, self.start_features(a, b), **self.options())[1]
+        _, steps, growth = epa_trace(a, b, self.start_features(a, b), **self.options())
+        return [*steps, *growth]
 
     def trace_length(self) -> int:
         return len(self.trace()) if self.ready else 0

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.narrowphase.minkowski import minkowski_difference
+from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.scenes import convex_pair_view as view
 from game.stage import Frame
 from game.ui.canvas import Canvas
 from game.ui.numerals import format_si
 
 if TYPE_CHECKING:
-    from game.physics.narrowphase.queries import SimplexStep
     from game.scenes.c11_gjk import Gjk
     from game.scenes.convex_pair_level import View
 
@@ -41,6 +41,15 @@ class Inset(NamedTuple):
     def place(self, points: Array) -> Array:
         """Points (n, 2) of A - B where they are drawn."""
         return np.asarray(points) * self.scale + (self.x, self.y)
+
+
+def words_of(step: SimplexStep | PolytopeStep) -> str:
+    """What a step does."""
+    if isinstance(step, SimplexStep):
+        return WORDS[step.kept]
+    if step.grows:
+        return "the nearest edge is not on the border: break it at w"
+    return "the nearest edge is on the border: the shortest way out"
 
 
 def frame_of(seen: View) -> Frame:
@@ -80,14 +89,24 @@ def draw(scene: Gjk, canvas: Canvas) -> None:
         if scene.minkowski:
             draw_difference(scene, canvas, shapes, trace[: index + 1], whole)
         if trace and (scene.shown >= 0 or len(trace) > 1):
-            words = f"step {index + 1} of {len(trace)}: {WORDS[trace[index].kept]}"
+            words = f"step {index + 1} of {len(trace)}: {words_of(trace[index])}"
             view.caption(scene, canvas, words)
     view.draw_hand(scene, canvas)
 
 
-def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep) -> None:
+def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | PolytopeStep) -> None:
     """The vertices farthest along the direction, and the direction at both polygons."""
-    x, y = step.direction
+    if isinstance(step, PolytopeStep):
+        count = len(step.corners)
+        p, q = (
+            shapes[0][i % len(shapes[0])] - shapes[1][j % len(shapes[1])]
+            for i, j in (step.corners[step.edge], step.corners[(step.edge + 1) % count])
+        )
+        length = math.sqrt(float((q - p) @ (q - p))) or 1.0
+        x, y = float(q[1] - p[1]) / length, float(p[0] - q[0]) / length
+        corners = (step.corners[step.edge], step.corners[(step.edge + 1) % count])
+    else:
+        (x, y), corners = step.direction, step.corners
     for k, sign in ((0, 1.0), (1, -1.0)):
         i = step.support[k] % len(shapes[k])
         corner = shapes[k][i]
@@ -95,13 +114,13 @@ def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep) -> Non
         canvas.dot(corner, 4.0, "pink")
         length = canvas.px(46.0)
         canvas.arrow(corner, (sign * x * length, sign * y * length), "pink", None, width=1.8)
-        for pair in step.corners:
+        for pair in corners:
             canvas.dot(shapes[k][pair[k] % len(shapes[k])], 4.5, "amber")
 
 
 def draw_difference(
-    scene: Gjk, canvas: Canvas, shapes: list[Array], shown: list[SimplexStep], whole: bool
-) -> None:
+    scene: Gjk, canvas: Canvas, shapes: list[Array], shown: list[SimplexStep | PolytopeStep], whole: bool
+) -> None:  # fmt: skip
     """A - B, the origin, the simplexes so far, v and w."""
     seen = scene.content.view
     difference = minkowski_difference(shapes[0], shapes[1])
@@ -121,37 +140,66 @@ def draw_difference(
     for dx, dy in ((arm, 0.0), (0.0, arm)):
         ends = ((origin[0] - dx, origin[1] - dy), (origin[0] + dx, origin[1] + dy))
         canvas.line(*ends, "text1", 1.6)
-    if not shown:
-        return
-    draw_simplexes(scene, canvas, shapes, inset, shown, whole)
-    place = shown[-1].closest if not (whole and scene.answer[0] <= 0.0) else (0.0, 0.0)
+    simplexes = [step for step in shown if isinstance(step, SimplexStep)]
+    growing = [step for step in shown if isinstance(step, PolytopeStep)]
+    if simplexes:
+        draw_simplexes(scene, canvas, shapes, inset, simplexes, bool(growing))
+    if growing:
+        draw_polytope(canvas, shapes, inset, growing[-1])
+    place = simplexes[-1].closest if simplexes and not growing else (0.0, 0.0)
     away = (-1.0 if place[0] > 0.0 else 1.0, -1.0 if place[1] > 0.0 else 1.0)
     canvas.label(
-        origin, "origin", "text1", 12, anchor="left" if away[0] > 0 else "right",
-        offset=(10.0 * away[0], -14.0 * away[1]),
+        origin, "origin", "text1", 12, anchor="right" if away[0] < 0.0 else "left",
+        offset=(-10.0 * away[0] if place != (0.0, 0.0) else 10.0, 16.0 * away[1]),
     )  # fmt: skip
 
 
+def corner_of(shapes: list[Array], inset: Inset, pair: tuple[int, int]) -> Array:
+    """Where a corner a - b of the difference is drawn."""
+    return inset.place(shapes[0][pair[0] % len(shapes[0])] - shapes[1][pair[1] % len(shapes[1])])
+
+
+def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: PolytopeStep) -> None:
+    """EPA's polygon, its nearest edge, the way to it from the origin, and the corner beyond it."""
+    corners = np.array([corner_of(shapes, inset, pair) for pair in step.corners])
+    canvas.polygon(corners, "amber", 0.13, "amber", 1.8)
+    canvas.discs(corners, canvas.px(3.0), "amber")
+    p, q = corners[step.edge], corners[(step.edge + 1) % len(corners)]
+    color = "amber" if step.grows else "green"
+    canvas.line(p, q, color, 4.0)
+    ex, ey = (q - p).tolist()
+    length = math.sqrt(ex * ex + ey * ey)
+    if length > 0.0:
+        origin = np.array((inset.x, inset.y))
+        part = ((origin - p) @ (q - p)) / (length * length)
+        way = p + part * (q - p) - origin
+        canvas.arrow(
+            tuple(origin.tolist()), tuple(way.tolist()), color if step.grows else "vermilion", None, width=2.0
+        )
+    if step.grows:
+        new = corner_of(shapes, inset, step.support)
+        canvas.ring(new, 7.0, "pink", 2.0)
+        canvas.label(new, "w", "pink", 13, "semibold", offset=(12.0, -12.0))
+
+
 def draw_simplexes(
-    scene: Gjk, canvas: Canvas, shapes: list[Array], inset: Inset, shown: list[SimplexStep], whole: bool
+    scene: Gjk, canvas: Canvas, shapes: list[Array], inset: Inset, shown: list[SimplexStep], past: bool
 ) -> None:
-    """Simplexes, the newer the stronger; of the last one also v, w and the bound."""
+    """Simplexes, the newer the stronger; of the last one, unless EPA has gone past it, also v and w."""
     scale = scene.content.scale
-
-    def corner(pair: tuple[int, int]) -> Array:
-        return inset.place(shapes[0][pair[0] % len(shapes[0])] - shapes[1][pair[1] % len(shapes[1])])
-
     for number, step in enumerate(shown, start=1):
-        alpha = 0.2 + 0.8 * number / len(shown)
-        points = [corner(pair) for pair in step.corners]
+        alpha = (0.2 + 0.8 * number / len(shown)) * (0.4 if past else 1.0)
+        points = [corner_of(shapes, inset, pair) for pair in step.corners]
         if len(points) == 2:
             canvas.line(points[0], points[1], "amber", 2.6 if number == len(shown) else 1.6, alpha=alpha)
         for point in points:
             canvas.dot(point, 4.0, "amber", alpha)
     last = shown[-1]
-    new = corner(last.support)
+    if past:
+        return
+    new = corner_of(shapes, inset, last.support)
     if last.kept == "inside":
-        triangle = np.array([*(corner(pair) for pair in last.corners), new])
+        triangle = np.array([*(corner_of(shapes, inset, pair) for pair in last.corners), new])
         canvas.polygon(triangle, "amber", 0.15, "amber", 2.0)
     tip = inset.place(np.array(last.closest) / scale)
     origin = (inset.x, inset.y)
@@ -160,7 +208,7 @@ def draw_simplexes(
         canvas.arrow(origin, (tip[0] - origin[0], tip[1] - origin[1]), color, "v", width=2.0)
     canvas.ring(new, 7.0, "pink", 2.0)
     canvas.label(new, "w", "pink", 13, "semibold", offset=(12.0, -12.0))
-    if last.kept == "done" and whole and scene.answer[0] > 0.0:
+    if last.kept == "done" and scene.answer[0] > 0.0:
         words = f"|v| = {format_si(float(scene.answer[0]), 'm')}"
         canvas.label(
             (0.5 * (tip[0] + origin[0]), 0.5 * (tip[1] + origin[1])), words, "green", 12, "semibold",

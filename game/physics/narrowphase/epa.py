@@ -22,7 +22,7 @@ from game.physics.narrowphase.gjk import (
     measure_simplex,
     walk,
 )
-from game.physics.narrowphase.separating_axis import measure_overlap
+from game.physics.narrowphase.separating_axis import measure_touching
 from game.physics.narrowphase.simplex import support_cold, support_hc
 
 TRACE_WIDTH = (
@@ -117,8 +117,8 @@ def expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace)
 
 @lean_kernel
 def epa_query(
-    va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, corners, heights,
-    gjk_trace, trace,
+    va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, deep, corners,
+    heights, gjk_trace, trace,
 ):  # fmt: skip
     """GJK, and EPA where it finds an overlap: the nine numbers of `measure`, steps of GJK and of EPA."""
     status, steps, i0, j0, i1, j1, i, j = walk(
@@ -129,8 +129,8 @@ def epa_query(
     if known_feature(start_a, na) and known_feature(start_b, nb):
         i, j = i0, j0  # a walk from given features may have kept corners within A - B
     count = first_polygon(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1, i, j, corners)
-    if count == 1:
-        return measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty), steps, 0
+    if count == 1 or not deep:
+        return measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, 2 * i0, 2 * j0), steps, 0
     best, count, more = expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace)
     m = best + 1 if best + 1 < count else 0
     _, ax, ay, _, _, _, _, feature_a, feature_b = measure_chord(

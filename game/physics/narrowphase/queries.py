@@ -54,10 +54,7 @@ def gjk(
     simplex the walk begins with. tolerance: relative, at which it may end before the exact answer. method: how
     support vertices are found, "climb" or "scan". deep: as for `vclip`. ValueError for others, and for a limit below 1.
     """
-    if method not in METHODS:
-        raise ValueError(f"gjk: method must be climb or scan, not {method!r}")
-    if not 0.0 <= tolerance < 1.0:
-        raise ValueError(f"gjk: tolerance must be from 0 to below 1, not {tolerance}")
+    _check_options("gjk", tolerance, method)
     if limit < 1:
         raise ValueError(f"gjk: limit must be at least 1, not {limit}")
     a, b = as_polygon(a), as_polygon(b)
@@ -83,25 +80,39 @@ def sat(a: Any, b: Any) -> Proximity:
 
 
 def epa(
-    a: Any, b: Any, start: Start = None, method: str = "climb", trace: Array = gjk_kernels.NO_TRACE,
+    a: Any,
+    b: Any,
+    start: Start = None,
+    tolerance: float = gjk_kernels.TOLERANCE,
+    method: str = "climb",
+    deep: bool = True,
+    trace: Array = gjk_kernels.NO_TRACE,
     expansion: Array = epa_kernels.NO_TRACE,
-) -> Proximity:  # fmt: skip
+) -> Proximity:
     """`gjk`, with the depth of an overlap by expanding a polygon (EPA) instead of looking at all edges.
 
-    ``iterations`` counts the steps of both.
+    Arguments as for `gjk`. ``iterations`` counts the steps of both.
     """
-    if method not in METHODS:
-        raise ValueError(f"epa: method must be climb or scan, not {method!r}")
+    _check_options("epa", tolerance, method)
     a, b = as_polygon(a), as_polygon(b)
     frame = _frame(a, b)
     toward = b.centre - a.centre
     room = len(a) + len(b) + 3
     found, steps, more = epa_kernels.epa_query(
         a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
-        *_codes(start), gjk_kernels.TOLERANCE, gjk_kernels.LIMIT, METHODS.index(method),
+        *_codes(start), float(tolerance), gjk_kernels.LIMIT, METHODS.index(method), deep,
         np.empty((room, 2), dtype=np.int64), np.empty(room), trace, expansion,
     )  # fmt: skip
+    if tolerance > gjk_kernels.TOLERANCE:
+        return _proximity(a, found, steps + more)
     return checked(a, b, found, steps + more)
+
+
+def _check_options(name: str, tolerance: float, method: str) -> None:
+    if method not in METHODS:
+        raise ValueError(f"{name}: method must be climb or scan, not {method!r}")
+    if not 0.0 <= tolerance < 1.0:
+        raise ValueError(f"{name}: tolerance must be from 0 to below 1, not {tolerance}")
 
 
 class FeatureStep(NamedTuple):
@@ -193,13 +204,13 @@ class PolytopeStep(NamedTuple):
 
 
 def epa_trace(
-    a: Any, b: Any, start: Start = None, method: str = "climb"
+    a: Any, b: Any, start: Start = None, **options: Any
 ) -> tuple[Proximity, list[SimplexStep], list[PolytopeStep]]:  # fmt: skip
     """`epa`, the steps of GJK, and then those of EPA."""
     a, b = as_polygon(a), as_polygon(b)
     rows = np.full((gjk_kernels.LIMIT, gjk_kernels.TRACE_WIDTH), np.nan)
     more = np.full((len(a) + len(b) + 3, epa_kernels.TRACE_WIDTH), np.nan)
-    found = epa(a, b, start, method, rows, more)
+    found = epa(a, b, start, trace=rows, expansion=more, **options)
     steps = _simplex_steps(rows)
     expansion: list[PolytopeStep] = []
     corners = _first_corners(a, b, steps if start is None else [])

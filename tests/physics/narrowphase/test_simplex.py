@@ -27,7 +27,9 @@ from game.physics.narrowphase.simplex import (
 def test_climbing_finds_what_a_look_at_all_finds():
     """From every vertex, also where two are equally far (C11.H5, .H6)."""
     random = np.random.default_rng(4)
-    shapes = [random_polygon(random).local for _ in range(12)] + [ConvexPolygon(gon(n)).local for n in (3, 90)]
+    shapes = [random_polygon(random).local for _ in range(12)] + [
+        ConvexPolygon(gon(n)).local for n in (3, 90)
+    ]
     for corners in shapes:
         n = len(corners)
         edges = np.roll(corners, -1, axis=0) - corners

@@ -1,0 +1,70 @@
+"""GJK's scene: simplexes, polytopes, tolerance; the rest is in test_convex_pairs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scenes.particle_stages import open_level, readouts
+
+from game.physics.narrowphase.minkowski import minkowski_difference
+from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
+from game.scenes.c11_gjk import Gjk
+from game.scenes.c11_view import frame_of, inset_for, words_of
+from game.stage import SetEffect, SetKnob
+
+
+def test_same_answer_as_vclip_to_rounding():
+    stage = open_level(Gjk, "crystals")
+    depths = 0
+    for _ in range(60):
+        stage.run(10)
+        row = readouts(stage)
+        assert row["distance"] == pytest.approx(row["V-Clip"], rel=0, abs=1e-14)
+        depths += row["distance"] < 0.0
+    assert 5 < depths < 55
+
+
+def test_an_overlap_is_walked_by_simplexes_and_then_by_polytopes():
+    stage = open_level(Gjk, "hard-11-inside")
+    stage.run(1)
+    trace = stage.scene.trace()
+    kinds = [type(step) for step in trace]
+    assert kinds == sorted(kinds, key=[SimplexStep, PolytopeStep].index)
+    assert kinds[-1] is PolytopeStep and not trace[-1].grows
+    assert len(trace) == readouts(stage)["steps"]
+    assert all(words_of(step) for step in trace)
+
+
+def test_a_loose_tolerance_ends_early_with_too_much():
+    stage = open_level(Gjk, "coins")
+    stage.post(SetEffect("shape-motion", False))
+    stage.post(SetEffect("coherence", False))
+    exact = readouts(stage)
+    stage.post(SetKnob("exponent", -1.0))
+    loose = readouts(stage)
+    assert exact["distance"] < loose["distance"] < 1.12 * exact["distance"]
+    assert loose["steps"] < exact["steps"]
+
+
+def test_climbing_and_scanning_agree():
+    stage = open_level(Gjk, "coins")
+    stage.run(5)
+    climbed = readouts(stage)["distance"]
+    stage.post(SetKnob("method", "scan"))
+    assert readouts(stage)["distance"] == pytest.approx(climbed, rel=0, abs=1e-15)
+
+
+def test_the_difference_and_the_origin_fit_beside_the_polygons():
+    stage = open_level(Gjk, "default")
+    stage.run(1)
+    scene = stage.scene
+    seen, frame = scene.content.view, frame_of(scene.content.view)
+    for shift in (0.0, 3.0):
+        a, b = scene.drawn_corners(0), scene.drawn_corners(1) + (shift, 0.0)
+        difference = minkowski_difference(a, b)
+        inset = inset_for(seen, difference)
+        placed = np.vstack((inset.place(difference), [(inset.x, inset.y)]))
+        assert (placed >= (seen.right, frame.bottom)).all()
+        assert (placed <= (frame.right, frame.top)).all()
+    stage.post(SetKnob("minkowski", False))
+    assert scene.frame().right == seen.right
