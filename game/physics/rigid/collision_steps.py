@@ -18,6 +18,7 @@ from game.physics.rigid.contacts import recall_impulses
 from game.physics.rigid.impulses import (
     harden_rows,
     keep_impulses,
+    pass_over,
     prepare_rows,
     start_warm,
     sweep_rows,
@@ -170,6 +171,7 @@ def prepare_part(
 @lean_kernel
 def bear_part(work, touches, ids, count, held, rows, shifts, pulls, numbers):
     """Forces, what bears them, and how far bodies go. held (room, 4): impulses, written."""
+    pass_over(work, touches, ids, count, rows, numbers)
     start_shifts(work, shifts, numbers.h, numbers.scheme)
     apply_forces(work, pulls, numbers.h, numbers.gravity, numbers.drag)
     apply_torques(work, pulls, numbers.h)
@@ -208,7 +210,7 @@ def note_flat(positions, radii, touches, who, ids, count, rows, ring, counters):
             entry[ONE], entry[OTHER] = who[m, 0], max(who[m, 1], -1)
             entry[REBOUND] = rows[m, flat_law.REBOUND]
             a = ids[m, 0]
-            reach = radii[a]
+            reach = radii[a] * rows[m, flat_law.ARMS]
             entry[X] = positions[a, 0] + nx * reach
             entry[Y] = positions[a, 1] + ny * reach
             entry[Z] = positions[a, 2]
@@ -261,8 +263,9 @@ def planar_part(
         counters[ROUNDS] = turns
         counters[BOUNCES] = made
         note_flat(state.positions, makeup.radii, touches, who, ids, count, rows, ring, counters)
+    flat_law.pass_over_flat(flat, touches, ids, count, rows, numbers)
     force_flat(flat, pulls, numbers)
-    flat_law.start_flat(flat, touches, ids, count, rows)
+    flat_law.start_flat(flat, ids, count, rows)
     for _ in range(numbers.iterations):
         flat_law.sweep_flat(flat, ids, count, rows)
     h = 0.0 if numbers.scheme == EXPLICIT else 0.5 * numbers.h if numbers.scheme == EXACT else numbers.h

@@ -52,6 +52,7 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 SKIN = 0.2  # of the smallest radius: candidates are found anew when a sphere has gone half of it
 PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
+MOMENT = 1e-9  # of a substep
 IMPACTS_PER_SPHERE, MOST_IMPACTS = 8, 400  # parts of a step, at most
 
 
@@ -204,16 +205,27 @@ class CollidingSpheres:
         self.tests = self.parts = 0
         whole = IMPACT_TIMES in settings.effects
         for _ in range(settings.substeps):
-            left = nominal
-            most = min(IMPACTS_PER_SPHERE * len(self.bodies.makeup.radii), MOST_IMPACTS) if whole else 1
-            for part in range(most):
-                h = self._time_to_impact(left) if whole and part < most - 1 else left
-                self._part(h, nominal)
-                self.parts += 1
-                left -= h
-                if not left > 1e-15 * nominal:
-                    break
+            self._parts(nominal, whole)
         self.pulls[:] = 0.0
+
+    def _parts(self, nominal: float, whole: bool) -> None:
+        """A substep of nominal length (s), divided at its impacts if the ``whole`` of them is wanted."""
+        left = nominal
+        most = min(IMPACTS_PER_SPHERE * len(self.bodies.makeup.radii), MOST_IMPACTS) if whole else 1
+        struck = False
+        for part in range(most):
+            if not whole or part == most - 1:
+                h = left
+            elif struck and self.settings.scheme != "explicit-euler":
+                h = MOMENT * nominal  # what has met collides, before anybody looks where it goes
+            else:
+                h = min(max(self._time_to_impact(left), MOMENT * nominal), left)
+            struck = not struck and h < left
+            self._part(h, nominal)
+            self.parts += 1
+            left -= h
+            if not left > 1e-15 * nominal:
+                return
 
     def _time_to_impact(self, left: float) -> float:
         """Seconds until the first impact, at most those left of a substep."""
@@ -226,7 +238,7 @@ class CollidingSpheres:
             self._places, bodies.makeup, self._work, pairs, self.surroundings, settings.effects.mask, left,
             float(gravity), LAGS[settings.scheme], float(settings.fast),
         )  # fmt: skip
-        return max(first, 1e-9 * left)
+        return first
 
     def _swept_candidates(self, h: float) -> Ints:
         """Pairs that could meet within h (s)."""

@@ -44,6 +44,7 @@ ROW_COLUMNS = 26
 TOUCHING = 1e-9  # of the radius: a gap up to this is none
 STILL = 1e-12  # of the fastest approach: slower ones are rounding
 STRING = -2  # in place of a second sphere
+STRIDE = 4  # touches are swept in strides, so that one need not wait for the result of the one before
 
 
 @inner_kernel
@@ -143,16 +144,17 @@ def is_apart(offsets, s):
 def measure_row(work, makeup, state, places, touch, row, who, a, b, tables, numbers):
     """Fill in the arms, effective mass and material of one touch."""
     s, other = who[FIRST], who[SECOND]
-    reach = makeup.radii[s] + 0.5 * min(touch[GAP], 0.0) * (1.0 if other >= 0 else 0.0)
+    # overlap is shared in proportion to the radii, so that both arms end at one point
+    reach_a, reach_b = makeup.radii[s], makeup.radii[other] if other >= 0 else 0.0
+    scale = 1.0 + min(touch[GAP], 0.0) / (reach_a + reach_b)
     for axis in range(3):
-        row[RAX + axis] = touch[axis] * reach + (places[s, axis] - state.positions[a, axis])
+        row[RAX + axis] = touch[axis] * scale * reach_a + (places[s, axis] - state.positions[a, axis])
         row[RBX + axis] = 0.0
         row[TAX + axis] = 0.0
         row[TBX + axis] = 0.0
     if other >= 0:
-        reach = makeup.radii[other] + 0.5 * min(touch[GAP], 0.0)
         for axis in range(3):
-            row[RBX + axis] = (places[other, axis] - state.positions[b, axis]) - touch[axis] * reach
+            row[RBX + axis] = (places[other, axis] - state.positions[b, axis]) - touch[axis] * scale * reach_b
     weight = work[a, WEIGHT] + work[b, WEIGHT]
     nx, ny, nz = touch[NX], touch[NY], touch[NZ]
     if is_apart(makeup.offsets, s):
@@ -177,8 +179,7 @@ def measure_row(work, makeup, state, places, touch, row, who, a, b, tables, numb
 def prepare_rows(state, makeup, places, work, touches, who, ids, held, count, tables, numbers, rows):
     """Rows of all touches (count, ROW_COLUMNS) written; returns the fastest approach that bounces, m/s.
 
-    held: (count, 4) impulses of the last step. A gap that is closing too fast to be borne takes no part
-    until it has closed.
+    held: (count, 4) impulses of the last step.
     """
     fastest = 0.0
     for m in range(count):
@@ -192,14 +193,13 @@ def prepare_rows(state, makeup, places, work, touches, who, ids, held, count, ta
         row[SOFT] = 0.0
         row[HIT] = row[HITX] = row[HITY] = row[HITZ] = 0.0
         row[JN] = held[m, 0] * numbers.carry
-        row[JTX] = held[m, 1] * numbers.carry
-        row[JTY] = held[m, 2] * numbers.carry
-        row[JTZ] = held[m, 3] * numbers.carry
-        if speed < -least:
-            if touching:
-                fastest = max(fastest, -speed)
-            else:
-                touch[GAP] = FAR
+        x, y, z = held[m, 1], held[m, 2], held[m, 3]
+        along = x * touch[NX] + y * touch[NY] + z * touch[NZ]  # as far as the normal has turned
+        row[JTX] = (x - along * touch[NX]) * numbers.carry
+        row[JTY] = (y - along * touch[NY]) * numbers.carry
+        row[JTZ] = (z - along * touch[NZ]) * numbers.carry
+        if speed < -least and touching:
+            fastest = max(fastest, -speed)
         set_bias(touch, row, numbers)
     return fastest
 
@@ -351,13 +351,24 @@ def collide_at_once(
 
 
 @inner_kernel
+def pass_over(work, touches, ids, count, rows, numbers):
+    """After the collisions: a gap that is closing too fast to be borne takes no part until it has closed."""
+    for m in range(count):
+        touch, row = touches[m], rows[m]
+        if touch[GAP] > 0.0 and row[BIAS] < 0.0:
+            speed = normal_speed(work, row, touch, ids[m, FIRST], ids[m, SECOND])
+            if speed < -rest_speed(row[REBOUND], numbers):
+                touch[GAP] = FAR
+                row[BIAS] = -FAR / numbers.h
+                row[JN] = row[JTX] = row[JTY] = row[JTZ] = 0.0
+
+
+@inner_kernel
 def start_warm(work, touches, ids, count, rows):
     """Begin with the impulses of the last step."""
     for m in range(count):
         row = rows[m]
         a, b = ids[m, FIRST], ids[m, SECOND]
-        if touches[m, GAP] >= FAR:
-            row[JN] = row[JTX] = row[JTY] = row[JTZ] = 0.0
         if row[JN] > 0.0:
             push_along(work, row, touches[m], a, b, row[JN])
             push_bodies(work, row, a, b, row[JTX], row[JTY], row[JTZ])
@@ -366,27 +377,28 @@ def start_warm(work, touches, ids, count, rows):
 @inner_kernel
 def sweep_rows(work, touches, ids, count, rows):
     """One sweep over all touches: normal impulses that only push, friction within mu times that."""
-    for m in range(count):
-        touch, row = touches[m], rows[m]
-        a, b = ids[m, FIRST], ids[m, SECOND]
-        speed = normal_speed(work, row, touch, a, b)
-        j = max(row[JN] - (speed - row[BIAS]) * row[MASS] - row[SOFT] * row[JN], 0.0)
-        if j != row[JN]:
-            push_along(work, row, touch, a, b, j - row[JN])
-            row[JN] = j
-        if row[MU] <= 0.0:
-            continue
-        ux, uy, uz, slip, mass = slip_of(work, row, touch, a, b)
-        x, y, z = row[JTX] - mass * ux, row[JTY] - mass * uy, row[JTZ] - mass * uz
-        size = math.sqrt(x * x + y * y + z * z)
-        most = row[MU] * j
-        if size > most:
-            x *= most / size
-            y *= most / size
-            z *= most / size
-        if slip > 0.0 or size > most:
-            push_bodies(work, row, a, b, x - row[JTX], y - row[JTY], z - row[JTZ])
-            row[JTX], row[JTY], row[JTZ] = x, y, z
+    for first in range(STRIDE):
+        for m in range(first, count, STRIDE):
+            touch, row = touches[m], rows[m]
+            a, b = ids[m, FIRST], ids[m, SECOND]
+            speed = normal_speed(work, row, touch, a, b)
+            j = max(row[JN] - (speed - row[BIAS]) * row[MASS] - row[SOFT] * row[JN], 0.0)
+            if j != row[JN]:
+                push_along(work, row, touch, a, b, j - row[JN])
+                row[JN] = j
+            if row[MU] <= 0.0:
+                continue
+            ux, uy, uz, slip, mass = slip_of(work, row, touch, a, b)
+            x, y, z = row[JTX] - mass * ux, row[JTY] - mass * uy, row[JTZ] - mass * uz
+            size = math.sqrt(x * x + y * y + z * z)
+            most = row[MU] * j
+            if size > most:
+                x *= most / size
+                y *= most / size
+                z *= most / size
+            if slip > 0.0 or size > most:
+                push_bodies(work, row, a, b, x - row[JTX], y - row[JTY], z - row[JTZ])
+                row[JTX], row[JTY], row[JTZ] = x, y, z
 
 
 @inner_kernel

@@ -1,8 +1,7 @@
 """The same impulses for single spheres that move in a plane: a few times quicker, for thousands of discs.
 
 A sphere's normal impulse does not turn it, and friction has one direction in the plane, so a touch takes
-three velocities of each body. All that a touch needs of a body lies in one line of the cache, and touches
-are swept in strides, so that one need not wait for the result of the one before.
+three velocities of each body. All that a touch needs of a body lies in one line of the cache.
 """
 
 from __future__ import annotations
@@ -11,16 +10,15 @@ import math
 
 from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid.contacts import FAR, FIRST, GAP, NX, NY, SECOND
-from game.physics.rigid.impulses import STILL, STRING, TOUCHING, rest_speed
+from game.physics.rigid.impulses import STILL, STRIDE, STRING, TOUCHING, rest_speed
 
 # columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, way in this step
 VX, VY, TURN, WEIGHT, RADIUS, LEVER, WAY_X, WAY_Y = range(8)
 FLAT_COLUMNS = 8
 # columns of a row: normal, least separating speed wanted, effective masses along and across the normal,
-# softness, friction, impulses along and across, restitution, and impulses of collisions
-PX, PY, BIAS, MASS, SLIDE, SOFT, MU, JN, JT, REBOUND, HIT, HIT_T = range(12)
-PLANAR_COLUMNS = 12
-STRIDE = 4
+# softness, friction, impulses along and across, arms over radii, restitution, impulses of collisions
+PX, PY, BIAS, MASS, SLIDE, SOFT, MU, JN, JT, ARMS, REBOUND, HIT, HIT_T = range(13)
+PLANAR_COLUMNS = 13
 
 
 @lean_kernel
@@ -90,15 +88,12 @@ def prepare_planar(makeup, flat, touches, who, ids, held, count, tables, numbers
         e = tables.restitution[mine, kind] * real
         weight = flat[a, WEIGHT] + flat[b, WEIGHT]
         spin = flat[a, RADIUS] * flat[a, LEVER] + flat[b, RADIUS] * flat[b, LEVER]
+        arms = 1.0 + min(gap, 0.0) / (flat[a, RADIUS] + flat[b, RADIUS])
         soft = 0.0
         bias = -gap / numbers.h
         speed = (flat[b, VX] - flat[a, VX]) * nx + (flat[b, VY] - flat[a, VY]) * ny
-        if speed < 0.0 and speed < -rest_speed(e, numbers):
-            if gap <= TOUCHING * makeup.radii[a]:
-                fastest = max(fastest, -speed)
-            else:
-                touches[m, GAP] = FAR
-                bias = -FAR / numbers.h
+        if speed < 0.0 and gap <= TOUCHING * makeup.radii[a] and speed < -rest_speed(e, numbers):
+            fastest = max(fastest, -speed)
         if gap <= 0.0:
             bias = min(numbers.push * max(-gap - numbers.slop, 0.0), numbers.push_limit)
             soft = numbers.softness
@@ -106,11 +101,12 @@ def prepare_planar(makeup, flat, touches, who, ids, held, count, tables, numbers
         rows[m, PY] = ny
         rows[m, BIAS] = bias
         rows[m, MASS] = (1.0 - soft) / weight if weight > 0.0 else 0.0
-        rows[m, SLIDE] = 1.0 / (weight + spin) if weight > 0.0 else 0.0
+        rows[m, SLIDE] = 1.0 / (weight + arms * arms * spin) if weight > 0.0 else 0.0
         rows[m, SOFT] = soft
         rows[m, MU] = tables.friction[mine, kind] * numbers.rough * real
         rows[m, JN] = held[m, 0] * numbers.carry
         rows[m, JT] = (held[m, 2] * nx - held[m, 1] * ny) * numbers.carry
+        rows[m, ARMS] = arms
         rows[m, REBOUND] = e
         rows[m, HIT] = 0.0
         rows[m, HIT_T] = 0.0
@@ -127,8 +123,8 @@ def push_flat(flat, rows, m, a, b, j, jt):
     flat[a, VY] -= flat[a, WEIGHT] * y
     flat[b, VX] += flat[b, WEIGHT] * x
     flat[b, VY] += flat[b, WEIGHT] * y
-    flat[a, TURN] -= flat[a, LEVER] * jt
-    flat[b, TURN] -= flat[b, LEVER] * jt
+    flat[a, TURN] -= flat[a, LEVER] * rows[m, ARMS] * jt
+    flat[b, TURN] -= flat[b, LEVER] * rows[m, ARMS] * jt
 
 
 @inner_kernel
@@ -146,7 +142,7 @@ def collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers):
             if speed < -rest_speed(rows[m, REBOUND], numbers) and rows[m, MASS] > 0.0:
                 j = -(1.0 + rows[m, REBOUND]) * speed * rows[m, MASS] / (1.0 - rows[m, SOFT])
                 rim = flat[a, RADIUS] * flat[a, TURN] + flat[b, RADIUS] * flat[b, TURN]
-                slip = y * rows[m, PX] - x * rows[m, PY] - rim
+                slip = y * rows[m, PX] - x * rows[m, PY] - rows[m, ARMS] * rim
                 most = rows[m, MU] * j
                 jt = min(max(-slip * rows[m, SLIDE], -most), most)
                 push_flat(flat, rows, m, a, b, j, jt)
@@ -160,12 +156,23 @@ def collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers):
 
 
 @inner_kernel
-def start_flat(flat, touches, ids, count, rows):
+def pass_over_flat(flat, touches, ids, count, rows, numbers):
+    """As `impulses.pass_over`."""
+    for m in range(count):
+        if touches[m, GAP] > 0.0:
+            a, b = ids[m, FIRST], ids[m, SECOND]
+            speed = (flat[b, VX] - flat[a, VX]) * rows[m, PX] + (flat[b, VY] - flat[a, VY]) * rows[m, PY]
+            if speed < 0.0 and speed < -rest_speed(rows[m, REBOUND], numbers):
+                touches[m, GAP] = FAR
+                rows[m, BIAS] = -FAR / numbers.h
+                rows[m, JN] = 0.0
+                rows[m, JT] = 0.0
+
+
+@inner_kernel
+def start_flat(flat, ids, count, rows):
     """Begin with the impulses of the last step."""
     for m in range(count):
-        if touches[m, GAP] >= FAR:
-            rows[m, JN] = 0.0
-            rows[m, JT] = 0.0
         if rows[m, JN] > 0.0:
             push_flat(flat, rows, m, ids[m, FIRST], ids[m, SECOND], rows[m, JN], rows[m, JT])
 
@@ -183,7 +190,8 @@ def sweep_flat(flat, ids, count, rows):
             bx, by, spin_b, weight_b = flat[b, VX], flat[b, VY], flat[b, TURN], flat[b, WEIGHT]
             x = bx - ax
             y = by - ay
-            slip = y * nx - x * ny - (flat[a, RADIUS] * spin_a + flat[b, RADIUS] * spin_b)
+            arms = rows[m, ARMS]
+            slip = y * nx - x * ny - arms * (flat[a, RADIUS] * spin_a + flat[b, RADIUS] * spin_b)
             old, old_t = rows[m, JN], rows[m, JT]
             short = (x * nx + y * ny - rows[m, BIAS]) * rows[m, MASS] + rows[m, SOFT] * old
             total = max(old - short, 0.0)
@@ -195,6 +203,7 @@ def sweep_flat(flat, ids, count, rows):
             jt = total_t - old_t
             x = j * nx - jt * ny
             y = j * ny + jt * nx
+            jt *= arms
             flat[a, VX] = ax - weight_a * x
             flat[a, VY] = ay - weight_a * y
             flat[a, TURN] = spin_a - flat[a, LEVER] * jt
