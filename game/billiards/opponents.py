@@ -29,6 +29,7 @@ from game.billiards.search.view import Clock, View
 
 Array = NDArray[np.float64]
 
+FULLY = 2  # places of a white ball in hand that are looked at in full
 SHOWN = 6  # shots that a decision shows as considered
 PUSH_OUT_BELOW = 0.3  # worth of the best stroke, below which a player pushes out
 SAFE_BELOW = 0.9  # chance of the best pot, below which a player looks for safety too
@@ -93,7 +94,7 @@ MASTER = Grade(
     Effort(
         ("direct", "bank", "combination", "kick"), (0.5, 0.8, 1.2, 1.7, 2.4, 3.4),
         (-0.4, -0.2, 0.0, 0.2, 0.4), (-0.3, 0.0, 0.3), candidates=6, rays=17, finalists=48, samples=32,
-        deep=10, deep_samples=16, after=_GLANCE._replace(candidates=3),
+        deep=8, deep_samples=10, after=_GLANCE._replace(candidates=3, rays=11),
     ),
     _GLANCE, places=16, kept=3, safe=16, break_speed=6.2, breaks=16,
 )  # fmt: skip
@@ -117,32 +118,32 @@ class Decision(NamedTuple):
 
 
 def decide(
-    frame: Frame, grade: Grade, seed: int = 0, seconds: float | None = None, threads: int | None = None
+    frame: Frame,
+    grade: Grade,
+    seed: int = 0,
+    seconds: float | None = None,
+    threads: int | None = None,
+    alone: bool = False,
 ) -> Decision:
     """What a player of a grade plays, or chooses. Without `seconds` it depends on frame, grade and seed only.
 
     seconds: think for about so long at most (the stage that is under way is finished; a glance takes 0.1 s).
-    ValueError if the rack is over.
+    alone: only clearing the table in this visit counts. ValueError if the rack is over.
     """
     game = frame.game
     if game.over:
         raise ValueError("game: the rack is over")
-    mind = _Mind(grade, seed, Clock(seconds), threads)
+    mind = _Mind(grade, seed, Clock(seconds), threads, alone)
     if game.options:
         return Decision(option=mind.option(frame))
     if game.opening and game.in_hand:
         return mind.break_off(frame)
-    lies = mind.places(frame) if game.in_hand else [frame.lie]
-    best: Decision | None = None
-    for lie in lies:
-        if best is not None and mind.clock.is_out():
-            break
-        found = mind.stroke(frame._replace(lie=lie))
-        if best is None or found.worth > best.worth:
-            place = lie.place_of(CUE_BALL) if game.in_hand else None
-            best = found._replace(place=place)
-    assert best is not None
-    return best
+    if not game.in_hand:
+        return mind.stroke(frame)
+    lies = mind.places(frame)
+    if len(lies) > 1 and grade.effort.deep:
+        lies = mind.likeliest(frame, lies, FULLY)
+    return mind.best_of(frame, lies)
 
 
 def stroke_of_hand(stroke: Stroke, grade: Grade, seed: int, radius: float = BALL_RADIUS) -> Stroke:
@@ -154,8 +155,9 @@ def stroke_of_hand(stroke: Stroke, grade: Grade, seed: int, radius: float = BALL
 class _Mind:
     """What a player needs while it thinks about one turn."""
 
-    def __init__(self, grade: Grade, seed: int, clock: Clock, threads: int | None) -> None:
+    def __init__(self, grade: Grade, seed: int, clock: Clock, threads: int | None, alone: bool) -> None:
         self.grade = grade
+        self.alone = alone
         self.seed = seed
         self.clock = clock
         self.threads = processors() if threads is None else threads
@@ -191,28 +193,50 @@ class _Mind:
         """Where the white ball in hand could go."""
         numbers = frame.lie.with_ball(CUE_BALL, (0.0, 0.0)).numbers
         lies = []
-        for aims in aims_of(frame.game, numbers):
+        for aims in aims_of(frame.game, numbers, self.alone):
             lies += place_white(
                 frame.lie, frame.table, frame.physics, frame.game.in_hand, aims, self.grade.noise,
                 self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool,
             )  # fmt: skip
         return lies
 
-    def stroke(self, frame: Frame) -> Decision:
-        """The best stroke from where the white ball lies, a safe one and a push-out among them."""
+    def likeliest(self, frame: Frame, lies: list[Arrangement], most: int) -> list[Arrangement]:
+        """The places from which the best strokes are worth most, without a look at the stroke after them."""
+        shallow = self.grade.effort._replace(deep=0)
+        worths = [self.stroke(frame._replace(lie=lie), shallow).worth for lie in lies]
+        return [lies[i] for i in np.argsort(-np.array(worths), kind="stable")[:most].tolist()]
+
+    def best_of(self, frame: Frame, lies: list[Arrangement]) -> Decision:
+        """The best decision of all places, as far as time allows."""
+        best: Decision | None = None
+        for lie in lies:
+            if best is not None and self.clock.is_out():
+                break
+            found = self.stroke(frame._replace(lie=lie))
+            if best is None or found.worth > best.worth:
+                best = found._replace(place=lie.place_of(CUE_BALL))
+        assert best is not None
+        return best
+
+    def stroke(self, frame: Frame, effort: Effort | None = None) -> Decision:
+        """The best stroke from where the white ball lies, a safe one and a push-out among them.
+
+        effort: how hard to look; left out, that of the grade.
+        """
         grade = self.grade
+        effort = grade.effort if effort is None else effort
         view = View(Board(frame.lie, frame.table, frame.physics), grade.noise)
         found: list[tuple[Looked, Aims]] = []
-        every_aim = aims_of(frame.game, frame.lie.numbers)
+        every_aim = aims_of(frame.game, frame.lie.numbers, self.alone)
         for aims in every_aim:
-            looked = search(view, aims, grade.effort, self.seed, self.threads, self.clock)
+            looked = search(view, aims, effort, self.seed, self.threads, self.clock)
             if looked is not None:
                 found.append((looked, aims))
         chance = max((float(looked.chance[0]) for looked, _ in found), default=0.0)
         alone = every_aim[0].solo
         if not found or (grade.safe and not alone and chance < SAFE_BELOW and not self.clock.is_out()):
             finalists = max(grade.safe, 1)
-            draws = self.draws[: grade.effort.samples]
+            draws = self.draws[: effort.samples]
             found.append((look_for_safety(view, every_aim[0], finalists, draws, self.pool), every_aim[0]))
         looked, aims = max(found, key=lambda pair: self._score(pair[0]))
         shots = [shot for some, _ in found for shot in named_shots(view, some, SHOWN)]
