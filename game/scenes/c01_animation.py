@@ -60,9 +60,10 @@ class Animation:
 
     def poses(self, parts: Array) -> Array:
         """The same at many parts (k,), (k, 3)."""
-        found = self.playback.sample(parts)
+        times = self.playback.key_times(parts)
+        found = self.track.sample(times)
         if self.settings.along_path:
-            found[:, ANGLE] = self.playback.heading(parts)
+            found[:, ANGLE] = self.playback.heading_at(times)
         return found
 
     def key_time(self, part: float) -> float:
@@ -132,22 +133,23 @@ class Animation:
 
     @cached_property
     def speeds(self) -> Array:
-        """Speed (k,) m/s at those."""
-        return np.minimum(self.playback.speed(self.parts), TOP_SPEED)
+        """Speed (k,) m/s at those, at the end that of the way there."""
+        return np.minimum(self.playback.speed(np.minimum(self.parts, 1.0 - 1e-9)), TOP_SPEED)
 
     @cached_property
     def arrivals(self) -> Array:
         """Part of the second (n,) at which each key is reached first; NaN for one that never is."""
-        shown = self.playback.key_times(self.parts)
+        shown = self.playback.key_times(self.parts) - self.motion.start
+        before, after = shown[:-1], shown[1:]
+        steady = np.abs(after - before) < 0.5  # not where a closed curve begins anew
         found = np.full(len(self.rows), np.nan)
-        for i, time in enumerate(self.motion.start + self.rows[:, 0]):
-            reached = np.flatnonzero(shown >= time)
+        for i, time in enumerate(self.rows[:, 0].tolist()):
+            reached = np.flatnonzero(steady & ((before - time) * (after - time) <= 0.0))
             if len(reached):
-                after = int(reached[0])
-                before = max(after - 1, 0)
-                way = shown[after] - shown[before]
-                share = (time - shown[before]) / way if way > 0.0 else 1.0
-                found[i] = self.parts[before] + share * (self.parts[after] - self.parts[before])
+                k = int(reached[0])
+                way = after[k] - before[k]
+                share = (time - before[k]) / way if way != 0.0 else 0.0
+                found[i] = self.parts[k] + share * (self.parts[k + 1] - self.parts[k])
         return found
 
     @cached_property

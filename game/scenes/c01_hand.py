@@ -62,10 +62,12 @@ def what_is_at(scene: KeyFraming, point: Point) -> tuple[str, int]:
     for i, pair in enumerate(animation.handles().tolist()):
         spots += [(math.dist(point, spot), "handle", 2 * i + side) for side, spot in enumerate(pair)]
     x, y, angle = scene.pose.tolist()
-    spots.append((math.dist(point, turning_handle(scene, x, y, angle)), "turn", -1))
-    for i, key in enumerate(scene.motion.keys):
-        spot = turning_handle(scene, *key.position, math.radians(key.angle))
-        spots += [(math.dist(point, spot), "turn", i), (math.dist(point, key.position), "key", i)]
+    spots += [(math.dist(point, key.position), "key", i) for i, key in enumerate(scene.motion.keys)]
+    if scene.turning == "keys":
+        spots.append((math.dist(point, turning_handle(scene, x, y, angle)), "turn", -1))
+        for i, key in enumerate(scene.motion.keys):
+            spot = turning_handle(scene, *key.position, math.radians(key.angle))
+            spots.append((math.dist(point, spot), "turn", i))
     near = [spot for spot in spots if spot[0] <= places.reach]
     if near:
         return min(near, key=lambda spot: spot[0])[1:]

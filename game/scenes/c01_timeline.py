@@ -48,13 +48,12 @@ def places_of(view: View) -> Places:
     """The places for a part of the world in view."""
     width, height = view.right - view.left, view.top - view.bottom
     left, right = view.left + 0.05 * width, view.right - 0.05 * width
-    axis = view.bottom + 0.062 * height
-    band = Rect(view.left, view.bottom - 0.02 * height, view.right, view.bottom + 0.255 * height)
-    plot = Rect(left, axis + 0.03 * height, right, view.bottom + 0.215 * height)
+    axis = view.bottom + 0.032 * height
+    band = Rect(view.left, view.bottom - 0.02 * height, view.right, view.bottom + 0.235 * height)
+    plot = Rect(left, axis + 0.03 * height, right, view.bottom + 0.19 * height)
     side = 0.2 * height
-    timing = Rect(
-        view.right - 1.12 * side, view.top - 1.18 * side, view.right - 0.12 * side, view.top - 0.18 * side
-    )
+    right, top = view.right - 0.12 * side, view.top - 0.5 * side
+    timing = Rect(right - side, top - side, right, top)
     return Places(band, plot, axis, timing, REACH * height)
 
 

@@ -27,11 +27,21 @@ LONGEST_ARROW = 2.2  # m
 _UNIT_BOX = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])
 
 
-def box_corners(pose: Sequence[float] | Array, box: tuple[float, float]) -> Array:
-    """Corners (4, 2) of a box of width and height at a pose x, y, angle."""
-    x, y, angle = float(pose[0]), float(pose[1]), float(pose[2])
-    cos, sin = math.cos(angle), math.sin(angle)
-    return (_UNIT_BOX * box) @ np.array([(cos, sin), (-sin, cos)]) + (x, y)
+def box_corners(poses: Sequence[float] | Array, box: tuple[float, float]) -> Array:
+    """Corners (4, 2) of a box of width and height at a pose x, y, angle; (k, 4, 2) at poses (k, 3)."""
+    x, y, angle = np.moveaxis(np.asarray(poses, dtype=np.float64), -1, 0)[..., None]
+    cos, sin = np.cos(angle), np.sin(angle)
+    along, across = (_UNIT_BOX * box).T
+    return np.stack((x + cos * along - sin * across, y + sin * along + cos * across), axis=-1)
+
+
+def shades(canvas: Canvas, color: str, strengths: Array) -> NDArray[np.uint32]:
+    """A colour over the stage in several strengths (k,), 0 to 1."""
+    over, under = canvas.color(color), canvas.color("stage")
+    mixed = np.zeros(len(strengths))
+    for channel, place in zip((0, 1, 2), (65536.0, 256.0, 1.0), strict=True):
+        mixed += place * np.rint(under[channel] + strengths * (over[channel] - under[channel]))
+    return mixed.astype(np.uint32)
 
 
 class KeyFramingView:
@@ -103,12 +113,13 @@ class KeyFramingView:
         if not count:
             return
         parts = (np.arange(count) + 0.5) / count
-        now = scene.shown_part()
-        for part, pose in zip(parts.tolist(), animation.poses(parts), strict=True):
-            apart = abs(part - now)
-            apart = min(apart, 1.0 - apart) if scene.closed else apart
-            alpha = 0.2 + 0.4 * max(0.0, 1.0 - apart / 0.25)
-            canvas.polygon(box_corners(pose, scene.motion.box), outline="ghost", width=1.2, alpha=alpha)
+        apart = np.abs(parts - scene.shown_part())
+        apart = np.minimum(apart, 1.0 - apart) if scene.closed else apart
+        strengths = 0.2 + 0.4 * np.maximum(0.0, 1.0 - apart / 0.25)
+        order = np.argsort(strengths, kind="stable")  # the nearest in time on top
+        corners = box_corners(animation.poses(parts[order]), scene.motion.box)
+        inks = np.repeat(shades(canvas, "ghost", strengths[order]), 4)
+        canvas.segments(corners.reshape(-1, 2), np.roll(corners, -1, axis=1).reshape(-1, 2), inks, 1.2)
 
     def _draw_handles(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
         for key, pair in zip(scene.motion.keys, animation.handles(), strict=True):
@@ -122,7 +133,7 @@ class KeyFramingView:
         keys, box = scene.motion.keys, scene.motion.box
         for i, key in enumerate(keys):
             chosen = i == scene.chosen
-            if len(keys) <= MOST_POSES:
+            if len(keys) <= MOST_POSES and scene.turning == "keys":
                 pose = (*key.position, math.radians(key.angle))
                 color = "amber" if chosen else "text2"
                 canvas.polygon(box_corners(pose, box), outline=color, width=1.4, alpha=1.0 if chosen else 0.7)
@@ -130,6 +141,8 @@ class KeyFramingView:
                 canvas.line(key.position, tip, color, 1.2, alpha=1.0 if chosen else 0.5)
                 canvas.dot(tip, 3.4, color)
             canvas.handle(key.position)
+            if chosen:
+                canvas.ring(key.position, 9.0, "amber", 1.8)
             if len(keys) <= MOST_TIMES:
                 canvas.label(key.position, f"{key.time:.2f} s", "text2", 11, offset=(0.0, 15.0))
 
@@ -141,10 +154,11 @@ class KeyFramingView:
         corners = box_corners(pose, box)
         canvas.polygon(corners, fill="body", fill_alpha=0.9, outline="text1", width=2.4)
         nose = (x + 0.5 * box[0] * math.cos(angle), y + 0.5 * box[0] * math.sin(angle))
-        tip = turning_handle(scene, x, y, angle)
         canvas.line((x, y), nose, "text1", 1.6)
-        canvas.line(nose, tip, "accent", 1.4)
-        canvas.handle(tip)
+        if scene.turning == "keys":
+            tip = turning_handle(scene, x, y, angle)
+            canvas.line(nose, tip, "accent", 1.4)
+            canvas.handle(tip)
         canvas.dot((x, y), 4.5, "amber")
         if scene.velocity and not scene.hand[0]:
             way = animation.velocity(scene.shown_part()) * ARROW_SECONDS
@@ -170,12 +184,13 @@ class KeyFramingView:
     def _draw_timeline(self, scene: KeyFraming, canvas: Canvas, animation: Animation, places: Places) -> None:
         band, plot = places.band, places.plot
         seen = canvas.camera.visible()
-        left, right = min(seen.left, band.left), max(seen.right, band.right)
-        floor = min(seen.bottom, band.bottom)
-        corners = np.array([(left, floor), (right, floor), (right, band.top), (left, band.top)])
-        canvas.polygon(corners, fill="panel")
-        canvas.line((left, band.top), (right, band.top), "line", 1.0)
-        self._draw_speeds(canvas, animation, places)
+        _, top = canvas.camera.to_screen(0.0, band.top)
+        below = max(round(top), canvas.rect.y)
+        if below < canvas.rect.bottom:
+            foot = (canvas.rect.x, below, canvas.rect.w, canvas.rect.bottom - below)
+            canvas.surface.fill(canvas.color("panel"), foot)
+        canvas.line((seen.left, band.top), (seen.right, band.top), "line", 1.0)
+        self._draw_speeds(canvas, animation, places, scene.present() < 0.3)
         canvas.line((plot.left, places.axis), (plot.right, places.axis), "line2", 1.6)
         for tenth in range(11):
             x = x_of(places, 0.1 * tenth)
@@ -195,7 +210,8 @@ class KeyFramingView:
         offset = (-10.0 if side == "right" else 10.0, -2.0)
         canvas.label((x, top), f"{scene.present():.3f} s", "amber", 12, "semibold", side, offset, halo=False)
 
-    def _draw_speeds(self, canvas: Canvas, animation: Animation, places: Places) -> None:
+    def _draw_speeds(self, canvas: Canvas, animation: Animation, places: Places, aside: bool) -> None:
+        """Speed over time; ``aside``: its words at the right, as the present time is written at the left."""
         plot = places.plot
         speeds = animation.speeds
         most = float(speeds.max())
@@ -207,7 +223,8 @@ class KeyFramingView:
             canvas.polygon(area, fill="chalk", fill_alpha=0.16)
             canvas.polyline(curve, "chalk", 1.6)
         words = f"Speed, up to {most:.3g} m/s" if most > 0.0 else "Speed: nothing moves"
-        canvas.label((plot.left, plot.top), words, "text2", 12, anchor="left", offset=(0.0, -8.0), halo=False)
+        corner, anchor = ((plot.right, plot.top), "right") if aside else ((plot.left, plot.top), "left")
+        canvas.label(corner, words, "text2", 12, anchor=anchor, offset=(0.0, -8.0), halo=False)
 
     def _draw_marks(self, scene: KeyFraming, canvas: Canvas, animation: Animation, places: Places) -> None:
         """Diamonds at the times of keys, and where each is reached if that is another time."""
@@ -244,4 +261,4 @@ class KeyFramingView:
             canvas.ring(spot, 4.5, "green", 2.0)
         now = scene.shown_part()
         canvas.dot(box.at(now, float(animation.easing(now))), 4.0, "amber")
-        canvas.label(box.at(0.5, 1.0), "Timing curve", "text2", 12, anchor="bottom", offset=(0.0, -6.0))
+        canvas.label(box.at(0.0, 1.0), "Timing curve", "text2", 12, anchor="right", offset=(-8.0, 8.0))

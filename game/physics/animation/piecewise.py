@@ -2,18 +2,53 @@
 
 from __future__ import annotations
 
+import math
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.animation.arc_length import ArcLength
+from game.physics.animation.arc_length import ArcLength, polygon_length
 from game.physics.animation.flattening import even_parameters, flatten_adaptively
+from game.physics.jit import kernel
 
 Array = NDArray[np.float64]
 LARGEST = 1e100  # of a control point: squares stay finite
 VANISHING = 1e-12  # of the control polygon: a derivative up to this is rounding
+
+
+@kernel(_nrt=False)
+def write_directions(controls, pieces, parameters, out):
+    """Write unit vectors out (k, d) along ``pieces`` (k,) of controls (n, 4, d) at u = ``parameters`` (k,).
+
+    The first derivative that is more than rounding says where the curve goes.
+    """
+    for k in range(pieces.shape[0]):
+        i, u = pieces[k], parameters[k]
+        v = 1.0 - u
+        back = -1.0 if v == 0.0 else 1.0  # at the end one looks back
+        least = VANISHING * polygon_length(controls, i)
+        size = 0.0
+        for order in range(3):
+            square = 0.0
+            for j in range(controls.shape[2]):
+                a = controls[i, 1, j] - controls[i, 0, j]
+                b = controls[i, 2, j] - controls[i, 1, j]
+                c = controls[i, 3, j] - controls[i, 2, j]
+                if order == 0:
+                    way = v * v * a + 2.0 * u * v * b + u * u * c
+                elif order == 1:
+                    way = back * (v * (b - a) + u * (c - b))
+                else:
+                    way = a - 2.0 * b + c
+                out[k, j] = way
+                square += way * way
+            size = math.sqrt(square)
+            if size > least:
+                break
+        for j in range(controls.shape[2]):
+            out[k, j] = out[k, j] / size if size > least else 0.0
 
 
 class PiecewiseCubic:
@@ -58,19 +93,10 @@ class PiecewiseCubic:
         Where control points coincide or the curve has a cusp, the next derivative that is not zero says where
         it goes; at the very end of a piece, where it came from. A piece that is a point has none: zeros.
         """
-        piece, u, v = self._places(parameters)
-        first = np.diff(self.controls, axis=1)[piece]
-        second = np.diff(self.controls, n=2, axis=1)[piece]
-        third = np.diff(self.controls, n=3, axis=1)[piece][..., 0, :]
-        scale = np.sqrt((first * first).sum(axis=-1)).sum(axis=-1, keepdims=True)
-        u, v = u[..., None], v[..., None]
-        sign = np.where(v == 0.0, -1.0, 1.0)  # at the end one looks back
-        found = v * v * first[..., 0, :] + 2.0 * u * v * first[..., 1, :] + u * u * first[..., 2, :]
-        for following in (sign * (v * second[..., 0, :] + u * second[..., 1, :]), third):
-            size = np.sqrt((found * found).sum(axis=-1, keepdims=True))
-            found = np.where(size > VANISHING * scale, found, following)
-        size = np.sqrt((found * found).sum(axis=-1, keepdims=True))
-        return np.asarray(np.where(size > VANISHING * scale, found / np.where(size > 0.0, size, 1.0), 0.0))
+        piece, u, _ = self._places(parameters)
+        out = np.empty((piece.size, self.controls.shape[2]))
+        write_directions(self.controls, piece.reshape(-1), u.reshape(-1), out)
+        return out.reshape(*piece.shape, -1)
 
     # -- length -------------------------------------------------------------------------------------
 

@@ -76,7 +76,11 @@ class Playback:
 
     def heading(self, parts: ArrayLike) -> Array:
         """Angle (rad) of the way at parts of the duration, also where it stands still for a moment."""
-        times = self.key_times(parts)
+        return self.heading_at(self.key_times(parts))
+
+    def heading_at(self, times: ArrayLike) -> Array:
+        """The same at times of the keys, s."""
+        times = np.asarray(times, dtype=np.float64)
         if self.path is None:
             return np.zeros(times.shape)
         knots = self.track.times
