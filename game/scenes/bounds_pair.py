@@ -40,8 +40,11 @@ class Place(NamedTuple):
     def to_world(self, points: Array) -> Array:
         """Points (..., 2) of the frame in the world."""
         c, s = math.cos(self.angle), math.sin(self.angle)
+        world = np.empty(points.shape)
         x, y = points[..., 0], points[..., 1]
-        return np.stack((c * x - s * y + self.x, s * x + c * y + self.y), axis=-1)
+        world[..., 0] = c * x - s * y + self.x
+        world[..., 1] = s * x + c * y + self.y
+        return world
 
 
 def tree_of(outline: Outline, options: TreeOptions) -> BoundingTree:
@@ -82,6 +85,7 @@ class TreePair:
         self._shapes: list[tuple[object, bool, float]] = []
         self._asked: object = None
         self._exact: list[float] = []
+        self._gap: tuple[Outline, Outline, Nearest] | None = None  # the distance that is known, and of what
 
     def exact_area(self, index: int) -> float:
         """Area of the least volume of the kind round an outline, m²: for upright boxes, of the least box."""
@@ -127,6 +131,7 @@ class TreePair:
         self.trees = trees
         self.query = Query(trees[0], trees[1]) if len(trees) == 2 else None
         self._asked = None
+        self._gap = None
 
     def place(self, outline: Outline) -> Place:
         """Where the frame of an outline's tree lies."""
@@ -162,11 +167,15 @@ class TreePair:
         """How far the outlines are apart, the points in the world; None unless there are two."""
         if self.query is None:
             return None
+        if self._gap is not None and self._gap[0] is outlines[0] and self._gap[1] is outlines[1]:
+            return self._gap[2]
         offset, turn = self.relative(outlines)
         found = nearest(self.trees[0], self.trees[1], offset, turn)
         ends = self.place(outlines[0]).to_world(np.array((found.point_a, found.point_b)))
         a, b = ends.tolist()
-        return found._replace(point_a=(a[0], a[1]), point_b=(b[0], b[1]))
+        found = found._replace(point_a=(a[0], a[1]), point_b=(b[0], b[1]))
+        self._gap = (outlines[0], outlines[1], found)
+        return found
 
     def check(self) -> None:
         """AssertionError if trees or query are not what they have to be."""

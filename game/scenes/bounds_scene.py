@@ -45,6 +45,7 @@ from game.stage import (
 Array = NDArray[np.float64]
 REACH = 0.022  # of the height in view: how near to a thing the pointer takes it
 GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that it does not repeat soon
+BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "upright"}  # tests of the other trees
 TREE_KNOBS = ("volume", "fit", "angle_step", "leaf_size", "split")
 RULES = Rules(most_outlines=2, most_points=MOST_POINTS)
 _NO_RECORD = QueryRecord(
@@ -69,6 +70,27 @@ class BoundsState(NamedTuple):
     gaps: Array
     crossings: NDArray[np.int64]
     counts: NDArray[np.int64]
+
+
+class PackedShapes:
+    """The corners of all outlines in arrays, packed anew only when an outline has others."""
+
+    def __init__(self) -> None:
+        self._points: list[object] = [None]
+        self._arrays: tuple[Array, NDArray[np.int64], NDArray[np.int64]]
+
+    def of(self, outlines: Sequence[Outline]) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
+        """Corners (n, 2) m, where each outline starts (k + 1,), whether it is closed (k,)."""
+        points: list[object] = [outline.points for outline in outlines]
+        if len(points) != len(self._points) or any(
+            a is not b for a, b in zip(points, self._points, strict=True)
+        ):
+            arrays = [array_of(outline) for outline in outlines]
+            starts = np.cumsum([0, *(len(array) for array in arrays)], dtype=np.int64)
+            closed = np.array([outline.closed for outline in outlines], dtype=np.int64)
+            self._arrays = (np.concatenate(arrays) if arrays else np.zeros((0, 2)), starts, closed)
+            self._points = points
+        return self._arrays
 
 
 class BoundsScene(Scene):
@@ -166,6 +188,7 @@ class BoundsScene(Scene):
         self.clock = np.zeros(1)
         self.cursor = 0
         self.told: deque[str] = deque(maxlen=8)
+        self.packed = PackedShapes()
         self.watch = Stopwatch()
         self.view = view.BoundsView()
         self._make_pairs()
@@ -209,18 +232,8 @@ class BoundsScene(Scene):
     # -- remembering --------------------------------------------------------------------------------
 
     def state(self) -> BoundsState:
-        outlines = self.outlines
-        arrays = [np.array(outline.points).reshape(-1, 2) for outline in outlines]
-        starts = np.cumsum([0, *(len(points) for points in arrays)], dtype=np.int64)
         record = self.pair.query.record() if self.pair.query is not None else _NO_RECORD
-        return BoundsState(
-            editor.places_of(self.board),
-            self.clock,
-            np.concatenate(arrays) if arrays else np.zeros((0, 2)),
-            starts,
-            np.array([outline.closed for outline in outlines], dtype=np.int64),
-            *record,
-        )
+        return BoundsState(editor.places_of(self.board), self.clock, *self.packed.of(self.outlines), *record)
 
     def restore(self, state: BoundsState) -> None:
         outlines = []
@@ -345,17 +358,18 @@ class BoundsScene(Scene):
         return red, green, total - red - green
 
     def readouts(self) -> list[Readout]:
-        query, beside = self.pair.query, self.beside.query if self.compare else None
-        gap = self.gap()
+        query, gap = self.pair.query, self.gap()
+        beside = self.beside.query if self.compare else None
+        kind = self.beside.options.kind
         return [
-            Readout("volume tests", float(query.volume_tests) if query else 0.0),
-            Readout("crossings", float(query.crossing_count) if query else 0.0),
+            Readout("tests", query.volume_tests if query else 0),
+            Readout("crossings", query.crossing_count if query else 0),
             Readout("query", self.watch.median("query"), "s"),
             Readout("gap", gap.distance if gap is not None else math.nan, "m"),
-            Readout("volumes", float(sum(len(tree) for tree in self.pair.trees))),
-            Readout("leaf pairs", float(query.leaves_met) if query else 0.0),
-            Readout("segment tests", float(query.segment_tests) if query else 0.0),
-            Readout("tests beside", float(beside.volume_tests) if beside else math.nan),
+            Readout("volumes", sum(len(tree) for tree in self.pair.trees)),
+            Readout("leaf pairs", query.leaves_met if query else 0),
+            Readout("segment tests", query.segment_tests if query else 0),
+            *([Readout(BESIDE[kind], beside.volume_tests)] if beside else []),
             Readout("area above exact", walk.excess_of(self)),
             Readout("building", self.watch.median("build"), "s"),
         ]

@@ -28,7 +28,7 @@ class OrientedBoxes(BoundsScene):
     study = box_study
 
     strips = (
-        Strip("Box tests", "", ("volume tests", "tests beside")),
+        Strip("Box tests", "", ("tests", "upright", "with boxes")),
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )

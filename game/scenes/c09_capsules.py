@@ -35,7 +35,7 @@ class Capsules(BoundsScene):
     )  # fmt: skip
 
     strips = (
-        Strip("Volume tests", "", ("volume tests", "tests beside")),
+        Strip("Volume tests", "", ("tests", "with boxes", "upright")),
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )

@@ -41,7 +41,12 @@ def as_step(step_degrees: float) -> float:
 
 def as_vector(values: Any, name: str) -> tuple[float, float]:
     """Two finite numbers, m."""
-    x, y = as_points([values], name)[0].tolist()
+    try:
+        x, y = float(values[0]), float(values[1])
+    except (TypeError, ValueError, IndexError):
+        raise ValueError(f"{name}: two numbers are wanted, not {values!r}") from None
+    if len(values) != 2 or not (abs(x) <= LARGEST and abs(y) <= LARGEST):
+        raise ValueError(f"{name}: two numbers up to {LARGEST:g} m are wanted, not {values!r}")
     return x, y
 
 
