@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.narrowphase import vclip_study
 from game.physics.narrowphase import ConvexPolygon, Feature, PolygonSet, Proximity, vclip, vclip_batch
 from game.physics.narrowphase.queries import FeatureStep, vclip_trace
 from game.physics.proximity_effects import EXACT_ANSWER
@@ -32,6 +33,7 @@ class VClip(ConvexPairScene):
     name = "c10"
     task = "C10"
     title = "V-Clip"
+    study = vclip_study
 
     regions = Toggle(
         True, group="Shown", label="Voronoi regions", help="borders; those of the two features filled"

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.narrowphase import gjk_study
 from game.physics.narrowphase import (
     ConvexPolygon,
     Feature,
@@ -43,6 +44,7 @@ class Gjk(ConvexPairScene):
     name = "c11"
     task = "C11"
     title = "GJK"
+    study = gjk_study
 
     exponent = Param(
         -14.0, -14.0, -1.0, step=1.0, group="Query", label="Tolerance, power of ten",

@@ -1,0 +1,272 @@
+"""What closest points cost: steps and error of GJK against its tolerance, of V-Clip and GJK against the number of
+vertices and the motion between queries, and climbing against looking at all vertices.
+
+Both methods are finite: the error falls from the tolerance to rounding within a few steps. With coherence V-Clip
+takes a step or two whatever the number of vertices; if the shapes turn by an angle between queries it walks
+past n angle / 2π of them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.physics.lean import lean_kernel
+from game.physics.narrowphase import PolygonSet, Proximities, gjk_batch, vclip_batch
+from game.physics.narrowphase.simplex import support_cold, support_hc, support_scan
+
+Array = NDArray[np.float64]
+QUERY_S = 1.0 / 60.0  # a query belongs to a step of this length
+PAIRS, FRAMES, DIRECTIONS = 60, 12, 4_000
+LEAST = 2.0**-56  # errors below are shown as this: they are nought
+SIZES = (8, 64, 512)
+
+
+def pebbles(corners: int, count: int, seed: int) -> list[Array]:
+    """Convex polygons (corners, 2) with uneven corners on ellipses of half axes 1 and 0.5 to 1."""
+    random = np.random.default_rng(seed)
+    shapes = []
+    for _ in range(count):
+        turns = (np.arange(corners) + random.uniform(-0.3, 0.3, corners)) * (2.0 * math.pi / corners)
+        shapes.append(np.column_stack((np.cos(turns), random.uniform(0.5, 1.0) * np.sin(turns))))
+    return shapes
+
+
+def poses_of(places: Array, angles: Array) -> Array:
+    """Poses (k, 4) x, y, cos, sin."""
+    return np.column_stack((places, np.cos(angles), np.sin(angles)))
+
+
+class Queries:
+    """Pairs of pebbles that turn by an angle from query to query; ``method`` says how they are measured."""
+
+    def __init__(
+        self, corners: int, turn: float, method: str, tolerance: float = 1e-14, warm: bool = True
+    ) -> None:
+        self.simulated_s = PAIRS * FRAMES * QUERY_S
+        self.shapes = [PolygonSet(pebbles(corners, PAIRS, seed)) for seed in (1, 2)]
+        random = np.random.default_rng(corners)
+        far, around = random.uniform(2.1, 4.0, PAIRS), random.uniform(0.0, 2.0 * math.pi, PAIRS)
+        self.places = np.column_stack((far * np.cos(around), far * np.sin(around)))
+        self.starts = random.uniform(0.0, 2.0 * math.pi, (2, PAIRS))
+        self.turn, self.method, self.tolerance, self.warm = turn, method, tolerance, warm
+        self.found: list[Proximities] = []
+
+    def reset(self) -> None:
+        self.poses = [
+            [
+                poses_of(place, start + sign * self.turn * k)
+                for place, start, sign in ((0.0 * self.places, self.starts[0], 1.0), (self.places, self.starts[1], -1.0))
+            ]
+            for k in range(-1, FRAMES)
+        ]  # fmt: skip
+        self.found = []
+        self.features = np.full((PAIRS, 2), -1, dtype=np.int64)
+        if self.warm:
+            self._measure(0)  # where the last query ended
+
+    def _measure(self, k: int) -> Proximities:
+        if not self.warm:
+            self.features[:] = -1
+        a, b = self.shapes
+        if self.method == "vclip":
+            return vclip_batch(a, b, None, *self.poses[k], self.features)
+        return gjk_batch(
+            a, b, None, *self.poses[k], self.features, self.tolerance,
+            method="scan" if self.method == "scan" else "climb",
+        )  # fmt: skip
+
+    def run(self) -> None:
+        self.found = [self._measure(k) for k in range(1, FRAMES + 1)]
+
+    def outcome(self) -> Outcome:
+        a, b = self.shapes
+        error, steps = LEAST, 0
+        for k, found in enumerate(self.found, start=1):
+            exact = gjk_batch(a, b, None, *self.poses[k], method="scan").distance
+            error = max(error, float(np.abs(found.distance - exact).max()))
+            steps += int(found.iterations.sum())
+        return Outcome(error, steps)
+
+
+# -- tolerance ------------------------------------------------------------------------------------------
+
+
+def tolerance_settings() -> list[Setting]:
+    """Tolerances from a tenth to rounding, for three sizes."""
+    return [
+        Setting(f"corners-{n}", 10.0**-exponent, {}, {"exponent": -float(exponent)}, 1.0 + math.log2(n))
+        for exponent in range(1, 15)
+        for n in SIZES
+    ]
+
+
+def tolerance_trial(setting: Setting) -> Queries:
+    """Queries that begin anew each time."""
+    method = str(setting.scene.get("method", "climb"))
+    n = int(setting.method.split("-")[1]) if "-" in setting.method else 64
+    return Queries(n, 0.3, "scan" if method == "scan" else "gjk", setting.knob, warm=False)
+
+
+def present_tolerance(parameters: Mapping[str, Any]) -> Setting:
+    """Where the scene stands: its tolerance, for 64 corners."""
+    return Setting("present", 10.0 ** float(parameters["exponent"]), {}, {"method": parameters["method"]})
+
+
+# -- vertices and coherence -----------------------------------------------------------------------------
+
+TURNS = {
+    "vclip-small": ("vclip", 1e-3),
+    "vclip-medium": ("vclip", 0.03),
+    "vclip-large": ("vclip", 1.0),
+    "gjk-small": ("gjk", 1e-3),
+    "gjk-large": ("gjk", 1.0),
+}
+
+
+def coherence_settings() -> list[Setting]:
+    """Four to a thousand vertices, turned a little or much from query to query."""
+    return [
+        Setting(name, n, {}, {}, 1.0 + 0.05 * n * TURNS[name][1])
+        for n in (4, 8, 16, 32, 64, 128, 256, 512, 1000)
+        for name in TURNS
+    ]
+
+
+def coherence_trial(setting: Setting) -> Queries:
+    """Queries that begin at the last answer."""
+    method, turn = TURNS[setting.method]
+    return Queries(int(setting.knob), turn, method)
+
+
+# -- support vertices -----------------------------------------------------------------------------------
+
+WAYS = ("climb-near", "climb-far", "scan")
+
+
+@lean_kernel
+def ask(vertices, directions, way, found):
+    """Write the vertex of (n, 2) farthest along each direction (m, 2), found in one of the ``WAYS``."""
+    n = vertices.shape[0]
+    k = 0
+    for i in range(directions.shape[0]):
+        x, y = directions[i, 0], directions[i, 1]
+        if way == 0:
+            k = support_hc(vertices, 0, n, k, x, y)
+        elif way == 1:
+            k = support_cold(vertices, 0, n, x, y)
+        else:
+            k = support_scan(vertices, 0, n, x, y)
+        found[i] = k
+
+
+class Supports:
+    """Support vertices along directions that turn slowly (near) or are anywhere (far)."""
+
+    def __init__(self, corners: int, way: str) -> None:
+        self.simulated_s = DIRECTIONS * QUERY_S
+        self.way = WAYS.index(way)
+        self.vertices = PolygonSet(pebbles(corners, 1, corners)).vertices
+        random = np.random.default_rng(7)
+        turns = 0.01 * np.arange(DIRECTIONS) if way != "climb-far" else random.uniform(0.0, 7.0, DIRECTIONS)
+        self.directions = np.column_stack((np.cos(turns), np.sin(turns)))
+        self.found = np.zeros(DIRECTIONS, dtype=np.int64)
+
+    def reset(self) -> None:
+        self.found[:] = 0
+
+    def run(self) -> None:
+        ask(self.vertices, self.directions, self.way, self.found)
+
+    def outcome(self) -> Outcome:
+        reach = self.vertices @ self.directions.T
+        missed = reach.max(axis=0) - reach[self.found, np.arange(DIRECTIONS)]
+        n = len(self.vertices)
+        if self.way == WAYS.index("scan"):
+            looks = n * DIRECTIONS
+        else:
+            before = np.concatenate(([0], self.found[:-1])) if self.way == 0 else self.found * 0
+            way = np.abs(self.found - before)
+            steps = np.minimum(way, n - way) if self.way == 0 else np.full(DIRECTIONS, min(n, 8 + n // 16))
+            looks = int((steps + 3).sum())
+        return Outcome(max(LEAST, float(missed.max())), looks)
+
+
+def support_settings() -> list[Setting]:
+    """Four to a thousand vertices."""
+    return [
+        Setting(way, n, {}, {"method": "scan" if way == "scan" else "climb"}, 1.0 + 0.01 * n)
+        for n in (4, 8, 16, 32, 64, 128, 256, 512, 1024)
+        for way in WAYS
+    ]
+
+
+def support_trial(setting: Setting) -> Supports:
+    """One polygon, asked for its farthest vertex along many directions."""
+    return Supports(int(setting.knob), setting.method)
+
+
+support_study = Study(
+    name="c11-support",
+    title="Support vertices: climbing against looking at all",
+    error="how much farther another vertex is",
+    error_unit="m",
+    counter="vertices looked at",
+    knob=Knob("corners", "vertices"),
+    methods=(
+        Method("climb-near", "climbing from the last", None, "directions turn by 0.01"),
+        Method("climb-far", "eight asked, then climbing", None, "directions anywhere"),
+        Method("scan", "all vertices", None),
+    ),
+    settings=support_settings,
+    trial=support_trial,
+    reference="the largest product of all vertices with the direction.",
+    expectation="All find the farthest vertex; looking at all of them pays for small polygons only.",
+)
+
+gjk_study = Study(
+    name="c11",
+    title="GJK: tolerance",
+    error="distance too large by at most",
+    error_unit="m",
+    counter="steps",
+    knob=Knob("exponent", "relative tolerance"),
+    methods=tuple(Method(f"corners-{n}", f"{n} vertices", 1.0) for n in SIZES),
+    settings=tolerance_settings,
+    trial=tolerance_trial,
+    reference="GJK at full tolerance, all vertices looked at; V-Clip says the same to rounding.",
+    expectation=(
+        "The walk is finite: each step takes many digits at once, so nearly all of the tolerances cost the same."
+    ),
+    floor=1e-15,
+    present=present_tolerance,
+    related=(support_study,),
+)
+
+vclip_study = Study(
+    name="c10",
+    title="V-Clip and GJK: vertices and coherence",
+    error="largest error of a distance",
+    error_unit="m",
+    counter="steps",
+    knob=Knob("corners", "vertices"),
+    methods=(
+        Method("vclip-small", "V-Clip, turned by 0.001", None),
+        Method("vclip-medium", "V-Clip, turned by 0.03", None),
+        Method("vclip-large", "V-Clip, turned by 1", None, "walks past n / 2π features"),
+        Method("gjk-small", "GJK, turned by 0.001", None),
+        Method("gjk-large", "GJK, turned by 1", None),
+    ),
+    settings=coherence_settings,
+    trial=coherence_trial,
+    reference="GJK from anew, all vertices looked at.",
+    expectation=(
+        "Every answer is right to rounding. With coherence V-Clip costs the same at any number of vertices; "
+        "turned by a radian between queries, its walk grows with them, GJK's hardly."
+    ),
+)

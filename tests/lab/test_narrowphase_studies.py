@@ -1,0 +1,71 @@
+"""The studies of V-Clip and GJK: what their curves must show."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from game.lab import run_study
+from game.lab.studies.narrowphase import (
+    FRAMES,
+    PAIRS,
+    coherence_settings,
+    gjk_study,
+    present_tolerance,
+    support_study,
+    vclip_study,
+)
+
+
+QUERIES = PAIRS * FRAMES
+
+
+def few(study, knobs):
+    return replace(study, settings=lambda: [s for s in study.settings() if s.knob in knobs])
+
+
+def counters(table, method):
+    return {row.knob: row.counter for row in table.of(method)}
+
+
+def test_error_is_bounded_by_the_tolerance_and_falls_to_rounding_in_few_steps():
+    table = run_study(few(gjk_study, (1e-1, 1e-3, 1e-6, 1e-14)), repeats=1)
+    for n in (8, 64, 512):
+        rows = {row.knob: row for row in table.of(f"corners-{n}")}
+        assert all(row.error <= 4.0 * row.knob for row in rows.values() if row.knob > 1e-12)
+        assert rows[1e-14].error < 1e-14
+        assert rows[1e-14].counter - rows[1e-1].counter < 4.5 * QUERIES  # for 13 more digits
+        assert rows[1e-14].counter < 8.0 * QUERIES
+
+
+def test_with_coherence_steps_do_not_grow_with_the_vertices():
+    table = run_study(few(vclip_study, (8, 64, 512)), repeats=1)
+    assert max(row.error for row in table) < 1e-14
+    small, large = counters(table, "vclip-small"), counters(table, "vclip-large")
+    assert small[512] < 1.6 * small[8]
+    slope = np.polyfit(np.log([64, 512]), np.log([large[64], large[512]]), 1)[0]
+    assert slope == pytest.approx(1.0, abs=0.2)
+    assert counters(table, "gjk-large")[512] < 3.0 * counters(table, "gjk-large")[8]
+
+
+def test_every_way_finds_the_farthest_vertex():
+    table = run_study(few(support_study, (4, 64, 1024)), repeats=1)
+    assert max(row.error for row in table) < 1e-15
+    near, scan = counters(table, "climb-near"), counters(table, "scan")
+    assert near[1024] < 0.05 * scan[1024]
+    assert near[4] > 0.7 * scan[4]
+
+
+def test_present_settings_and_points_can_be_opened():
+    from game.scenes.c11_gjk import Gjk
+
+    trial = gjk_study.trial(present_tolerance({"exponent": -3.0, "method": "scan"}))
+    trial.reset()
+    trial.run()
+    assert trial.outcome().error < 4e-3
+    for setting in gjk_study.settings():
+        for name, value in setting.scene.items():
+            Gjk.knob(name).check(value)
+    assert len(coherence_settings()) == 45
