@@ -239,8 +239,8 @@ class Billiards(Scene):
         )
 
     def restore(self, state: BilliardsState) -> None:
-        super().restore(state._replace(cue=self.cue.data, word=self.word))
-        self.cue.data[:] = state.cue
+        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
+            mine[...] = then  # the round comes back with the plain attributes
 
     @property
     def word(self) -> str:

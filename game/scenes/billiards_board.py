@@ -191,8 +191,8 @@ def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: in
     look.text(picture, card.name[:1], badge, 15, "bold", ink, "center")
     x = edge + side * px(50)
     room = box.w - px(62)
-    chips_width = len(card.chips) * px(22)
-    if room - chips_width < px(110):
+    chips_width = len(card.chips) * px(18)
+    if room - chips_width < px(100):
         chips_width = 0
     name = look.fonts.fit(card.name, 15, "semibold", room - chips_width)
     status = look.fonts.fit(card.status, 12, "medium", room - chips_width)
@@ -202,13 +202,13 @@ def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: in
         return
     far = box.right - px(16) if player == 0 else box.left + px(16)
     for place, (number, gone) in enumerate(reversed(card.chips) if player == 0 else card.chips):
-        at = (far - side * place * px(22), box.centery)
+        at = (far - side * place * px(18), box.centery)
         if gone:
-            draw_disc(picture, at, px(8), None, theme.line2, look.border)
+            draw_disc(picture, at, px(7), None, theme.line2, look.border)
             tick = icon("check", px(10), theme.text3)
             picture.blit(tick, tick.get_rect(center=at))
         else:
-            chip = ball_chip(number, max(9.0 * look.k, 2.0), (fill.r, fill.g, fill.b))
+            chip = ball_chip(number, max(8.0 * look.k, 2.0), (fill.r, fill.g, fill.b))
             picture.blit(chip, chip.get_rect(center=at))
 
 

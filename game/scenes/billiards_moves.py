@@ -405,7 +405,9 @@ def decide(scene: Billiards, event: Decision) -> None:
     if event.name == "stroke" and len(values) == 9:
         ball, pocket = (None if value < 0.0 else int(value) for value in values[5:7])
         call = Call(ball, pocket, bool(values[7]), bool(values[8]))
-        begin_stroke(scene, Stroke(*values[:5]), call, practised=True)
+        stroke = Stroke(*values[:5])
+        struck_ball(*stroke)  # refuses what no stroke can be
+        begin_stroke(scene, stroke, call, practised=True)
     elif event.name == "white" and len(values) == 2:
         scene.round = rounds.white_moved(scene.round, *values)
         lay_out(scene)
