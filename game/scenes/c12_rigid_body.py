@@ -20,7 +20,7 @@ from game.physics.rigid.turning import measure
 from game.physics.rigid.window import WALLS
 from game.scenes import c12_hand as hand
 from game.scenes.c12_bodies import EXACT, FLIPS, MADE_ENERGY, MADE_MOMENTUM, A, B, Bodies
-from game.scenes.c12_camera import camera_matrix
+from game.scenes.c12_camera import box_edges, camera_matrix
 from game.scenes.c12_level import RigidContent, SphereEntry, design_of, entries_of
 from game.scenes.c12_view import RigidView
 from game.stage import (
@@ -44,7 +44,7 @@ LABELS = (
 )  # fmt: skip
 HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 TITLE_ROOM = 0.25  # m
-TRAIL = 600  # steps that the trail of L on its sphere goes back
+TRAIL = 400  # steps that the trail of L on its sphere goes back
 ROUNDING = 1e-12
 GAP = 0.12  # m, between the panes of the twin view
 SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "tool", "pushing", "new_density")
@@ -220,6 +220,9 @@ class RigidBodyScene(Scene):
         self.steps = 0
         self.trail = np.zeros((2, TRAIL, 3))
         content = self.content
+        x, y = (np.abs(camera_matrix(*HOME)) @ np.array(content.window)).tolist()[:2]
+        self.room = (x, y + TITLE_ROOM if self.twin else y)  # half the sides of the picture, m
+        self.box = box_edges(self.half_sides())
         self.bodies = Bodies(design_of(content), self.density)
         self.bodies.start(content.place, content.orientation, content.velocity, content.spin)
         self.bodies.meet()
@@ -227,20 +230,19 @@ class RigidBodyScene(Scene):
         self._configure()
         self._note()
 
-    @property
-    def half(self) -> Array:
+    def half_sides(self) -> Array:
         """Half the sides (3,) m of the box of each body."""
         half = np.array(self.content.window, dtype=np.float64)
         if self.twin:  # two boxes side by side in the picture of one
-            home = np.abs(camera_matrix(*HOME))[0]
-            half[0] = max(0.5 * (self.frame().right - GAP) - home[2] * half[2], 0.25 * half[0]) / home[0]
+            right, _, near = np.abs(camera_matrix(*HOME))[0].tolist()
+            half[0] = max(0.5 * (self.room[0] - GAP) - near * half[2], 0.25 * half[0]) / right
         return half
 
     def pane_shift(self, pane: int) -> float:
         """Where (m) the middle of a body's box is in the picture."""
         if not self.twin:
             return 0.0
-        shift = 0.5 * self.frame().right
+        shift = 0.5 * self.room[0]
         return shift if pane == B else -shift
 
     def method_label(self, pane: int) -> str:
@@ -249,6 +251,7 @@ class RigidBodyScene(Scene):
 
     def _configure(self) -> None:
         """Hand the knobs to the bodies."""
+        half = self.half_sides()
         for index, body in enumerate(self.bodies.all):
             body.change(
                 method=(self.method, self.second, "exact")[index],
@@ -258,8 +261,8 @@ class RigidBodyScene(Scene):
                 normalizing=self.normalizing or index == EXACT,
                 wall=self.wall,
                 restitution=self.restitution,
-                lower=-self.half,
-                upper=self.half,
+                lower=-half,
+                upper=half,
             )
 
     def knob_changed(self, name: str) -> None:
@@ -400,9 +403,7 @@ class RigidBodyScene(Scene):
         return self.view.legend(self)
 
     def frame(self) -> Frame:
-        corners = np.abs(camera_matrix(*HOME)) @ np.array(self.content.window)
-        x, y = corners[:2].tolist()
-        y += TITLE_ROOM if self.twin else 0.0
+        x, y = self.room
         return Frame(-x, -y, x, y)
 
     def draw(self, canvas: Any, alpha: float) -> None:

@@ -14,12 +14,12 @@ from game.physics.rigid import ROTATION, WINDOW, quaternion_to_matrix
 from game.physics.rigid.motion import P, Q, X
 from game.scenes import c12_hand as hand
 from game.scenes.c12_bodies import EXACT, A, B
-from game.scenes.c12_camera import box_edges, camera_matrix
+from game.scenes.c12_camera import camera_matrix
 from game.scenes.c12_level import COLOR, COLORS, RADIUS
 from game.scenes.c12_momentum_sphere import draw_momentum_sphere
 from game.stage import blend, blend_quaternions
 from game.ui.canvas import EXACT_DASH, Canvas
-from game.ui.painters.spheres import SpherePainter
+from game.ui.painters.spheres import OUTLINE_CORNERS, SpherePainter, trace_outline
 
 if TYPE_CHECKING:
     from game.scenes.c12_rigid_body import RigidBodyScene
@@ -28,8 +28,9 @@ Array = NDArray[np.float64]
 INKS = {"ivory": 0xE9E0CF, "stone": 0xA79C8E}  # beside the colours of the theme
 VELOCITY_M, ACCELERATION_M, SPIN_M = 0.3, 0.04, 0.22  # m for each m/s, m/s², rad/s
 FORCE_M = 0.0005  # m for each N of a push that acts
-MOST_OUTLINES = 60  # spheres, the largest of which make the exact outline
-CORNERS = np.linspace(0.0, 2.0 * math.pi, 61)
+MOST_OUTLINES = 60  # spheres; of more, the exact outline is their hull
+HULL_CORNERS = 90
+SMALLEST_PX = 1.5  # radius at which spheres are drawn at least
 
 
 class RigidView:
@@ -102,6 +103,7 @@ class RigidView:
         design, n = scene.bodies.design, len(scene.bodies.design)
         scale = canvas.pixels_per_unit
         inks = [INKS[name] if name in INKS else canvas.ink(name) for name in COLORS]
+        radii = np.maximum(scale * design[:, RADIUS], SMALLEST_PX * canvas.k)
         colors = np.array(inks, np.uint32)[design[:, COLOR].astype(int)]
         points, turns = np.empty((n * len(panes), 3)), np.empty((len(panes), 3, 3))
         for k, pane in enumerate(panes):
@@ -111,7 +113,7 @@ class RigidView:
             part[:, :2] = canvas.place_all(seen[:, :2] + (scene.pane_shift(pane), 0.0))
         pixels, clip = canvas.raster_target
         self._painter.draw(
-            pixels, clip, points, np.tile(scale * design[:, RADIUS], len(panes)), turns,
+            pixels, clip, points, np.tile(radii, len(panes)), turns,
             np.repeat(np.arange(len(panes)), n), np.tile(colors, len(panes)),
         )  # fmt: skip
 
@@ -119,27 +121,24 @@ class RigidView:
         self, scene: RigidBodyScene, canvas: Canvas, view: Array, rows: Array, shift: Array
     ) -> None:
         """Outlines of the exact body's spheres."""
-        design = scene.bodies.design
-        seen, _ = _seen(scene, view, rows[EXACT])
-        if len(design) > MOST_OUTLINES:
-            largest = np.argsort(-design[:, RADIUS], kind="stable")[:MOST_OUTLINES]
-            seen, design = seen[largest], design[largest]
-        for arc in outline_arcs(seen[:, :2] + shift, design[:, RADIUS]):
-            canvas.polyline(arc, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
+        radii = scene.bodies.design[:, RADIUS]
+        centers = _seen(scene, view, rows[EXACT])[0][:, :2] + shift
+        if len(centers) > MOST_OUTLINES:
+            points = hull_of_discs(centers, radii)
+        else:
+            points = np.empty((len(centers) * (OUTLINE_CORNERS + 2), 2))
+            trace_outline(centers, np.ascontiguousarray(radii), points)
+        canvas.polyline(points, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
 
     # -- around them --------------------------------------------------------------------------------
 
     def _draw_box(self, scene: RigidBodyScene, canvas: Canvas, view: Array, pane: int, behind: bool) -> None:
         """Edges of the window: those behind the body, or those before it."""
-        on = WINDOW in scene.active
-        edges = box_edges(scene.half) @ view.T
+        edges = scene.box @ view.T
         depth = edges[:, :, 2].mean(axis=1)
-        chosen = depth < 0.0 if behind else depth >= 0.0
-        shift = (scene.pane_shift(pane), 0.0)
-        for a, b in (edges[chosen][:, :, :2] + shift).tolist():
-            canvas.line(
-                a, b, "line2" if on else "line", 1.2, None if on else (3.0, 6.0), 0.9 if behind else 0.5
-            )
+        chosen = edges[depth < 0.0 if behind else depth >= 0.0][:, :, :2] + (scene.pane_shift(pane), 0.0)
+        color = "line2" if WINDOW in scene.active else "line"
+        canvas.segments(chosen[:, 0], chosen[:, 1], color, 1.2, 0.9 if behind else 0.5)
 
     def _draw_axes(
         self, scene: RigidBodyScene, canvas: Canvas, view: Array, row: Array, shift: Array
@@ -232,23 +231,12 @@ def _seen(scene: RigidBodyScene, view: Array, row: Array) -> tuple[Array, Array]
     return scene.bodies.all[A].offsets @ turn.T + view @ row[X:Q], turn
 
 
-def outline_arcs(centers: Array, radii: Array) -> list[Array]:
-    """The outline of overlapping discs, (n, 2) and (n,) m, as chains of points: what lies in no other."""
-    circle = np.column_stack((np.cos(CORNERS), np.sin(CORNERS)))
-    arcs = []
-    for i, (center, radius) in enumerate(zip(centers, radii, strict=True)):
-        points = center + radius * circle
-        apart = points[:, None, :] - centers[None, :, :]
-        inside = (apart * apart).sum(axis=2) < (radii * radii)[None, :] * (1.0 - 1e-9)
-        inside[:, i] = False
-        free = ~inside.any(axis=1)
-        breaks = np.flatnonzero(np.diff(free.astype(np.int8))) + 1
-        arcs += [
-            points[part]
-            for part in np.split(np.arange(len(points)), breaks)
-            if free[part[0]] and len(part) > 1
-        ]
-    return arcs
+def hull_of_discs(centers: Array, radii: Array) -> Array:
+    """Points (k, 2), closed, of the convex outline of discs (n, 2), (n,): the farthest in each direction."""
+    angles = np.linspace(0.0, 2.0 * math.pi, HULL_CORNERS + 1)
+    ways = np.column_stack((np.cos(angles), np.sin(angles)))
+    farthest = np.argmax(centers @ ways.T + radii[:, None], axis=0)
+    return centers[farthest] + radii[farthest, None] * ways
 
 
 def _reach(scene: RigidBodyScene) -> float:

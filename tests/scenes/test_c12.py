@@ -157,7 +157,7 @@ def test_it_stays_in_its_window_mirrored_or_struck():
         for _ in range(300):
             stage.run(1)
             places, radii = body(stage).spheres(), body(stage).radii[:, None]
-            assert np.all(np.abs(places) + radii <= stage.scene.half + 1e-9)
+            assert np.all(np.abs(places) + radii <= stage.scene.half_sides() + 1e-9)
         assert body(stage).bounces > 5
         assert sum(body(stage).kinetic_energy) == pytest.approx(shift + turning, rel=1e-3)
         if wall == "mirror":

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from game.physics.jit import kernel
-from game.ui.raster_pixels import blend, clip_bounds, is_drawable, weight_of
+from game.ui.raster_pixels import FULL, OPAQUE, blend, clip_bounds, is_drawable, weight_of
 
 Array = np.ndarray
 LARGEST_RADIUS = 4_000.0  # px
@@ -22,14 +22,20 @@ LIGHT = (-0.46, 0.62, 0.635)  # unit vector towards the lamp: x right, y up, z t
 HALF = (-0.2544, 0.3429, 0.9043)  # half way between lamp and viewer
 AMBIENT, DIFFUSE, WRAP, SHINE = 0.42, 0.66, 0.25, 0.34
 CONTRAST = 0.24  # of the octants
+OUTLINE_CORNERS = 60  # of the outline of a disc
 PLAIN_BELOW = 3.0  # px; a smaller sphere has no octants
-SOFT = 1.5  # px of depth over which one sphere gives way to the other
+SOFT = 1.0  # px of depth over which one sphere gives way to the other
 
 
 @kernel
-def lay_depths(depths: Any, clip: Any, points: Any, radii: Any) -> None:
-    """Write how near the nearest sphere is at each pixel into ``depths`` (h, w) float32, px."""
-    for i in range(points.shape[0]):
+def lay_depths(depths: Any, clip: Any, points: Any, radii: Any, seen: Any) -> None:
+    """Write how near the nearest sphere is at each pixel into ``depths`` (h, w) float32, px.
+
+    Spheres come from the back to the front; the front ones are laid first, so that the others are soon done.
+    Writes into ``seen`` (n,) uint8 whether any of a sphere may be seen.
+    """
+    for i in range(points.shape[0] - 1, -1, -1):
+        seen[i] = 0
         x, y, z, r = points[i, 0], points[i, 1], points[i, 2], radii[i]
         if not (is_drawable(x) and is_drawable(y) and is_drawable(z) and 0.0 < r <= LARGEST_RADIUS):
             continue
@@ -37,35 +43,67 @@ def lay_depths(depths: Any, clip: Any, points: Any, radii: Any) -> None:
         inside = max(r - 0.5, 0.0) * max(r - 0.5, 0.0)
         for row in range(y_low, y_high):
             dy = row + 0.5 - y
-            for column in range(x_low, x_high):
-                dx = column + 0.5 - x
-                squared = dx * dx + dy * dy
-                if squared <= inside:
-                    depth = z + math.sqrt(r * r - squared)
-                    if depth > depths[row, column]:
+            rest = inside - dy * dy
+            if rest < 0.0:
+                continue
+            half = math.sqrt(rest)
+            first = max(x_low, int(max(x - half, 0.0)))
+            for column in range(first, min(x_high, int(max(x + half + 1.0, 0.0)))):
+                if depths[row, column] < z + r + SOFT:
+                    dx = column + 0.5 - x
+                    depth = z + math.sqrt(r * r - dx * dx - dy * dy)
+                    if depths[row, column] < depth + SOFT:
+                        seen[i] = 1
+                    if depths[row, column] < depth:
                         depths[row, column] = depth
 
 
 @kernel
+def trace_outline(centers: Any, radii: Any, points: Any) -> None:
+    """Write the outline of overlapping discs (n, 2), (n,) into ``points`` (n (OUTLINE_CORNERS + 2), 2).
+
+    What lies in another disc is nan, which breaks a line.
+    """
+    place = 0
+    for i in range(centers.shape[0]):
+        for corner in range(OUTLINE_CORNERS + 2):
+            angle = 2.0 * math.pi * corner / OUTLINE_CORNERS
+            x = centers[i, 0] + radii[i] * math.cos(angle)
+            y = centers[i, 1] + radii[i] * math.sin(angle)
+            hidden = corner > OUTLINE_CORNERS  # the line ends with each disc
+            for j in range(centers.shape[0]):
+                dx, dy = x - centers[j, 0], y - centers[j, 1]
+                inside = dx * dx + dy * dy < radii[j] * radii[j] * (1.0 - 1e-9)
+                if inside and j != i:
+                    hidden = True
+                    break
+            points[place, 0] = math.nan if hidden else x
+            points[place, 1] = math.nan if hidden else y
+            place += 1
+
+
+@kernel
 def clear_depths(depths: Any, clip: Any, points: Any, radii: Any) -> None:
-    """Take back what ``lay_depths`` wrote."""
+    """Take back what ``lay_depths`` wrote: in the box about all spheres."""
+    left, top, right, bottom = 1e9, 1e9, -1e9, -1e9
     for i in range(points.shape[0]):
         x, y, r = points[i, 0], points[i, 1], radii[i]
         if is_drawable(x) and is_drawable(y) and 0.0 < r <= LARGEST_RADIUS:
-            x_low, y_low, x_high, y_high = clip_bounds(depths, clip, x - r, y - r, x + r, y + r)
-            for row in range(y_low, y_high):
-                for column in range(x_low, x_high):
-                    depths[row, column] = NOWHERE
+            left, top = min(left, x - r), min(top, y - r)
+            right, bottom = max(right, x + r), max(bottom, y + r)
+    x_low, y_low, x_high, y_high = clip_bounds(depths, clip, left, top, right, bottom)
+    for row in range(y_low, y_high):
+        for column in range(x_low, x_high):
+            depths[row, column] = NOWHERE
 
 
 @kernel
 def octant_tone(nx: float, ny: float, nz: float, turn: Any, sharpness: float) -> float:
-    """1 or -1 by the octant of a normal in the sphere's own frame, soft at the borders."""
-    tone = 1.0
-    for k in range(3):
-        p = (turn[0, k] * nx + turn[1, k] * ny + turn[2, k] * nz) * sharpness
-        tone *= max(-1.0, min(1.0, p))
-    return tone
+    """1 or -1 by the octant of a normal in the sphere's own frame, soft at the borders; turn: 9 numbers."""
+    a = (turn[0] * nx + turn[3] * ny + turn[6] * nz) * sharpness
+    b = (turn[1] * nx + turn[4] * ny + turn[7] * nz) * sharpness
+    c = (turn[2] * nx + turn[5] * ny + turn[8] * nz) * sharpness
+    return max(-1.0, min(1.0, a)) * max(-1.0, min(1.0, b)) * max(-1.0, min(1.0, c))
 
 
 @kernel
@@ -80,11 +118,10 @@ def shade(color: int, nx: float, ny: float, nz: float, tone: float) -> int:
     gloss *= gloss
     light = (AMBIENT + DIFFUSE * facing) * (1.0 + 0.5 * CONTRAST * (tone - 1.0))
     shine = 255.0 * SHINE * gloss
-    result = 0
-    for shift in (16, 8, 0):
-        value = light * ((color >> shift) & 255) + shine
-        result |= int(min(value, 255.0)) << shift
-    return result
+    red = int(min(light * ((color >> 16) & 255) + shine, 255.0))
+    green = int(min(light * ((color >> 8) & 255) + shine, 255.0))
+    blue = int(min(light * (color & 255) + shine, 255.0))
+    return red << 16 | green << 8 | blue
 
 
 @kernel
@@ -97,42 +134,56 @@ def paint_spheres(
     turns: Any,
     owners: Any,
     colors: Any,
+    seen: Any,
     alpha: float,
 ) -> None:
     """Spheres from the back to the front; those behind others only where they are seen.
 
     ``points`` (n, 3) px, z towards the viewer; ``radii`` (n,) px; ``turns`` (m, 3, 3) from a sphere's frame
     to the picture's (x right, y up, z to the viewer), of which sphere i has ``owners[i]``; ``colors`` (n,)
-    uint32; ``depths`` (h, w) float32 as ``lay_depths`` leaves them.
+    uint32; ``depths`` (h, w) float32 and ``seen`` (n,) as ``lay_depths`` leaves them.
     """  # fmt: skip
     for i in range(points.shape[0]):
+        if not seen[i]:
+            continue
         x, y, z, r = points[i, 0], points[i, 1], points[i, 2], radii[i]
         if not (is_drawable(x) and is_drawable(y) and is_drawable(z) and 0.0 < r <= LARGEST_RADIUS):
             continue
-        turn, color = turns[owners[i]], np.int64(colors[i])
+        t, color = turns[owners[i]], np.int64(colors[i])
+        # a tuple, not an array: the compiler keeps it in registers
+        turn = (t[0, 0], t[0, 1], t[0, 2], t[1, 0], t[1, 1], t[1, 2], t[2, 0], t[2, 1], t[2, 2])
         reach = r + 0.5
         x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
+        unit, inner = 1.0 / r, max(r - 0.5, 0.0) * max(r - 0.5, 0.0)
         sharpness = 0.8 * r if r >= PLAIN_BELOW else 0.0
         for row in range(y_low, y_high):
             dy = y - row - 0.5
-            for column in range(x_low, x_high):
+            rest = reach * reach - dy * dy
+            if rest <= 0.0:
+                continue
+            half = math.sqrt(rest)
+            first = max(x_low, int(max(x - half, 0.0)))
+            for column in range(first, min(x_high, int(max(x + half + 1.0, 0.0)))):
+                if depths[row, column] - z - r >= SOFT:
+                    continue
                 dx = column + 0.5 - x
                 squared = dx * dx + dy * dy
-                if squared >= reach * reach:
-                    continue
                 rise = math.sqrt(max(r * r - squared, 0.0))
                 share = 1.0 - (depths[row, column] - z - rise) / SOFT
                 if share <= 0.0:
                     continue
-                cover = min(1.0, share)
-                length = r
-                if squared > (r - 0.5) * (r - 0.5):
+                cover, scale = min(1.0, share), unit
+                if squared > inner:
                     length = math.sqrt(squared)
                     cover *= min(1.0, max(0.0, reach - length))
-                    length = max(length, r)
-                nx, ny, nz = dx / length, dy / length, rise / r
+                    scale = 1.0 / max(length, r)
+                nx, ny, nz = dx * scale, dy * scale, rise * unit
                 tone = octant_tone(nx, ny, nz, turn, sharpness) if sharpness > 0.0 else 1.0
-                blend(pixels, row, column, shade(color, nx, ny, nz, tone), weight_of(cover, alpha))
+                shaded, weight = shade(color, nx, ny, nz, tone), weight_of(cover, alpha)
+                if weight >= FULL:
+                    pixels[row, column] = shaded | OPAQUE
+                else:
+                    blend(pixels, row, column, shaded, weight)
 
 
 class SpherePainter:
@@ -164,10 +215,11 @@ class SpherePainter:
             self._depths = np.full(pixels.shape, NOWHERE, np.float32)
         order = np.argsort(points[:, 2], kind="stable")
         points, radii = np.ascontiguousarray(points[order]), np.ascontiguousarray(radii[order])
-        lay_depths(self._depths, clip, points, radii)
+        seen = np.ones(count, np.uint8)
+        lay_depths(self._depths, clip, points, radii, seen)
         paint_spheres(
             pixels, clip, self._depths, points, radii, np.ascontiguousarray(turns),
-            np.ascontiguousarray(owners[order]), np.ascontiguousarray(colors[order]), float(alpha),
+            np.ascontiguousarray(owners[order]), np.ascontiguousarray(colors[order]), seen, float(alpha),
         )  # fmt: skip
         clear_depths(self._depths, clip, points, radii)
 
