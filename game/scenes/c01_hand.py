@@ -39,6 +39,8 @@ def take_pointer(scene: KeyFraming, event: Pointer) -> None:
         _press(scene, point)
     elif event.kind == "down" and event.button == 3:
         _delete_at(scene, point)
+    elif event.kind == "wheel" and scene.hand == NOTHING:
+        _turn(scene, event.wheel)
     elif event.kind == "move" and scene.hand != NOTHING:
         _drag(scene, point, event.shift, event.control)
     elif event.kind in ("up", "cancel"):
@@ -201,6 +203,15 @@ def _with_velocities(scene: KeyFraming) -> editing.Motion:
             velocity = editing.limited((float(way[0]) * scale, float(way[1]) * scale), editing.FASTEST)
             motion = editing.with_change(motion, i, velocity=velocity)
     return motion
+
+
+def _turn(scene: KeyFraming, notches: float) -> None:
+    """Rest, so many frames later or earlier; past the end begin anew."""
+    frames = scene.fps * scene.duration
+    frame = math.floor(scene.present() * frames + 0.5) + notches
+    time = frame / frames
+    scene.values["playing"] = False
+    scene.set_time(time if 0.0 <= time <= 1.0 else time % 1.0)
 
 
 def _new_key(scene: KeyFraming, point: Point) -> None:

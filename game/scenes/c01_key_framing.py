@@ -53,14 +53,14 @@ class KeyFraming(MotionScene):
     handles to turn them, their diamonds in time. With Bezier curves drag the control points.
 
     The curve under the stage is the speed. It shows what the path does not: where the box is in a hurry, and
-    where it is jolted. Constant speed spreads the time by the length of the path, easing by a timing curve.
+    where it is jolted. Even speed spreads the time by the length of the path, easing by a timing curve.
     """
 
     name = "c01"
     task = "C01"
     title = "Key-frames"
     study = keyframing_study
-    takes = frozenset(("right",))
+    takes = frozenset(("right", "wheel"))
 
     time = Param(
         0.0, 0.0, 1.0, unit="s", step=0.001, group="Time", help="where in the second the box is shown"
@@ -104,6 +104,7 @@ class KeyFraming(MotionScene):
         Hint(("Drag",), "box, keys, handles, time"),
         Hint(("Click",), "new key"),
         Hint(("Right click",), "delete"),
+        Hint(("Wheel",), "frame by frame"),
     )
     actions = (
         SceneAction("undo", "undo", "ctrl+z"),
@@ -142,7 +143,7 @@ class KeyFraming(MotionScene):
             "de Boor 1978",
         ),
         Equation(
-            "Constant speed",
+            "Even speed",
             r"s(u) = \int_0^u \abs{B'(v)} dv,  u_{n+1} = u_n - \frac{s(u_n) - s}{\abs{B'(u_n)}}",
             "Guenter and Parent 1990",
         ),
@@ -156,7 +157,7 @@ class KeyFraming(MotionScene):
     try_this = (
         "Grab the flying box and pull it aside: it has a key there now. Ctrl+Z takes it back.",
         "Change the interpolation and watch the speed below: linear has steps, a spline has none.",
-        "Switch constant speed on: the curve below becomes flat, the boxes of the onion skin evenly spaced.",
+        "Switch even speed on: the curve below becomes flat, the boxes of the onion skin evenly spaced.",
         "Set frames per second to 8, then the second to 1 s: what early films looked like.",
         "Choose Bezier curves and drag a control point; with Shift its joint becomes a corner.",
         "Open the half turn and switch mixed matrices on: the box collapses to a point.",
@@ -318,13 +319,13 @@ class KeyFraming(MotionScene):
             Readout("speed", float(np.minimum(animation.playback.speed(part), 1e6)), "m/s"),
             Readout("on the slider", self.present(), "s"),
             Readout("angle", turned - 360.0 * math.ceil(turned / 360.0 - 0.5), "°"),
-            Readout("frame", float(frame_of(self.phase(), frames))),
+            Readout("frame", frame_of(self.phase(), frames)),
             Readout("x", x, "m"),
             Readout("y", y, "m"),
-            Readout("keys", float(len(self.motion.keys))),
+            Readout("keys", len(self.motion.keys)),
             Readout("way", animation.length, "m"),
             Readout("jolt", animation.jolt, "m/s"),
-            Readout("lines", float(sum(len(chain) - 1 for chain in animation.chains(self.tolerance)))),
+            Readout("lines", sum(len(chain) - 1 for chain in animation.chains(self.tolerance))),
         ]
 
     def legend(self) -> Sequence[tuple[str, str, str]]:

@@ -162,6 +162,15 @@ def test_6_a_slider_from_nought_to_one():
     assert stage.scene.values["time"] == pytest.approx(0.8 + 30 / 120 / 3.5)
 
 
+def test_6_the_wheel_goes_frame_by_frame():
+    stage = open_level(KeyFraming, "early-film")
+    stage.run(50)
+    for notches, frame in ((1.0, 4), (3.0, 7), (-7.0, 0), (-1.0, 7), (2.0, 1)):
+        stage.post(Pointer("wheel", 0.0, 0.0, wheel=notches))
+        assert stage.scene.present() == frame / 8
+    assert not stage.scene.playing
+
+
 def test_7_playback_looks_at_the_curve_so_often():
     stage = open_level(KeyFraming, "early-film")
     scene, seen = stage.scene, []

@@ -9,7 +9,7 @@ CONSTANT_SPEED = declare_effect(
     "animation",
     "constant-speed",
     49,
-    "Constant speed",
+    "Even speed",
     "Time is spread by arc length: equal ways in equal times.",
 )
 SKINNING = declare_effect("animation", "skinning", 50, "Skinning", "The skin follows the bones.")
