@@ -9,6 +9,7 @@ empirical distribution"). It is only a hint: a binary search or a walk cannot gi
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
@@ -102,7 +103,7 @@ def sampler(variant: int, width: int) -> Callable[..., Any]:
             t = at[k]
             to = np.uintp(k) * columns
             if not begin <= t < end:
-                if t - t != 0.0:  # infinite or no number
+                if not math.isfinite(t):
                     bad += 1
                     continue
                 if loop and end > begin:
