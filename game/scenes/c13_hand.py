@@ -102,6 +102,7 @@ def let_go(scene: SphereCollisions, point: Point) -> None:
     start = point_of(scene, pressed.body, pressed.place)
     x, y = scene.push_strength * (point[0] - start[0]), scene.push_strength * (point[1] - start[1])
     if x != 0.0 or y != 0.0:
+        scene.end_exact("a force acts")
         scene.pushes.append(
             Push(pressed.body, pressed.place, (float(x), float(y), 0.0), float(scene.push_time))
         )

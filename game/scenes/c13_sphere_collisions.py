@@ -15,6 +15,7 @@ from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
 from game.physics.rigid.collisions import CollidingSpheres, CollisionState
+from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.rigid.spheres import Makeup, MotionState, SphereBodies
 from game.scenes import c13_hand as hand
@@ -35,12 +36,15 @@ from game.stage import (
     SceneAction,
     Strip,
     Toggle,
+    WarmUp,
 )
 
 Array = NDArray[np.float64]
 BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
 NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
 TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
+MOST_EXACT = 2_000  # impacts in a step of the event-driven run
+NOTHING = np.zeros((0, 3))
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
 
 
@@ -67,6 +71,8 @@ class SphereState(NamedTuple):
     kinds: NDArray[np.int64]
     hung: NDArray[np.int64]
     strings: Array
+    exact_places: Array  # (s, 3) m of the event-driven run; empty without one
+    exact_speeds: Array  # (s, 3) m/s
 
 
 class SphereCollisions(Scene):
@@ -120,7 +126,7 @@ class SphereCollisions(Scene):
     )  # fmt: skip
     correction = Choice(
         "split", CORRECTIONS, labels=("None", "Baumgarte", "Soft", "Split impulses", "Projection"),
-        group="Bearing", help="how overlap is taken away; Baumgarte and soft contacts push, and so add energy",
+        group="Bearing", help="how overlap is taken away; Baumgarte and soft contacts add speed",
     )  # fmt: skip
     iterations = Param(
         10, 1, 200, whole=True, log=True, group="Bearing", help="sweeps of the impulses that bear what rests"
@@ -190,7 +196,7 @@ class SphereCollisions(Scene):
         "Press on a sphere off its centre, draw, let go: it moves and turns.",
         'Open Newton\'s cradle; choose the law "at once": all balls move, and energy and momentum still fit.',
         "Take impact times away in the fast-and-small level: the bullet passes through.",
-        "Open the pile and choose no correction, then Baumgarte, then split impulses: see overlap and energy.",
+        "Open the pile: choose no correction, then Baumgarte, then split impulses; see overlap and energy.",
     )
     default_content: ClassVar[CollisionContent] = CollisionContent(
         spheres=(
@@ -211,7 +217,10 @@ class SphereCollisions(Scene):
         self.pressed: hand.Pressed | None = None
         self.pushes: list[hand.Push] = []
         makings = makings_of(self.content, self.seed)
+        self.exact: SmoothSpheres | None = None
         self.take_bodies(bodies_of(makings, self.real, self.density), makings.surroundings)
+        if self.content.exact:
+            self.exact = self._exact_run()
         self.view = CollisionView()
 
     def take_bodies(self, bodies: SphereBodies, surroundings: Any) -> None:
@@ -219,9 +228,30 @@ class SphereCollisions(Scene):
         before = getattr(self, "world", None)
         self.world = CollidingSpheres(bodies, surroundings, self._tables(), self._broad_phase(bodies))
         if before is not None:
+            self.end_exact("there are other spheres")
             np.copyto(self.world.ring, before.ring)
             np.copyto(self.world.counters, before.counters)
         self._configure()
+
+    def _exact_run(self) -> SmoothSpheres:
+        """The event-driven run of the spheres as they are, without friction or drag."""
+        bodies = self.world.bodies
+        return SmoothSpheres(
+            bodies.state.positions,
+            bodies.velocities,
+            bodies.makeup.radii,
+            bodies.makeup.masses,
+            restitution=self.restitution,
+            wall_restitution=self.wall_restitution,
+            gravity=self.gravity if GRAVITY in self.active else 0.0,
+            window=self.world.surroundings.window,
+        )
+
+    def end_exact(self, why: str) -> None:
+        """The exact run is no run of these spheres any more."""
+        if self.exact is not None:
+            self.exact = None
+            self.told.append(f"The exact run ends here: {why}.")
 
     def _tables(self) -> Any:
         return tables_of(
@@ -261,6 +291,7 @@ class SphereCollisions(Scene):
     def knob_changed(self, name: str) -> None:
         if name in TABLE_KNOBS:
             self.world.tables = self._tables()
+            self.end_exact("the spheres are others")
         elif name == "tool":
             hand.begin_anew(self)
         elif name not in NOT_SETTINGS:
@@ -274,6 +305,11 @@ class SphereCollisions(Scene):
     def advance(self, dt: float) -> None:
         hand.act(self, dt)
         self.world.step(dt)
+        if self.exact is not None:
+            try:
+                self.exact.fly(dt, MOST_EXACT)
+            except ValueError:
+                self.end_exact("it has impacts without end")
 
     def pointer(self, event: Pointer) -> None:
         hand.take_pointer(self, event)
@@ -291,10 +327,18 @@ class SphereCollisions(Scene):
 
     def state(self) -> SphereState:
         around = self.world.surroundings
-        return SphereState(*self.world.state(), *self.world.bodies.makeup, around.hung, around.strings)
+        exact = (
+            (self.exact.positions, self.exact.velocities) if self.exact is not None else (NOTHING, NOTHING)
+        )
+        return SphereState(
+            *self.world.state(), *self.world.bodies.makeup, around.hung, around.strings, *exact
+        )
 
     def restore(self, state: SphereState) -> None:
-        makeup = Makeup(*(part.copy() for part in state[11:18]))
+        makeup = Makeup(
+            state.masses.copy(), state.inverse_inertias.copy(), state.round_bodies.copy(), state.radii.copy(),
+            state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
+        )  # fmt: skip
         mine = self.world.bodies.makeup
         same = len(mine.radii) == len(makeup.radii) and np.array_equal(mine.radii, makeup.radii)
         if not same or not np.array_equal(mine.masses, makeup.masses):
@@ -302,6 +346,10 @@ class SphereCollisions(Scene):
             around = self.world.surroundings._replace(hung=state.hung.copy(), strings=state.strings.copy())
             self.take_bodies(SphereBodies.of_parts(makeup, motion), around)
         self.world.restore(CollisionState(*state[:11]))
+        self.exact = self._exact_run() if len(state.exact_places) else None
+        if self.exact is not None:
+            np.copyto(self.exact.positions, state.exact_places)
+            np.copyto(self.exact.velocities, state.exact_speeds)
 
     def save_content(self) -> CollisionContent:
         return content_of(self)
@@ -325,10 +373,18 @@ class SphereCollisions(Scene):
             Readout("L z", totals.spin[2], "kg m²/s"),
             Readout("deepest", float(np.max(-gaps, initial=0.0)), "m"),
             Readout("rounds", float(world.rounds)),
+            *self._beside_exact(),
             Readout("momentum lost", float(entries[:, 14].max(initial=0.0)), "kg m/s"),
             Readout("pair tests a step", float(world.tests)),
             Readout("parts of a step", float(world.parts)),
         ]
+
+    def _beside_exact(self) -> list[Readout]:
+        """How far the spheres are from the event-driven run."""
+        if self.exact is None:
+            return []
+        off = self.exact.positions - self.world.bodies.state.positions
+        return [Readout("beside exact", float(np.sqrt((off * off).sum(axis=1).max())), "m")]
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)
@@ -340,6 +396,22 @@ class SphereCollisions(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self, canvas, alpha)
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """Kernels part by part."""
+
+        def world(**settings: Any) -> CollidingSpheres:
+            bodies = SphereBodies([(0.0, 0.0), (0.9, 0.0)], [0.5, 0.5], [(1.0, 0.0), (0.0, 0.0)])
+            return CollidingSpheres(bodies, **settings)
+
+        return (
+            WarmUp("touches", lambda: world().overlap()),
+            WarmUp("ledger", lambda: world().totals()),
+            WarmUp("impulses", lambda: world().step(cls.dt)),
+            WarmUp("impact times", lambda: world(effects=cls.effects).step(cls.dt)),
+            WarmUp("impulses in the plane", lambda: world(path="planar").step(cls.dt)),
+        )
 
     @classmethod
     def knobs(cls) -> dict[str, Knob[Any]]:

@@ -13,7 +13,7 @@ from game.physics.rigid import ledger
 from game.physics.rigid.sphere_effects import LEDGES, STRINGS, WINDOW
 from game.scenes import c13_hand as hand
 from game.scenes.c13_level import COLORS
-from game.ui.canvas import Canvas
+from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
     from game.scenes.c13_sphere_collisions import SphereCollisions
@@ -60,7 +60,7 @@ class CollisionView:
             rows.append(("arrow:amber", "impulses", f"{world.collisions:,}".replace(",", " ")))
         if scene.shown_bearing and len(world.touches[0]):
             rows.append(("line:green", "bearing", str(len(world.touches[0]))))
-        if scene.content.exact:
+        if scene.exact is not None:
             rows.append(("dash:text1", "event-driven", ""))
         return rows
 
@@ -73,6 +73,9 @@ class CollisionView:
         places, tips = self._between(scene, alpha)
         self._draw_strings(scene, canvas, places)
         self._draw_spheres(scene, canvas, places, tips)
+        if scene.exact is not None:
+            for place, radius in zip(scene.exact.positions, scene.exact.radii, strict=True):
+                canvas.circle(place, float(radius), None, 1.0, "text1", 1.4, EXACT_DASH, alpha=0.75)
         if scene.shown_bearing:
             self._draw_bearing(scene, canvas, places)
         if scene.shown_impulses:

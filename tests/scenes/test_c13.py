@@ -1,0 +1,337 @@
+"""C13 by posted events: every point of the task, its levels and hard cases."""
+
+from __future__ import annotations
+
+import math
+
+import msgspec
+import numpy as np
+import pytest
+from scenes.particle_stages import click, drag, move, open_level, press, readouts, release
+
+from game.levels import LevelError, level_files, load_level, save_level
+from game.physics.rigid import ledger
+from game.scenes.c13_level import CollisionContent
+from game.scenes.c13_sphere_collisions import SphereCollisions
+from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
+
+HARD = [path.stem for path in level_files("c13") if path.stem.startswith("hard")]
+
+
+def opened(name, **parameters):
+    return open_level(SphereCollisions, name, **parameters)
+
+
+def bodies_of(stage):
+    return stage.scene.world.bodies
+
+
+def beside(place, x, y):
+    return place[0] + x, place[1] + y
+
+
+def wait(stage, seconds):
+    stage.run(round(seconds / stage.dt))
+
+
+# -- the points of the task -----------------------------------------------------------------------------
+
+
+def test_each_sphere_is_a_body_with_a_radius_line_that_turns():
+    """C13.1, .3: ends of radius lines go round with the orientation; mass and inertia 1."""
+    from game.scenes.c13_view import _places
+
+    stage = opened("two-spheres")
+    bodies = bodies_of(stage)
+    assert bodies.makeup.masses.tolist() == [1.0, 1.0]
+    assert bodies.makeup.inverse_inertias[:, :3].tolist() == [[1.0] * 3] * 2
+    places, tips = _places(bodies.state, bodies.makeup)
+    assert np.allclose(tips - places, [(0.6, 0.0)] * 2)
+    stage.run(30)
+    places, tips = _places(bodies.state, bodies.makeup)
+    arm = tips[1] - places[1]
+    assert math.hypot(*arm) < 0.6 and arm[1] > 0.2, "it turns in space, so its line is seen shortened"
+
+
+def test_spheres_are_clicked_and_taken_away():
+    """C13.2: the tool makes them, one by one, within the window; a right click takes one away."""
+    stage = opened("draw", radius=0.3)
+    click(stage, (1.0, 2.0))
+    click(stage, (-50.0, 2.0))
+    makeup, state = bodies_of(stage).makeup, bodies_of(stage).state
+    assert makeup.radii.tolist() == [0.25, 0.3, 0.3]
+    assert state.positions[2, 0] == pytest.approx(-4.2 + 0.3)
+    stage.run(10)
+    click(stage, bodies_of(stage).state.positions[1, :2], button=3)
+    assert bodies_of(stage).makeup.radii.tolist() == [0.25, 0.3]
+    stage.post(Action("remove"))
+    click(stage, bodies_of(stage).state.positions[0, :2])
+    assert bodies_of(stage).makeup.radii.tolist() == [0.3]
+    click(stage, bodies_of(stage).state.positions[0, :2])
+    assert bodies_of(stage).count == 1 and "The last body stays." in stage.scene.messages()
+
+
+def test_real_masses():
+    """C13.3: density times volume and 2/5 m r², live; a mass of its own is kept."""
+    stage = opened("hard-05-mass-ratio")
+    stage.post(SetKnob("density", 3.0))
+    stage.post(SetKnob("real", True))
+    makeup = bodies_of(stage).makeup
+    mass = 3.0 * 4.0 / 3.0 * math.pi * 0.2**3
+    assert makeup.masses[0] == pytest.approx(mass)
+    assert 1.0 / makeup.inverse_inertias[0, 0] == pytest.approx(0.4 * mass * 0.04)
+    assert makeup.masses[1] == 1e6 and math.isinf(makeup.masses[5])
+
+
+def test_brute_force_or_any_broad_phase():
+    """C13.4: every pair is tested; with a grid the run is the same, bit for bit."""
+    digests = []
+    for name in ("brute-force", "grid", "hierarchical", "sweep-and-prune"):
+        stage = opened("default", broad_phase=name)
+        stage.run(60)
+        digests.append([part.tobytes() for part in bodies_of(stage).state])
+        if name == "brute-force":
+            assert readouts(stage)["pair tests a step"] >= 16 * 15 / 2
+    assert all(digest == digests[0] for digest in digests)
+
+
+def test_impulses_and_ledger():
+    """C13.5, .7: impulses turn approaches round and are shown; momentum is kept, energy falls."""
+    stage = opened("default")
+    before = readouts(stage)
+    wait(stage, 0.5)
+    after = readouts(stage)
+    assert after["collisions"] > 10
+    assert after["P x"] == pytest.approx(before["P x"], abs=1e-12), "no wall was met so far"
+    assert after["sum"] < before["sum"]
+    entries = stage.scene.world.ledger()
+    assert entries[:, ledger.LOST_MOMENTUM].max() < 1e-14
+    assert entries[:, ledger.LOST_SPIN].max() < 1e-13
+    assert np.allclose(entries[:, ledger.CHANGE], entries[:, ledger.EXPECTED], rtol=0, atol=1e-13)
+    assert np.allclose(entries[:, ledger.AFTER], -0.95 * entries[:, ledger.BEFORE], rtol=0, atol=1e-13)
+
+
+def test_a_force_by_click_and_drag_moves_and_turns():
+    """C13.6: from where it is pressed to where it is let go, at that point of the body."""
+    stage = opened("two-spheres")
+    stage.post(SetEffect("window", False))
+    start = bodies_of(stage).state.positions[0, :2].copy()
+    stage.post(SetKnob("push_time", stage.dt))
+    before = bodies_of(stage).state.momenta[0].copy()
+    press(stage, beside(start, 0.0, 0.5))
+    move(stage, beside(start, 1.0, 0.5))
+    assert stage.scene.pressed is not None
+    release(stage, beside(start, 1.0, 0.5))
+    stage.run(1)
+    change = bodies_of(stage).state.momenta[0] - before
+    assert change[0] == pytest.approx(40.0 * stage.dt, rel=1e-9)
+    assert bodies_of(stage).turning[0, 2] == pytest.approx(-0.5 * 40.0 * stage.dt, rel=0.05)
+    stage.run(1)
+    assert not stage.scene.pushes
+
+
+def test_a_force_is_taken_back_or_switched_off():
+    stage = opened("two-spheres")
+    at = bodies_of(stage).state.positions[1, :2]
+    press(stage, at)
+    stage.post(Pointer("cancel", 0.0, 0.0))
+    release(stage, beside(at, 1.0, 0.0))
+    assert not stage.scene.pushes
+    stage.post(SetEffect("pushes", False))
+    drag(stage, at, beside(at, 1.0, 0.0), run=0)
+    assert not stage.scene.pushes
+    assert "Pushes are switched off." in stage.scene.messages()
+
+
+def test_kept_inside_the_window_and_mirrored():
+    """C13.8."""
+    stage = opened("two-spheres", restitution=1.0, friction=0.0)
+    energy = readouts(stage)["sum"]
+    for _ in range(20):
+        stage.run(60)
+        places = bodies_of(stage).state.positions
+        assert np.abs(places[:, 0]).max() < 4.2 - 0.6 + 0.03
+        assert places[:, 1].min() > 0.57 and places[:, 1].max() < 4.5 - 0.57
+    assert readouts(stage)["sum"] == pytest.approx(energy, rel=1e-12)
+
+
+def test_newtons_cradle_behaves_like_one():
+    """Beyond: one comes, one leaves; the others stay where they are."""
+    stage = opened("cradle")
+    highest = np.zeros(5)
+    for _ in range(60):
+        stage.run(8)
+        highest = np.maximum(highest, bodies_of(stage).state.positions[:, 1] - 1.1)
+    drop = 3.0 * (1.0 - math.cos(math.radians(40.0)))
+    assert highest[4] == pytest.approx(drop, rel=0.01)
+    assert highest[1:4].max() < 1e-4
+    assert readouts(stage)["collisions"] >= 8
+
+
+def test_a_pile_comes_to_rest():
+    """Beyond: a thousand discs by way of the grid, overlap below 0.03 at r 0.43."""
+    stage = opened("pile")
+    wait(stage, 6.0)
+    found = readouts(stage)
+    assert found["spheres"] == 1000.0
+    assert found["deepest"] < 0.03
+    assert found["moving"] < 20.0
+    assert stage.scene.world.planar()
+
+
+def test_an_hourglass_runs():
+    """Beyond: discs go through the neck, and none through the glass."""
+    stage = opened("hourglass")
+    assert readouts(stage)["spheres"] > 4900
+    wait(stage, 4.0)
+    places = bodies_of(stage).state.positions
+    below = places[:, 1] < 58.0
+    assert below.sum() > 20
+    assert np.abs(places[:, 0]).max() < 56.0
+    neck = (places[:, 1] > 50.0) & (places[:, 1] < 66.0)
+    room = 4.0 + np.abs(places[neck, 1] - 58.0) * 2.6
+    assert (np.abs(places[neck, 0]) < room).all()
+
+
+def test_materials_have_pairs():
+    """Beyond: restitution per pair, from the level."""
+    tables = opened("materials").scene.world.tables
+    assert tables.restitution[0, 1] == tables.restitution[1, 0] == 0.8
+    assert tables.restitution[2, 3] == 0.0 and tables.friction[0, 0] == 0.9
+
+
+def test_beside_the_event_driven_run():
+    stage = opened("bouncing")
+    wait(stage, 4.0)
+    assert readouts(stage)["beside exact"] < 1e-9
+    assert readouts(stage)["collisions"] > 8
+    stage.post(SetEffect("impact-times", False))
+    wait(stage, 1.0)
+    assert readouts(stage)["beside exact"] > 1e-3
+    stage.post(SetKnob("restitution", 0.5))
+    assert stage.scene.exact is None
+
+
+# -- hard cases -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", HARD)
+def test_hard_levels_stay_sane(name):
+    stage = opened(name)
+    stage.run(60)
+    assert stage.fault is None
+    stage.scene.world.check()
+    assert load_level(stage.level.path, "c13", CollisionContent).hard_case.startswith("C13 H")
+
+
+def test_every_hard_case_has_a_level():
+    numbers = {name.split("-")[1] for name in HARD}
+    assert numbers == {f"{i:02d}" for i in range(1, 12)}
+
+
+def test_what_hard_levels_show():
+    def after(name, seconds, **parameters):
+        stage = opened(name, **parameters)
+        wait(stage, seconds)
+        return stage, bodies_of(stage), readouts(stage)
+
+    _, bodies, found = after("hard-01-same-place", 1.0)
+    assert found["moving"] == 0.0 and bodies.state.positions[1, 0] - bodies.state.positions[0, 0] > 1.19
+    assert after("hard-02-separating", 1.0)[2]["collisions"] == 0.0
+    stage, _, found = after("hard-03-two-touches", 1.2)
+    start = readouts(opened("hard-03-two-touches"))
+    assert found["collisions"] >= 2 and found["sum"] == pytest.approx(start["sum"], rel=0.02)
+    assert after("hard-04-cradle-in-turn", 2.0)[1].velocities[:, 0].tolist() == [0.0, 0.0, 0.0, 1.5]
+    assert (np.abs(after("hard-04-cradle-at-once", 2.0)[1].velocities[:, 0]) > 0.1).all()
+    v = after("hard-05-mass-ratio", 1.4)[1].velocities[:, 0]
+    assert v[0] == pytest.approx(-2.0, rel=1e-5) and v[4] == -2.0 and v[5] == 0.0
+    bodies = after("hard-06-grazing", 0.5)[1]
+    assert np.abs(bodies.turning).max() < 1e-3 and np.abs(bodies.turning[2:]).max() == 0.0
+    stage, bodies, found = after("hard-07-stack", 5.0)
+    assert found["moving"] + found["turning"] < 1e-6 and found["deepest"] <= 0.0041
+    _, _, found = after("hard-08-deep-overlap", 1.0)
+    assert found["sum"] == 0.0 and found["deepest"] < 0.01
+    assert after("hard-08-deep-overlap", 1.0, correction="baumgarte")[2]["sum"] > 1.0
+    assert after("hard-09-fast-and-small", 0.1)[2]["collisions"] > 0.0
+    stage = opened("hard-09-fast-and-small")
+    stage.post(SetEffect("impact-times", False))
+    stage.run(3)
+    assert readouts(stage)["collisions"] <= 1.0, "only a wall"
+    bodies = after("hard-10-spin", 1.0)[1]
+    assert np.abs(bodies.state.momenta[:2, 1]).min() > 0.01, "thrown apart by their rims"
+    assert np.abs(bodies.state.momenta[2:, 1]).max() < 1e-12
+    v = after("hard-11-restitution", 2.0)[1].velocities[:, 0]
+    assert v.tolist() == pytest.approx([0.75, 0.75, 0.0, 1.5])
+
+
+def test_restitution_out_of_range_is_refused():
+    stage = opened("default")
+    for value in (-0.1, 1.1, math.nan):
+        with pytest.raises(KnobError, match="restitution"):
+            stage.post(SetKnob("restitution", value))
+
+
+# -- files, memory --------------------------------------------------------------------------------------
+
+BROKEN = {
+    "spheres": "1 to 20000 are wanted",
+    "spheres = [{ position = [0.0, 1.0], radius = -1.0 }]": "radius",
+    "spheres = [{ position = [0.0] }]": "position",
+    'spheres = [{ position = [0.0, 1.0], material = "cheese" }]': "cheese",
+    "spheres = [{ position = [0.0, 1.0], mass = 0.0 }]": "mass",
+    "spheres = [{ position = [0.0, 1.0], fixed = true, velocity = [1.0, 0.0] }]": "infinite mass",
+    "spheres = [{ position = [0.0, 1.0] }]\nstrings = [{ sphere = 4, tied = [0.0, 3.0] }]": "strings",
+    'spheres = [{ position = [0.0, 1.0] }]\npairs = [{ of = ["a", "b"] }]': "pairs",
+    "heaps = [{ corner = [0.0, 0.0], columns = 2, rows = 2, radius = 1.0, spacing = 1.0 }]": "spacing",
+    "spheres = [{ position = [0.0, 1.0] }]\nledges = [[0.0, 0.0, 0.0, 0.0]]": "ledges",
+}
+
+
+@pytest.mark.parametrize("content", BROKEN)
+def test_broken_files_are_named(tmp_path, content):
+    path = tmp_path / "broken.toml"
+    path.write_text('scene = "c13"\ntitle = "x"\n[content]\n' + ("" if content == "spheres" else content))
+    with pytest.raises(LevelError, match=BROKEN[content]):
+        Stage(SphereCollisions, level=load_level(path, "c13", CollisionContent))
+
+
+@pytest.mark.parametrize("name", ["default", "cradle", "hard-03-two-touches", "materials"])
+def test_saved_content_goes_on_alike(tmp_path, name):
+    """A level saved in the middle has the same spheres, to rounding."""
+    stage = opened(name)
+    stage.run(20)
+    level = msgspec.structs.replace(stage.level, content=stage.scene.save_content())
+    path = tmp_path / "saved.toml"
+    save_level(level, path)
+    again = Stage(SphereCollisions, level=load_level(path, "c13", CollisionContent))
+    mine, saved = bodies_of(stage), bodies_of(again)
+    assert np.allclose(mine.places(), saved.places(), rtol=0, atol=1e-12)
+    assert np.allclose(mine.velocities, saved.velocities, rtol=0, atol=1e-12)
+    assert np.allclose(mine.makeup.masses, saved.makeup.masses, rtol=1e-12)
+    assert np.array_equal(stage.scene.world.surroundings.strings, again.scene.world.surroundings.strings)
+
+
+def test_two_runs_and_steps_back_are_alike():
+    """Making, taking away and pushing: digests equal on two runs, and after steps back."""
+
+    def play(stage):
+        stage.run(10)
+        stage.post(Action("sphere"))
+        click(stage, (0.5, 3.5))
+        stage.run(10)
+        stage.post(Action("push"))
+        at = bodies_of(stage).state.positions[0, :2]
+        drag(stage, at + 0.1, at + 1.0, steps=3)
+        stage.run(10)
+        click(stage, bodies_of(stage).state.positions[0, :2], button=3)
+        stage.run(10)
+        return stage.digest()
+
+    first, second = opened("draw"), opened("draw")
+    assert play(first) == play(second)
+    now = first.digest()
+    for _ in range(25):
+        first.step_back()
+    first.resume()
+    first.run(25)
+    assert first.digest() == now
