@@ -14,6 +14,7 @@ from game.lab.studies.rotation import rotation_study
 from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW
+from game.physics.rigid.free_top import turn_freely
 from game.physics.rigid.motion import INVERSES, MOMENTS, P, Q
 from game.physics.rigid.quaternion import angle_between
 from game.physics.rigid.turning import measure
@@ -33,9 +34,12 @@ from game.stage import (
     Readout,
     Scene,
     SceneAction,
+    Stamped,
     Strip,
     Toggle,
+    WarmUp,
 )
+from game.ui.painters.spheres import WARM_UPS
 
 Array = NDArray[np.float64]
 LABELS = (
@@ -203,6 +207,22 @@ class RigidBodyScene(Scene):
         ),
         spin=(0.3, 2.0, 0.5),
     )
+
+    demo = (
+        Stamped(150, Pointer("down", 0.25, 0.75, button=1)),
+        Stamped(160, Pointer("move", 0.0, 1.1, button=1)),
+        Stamped(170, Pointer("up", -0.3, 1.35, button=1)),
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """The exact body first, which is half of all; then a step, and what draws the spheres."""
+        unit, one = (1.0, 0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+        return (
+            WarmUp("exact body", lambda: turn_freely(unit, one, (1.0, 2.0, 3.0), 0.01)),
+            WarmUp("step", lambda: cls().advance(cls.dt)),
+            *(WarmUp(*row) for row in WARM_UPS),
+        )
 
     # -- building -----------------------------------------------------------------------------------
 

@@ -61,7 +61,10 @@ INVERSE_MASS, MOMENTS, INVERSES, CONSTANTS = 0, 1, 4, 7
 FORCE, TORQUE, LOADS = 0, 3, 6  # columns of loads (n, 6): N, N m
 
 
-@kernel
+# The parts of a step are inlined: compiled one inside the other, each would be optimised again and again.
+
+
+@kernel(inline="always")
 def shift(method, x, p, force, inverse_mass, dt):
     """Place and momentum after a step."""
     after = shifted(p, force, dt)
@@ -73,7 +76,7 @@ def shift(method, x, p, force, inverse_mass, dt):
     return x, after
 
 
-@kernel
+@kernel(inline="always")
 def turn_by_momentum(method, q, angular, torque, moments, inverses, dt):
     """Turn after a step of a method that keeps L as its state."""
     if method == EXPLICIT:
@@ -92,7 +95,7 @@ def turn_by_momentum(method, q, angular, torque, moments, inverses, dt):
     return turn_split(q, middle, inverses, dt)
 
 
-@kernel
+@kernel(inline="always")
 def turn_by_spin(method, q, angular, torque, moments, inverses, dt):
     """Turn and angular momentum after a step of a method that keeps w as its state."""
     if method == GYROSCOPIC:
@@ -110,7 +113,7 @@ def turn_by_spin(method, q, angular, torque, moments, inverses, dt):
     return after, momentum_of(unit, w, moments)
 
 
-@kernel
+@kernel(inline="always")
 def turn_once(method, q, angular, torque, moments, inverses, dt, normalizing):
     """Turn and angular momentum after a step. If not ``normalizing``, q is as long as the method makes it."""
     length = 1.0
