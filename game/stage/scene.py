@@ -295,6 +295,12 @@ class Scene:
         """The present content as a level's [content], or None if the scene keeps none."""
         return None
 
+    def check(self) -> None:
+        """Check the invariants of the structures that it owns; AssertionError says which one is broken."""
+        for structure in vars(self).values():
+            if callable(getattr(type(structure), "check", None)):
+                structure.check()
+
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
         """Kernels to compile before the scene opens, in order, by calling them on a small input."""

@@ -153,6 +153,30 @@ class _Nothing:
     bytes = 0
 
 
+def test_selftest_checks_invariants(capsys, monkeypatch):
+    import example_scene
+
+    def check(self):
+        raise AssertionError("the ball is where it should be")
+
+    monkeypatch.setattr(example_scene.BouncingBall, "check", check)
+    status, out, _ = run(capsys, "selftest", "example")
+    assert status == 1
+    assert "the ball is where it should be" in out
+
+
+def test_selftest_in_plain_python(capsys):
+    from game.app.commands import selftest
+
+    good = selftest.Result("lecture-balls", "default", "0", "", 1e-6)
+    slow = selftest.Result("lecture-balls", "hard-03-corner", "0", "", 10.0)
+    bad = selftest.Result("lecture-balls", "no-such-level", "0", "", 1e-6)._replace(scene="nowhere")
+    results = selftest._with_pure_steps([good, slow, bad], quiet=True)
+    assert [result.pure_steps for result in results] == [12, 0, 12]
+    assert results[0].trouble == results[1].trouble == ""
+    assert "nowhere" in results[2].trouble
+
+
 WRONG = [
     (("frobnicate",), "frobnicate"),
     (("run",), "SCENE"),

@@ -1,9 +1,18 @@
-"""``selftest``: each scene with each level steps, goes back, steps again, and must come to the same state."""
+"""``selftest``: each scene with each level steps, goes back, steps again, and must come to the same state.
+
+Invariants are checked at the end. With ``--pure`` every level also makes a few steps with its kernels as
+plain Python, in a process of its own: what a compiler may hide (an index out of range, a division by
+nothing) shows there.
+"""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -17,15 +26,20 @@ if TYPE_CHECKING:
 HALF_STEPS = 120  # of each run: that many, a restored state, that many again
 STEPS_BACK = 3
 GOLDEN_FILE = "scenes.json"
+PURE_S = 3.0  # s of plain Python for a level
+SLOWDOWN = 250.0  # of plain Python against compiled code, about
+MOST_PURE_STEPS = 12
 
 
 class Result(NamedTuple):
-    """What came of one level: the digest at its end, or what went wrong."""
+    """What came of one level: the digest at its end or what went wrong, s of a step, plain steps."""
 
     scene: str
     level: str
     digest: str
     trouble: str
+    step_s: float = 0.0
+    pure_steps: int = 0
 
     @property
     def name(self) -> str:
@@ -41,6 +55,8 @@ def add(commands: Any) -> None:
     parser.add_argument("--golden", metavar="FILE", help="compare with the digests kept in this file")
     parser.add_argument("--update-golden", metavar="FILE", nargs="?", const="", default=None,
                         help="write the digests (to tests/golden/scenes.json of a checkout)")  # fmt: skip
+    parser.add_argument("--pure", action="store_true", help="also a few steps without the compiler")
+    parser.add_argument("--plan", metavar="STEPS", help=argparse.SUPPRESS)
     parser.set_defaults(execute=execute)
 
 
@@ -49,6 +65,8 @@ def execute(options: argparse.Namespace) -> int:
     output.check_writable(options.json, "--json")
     golden_file = _golden_file(options)
     expected = _read_golden(options.golden) if options.golden else {}
+    if options.plan is not None:
+        return _run_plan(json.loads(options.plan))
     quiet = options.json == output.STANDARD_OUTPUT
     results = []
     for result in check_scenes(options.scenes):
@@ -57,6 +75,8 @@ def execute(options: argparse.Namespace) -> int:
         results.append(result)
         if not quiet:
             print(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
+    if options.pure:
+        results = _with_pure_steps(results, quiet)
     failed = [result for result in results if result.trouble]
     if options.json:
         output.write_json({"results": [r._asdict() for r in results], "failed": len(failed)}, options.json)
@@ -96,9 +116,58 @@ def check_level(scene_type: type[Scene], file: Path | None) -> Result:
         other.resume()
         script.run(2 * HALF_STEPS - other.step_number)
         trouble = _compare(first, other, straight)
+        if not trouble:
+            other.scene.check()
     except Exception as error:  # whatever a scene raises is its result, and the next one is still tested
         return Result(scene_type.name, name, "", f"{type(error).__name__}: " + " ".join(str(error).split()))
-    return Result(scene_type.name, name, straight, trouble)
+    return Result(scene_type.name, name, straight, trouble, first.step_cost_s)
+
+
+def _with_pure_steps(results: list[Result], quiet: bool) -> list[Result]:
+    """The results, with the steps that each level has made in plain Python and what went wrong there."""
+    plan = {}
+    for result in results:
+        steps = min(int(PURE_S / (SLOWDOWN * max(result.step_s, 1e-7))), MOST_PURE_STEPS)
+        if steps > 0 and not result.trouble:
+            plan[result.name] = steps
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    command = [sys.executable, "-m", "game", "selftest", "--plan", json.dumps(plan)]
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, encoding="utf-8")
+    assert process.stdout is not None
+    troubles: dict[str, str] = {}
+    for line in process.stdout:
+        name, trouble = json.loads(line)
+        troubles[name] = trouble
+        if not quiet:
+            print(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
+    if process.wait() != 0:
+        troubles.update((name, "the process in plain Python ended") for name in plan if name not in troubles)
+    return [
+        result._replace(
+            trouble=result.trouble or troubles.get(result.name, ""), pure_steps=plan.get(result.name, 0)
+        )
+        for result in results
+    ]
+
+
+def _run_plan(plan: Mapping[str, int]) -> int:
+    """Make so many steps of each level in this process, and say a line of each."""
+    from game.levels import level_files
+
+    for name, steps in plan.items():
+        scene_name, _, level = name.partition("/")
+        trouble = ""
+        try:
+            scene_type = given.scene_type_named(scene_name)
+            file = next((file for file in level_files(scene_name) if file.stem == level), None)
+            stage = _begin(scene_type, file)
+            _run(stage, steps)
+            trouble = stage.fault.message if stage.fault is not None else ""
+            stage.scene.check()
+        except Exception as error:
+            trouble = f"{type(error).__name__}: " + " ".join(str(error).split())
+        print(json.dumps([name, trouble]), flush=True)
+    return 0
 
 
 def _begin(scene_type: type[Scene], file: Path | None) -> Stage:
