@@ -10,7 +10,6 @@ import pygame
 from game.billiards.games import CombinationMatch, Drill, EightBall, NineBall, Practice
 from game.billiards.games.eight_ball import GROUPS
 from game.billiards.goals import described
-from game.billiards.table import POCKET_NAMES
 from game.scenes import billiards_layout as layout
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
 from game.ui.canvas import Canvas
@@ -235,7 +234,7 @@ def line_of(scene: Billiards) -> tuple[str, bool]:
     if round_.words:
         return " ".join(round_.words), round_.foul
     if isinstance(game, Drill):
-        return " ".join(described(game.goal, POCKET_NAMES)), False
+        return " ".join(described(game.goal, layout.POCKETS)), False
     if scene.phase != AIMING or scene.plays_itself or not scene.person_plays:
         return "", False
     if game.in_hand:
@@ -257,7 +256,7 @@ def _announced(scene: Billiards) -> str:
         return "A push-out."
     if call.ball is None or call.pocket is None or not scene.round.game.needs_call():
         return ""
-    return f"Called: the {call.ball} into the {POCKET_NAMES[call.pocket]} pocket."
+    return f"Called: the {call.ball} into the {layout.POCKETS[call.pocket]} pocket."
 
 
 def _rect(canvas: Canvas, box: layout.Box) -> pygame.Rect:

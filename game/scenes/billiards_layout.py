@@ -16,6 +16,9 @@ PIXELS = 360.0  # design px to a metre
 WOOD = 0.074  # m
 RIM = CUSHION_DEPTH + WOOD
 
+# names of the pockets as they are seen in the turned picture, in the order of the table's rows
+POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper right", "lower right")
+
 LEAST_PIXELS = 120.0  # px to a metre; a smaller picture shows the table alone
 
 

@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from game import __version__
-from game.app.commands import accuracy, bench, fuzz, listing, match, play, replay, run, selftest, shot
+from game.app.commands import accuracy, bench, fuzz, listing, match, play, record, replay, run, selftest, shot
 from game.app.mistake import MistakeError
 
-COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, match, fuzz, bench)
+COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, match, record, fuzz, bench)
 
 
 class _Parser(argparse.ArgumentParser):

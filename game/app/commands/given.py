@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.mistake import MistakeError
 
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 MOST_STEPS = 1_000_000_000
 LARGEST_SIDE = 8192  # px
 MOST_PIXELS = 40_000_000
+SMALLEST_FILM = 64  # px, of a side
+MOST_FPS = 120
 
 
 def add_scene_options(parser: argparse.ArgumentParser) -> None:
@@ -176,3 +178,29 @@ def read_size(text: str) -> tuple[int, int]:
             f"--size {text}: sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels are wanted"
         )
     return width, height
+
+
+class Film(NamedTuple):
+    """A film that is asked for: its file, size px, and pictures a second."""
+
+    path: Path
+    size: tuple[int, int]
+    fps: int
+
+
+def read_film(word: str, size: str, fps: str, option: str) -> Film:
+    """What a film is to be, checked before anything long is begun."""
+    from game.app.commands import output
+    from game.app.film.video import VideoError, check_video
+
+    output.check_writable(word, option)
+    width, height = read_size(size)
+    if width % 2 or height % 2 or min(width, height) < SMALLEST_FILM:
+        raise MistakeError(f"--size {size}: even numbers, at least {SMALLEST_FILM}, are wanted for a film")
+    if not fps.isdigit() or not 1 <= int(fps) <= MOST_FPS:
+        raise MistakeError(f"--fps {fps}: a whole number from 1 to {MOST_FPS} is wanted")
+    try:
+        check_video(Path(word))
+    except VideoError as error:
+        raise MistakeError(f"{option} {error}") from None
+    return Film(Path(word), (width, height), int(fps))

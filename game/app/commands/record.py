@@ -1,0 +1,52 @@
+"""``record``: a film of a scene, MP4 or GIF; of its demo, or of a recording."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from game.app.commands import given
+from game.app.mistake import MistakeError
+
+
+def add(commands: Any) -> None:
+    """Declare the command."""
+    parser = commands.add_parser("record", help="film a scene, as MP4 or GIF", allow_abbrev=False)
+    given.add_scene_options(parser)
+    parser.add_argument("--out", metavar="FILE", help="film to write, .mp4 or .gif (SCENE.mp4)")
+    parser.add_argument("--seconds", default="20", metavar="S", help="length (20)")
+    parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the film (1280x720)")
+    parser.add_argument("--fps", default="30", metavar="N", help="pictures a second (30)")
+    parser.add_argument("--theme", default="dark", metavar="NAME", help="dark or light")
+    parser.add_argument("--replay", metavar="FILE.json", help="film a recording instead of the demo")
+    parser.set_defaults(execute=execute)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Film it and say where; status 1 if the scene had to be stopped."""
+    seconds = given.read_seconds(options.seconds)
+    if options.theme not in ("dark", "light"):
+        raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
+    scene_type = given.scene_type_named(options.scene)
+    film = given.read_film(options.out or f"{scene_type.name}.mp4", options.size, options.fps, "--out")
+    from game.app.film.scene_film import write_scene_film
+    from game.app.film.video import VideoError
+    from game.app.script import demo_of
+    from game.stage import RecordingError, begin
+
+    if options.replay:
+        recording = given.read_recording(options.replay, scene_type.name)
+        try:
+            stage, events = begin(recording, scene_type), recording.events
+        except RecordingError as error:
+            raise MistakeError(str(error)) from None
+    else:
+        stage, events = given.make_stage(options), list(demo_of(scene_type))
+    given.steps_in(seconds, stage.dt)
+    try:
+        count = write_scene_film(stage, events, Path(film.path), film.size, film.fps, seconds, options.theme)
+    except VideoError as error:
+        raise MistakeError(str(error), status=1) from None
+    print(f"{film.path}: {count / film.fps:.1f} s, {count} pictures")
+    return 1 if stage.fault is not None else 0

@@ -1,0 +1,70 @@
+"""The film of any scene: its stage goes on by a frame's time, is drawn off screen, and is heard."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.app.film.progress import Progress
+from game.app.film.soundtrack import Soundtrack
+from game.app.film.video import VideoWriter
+from game.app.headless import prepare
+from game.app.script import Script
+from game.app.view import StageView
+from game.stage import Scene, Stage, Stamped
+from game.ui.layout import auto_scale
+from game.ui.look import Look
+from game.ui.sound import SoundPlayer
+from game.ui.theme import theme_named
+
+
+class _Ear(SoundPlayer):
+    """Hears a scene's sounds for a sound track instead of a card."""
+
+    def __init__(self, track: Soundtrack) -> None:
+        super().__init__(track.volume)
+        self._ready = True
+        self._track = track
+
+    def _play(self, samples: NDArray[np.int16]) -> None:
+        self._track.add(samples)
+
+    def close(self) -> None:
+        """There is no card to be given back."""
+
+
+def write_scene_film(
+    stage: Stage, events: Sequence[Stamped], path: Path, size: tuple[int, int], fps: int, seconds: float,
+    theme: str = "dark",
+) -> int:  # fmt: skip
+    """Film a stage while events act at their steps; the pictures made. VideoError in one line.
+
+    A scene that is stopped ends its film.
+    """
+    prepare()
+    look = Look(theme_named(theme), auto_scale(*size))
+    surface = pygame.Surface(size, 0, 32)
+    view = StageView(stage, look)
+    view.place(surface.get_rect(), look)
+    script = Script(stage, events)
+    track = Soundtrack()
+    ear = _Ear(track)
+    sounding = type(stage.scene).hearing is not Scene.hearing
+    progress = Progress("Film")
+    count = max(round(seconds * fps), 1)
+    with VideoWriter(path, size, fps, sound=sounding) as video:
+        for i in range(count):
+            surface.fill(look.theme.stage)
+            view.draw(surface)
+            if sounding:
+                ear.follow(stage.scene.hearing())
+            video.add(surface, track.take((i + 1) / fps) if sounding else None)
+            progress.tell(i + 1, count)
+            if stage.fault is not None:
+                return i + 1
+            script.advance(1.0 / fps)
+    return count
