@@ -173,7 +173,7 @@ CATALOGUE = Catalogue(
             category="Bounding volumes and distance",
             module="game.scenes.c10_vclip",
             class_name="VClip",
-            keywords="narrow phase closest features points distance voronoi region mirtich penetration depth coherence",
+            keywords="narrow phase closest features distance voronoi mirtich penetration depth coherence",
         ),
         Entry(
             name="c11",
@@ -183,7 +183,7 @@ CATALOGUE = Catalogue(
             category="Bounding volumes and distance",
             module="game.scenes.c11_gjk",
             class_name="Gjk",
-            keywords="narrow phase minkowski difference simplex support hill climbing epa penetration distance",
+            keywords="narrow phase minkowski difference simplex support hill climbing epa distance",
         ),
         Entry(
             name="c12",

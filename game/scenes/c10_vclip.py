@@ -22,10 +22,10 @@ class VClip(ConvexPairScene):
     each polygon is divided into the Voronoi regions of its features: what lies in a region is closest to that
     feature. Two features are the closest ones when each has the nearest point of the other in its own region.
 
-    If a border is crossed, V-Clip goes to the neighbour beyond it, and the distance has become less. When the
-    shapes have hardly moved, it begins at the last answer and is there at once: that is coherence. A vertex
-    behind an edge would be caught in a local minimum; then the edge it is farthest in front of is next. Inside
-    all edges, there is overlap, and its depth is measured along the normals of all edges.
+    If a border is crossed, V-Clip goes to the neighbour beyond it, and the distance has become less. When
+    the shapes have hardly moved, it begins at the last answer and is there at once: that is coherence. A
+    vertex behind an edge would be caught in a local minimum; then the edge it is farthest in front of is
+    next. Inside all edges, there is overlap, and its depth is measured along the normals of all edges.
 
     An outline that is not convex is refused, and its hull offered.
     """

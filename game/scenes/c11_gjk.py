@@ -28,14 +28,14 @@ from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
 
 
 class Gjk(ConvexPairScene):
-    """Two convex polygons A and B, and beside them all differences of their points: A − B, convex as well. Its
-    distance from the origin is the distance of the two; if it holds the origin, they overlap.
+    """Two convex polygons A and B, and beside them all differences of their points: A − B, also convex. Its
+    distance from the origin is that of the two; if it holds the origin, they overlap.
 
     GJK never builds A − B. It keeps a simplex, one or two of its corners, takes the point v of it that is
-    closest to the origin, and asks both polygons for their vertices farthest along −v and v: that gives the
-    corner w farthest towards the origin. If w is no nearer than v, seen along v, v is the answer; else the best
-    simplex with w is the next one. Farthest vertices are found by climbing from the last one, and the last
-    simplex is the first one of the next query.
+    closest to the origin, and asks both polygons for their vertices farthest along −v and v: that gives
+    the corner w farthest towards the origin. If w is no nearer than v, seen along v, v is the answer;
+    else the best simplex with w is the next one. Farthest vertices are found by climbing from the last
+    one, and the last simplex is the first one of the next query.
 
     If a triangle holds the origin, the polytope is expanded from it to the border of A − B (EPA): its closest
     edge is the depth of the overlap.
@@ -76,7 +76,7 @@ class Gjk(ConvexPairScene):
         ),
     )
     try_this = (
-        "Switch coherence off and walk through the query with the arrow keys: simplex by simplex to the origin.",
+        "Switch coherence off and walk with the arrow keys: simplex by simplex to the origin.",
         "Drag B onto A: the difference moves over the origin, and the polytope grows to its border.",
         "Open the two coins and compare scan with climb.",
         "Set the tolerance to a tenth: the query ends early, with a distance that is a little too large.",

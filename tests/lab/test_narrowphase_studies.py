@@ -18,7 +18,6 @@ from game.lab.studies.narrowphase import (
     vclip_study,
 )
 
-
 QUERIES = PAIRS * FRAMES
 
 

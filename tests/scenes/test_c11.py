@@ -60,7 +60,7 @@ def test_the_difference_and_the_origin_fit_beside_the_polygons():
     scene = stage.scene
     seen, frame = scene.content.view, frame_of(scene.content.view)
     for shift in (0.0, 3.0):
-        a, b = scene.drawn_corners(0), scene.drawn_corners(1) + (shift, 0.0)
+        a, b = scene.drawn_corners(0), np.add(scene.drawn_corners(1), (shift, 0.0))
         difference = minkowski_difference(a, b)
         inset = inset_for(seen, difference)
         placed = np.vstack((inset.place(difference), [(inset.x, inset.y)]))

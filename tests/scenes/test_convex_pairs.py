@@ -1,4 +1,4 @@
-"""What V-Clip and GJK share: two convex polygons that are clicked, read, moved, turned, measured, replayed."""
+"""What V-Clip and GJK share: two convex polygons clicked, read, moved, turned, measured, replayed."""
 
 from __future__ import annotations
 
@@ -158,8 +158,8 @@ def test_a_corner_is_dragged_added_and_taken_away(scene_type):
     scene = stage.scene
     stage.post(SetKnob("tool", "points"))
     corner = scene.drawn_corners(0)[3]
-    drag(stage, corner, corner + (0.2, 0.0), run=0)
-    assert np.allclose(scene.drawn_corners(0)[3], corner + (0.2, 0.0), rtol=0, atol=1e-12)
+    drag(stage, corner, np.add(corner, (0.2, 0.0)), run=0)
+    assert np.allclose(scene.drawn_corners(0)[3], np.add(corner, (0.2, 0.0)), rtol=0, atol=1e-12)
     count = len(scene.shape(0))
     stage.post(Action("delete"))
     assert len(scene.shape(0)) == count - 1

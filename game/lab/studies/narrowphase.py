@@ -1,9 +1,11 @@
-"""What closest points cost: steps and error of GJK against its tolerance, of V-Clip and GJK against the number of
-vertices and the motion between queries, and climbing against looking at all vertices.
+"""What closest points cost.
 
-Both methods are finite: the error falls from the tolerance to rounding within a few steps. With coherence V-Clip
-takes a step or two whatever the number of vertices; if the shapes turn by an angle between queries it walks
-past n angle / 2π of them.
+Steps and error of GJK against its tolerance, of V-Clip and GJK against the number of vertices and the motion
+between queries, and climbing against looking at all vertices.
+
+Both methods are finite: the error falls from the tolerance to rounding within a few steps. With coherence
+V-Clip takes a step or two whatever the number of vertices; if the shapes turn by an angle between queries
+it walks past n angle / 2π of them.
 """
 
 from __future__ import annotations
@@ -68,7 +70,9 @@ class Queries:
         self.poses = [
             [
                 poses_of(place, start + sign * self.turn * k)
-                for place, start, sign in ((0.0 * self.places, self.starts[0], 1.0), (self.places, self.starts[1], -1.0))
+                for place, start, sign in (
+                    (0.0 * self.places, self.starts[0], 1.0), (self.places, self.starts[1], -1.0)
+                )
             ]
             for k in range(-1, FRAMES)
         ]  # fmt: skip
@@ -81,10 +85,11 @@ class Queries:
         if not self.warm:
             self.features[:] = -1
         a, b = self.shapes
+        poses_a, poses_b = self.poses[k]
         if self.method == "vclip":
-            return vclip_batch(a, b, None, *self.poses[k], self.features)
+            return vclip_batch(a, b, None, poses_a, poses_b, self.features)
         return gjk_batch(
-            a, b, None, *self.poses[k], self.features, self.tolerance,
+            a, b, None, poses_a, poses_b, self.features, self.tolerance,
             method="scan" if self.method == "scan" else "climb",
         )  # fmt: skip
 
@@ -95,7 +100,8 @@ class Queries:
         a, b = self.shapes
         error, steps = LEAST, 0
         for k, found in enumerate(self.found, start=1):
-            exact = gjk_batch(a, b, None, *self.poses[k], method="scan").distance
+            poses_a, poses_b = self.poses[k]
+            exact = gjk_batch(a, b, None, poses_a, poses_b, method="scan").distance
             error = max(error, float(np.abs(found.distance - exact).max()))
             steps += int(found.iterations.sum())
         return Outcome(error, steps)
@@ -248,7 +254,7 @@ gjk_study = Study(
     trial=tolerance_trial,
     reference="GJK at full tolerance, all vertices looked at; V-Clip says the same to rounding.",
     expectation=(
-        "The walk is finite: each step takes many digits at once, so nearly all of the tolerances cost the same."
+        "The walk is finite: a step takes many digits at once, so that nearly all tolerances cost the same."
     ),
     floor=1e-15,
     present=present_tolerance,

@@ -1,4 +1,4 @@
-"""Many pairs in one call: polygons packed one behind the other, poses, and features kept from call to call."""
+"""Many pairs in one call: polygons packed in a row, poses, features kept from call to call."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class PolygonSet:
 
 
 class Proximities(NamedTuple):
-    """Answers of a batch, a row for each pair; see `Proximity`. Features by number: 2 i vertex, 2 i + 1 edge."""
+    """Answers of a batch, a row for each pair; see `Proximity`. Feature 2 i is a vertex, 2 i + 1 an edge."""
 
     distance: Array  # (m,) m
     point_a: Array  # (m, 2) m
@@ -90,8 +90,8 @@ def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, ite
 
 @lean_kernel
 def gjk_many(
-    va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance, limit,
-    method, deep, trace, numbers, features, iterations,
+    va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance,
+    limit, method, deep, trace, numbers, features, iterations,
 ):  # fmt: skip
     """GJK for each pair (m, 2); ``features`` (m, 2) holds where to start (or -1) and then what was found."""
     for row in range(pairs.shape[0]):
@@ -141,17 +141,17 @@ def gjk_batch(
     """GJK for many pairs of convex polygons.
 
     a, b: sets or sequences of shapes. pairs: (m, 2) of indices into a and b, else the k-th with the k-th.
-    poses_a, poses_b: (k, 4) x, y, cos, sin of each shape, else as given. features: (m, 2) int64, where each
-    walk begins (-1: anew); overwritten with what it found, so that handing it in again begins warm. deep: whether
-    the depth of overlaps is wanted (else their distance is 0).
-    ValueError for what does not fit.
+    poses_a, poses_b: (k, 4) x, y, cos, sin of each shape, else as given. features: (m, 2) int64, where
+    each walk begins (-1: anew); overwritten with what it found, so that handing it in again begins warm.
+    deep: whether the depth of overlaps is wanted (else their distance is 0). ValueError for what does not
+    fit.
     """
     query = _Query(a, b, pairs, poses_a, poses_b, features)
     a, b = query.a, query.b
     gjk_many(
         a.vertices, a.first, a.anchors, a.centres, query.poses_a, b.vertices, b.first, b.anchors, b.centres,
-        query.poses_b, query.pairs, float(tolerance), LIMIT, METHODS.index(method), deep, NO_GJK_TRACE, query.numbers, query.features,
-        query.iterations,
+        query.poses_b, query.pairs, float(tolerance), LIMIT, METHODS.index(method), deep, NO_GJK_TRACE,
+        query.numbers, query.features, query.iterations,
     )  # fmt: skip
     return query.answers()
 
@@ -169,8 +169,8 @@ def vclip_batch(
     query = _Query(a, b, pairs, poses_a, poses_b, features)
     a, b = query.a, query.b
     vclip_many(
-        a.vertices, a.first, a.anchors, query.poses_a, b.vertices, b.first, b.anchors, query.poses_b, query.pairs,
-        deep, NO_VCLIP_TRACE, query.numbers, query.features, query.iterations,
+        a.vertices, a.first, a.anchors, query.poses_a, b.vertices, b.first, b.anchors, query.poses_b,
+        query.pairs, deep, NO_VCLIP_TRACE, query.numbers, query.features, query.iterations,
     )  # fmt: skip
     return query.answers()
 

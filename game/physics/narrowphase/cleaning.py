@@ -1,4 +1,4 @@
-"""Outlines made fit for a walk: duplicates merged, turned counterclockwise, flat corners dropped, all else refused.
+"""Outlines made fit for a walk: duplicates merged, flat corners dropped, turned counterclockwise, or refused.
 
 Hill climbing and Voronoi walks are right only on outlines that turn left at every corner. One vertex given
 twice makes an edge of no length, both of whose Voronoi planes hold for every point, and a clockwise outline
@@ -89,8 +89,9 @@ def turns_once(points, kept, count):
 def clean_outline(points, kept, ordered):
     """Find the corners of a convex outline among (n, 2) points given in order, either way round.
 
-    Writes their rows counterclockwise into ``kept`` (n,), uses ``ordered`` (n,), and returns (count, row): count 1 for a point, 2
-    for a segment, or NOT_CONVEX with a row at which the outline turns the wrong way.
+    Writes their rows counterclockwise into ``kept`` (n,), uses ``ordered`` (n,), and returns (count,
+    row): count 1 for a point, 2 for a segment, or NOT_CONVEX with a row at which the outline turns the
+    wrong way.
     """
     n = points.shape[0]
     extent, largest = 0.0, 0.0
@@ -114,7 +115,7 @@ def clean_outline(points, kept, ordered):
 @inner_kernel
 def is_thin(points, kept, count, low, high, tolerance):
     """True if all rows lie on the line between the extreme ones."""
-    for k in range(count):
+    for k in range(count):  # noqa: SIM110  a kernel has no generators
         if abs(sagitta(points, kept[low], kept[k], kept[high])) > tolerance:
             return False
     return True

@@ -18,7 +18,7 @@ SMALLEST = 1e-75  # m: and do not vanish
 
 
 class NonConvexError(ValueError):
-    """An outline that is not convex. hull: the polygon that could stand in; vertex: where it turns wrongly."""
+    """An outline that is not convex. hull: the polygon to stand in; vertex: where it turns wrongly."""
 
     def __init__(self, hull: ConvexPolygon, vertex: int):
         super().__init__(f"outline: not convex at vertex {vertex}; its hull has {len(hull)} vertices")
@@ -29,9 +29,9 @@ class NonConvexError(ValueError):
 class ConvexPolygon:
     """A convex polygon, a segment or a point, whose corners turn left one after the other.
 
-    points: (n, 2) m in order, either way round; repeated vertices and flat corners are dropped. NonConvexError
-    if the outline turns both ways, crosses itself or goes round twice; ValueError for no points, numbers that
-    are not finite, and sizes beyond 1e75.
+    points: (n, 2) m in order, either way round; repeated vertices and flat corners are dropped.
+    NonConvexError if the outline turns both ways, crosses itself or goes round twice; ValueError for no
+    points, numbers that are not finite, and sizes beyond 1e75.
 
     vertices: (k, 2) m, counterclockwise, read-only. source: (k,) the given point of each. anchor: vertex 0;
     local: (k, 2) vertices from the anchor, so that what is far from the origin loses no digits. Edge i goes

@@ -1,8 +1,8 @@
 """EPA: the depth of an overlap, by expanding a polygon within A - B to the border of A - B.
 
-The origin lies inside. Of the polygon's edges the one nearest to the origin is taken; if A - B has a corner
-farther out along its normal, the edge is broken there, else it lies on the border and is the shortest way out.
-Source: van den Bergen 2001.
+The origin lies inside. Of the polygon's edges the one nearest to the origin is taken; if A - B has a
+corner farther out along its normal, the edge is broken there, else it lies on the border and is the
+shortest way out. Source: van den Bergen 2001.
 """
 
 from __future__ import annotations

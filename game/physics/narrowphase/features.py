@@ -1,19 +1,20 @@
 """Features of a polygon, by number: vertex i is 2 i, the edge from vertex i to the next is 2 i + 1.
 
-Kernels take polygons as rows ``first`` to ``first + count`` of an array (N, 2) of vertices, each polygon in its
-own frame, so that many can lie in one array. A pair of them comes with (c, s, tx, ty), which takes a point of
-B into the frame of A: (c x - s y + tx, s x + c y + ty).
+Kernels take polygons as rows ``first`` to ``first + count`` of an array (N, 2) of vertices, each polygon
+in its own frame, so that many can lie in one array. A pair of them comes with (c, s, tx, ty), which takes
+a point of B into the frame of A: (c x - s y + tx, s x + c y + ty).
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from game.physics.lean import inner_kernel
 
 
-class Feature(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Feature:
     """A vertex, or the edge from a vertex to the next. kind: "vertex" or "edge"."""
 
     kind: str

@@ -224,7 +224,7 @@ def gjk_query(
     status, steps, i0, j0, i1, j1, _, _ = walk(
         va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, trace
     )
-    if status == INSIDE_SIMPLEX or status == AT_ORIGIN:
+    if status in (INSIDE_SIMPLEX, AT_ORIGIN):
         a, b = 2 * i0, 2 * j0
         return measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, a, b), steps
     return measure_simplex(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1), steps

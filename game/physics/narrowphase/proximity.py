@@ -14,10 +14,10 @@ Point = tuple[float, float]
 class Proximity(NamedTuple):
     """How near two convex polygons are.
 
-    distance: m; minus the depth if they overlap: so far must one be shifted to part them. point_a, point_b:
-    the closest points (m); in an overlap the deepest point, and where it comes to the border. feature_a,
-    feature_b: what they lie on. iterations: steps of the method. normal: unit vector from A to B, along which B
-    goes away.
+    distance: m; minus the depth if they overlap: so far must one be shifted to part them. point_a,
+    point_b: the closest points (m); in an overlap the deepest point, and where it comes to the border.
+    feature_a, feature_b: what they lie on. iterations: steps of the method. normal: unit vector from A to
+    B, along which B goes away.
     """
 
     distance: float
@@ -37,7 +37,8 @@ class Proximity(NamedTuple):
         """The same with A and B exchanged."""
         x, y = self.normal
         return Proximity(
-            self.distance, self.point_b, self.point_a, self.feature_b, self.feature_a, self.iterations, (-x, -y)
+            self.distance, self.point_b, self.point_a, self.feature_b, self.feature_a, self.iterations,
+            (-x, -y),
         )  # fmt: skip
 
 
@@ -45,7 +46,7 @@ def extent_of(a: ConvexPolygon, b: ConvexPolygon) -> float:
     """Largest difference of a coordinate among both, m."""
     low = [min(p.vertices[:, k].min() for p in (a, b)) for k in (0, 1)]
     high = [max(p.vertices[:, k].max() for p in (a, b)) for k in (0, 1)]
-    return float(max(h - l for l, h in zip(low, high, strict=True)))
+    return float(max(top - least for least, top in zip(low, high, strict=True)))
 
 
 def gap_along(a: ConvexPolygon, b: ConvexPolygon, normal: Point) -> float:

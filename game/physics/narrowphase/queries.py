@@ -27,9 +27,10 @@ def vclip(
 ) -> Proximity:
     """Distance, closest points and features of two convex polygons by V-Clip (Mirtich 1998).
 
-    a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features, from
-    which the walk begins. ``iterations`` counts the steps of the walk. deep: whether the depth of an overlap is
-    wanted; else the distance is 0 and the normal (0, 0). trace: rows to write, see `vclip_trace`.
+    a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features,
+    from which the walk begins. ``iterations`` counts the steps of the walk. deep: whether the depth of an
+    overlap is wanted; else the distance is 0 and the normal (0, 0). trace: rows to write, see
+    `vclip_trace`.
     """
     a, b = as_polygon(a), as_polygon(b)
     found, steps = vclip_query(
@@ -50,9 +51,10 @@ def gjk(
 ) -> Proximity:
     """Distance, closest points and features of two convex polygons by GJK.
 
-    a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features, whose
-    simplex the walk begins with. tolerance: relative, at which it may end before the exact answer. method: how
-    support vertices are found, "climb" or "scan". deep: as for `vclip`. ValueError for others, and for a limit below 1.
+    a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features,
+    whose simplex the walk begins with. tolerance: relative, at which it may end before the exact answer.
+    method: how support vertices are found, "climb" or "scan". deep: as for `vclip`. ValueError for
+    others, and for a limit below 1.
     """
     _check_options("gjk", tolerance, method)
     if limit < 1:
@@ -143,9 +145,10 @@ def vclip_trace(
 class SimplexStep(NamedTuple):
     """A step of GJK.
 
-    corners: one or two pairs (vertex of A, vertex of B) of the simplex; closest: v, its point closest to the
-    origin, m; direction: unit vector from v to the origin; support: the pair farthest along it, and corner: that
-    corner w of A - B; distance: \\|v\\|; bound: no point of A - B is nearer than that; kept: what becomes of
+    corners: one or two pairs (vertex of A, vertex of B) of the simplex; closest: v, its point closest to
+    the origin, m; direction: unit vector from v to the origin; support: the pair farthest along it, and
+    corner: that corner w of A - B; distance: \\|v\\|; bound: no point of A - B is nearer than that; kept:
+    what becomes of
     the simplex ("done", "new", "first and new", "second and new", "inside").
     """
 
@@ -192,7 +195,7 @@ class PolytopeStep(NamedTuple):
     """A step of EPA.
 
     corners: pairs (vertex of A, vertex of B) of the polygon, counterclockwise; edge: the place of the corner
-    where its nearest edge begins; height: how far that is from the origin, m; support: the pair farthest along
+    where its nearest edge begins; height: its distance from the origin, m; support: the pair farthest along
     its normal; grows: whether that lies beyond it, and is the next corner.
     """
 

@@ -89,7 +89,7 @@ def measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty):
 
 @inner_kernel
 def measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, feature_a, feature_b):
-    """As `measure_overlap`; if not ``deep``, only that they overlap: distance 0 at the features, no normal."""
+    """As `measure_overlap`; if not ``deep``, only that they overlap: distance 0, no normal."""
     if deep:
         return measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty)
     i, j = feature_a >> 1, feature_b >> 1

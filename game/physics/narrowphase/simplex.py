@@ -15,7 +15,7 @@ NEW_ONLY, FIRST_AND_NEW, SECOND_AND_NEW, INSIDE = 1, 2, 3, 4
 
 @lean_kernel
 def closest_point(px, py, qx, qy):
-    """The point of the segment from p to q that is closest to the origin, and its share of the way (0 to 1)."""
+    """The point of the segment p q closest to the origin, and its share of the way from p (0 to 1)."""
     ex, ey = qx - px, qy - py
     along = -(px * ex + py * ey)
     squared = ex * ex + ey * ey

@@ -4,11 +4,11 @@ The plane around a polygon is divided into the Voronoi regions of its vertices a
 the closest ones when each has the point of the other that is nearest to it in its own region. If that is not
 so, the region's border that is crossed names the neighbour to go to, and the distance has become less.
 
-`clip_vertex` says where to go for a vertex against a vertex or an edge, `clip_edge` for an edge. Where the
-walk can be caught behind an edge, Mirtich's repair goes to the edge that the vertex is farthest in front of;
-inside all of them there is overlap. Ties can send the rounded walk in a circle: Brent's test finds it after at
-most three turns, and then all features are looked at. So it always ends, without any tolerance.
-Sources: Mirtich 1998; Ericson 2005, 9.2.1; Brent 1980.
+`clip_vertex` says where to go for a vertex against a vertex or an edge, `clip_edge` for an edge. Where
+the walk can be caught behind an edge, Mirtich's repair goes to the edge that the vertex is farthest in
+front of; inside all of them there is overlap. Ties can send the rounded walk in a circle: Brent's test
+finds it after at most three turns, and then all features are looked at. So it always ends, without any
+tolerance. Sources: Mirtich 1998; Ericson 2005, 9.2.1; Brent 1980.
 """
 
 from __future__ import annotations
@@ -71,9 +71,10 @@ def clip_edge(v, first, count, feature, px, py, qx, qy):
 
     The other polygon is on the left of the way from p to q.
 
-    Of a vertex: the edge is clipped by the region's two borders; if the distance to the vertex still falls
-    where it leaves the region, the answer is the edge on that side, else the vertex itself. The distance falls
-    beyond a border exactly if the foot on the line p q is beyond it, which the two directions alone decide.
+    Of a vertex: the edge is clipped by the region's two borders; if the distance to the vertex still
+    falls where it leaves the region, the answer is the edge on that side, else the vertex itself. The
+    distance falls beyond a border exactly if the foot on the line p q is beyond it, which the two
+    directions alone decide.
 
     Of an edge: the answer is the vertex whose border the part beside the edge must cross to come nearer, the
     edge itself if an end of p q is nearest (or both are parallel), CROSSING, or BEHIND.
@@ -205,7 +206,7 @@ def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
 
 @inner_kernel
 def end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, next_b):
-    """Of an edge of B (from p to q) beside one of A: its nearer end, or the edge if parallel and face to face."""
+    """Of an edge of B (from p to q) beside one of A: its nearer end, or itself if they are face to face."""
     n = after(feature_a >> 1, na)
     ox, oy = va[fa + (feature_a >> 1), 0], va[fa + (feature_a >> 1), 1]
     ex, ey = va[fa + n, 0] - ox, va[fa + n, 1] - oy
@@ -272,14 +273,14 @@ def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, deep, tr
             trace[steps, 0], trace[steps, 1], trace[steps, 2] = feature_a, feature_b, verdict
         steps += 1
         feature_a, feature_b = new_a, new_b
-        if verdict == CLOSEST or verdict == OVERLAPPING:
+        if verdict in (CLOSEST, OVERLAPPING):
             break
         if feature_a == seen_a and feature_b == seen_b:
             verdict = CIRCLED
             break
         if steps == renewed:
             seen_a, seen_b, renewed = feature_a, feature_b, 2 * renewed
-    if verdict != CLOSEST and verdict != OVERLAPPING:
+    if verdict not in (CLOSEST, OVERLAPPING):
         if steps < trace.shape[0]:
             trace[steps, 0], trace[steps, 1], trace[steps, 2] = feature_a, feature_b, CIRCLED
         found = measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty)

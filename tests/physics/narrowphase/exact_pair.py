@@ -54,7 +54,7 @@ def exact_depth(points_a, points_b):
 
 
 def exact_distance(points_a, points_b):
-    """Distance of two outlines, m; of overlapping ones minus their depth. Either way round, any degeneracy."""
+    """Distance of two outlines, either way round, m; of overlapping ones minus their depth."""
     a, b = _rows(points_a), _rows(points_b)
     sides_a, sides_b = _edges(a) or [(a[0], a[0])], _edges(b) or [(b[0], b[0])]
     nearest = min(

@@ -56,7 +56,8 @@ PAIRS = {
         SQUARE, ((0.9999999999999999, -1.0), (3.0, -1.0), (3.0, 1.0), (0.9999999999999999, 1.0)), None,
     ),
     "a gap of a picometre": (
-        SQUARE, ((1.000000000001, -0.7), (3.000000000001, -0.7), (3.000000000001, 1.3), (1.000000000001, 1.3)),
+        SQUARE,
+        ((1.000000000001, -0.7), (3.000000000001, -0.7), (3.000000000001, 1.3), (1.000000000001, 1.3)),
         1.000088900582341e-12,
     ),
     "edges a nanoradian off parallel": (
@@ -117,7 +118,9 @@ PAIRS = {
     "ten nanometres": (scaled(SQUARE, 1e-8), scaled(DIAMOND, 1e-8), None),
     "a hundred kilometres": (scaled(SQUARE, 1e8), scaled(DIAMOND, 1e8), None),
     "tiny beside huge": (scaled(SQUARE, 1e-8), shifted(scaled(SQUARE, 1e8), 1.5e8, 0.0), None),
-    "a thousand kilometres off": (shifted(SQUARE, 1e6, -1e6), shifted(DIAMOND, 1e6, -1e6), 0.58578643761575222),
+    "a thousand kilometres off": (
+        shifted(SQUARE, 1e6, -1e6), shifted(DIAMOND, 1e6, -1e6), 0.58578643761575222,
+    ),
     "a hundred thousand kilometres off": (shifted(SQUARE, 1e8, 1e8), shifted(DIAMOND, 1e8, 1e8), None),
     "64 corners": (gon(64), gon(64, 0.01, 3.0, 0.7), 1.0821482438968492),
     "a short edge": (box(-0.5, -0.0016, 1.0, 0.0032), ((0.505, 0.0),), 0.0050000000000000044),

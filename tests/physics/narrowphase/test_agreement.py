@@ -1,8 +1,9 @@
-"""V-Clip, GJK, EPA and separating axes say the same, and so does shapely; and what must not matter does not."""
+"""V-Clip, GJK, EPA and separating axes say the same as shapely, and what must not matter does not."""
 
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -167,5 +168,5 @@ def test_rigid_motion_does_not_matter(pair, angle, x, y):
 def test_gjk_comes_nearer_with_every_step(pair):
     found, steps = gjk_trace(*pair)
     distances = [step.distance for step in steps]
-    assert all(later <= before for before, later in zip(distances, distances[1:], strict=False))
+    assert all(later <= before for before, later in pairwise(distances))
     assert all(step.bound <= found.distance + 1e-12 for step in steps if found.distance > 0.0)

@@ -107,7 +107,7 @@ def test_any_kind_of_array_will_do():
     wide[:, ::2] = other
     locked = other.astype(float)
     locked.flags.writeable = False
-    for kind in (other, other.astype(np.float32), wide[:, ::2], locked, np.asfortranarray(other), -(-other)):
+    for kind in (other, other.astype(np.float32), wide[:, ::2], locked, np.asfortranarray(other), 0 + other):
         assert gjk(SQUARE, kind) == wanted
     assert vclip(SQUARE, [(3, -0.0), (4, 1), (4, -1)])[:5] == wanted[:5]
 
@@ -116,7 +116,7 @@ def test_moved():
     square = ConvexPolygon(SQUARE)
     moved = square.moved(1.0, 2.0, 0.5 * math.pi)
     assert np.allclose(moved.vertices, [(2, 1), (2, 3), (0, 3), (0, 1)], rtol=0, atol=1e-15)
-    assert np.array_equal(square.moved(3.0, 0.0).vertices, square.vertices + (3.0, 0.0))
+    assert np.array_equal(square.moved(3.0, 0.0).vertices, np.add(square.vertices, (3.0, 0.0)))
     moved.check()
     for bad in ((math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 0.0, math.nan)):
         with pytest.raises(ValueError, match="finite"):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from physics.narrowphase.hard_pairs import PAIRS, SQUARE, box
@@ -78,8 +80,7 @@ def test_the_walk_is_told_step_by_step(name):
     assert steps[-1].verdict in ("closest", "overlap")
     assert (steps[-1].verdict == "overlap") <= found.overlapping
     changes = [
-        (one.feature_a != two.feature_a) + (one.feature_b != two.feature_b)
-        for one, two in zip(steps, steps[1:], strict=False)
+        (one.feature_a != two.feature_a) + (one.feature_b != two.feature_b) for one, two in pairwise(steps)
     ]
     for step, changed in zip(steps, changes, strict=False):
         assert changed == 1 or step.verdict.startswith("repair")
