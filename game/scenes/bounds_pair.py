@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.bounds import BoundingTree, Nearest, Query, build_tree, least_capsule, minimal_obb, nearest
 from game.physics.bounds.fits import corners_of
+from game.physics.bounds.hull import hull_of
 from game.physics.bounds.query import QueryRecord
 from game.scenes.outline_level import array_of
 from game.scenes.outlines import Outline
 
 Array = NDArray[np.float64]
 ROUND = 9  # points of one end of a capsule's outline
+MOST_CORNERS = 48  # of a hull whose least capsule is looked for: some 70 ms
 ROUGH = 0.1  # how near to the least capsule is proven; it is polished all the same
 
 
@@ -31,20 +33,43 @@ class TreeOptions(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a frame lies in the world: m, m, rad."""
+    """Where a frame lies in the world, or in a pane of the picture: m, m, rad; and how much smaller."""
 
     x: float
     y: float
     angle: float
+    scale: float = 1.0
 
     def to_world(self, points: Array) -> Array:
         """Points (..., 2) of the frame in the world."""
-        c, s = math.cos(self.angle), math.sin(self.angle)
+        c, s = self.scale * math.cos(self.angle), self.scale * math.sin(self.angle)
         world = np.empty(points.shape)
         x, y = points[..., 0], points[..., 1]
         world[..., 0] = c * x - s * y + self.x
         world[..., 1] = s * x + c * y + self.y
         return world
+
+
+class Pane(NamedTuple):
+    """A part of the picture with trees of one kind; the world is smaller in it, and moved."""
+
+    pair: TreePair
+    scale: float = 1.0
+    x: float = 0.0
+    y: float = 0.0
+    title: str = ""
+
+    def point(self, at: Sequence[float]) -> tuple[float, float]:
+        """Where a point of the world is drawn."""
+        return self.scale * at[0] + self.x, self.scale * at[1] + self.y
+
+    def world(self, at: Sequence[float]) -> tuple[float, float]:
+        """The point of the world that is drawn there."""
+        return (at[0] - self.x) / self.scale, (at[1] - self.y) / self.scale
+
+    def place(self, place: Place) -> Place:
+        """Where a frame is drawn."""
+        return Place(*self.point((place.x, place.y)), place.angle, self.scale)
 
 
 def tree_of(outline: Outline, options: TreeOptions) -> BoundingTree:
@@ -58,6 +83,18 @@ def tree_of(outline: Outline, options: TreeOptions) -> BoundingTree:
 def paths_of(tree: BoundingTree) -> Array:
     """Outlines (m, p, 2) of all volumes in the tree's frame: corners of boxes, round ends of capsules."""
     return rows_to_paths(tree.kind, tree.volumes)
+
+
+def least_area(kind: str, points: Array) -> float:
+    """Area of the least volume round points (n, 2), m²: for upright boxes, of the least box.
+
+    NaN for capsules round so many corners that the search would be felt.
+    """
+    if kind != "capsule":
+        return minimal_obb(points).area
+    if len(hull_of(points)[0]) > MOST_CORNERS:
+        return math.nan
+    return least_capsule(points, ROUGH)[0].area
 
 
 def rows_to_paths(kind: str, v: Array) -> Array:
@@ -85,16 +122,13 @@ class TreePair:
         self._shapes: list[tuple[object, bool, float]] = []
         self._asked: object = None
         self._exact: list[float] = []
+        self.kept_walk: Any = None  # what is being walked through, see bounds_walk
         self._gap: tuple[Outline, Outline, Nearest] | None = None  # the distance that is known, and of what
 
     def exact_area(self, index: int) -> float:
-        """Area of the least volume of the kind round an outline, m²: for upright boxes, of the least box."""
-        if math.isnan(self._exact[index]):
-            points = self.trees[index].points
-            if self.options.kind == "capsule":
-                self._exact[index] = least_capsule(points, ROUGH)[0].area
-            else:
-                self._exact[index] = minimal_obb(points).area
+        """Area of the least volume of the kind round an outline, m²; see `least_area`."""
+        if self._exact[index] < 0.0:
+            self._exact[index] = least_area(self.options.kind, self.trees[index].points)
         return self._exact[index]
 
     def angle_of(self, outline: Outline) -> float:
@@ -127,7 +161,7 @@ class TreePair:
         self._shapes = [
             (outline.points, outline.closed, turn) for outline, turn in zip(outlines, turns, strict=True)
         ]
-        self._exact = [self._exact[i] if kept[i] else math.nan for i in range(len(trees))]
+        self._exact = [self._exact[i] if kept[i] else -1.0 for i in range(len(trees))]
         self.trees = trees
         self.query = Query(trees[0], trees[1]) if len(trees) == 2 else None
         self._asked = None

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import Any, ClassVar, NamedTuple
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,7 +18,7 @@ from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes import bounds_view as view
 from game.scenes import bounds_walk as walk
 from game.scenes import outline_editor as editor
-from game.scenes.bounds_pair import TreeOptions, TreePair
+from game.scenes.bounds_pair import Pane, TreeOptions, TreePair
 from game.scenes.outline_editor import Board, Rules
 from game.scenes.outline_level import (
     MOST_POINTS,
@@ -290,6 +291,11 @@ class BoundsScene(Scene):
     def pointer(self, event: Pointer) -> None:
         seen = self.frame()
         reach = REACH * (seen.top - seen.bottom)
+        panes = self.panes()
+        if len(panes) == 2:
+            pane = panes[0] if event.x < 0.5 * (seen.left + seen.right) else panes[1]
+            x, y = pane.world((event.x, event.y))
+            event, reach = msgspec.structs.replace(event, x=x, y=y), reach / pane.scale
         self._take_board(editor.take_pointer(self.board, event, RULES, self.tool, reach))
 
     def action(self, name: str) -> None:
@@ -328,9 +334,9 @@ class BoundsScene(Scene):
 
     # -- what is shown ------------------------------------------------------------------------------
 
-    def effect_is_on(self, name: str) -> bool:
-        """Whether an effect is computed."""
-        return name in self.active
+    def panes(self) -> list[Pane]:
+        """The parts of the picture."""
+        return [Pane(self.pair)]
 
     def local_points(self, index: int) -> Array:
         """Corners (n, 2) of an outline in its own frame, m."""

@@ -17,15 +17,14 @@ from game.physics.bounds import (
     build_tree,
     fit_capsule,
     fit_obb,
-    minimal_obb,
     nearest,
-    thinnest_capsule,
     traversal,
 )
 from game.physics.bounds.boxes import write_box
 from game.physics.bounds.building import CHILD, area_on_axis
 from game.physics.bounds.capsules import write_capsule
 from game.physics.bounds.hull import hull_of
+from game.scenes.bounds_pair import least_area
 
 if TYPE_CHECKING:
     from game.physics.bounds import BoundingTree
@@ -42,7 +41,7 @@ class FitWalk(NamedTuple):
     areas: Array
     hull: Array
     origin: Array
-    exact: float  # m², area of the exact fit
+    exact: float  # m², area of the exact fit; NaN if it is not known
 
 
 def node_of(scene: BoundsScene) -> int:
@@ -52,8 +51,16 @@ def node_of(scene: BoundsScene) -> int:
 
 
 def fit_walk(scene: BoundsScene) -> FitWalk:
-    """The search on the chosen node, all of it."""
+    """The search on the chosen node, all of it; kept until another one is asked for."""
     tree = scene.pair.trees[scene.chosen]
+    key = (node_of(scene), scene.angle_step)
+    kept = scene.pair.kept_walk
+    if kept is None or kept[0] is not tree or kept[1] != key:
+        kept = scene.pair.kept_walk = (tree, key, _make_walk(scene, tree))
+    return kept[2]
+
+
+def _make_walk(scene: BoundsScene, tree: BoundingTree) -> FitWalk:
     points = tree.ends[tree.segments_of(node_of(scene))].reshape(-1, 2)
     hull, origin = hull_of(points)
     quarter = 90.0 if tree.kind == "obb" else 180.0
@@ -63,7 +70,7 @@ def fit_walk(scene: BoundsScene) -> FitWalk:
         angles = angles[:1]
     kind = tree.kind_number if tree.kind != "aabb" else 0
     areas = np.array([area_on_axis(kind, hull, len(hull), math.cos(a), math.sin(a)) for a in angles.tolist()])
-    exact = thinnest_capsule(points).area if tree.kind == "capsule" else minimal_obb(points).area
+    exact = least_area(tree.kind, points)
     return FitWalk(angles, areas, hull, origin, exact)
 
 
@@ -157,7 +164,9 @@ def is_opened_first(tree_a: BoundingTree, tree_b: BoundingTree, a: int, b: int) 
 
 
 def excess_of(scene: BoundsScene) -> float:
-    """Area of both roots over that of exact ones, less 1; NaN without any."""
+    """Area of both roots over that of exact ones, less 1; NaN without any, and while corners are dragged."""
+    if scene.board.held == "point":
+        return math.nan
     found = exact = 0.0
     for i, tree in enumerate(scene.pair.trees):
         found += float(tree.areas()[0])

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.physics.bounds import traversal
 from game.physics.bounds.building import CHILD, middle_of
 from game.scenes import bounds_walk as walk
-from game.scenes.bounds_pair import Place, rows_to_paths
+from game.scenes.bounds_pair import Place, TreePair, rows_to_paths
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
@@ -25,8 +25,8 @@ MARGIN = 20.0
 def draw_caption(canvas: Canvas, words: str) -> None:
     """A sentence at the bottom of the stage."""
     rect = canvas.rect
-    at = canvas.camera.to_world(rect.centerx, rect.bottom - 22.0 * canvas.k)
-    canvas.label(at, words, "text1", 13, "semibold")
+    at = canvas.camera.to_world(rect.left + MARGIN * canvas.k, rect.bottom - MARGIN * canvas.k)
+    canvas.label(at, words, "text1", 13, "semibold", "left")
 
 
 # -- the fit ------------------------------------------------------------------------------------------
@@ -76,8 +76,8 @@ def _draw_curve(canvas: Canvas, found: walk.FitWalk, k: int, best: int) -> None:
     rect, unit = canvas.rect, canvas.k
     left = rect.right - (MARGIN + CHART[0]) * unit
     bottom = rect.bottom - (MARGIN + 34.0) * unit
-    top_area = float(found.areas.max())
-    low_area = min(float(found.areas.min()), found.exact) if found.exact else 0.0
+    known, top_area = math.isfinite(found.exact), float(found.areas.max())
+    low_area = min(float(found.areas.min()), found.exact if known else math.inf)
     span = max(top_area - low_area, 1e-300)
     share_x = np.linspace(0.0, 1.0, len(found.angles)) if len(found.angles) > 1 else np.zeros(1)
 
@@ -92,12 +92,13 @@ def _draw_curve(canvas: Canvas, found: walk.FitWalk, k: int, best: int) -> None:
     canvas.polyline(curve, "ghost", 1.2)
     if k > 0:
         canvas.polyline(curve[: k + 1], "chalk", 2.0)
-    exact = (found.exact - low_area) / span
-    canvas.line(at(0.0, exact), at(1.0, exact), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
+    if known:
+        exact = (found.exact - low_area) / span
+        canvas.line(at(0.0, exact), at(1.0, exact), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
+        canvas.label(at(1.0, 1.17), f"exact {found.exact:.4g} m²", "text2", 12, "medium", "right", halo=False)
     canvas.dot(curve[best], 4.5, "green")
     canvas.ring(curve[k], 6.0, "amber", 1.8)
     canvas.label(at(0.0, 1.17), "Area against direction", "text1", 12, "semibold", "left", halo=False)
-    canvas.label(at(1.0, 1.17), f"exact {found.exact:.4g} m²", "text2", 12, "medium", "right", halo=False)
     degrees = f"{math.degrees(float(found.angles[-1])):.3g}°"
     canvas.label(at(0.0, -0.15), "0°", "text3", 11, "medium", "left", halo=False)
     canvas.label(at(1.0, -0.15), degrees, "text3", 11, "medium", "right", halo=False)
@@ -113,7 +114,7 @@ def draw_build(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
     for i, tree in enumerate(pair.trees):
         done = len(tree) if i < index else node if i == index else 0
         if scene.cursor and done:
-            scene.view._draw_grey(canvas, places[i].to_world(pair.paths[i][:done]))
+            scene.view.draw_grey(canvas, places[i].to_world(pair.paths[i][:done]))
     if not scene.cursor:
         return
     tree, place = pair.trees[index], places[index]
@@ -151,25 +152,23 @@ def draw_pair(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
         path = places[i].to_world(scene.pair.paths[i][node])
         canvas.polygon(path, fill="amber", fill_alpha=0.10, outline="amber", width=2.2)
     if verdict == traversal.APART:
-        draw_separation(scene, canvas, places, k, 1.0)
+        draw_separation(canvas, scene.pair, places, k, 1.0)
 
 
-def draw_separation(scene: BoundsScene, canvas: Canvas, places: list[Place], k: int, alpha: float) -> None:
+def draw_separation(canvas: Canvas, pair: TreePair, places: list[Place], k: int, alpha: float) -> None:
     """The line between a pair that is apart, and how wide the gap across it is."""
-    query = scene.pair.query
+    query = pair.query
     assert query is not None
     a, b = query.rows[k, :2].tolist()
     nx, ny = query.gaps[k, 1:].tolist()
     c, s = math.cos(places[0].angle), math.sin(places[0].angle)
     normal = np.array((c * nx - s * ny, s * nx + c * ny))
-    mine = places[0].to_world(scene.pair.paths[0][a])
-    theirs = places[1].to_world(scene.pair.paths[1][b])
-    low, high = float((mine @ normal).max()), float((theirs @ normal).min())
     along = np.array((-normal[1], normal[0]))
+    mine, theirs = places[0].to_world(pair.paths[0][a]), places[1].to_world(pair.paths[1][b])
+    low, high = float((mine @ normal).max()), float((theirs @ normal).min())
     middle = 0.5 * (float((mine @ along).mean()) + float((theirs @ along).mean()))
     centre = 0.5 * (low + high) * normal + middle * along
-    reach = 0.6 * min(float(scene.pair.trees[0].sizes[a]), float(scene.pair.trees[1].sizes[b]))
-    reach = max(reach, canvas.px(18.0))
+    reach = max(0.7 * min(float(np.ptp(mine @ along)), float(np.ptp(theirs @ along))), canvas.px(18.0))
     canvas.line(centre - reach * along, centre + reach * along, "amber", 1.6, dash=(8.0, 6.0), alpha=alpha)
     if high > low:
         start, end = low * normal + middle * along, high * normal + middle * along

@@ -6,8 +6,12 @@ from typing import ClassVar
 
 from game.lab.studies.bounds import capsule_study
 from game.physics.bounds import KINDS
+from game.physics.proximity_effects import EXACT_ANSWER
+from game.scenes.bounds_pair import Pane
 from game.scenes.bounds_scene import BoundsScene
-from game.stage import Choice, Equation, Strip
+from game.stage import Choice, Equation, Strip, Toggle
+
+TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Upright boxes"}
 
 
 class Capsules(BoundsScene):
@@ -33,6 +37,22 @@ class Capsules(BoundsScene):
         "capsule", KINDS, labels=("Boxes", "Capsules", "Upright"), group="Volumes",
         help="oriented boxes, capsules, or boxes that stay upright",
     )  # fmt: skip
+
+    side_by_side = Toggle(
+        False, group="Shown", help="these trees on the left, the other ones on the same outlines on the right"
+    )
+
+    def panes(self) -> list[Pane]:
+        if not self.side_by_side or self.walked != "off" or len(self.outlines) != 2:
+            return super().panes()
+        self.beside.ask_if_moved(self.outlines, EXACT_ANSWER in self.active)
+        seen = self.frame()
+        quarter, middle = 0.25 * (seen.right - seen.left), 0.5 * (seen.left + seen.right)
+        height = 0.5 * (seen.bottom + seen.top)
+        return [
+            Pane(pair, 0.5, 0.5 * middle + way * quarter, 0.5 * height, TITLES[pair.options.kind])
+            for pair, way in ((self.pair, -1.0), (self.beside, 1.0))
+        ]
 
     strips = (
         Strip("Volume tests", "", ("tests", "with boxes", "upright")),

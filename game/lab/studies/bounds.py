@@ -211,9 +211,9 @@ gap_study = Study(
     ),
     settings=gap_settings,
     trial=gap_trial,
-    reference="arcs of 1024 segments about one centre, radius 1 m, 60 to 101 degrees long.",
+    reference="arcs of 1024 segments about one centre, 1 m off, 60 to 101 degrees long.",
     expectation=(
-        "Twice the tests prove half the gap with upright boxes, a quarter of it with exact ones on the curve. "
+        "Twice the tests prove half the gap with upright boxes, a quarter of it with exact ones. "
         "Boxes by degrees lose that where they are thinner than half a degree of their length."
     ),
     order_over="counter",
@@ -259,7 +259,7 @@ capsule_study = Study(
     trial=capsule_trial,
     reference="branch and bound over directions and radii.",
     expectation=(
-        "Golden section gains little below some 20°, and then nothing: what is left is the price of laying the "
+        "Golden section gains nothing below some 20°: what is left is the price of laying the "
         "core in the middle of the projection, with half of the breadth for a radius."
     ),
     floor=1e-9,
