@@ -6,7 +6,7 @@ a force is drawn, and ``pushes``, the forces that act now.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -137,9 +137,10 @@ def make(scene: SphereCollisions, point: Point) -> None:
         [(x, y)], [radius], masses=scene.density * 4.0 / 3.0 * np.pi * radius**3 if scene.real else 1.0,
         inertias="solid" if scene.real else "unit",
     )  # fmt: skip
-    makeup = Makeup(*map(np.concatenate, zip(bodies.makeup, new.makeup, strict=True)))
+    pairs: Any = (zip(bodies.makeup, new.makeup, strict=True), zip(bodies.state, new.state, strict=True))
+    makeup = Makeup(*(np.concatenate(pair) for pair in pairs[0]))
     makeup.owners[-1] = bodies.count
-    state = MotionState(*map(np.concatenate, zip(bodies.state, new.state, strict=True)))
+    state = MotionState(*(np.concatenate(pair) for pair in pairs[1]))
     scene.take_bodies(SphereBodies.of_parts(makeup, state), scene.world.surroundings)
 
 

@@ -238,7 +238,8 @@ def _kind(content: CollisionContent, name: str | None, where: str) -> int:
 
 def _listed(content: CollisionContent, i: int) -> tuple[float, float, float, int]:
     entry = content.spheres[i]
-    return *entry.position[:2], entry.radius, _kind(content, entry.material, f"spheres[{i}]")
+    x, y = entry.position[:2]
+    return x, y, entry.radius, _kind(content, entry.material, f"spheres[{i}]")
 
 
 def _string(content: CollisionContent, i: int) -> tuple[float, ...]:

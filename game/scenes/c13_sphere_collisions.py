@@ -9,6 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.impulses import impact_study
 from game.levels import Level
 from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
 from game.physics.fields import DRAG, GRAVITY
@@ -91,6 +92,7 @@ class SphereCollisions(Scene):
     name = "c13"
     task = "C13"
     title = "Sphere collisions"
+    study = impact_study
     effects = (
         GRAVITY | DRAG | ROTATION | WINDOW | PUSHES | COLLISIONS | FRICTION | IMPACT_TIMES | STRINGS | LEDGES
     )

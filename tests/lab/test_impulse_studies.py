@@ -1,0 +1,73 @@
+"""The studies of colliding spheres: what their curves must show."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from game.lab import run_study
+from game.lab.analysis import fit_order
+from game.lab.studies.impulses import (
+    energy_study,
+    exact_flight,
+    impact_study,
+    pile_study,
+    present_impacts,
+    present_pile,
+)
+
+
+def few(study, wanted):
+    return replace(study, settings=lambda: [s for s in study.settings() if wanted(s)])
+
+
+@pytest.fixture(scope="module")
+def impacts():
+    return run_study(few(impact_study, lambda s: s.knob > 1 / 800), repeats=1)
+
+
+def test_the_run_has_impacts_between_spheres_and_with_walls():
+    assert 8 <= exact_flight().impacts <= 30
+
+
+@pytest.mark.parametrize("method", ["explicit", "semi-implicit", "parabola", "explicit-impacts"])
+def test_late_collisions_and_eulers_flight_are_of_first_order(impacts, method):
+    assert fit_order(impacts.of(method), envelope=True) == pytest.approx(1.0, abs=0.3)
+
+
+def test_parabolas_with_impact_times_are_exact(impacts):
+    errors = {row.method: [] for row in impacts}
+    for row in impacts:
+        errors[row.method].append(row.error)
+    assert max(errors["parabola-impacts"]) < 1e-10
+    assert np.median(errors["parabola"]) > 1e-3
+
+
+def test_only_both_together_keep_energy():
+    table = run_study(few(energy_study, lambda s: s.knob > 1 / 60), repeats=1)
+    assert max(row.error for row in table.of("parabola-impacts")) < 1e-11
+    for method in ("explicit", "semi-implicit", "parabola", "explicit-impacts"):
+        assert max(row.error for row in table.of(method)) > 1e-4
+
+
+def test_piles_and_their_overlap():
+    table = run_study(few(pile_study, lambda s: s.knob in (3, 20)), repeats=1)
+    at = {(row.method, row.knob): row.error for row in table}
+    for method in ("split", "projection"):
+        assert at[method, 20] < 0.0086 < 0.5 * at["none", 20]
+        assert at[method, 20] <= at[method, 3]
+
+
+def test_present_settings_can_be_placed():
+    from game.scenes.c13_sphere_collisions import SphereCollisions
+
+    values = {name: knob.default for name, knob in SphereCollisions.knobs().items()}
+    for study, present in ((impact_study, present_impacts), (pile_study, present_pile)):
+        setting = present(values)
+        assert setting.knob > 0
+        trial = study.trial(setting)
+        trial.reset()
+    for setting in (*impact_study.settings()[:6], *pile_study.settings()[:6]):
+        SphereCollisions(None, setting.scene)
