@@ -12,14 +12,14 @@ from game.lab.studies.skinning import skinning_study
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.physics.animation.skinning import BLENDS
-from game.scenes.figure_scene import FigureScene
+from game.scenes.figure_scene import FigureScene, warm_ups_of_figures
 from game.scenes.figure_view import (
     WHOLE,
+    bone_tokens,
     draw_bones,
     draw_limits,
     draw_outlines,
     draw_pen,
-    draw_skins,
     draw_weights,
 )
 from game.stage import Equation, Hint, Readout, SceneAction, Strip, Toggle, WarmUp, blend_angles
@@ -192,24 +192,21 @@ class Skinning(FigureScene):
         if bench.figure.ground is not None:
             canvas.ground(bench.figure.ground)
         if self.skins:
-            draw_skins(canvas, rig, points, WHOLE, 0.35 if self.weights else 1.0)
+            self.painter.paint(canvas, rig, points, 0.35 if self.weights else 1.0)
         if self.weights:
-            draw_weights(canvas, rig, points, WHOLE, bench.chosen)
+            draw_weights(canvas, rig, points, bench.chosen)
         if self.compare and SKINNING in self.active:
             other = BLENDS[1 - BLENDS.index(self.blend)]
-            draw_outlines(canvas, rig, rig.skin_shown(other), WHOLE, "text1")
+            draw_outlines(canvas, rig, rig.skin_shown(other), "text1")
         if bench.chosen != NOWHERE and JOINT_LIMITS in self.active and self.tool == "pose":
             draw_limits(canvas, rig.shown, WHOLE, bench.chosen)
         if self.bones:
-            draw_bones(canvas, rig.shown, WHOLE, bench.chosen, self.weights)
+            tokens = bone_tokens(rig.shown.count, bench.chosen, self.weights)
+            draw_bones(canvas, rig.shown.bases, rig.shown.ends, [token or "text1" for token in tokens])
         if self.tool == "bone" and bench.chosen != NOWHERE:
             canvas.line(rig.shown.ends[bench.chosen], bench.pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, WHOLE)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
-        def skin() -> None:
-            scene = cls()
-            scene.rig.skeleton.update()
-
-        return (WarmUp("bones", skin), WarmUp(cls.title, lambda: cls().advance(cls.dt)))
+        return (*warm_ups_of_figures(), WarmUp(cls.title, lambda: cls().advance(cls.dt)))

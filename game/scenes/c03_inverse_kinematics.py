@@ -17,7 +17,7 @@ from game.physics.animation.ik_solver import METHODS
 from game.scenes import skeleton_editor as editor
 from game.scenes.c03_view import ChainView, cell_at, cells_of
 from game.scenes.figure_level import BoneEntry, ChainEntry, FigureContent, PathEntry, View, bone_named
-from game.scenes.figure_scene import FigureScene
+from game.scenes.figure_scene import FigureScene, warm_ups_of_figures
 from game.stage import (
     Choice,
     Equation,
@@ -35,7 +35,7 @@ from game.stage import (
 Array = NDArray[np.float64]
 SHOWN = METHODS[:6]
 NAMES = ("gradient", "Buss", "Armijo", "damped", "CCD", "FABRIK")
-TRAIL = 120  # steps of errors that a figure shows
+TRAIL = 90  # steps of errors that a figure shows
 MAY_SWING = ("gradient", "damped-fixed")  # these show their last pose, not their best
 UNSOLVED = Solution(0.0, 0, 0, "")
 
@@ -68,6 +68,7 @@ class InverseKinematics(FigureScene):
     task = "C03"
     title = "Inverse kinematics"
     study = reaching_study
+    shown_methods: ClassVar[tuple[str, ...]] = SHOWN
     tools: ClassVar[tuple[str, ...]] = ("pull", "pose", "bone", "chain", "skin")
 
     tool = Choice(
@@ -317,4 +318,4 @@ class InverseKinematics(FigureScene):
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
-        return (WarmUp(cls.title, lambda: cls().advance(cls.dt)),)
+        return (*warm_ups_of_figures(), WarmUp(cls.title, lambda: cls().advance(cls.dt)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.figure_level import FigureContent
-from game.scenes.figure_view import Cell, draw_bones, draw_limits, draw_pen, draw_skins, draw_weights
+from game.scenes.figure_view import Cell, bone_tokens, draw_bones, draw_limits, draw_pen, draw_weights
 from game.stage import Frame, blend_angles
 from game.ui.canvas import EXACT_DASH, Canvas
 from game.ui.numerals import quantity
@@ -46,18 +46,61 @@ def cell_at(x: float, y: float, frame: Frame) -> int:
     return min(max(row, 0), ROWS - 1) * COLUMNS + min(max(column, 0), COLUMNS - 1)
 
 
+class Words(NamedTuple):
+    """What stands beside a figure, kept for a quarter of a second."""
+
+    error: str
+    work: str
+
+
 class ChainView:
     """Draws the figures of all methods."""
 
+    def __init__(self) -> None:
+        self._words: list[Words] = []
+        self._quarter = -1
+        self._curves: tuple[Array, float] = (np.zeros((len(TITLES), 1, 2)), 0.0)
+
     def draw(self, scene: InverseKinematics, canvas: Canvas, alpha: float) -> None:
-        """All of it, figure by figure."""
+        """All of it: figures, bones of all figures, words."""
         cells = cells_of(scene.bench.figure, scene.compare, scene.master)
         frame = scene.frame()
         if scene.compare:
             self._draw_lines(canvas, frame)
-        for k in range(len(TITLES)) if scene.compare else (scene.master,):
-            self._draw_figure(scene, canvas, k, cells[k], alpha)
+        shown = range(len(TITLES)) if scene.compare else (scene.master,)
+        bases, ends = [], []
+        for k in shown:
+            self._draw_body(scene, canvas, k, cells[k], alpha)
+            bases.append(cells[k].out(scene.rig.shown.bases).copy())
+            ends.append(cells[k].out(scene.rig.shown.ends).copy())
+        if scene.bones:
+            self._draw_bones(scene, canvas, list(shown), np.concatenate(bases), np.concatenate(ends))
+        self._refresh(scene)
+        if scene.solver is not None:
+            self._curves = self._trails(scene, canvas)
+        for n, k in enumerate(shown):
+            if scene.solver is not None:
+                self._draw_target(scene, canvas, cells[k], ends[n][scene.inside[-1]])
             self._draw_words(scene, canvas, k, frame)
+        self._draw_hand(scene, canvas, cells[scene.master], ends[list(shown).index(scene.master)])
+
+    def _draw_bones(
+        self, scene: InverseKinematics, canvas: Canvas, shown: list[int], bases: Array, ends: Array
+    ) -> None:
+        tokens: list[str] = []
+        inside = frozenset(scene.inside.tolist())
+        for k in shown:
+            chosen = scene.bench.chosen if k == scene.master and scene.tool != "pull" else NOWHERE
+            tokens += bone_tokens(scene.rig.shown.count, chosen, scene.weights, inside)
+        draw_bones(canvas, bases, ends, tokens)
+
+    def _draw_hand(self, scene: InverseKinematics, canvas: Canvas, cell: Cell, ends: Array) -> None:
+        """What is being made by hand."""
+        bench = scene.bench
+        if scene.tool == "bone" and bench.chosen != NOWHERE:
+            pointer = cell.out(np.array([bench.pointer]))[0]
+            canvas.line(ends[bench.chosen], pointer, "accent", 1.6, dash=(8.0, 6.0))
+        draw_pen(canvas, bench.drawn, bench.pointer, cell)
 
     def _draw_lines(self, canvas: Canvas, frame: Frame) -> None:
         for column in range(1, COLUMNS):
@@ -74,33 +117,24 @@ class ChainView:
             [blend_angles(old[:-2], now[:-2], alpha), old[-2:] + alpha * (now[-2:] - old[-2:])]
         )
 
-    def _draw_figure(
-        self, scene: InverseKinematics, canvas: Canvas, k: int, cell: Cell, alpha: float
-    ) -> None:
+    def _draw_body(self, scene: InverseKinematics, canvas: Canvas, k: int, cell: Cell, alpha: float) -> None:
+        """Skins, and what lies below the bones; ``rig.shown`` is posed so."""
         rig, bench, mine = scene.rig, scene.bench, k == scene.master
         figure, view = bench.figure, bench.figure.view
         points = rig.show(self._pose(scene, k, alpha), scene.blend)
+        points = cell.out(points if scene.weights else points[: rig.starts[-1]])
         if figure.ground is not None:
             ends = cell.out(np.array([(view.left, figure.ground), (view.right, figure.ground)]))
             canvas.line(ends[0], ends[1], "line2", 1.0)
         if scene.circles and mine:
             self._draw_reach(scene, canvas, cell)
-        if scene.skins and SKINNING in scene.active:
-            draw_skins(canvas, rig, points, cell, 0.35 if scene.weights else 1.0)
-        if scene.weights and SKINNING in scene.active:
-            draw_weights(canvas, rig, points, cell, bench.chosen)
+        if SKINNING in scene.active:
+            if scene.skins:
+                scene.painter.paint(canvas, rig, points, 0.35 if scene.weights else 1.0, not scene.compare)
+            if scene.weights:
+                draw_weights(canvas, rig, points, bench.chosen)
         if mine and bench.chosen != NOWHERE and JOINT_LIMITS in scene.active and scene.tool == "pose":
             draw_limits(canvas, rig.shown, cell, bench.chosen)
-        if scene.bones:
-            chosen = bench.chosen if mine and scene.tool != "pull" else NOWHERE
-            draw_bones(canvas, rig.shown, cell, chosen, scene.weights, frozenset(scene.inside.tolist()), 0.4)
-        if mine:
-            if scene.tool == "bone" and bench.chosen != NOWHERE:
-                ends = cell.out(np.array([rig.shown.ends[bench.chosen], bench.pointer]))
-                canvas.line(ends[0], ends[1], "accent", 1.6, dash=(8.0, 6.0))
-            draw_pen(canvas, bench.drawn, bench.pointer, cell)
-        if scene.solver is not None:
-            self._draw_target(scene, canvas, cell)
 
     def _draw_reach(self, scene: InverseKinematics, canvas: Canvas, cell: Cell) -> None:
         if scene.solver is None:
@@ -112,16 +146,26 @@ class ChainView:
         if hole > 0.0:
             canvas.circle(root, hole * cell.scale, outline="line2", width=1.0, dash=EXACT_DASH, alpha=0.8)
 
-    def _draw_target(self, scene: InverseKinematics, canvas: Canvas, cell: Cell) -> None:
-        place = cell.out(np.array([scene.target]))[0]
-        last = int(scene.inside[-1])
-        end = cell.out(scene.rig.shown.ends[last : last + 1])[0]
+    def _draw_target(self, scene: InverseKinematics, canvas: Canvas, cell: Cell, end: Array) -> None:
+        place = cell.out(scene.target[None])[0]
         if math.dist(place, end) > canvas.px(9.0):
             canvas.line(end, place, "amber", 1.2, dash=(4.0, 4.0))
         canvas.dot(place, 3.0, "amber")
         canvas.ring(place, 8.0, "amber", 1.8)
 
     # -- words --------------------------------------------------------------------------------------
+
+    def _refresh(self, scene: InverseKinematics) -> None:
+        """Numbers anew, four times a second: quicker ones cannot be read."""
+        quarter = math.floor(4.0 * scene.time)
+        if quarter == self._quarter and self._words:
+            return
+        self._quarter, self._words = quarter, []
+        for k, found in enumerate(scene.measured):
+            error = " ".join(quantity(found.error, "m"))
+            seconds = " ".join(quantity(scene.watch.median(scene.shown_methods[k]), "s"))
+            times = "iteration" if found.iterations == 1 else "iterations"
+            self._words.append(Words(error, f"{found.iterations} {times}, {seconds}"))
 
     def _draw_words(self, scene: InverseKinematics, canvas: Canvas, k: int, frame: Frame) -> None:
         """Name, what it took, and the errors of the last steps, at the top left of a figure's place."""
@@ -137,33 +181,29 @@ class ChainView:
         if scene.solver is None:
             canvas.label((x, y - canvas.px(20.0)), "pick a chain", "text3", 12, anchor="topleft")
             return
-        found = scene.measured[k]
-        error, unit = quantity(found.error, "m")
-        seconds, second_unit = quantity(
-            scene.watch.median(("gradient", "buss", "armijo", "damped", "ccd", "fabrik")[k]), "s"
-        )
-        times = "iteration" if found.iterations == 1 else "iterations"
-        canvas.label((x, y - canvas.px(20.0)), f"{error} {unit}", "text1", 12, "semibold", "topleft")
-        canvas.label(
-            (x, y - canvas.px(36.0)), f"{found.iterations} {times}, {seconds} {second_unit}", "text2", 11,
-            anchor="topleft",
-        )  # fmt: skip
-        self._draw_trail(scene, canvas, k, x, y - canvas.px(56.0))
+        words = self._words[k]
+        canvas.label((x, y - canvas.px(20.0)), words.error, "text1", 12, "semibold", "topleft", halo=False)
+        canvas.label((x, y - canvas.px(36.0)), words.work, "text2", 11, anchor="topleft", halo=False)
+        self._draw_trail(canvas, k, (x, y - canvas.px(56.0)))
 
-    def _draw_trail(self, scene: InverseKinematics, canvas: Canvas, k: int, left: float, top: float) -> None:
-        """Errors of the last steps on a logarithmic scale, from the reach down; the tolerance dashed."""
+    def _trails(self, scene: InverseKinematics, canvas: Canvas) -> tuple[Array, float]:
+        """Errors of the last steps (6, TRAIL, 2), logarithmic from the reach down, and how low the tolerance is."""
         assert scene.solver is not None
         wide, high = canvas.px(104.0), canvas.px(30.0)
-        reach = scene.solver.chain.reach
+        share = 1.0 / scene.solver.chain.reach
+        places = np.empty((*scene.trail.shape, 2))
+        places[:, :, 0] = np.linspace(0.0, wide, scene.trail.shape[1])
+        places[:, :, 1] = np.log10(np.maximum(scene.trail * share, 1e-300))
+        places[:, :, 1] = high / DECADES * np.clip(places[:, :, 1], -DECADES, 0.0)
+        level = high / DECADES * min(max(math.log10(scene.tolerance * share), -DECADES), 0.0)
+        return places, level
 
-        def height(error: float | Array) -> Array:
-            part = np.log10(np.maximum(error, 1e-300) / reach) / DECADES
-            return top + high * np.clip(part, -1.0, 0.0)
-
-        level = float(height(scene.tolerance))
-        canvas.line((left, level), (left + wide, level), "text3", 1.0, dash=(3.0, 3.0), alpha=0.7)
-        errors = scene.trail[k]
-        x = left + wide * np.arange(len(errors)) / (len(errors) - 1)
-        line = np.column_stack([x, height(errors)])
+    def _draw_trail(self, canvas: Canvas, k: int, corner: tuple[float, float]) -> None:
+        """Recent errors of a method; the tolerance dashed."""
+        places, level = self._curves
+        x, y = corner
+        right = x + float(places[k, -1, 0])
+        canvas.line((x, y + level), (right, y + level), "text3", 1.0, dash=(3.0, 3.0), alpha=0.7)
+        line = places[k] + corner
         canvas.polyline(line, COLORS[k], 1.5)
         canvas.dot(line[-1], 2.2, COLORS[k])

@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.levels import Level
-from game.physics.animation import JOINT_LIMITS, SKINNING
+from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
 from game.scenes import skeleton_editor as editor
-from game.scenes.figure_level import BoneEntry, FigureContent, View
+from game.scenes.figure_level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.figure_rig import Rig, WeightRules
+from game.scenes.skin_painter import SkinPainter, warm_up_painter
 from game.scenes.stopwatch import Stopwatch
-from game.stage import Choice, Frame, Param, Pointer, Scene, Toggle
+from game.stage import Choice, Frame, Param, Pointer, Scene, Toggle, WarmUp
 
 Array = NDArray[np.float64]
 UNCHANGED: NDArray[np.uint8] = np.zeros(0, dtype=np.uint8)
@@ -26,6 +27,7 @@ PLAIN = FigureContent(
         BoneEntry(name="second", parent="first", length=0.6, angle=-50.0),
         BoneEntry(name="third", parent="second", length=0.4, angle=40.0),
     ),
+    skins=(SkinEntry(points=((-0.1, 0.0), (0.1, 0.0), (1.4, 1.0), (0.4, 1.0))),),
     view=View(left=-1.2, bottom=-0.3, right=2.0, top=1.8),
 )
 
@@ -69,6 +71,7 @@ class FigureScene(Scene):
         self.time = 0.0
         self.told: deque[str] = deque(maxlen=8)
         self.watch = Stopwatch()
+        self.painter = SkinPainter()
         self._written: tuple[FigureContent, NDArray[np.uint8]] = (self.content, UNCHANGED)
         self.make_rig(self.content)
         self.begin_pose()
@@ -208,3 +211,19 @@ class FigureScene(Scene):
     def drawing(self) -> tuple[Any, ...]:
         """Points of the skin being drawn."""
         return self.bench.drawn
+
+
+def warm_ups_of_figures() -> tuple[WarmUp, ...]:
+    """The kernels that both scenes need, part by part."""
+
+    def follow() -> None:
+        rig = Rig(PLAIN, WeightRules())
+        for blend in BLENDS:
+            rig.move(blend)
+        rig.areas_now()
+
+    return (
+        WarmUp("bones", lambda: chain_skeleton([1.0]).update()),
+        WarmUp("skin", follow),
+        WarmUp("picture of skins", warm_up_painter),
+    )

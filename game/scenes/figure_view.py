@@ -6,18 +6,18 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import pygame
 from numpy.typing import NDArray
 
 from game.physics.animation import Skeleton
 from game.scenes.figure_rig import Rig
+from game.scenes.skin_painter import NO_EDGE, paint
 from game.ui.canvas import EXACT_DASH, Canvas
 
 Array = NDArray[np.float64]
 BONE_COLORS = ("chalk", "vermilion", "green", "pink", "violet", "yellow")
 WIDEST = 0.13  # of a bone's length: half of its width
 SHOULDER = 0.16  # of a bone's length: where it is widest
-MOST_DIAMONDS = 160  # bones drawn as diamonds; more as lines
+MOST_DIAMONDS = 160  # bones drawn as diamonds; more are lines
 
 
 class Cell(NamedTuple):
@@ -39,42 +39,13 @@ class Cell(NamedTuple):
 
 
 WHOLE = Cell()
-INK = pygame.Color(18, 22, 26)  # what outlines are darkened with
 
 
-def fill_color(canvas: Canvas, fill: str) -> pygame.Color | str:
-    """The colour of a skin; what is none is chalk."""
-    if fill.startswith("#"):
-        try:
-            return pygame.Color(fill)
-        except ValueError:
-            return "chalk"
-    try:
-        canvas.color(fill)
-    except (KeyError, ValueError, AttributeError):
-        return "chalk"
-    return fill
-
-
-def draw_skins(canvas: Canvas, rig: Rig, points: Array, cell: Cell, strength: float = 1.0) -> None:
-    """All skins, from the first to the last; an outline a little darker than its fill."""
-    for i, skin in enumerate(rig.figure.skins):
-        outline = cell.out(points[rig.outline(i)])
-        color = fill_color(canvas, skin.fill)
-        alpha = strength * skin.strength
-        canvas.polygon(outline, fill=color, fill_alpha=alpha)
-        if skin.outline:
-            edge = canvas.color(color).lerp(INK, 0.5)
-            canvas.polyline(outline, edge, 1.6, closed=True, alpha=min(1.0, alpha + 0.3))
-
-
-def draw_outlines(canvas: Canvas, rig: Rig, points: Array, cell: Cell, color: str) -> None:
+def draw_outlines(canvas: Canvas, rig: Rig, points: Array, color: str) -> None:
     """The outlines of body skins alone, dashed: what another blend makes of them."""
     for i, skin in enumerate(rig.figure.skins):
         if skin.outline and not skin.bone:
-            canvas.polyline(
-                cell.out(points[rig.outline(i)]), color, 1.4, closed=True, dash=EXACT_DASH, alpha=0.8
-            )
+            canvas.polyline(points[rig.outline(i)], color, 1.4, closed=True, dash=EXACT_DASH, alpha=0.8)
 
 
 def bone_color(bone: int) -> str:
@@ -82,7 +53,7 @@ def bone_color(bone: int) -> str:
     return BONE_COLORS[bone % len(BONE_COLORS)]
 
 
-def draw_weights(canvas: Canvas, rig: Rig, points: Array, cell: Cell, chosen: int) -> None:
+def draw_weights(canvas: Canvas, rig: Rig, points: Array, chosen: int) -> None:
     """Points of the skin in the colours of the bones that they follow, or by weight on the chosen one."""
     if rig.skinner is None:
         return
@@ -96,12 +67,12 @@ def draw_weights(canvas: Canvas, rig: Rig, points: Array, cell: Cell, chosen: in
     colors = channels[:, 0] << 16 | channels[:, 1] << 8 | channels[:, 2]
     inner = rig.within
     if inner.stop > inner.start:
-        canvas.particles(cell.out(points[inner]), np.ascontiguousarray(colors[inner]), 2.6)
+        canvas.particles(points[inner], np.ascontiguousarray(colors[inner]), 2.6)
     for i, skin in enumerate(rig.figure.skins):
         if skin.bone or not skin.outline:
             continue
         part = rig.outline(i)
-        outline = cell.out(points[part])
+        outline = points[part]
         canvas.segments(outline, np.roll(outline, -1, axis=0), np.ascontiguousarray(colors[part]), 3.0)
 
 
@@ -110,58 +81,58 @@ def _rgb(canvas: Canvas, token: str) -> Array:
     return np.array((color.r, color.g, color.b), dtype=np.float64)
 
 
-def draw_bones(
-    canvas: Canvas, skeleton: Skeleton, cell: Cell, chosen: int, colored: bool,
-    strong: frozenset[int] = frozenset(), rest: float = 1.0,
-) -> None:  # fmt: skip
-    """Tapered diamonds from joint to end, dots at the joints.
+def bone_tokens(count: int, chosen: int, colored: bool, strong: frozenset[int] = frozenset()) -> list[str]:
+    """Colours of bones by name: the chosen one, those of a chain, or of all; "" is a thin line.
 
-    strong: bones drawn in the accent colour; if there are any, the others with the strength ``rest``.
+    strong: the bones of a chain; if there are any, the others are thin lines.
     """
-    bases, ends = cell.out(skeleton.bases), cell.out(skeleton.ends)
-    if skeleton.count > MOST_DIAMONDS:
-        canvas.segments(bases, ends, "text1", 1.6)
-    else:
-        for i in range(skeleton.count):
-            color = "amber" if i == chosen else "accent" if i in strong else None
-            _draw_bone(
-                canvas,
-                bases[i],
-                ends[i],
-                color or (bone_color(i) if colored else "text1"),
-                color is not None,
-                rest if strong and color is None else 0.95,
-            )
-    marked = list(strong) if strong else range(skeleton.count)
-    dots = np.vstack([bases[marked], ends[marked]])
+    if count > MOST_DIAMONDS:
+        return ["accent" if i in strong else "" for i in range(count)]
+    return [
+        "amber" if i == chosen
+        else "accent" if i in strong
+        else "" if strong
+        else bone_color(i) if colored
+        else "text1"
+        for i in range(count)
+    ]  # fmt: skip
+
+
+def draw_bones(canvas: Canvas, bases: Array, ends: Array, tokens: list[str]) -> None:
+    """Tapered diamonds from ``bases`` to ``ends`` (n, 2) in the colours named, dots at their joints."""
+    quiet = [i for i, token in enumerate(tokens) if not token]
+    if quiet:
+        canvas.segments(bases[quiet], ends[quiet], "text1", 1.2, alpha=0.45)
+    shown = [i for i, token in enumerate(tokens) if token]
+    if not shown:
+        return
+    if len(shown) > MOST_DIAMONDS:
+        canvas.segments(bases[shown], ends[shown], tokens[shown[0]], 1.6)
+        return
+    inks = {token: canvas.ink(token) for token in set(tokens) if token}
+    colors = np.array([inks[tokens[i]] for i in shown], dtype=np.uint32)
+    corners = diamonds(bases[shown], ends[shown], canvas.px(2.2), canvas.px(7.0))
+    count = len(shown)
+    fills = np.full(count, canvas.ink("panel"), dtype=np.int64)
+    none = np.full(count, NO_EDGE, dtype=np.int64)
+    starts = 4 * np.arange(count + 1)
+    paint(canvas, corners, starts, fills, np.full(count, 0.45), none, np.zeros((4, 2)))
+    after = corners.reshape(-1, 4, 2)[:, (1, 2, 3, 0)].reshape(-1, 2)
+    canvas.segments(corners, after, np.repeat(colors, 4), 1.4)
+    dots = np.vstack([bases[shown], ends[shown]])
     canvas.discs(dots, canvas.px(2.8), "stage")
     canvas.discs(dots, canvas.px(1.9), "text1")
 
 
-def _draw_bone(canvas: Canvas, base: Array, end: Array, color: str, marked: bool, alpha: float) -> None:
-    dx, dy = float(end[0] - base[0]), float(end[1] - base[1])
-    length = math.sqrt(dx * dx + dy * dy)
-    if length <= canvas.px(2.0):
-        canvas.ring(base, 4.0, color, 1.4)
-        return
-    half = min(max(WIDEST * length, canvas.px(2.2)), canvas.px(7.0)) / length
-    sx, sy = base[0] + SHOULDER * dx, base[1] + SHOULDER * dy
-    corners = np.array(
-        (
-            (base[0], base[1]),
-            (sx - half * dy, sy + half * dx),
-            (end[0], end[1]),
-            (sx + half * dy, sy - half * dx),
-        )
-    )
-    canvas.polygon(
-        corners,
-        fill="panel",
-        fill_alpha=0.45 * alpha,
-        outline=color,
-        width=2.0 if marked else 1.3,
-        alpha=alpha,
-    )
+def diamonds(bases: Array, ends: Array, narrowest: float, widest: float) -> Array:
+    """Corners (4 n, 2) of bones: joint, side, end, side. Half widths are between those two lengths."""
+    along = ends - bases
+    length = np.sqrt((along * along).sum(axis=1, keepdims=True))
+    half = np.clip(WIDEST * length, narrowest, widest) / np.maximum(length, 1e-300)
+    half = np.where(length > 0.0, half, 0.0)
+    across = half * np.column_stack([-along[:, 1], along[:, 0]])
+    middle = bases + SHOULDER * along
+    return np.stack([bases, middle + across, ends, middle - across], axis=1).reshape(-1, 2)
 
 
 def draw_limits(canvas: Canvas, skeleton: Skeleton, cell: Cell, bone: int) -> None:
