@@ -12,8 +12,9 @@ from game.lab.studies.keyframing import (
     METHODS,
     keyframing_study,
     line_study,
-    present_keys,
+    present_even,
     present_lines,
+    present_uneven,
     spread_study,
     uneven_study,
 )
@@ -57,10 +58,11 @@ def test_present_settings_can_be_placed_and_points_set():
     from game.scenes.c01_key_framing import KeyFraming
 
     for name in INTERPOLATIONS:
-        setting = present_keys({"interpolation": name})
-        trial = keyframing_study.trial(setting)
-        trial.run()
-        assert 0.0 < trial.outcome().error < 2.0
+        for study, present in ((keyframing_study, present_even), (uneven_study, present_uneven)):
+            assert study.present is present
+            trial = study.trial(present({"interpolation": name}))
+            trial.run()
+            assert 0.0 < trial.outcome().error < 2.0
     trial = line_study.trial(present_lines({"tolerance": 0.01}))
     trial.run()
     assert trial.outcome().error <= 0.01

@@ -27,12 +27,12 @@ METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys,
     "linear": ("Linear", 2.0, 2.0),
     "flat": ("Rest at every key", 1.0, 1.0),
     "monotone": ("Monotone", 2.0, 2.0),
-    "catmull-rom": ("Catmull-Rom, uniform", 3.0, 1.0),
+    "catmull-rom": ("Catmull-Rom", 3.0, 1.0),
     "secant": ("Secants", 3.0, 2.0),
     "parabolic": ("Parabolas", 3.0, 3.0),
     "natural-spline": ("Natural spline", 2.0, 2.0),
     "spline": ("Spline", 4.0, 4.0),
-    "bezier": ("Bezier, exact handles", 4.0, 4.0),
+    "bezier": ("Exact Bezier", 4.0, 4.0),
 }
 
 
@@ -103,9 +103,16 @@ def uneven_trial(setting: Setting) -> Samples:
     return Samples(setting.method, int(setting.knob), True)
 
 
-def present_keys(parameters: Mapping[str, Any]) -> Setting:
-    """Where the scene with these parameters stands."""
-    return Setting(str(parameters["interpolation"]), float(DEFAULT_KEYS))
+def present_even(parameters: Mapping[str, Any]) -> Setting:
+    """Where the scene with these parameters stands: several methods are one if keys are even."""
+    name = present_uneven(parameters).method
+    return Setting("catmull-rom" if name in ("parabolic", "secant") else name, float(DEFAULT_KEYS))
+
+
+def present_uneven(parameters: Mapping[str, Any]) -> Setting:
+    """The same for uneven keys. Handles of Bezier curves that nobody has dragged are those of parabolas."""
+    name = str(parameters["interpolation"])
+    return Setting("parabolic" if name == "bezier" else name, float(DEFAULT_KEYS))
 
 
 # -- lines that a curve is drawn by ---------------------------------------------------------------------
@@ -230,8 +237,8 @@ _KEYS = Knob("keys", "key-frames")
 
 spread_study = Study(
     name="c01-speed",
-    title="Key-frames: constant speed",
-    error="farthest from where equal ways would lead",
+    title="Key-frames: even speed",
+    error="distance along the path from equal ways",
     error_unit="m",
     counter="chords in the table",
     knob=Knob("chords", "chords in the table"),
@@ -246,13 +253,13 @@ spread_study = Study(
     expectation="A table of chords is of second order; Newton's method on the integral is exact at once.",
     order_over="counter",
     axes=Axes("cpu", "error"),
-    short="Constant speed",
+    short="Even speed",
 )
 
 line_study = Study(
     name="c01-lines",
     title="Key-frames: lines to draw a curve by",
-    error="farthest from the lines",
+    error="distance of curve and lines",
     error_unit="m",
     counter="lines",
     knob=Knob("tolerance", "tolerance", "m"),
@@ -271,7 +278,7 @@ line_study = Study(
 uneven_study = Study(
     name="c01-uneven",
     title="Key-frames: keys 1 : 3 apart",
-    error="largest error of exp(sin 2πt)",
+    error="error of exp(sin 2πt), the largest",
     error_unit="m",
     counter="key-frames",
     knob=_KEYS,
@@ -284,7 +291,7 @@ uneven_study = Study(
         "with plain secants; parabolas keep three, splines and exact handles four."
     ),
     order_over="counter",
-    present=present_keys,
+    present=present_uneven,
     axes=Axes("knob", "error"),
     short="Uneven keys",
 )
@@ -292,7 +299,7 @@ uneven_study = Study(
 keyframing_study = Study(
     name="c01",
     title="Key-frames: evenly spaced keys",
-    error="largest error of exp(sin 2πt)",
+    error="error of exp(sin 2πt), the largest",
     error_unit="m",
     counter="key-frames",
     knob=_KEYS,
@@ -305,7 +312,7 @@ keyframing_study = Study(
         "ends make a spline one of second order, however smooth they look."
     ),
     order_over="counter",
-    present=present_keys,
+    present=present_even,
     axes=Axes("knob", "error"),
     short="Even keys",
     related=(uneven_study, line_study, spread_study),
