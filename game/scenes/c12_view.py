@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 INKS = {"ivory": 0xE9E0CF, "stone": 0xA79C8E}  # beside the colours of the theme
-VELOCITY_M, ACCELERATION_M, SPIN_M = 0.3, 0.04, 0.22  # m for each m/s, m/s², rad/s
+VELOCITY_M, ACCELERATION_M, SPIN_M = 0.22, 0.04, 0.22  # m for each m/s, m/s², rad/s
+APART_PX = 18.0  # at least, of the tips of two arrows with labels
 FORCE_M = 0.0005  # m for each N of a push that acts
 MOST_OUTLINES = 60  # spheres; of more, the exact outline is their hull
 HULL_CORNERS = 90
@@ -168,8 +169,11 @@ class RigidView:
             if middle > 0.0:
                 arrow(body.angular_momentum / middle, SPIN_M, "green", "L")
             arrow(body.angular_velocity, SPIN_M, "pink", "ω")
-        # P beside v: as long as v would be with the mass of a density of 700 kg/m³
-        arrow(body.momentum / (body.mass * 700.0 / scene.density), VELOCITY_M, "chalk", "P", 1.2)
+        # P beside v: a half longer, were it not for a density other than 700 kg/m³
+        longer = 1.5 * scene.density / 700.0
+        flat = VELOCITY_M * float(np.abs(view[:2] @ body.velocity).max())
+        apart = abs(longer - 1.0) * flat > canvas.px(APART_PX)
+        arrow(longer * body.velocity, VELOCITY_M, "chalk", "P" if apart else "", 1.2)
         arrow(body.velocity, VELOCITY_M, "chalk", "v")
         force, point = self._force(scene, pane)
         acceleration = force / body.mass

@@ -280,21 +280,26 @@ def _reaching(pen: Pen) -> None:
 
 
 def _rigid_body(pen: Pen) -> None:
-    """A hammer in its box, and the outline of where it was."""
+    """A hammer in its box, and the outline of where it will be when it has turned over."""
     pen.fill("stage")
     for a, b in (((18, 26), (106, 14)), ((106, 14), (146, 26)), ((18, 92), (106, 84)), ((106, 84), (146, 92))):
         pen.line((a, b), "line2", 0.8)
     for x, top, low in ((18, 26, 92), (106, 14, 84), (146, 26, 92)):
         pen.line(((x, top), (x, low)), "line2", 0.8)
     for k in range(6):
-        pen.disc(98.0 - 7.0 * k, 66.0 - 2.5 * k, 5.2, "line2", ring=0.8)
+        pen.disc(102.0 + 6.4 * k, 53.0 + 3.4 * k, 5.2, "ghost", ring=0.7)
     for k in range(6):
-        pen.disc(42.0 + 6.6 * k, 68.0 - 3.4 * k, 5.4, "text1")
+        _ball_of_body(pen, 40.0 + 6.6 * k, 69.0 - 3.4 * k, 5.4, pygame.Color("#E9E0CF"))
     for k in (-2, 2, -1, 1, 0):
-        x, y = 86.0 + 4.6 * k, 45.0 + 10.5 * k
-        pen.disc(x, y, 11.0, "chalk")
-        pen.disc(x - 3.0, y - 3.6, 3.2, pygame.Color("#B9DEFB"))
-    pen.arrow((78.0, 49.0), (132.0, 24.0), "pink")
+        _ball_of_body(pen, 84.0 + 4.2 * k, 47.0 + 10.8 * k, 11.5, pygame.Color("#5FBAF9"))
+    pen.arrow((84.0, 47.0), (132.0, 22.0), "pink")
+
+
+def _ball_of_body(pen: Pen, x: float, y: float, radius: float, color: pygame.Color) -> None:
+    """A sphere: shade, colour, light."""
+    pen.disc(x, y, radius, color.lerp(pygame.Color("black"), 0.45))
+    pen.disc(x - 0.06 * radius, y - 0.08 * radius, 0.9 * radius, color)
+    pen.disc(x - 0.3 * radius, y - 0.36 * radius, 0.28 * radius, color.lerp(pygame.Color("white"), 0.6))
 
 
 def _unknown(pen: Pen) -> None:
