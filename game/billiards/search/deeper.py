@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.search.looking import Effort, Looked, look
+from game.billiards.search.looking import Effort, Looked, look, sample
 from game.billiards.search.outcomes import NOWHERE
 from game.billiards.search.rating import SCORED, Aims
 from game.billiards.search.strokes import in_threads
@@ -25,31 +25,33 @@ def look_deeper(
     pool: ThreadPoolExecutor | None = None,
     clock: Clock = UNLIMITED,
 ) -> Looked:
-    """The first strokes judged by the best stroke after each; these come first, by their new worth."""
+    """The first strokes, sampled more closely and judged by the best stroke after each; the best first.
+
+    How often a stroke pots, and what it is worth by estimate, is known from many samples; how far the
+    estimate is off, from the few that are looked at deeply.
+    """
     after = effort.after
     if after is None:
         return looked
-    every = looked.kinds.shape[1]
-    k = min(effort.deep_samples, every)
+    d = min(effort.deep, len(looked.strokes))
+    closer = sample(view, aims, looked.strokes[:d], looked.candidates[:d], draws[: effort.close], pool)
+    every = closer.kinds.shape[1]
     new: list[float] = []
-    for f in range(min(effort.deep, len(looked.strokes))):
+    for f in range(d):
         if new and clock.is_out():
             break
-        outcomes = looked.outcomes.rows(slice(f * every, f * every + k))
-        kinds = looked.kinds[f, :k]
-        worth = view.worth(outcomes, aims, kinds, pool)
-        scored = np.flatnonzero(kinds == SCORED).tolist()
-        places = outcomes.places
+        scored = np.flatnonzero(closer.kinds[f] == SCORED)[: effort.deep_samples]
+        places = closer.outcomes.places[f * every : (f + 1) * every]
+        values = closer.values[f]
 
-        def follow(i: int, places: Array = places, worth: Array = worth) -> float:
-            return worth_after(view, aims, places[i], after, draws, worth[i])
+        def follow(i: int, places: Array = places, values: Array = values) -> float:
+            return worth_after(view, aims, places[i], after, draws, values[i]) - values[i]
 
-        worth[scored] = in_threads(pool, follow, scored)
-        new.append(float(worth.mean()))
-    deeper = looked.worth.copy()
-    deeper[: len(new)] = new
-    order = np.concatenate([np.argsort(-deeper[: len(new)], kind="stable"), np.arange(len(new), len(deeper))])
-    return looked._replace(worth=deeper).taken(order)
+        off = in_threads(pool, follow, scored.tolist())
+        share = float((closer.kinds[f] == SCORED).mean())
+        new.append(float(closer.worth[f]) + share * (sum(off) / len(off) if off else 0.0))
+    done = closer.taken(np.arange(len(new)))._replace(worth=np.array(new))
+    return done.taken(np.argsort(-done.worth, kind="stable"))
 
 
 def worth_after(

@@ -37,8 +37,8 @@ class Effort(NamedTuple):
     """How hard to look. kinds: of KINDS. speeds m/s, ups, lefts (tip, ball radii): the ways to strike.
 
     candidates: at most so many are tried. rays: most in a fan. finalists: strokes that are sampled with
-    noise, samples: how often each. deep: how many of them are judged by the best stroke after them, from
-    deep_samples of what they leave; after: how hard to look for that.
+    noise, samples: how often each. deep: how many of them are sampled `close` times, and judged by the best
+    stroke after them, from deep_samples of what they leave; after: how hard to look for that.
     """
 
     kinds: tuple[str, ...] = KINDS
@@ -50,6 +50,7 @@ class Effort(NamedTuple):
     finalists: int = 64
     samples: int = 48
     deep: int = 0
+    close: int = 128
     deep_samples: int = 0
     after: Effort | None = None
 
@@ -58,7 +59,8 @@ class Looked(NamedTuple):
     """Strokes that were sampled, the best first.
 
     strokes (f, 5); candidates (f, 8): what each is after; chance (f,): share of samples that scored; worth
-    (f,): mean estimated chance to win; kinds (f, k) and outcomes (f k): of the samples.
+    (f,): mean estimated chance to win; kinds, values (f, k): classes and worths of the samples; outcomes
+    (f k).
     """
 
     strokes: Array
@@ -66,6 +68,7 @@ class Looked(NamedTuple):
     chance: Array
     worth: Array
     kinds: NDArray[np.int64]
+    values: Array
     outcomes: Outcomes
 
     def taken(self, order: NDArray[np.intp]) -> Looked:
@@ -74,7 +77,7 @@ class Looked(NamedTuple):
         rows = (order[:, None] * k + np.arange(k)).ravel()
         return Looked(
             self.strokes[order], self.candidates[order], self.chance[order], self.worth[order],
-            self.kinds[order], self.outcomes.rows(rows),
+            self.kinds[order], self.values[order], self.outcomes.rows(rows),
         )  # fmt: skip
 
 
@@ -158,8 +161,9 @@ def sample(
     outcomes = view.board.play(noisy, pool)
     meant = np.repeat(candidates[:, [BALL, INTO]].astype(np.int64), k, axis=0)
     kinds = view.classes(outcomes, aims, meant)
-    worth = view.worth(outcomes, aims, kinds, pool).reshape(f, k).mean(axis=1)
+    values = view.worth(outcomes, aims, kinds, pool).reshape(f, k)
+    worth = values.mean(axis=1)
     kinds = kinds.reshape(f, k)
     chance = ((kinds == SCORED) | (kinds == WON)).mean(axis=1)
-    looked = Looked(strokes, candidates, chance, worth, kinds, outcomes)
+    looked = Looked(strokes, candidates, chance, worth, kinds, values, outcomes)
     return looked.taken(np.argsort(-worth, kind="stable"))
