@@ -132,16 +132,17 @@ def _with_pure_steps(results: list[Result], quiet: bool) -> list[Result]:
             plan[result.name] = steps
     environment = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
     command = [sys.executable, "-m", "game", "selftest", "--plan", json.dumps(plan)]
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True, encoding="utf-8")
-    assert process.stdout is not None
     troubles: dict[str, str] = {}
-    for line in process.stdout:
-        name, trouble = json.loads(line)
-        troubles[name] = trouble
-        if not quiet:
-            print(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
-    if process.wait() != 0:
-        troubles.update((name, "the process in plain Python ended") for name in plan if name not in troubles)
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, env=environment, stdout=pipe, text=True, encoding="utf-8") as process:
+        assert process.stdout is not None
+        for line in process.stdout:
+            name, trouble = json.loads(line)
+            troubles[name] = trouble
+            if not quiet:
+                print(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
+    for name in plan:
+        troubles.setdefault(name, "the process in plain Python ended")
     return [
         result._replace(
             trouble=result.trouble or troubles.get(result.name, ""), pure_steps=plan.get(result.name, 0)
