@@ -11,13 +11,11 @@ from game.lab.analysis import fit_order, out_of_order
 from game.lab.studies.keyframing import (
     METHODS,
     keyframing_study,
-    line_study,
     present_even,
-    present_lines,
     present_uneven,
-    spread_study,
     uneven_study,
 )
+from game.lab.studies.keyframing_paths import line_study, present_lines, spread_study
 from game.physics.animation import INTERPOLATIONS
 
 

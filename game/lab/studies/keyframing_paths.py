@@ -1,0 +1,171 @@
+"""What accuracy costs along a path: lines to draw it by, and equal ways in equal times."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
+from game.physics.animation import CubicBezier
+
+Array = NDArray[np.float64]
+
+# -- lines that a curve is drawn by ---------------------------------------------------------------------
+
+HOOK = ((0.0, 0.0), (6.0, 0.0), (6.3, 0.6), (0.5, 0.8))  # m; a sharp bend after a long straight part
+CURVES_A_RUN = 20
+TOLERANCES = tuple(float(x) for x in np.geomspace(0.3, 3e-6, 14))
+
+
+class Lines:
+    """A hook as a chain of lines; error: how far the curve is from them at most."""
+
+    def __init__(self, how: str, tolerance: float) -> None:
+        self.simulated_s = float(CURVES_A_RUN)
+        self.curve, self.how, self.tolerance = CubicBezier(HOOK), how, tolerance
+        self.chain = np.zeros((0, 2))
+
+    def reset(self) -> None:
+        """Nothing is left of a run."""
+
+    def run(self) -> None:
+        for _ in range(CURVES_A_RUN):
+            self.chain = self.curve.flatten(self.tolerance, self.how)  # type: ignore[arg-type]
+
+    def outcome(self) -> Outcome:
+        return Outcome(
+            distance_to_chain(self.curve.point(np.linspace(0.0, 1.0, 4001)), self.chain), len(self.chain) - 1
+        )
+
+
+def distance_to_chain(points: Array, chain: Array) -> float:
+    """The largest distance of points (k, 2) that follow a chain (n, 2) from one of its next few lines."""
+    best = np.full(len(points), np.inf)
+    way = np.diff(chain, axis=0)
+    for a, w in zip(chain[:-1], way, strict=True):
+        square = float(w @ w)
+        share = np.clip((points - a) @ w / square, 0.0, 1.0) if square > 0.0 else np.zeros(len(points))
+        off = points - a - share[:, None] * w
+        np.minimum(best, (off * off).sum(axis=1), out=best)
+    return math.sqrt(float(best.max()))
+
+
+def line_settings() -> list[Setting]:
+    """Both ways at tolerances of 30 cm to 3 micrometres."""
+    return [
+        Setting(
+            how, tolerance, {}, {"tolerance": min(max(tolerance, 0.0005), 0.5)}, 1.0 / math.sqrt(tolerance)
+        )
+        for tolerance in TOLERANCES
+        for how in ("even", "adaptive")
+    ]
+
+
+def line_trial(setting: Setting) -> Lines:
+    """The hook at a tolerance."""
+    return Lines(setting.method, setting.knob)
+
+
+def present_lines(parameters: Mapping[str, Any]) -> Setting:
+    """The scene halves pieces to its tolerance."""
+    return Setting("adaptive", float(parameters["tolerance"]))
+
+
+# -- constant speed -------------------------------------------------------------------------------------
+
+BEND = ((0.0, 0.0), (0.3, 2.0), (5.0, 2.0), (5.2, -1.0))  # m; fast in the middle
+WAYS = 200
+COPIES = 10  # of them in one run, so that what is measured is not the clock
+EVALUATIONS = (4, 8, 16, 32, 64, 128, 256, 512, 1024)
+
+
+class Spread:
+    """Parameters of 200 equal ways along a bend; error: how far along it the worst is off."""
+
+    simulated_s = float(COPIES)
+
+    def __init__(self, how: str, evaluations: int) -> None:
+        self.how, self.evaluations = how, evaluations
+        self.curve = CubicBezier(BEND)
+        self.ways = np.linspace(0.0, self.curve.length, WAYS + 1)
+        self.found = np.zeros(WAYS + 1)
+
+    def reset(self) -> None:
+        """Nothing is left of a run."""
+
+    def run(self) -> None:
+        for _ in range(COPIES):
+            self.spread()
+
+    def spread(self) -> None:
+        """The parameters once."""
+        n = self.evaluations
+        if self.how == "newton":
+            self.found = CubicBezier(BEND).parameter_at(self.ways)
+        elif self.how == "even":
+            self.found = self.ways / self.ways[-1]
+        else:
+            u = np.linspace(0.0, 1.0, n + 1)
+            way = np.diff(self.curve.point(u), axis=0)
+            table = np.concatenate(([0.0], np.cumsum(np.sqrt((way * way).sum(axis=1)))))
+            self.found = np.interp(self.ways / self.ways[-1] * table[-1], table, u)
+
+    def outcome(self) -> Outcome:
+        off = self.curve.length_to(self.found) - self.ways
+        return Outcome(float(np.abs(off).max()), self.evaluations)
+
+
+def spread_settings() -> list[Setting]:
+    """A table of 4 to 1024 chords; what comes without a table, and the solution, once each."""
+    once = [Setting("even", 1.0), Setting("newton", 1.0)]
+    return once + [Setting("table", float(n)) for n in EVALUATIONS]
+
+
+def spread_trial(setting: Setting) -> Spread:
+    """The bend by one of them."""
+    return Spread(setting.method, int(setting.knob))
+
+
+spread_study = Study(
+    name="c01-speed",
+    title="Key-frames: even speed",
+    error="distance along the path from equal ways",
+    error_unit="m",
+    counter="chords in the table",
+    knob=Knob("chords", "chords in the table"),
+    methods=(
+        Method("even", "Even parameter"),
+        Method("table", "Table of chords", 2.0),
+        Method("newton", "Gauss-Legendre and Newton"),
+    ),
+    settings=spread_settings,
+    trial=spread_trial,
+    reference="adaptive Gauss-Legendre quadrature of the speed.",
+    expectation="A table of chords is of second order; Newton's method on the integral is exact at once.",
+    order_over="counter",
+    axes=Axes("cpu", "error"),
+    short="Even speed",
+)
+
+line_study = Study(
+    name="c01-lines",
+    title="Key-frames: lines to draw a curve by",
+    error="distance of curve and lines",
+    error_unit="m",
+    counter="lines",
+    knob=Knob("tolerance", "tolerance", "m"),
+    methods=(Method("even", "Wang's even parts", 2.0), Method("adaptive", "Halved until flat", 2.0)),
+    settings=line_settings,
+    trial=line_trial,
+    reference="4 001 points of the curve.",
+    expectation="Both keep the tolerance; where the bend is sharp, halving needs a third fewer lines.",
+    order_over="counter",
+    floor=1e-9,
+    present=present_lines,
+    axes=Axes("cpu", "error"),
+    short="Lines",
+)
