@@ -282,8 +282,8 @@ def _reaching(pen: Pen) -> None:
 def _rigid_body(pen: Pen) -> None:
     """A hammer in its box, and the outline of where it will be when it has turned over."""
     pen.fill("stage")
-    for a, b in (((18, 26), (106, 14)), ((106, 14), (146, 26)), ((18, 92), (106, 84)), ((106, 84), (146, 92))):
-        pen.line((a, b), "line2", 0.8)
+    for left, middle, right in ((26, 14, 26), (92, 84, 92)):
+        pen.line(((18, left), (106, middle), (146, right)), "line2", 0.8)
     for x, top, low in ((18, 26, 92), (106, 14, 84), (146, 26, 92)):
         pen.line(((x, top), (x, low)), "line2", 0.8)
     for k in range(6):
