@@ -100,7 +100,8 @@ def draw_walk(canvas: Canvas, shapes: list[Array], shown: list[FeatureStep], who
             alpha = 0.25 + 0.75 * number / count
             if not (whole and number == count):
                 view.draw_feature(canvas, shapes[k], feature, "amber", alpha)
-            if count <= view.FEW and count > 1:
+            last = feature == (shown[-1].feature_a, shown[-1].feature_b)[k]
+            if count <= view.FEW and count > 1 and not (whole and last):
                 place = view.feature_points(shapes[k], feature).mean(axis=0)
                 x, y = view.outward(shapes[k], feature)
                 canvas.label(

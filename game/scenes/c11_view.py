@@ -207,8 +207,9 @@ def draw_simplexes(
         color = "green" if last.kept == "done" else "amber"
         canvas.arrow(origin, (tip[0] - origin[0], tip[1] - origin[1]), color, "v", width=2.0)
     canvas.ring(new, 7.0, "pink", 2.0)
-    canvas.label(new, "w", "pink", 13, "semibold", offset=(12.0, -12.0))
-    if last.kept == "done" and scene.answer[0] > 0.0:
+    below = float(new[1]) <= float(tip[1])
+    canvas.label(new, "w", "pink", 13, "semibold", offset=(0.0, 19.0 if below else -19.0))
+    if last.kept == "done" and scene.answer[0] > 0.0 and math.dist(tip, origin) > canvas.px(110.0):
         words = f"|v| = {format_si(float(scene.answer[0]), 'm')}"
         canvas.label(
             (0.5 * (tip[0] + origin[0]), 0.5 * (tip[1] + origin[1])), words, "green", 12, "semibold",

@@ -15,6 +15,7 @@ from game.levels import Level
 from game.physics.narrowphase import ConvexPolygon, Feature, NonConvexError, Proximity, certify
 from game.physics.narrowphase.batch import PolygonSet
 from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
+from game.scenes import convex_pair_hand as hand
 from game.scenes import outline_editor as editor
 from game.scenes.convex_pair_level import MOST_CORNERS, PairContent, ShapeEntry, board_of, entry_of
 from game.scenes.outlines import Outline, placed
@@ -34,12 +35,8 @@ from game.stage import (
 )
 
 Array = NDArray[np.float64]
-REACH = 0.022  # of the height in view: how near to a thing the pointer takes it
 MOST_KEPT = 64  # outlines whose polygons are kept
-REPEATS = 200  # queries that are timed together
-WHOLE = -1  # steps shown: all
-RULES = editor.Rules(most_outlines=2, most_points=MOST_CORNERS, may_be_open=False)
-NAMES = ("A", "B")
+REPEATS = 64  # queries that are timed together
 
 
 class PairState(NamedTuple):
@@ -130,23 +127,28 @@ class ConvexPairScene(Scene):
         self.begun = self.features.copy()
         self.answer = np.zeros(8)
         self.counts = np.zeros(2, dtype=np.int64)
-        self.shown = WHOLE
+        self.shown = hand.WHOLE
         self.told: deque[str] = deque(maxlen=8)
         self.watch = Stopwatch()
         self._shapes: dict[int, tuple[Any, ConvexPolygon | NonConvexError]] = {}
+        self._worlds: dict[int, tuple[Outline, ConvexPolygon]] = {}
         self.query(fresh=True)
 
     def shape(self, index: int) -> ConvexPolygon | None:
         """A polygon in the world, m; None if its outline is refused."""
         outline = self.board.outlines[index]
+        kept = self._worlds.get(index)
+        if kept is not None and kept[0] is outline:
+            return kept[1]
         found = self._cleaned(outline)
         if not isinstance(found, ConvexPolygon):
             return None
         moved = found.moved(*outline.position, outline.angle)
         scale, origin = self.content.scale, self.content.origin
-        if scale == 1.0 and origin == (0.0, 0.0):
-            return moved
-        return ConvexPolygon((moved.vertices + origin) * scale)
+        if scale != 1.0 or origin != (0.0, 0.0):
+            moved = ConvexPolygon((moved.vertices + origin) * scale)
+        self._worlds[index] = (outline, moved)
+        return moved
 
     def drawn_corners(self, index: int) -> Array:
         """Corners (n, 2) of an outline in the level's unit: those that count, or all if it is refused."""
@@ -268,78 +270,10 @@ class ConvexPairScene(Scene):
         self.board = editor.with_places(self.board, places)
 
     def pointer(self, event: Pointer) -> None:
-        view = self.content.view
-        before = self.board
-        self.board = editor.take_pointer(
-            self.board, event, RULES, self.tool, REACH * (view.top - view.bottom)
-        )  # fmt: skip
-        self._after_edit(before)
+        hand.take_pointer(self, event)
 
     def action(self, name: str) -> None:
-        before = self.board
-        if name in ("earlier", "later", "all"):
-            self._show(name)
-        elif name == "start":
-            self._next_start()
-        elif name == "hull":
-            self.accept_hull()
-        elif name in editor.TOOLS:
-            self.values["tool"] = name
-        elif name in ("turn-left", "turn-right"):
-            turn = editor.NOTCH if name == "turn-left" else -editor.NOTCH
-            self.board = editor.turn(self.board, turn)
-        else:
-            self.board = editor.act(self.board, name, RULES)
-        self._after_edit(before)
-
-    def _after_edit(self, before: editor.Board) -> None:
-        """Tell what the editor says, name a refusal, and measure again if something has changed."""
-        if self.board.told:
-            self.told.append(self.board.told)
-        if self.board.outlines == before.outlines and bool(self.board.held) == bool(before.held):
-            return
-        for k in range(len(self.board.outlines)):
-            refused = self.refusal(k)
-            if refused is not None and not self.board.held:
-                words = f"{NAMES[k]} is not convex at corner {refused.vertex}. Press H to take its hull."
-                if words not in self.told:
-                    self.told.append(words)
-        self.query()
-
-    def accept_hull(self) -> None:
-        """Put the hull in place of each outline that is refused."""
-        outlines = list(self.board.outlines)
-        for k, outline in enumerate(outlines):
-            refused = self.refusal(k)
-            if refused is not None:
-                corners = Outline(tuple(map(tuple, refused.hull.vertices.tolist())))
-                outlines[k] = Outline(corners.points, True, outline.position, outline.angle)
-        if tuple(outlines) == self.board.outlines:
-            self.told.append("Both outlines are convex.")
-            return
-        self.board = editor.with_outlines(self.board, tuple(outlines))
-
-    def _next_start(self) -> None:
-        """Begin at the next pair of features: of B first, then of A."""
-        a, b = self.shape(0), self.shape(1)
-        if a is None or b is None:
-            return
-        first, second = self.starts()
-        second += 1
-        if second >= 2 * len(b):
-            first, second = (first + 1) % (2 * len(a)), 0
-        self.values["start_a"], self.values["start_b"] = first, second
-        self.query(fresh=True)
-
-    def _show(self, name: str) -> None:
-        last = self.trace_length() - 1
-        now = last if self.shown == WHOLE else min(self.shown, last)
-        if name == "all" or last < 0:
-            self.shown = WHOLE
-        elif name == "earlier":
-            self.shown = max(now - 1, 0)
-        else:
-            self.shown = WHOLE if self.shown == WHOLE or now >= last else now + 1
+        hand.act(self, name)
 
     def trace_length(self) -> int:
         """Steps of the last query that can be shown."""
@@ -349,7 +283,7 @@ class ConvexPairScene(Scene):
         if name in ("start_a", "start_b"):
             self.query(fresh=True)
         elif name == "tool":
-            self.board = editor.act(self.board, "cancel", RULES)
+            hand.act(self, "cancel")
         else:
             self.query()
 

@@ -65,28 +65,37 @@ def draw_shapes(scene: ConvexPairScene, canvas: Canvas) -> list[Array]:
             canvas.dot(corners[0], 4.0, color)
         if refused is None and 2 < len(corners) <= FEW:
             canvas.discs(corners, canvas.px(2.6), color)
-        draw_name(scene, canvas, k, corners)
+    draw_names(scene, canvas, shapes)
     return shapes
 
 
-def draw_name(scene: ConvexPairScene, canvas: Canvas, k: int, corners: Array) -> None:
-    """The letter of a polygon and its number of vertices; numbers of the vertices if few."""
-    middle = tuple(corners.mean(axis=0).tolist())
-    small = np.ptp(corners, axis=0).max() * canvas.pixels_per_unit < 70.0 * canvas.k
-    if small:
-        size = 0.5 * float(np.ptp(corners, axis=0).max())
-        middle = (middle[0], middle[1] - size)
-    count = len(corners)
-    noun = "point" if count == 1 else "segment" if count == 2 else f"{count} vertices"
-    canvas.label(middle, "AB"[k], COLORS[k], 20, "semibold", offset=(0.0, 16.0 if small else -9.0))
-    canvas.label(middle, noun, "text2", 11, offset=(0.0, 34.0 if small else 11.0))
-    if scene.numbers and 2 < count <= FEW and not small and scene.refusal(k) is None:
-        inner = np.array(corners.mean(axis=0))
-        for i, corner in enumerate(corners):
-            way = inner - corner
-            length = math.sqrt(float(way @ way)) or 1.0
-            place = corner + way / length * canvas.px(13.0)
-            canvas.label(place, str(i), "text3", 11, halo=False)
+def draw_names(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
+    """The letters of the polygons and their numbers of vertices: inside, or beyond if there is no room."""
+    middles = [corners.mean(axis=0) for corners in shapes]
+    crowded = len(shapes) == 2 and math.dist(*middles) < canvas.px(64.0)
+    for k, corners in enumerate(shapes):
+        tall = (np.ptp(corners, axis=0).max()) * canvas.pixels_per_unit >= 70.0 * canvas.k
+        count = len(corners)
+        noun = "point" if count == 1 else "segment" if count == 2 else f"{count} vertices"
+        place, offset = tuple(middles[k].tolist()), -9.0
+        if crowded or not tall or scene.refusal(k) is not None:
+            above = crowded and k == 0
+            row = int(corners[:, 1].argmax() if above else corners[:, 1].argmin())
+            place = (float(middles[k][0]), float(corners[row, 1]))
+            offset = -40.0 if above else 22.0
+        canvas.label(place, "AB"[k], COLORS[k], 20, "semibold", offset=(0.0, offset))
+        canvas.label(place, noun, "text2", 11, offset=(0.0, offset + 20.0))
+        if scene.numbers and 2 < count <= FEW and tall and scene.refusal(k) is None:
+            number_corners(canvas, corners)
+
+
+def number_corners(canvas: Canvas, corners: Array) -> None:
+    """The numbers of the vertices, inside of them."""
+    inner = corners.mean(axis=0)
+    for i, corner in enumerate(corners):
+        way = inner - corner
+        length = math.sqrt(float(way @ way)) or 1.0
+        canvas.label(corner + way / length * canvas.px(13.0), str(i), "text3", 11, halo=False)
 
 
 def draw_hulls(scene: ConvexPairScene, canvas: Canvas) -> None:
@@ -129,7 +138,8 @@ def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> 
     for k, toward in ((0, (nx, ny)), (1, (-nx, -ny))):
         draw_feature(canvas, shapes[k], features[k], "green")
         if len(shapes[k]) > 1:
-            label_feature(canvas, (p, q)[k], f"{features[k]} of {'AB'[k]}", toward)
+            side = toward if distance > 0.0 else (-toward[0], -toward[1])
+            label_feature(canvas, (p, q)[k], f"{features[k]} of {'AB'[k]}", side)
     middle = (0.5 * (ax + bx), 0.5 * (ay + by))
     if distance > 0.0:
         canvas.line(p, q, "amber", 2.0)
