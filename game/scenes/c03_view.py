@@ -187,7 +187,7 @@ class ChainView:
         self._draw_trail(canvas, k, (x, y - canvas.px(56.0)))
 
     def _trails(self, scene: InverseKinematics, canvas: Canvas) -> tuple[Array, float]:
-        """Errors of the last steps (6, TRAIL, 2), logarithmic from the reach down, and how low the tolerance is."""
+        """Errors of the last steps (6, TRAIL, 2), logarithmic from the reach down, and the tolerance."""
         assert scene.solver is not None
         wide, high = canvas.px(104.0), canvas.px(30.0)
         share = 1.0 / scene.solver.chain.reach

@@ -48,16 +48,17 @@ class BoneEntry(_Entry, frozen=True, kw_only=True):
 
 
 class SkinEntry(_Entry, frozen=True, kw_only=True):
-    """A closed outline in the pose of binding, bound by distance, by weights given, or to one bone.
+    """A closed outline in the pose of binding, bound by distance or by weights given.
 
-    fill: a colour by name or "#rrggbb". weights: a row for each point, a column for each bone.
+    fill: a colour by name or "#rrggbb". bones: those that it may follow, else all. weights: a row for each
+    point, a column for each bone.
     """
 
     points: Annotated[tuple[Point, ...], msgspec.Meta(min_length=3, max_length=MOST_POINTS)]
     fill: Annotated[str, msgspec.Meta(max_length=12)] = "chalk"
     strength: Share = 1.0
     outline: bool = True
-    bone: Annotated[str, msgspec.Meta(max_length=40)] = ""
+    bones: Annotated[tuple[Name, ...], msgspec.Meta(max_length=MOST_BONES)] = ()
     weights: tuple[tuple[Weight, ...], ...] | None = None
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from game.physics.animation import Binding, Skeleton, Skinner, bind_given, bind_weights
 from game.physics.animation.outlines import points_inside, rounded, sum_areas
+from game.physics.animation.weights import distances_to_bones, weigh
 from game.scenes.figure_level import FigureContent, SkinEntry, bone_named
 
 Array = NDArray[np.float64]
@@ -168,9 +169,12 @@ class Rig:
         rules, skeleton = self.rules, self.skeleton
         if skin is not None and skin.weights is not None:
             return bind_given(skeleton, points, skin.weights, rules.influences)
-        if skin is not None and skin.bone:
+        if skin is not None and skin.bones:
+            own = sorted({bone_named(self.figure, name) for name in skin.bones})
             whole = np.zeros((len(points), skeleton.count))
-            whole[:, bone_named(self.figure, skin.bone)] = 1.0
+            distances = distances_to_bones(points, skeleton.bases[own], skeleton.ends[own])
+            weigh(distances, rules.threshold, rules.falloff, distances)
+            whole[:, own] = distances
             return bind_given(skeleton, points, whole, rules.influences)
         return bind_weights(skeleton, points, rules.threshold, rules.falloff, rules.influences)
 
@@ -182,7 +186,7 @@ def _padded(rows: NDArray, width: int) -> NDArray:
 def _inside(skins: tuple[SkinEntry, ...], outlines: list[Array]) -> Array:
     """Points within the first skin that is bound by distance: it shows weights, and is the body."""
     for skin, outline in zip(skins, outlines, strict=True):
-        if not skin.bone and skin.weights is None:
+        if not skin.bones and skin.weights is None:
             area = np.empty(1)
             sum_areas(outline, np.array([0, len(outline)]), area)
             spacing = math.sqrt(max(abs(float(area[0])), 1e-12) / (INSIDE * math.sqrt(0.75)))

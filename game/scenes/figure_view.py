@@ -44,7 +44,7 @@ WHOLE = Cell()
 def draw_outlines(canvas: Canvas, rig: Rig, points: Array, color: str) -> None:
     """The outlines of body skins alone, dashed: what another blend makes of them."""
     for i, skin in enumerate(rig.figure.skins):
-        if skin.outline and not skin.bone:
+        if skin.outline and len(skin.bones) != 1:
             canvas.polyline(points[rig.outline(i)], color, 1.4, closed=True, dash=EXACT_DASH, alpha=0.8)
 
 
@@ -69,7 +69,7 @@ def draw_weights(canvas: Canvas, rig: Rig, points: Array, chosen: int) -> None:
     if inner.stop > inner.start:
         canvas.particles(points[inner], np.ascontiguousarray(colors[inner]), 2.6)
     for i, skin in enumerate(rig.figure.skins):
-        if skin.bone or not skin.outline:
+        if len(skin.bones) == 1 or not skin.outline:
             continue
         part = rig.outline(i)
         outline = points[part]

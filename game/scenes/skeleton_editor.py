@@ -224,8 +224,11 @@ def _without(bench: Bench, rig: Rig) -> Turn:
         return Turn(told(bench, "The chain needs this bone; pick another chain first."))
     skins = []
     for skin in figure.skins:
-        if skin.bone in gone:
-            continue
+        if skin.bones:
+            left = tuple(name for name in skin.bones if name not in gone)
+            if not left:
+                continue
+            skin = msgspec.structs.replace(skin, bones=left)
         if skin.weights is not None:
             rows = np.array(skin.weights)[:, stays]
             if np.any(rows.max(axis=1) <= 0.0):
