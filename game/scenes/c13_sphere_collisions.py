@@ -46,6 +46,7 @@ NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses"
 TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
 MOST_EXACT = 2_000  # impacts in a step of the event-driven run
 NOTHING = np.zeros((0, 3))
+ROUNDING = 1e-9  # m of overlap that is none
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
 
 
@@ -362,23 +363,24 @@ class SphereCollisions(Scene):
         world = self.world
         totals = world.totals()
         gaps = world.touches[0][:, 3]
+        deepest = float(np.max(-gaps, initial=0.0))
         entries = world.ring[: min(world.collisions, len(world.ring))]
         return [
-            Readout("spheres", float(len(world.bodies.makeup.radii))),
-            Readout("collisions", float(world.collisions)),
+            Readout("spheres", len(world.bodies.makeup.radii)),
+            Readout("collisions", world.collisions),
             Readout("sum", totals.energy, "J"),
-            Readout("touches", float(len(gaps))),
+            Readout("touches", len(gaps)),
             Readout("moving", totals.moving, "J"),
             Readout("turning", totals.turning, "J"),
             Readout("P x", totals.momentum[0], "kg m/s"),
             Readout("P y", totals.momentum[1], "kg m/s"),
             Readout("L z", totals.spin[2], "kg m²/s"),
-            Readout("deepest", float(np.max(-gaps, initial=0.0)), "m"),
-            Readout("rounds", float(world.rounds)),
+            Readout("deepest", deepest if deepest > ROUNDING else 0.0, "m"),
+            Readout("rounds", world.rounds),
             *self._beside_exact(),
             Readout("momentum lost", float(entries[:, 14].max(initial=0.0)), "kg m/s"),
-            Readout("pair tests a step", float(world.tests)),
-            Readout("parts of a step", float(world.parts)),
+            Readout("pair tests a step", world.tests),
+            Readout("parts of a step", world.parts),
         ]
 
     def _beside_exact(self) -> list[Readout]:

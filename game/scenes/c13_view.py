@@ -27,13 +27,9 @@ ARROW_SHARE = 0.12  # of the height in view: an arrow of the usual impulse
 ROWS = 6  # of the ledger
 MOST_LEDGER = 60  # spheres: with more, the ledger would say nothing
 COLUMNS = (
-    ("pair", 0.0),
-    ("J", 92.0),
-    ("v before", 158.0),
-    ("after", 224.0),
-    ("ΔE", 292.0),
-    ("P lost", 372.0),
-)
+    ("pair", 0.0), ("J, N s", 84.0), ("v before", 150.0), ("after, m/s", 216.0), ("ΔE, J", 292.0),
+    ("P lost", 358.0),
+)  # fmt: skip
 
 
 class CollisionView:
@@ -193,9 +189,9 @@ class CollisionView:
             strength = 1.0 - float(age[i]) / FADING_S
             at = (float(entry[ledger.X]), float(entry[ledger.Y]))
             jx, jy = float(entry[ledger.JX]), float(entry[ledger.JY])
-            canvas.arrow(at, (jx, jy), "amber", None, scale, 2.0, alpha=strength)
+            canvas.arrow(at, (-jx, -jy), "amber", None, scale, 2.0, alpha=strength)
             if entry[ledger.OTHER] >= 0.0:
-                canvas.arrow(at, (-jx, -jy), "amber", None, scale, 2.0, alpha=strength)
+                canvas.arrow(at, (jx, jy), "amber", None, scale, 2.0, alpha=strength)
             canvas.dot(at, 3.0, "amber", alpha=strength)
 
     def _draw_hand(self, scene: SphereCollisions, canvas: Canvas) -> None:
@@ -238,8 +234,8 @@ def _figures(entry: Array) -> tuple[str, ...]:
     size = math.sqrt(float((entry[ledger.JX : ledger.JZ + 1] ** 2).sum()))
     pair = f"{int(entry[ledger.ONE])} and {other if other >= 0 else 'wall'}"
     figures = (
-        f"{size:.3g} N s", f"{entry[ledger.BEFORE]:.3g}", f"{entry[ledger.AFTER]:.3g} m/s",
-        f"{entry[ledger.CHANGE]:.2g} J", _small(float(entry[ledger.LOST_MOMENTUM])),
+        f"{size:.3g}", f"{entry[ledger.BEFORE]:.3g}", f"{entry[ledger.AFTER]:.3g}",
+        f"{entry[ledger.CHANGE]:.2g}", _small(float(entry[ledger.LOST_MOMENTUM])),
     )  # fmt: skip
     return pair, *(word.replace("-", "−") for word in figures)
 

@@ -25,7 +25,7 @@ def few(study, wanted):
 
 @pytest.fixture(scope="module")
 def impacts():
-    return run_study(few(impact_study, lambda s: s.knob > 1 / 800), repeats=1)
+    return run_study(few(impact_study, lambda s: s.knob > 1 / 300), repeats=1)
 
 
 def test_the_run_has_impacts_between_spheres_and_with_walls():

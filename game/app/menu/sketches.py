@@ -12,7 +12,16 @@ from itertools import pairwise
 import pygame
 
 from game.ui.look import Look
-from game.ui.theme import BALL_COLORS, BALL_WHITE, CUE_BALL, FELT, FELT_LINE, FELT_WARM, WOOD_DARK
+from game.ui.theme import (
+    BALL_COLORS,
+    BALL_WHITE,
+    CUE_BALL,
+    FELT,
+    FELT_COOL,
+    FELT_LINE,
+    FELT_WARM,
+    WOOD_DARK,
+)
 
 WIDTH, HEIGHT, FINE = 160.0, 104.0, 4
 
@@ -138,6 +147,26 @@ def _table(pen: Pen) -> None:
     for row in range(5):
         for i in range(row + 1):
             pen.ball(90.0 + 10.9 * row, 52.0 + 12.6 * (i - 0.5 * row), 6.2, next(numbers))
+
+
+def _billiards(pen: Pen) -> None:
+    """A cut into the corner: cue, aim, ghost ball, the ways after it."""
+    pen.fill(WOOD_DARK)
+    pen.box(-80.0, 7.0, 226.0, 90.0, FELT.lerp(pygame.Color("black"), 0.3))
+    pen.box(-80.0, 10.0, 223.0, 84.0, FELT)
+    for x, y in ((148.0, 10.0), (148.0, 94.0), (70.0, 5.0), (70.0, 99.0)):
+        pen.disc(x, y, 8.5, pygame.Color("#0A0B0C"))
+    pen.line(((-60.0, 97.0), (36.0, 62.0)), pygame.Color("#D8AE74"), 2.6)
+    pen.line(((36.0, 62.0), (39.0, 60.9)), pygame.Color("#3E8FD0"), 2.6)
+    pen.line(((48.0, 57.6), (96.0, 40.0)), FELT_LINE, 1.0)
+    pen.line(((104.5, 36.0), (142.0, 14.0)), FELT_COOL, 1.3, dash=3.0)
+    pen.line(((96.0, 40.0), (108.0, 66.0), (124.0, 92.0), (100.0, 76.0)), FELT_LINE, 1.0, dash=3.0)
+    pen.disc(96.0, 40.0, 6.2, FELT_LINE, ring=1.0)
+    pen.ball(48.0, 57.6, 6.2, 0)
+    pen.ball(106.6, 33.6, 6.2, 11)
+    pen.ball(70.0, 26.0, 6.2, 8)
+    pen.ball(24.0, 30.0, 6.2, 2)
+    pen.ball(66.0, 80.0, 6.2, 14)
 
 
 def _three_tables(pen: Pen) -> None:
@@ -317,10 +346,28 @@ def _unknown(pen: Pen) -> None:
     pen.disc(*path[15], 6.5, "chalk", ring=1.5)
 
 
+def _collisions(pen: Pen) -> None:
+    """Newton's cradle, the first ball coming down."""
+    pen.fill("stage")
+    pen.line(((46.0, 18.0), (126.0, 18.0)), "line2", 2.4)
+    balls = [(62.0 + 16.0 * i, 76.0, 62.0 + 16.0 * i) for i in range(1, 4)]
+    balls.append((62.0 - 44.0 * 0.68, 18.0 + 58.0 * 0.87, 62.0))
+    for x, y, tie in balls:
+        pen.line(((tie, 18.0), (x, y)), "ghost", 0.8)
+    for i, (x, y, _) in enumerate(balls):
+        tone = "chalk" if i == 3 else "text1"
+        pen.disc(x, y, 8.0, "body")
+        pen.disc(x, y, 8.0, tone, ring=1.5)
+        pen.line(((x, y), (x + 7.0, y)), tone, 1.1)
+    pen.arrow((40.0, 76.0), (58.0, 83.0), "chalk")
+    pen.arrow((120.0, 76.0), (142.0, 76.0), "amber")
+    pen.disc(118.0, 76.0, 2.2, "amber")
+
+
 SKETCHES: dict[str, Callable[[Pen], None]] = {
     "lecture-balls": _lecture_balls,
     "lecture-table": _table,
-    "billiards": _table,
+    "billiards": _billiards,
     "three-tables": _three_tables,
     "c01": _key_frames,
     "c02": _skinning,
@@ -328,6 +375,7 @@ SKETCHES: dict[str, Callable[[Pen], None]] = {
     "c10": _vclip,
     "c11": _gjk,
     "c12": _rigid_body,
+    "c13": _collisions,
 }
 
 

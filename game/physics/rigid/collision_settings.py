@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.effects import EffectSet
-from game.physics.rigid.sphere_effects import KNOWN, USUAL
+from game.physics.rigid.sphere_effects import DRAG_BIT, FRICTION_BIT, GRAVITY_BIT, KNOWN, USUAL
 
 SCHEMES = ("explicit-euler", "semi-implicit", "exact-flight")
 LAGS = {"explicit-euler": 0.0, "semi-implicit": 1.0, "exact-flight": 0.5}  # c in x = v t - c g t²
@@ -127,12 +127,12 @@ class CollisionSettings:
             reach = 2.0 * SOFT_DAMPING + nominal * omega
             push, push_limit = omega / reach, SOFT_PUSH
             softness = 1.0 / (1.0 + nominal * omega * reach)
-        names = set(self.effects.names)
+        mask = self.effects.mask
         return Numbers(
             float(h), float(nominal),
-            float(self.gravity) if "gravity" in names else 0.0,
-            float(self.drag) if "drag" in names else 0.0,
-            float(self.rest), 1.0 if "sphere-friction" in names else 0.0,
+            float(self.gravity) if mask & GRAVITY_BIT else 0.0,
+            float(self.drag) if mask & DRAG_BIT else 0.0,
+            float(self.rest), 1.0 if mask & FRICTION_BIT else 0.0,
             min(h / before, 4.0) if self.warm and before > 0.0 else 0.0,
             push, push_limit, softness, self.slop * radius,
             SHARES.get(self.correction, 0.0), MOST_SHIFT * radius, self.rounds, self.iterations,
