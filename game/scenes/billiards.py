@@ -32,6 +32,7 @@ from game.scenes.cue_control import CueControl
 from game.scenes.demo_shots import scattered_orientations
 from game.scenes.table_view import warm_ups as table_warm_ups
 from game.stage import (
+    Action,
     Choice,
     Decision,
     Equation,
@@ -44,6 +45,7 @@ from game.stage import (
     Scene,
     SceneAction,
     Sound,
+    Stamped,
     Strip,
     Toggle,
     WarmUp,
@@ -188,7 +190,7 @@ class Billiards(Scene):
         "Choose a computer player as second player, and let it show its thoughts.",
         "Press E, lay out a position of your own, save it, and play it again and again.",
     )
-    demo = ()
+    demo = (Stamped(12, Action("demo")), Stamped(2400, Action("centre")))  # and it goes on playing
 
     # -- building -----------------------------------------------------------------------------------
 
