@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import deque
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -15,13 +14,13 @@ from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW
 from game.physics.rigid.free_top import turn_freely
-from game.physics.rigid.motion import INVERSES, MOMENTS, P, Q
-from game.physics.rigid.quaternion import angle_between
+from game.physics.rigid.motion import INVERSES, MOMENTS, P
 from game.physics.rigid.turning import measure
 from game.physics.rigid.window import WALLS
 from game.scenes import c12_hand as hand
-from game.scenes.c12_bodies import EXACT, FLIPS, MADE_ENERGY, MADE_MOMENTUM, A, B, Bodies
+from game.scenes.c12_bodies import EXACT, FLIPS, A, B, Bodies
 from game.scenes.c12_camera import box_edges, camera_matrix
+from game.scenes.c12_findings import readouts_of
 from game.scenes.c12_level import RigidContent, SphereEntry, design_of, entries_of
 from game.scenes.c12_view import RigidView
 from game.stage import (
@@ -49,7 +48,6 @@ LABELS = (
 HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 TITLE_ROOM = 0.25  # m
 TRAIL = 400  # steps that the trail of L on its sphere goes back
-ROUNDING = 1e-12
 GAP = 0.12  # m, between the panes of the twin view
 SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "tool", "pushing", "new_density")
 
@@ -380,44 +378,7 @@ class RigidBodyScene(Scene):
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        bodies = self.bodies
-        body = bodies.all[A]
-        shift, _, momentum, _, *spin = measure(body.state, body.constants[0])
-        found = [
-            Readout("off", math.degrees(self._angle_off(A)), "°"),
-            Readout("spin", math.sqrt(sum(w * w for w in spin)), "rad/s"),
-            Readout("flips", float(bodies.accounts[A, FLIPS])),
-            Readout("mass", body.mass, "kg"),
-            Readout("exact", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
-            Readout("bound", body.largest_rotation_energy, "J"),
-            Readout("|L|", momentum, "kg m²/s"),
-            Readout("|P|", math.sqrt(2.0 * shift * body.mass), "kg m/s"),
-            Readout("shift", shift, "J"),
-        ]
-        found.extend(Readout(f"I{k + 1}", moment, "kg m²") for k, moment in enumerate(body.moments.tolist()))
-        for index, name in ((A, "A"), (B, "B")):
-            if index == B and not self.twin:
-                continue
-            found.extend(self._account(index, name))
-        return found
-
-    def _account(self, index: int, name: str) -> list[Readout]:
-        """What a body's method has made of energy, angular momentum and |q|."""
-        body, account = self.bodies.all[index], self.bodies.accounts[index]
-        _, rotation, momentum, size, *_ = measure(body.state, body.constants[0])
-        had, was = rotation - account[MADE_ENERGY], momentum - account[MADE_MOMENTUM]
-        return [
-            Readout(name, rotation, "J"),
-            Readout(f"E of {name}", account[MADE_ENERGY] / had if had > 0.0 else 0.0),
-            Readout(f"L of {name}", _above_rounding(account[MADE_MOMENTUM] / was if was > 0.0 else 0.0)),
-            Readout(f"q of {name}", _above_rounding(size - 1.0)),
-            Readout(f"off {name}", math.degrees(self._angle_off(index)), "°"),
-        ]
-
-    def _angle_off(self, index: int) -> float:
-        """Angle (rad) between a body and the exact one."""
-        rows = self.bodies.rows
-        return float(angle_between(tuple(rows[index, Q:P].tolist()), tuple(rows[EXACT, Q:P].tolist())))
+        return readouts_of(self)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)
@@ -428,8 +389,3 @@ class RigidBodyScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self, canvas, alpha)
-
-
-def _above_rounding(value: float) -> float:
-    """A measured error, 0 where it is rounding."""
-    return value if abs(value) > ROUNDING else 0.0

@@ -13,7 +13,9 @@ from game.physics.rigid import mass_properties
 from game.scenes.c12_bodies import EXACT, A, B
 from game.scenes.c12_camera import camera_matrix
 from game.scenes.c12_level import RigidContent
-from game.scenes.c12_rigid_body import RigidBodyScene
+from game.scenes.c12_momentum_sphere import separatrix, trail_of
+from game.scenes.c12_rigid_body import TRAIL, RigidBodyScene
+from game.scenes.c12_view import hull_of_discs
 from game.stage import Action, SetEffect, SetKnob, Stage, replay_scene
 
 LEVELS = level_files("c12")
@@ -305,3 +307,53 @@ def test_what_is_broken_in_a_level_is_named(text, field):
     with pytest.raises(LevelError) as caught:
         RigidBodyScene(parse_level(f'scene = "c12"\n{text}\n', "c12", RigidContent))
     assert field in str(caught.value)
+
+
+def test_a_method_that_explodes_is_stopped_at_its_last_finite_state():
+    """What is not finite stops the scene, says so, and can be reset."""
+    stage = open_level(RigidBodyScene, "default", method="body-euler", step_length=0.1)
+    for _ in range(200):
+        stage.run(10)
+        if stage.fault is not None:
+            break
+    assert stage.fault is not None
+    assert np.isfinite(body(stage).state).all()
+    stage.reset()
+    stage.post(SetKnob("method", "splitting"))
+    stage.run(50)
+    assert stage.fault is None
+
+
+def test_the_curves_that_part_the_sphere_of_l():
+    """On them the energy is that of a spin about axis 2; a symmetric body has none."""
+    moments = np.array((1.0, 2.0, 3.0))
+    curves = separatrix(moments)
+    assert len(curves) == 2
+    for curve in curves:
+        assert np.allclose((curve * curve).sum(axis=1), 1.0)
+        assert np.allclose((curve * curve / moments).sum(axis=1), 1.0 / 2.0)
+    assert separatrix(np.array((1.0, 1.0, 3.0))) == []
+
+
+def test_the_trail_is_where_l_has_been_in_the_body():
+    stage = open_level(RigidBodyScene, "default", method="exact")
+    moments = body(stage).moments
+    stage.run(TRAIL + 50)
+    trail = trail_of(stage.scene, A)
+    assert trail.shape == (TRAIL, 3)
+    assert np.allclose((trail * trail).sum(axis=1), 1.0)
+    energies = (trail * trail / moments).sum(axis=1)
+    assert np.allclose(energies, energies[0], rtol=1e-11)
+    seen = moments * body(stage).spin
+    assert np.allclose(trail[-1], seen / np.linalg.norm(seen))
+
+
+def test_a_hull_touches_each_disc_from_without():
+    centers, radii = np.array(((0.0, 0.0), (3.0, 0.0), (1.0, 0.5))), np.array((1.0, 0.5, 0.2))
+    hull = hull_of_discs(centers, radii)
+    assert np.allclose(hull[0], hull[-1])
+    assert hull[:, 0].min() == pytest.approx(-1.0, abs=1e-12)
+    assert hull[:, 0].max() == pytest.approx(3.5)
+    off = np.sqrt(((hull[:, None] - centers) ** 2).sum(axis=2)) - radii
+    assert np.all(off > -1e-12)
+    assert np.all(off[:, 2] > 0.1)
