@@ -46,7 +46,7 @@ def pair(kind, fit="search"):
     return Query(a, b)
 
 
-PLACES = [(1.9 + 0.2 * math.cos(0.1 * i), 0.2 * math.sin(0.1 * i)) for i in range(64)]
+PLACES = [(1.9 + 0.2 * math.cos(0.02 * i), 0.2 * math.sin(0.02 * i)) for i in range(64)]
 
 
 @pytest.mark.parametrize("coherent", [False, True], ids=["anew", "with a front"])
@@ -95,7 +95,7 @@ def test_nearest(benchmark, kind):
 def test_nearest_with_shapely(benchmark):
     shapely = pytest.importorskip("shapely")
     benchmark.group = "distance of two coasts of 1024 segments"
-    a, b = shapely.LinearRing(coast(1)), shapely.LinearRing(coast(2) + (3.0, 0.4))
+    a, b = shapely.LinearRing(coast(1)), shapely.LinearRing(coast(2) + np.array((3.0, 0.4)))
     distance = benchmark(shapely.distance, a, b)
     query = pair("obb")
     assert nearest(query.tree_a, query.tree_b, (3.0, 0.4)).distance == pytest.approx(distance, rel=1e-9)

@@ -218,7 +218,7 @@ def test_c09_h6_fits_without_radius_or_without_core():
         assert fit_capsule(points, refine=True).radius <= 1e-9
     angle = 2 * np.pi * np.arange(48) / 48
     circle = np.column_stack((np.cos(angle), np.sin(angle)))
-    for fit in CAPSULES[:3]:
+    for fit in (*CAPSULES[:2], minimal_capsule):
         capsule = fit(circle)
         assert capsule.length < 0.02 and capsule.radius == pytest.approx(1.0, abs=0.01)
 

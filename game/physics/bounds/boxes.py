@@ -9,6 +9,8 @@ import math
 
 from game.physics.jit import kernel
 
+FEW = 5  # corners up to which all of them are looked at in every direction
+
 
 @kernel
 def extents_along(hull, h, c, s):
@@ -55,11 +57,23 @@ def follow_supports(hull, h, c, s, supports):
 
 
 @kernel
+def extents_of_supports(hull, c, s, supports):
+    """The same as `extents_along` from the four outermost corners."""
+    far, top, back, low = supports[0], supports[1], supports[2], supports[3]
+    return (
+        c * hull[back, 0] + s * hull[back, 1],
+        c * hull[far, 0] + s * hull[far, 1],
+        c * hull[low, 1] - s * hull[low, 0],
+        c * hull[top, 1] - s * hull[top, 0],
+    )
+
+
+@kernel
 def search_box(hull, h, turns, supports):
     """Index of the direction in ``turns`` (k, 2) whose box has the least area; the first of equal ones.
 
-    The four outermost corners walk round with the axes, so each direction takes a handful of steps however
-    many corners there are. ``supports`` (4,) int64: overwritten.
+    Where there are many corners the four outermost ones walk round with the axes, so each direction takes a
+    handful of steps. ``supports`` (4,) int64: overwritten.
     """
     best, least = 0, math.inf
     if h == 2:
@@ -70,14 +84,16 @@ def search_box(hull, h, turns, supports):
             if area < least:
                 best, least = i, area
         return best
-    supports_at(hull, h, turns[0, 0], turns[0, 1], supports)
+    if h > FEW:
+        supports_at(hull, h, turns[0, 0], turns[0, 1], supports)
     for i in range(len(turns)):
         c, s = turns[i, 0], turns[i, 1]
-        follow_supports(hull, h, c, s, supports)
-        far, top, back, low = supports[0], supports[1], supports[2], supports[3]
-        area = (c * (hull[far, 0] - hull[back, 0]) + s * (hull[far, 1] - hull[back, 1])) * (
-            c * (hull[top, 1] - hull[low, 1]) - s * (hull[top, 0] - hull[low, 0])
-        )
+        if h > FEW:
+            follow_supports(hull, h, c, s, supports)
+            u0, u1, v0, v1 = extents_of_supports(hull, c, s, supports)
+        else:
+            u0, u1, v0, v1 = extents_along(hull, h, c, s)
+        area = (u1 - u0) * (v1 - v0)
         if area < least:
             best, least = i, area
     return best

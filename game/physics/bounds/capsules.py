@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.bounds.boxes import extents_along, follow_supports, supports_at
+from game.physics.bounds.boxes import FEW, extents_along, extents_of_supports, follow_supports, supports_at
 from game.physics.jit import kernel
 
 
@@ -48,14 +48,16 @@ def bound_directions(hull, h, turns, supports, bounds):
     corners walk round with the axes. ``supports`` (4,) int64: overwritten.
     """
     count = len(turns)
-    supports_at(hull, h, turns[0, 0], turns[0, 1], supports)
+    if h > FEW:
+        supports_at(hull, h, turns[0, 0], turns[0, 1], supports)
     promising, lowest = 0, math.inf
     for i in range(count):
         c, s = turns[i, 0], turns[i, 1]
-        follow_supports(hull, h, c, s, supports)
-        far, top, back, low = supports[0], supports[1], supports[2], supports[3]
-        u0, u1 = c * hull[back, 0] + s * hull[back, 1], c * hull[far, 0] + s * hull[far, 1]
-        v0, v1 = c * hull[low, 1] - s * hull[low, 0], c * hull[top, 1] - s * hull[top, 0]
+        if h > FEW:
+            follow_supports(hull, h, c, s, supports)
+            u0, u1, v0, v1 = extents_of_supports(hull, c, s, supports)
+        else:
+            u0, u1, v0, v1 = extents_along(hull, h, c, s)
         for side in range(2):
             k = i + count * side
             radius, length = 0.5 * (v1 - v0), u1 - u0

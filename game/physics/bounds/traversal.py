@@ -19,7 +19,7 @@ from game.physics.jit import kernel
 
 APART, OPENED, MET = 0, 1, 2  # verdicts: separated; the larger one opened; two leaves that overlap
 ROW_A, ROW_B, VERDICT, AGE, TESTED = 0, 1, 2, 3, 4  # columns of rows
-PATIENCE = 6  # queries before an opened pair whose parts were apart is tested again
+PATIENCE = 1  # queries before an opened pair whose parts were apart is tested again
 VOLUMES_TESTED, SEGMENTS_TESTED, LEAVES_MET, CROSSINGS, ROWS = 0, 1, 2, 3, 4  # places in counts
 DONE, MORE_ROWS, MORE_CROSSINGS = 0, 1, 2
 
