@@ -150,8 +150,8 @@ class Skinning(FigureScene):
     def readouts(self) -> list[Readout]:
         rig = self.rig
         return [
-            Readout("bones", float(rig.skeleton.count)),
-            Readout("points", float(len(rig.skinned))),
+            Readout("bones", rig.skeleton.count),
+            Readout("points", len(rig.skinned)),
             Readout("area kept", 100.0 * self.skin_areas[self.blend], "%"),
             Readout("skin", self.watch.median(self.blend), "s"),
             Readout("linear", 100.0 * self.skin_areas["linear"], "%"),

@@ -303,13 +303,13 @@ class InverseKinematics(FigureScene):
         mine = self.measured[self.master]
         rows = [
             Readout("error", mine.error, "m"),
-            Readout("iterations", float(mine.iterations)),
+            Readout("iterations", mine.iterations),
             Readout("solve", self.watch.median(self.method), "s"),
             Readout("reach", self.solver.chain.reach if self.solver is not None else 0.0, "m"),
         ]
         for k, name in enumerate(NAMES):
             rows.append(Readout(name, self.measured[k].error, "m"))
-            rows.append(Readout(f"{name} n", float(self.measured[k].iterations)))
+            rows.append(Readout(f"{name} n", self.measured[k].iterations))
             rows.append(Readout(f"{name} t", self.watch.median(SHOWN[k]), "s"))
         return rows
 

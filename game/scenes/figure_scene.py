@@ -17,7 +17,7 @@ from game.scenes.figure_level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.figure_rig import Rig, WeightRules
 from game.scenes.skin_painter import SkinPainter, warm_up_painter
 from game.scenes.stopwatch import Stopwatch
-from game.stage import Choice, Frame, Param, Pointer, Scene, Toggle, WarmUp
+from game.stage import Choice, Frame, Knob, Param, Pointer, Scene, Toggle, WarmUp
 
 Array = NDArray[np.float64]
 UNCHANGED: NDArray[np.uint8] = np.zeros(0, dtype=np.uint8)
@@ -60,6 +60,12 @@ class FigureScene(Scene):
     weights = Toggle(False, group="Shown", label="Weights", help="as colours: of all bones, or of the chosen")
 
     default_content: ClassVar[FigureContent] = PLAIN
+    groups: ClassVar[tuple[str, ...]] = ("Hand", "Solver", "Skin", "Shown")  # as the panel has them
+
+    @classmethod
+    def knobs(cls) -> dict[str, Knob[Any]]:
+        """Knobs by name, group by group."""
+        return dict(sorted(super().knobs().items(), key=lambda item: cls.groups.index(item[1].group)))
 
     # -- building -----------------------------------------------------------------------------------
 
