@@ -31,7 +31,7 @@ APART_PX = 18.0  # at least, of the tips of two arrows with labels
 FORCE_M = 0.0005  # m for each N of a push that acts
 MOST_OUTLINES = 60  # spheres; of more, the exact outline is their hull
 HULL_CORNERS = 90
-SMALLEST_PX = 1.5  # radius at which spheres are drawn at least
+SMALLEST_PX = 3.0  # radius at which spheres are drawn at least
 
 
 class RigidView:
