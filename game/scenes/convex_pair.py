@@ -347,4 +347,9 @@ class ConvexPairScene(Scene):
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
-        return (WarmUp("two polygons", lambda: cls().advance(cls.dt)),)
+        corners = ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))
+        return (
+            WarmUp("outlines", lambda: ConvexPolygon(corners)),
+            WarmUp("query", lambda: cls().advance(cls.dt)),
+            WarmUp("many queries", lambda: cls().readouts()),
+        )
