@@ -17,6 +17,7 @@ from game.scenes.c01_level import Motion
 Array = NDArray[np.float64]
 PLACE, ANGLE = (0, 1), 2  # columns of the values
 PLOT_POINTS = 361
+FINEST = 1e-5  # of the length of the path: no line is asked to be nearer
 TOP_SPEED = 1e6  # m/s; a curve of speeds is cut there
 
 
@@ -119,7 +120,11 @@ class Animation:
         return [PiecewiseCubic(path.controls[a:b]) for a, b in spans]
 
     def chains(self, tolerance: float) -> list[Array]:
-        """Lines (k, 2) within a tolerance (m) of the path; kept for the tolerance last asked for."""
+        """Lines (k, 2) within a tolerance (m) of the path; kept for the tolerance last asked for.
+
+        On a very long path, which no screen shows whole, within a hundred thousandth of it.
+        """
+        tolerance = max(tolerance, FINEST * self.length)
         if self._chains[0] != tolerance:
             self._chains = (tolerance, [run.flatten(tolerance) for run in self.runs()])
         return self._chains[1]

@@ -30,6 +30,7 @@ SHAPING = (
 CHOSEN = ("key_time", "key_x", "key_y", "key_angle")
 MOST_UNDO = 200
 OWN = "own"
+NOTHING = ("", -1)  # what an empty hand holds
 
 
 class Edit(NamedTuple):
@@ -84,7 +85,7 @@ class MotionScene(Scene):
         self.past: list[Edit] = []
         self.future: list[Edit] = []
         self.before: Edit | None = None
-        self.hand: tuple[str, int] = ("", -1)
+        self.hand: tuple[str, int] = NOTHING
         self.grip = (0.0, 0.0)
         self.chosen = -1
         self.told: deque[str] = deque(maxlen=8)
@@ -119,11 +120,17 @@ class MotionScene(Scene):
         self.shaped = edit.knobs
         self.choose(min(self.chosen, len(self.motion.keys) - 1))
 
-    def note(self, before: Edit) -> None:
-        """Something has been changed; it can be undone to ``before``."""
-        if before != self.edit():
+    def note(self, before: Edit, knobs: tuple[Any, ...] | None = None) -> None:
+        """Something has been changed; it can be undone to ``before``. knobs: those now; else the panel's."""
+        if before != Edit(self.motion, self.shaping() if knobs is None else knobs):
             self.past = [*self.past, before][-MOST_UNDO:]
             self.future = []
+
+    def let_go(self) -> None:
+        """End a drag here: what it has done so far is one edit."""
+        if self.before is not None:
+            self.note(self.before, self.shaped)
+        self.before, self.hand = None, NOTHING
 
     def change(self, motion: Motion) -> None:
         """Another motion, in one edit."""
@@ -133,8 +140,6 @@ class MotionScene(Scene):
         self.choose(min(self.chosen, len(motion.keys) - 1))
 
     def go_between(self, source: list[Edit], target: list[Edit], words: str) -> None:
-        if self.before is not None:  # in the middle of a drag
-            return
         if not source:
             self.told.append(words)
             return

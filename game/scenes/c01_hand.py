@@ -13,6 +13,7 @@ import numpy as np
 
 from game.physics.animation import EASING
 from game.scenes import c01_editing as editing
+from game.scenes.c01_document import NOTHING
 from game.scenes.c01_level import KeyEntry, Point
 from game.scenes.c01_timeline import places_of, time_at, x_of
 from game.stage import Pointer
@@ -20,7 +21,6 @@ from game.stage import Pointer
 if TYPE_CHECKING:
     from game.scenes.c01_key_framing import KeyFraming
 
-NOTHING = ("", -1)
 SAME_TIME = 0.004  # s: a key so near to the present time is meant by "now"
 ARM = 0.45  # m beyond the box's end: where the handle is that turns it
 SNAP = 15.0  # degrees, with Ctrl
@@ -35,6 +35,8 @@ def turning_handle(scene: KeyFraming, x: float, y: float, angle: float) -> Point
 def take_pointer(scene: KeyFraming, event: Pointer) -> None:
     """A pointer event in world coordinates."""
     point = editing.limited((event.x, event.y))
+    if event.kind == "down":
+        scene.let_go()
     if event.kind == "down" and event.button == 1:
         _press(scene, point)
     elif event.kind == "down" and event.button == 3:
@@ -46,9 +48,8 @@ def take_pointer(scene: KeyFraming, event: Pointer) -> None:
     elif event.kind in ("up", "cancel"):
         if event.kind == "cancel" and scene.before is not None:
             scene.set_edit(scene.before)
-        elif scene.before is not None:
-            scene.note(scene.before)
-        scene.before, scene.hand = None, NOTHING
+            scene.before = None
+        scene.let_go()
 
 
 def what_is_at(scene: KeyFraming, point: Point) -> tuple[str, int]:

@@ -15,7 +15,7 @@ from game.physics.animation import INTERPOLATIONS
 from game.scenes import c01_editing as editing
 from game.scenes import c01_hand as hand
 from game.scenes.c01_clock import REPEATS, folded, frame_of, held, phase_of
-from game.scenes.c01_document import CHOSEN, LABELS, SHAPING, Edit, MotionScene
+from game.scenes.c01_document import CHOSEN, LABELS, NOTHING, SHAPING, Edit, MotionScene
 from game.scenes.c01_level import Motion
 from game.scenes.c01_view import KeyFramingView
 from game.stage import (
@@ -206,7 +206,7 @@ class KeyFraming(MotionScene):
         self.values["time"] = min(max(time, 0.0), 1.0)
 
     def advance(self, dt: float) -> None:
-        if not self.playing or self.hand != hand.NOTHING:
+        if not self.playing or self.hand != NOTHING:
             return
         if dt != self.clock[2]:
             self.clock[:3] = self.phase(), 0.0, dt
@@ -221,6 +221,8 @@ class KeyFraming(MotionScene):
     # -- knobs and actions --------------------------------------------------------------------------
 
     def knob_changed(self, name: str) -> None:
+        if name in SHAPING or name in CHOSEN:
+            self.let_go()
         if name == "time":
             self.values["playing"] = False
             self.set_time(self.values["time"])
@@ -241,6 +243,7 @@ class KeyFraming(MotionScene):
         self.place_box()
 
     def action(self, name: str) -> None:
+        self.let_go()
         if name == "undo":
             self.go_between(self.past, self.future, "There is nothing to undo.")
         elif name == "redo":

@@ -24,6 +24,7 @@ MOST_POSES = 40  # keys that are drawn as boxes; more would hide each other
 MOST_TIMES = 14  # keys whose times are written
 ARROW_SECONDS = 0.06  # s of way that the arrow of velocity shows
 LONGEST_ARROW = 2.2  # m
+TALLEST = 6.0  # times the mean speed; faster moments leave the plot of speeds
 _UNIT_BOX = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])
 
 
@@ -98,8 +99,7 @@ class KeyFramingView:
         for chain in animation.chains(scene.tolerance):
             canvas.polyline(chain, "chalk", 2.2)
             if scene.corners:
-                for point in chain:
-                    canvas.dot(tuple(point), 2.6, "text1")
+                canvas.particles(chain, "text1", 2.4)
 
     def _draw_compared(self, scene: KeyFraming, canvas: Canvas) -> None:
         other = scene.animation(scene.compare)
@@ -149,10 +149,10 @@ class KeyFramingView:
     def _draw_box(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
         x, y, angle = pose = scene.pose.tolist()
         box = scene.motion.box
-        if scene.matrices:
-            self._draw_mixed(scene, canvas, animation)
         corners = box_corners(pose, box)
         canvas.polygon(corners, fill="body", fill_alpha=0.9, outline="text1", width=2.4)
+        if scene.matrices:
+            self._draw_mixed(scene, canvas, animation)
         nose = (x + 0.5 * box[0] * math.cos(angle), y + 0.5 * box[0] * math.sin(angle))
         canvas.line((x, y), nose, "text1", 1.6)
         if scene.turning == "keys":
@@ -214,15 +214,21 @@ class KeyFramingView:
         """Speed over time; ``aside``: its words at the right, as the present time is written at the left."""
         plot = places.plot
         speeds = animation.speeds
-        most = float(speeds.max())
+        most = min(float(speeds.max()), TALLEST * float(speeds.mean()))
         scale = (plot.top - plot.bottom) / most if most > 0.0 else 0.0
+        beyond = float(speeds.max()) > most
+        speeds = np.minimum(speeds, most)
         x = plot.left + animation.parts * (plot.right - plot.left)
         curve = np.column_stack((x, plot.bottom + speeds * scale))
         area = np.concatenate((curve, [(plot.right, plot.bottom), (plot.left, plot.bottom)]))
         if most > 0.0:
             canvas.polygon(area, fill="chalk", fill_alpha=0.16)
             canvas.polyline(curve, "chalk", 1.6)
-        words = f"Speed, up to {most:.3g} m/s" if most > 0.0 else "Speed: nothing moves"
+        words = (
+            f"Speed, {'beyond' if beyond else 'up to'} {most:.3g} m/s"
+            if most > 0.0
+            else "Speed: nothing moves"
+        )
         corner, anchor = ((plot.right, plot.top), "right") if aside else ((plot.left, plot.top), "left")
         canvas.label(corner, words, "text2", 12, anchor=anchor, offset=(0.0, -8.0), halo=False)
 

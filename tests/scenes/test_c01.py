@@ -412,6 +412,32 @@ def test_a_drag_that_is_taken_back_leaves_nothing():
     assert stage.scene.chosen == 0
 
 
+def test_whatever_happens_in_the_middle_of_a_drag():
+    """Another button, a key or the panel ends it; what it did so far is one edit, the rest another."""
+    for event, edits in (
+        (Action("delete"), 2),
+        (Action("undo"), 0),
+        (SetKnob("interpolation", "linear"), 2),
+        (SetKnob("key_x", 1.0), 2),
+        (Pointer("down", -3.0, 0.0, button=3), 2),
+    ):
+        stage = track()
+        press(stage, (-4.2, -0.9))
+        move(stage, (-3.0, 0.0))
+        stage.post(event)
+        move(stage, (5.0, 2.0))
+        release(stage, (5.0, 2.0))
+        assert stage.fault is None
+        assert len(stage.scene.past) == edits
+        for _ in range(edits):
+            stage.post(Action("undo"))
+        assert stage.scene.edit() == track().scene.edit()
+    stage = track()
+    press(stage, (-4.2, -0.9))
+    stage.post(SetKnob("interpolation", "linear"))
+    assert len(stage.scene.past) == 1
+
+
 def test_there_is_an_end_to_keys():
     stage = open_level(KeyFraming, "one-box")
     for i in range(199):
