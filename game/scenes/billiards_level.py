@@ -8,15 +8,16 @@ from typing import Annotated, Any, Literal
 import msgspec
 import numpy as np
 
-from game.billiards.arrangement import Arrangement, BallSet, Stroke, is_free
+from game.billiards.arrangement import Arrangement, BallSet, Stroke
 from game.billiards.frame import rack_for
 from game.billiards.games import GAMES, AnyGame, Drill
 from game.billiards.goals import Goal
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.rules import CUE_BALL, Game
+from game.billiards.shot import OVERLAP
 from game.billiards.table import Table
 
-GAME_NAMES = tuple(GAMES)
+MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
 Coordinate = Annotated[float, msgspec.Meta(ge=-1.0, le=5.0)]  # m
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
 Degrees = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
@@ -141,8 +142,7 @@ def lie_of(content: BilliardsContent, game: Game, table: Table, balls: BallSet, 
         raise ValueError(f"balls: number {double} is there twice")
     lie = Arrangement((), np.empty((0, 2)), balls)
     for ball in content.balls:
-        if not is_free(lie, table, ball.number, *ball.position):
-            raise ValueError(f"balls: number {ball.number} at {ball.position} lies outside or in another")
+        _check_place(lie, table, ball)
         lie = lie.with_ball(ball.number, ball.position)
     wanted = {number for number in numbers if number != CUE_BALL}
     if wanted != set(game.on_table):
@@ -150,6 +150,21 @@ def lie_of(content: BilliardsContent, game: Game, table: Table, balls: BallSet, 
     if CUE_BALL not in numbers and not game.in_hand and not game.over:
         raise ValueError("balls: the white one (number 0) is wanted")
     return lie
+
+
+def _check_place(lie: Arrangement, table: Table, ball: PlacedBall) -> None:
+    """ValueError for a ball beyond the cushions' noses, or in another.
+
+    Balls that a shot has left touching overlap by rounding, and one may stand in the mouth of a pocket.
+    """
+    x, y = ball.position
+    if not (-MOUTH <= x <= table.width + MOUTH and -MOUTH <= y <= table.length + MOUTH):
+        raise ValueError(f"balls: number {ball.number} at {ball.position} lies outside")
+    radius = float(lie.balls.radii[ball.number])
+    for other, (ox, oy) in zip(lie.numbers, lie.positions.tolist(), strict=True):
+        reach = 2.0 * math.sqrt(radius * float(lie.balls.radii[other]))
+        if math.hypot(x - ox, y - oy) < reach - OVERLAP:
+            raise ValueError(f"balls: number {ball.number} at {ball.position} lies in number {other}")
 
 
 def _has_white(content: BilliardsContent) -> bool:

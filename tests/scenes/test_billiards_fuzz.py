@@ -95,3 +95,36 @@ def test_every_level_opens(path):
     stage = open_level(path.stem)
     stage.run(3)
     check_balls(stage)
+
+
+HARD = [path.stem for path in level_files("billiards") if path.stem.startswith("hard-")]
+
+
+@pytest.mark.parametrize("name", HARD)
+def test_hard_cases_end_without_a_ball_lost_whichever_way_one_strikes(name):
+    stage = open_level(name, power=10.0, tip_up=0.3, tip_left=0.2)
+    scene = stage.scene
+    start = scene.round.places
+    for aim in np.linspace(0.0, 2.0 * math.pi, 13)[:-1].tolist():
+        scene.cue.point_to(aim)
+        stage.post(Action("strike"))
+        stage.run(60)
+        assert scene.phase == "rolling"
+        stage.post(Action("strike"))
+        assert scene.phase == "aiming"
+        check_balls(stage)
+        if scene.round.places != start:
+            stage.post(Action("undo"))
+        assert scene.round.places == start
+
+
+def test_a_tight_rack_struck_straight_on_stays_mirror_symmetric():
+    stage = open_level("hard-04-tight-rack", power=8.0)
+    scene = stage.scene
+    stage.post(Action("strike"))
+    stage.run(60)
+    first = next(time for time, code, *_ in scene.played.trajectory.rows.tolist() if code == 0)
+    velocities = scene.played.trajectory.state_at(first + 1e-6).velocities
+    across = np.sort(velocities[:, 0])
+    assert across == pytest.approx(-across[::-1], abs=1e-6)
+    assert across[-1] > 0.3

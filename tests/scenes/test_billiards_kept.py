@@ -56,6 +56,18 @@ def test_a_kept_game_plays_on_to_the_same_end():
     assert again.scene.round.places == stage.scene.round.places
 
 
+def test_touching_balls_and_one_in_the_jaws_are_kept_as_they_lie():
+    stage = open_level("hard-05-jammed-in-the-jaws")
+    stage.post(Action("set-up"))
+    scene = stage.scene
+    touching = 2.0 * scene.round.conditions.radii[0] - 5e-10
+    scene.round = msgspec.structs.replace(
+        scene.round, places=(*scene.round.places, (9, 0.5 + touching, 0.5), (10, 0.9, -0.002 + 0.03))
+    )
+    stage.post(Action("set-up"))
+    assert opened_again(stage).scene.round.places == scene.round.places
+
+
 def test_nothing_is_kept_before_the_first_stroke_nor_while_it_plays_itself():
     stage = open_level()
     assert stage.scene.worth_keeping() is None
