@@ -213,8 +213,9 @@ class AccuracyPage:
         header = f"for {self.plot.error_text(self.data.target, 1)}" if math.isfinite(self.data.target) else ""
         header = self.data.cost_words or header
         look.text(flat, "Method", (left, y), 12, "medium", "text2")
-        look.text(flat, self.data.slope_words, (right - px(74), y), 12, "medium", "text2", "right")
-        look.text(flat, header, (right, y), 12, "medium", "text2", "right")
+        taken = look.text(flat, header, (right, y), 12, "medium", "text2", "right").w if header else 0
+        edge = right - max(px(74), taken + px(12))
+        look.text(flat, self.data.slope_words, (edge, y), 12, "medium", "text2", "right")
         flat.fill(theme.line, (left, y + px(14), right - left, look.border))
         y += px(36)
         present = self.data.present.series if self.data.present is not None else -1
