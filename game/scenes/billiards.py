@@ -18,7 +18,10 @@ from game.billiards.shot import Physics
 from game.billiards.shot_effects import EXACT_EFFECTS, physics_of
 from game.billiards.trajectory import rotation_matrices
 from game.levels import Level
+from game.scenes import billiards_buttons as buttons
+from game.scenes import billiards_deciding as deciding
 from game.scenes import billiards_hand as hand
+from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
 from game.scenes import billiards_view as view
 from game.scenes.billiards_cue import warm_ups as cue_warm_ups
@@ -86,6 +89,7 @@ class Kept:
         self.sounds_of: Struck | None = None
         self.sounds: tuple[Sound, ...] = ()
         self.sight: Any = None  # see billiards_sight
+        self.hint: Any = None
         self.considered: tuple[FoundShot, ...] = ()  # by a computer player before its last stroke
 
 
@@ -167,6 +171,7 @@ class Billiards(Scene):
         SceneAction("demo", "plays itself", "D"),
         SceneAction("centre", "strike the middle of the ball", "C"),
         SceneAction("safety", "announce a safety or a push-out", "B"),
+        SceneAction("hint", "show how a puzzle is solved", "H"),
         SceneAction("left", "turn the cue left", "left"),
         SceneAction("right", "turn the cue right", "right"),
         SceneAction("harder", "more power", "up"),
@@ -222,6 +227,7 @@ class Billiards(Scene):
         self.racks = 0
         self.told: deque[str] = deque(maxlen=8)
         self.thinker = Thinker(think, warm_up)
+        self.hint_shown = False  # the solution of a puzzle
         self.fine_at = math.nan  # bearing of the pointer at which the aim was made finely, rad
         self.power_before = self.power
         self.kept = Kept()
@@ -278,11 +284,11 @@ class Billiards(Scene):
             self.clock[PHASE_S] += dt
             moves.roll(self)
         elif self.phase == REPLAY:
-            moves.run_replay(self, dt)
+            modes.run_replay(self, dt)
         elif self.phase == AIMING:
             self.rest_s += dt
             if self.plays_itself:
-                moves.play_by_itself(self)
+                deciding.play_by_itself(self)
 
     @property
     def played(self) -> Played | None:
@@ -318,13 +324,13 @@ class Billiards(Scene):
         hand.pointer(self, event)
 
     def action(self, name: str) -> None:
-        hand.action(self, name)
+        buttons.action(self, name)
 
     def decisions(self) -> list[Decision]:
-        return moves.decisions(self)
+        return deciding.decisions(self)
 
     def decide(self, event: Decision) -> None:
-        moves.decide(self, event)
+        deciding.decide(self, event)
 
     # -- what is shown ------------------------------------------------------------------------------
 

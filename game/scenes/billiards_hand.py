@@ -1,19 +1,19 @@
-"""The hand at the billiard table: what pointer, wheel and keys do, in each phase of the game."""
+"""The hand at the billiard table: what pointer and wheel do, in each phase of the game."""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING
 
-import msgspec
-
-from game.billiards.arrangement import is_free, nearest_free
 from game.billiards.rack import BALL_RADIUS
 from game.billiards.rules import CUE_BALL
+from game.scenes import billiards_buttons as buttons
 from game.scenes import billiards_layout as layout
+from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
 from game.scenes import billiards_round as rounds
-from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP
+from game.scenes.billiards_buttons import POWER_STEP
+from game.scenes.billiards_moves import AIMING, REPLAY, SET_UP
 from game.scenes.cue_control import MAX_SPEED
 from game.scenes.cue_control import STRIKING as LET_GO
 from game.stage import Pointer
@@ -24,115 +24,7 @@ if TYPE_CHECKING:
 NOTCH = math.radians(0.05)  # rad, that a notch of the wheel turns the cue
 FINER = 0.1  # of it while Shift is held
 STICKY = math.radians(2.0)  # the pointer turns so far before an aim that was made finely is given up
-REACH = 1.4  # ball radii within which a ball is grasped
 LARGEST_TIP = 0.6
-
-
-# -- buttons ------------------------------------------------------------------------------------------
-
-
-def buttons(scene: Billiards) -> list[tuple[str, str, bool]]:
-    """Buttons right of the table, from below: action, words, whether it is on."""
-    if scene.phase == SET_UP:
-        return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False)]
-    if scene.phase == REPLAY:
-        return [("replay", "Back", True)]
-    rows = [("set-up", "Set up", False), ("replay", "Replay", False), ("undo", "Undo", False),
-            ("view", "Aim line", bool(scene.prediction))]  # fmt: skip
-    game = scene.round.game
-    if game.over:
-        rows.append(("rack", "Next rack", True))
-    elif game.may_push_out():
-        rows.append(("safety", "Push out", scene.call.push_out))
-    elif game.needs_call():
-        rows.append(("safety", "Safety", scene.call.safety))
-    return rows
-
-
-def button_at(scene: Billiards, x: float, y: float) -> str:
-    """Name of the button, or of the option, at a point; empty if there is none."""
-    for row, (name, _, _) in enumerate(buttons(scene)):
-        if layout.button_box(row).holds(x, y):
-            return name
-    if scene.phase == AIMING:
-        options = scene.round.game.options
-        for row in range(len(options)):
-            if scene.person_plays and layout.option_box(row, len(options)).holds(x, y):
-                return f"option-{row}"
-    if scene.phase == REPLAY:
-        if layout.PLAY.holds(x, y):
-            return "replay-run"
-        if layout.SPEED.holds(x, y):
-            return "replay-speed"
-    return ""
-
-
-def press(scene: Billiards, name: str) -> None:
-    """A button has been pressed and let go."""
-    if name.startswith("option-"):
-        moves.take_option(scene, int(name.removeprefix("option-")))
-    elif name == "replay-run":
-        moves.toggle_replay(scene)
-    elif name == "replay-speed":
-        moves.change_replay_speed(scene)
-    elif name in ("clear", "full"):
-        moves.fill_table(scene, name == "full")
-    else:
-        action(scene, name)
-
-
-# -- keys ---------------------------------------------------------------------------------------------
-
-
-def action(scene: Billiards, name: str) -> None:
-    """A named action."""
-    if name in ("first", "second", "third", "fourth"):
-        if scene.person_plays:
-            moves.take_option(scene, ("first", "second", "third", "fourth").index(name))
-    elif name == "strike":
-        strike_or_skip(scene)
-    elif name == "undo":
-        moves.undo(scene)
-    elif name == "replay":
-        moves.watch(scene)
-    elif name == "set-up":
-        moves.set_up(scene)
-    elif name == "rack":
-        moves.rack(scene)
-    elif name == "view":
-        scene.prediction = not scene.prediction
-    elif name == "safety":
-        if scene.person_plays:
-            moves.announce(scene)
-    elif name == "demo":
-        scene.plays_itself = not scene.plays_itself
-        scene.cue.let_go()
-        scene.grip = ""
-        scene.rest_s = 0.0
-        if scene.phase in (REPLAY, SET_UP):
-            moves.leave(scene)
-    elif name == "centre":
-        scene.tip_left = scene.tip_up = scene.elevation = 0.0
-    elif name in ("left", "right"):
-        if scene.person_plays and scene.phase == AIMING:
-            scene.cue.nudge(name)
-            scene.fine_at = float(scene.cue.data[5])
-    else:
-        step = moves.POWER_STEP if name == "harder" else -moves.POWER_STEP
-        scene.power = min(max(round(scene.power + step, 3), 0.1), MAX_SPEED)
-
-
-def strike_or_skip(scene: Billiards) -> None:
-    """Strike with the power that is set; while balls roll, go to the end; in a replay, run or stand."""
-    if scene.phase == REPLAY:
-        moves.toggle_replay(scene)
-    elif scene.phase == ROLLING:
-        moves.skip(scene)
-    elif scene.phase == AIMING and scene.round.game.over:
-        moves.rack(scene)
-    elif scene.phase == AIMING and scene.person_plays and scene.round.playable:
-        stroke = moves.aimed_stroke(scene)
-        moves.begin_stroke(scene, stroke, moves.call_for(scene, stroke), practised=False)
 
 
 # -- the pointer --------------------------------------------------------------------------------------
@@ -163,7 +55,7 @@ def let_go(scene: Billiards) -> None:
 def down(scene: Billiards, event: Pointer) -> None:
     """Take hold of what lies under the pointer."""
     x, y = event.x, event.y
-    name = button_at(scene, x, y)
+    name = buttons.button_at(scene, x, y)
     if name:
         scene.grip = f"button {name}"
     elif scene.phase == REPLAY:
@@ -171,7 +63,7 @@ def down(scene: Billiards, event: Pointer) -> None:
             scene.grip = "scrub"
             move(scene, event)
     elif scene.phase == SET_UP:
-        ball = ball_to_place(scene, x, y)
+        ball = modes.ball_to_place(scene, x, y)
         scene.grip = f"ball {ball}" if ball >= 0 else ""
     elif scene.plays_itself:
         scene.plays_itself = False
@@ -195,7 +87,7 @@ def take_instrument(scene: Billiards, event: Pointer) -> None:
     white = scene.round.white
     if scene.phase != AIMING or not scene.round.playable or white is None:
         return
-    if scene.round.game.in_hand and near(white, x, y, float(scene.round.conditions.radii[0])):
+    if scene.round.game.in_hand and layout.near(white, x, y, float(scene.round.conditions.radii[0])):
         scene.grip = "white"
     elif scene.round.game.needs_call() and call_at(scene, x, y):
         return
@@ -208,20 +100,14 @@ def call_at(scene: Billiards, x: float, y: float) -> bool:
     """Call the pocket or the ball at a point; False if there is none to be called."""
     table, call = scene.round.conditions.table, scene.call
     for row, (px, py, radius) in enumerate(table.pockets.tolist()):
-        if near((px, py), x, y, radius):
+        if layout.near((px, py), x, y, radius):
             scene.call = call._replace(pocket=None if call.pocket == row else row, safety=False)
             return True
     for number, bx, by in scene.round.places:
-        if number != CUE_BALL and near((bx, by), x, y, 0.8 * BALL_RADIUS):
+        if number != CUE_BALL and layout.near((bx, by), x, y, 0.8 * BALL_RADIUS):
             scene.call = call._replace(ball=None if call.ball == number else number, safety=False)
             return True
     return False
-
-
-def near(place: tuple[float, float], x: float, y: float, radius: float) -> bool:
-    """True within reach of a round thing."""
-    dx, dy = x - place[0], y - place[1]
-    return dx * dx + dy * dy <= (REACH * radius) ** 2
 
 
 def up(scene: Billiards, event: Pointer) -> None:
@@ -229,10 +115,10 @@ def up(scene: Billiards, event: Pointer) -> None:
     grip, scene.grip = scene.grip, ""
     if grip.startswith("button "):
         name = grip.removeprefix("button ")
-        if button_at(scene, event.x, event.y) == name:
-            press(scene, name)
+        if buttons.button_at(scene, event.x, event.y) == name:
+            buttons.press(scene, name)
     elif grip.startswith("ball "):
-        put_down(scene, int(grip.removeprefix("ball ")), event.x, event.y)
+        modes.put_down(scene, int(grip.removeprefix("ball ")), event.x, event.y)
     elif grip == "cue":
         release_cue(scene, event)
 
@@ -269,7 +155,7 @@ def move(scene: Billiards, event: Pointer) -> None:
             scene.round = rounds.white_moved(scene.round, x, y)
             moves.lay_out(scene)
     elif grip.startswith("ball "):
-        drag_ball(scene, int(grip.removeprefix("ball ")), x, y)
+        modes.drag_ball(scene, int(grip.removeprefix("ball ")), x, y)
     elif scene.phase == AIMING and scene.person_plays and scene.round.playable:
         aim(scene, event)
 
@@ -301,45 +187,9 @@ def wheel(scene: Billiards, event: Pointer) -> None:
     if scene.phase != AIMING or not scene.person_plays:
         return
     if event.control or layout.POWER.holds(event.x, event.y):
-        scene.power = min(max(scene.power + moves.POWER_STEP * event.wheel, 0.1), MAX_SPEED)
+        scene.power = min(max(scene.power + POWER_STEP * event.wheel, 0.1), MAX_SPEED)
     elif not scene.grip:
         scene.cue.point_to(scene.cue.aim - NOTCH * event.wheel * (FINER if event.shift else 1.0))
         white = scene.round.white
         if white is not None:
             scene.fine_at = math.atan2(event.y - white[1], event.x - white[0])
-
-
-# -- placing balls ------------------------------------------------------------------------------------
-
-
-def ball_to_place(scene: Billiards, x: float, y: float) -> int:
-    """Number of the ball on the table or in the tray at a point; -1 if there is none."""
-    for number, bx, by in scene.round.places:
-        if near((bx, by), x, y, BALL_RADIUS):
-            return number
-    for number in range(16):
-        if near(layout.tray_place(number), x, y, BALL_RADIUS):
-            return number
-    return -1
-
-
-def drag_ball(scene: Billiards, number: int, x: float, y: float) -> None:
-    """The ball goes where the pointer is, if it may lie there."""
-    if scene.phase != SET_UP or not layout.TABLE.holds(x, y):
-        return
-    lie, table = scene.round.lie, scene.round.conditions.table
-    if not is_free(lie, table, number, x, y):
-        try:
-            x, y = nearest_free(lie, table, number, x, y)
-        except ValueError:
-            return
-    placed = lie.with_ball(number, (x, y))
-    scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(placed))
-    moves.lay_out(scene)
-
-
-def put_down(scene: Billiards, number: int, x: float, y: float) -> None:
-    """A ball let go beside the table goes back into the tray."""
-    if scene.phase == SET_UP and not layout.TABLE.holds(x, y) and number in scene.round.lie.numbers:
-        lie = scene.round.lie.without(number)
-        scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(lie))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pygame
 
 from game.billiards.arrangement import Stroke
-from game.scenes import billiards_hand as hand
+from game.scenes import billiards_buttons as buttons
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_moves as moves
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
@@ -64,8 +64,8 @@ def draw_instruments(scene: Billiards, canvas: Canvas, look: Look) -> None:
         "center",
     )
     _draw_numbers(scene, canvas, look, x)
-    for row, (_, words, on) in enumerate(hand.buttons(scene)):
-        name = hand.buttons(scene)[row][0]
+    for row, (_, words, on) in enumerate(buttons.buttons(scene)):
+        name = buttons.buttons(scene)[row][0]
         draw_button(canvas, look, layout.button_box(row), words, on, scene.grip == f"button {name}")
     if scene.phase == AIMING and scene.round.game.options:
         _draw_options(scene, canvas, look)

@@ -19,6 +19,7 @@ RIM = CUSHION_DEPTH + WOOD
 # names of the pockets as they are seen in the turned picture, in the order of the table's rows
 POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper right", "lower right")
 
+REACH = 1.4  # radii within which a round thing is grasped
 LEAST_PIXELS = 120.0  # px to a metre; a smaller picture shows the table alone
 
 
@@ -125,6 +126,12 @@ def elevation_at(x: float, y: float) -> float:
 def share_of_scrubber(y: float) -> float:
     """How far along the scrubber a point lies, 0 to 1."""
     return min(max((y - SCRUBBER.left) / (SCRUBBER.right - SCRUBBER.left), 0.0), 1.0)
+
+
+def near(place: tuple[float, float], x: float, y: float, radius: float) -> bool:
+    """True within reach of a round thing."""
+    dx, dy = x - place[0], y - place[1]
+    return dx * dx + dy * dy <= (REACH * radius) ** 2
 
 
 def tray_place(number: int) -> tuple[float, float]:

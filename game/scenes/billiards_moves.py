@@ -14,28 +14,21 @@ import msgspec
 import numpy as np
 
 from game.billiards.aim import first_contact
-from game.billiards.arrangement import Stroke, racked
+from game.billiards.arrangement import Stroke
 from game.billiards.cue import strike as struck_ball
-from game.billiards.games import Drill, Practice
-from game.billiards.rules import CUE_BALL, Call, Hand
+from game.billiards.games import Drill
+from game.billiards.rules import CUE_BALL, Call
 from game.scenes import billiards_round as rounds
 from game.scenes.billiards_cue import StrokeMotion, stroke_motion
 from game.scenes.billiards_level import game_of, lie_of
-from game.scenes.billiards_opponent import Question
-from game.scenes.billiards_players import decision_of, simple_stroke
 from game.scenes.billiards_round import Round
 from game.scenes.cue_control import MAX_SPEED
-from game.stage import Decision
 
 if TYPE_CHECKING:
     from game.scenes.billiards import Billiards
 
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
 PHASE_S, REPLAY_S = range(2)
-NEXT_STROKE_S = 0.7  # s of rest before the table's own next stroke
-NEW_RACK_S = 2.5
-POWER_STEP = 0.1  # m/s for a key
-REPLAY_SPEEDS = (0.0625, 0.125, 0.25, 0.5, 1.0, 2.0)
 
 
 @lru_cache(maxsize=1)
@@ -210,9 +203,6 @@ def nearest_pocket(scene: Billiards, place: tuple[float, float]) -> int | None:
 
 def undo(scene: Billiards) -> None:
     """Before the last stroke of a person, aimed as it was."""
-    if scene.phase in (REPLAY, SET_UP):
-        leave(scene)
-        return
     if scene.phase == STRIKING:
         scene.pending = None
         start_phase(scene, AIMING)
@@ -249,8 +239,6 @@ def rack(scene: Billiards) -> None:
     """The next rack if the game is over, else this game, or this drill, from its beginning."""
     scene.racks += 1
     seed = scene.seed * 1000 + scene.racks
-    if scene.phase in (REPLAY, SET_UP):
-        leave(scene)
     round_ = scene.round
     if round_.game.over and not isinstance(round_.game, Drill):
         scene.round = rounds.next_rack(round_, seed)
@@ -287,151 +275,6 @@ def announce(scene: Billiards) -> None:
         scene.call = Call(push_out=not scene.call.push_out)
     elif scene.round.game.needs_call():
         scene.call = Call(safety=not scene.call.safety)
-
-
-# -- replay and set-up --------------------------------------------------------------------------------
-
-
-def watch(scene: Billiards) -> None:
-    """Into the replay of the last stroke, or out of it."""
-    if scene.phase == REPLAY:
-        leave(scene)
-    elif scene.phase == AIMING and scene.round.last is not None:
-        scene.grip = ""
-        scene.cue.let_go()
-        scene.clock[REPLAY_S] = 0.0
-        scene.replay_runs = True
-        start_phase(scene, REPLAY)
-    elif scene.phase == AIMING:
-        scene.told.append("Nothing to show. No stroke has been played.")
-
-
-def run_replay(scene: Billiards, dt: float) -> None:
-    """Let the replay go on; it stops at the end of the stroke."""
-    if not scene.replay_runs or scene.grip == "scrub":
-        return
-    scene.clock[REPLAY_S] = min(scene.clock[REPLAY_S] + dt * scene.replay_speed, shown_s(scene))
-    if scene.clock[REPLAY_S] >= shown_s(scene):
-        scene.replay_runs = False
-
-
-def toggle_replay(scene: Billiards) -> None:
-    """Run or stand; from the end it begins anew."""
-    if not scene.replay_runs and scene.clock[REPLAY_S] >= shown_s(scene):
-        scene.clock[REPLAY_S] = 0.0
-    scene.replay_runs = not scene.replay_runs
-
-
-def change_replay_speed(scene: Billiards) -> None:
-    """The next slower speed, and after the slowest the fastest."""
-    place = REPLAY_SPEEDS.index(scene.replay_speed)
-    scene.replay_speed = REPLAY_SPEEDS[(place - 1) % len(REPLAY_SPEEDS)]
-
-
-def set_up(scene: Billiards) -> None:
-    """Into the free placing of balls, or out of it."""
-    if scene.phase == SET_UP:
-        leave(scene)
-    elif scene.phase == AIMING:
-        scene.grip = ""
-        scene.cue.let_go()
-        scene.plays_itself = False
-        scene.round = msgspec.structs.replace(scene.round, earlier=rounds.shortened(scene.round))
-        start_phase(scene, SET_UP)
-
-
-def leave(scene: Billiards) -> None:
-    """Out of replay or set-up; what was set up is practised."""
-    if scene.phase == SET_UP and scene.round.earlier is not None:
-        before = scene.round.earlier
-        if before.places != scene.round.places:
-            numbers = tuple(number for number, _, _ in scene.round.places if number != CUE_BALL)
-            hand: Hand = "" if scene.round.white is not None else "anywhere"
-            game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
-            scene.round = rounds.with_white(
-                msgspec.structs.replace(scene.round, game=game, last=None, words=(), call=Call())
-            )
-            lay_out(scene)
-        else:
-            scene.round = before
-    scene.grip = ""
-    start_phase(scene, AIMING)
-
-
-def fill_table(scene: Billiards, full: bool) -> None:
-    """While balls are placed: all of them racked, or the white one alone."""
-    if scene.phase != SET_UP:
-        return
-    frame = scene.round.frame
-    lie = racked(frame.table, "eight-ball", scene.round.conditions.balls)
-    kept = lie if full else lie.without(*range(1, 16))
-    scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(kept))
-    lay_out(scene)
-
-
-# -- players without a hand ---------------------------------------------------------------------------
-
-
-def question_of(scene: Billiards) -> Question:
-    """What a computer player at turn is asked."""
-    key = (scene.round.strokes, word_of(scene.round))
-    seed = int.from_bytes(key[1].encode()[:7], "little")
-    return Question(key, scene.round.frame, scene.grade_of(scene.round.game.turn), seed)
-
-
-def decisions(scene: Billiards) -> list[Decision]:
-    """What the computer player at turn has decided, if it is one and has."""
-    players = range(len(scene.round.game.players))
-    if any(scene.grade_of(player) != "person" for player in players):
-        scene.thinker.prepare()
-    computer = not scene.person_plays and not scene.plays_itself and not scene.round.game.over
-    if not computer or scene.phase != AIMING or scene.grip:
-        scene.thinker.forget()
-        return []
-    thought = scene.thinker.ask(question_of(scene))
-    if thought is None:
-        return []
-    scene.kept.considered = thought.considered
-    if not thought.decisions:  # it failed; the game goes on
-        return [decision_of(simple_stroke(scene.round.frame, scene.round.strokes))]
-    return list(thought.decisions)
-
-
-def decide(scene: Billiards, event: Decision) -> None:
-    """Let a decision act. ValueError for one that cannot be."""
-    values = event.values
-    if scene.phase != AIMING:
-        raise ValueError(f"{event.name}: nothing is to be decided now")
-    if event.name == "stroke" and len(values) == 9:
-        ball, pocket = (None if value < 0.0 else int(value) for value in values[5:7])
-        call = Call(ball, pocket, bool(values[7]), bool(values[8]))
-        stroke = Stroke(*values[:5])
-        struck_ball(*stroke)  # refuses what no stroke can be
-        begin_stroke(scene, stroke, call, practised=True)
-    elif event.name == "white" and len(values) == 2:
-        scene.round = rounds.white_moved(scene.round, *values)
-        lay_out(scene)
-    elif event.name == "option" and len(values) == 1:
-        options = scene.round.game.options
-        if not 0 <= int(values[0]) < len(options):
-            raise ValueError(f"option {int(values[0])}: there are {len(options)}")
-        take_option(scene, int(values[0]))
-    else:
-        raise ValueError(f"{event.name}: stroke, white or option, each with its numbers, are wanted")
-
-
-def play_by_itself(scene: Billiards) -> None:
-    """The table's own strokes, the same for the same round, and a new rack when one is over."""
-    game = scene.round.game
-    if game.over:
-        if scene.rest_s > NEW_RACK_S:
-            rack(scene)
-    elif scene.rest_s > NEXT_STROKE_S:
-        if game.options:
-            take_option(scene, 0)
-        elif scene.round.playable:
-            stroke = simple_stroke(scene.round.frame, scene.seed + scene.round.strokes)
-            begin_stroke(scene, stroke, Call(), practised=True)
 
 
 def measures(scene: Billiards) -> tuple[float, float, int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 DASH = (8.0, 6.0)  # design px
+MOST_EVENTS = 200  # of a hint: to the end of its shot
 LEAST_WAY = 0.004  # m; a ball that moves less is not shown to move
 
 
@@ -120,16 +121,25 @@ def _length(points: Array) -> float:
 
 
 def sight_of(scene: Billiards, struck: Struck) -> Sight | None:
-    """What is foreseen of a stroke; kept while nothing changes."""
-    key = (struck.places, struck.stroke, struck.conditions, scene.events)
-    kept = scene.kept.sight
-    if kept is None or kept[0] != key:
-        try:
-            kept = (key, foresee(struck, int(scene.events)))
-        except ValueError:
-            kept = (key, None)
-        scene.kept.sight = kept
-    return kept[1]
+    """What is foreseen of the stroke aimed at; kept while nothing changes."""
+    scene.kept.sight = _kept(scene.kept.sight, struck, int(scene.events))
+    return scene.kept.sight[1]
+
+
+def hint_of(scene: Billiards, struck: Struck) -> Sight | None:
+    """What is foreseen of a puzzle's solution; kept likewise."""
+    scene.kept.hint = _kept(scene.kept.hint, struck, MOST_EVENTS)
+    return scene.kept.hint[1]
+
+
+def _kept(kept: Any, struck: Struck, events: int) -> Any:
+    key = (struck.places, struck.stroke, struck.conditions, events)
+    if kept is not None and kept[0] == key:
+        return kept
+    try:
+        return key, foresee(struck, events)
+    except ValueError:
+        return key, None
 
 
 def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, clear: bool = True) -> None:

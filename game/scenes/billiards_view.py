@@ -10,6 +10,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.billiards.arrangement import Stroke
 from game.billiards.games import Drill
 from game.billiards.rack import HEAD_SPOT
 from game.billiards.rules import CUE_BALL
@@ -21,7 +22,7 @@ from game.scenes import billiards_moves as moves
 from game.scenes.billiards_cue import pull_of
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
 from game.scenes.billiards_round import Struck
-from game.scenes.billiards_sight import draw_considered, draw_sight, sight_of
+from game.scenes.billiards_sight import draw_considered, draw_sight, hint_of, sight_of
 from game.scenes.cue_control import PULLING, REST_GAP
 from game.scenes.table_view import Balls, draw_balls, draw_table
 from game.ui.canvas import Canvas
@@ -61,6 +62,8 @@ def draw(scene: Billiards, canvas: Canvas, alpha: float) -> None:
     aimed = scene.phase == AIMING and scene.person_plays and scene.round.playable
     if aimed and scene.prediction and scene.grip not in ("white",):
         _draw_aim(scene, canvas)
+    if scene.hint_shown and scene.phase == AIMING and scene.content.solution is not None:
+        _draw_hint(scene, canvas, scene.content.solution.stroke())
     draw_balls(canvas, balls, table)
     if scene.considered and scene.phase == STRIKING and not scene.person_plays:
         draw_considered(canvas, scene.kept.considered, scene.round.places, table, played=False)
@@ -143,6 +146,20 @@ def _draw_aim(scene: Billiards, canvas: Canvas) -> None:
         return
     radii = scene.round.conditions.radii
     draw_sight(canvas, sight, radii[0], radii[sight.target] if sight.target is not None else 0.0)
+
+
+def _draw_hint(scene: Billiards, canvas: Canvas, stroke: Stroke) -> None:
+    """The way of a puzzle's solution, and how hard and where the ball is struck."""
+    round_ = scene.round
+    sight = hint_of(scene, Struck(round_.game, round_.places, round_.conditions, stroke))
+    if sight is None or round_.white is None:
+        return
+    for way in (sight.approach, sight.after, *(other.points for other in sight.others)):
+        if len(way) > 1:
+            canvas.polyline(way, FELT_WARM, 2.0, alpha=0.75)
+    up = "above" if stroke.tip_up >= 0.0 else "below"
+    words = f"{stroke.cue_speed * moves.speed_ratio():.1f} m/s, {abs(stroke.tip_up):.2f} R {up}"
+    canvas.label(round_.white, words, FELT_WARM, 12, "semibold", offset=(0.0, 26.0))
 
 
 def _draw_cue(scene: Billiards, canvas: Canvas, time: float, aimed: bool) -> None:

@@ -10,7 +10,7 @@ from scenes.billiards_stages import check_balls, open_level, seconds, until_aimi
 from game.billiards import opponents
 from game.billiards.arrangement import Stroke
 from game.billiards.rules import Call
-from game.scenes import billiards_moves as moves
+from game.scenes import billiards_deciding as deciding
 from game.scenes.billiards import Billiards
 from game.scenes.billiards_opponent import Question, Thinker, Thought
 from game.scenes.billiards_players import GRADES, decision_of, simple_stroke, think
@@ -121,7 +121,7 @@ def test_a_player_that_fails_does_not_stop_the_game():
 
 def test_what_is_thought_becomes_decisions(monkeypatch):
     stage = open_level("nine-ball")
-    question = moves.question_of(stage.scene)._replace(grade="master")
+    question = deciding.question_of(stage.scene)._replace(grade="master")
     meant = Stroke(4.0, 1.5, 0.1, 0.1, -0.2)
     made = opponents.Decision("", (0.4, 0.4), meant, Call(3, 2), (), 0.5)
     monkeypatch.setattr(opponents, "decide", lambda *_, **__: made)
