@@ -150,6 +150,7 @@ class BoundsScene(Scene):
         Hint(("2",), "draw a line"),
         Hint(("W",), "walk"),
         Hint(("←", "→"), "walk back, on"),
+        Hint(("↑", "↓"), "level up, down"),
         Hint(("H",), "hierarchy"),
     )
     actions = (
@@ -162,8 +163,8 @@ class BoundsScene(Scene):
         SceneAction("undo", "undo", "ctrl+z"),
         SceneAction("redo", "do again", "ctrl+y"),
         SceneAction("hierarchy", "hierarchy in grey", "h"),
-        SceneAction("level-up", "level up", "leftbracket"),
-        SceneAction("level-down", "level down", "rightbracket"),
+        SceneAction("level-up", "level up", "up"),
+        SceneAction("level-down", "level down", "down"),
         SceneAction("walk", "walk through fit, build, query", "w"),
         SceneAction("walk-on", "walk on", "right"),
         SceneAction("walk-back", "walk back", "left"),
@@ -354,11 +355,11 @@ class BoundsScene(Scene):
         return self.pair.distance(self.outlines)
 
     def marked(self) -> tuple[int, int, int]:
-        """How many volumes are red, green and neither."""
+        """How many volumes are red, green and neither; so far, if the query is walked through."""
         total = sum(len(tree) for tree in self.pair.trees)
         if self.pair.query is None:
             return 0, 0, total
-        marks = np.concatenate(self.pair.query.marks())
+        marks = np.concatenate(self.pair.query.marks(self.cursor if self.walked == "query" else None))
         red = int(np.count_nonzero(marks == OVERLAPPING))
         green = int(np.count_nonzero(marks)) - red
         return red, green, total - red - green

@@ -40,7 +40,7 @@ class OrientedBoxes(BoundsScene):
         Equation(
             "How much too large",
             r"\frac{A}{A_0} \le 1 + \frac{1}{2}\left(a + \frac{1}{a}\right) \sin 2\delta",
-            "aspect a of the least box, δ half a step; reached by rectangles",
+            "aspect a, δ half a step",
         ),
         Equation("Separating axis", r"\abs{\v{d} \cdot \v{n}} > r_A + r_B", "Gottschalk, Lin, Manocha 1996"),
         Equation("Breadth of a box on a curve", r"h \approx \frac{L^2}{8 r}", "radius of curvature r"),

@@ -51,8 +51,8 @@ def test_twice_the_tests_prove_half_the_gap_or_a_quarter():
 
 
 def test_a_finer_step_does_not_make_a_centred_capsule_the_least():
-    table = run_study(at(capsule_study, (10.0, 1.0, 0.4)), repeats=1)
-    coarse, fine = (row.error for row in table.of("search")[::2])
+    table = run_study(at(capsule_study, (10.0, 1.0)), repeats=1)
+    coarse, fine = (row.error for row in table.of("search"))
     assert fine < 0.5 * coarse
     rest = [row.error for row in table.of("refined")]
     assert min(rest) > 0.005 and max(rest) < 1.2 * min(rest)

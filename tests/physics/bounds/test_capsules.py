@@ -63,7 +63,7 @@ def test_area_of_a_capsule():
     assert Capsule((0.0, 0.0), (3.0, 0.0), 0.5).area == pytest.approx(3.78539816339745, rel=1e-14)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(clouds)
 def test_the_search_is_its_naive_twin(points):
     extent = max(float(np.ptp(points, axis=0).max()), 1.0)
@@ -74,7 +74,7 @@ def test_the_search_is_its_naive_twin(points):
 
 
 @pytest.mark.parametrize("name", FITTERS)
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(clouds, st.floats(0, 7))
 def test_every_point_is_within_the_radius(name, points, angle):
     c, s = math.cos(angle), math.sin(angle)

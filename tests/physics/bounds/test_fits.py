@@ -69,7 +69,7 @@ def test_the_search_is_worst_half_a_degree_off_a_rectangle(aspect):
     assert fit_obb(rectangle(aspect, 0.0)).area == pytest.approx(aspect, rel=1e-14)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(clouds, st.floats(0.5, 20.0))
 def test_the_bound_holds_for_any_points(points, step):
     best, found = minimal_obb(points), fit_obb(points, step)
@@ -84,7 +84,7 @@ def test_the_bound_holds_for_any_points(points, step):
     assert best.area * (1 - 1e-12) <= refined.area <= found.area * (1 + 1e-12)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(clouds)
 def test_calipers_and_walking_search_are_their_naive_twins(points):
     extent = max(float(np.ptp(points, axis=0).max()), 1.0)
@@ -97,7 +97,7 @@ def test_calipers_and_walking_search_are_their_naive_twins(points):
 
 
 @pytest.mark.parametrize("name", FITTERS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(clouds, st.floats(0, 7))
 def test_every_point_is_inside_and_axes_are_unit(name, points, angle):
     c, s = math.cos(angle), math.sin(angle)

@@ -54,7 +54,7 @@ def exactly_meet(p, q, r, s):
     return any(side == 0 and within(a, b, c) for side, a, b, c in ends)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(lattice, lattice, lattice, lattice, st.integers(-99, 99), st.sampled_from([1.0, 0.1, 1e-8, 1e8]))
 def test_meeting_is_exact(p, q, r, s, shift, scale):
     """On a lattice nearly everything touches; scaled and shifted, rounding has its chances."""
@@ -63,7 +63,7 @@ def test_meeting_is_exact(p, q, r, s, shift, scale):
     assert do_segments_meet([s, r], [q, p]) == exactly_meet(p, q, r, s)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(places, places, st.integers(0, 999), st.integers(-3, 3))
 def test_orientation_of_points_within_rounding_of_a_line(a, b, share, ulps):
     """A point computed on the line, moved by a few ulps: the sign is that of the exact determinant."""
@@ -78,7 +78,7 @@ def test_orientation_of_points_within_rounding_of_a_line(a, b, share, ulps):
     assert (value > 0) - (value < 0) == sign
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(places, places, places, places)
 def test_distance_is_symmetric_and_that_of_the_points_given(p, q, r, s):
     px, py, qx, qy = nearest_points(*p, *q, *r, *s)
