@@ -203,7 +203,11 @@ class _Mind:
     def likeliest(self, frame: Frame, lies: list[Arrangement], most: int) -> list[Arrangement]:
         """The places from which the best strokes are worth most, without a look at the stroke after them."""
         shallow = self.grade.effort._replace(deep=0)
-        worths = [self.stroke(frame._replace(lie=lie), shallow).worth for lie in lies]
+        worths: list[float] = []
+        for lie in lies:
+            if worths and self.clock.is_out():
+                break
+            worths.append(self.stroke(frame._replace(lie=lie), shallow).worth)
         return [lies[i] for i in np.argsort(-np.array(worths), kind="stable")[:most].tolist()]
 
     def best_of(self, frame: Frame, lies: list[Arrangement]) -> Decision:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from game.billiards.lean import inner_kernel, lean_kernel
 from game.billiards.search.lanes import (
+    GATE_RADIUS,
     GATE_X,
     GATE_Y,
     LEAST_COSINE,
@@ -39,6 +40,7 @@ THROW = 0.09  # rad; most that friction turns the way of an object ball
 BANK_ERROR = 0.2  # rad; how far a bank is from a mirror image
 KICK_ERROR = 0.12  # rad; the same for a white ball, which slides
 BANK_UNSURE = 0.03  # rad; unsteadiness that a cushion adds
+MOUTH = 0.035  # m; so far beyond the circle of capture there is no cushion
 MOST = 512  # candidates
 
 
@@ -96,6 +98,18 @@ def _reaches(places, radii, cue, x, y, ball):
 
 
 @inner_kernel
+def _in_mouth(gates, x, y):
+    """True if a ball that would bounce at (x, y) m finds no cushion there, but the mouth of a pocket."""
+    for p in range(gates.shape[0]):
+        dx = x - gates[p, GATE_X]
+        dy = y - gates[p, GATE_Y]
+        reach = gates[p, GATE_RADIUS] + MOUTH
+        if dx * dx + dy * dy < reach * reach:
+            return True
+    return False
+
+
+@inner_kernel
 def _list_direct(places, radii, gates, cue, ball, p, sight, bed, found, count):
     """The direct pot of a ball into pocket p."""
     direction, half = pocket_window(gates, p, places[ball, 0], places[ball, 1], radii[ball])
@@ -141,6 +155,8 @@ def _list_bank(places, radii, gates, cue, ball, p, side, sight, bed, found, coun
         return count
     bounce_x = x + share * dx
     bounce_y = y + share * dy
+    if _in_mouth(gates, bounce_x, bounce_y):
+        return count
     aim, gain, ghost_x, ghost_y = _aim_at_ghost(
         places, radii, cue, places[cue, 0], places[cue, 1], ball, math.atan2(dy, dx), bed
     )
@@ -176,6 +192,8 @@ def _list_kick(places, radii, gates, cue, ball, p, side, sight, bed, found, coun
         return count
     bounce_x = from_x + gap / run * (x - from_x)
     bounce_y = from_y + gap / run * (y - from_y)
+    if _in_mouth(gates, bounce_x, bounce_y):
+        return count
     if not lane_is_free(
         places, radii, places[cue, 0], places[cue, 1], bounce_x, bounce_y, radii[cue], cue, cue
     ) or not lane_is_free(places, radii, bounce_x, bounce_y, x, y, radii[cue], cue, ball):

@@ -1,10 +1,12 @@
 """Geometry of a pot: the window that a pocket leaves to a ball, free lanes, and the chance of a hit.
 
 A ball goes down cleanly if its centre passes between its pocket's jaws, each grown by the ball's radius. Seen
-from the ball that is a window of angles. A hand's unsteadiness turns the way of the object ball by about
-sigma d/(2 R cos cut), where d is the way of the white ball (Leckie and Greenspan 2006, Monte-Carlo methods
-in pool strategy game trees; Smith 2007, PickPocket: a computer billiards shark). The chance of a pot is the
-share of a normal distribution in the window.
+from the ball that is a window of angles. A ball may also brush a jaw, the far one deeper than the near one,
+and into a corner it may come along the rail; by how much that widens the window was measured with exact balls
+(see tests). A hand's unsteadiness turns the way of the object ball by about sigma d/(2 R cos cut), where d is
+the way of the white ball (Leckie and Greenspan 2006, Monte-Carlo methods in pool strategy game trees; Smith
+2007, PickPocket: a computer billiards shark). The chance of a pot is the share of a normal distribution in
+the window.
 
 These are estimates for choosing what to play; what is chosen is played exactly.
 """
@@ -21,21 +23,31 @@ from game.billiards.table import Table
 
 Array = NDArray[np.float64]
 
-# columns of gates (p, 8): the pocket, its radius of capture, its jaws (x, y m) and their radius (0: no jaws)
-GATE_X, GATE_Y, GATE_RADIUS, LEFT_X, LEFT_Y, RIGHT_X, RIGHT_Y, JAW_RADIUS = range(8)
+# columns of gates (p, 11): the pocket, its radius of capture, its jaws (x, y m) and their radius (0: none);
+# the way in (unit vector), and 1 for a corner, 0 for a side pocket
+GATE_X, GATE_Y, GATE_RADIUS, LEFT_X, LEFT_Y, RIGHT_X, RIGHT_Y, JAW_RADIUS, AXIS_X, AXIS_Y, CORNER = range(11)
+GATE_COLUMNS = 11
 
-YIELDING = 0.006  # m; so much deeper than clean a ball may hit a jaw, and still fall more often than not
+# how far beyond a clean entry a ball may come to the far and the near jaw and fall all the same, m, and how
+# that changes with the angle between its way and the way in, m/rad; along a rail from RAIL_FROM rad on
+CORNER_FAR, CORNER_FAR_SLOPE = 0.009, 0.017
+CORNER_NEAR, CORNER_NEAR_SLOPE = 0.009, -0.012
+RAIL_FROM, RAIL_SLOPE = 0.40, 0.34
+SIDE_FAR, SIDE_FAR_SLOPE = 0.013, 0.022
+SIDE_NEAR, SIDE_NEAR_SLOPE = 0.013, -0.013
+WIDEST = 1.5  # rad; of a window to each side
+
 CLEARANCE = 0.001  # m; lanes are wider than the balls by this
 LEAST_COSINE = 0.2  # of the cut; thinner cuts are not played
-SIGHT = 0.0026  # rad; unsteadiness of the white ball's direction: azimuth, and squirt of an unsteady tip
+SIGHT = 0.0020  # rad; unsteadiness of the white ball's direction, at the speed that suits a pot best
 RUB = 0.004  # rad; unsteadiness of the object ball's direction whatever the distance: throw
 NEAR = 0.45  # m; how near the white ball is taken to be to a ball that is played later
 SLACK = 0.5 * 0.0572 * 0.9  # m; 2 R cos cut over two for it
 
 
 def gates_of(table: Table) -> Array:
-    """Pockets with their jaws (p, 8), in the table's frame. Left and right as seen from the bed."""
-    gates = np.zeros((len(table.pockets), 8))
+    """Pockets with their jaws (p, 11), in the table's frame. Left and right as seen from the bed."""
+    gates = np.zeros((len(table.pockets), GATE_COLUMNS))
     middle = np.array([0.5 * table.width, 0.5 * table.length])
     for k, (x, y, radius) in enumerate(table.pockets.tolist()):
         gates[k, :3] = x, y, radius
@@ -51,7 +63,22 @@ def gates_of(table: Table) -> Array:
         gates[k, LEFT_X : LEFT_Y + 1] = table.jaws[left, :2]
         gates[k, RIGHT_X : RIGHT_Y + 1] = table.jaws[right, :2]
         gates[k, JAW_RADIUS] = table.jaws[left, 2]
+        across = table.jaws[left, :2] - table.jaws[right, :2]
+        axis = np.array([across[1], -across[0]]) / np.sqrt(across @ across)
+        gates[k, AXIS_X : AXIS_Y + 1] = axis
+        gates[k, CORNER] = float(abs(axis[0] * axis[1]) > 0.1)
     return gates
+
+
+@inner_kernel
+def _widening(gates, p, dx, dy):
+    """By how much the far and the near jaw yield to a ball that comes along (dx, dy), m."""
+    along = dx * gates[p, AXIS_X] + dy * gates[p, AXIS_Y]
+    off = abs(math.atan2(dx * gates[p, AXIS_Y] - dy * gates[p, AXIS_X], along))
+    if gates[p, CORNER] == 0.0:
+        return SIDE_FAR + SIDE_FAR_SLOPE * off, max(SIDE_NEAR + SIDE_NEAR_SLOPE * off, 0.0)
+    near = max(CORNER_NEAR + CORNER_NEAR_SLOPE * off, 0.0) + RAIL_SLOPE * max(off - RAIL_FROM, 0.0)
+    return CORNER_FAR + CORNER_FAR_SLOPE * off, near
 
 
 @inner_kernel
@@ -68,9 +95,11 @@ def pocket_window(gates, p, x, y, radius):
         return towards, 1.0
     if gates[p, JAW_RADIUS] == 0.0:
         return towards, math.asin(gates[p, GATE_RADIUS] / away)
-    reach = gates[p, JAW_RADIUS] + radius - YIELDING
-    low = -1.5
-    high = 1.5
+    reach = gates[p, JAW_RADIUS] + radius
+    far_yields, near_yields = _widening(gates, p, dx, dy)
+    low = -WIDEST
+    high = WIDEST
+    nearest = 0.0
     for side in range(2):
         jaw_x = gates[p, LEFT_X + 2 * side] - x
         jaw_y = gates[p, LEFT_Y + 2 * side] - y
@@ -80,9 +109,15 @@ def pocket_window(gates, p, x, y, radius):
         # angle from the pocket's middle to the jaw, without a branch cut
         turn = math.atan2(dx * jaw_y - dy * jaw_x, dx * jaw_x + dy * jaw_y)
         if side == 0:
-            high = min(high, turn - math.asin(reach / far))
+            nearest = far
+            high = turn - math.asin(reach / far)
         else:
-            low = max(low, turn + math.asin(reach / far))
+            nearest = nearest - far
+            low = turn + math.asin(reach / far)
+    left_yields = near_yields if nearest < 0.0 else far_yields
+    right_yields = far_yields if nearest < 0.0 else near_yields
+    high = min(high + left_yields / away, WIDEST)
+    low = max(low - right_yields / away, -WIDEST)
     return towards + 0.5 * (low + high), 0.5 * (high - low)
 
 
