@@ -25,7 +25,7 @@ HALVINGS = 40
 FIRST = 4.0  # first try over the safe step
 
 
-@kernel
+@kernel(_nrt=False)
 def relax_by_armijo(base, links, target, points, numbers):
     """One iteration; gives how often the chain was placed, negative if no step helps. PULL holds Jᵀe."""
     before = error_of(points, target)

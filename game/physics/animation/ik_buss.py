@@ -32,7 +32,7 @@ def buss_step(links, target, points):
     return along / square if square > 0.0 else 0.0
 
 
-@kernel
+@kernel(_nrt=False)
 def relax_by_buss(base, links, target, points, numbers):
     """One iteration; gives the number of times that the chain was placed. Row PULL must hold Jᵀe."""
     before = error_of(points, target)

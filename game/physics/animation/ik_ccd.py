@@ -12,7 +12,7 @@ from game.physics.animation.ik_chain import ANGLE, LOWER, UPPER, place_points, t
 from game.physics.jit import kernel
 
 
-@kernel
+@kernel(_nrt=False)
 def relax_by_cycle(base, links, target, points, numbers):
     """One pass from tip to root; gives the number of times that the chain was placed."""
     n = links.shape[1]

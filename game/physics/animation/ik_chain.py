@@ -30,7 +30,7 @@ STEP, DAMPING, MEMORY, REACH_SQUARE = range(4)
 NUMBERS = 4
 
 
-@kernel
+@kernel(_nrt=False)
 def place_points(base, links, row, points):
     """Write joints and end (n + 1, 2) of a chain with the angles in ``row``; base: x, y (m), angle (rad)."""
     x, y, angle = base[0], base[1], base[2]
@@ -50,7 +50,7 @@ def error_of(points, target):
     return math.sqrt(ex * ex + ey * ey)
 
 
-@kernel
+@kernel(_nrt=False)
 def pull_joints(points, target, links):
     """Write Jᵀe (m²) into the links' row PULL; gives its length."""
     n = links.shape[1]

@@ -32,7 +32,7 @@ LESS, MORE = 0.1, 10.0  # change of λ² after a turn that helped, and one that 
 TRIES = 16  # dampings in one iteration; beyond, no turn helps
 
 
-@kernel
+@kernel(_nrt=False)
 def solve_damped(links, target, points, square):
     """Write the joint turns (rad) for a damping λ² (m²) into the row PULL, which must hold Jᵀe."""
     n = links.shape[1]
@@ -61,7 +61,7 @@ def _held(links, i):
     return (pull > 0.0 and angle >= links[UPPER, i]) or (pull < 0.0 and angle <= links[LOWER, i])
 
 
-@kernel
+@kernel(_nrt=False)
 def relax_adaptively(base, links, target, points, numbers):
     """One turn that helps; gives how often the chain was placed, negative if there is none."""
     size = numbers[REACH_SQUARE]
@@ -82,7 +82,7 @@ def relax_adaptively(base, links, target, points, numbers):
     return -2 * TRIES
 
 
-@kernel
+@kernel(_nrt=False)
 def relax_damped(base, links, target, points, numbers):
     """One iteration with the fixed damping λ (m); gives the number of times that the chain was placed."""
     solve_damped(links, target, points, numbers[DAMPING] * numbers[DAMPING])

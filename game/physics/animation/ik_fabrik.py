@@ -28,7 +28,7 @@ from game.physics.animation.ik_chain import (
 from game.physics.jit import kernel
 
 
-@kernel
+@kernel(_nrt=False)
 def relax_by_reaching(base, links, target, points, numbers):
     """One pass back and forth; gives how often the chain was placed, which a pass counts for."""
     n = links.shape[1]
@@ -66,7 +66,7 @@ def _pull(points, fixed, free, length):
         points[free, 0], points[free, 1] = points[fixed, 0] + length, points[fixed, 1]
 
 
-@kernel
+@kernel(_nrt=False)
 def _reach_forward(base, links, points):
     """From the root on: angles within their limits, and points that are those of the angles.
 

@@ -101,7 +101,7 @@ def aim_at(base, links, target, aim):
     return total, max(0.0, distance - total, 2.0 * longest - total - distance)
 
 
-@kernel
+@kernel(_nrt=False)
 def solve_links(method, base, links, start, targets, points, aim, numbers, settings, history, found):
     """Move a chain's end to targets (m, 2), each from the angles (and to those) in ``start`` (m, n).
 

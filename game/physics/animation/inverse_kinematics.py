@@ -42,7 +42,7 @@ class Solutions(NamedTuple):
     placings: NDArray[np.int64]
 
 
-@kernel
+@kernel(_nrt=False)
 def take_links(bones, parents, bases, world, angles, lower, upper, limited, turns, base, links):
     """Write base, angles and limits of a chain's links from those of its bones."""
     first = bones[0]
@@ -59,7 +59,7 @@ def take_links(bones, parents, bases, world, angles, lower, upper, limited, turn
         links[LOWER, i], links[UPPER, i] = low + turns[i], high + turns[i]
 
 
-@kernel
+@kernel(_nrt=False)
 def give_links(bones, turns, links, angles):
     """Write the angles of a chain's links back to its bones."""
     for i in range(bones.shape[0]):
