@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from game.lab.studies.keyframing import keyframing_study
 from game.levels import Level
-from game.physics.animation import INTERPOLATIONS
+from game.physics.animation import INTERPOLATIONS, CubicBezier, Easing, Keyframes
 from game.scenes import c01_editing as editing
 from game.scenes import c01_hand as hand
 from game.scenes.c01_clock import REPEATS, folded, frame_of, held, phase_of
@@ -29,6 +30,7 @@ from game.stage import (
     SceneAction,
     Strip,
     Toggle,
+    WarmUp,
 )
 
 Array = NDArray[np.float64]
@@ -340,3 +342,21 @@ class KeyFraming(MotionScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self, canvas)
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        times, values = np.arange(3.0), np.eye(3)
+        path = CubicBezier(np.arange(8.0).reshape(4, 2) ** 2)
+
+        def sample(name: str) -> Any:
+            track = Keyframes(times, values, name)
+            return track.sample(times), track.rate(times)
+
+        return (
+            *(WarmUp(f"keys, {name}", partial(sample, name)) for name in ("spline", "linear", "nearest")),
+            WarmUp("lengths", lambda: path.length),
+            WarmUp("equal ways", lambda: path.parameter_at(times)),
+            WarmUp("lines", lambda: path.flatten(0.1)),
+            WarmUp("directions", lambda: path.direction(times)),
+            WarmUp("timing curve", lambda: Easing("ease").slope(times)),
+        )
