@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from game.physics.rigid import ledger
 from game.physics.rigid.sphere_effects import LEDGES, STRINGS, WINDOW
 from game.scenes import c13_hand as hand
+from game.scenes.c13_discs import draw_rimmed_discs
 from game.scenes.c13_level import COLORS
+from game.scenes.mass_spring_threads import draw_threads
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ Array = NDArray[np.float64]
 FADING_S = 0.5  # s that an impulse is shown
 MOST_ARROWS = 60
 MOST_LINES = 6_000  # of radii
+THREADED = 12.0  # window px of radius: up to it, lines of radii are threads
+THIN = 0.2  # of the greatest bearing force: below it, lines are threads
 SMALLEST_LINED = 3.0  # window px of radius: below, spheres are plain discs
 ARROW_SHARE = 0.12  # of the height in view: an arrow of the usual impulse
 ROWS = 6  # of the ledger
@@ -122,12 +126,14 @@ class CollisionView:
         if largest < SMALLEST_LINED:
             canvas.discs(places, radii, edge)
             return
-        rim = canvas.px(2.0 if largest > 12.0 else 1.0)
-        canvas.discs(places, radii, edge)
-        canvas.discs(places, np.maximum(radii - rim, 0.0), "body")
-        if len(radii) <= MOST_LINES:
-            width = 1.6 if largest > 12.0 else 1.0
-            canvas.segments(places, tips, edge, width)
+        rim = canvas.px(2.0 if largest > THREADED else 1.0) * canvas.pixels_per_unit
+        sizes = radii * canvas.pixels_per_unit
+        points = canvas.place_all(places)
+        draw_rimmed_discs(*canvas.raster_target, points, sizes, float(rim), canvas.ink("body"), edge)
+        if largest > THREADED:
+            canvas.segments(places, tips, edge, 1.6)
+        elif len(radii) <= MOST_LINES:
+            self._thread(canvas, places, tips, edge)
         heavy = np.isinf(makeup.masses)[makeup.owners]
         for s in np.flatnonzero(heavy).tolist():
             canvas.circle(places[s], float(radii[s]), "line2", 1.0, "text1", 2.0)
@@ -161,9 +167,21 @@ class CollisionView:
             first + touches[real, :2] * radii[who[real, 0]][:, None],
         )
         part = strength[real] / most
-        for low, width in ((0.02, 1.0), (0.15, 2.0), (0.4, 3.2), (0.7, 4.6)):
-            mine = part >= low
+        thin = part < THIN
+        green = np.full(int(thin.sum()), canvas.ink("green"), np.uint32)
+        self._thread(canvas, first[thin], other[thin], green)
+        for low, high, width in ((THIN, 0.4, 2.2), (0.4, 0.7, 3.4), (0.7, 2.0, 4.6)):
+            mine = (part >= low) & (part < high)
             canvas.segments(first[mine], other[mine], "green", width, alpha=0.75)
+
+    def _thread(self, canvas: Canvas, starts: Array, ends: Array, inks: NDArray[np.uint32]) -> None:
+        """Many thin lines, quickly."""
+        n = len(starts)
+        if not n:
+            return
+        pairs = np.stack((np.arange(n), np.arange(n, 2 * n)), axis=1)
+        points = canvas.place_all(np.concatenate((starts, ends)))
+        draw_threads(*canvas.raster_target, points, pairs, np.zeros(n, np.int64), inks, 0.8)
 
     def _draw_impulses(self, scene: SphereCollisions, canvas: Canvas) -> None:
         """Impulses of the last half second, both ways, fading."""
