@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 
 FULLY = 2  # places of a white ball in hand that are looked at in full
 SHOWN = 6  # shots that a decision shows as considered
-PUSH_OUT_BELOW = 0.3  # worth of the best stroke, below which a player pushes out
+PUSH_OUT_BELOW = 0.45  # worth of the best stroke, below which a player pushes out
 SAFE_BELOW = 0.9  # chance of the best pot, below which a player looks for safety too
 
 

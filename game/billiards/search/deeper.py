@@ -49,7 +49,8 @@ def look_deeper(
 
         off = in_threads(pool, follow, scored.tolist())
         share = float((closer.kinds[f] == SCORED).mean())
-        new.append(float(closer.worth[f]) + share * (sum(off) / len(off) if off else 0.0))
+        worth = float(closer.worth[f]) + share * (sum(off) / len(off) if off else 0.0)
+        new.append(min(max(worth, 0.0), 1.0))
     done = closer.taken(np.arange(len(new)))._replace(worth=np.array(new))
     return done.taken(np.argsort(-done.worth, kind="stable"))
 

@@ -100,7 +100,9 @@ def find_shots(
         aims = all_aims(lie.numbers, targets or numbered, first, chain)
     effort = effort._replace(kinds=tuple(kind for kind in effort.kinds if kind in kinds))
     looked = search(view, aims, effort, seed, threads, Clock(seconds))
-    return [] if looked is None else named_shots(view, looked, limit)
+    if looked is None:
+        return []
+    return [shot for shot in named_shots(view, looked, limit) if shot.chance > 0.0]
 
 
 def search(

@@ -1,0 +1,203 @@
+"""Shots that are found: they do what they say, whatever the threads, within their time."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.billiards import find_shots, simulate
+from game.billiards.arrangement import Stroke, arrange, is_free, racked
+from game.billiards.games import EightBall
+from game.billiards.rules import CUE_BALL
+from game.billiards.search.aims import aims_of, all_aims
+from game.billiards.search.breaking import apex_of, best_break
+from game.billiards.search.candidates import AIM, COLUMNS, SPREAD, WINDOW
+from game.billiards.search.deeper import look_deeper, worth_after
+from game.billiards.search.fans import make_styles, rays_for, spread_fans, widest_runs
+from game.billiards.search.looking import Effort, look
+from game.billiards.search.placing import place_white, places_for_white
+from game.billiards.search.rating import MISSED, SCORED, WON
+from game.billiards.search.safety import look_for_push_out, look_for_safety
+from game.billiards.search.strokes import STEADY, Board, Noise, draw_noise, with_noise
+from game.billiards.search.view import Clock, View
+from game.billiards.shot import Physics
+from game.billiards.summary import summarize
+from tests.billiards.search_tables import POOL, scattered, unlike_balls
+
+PHYSICS = Physics()
+QUICK = Effort(
+    speeds=(0.9, 1.6), ups=(-0.2, 0.2), lefts=(0.0,), candidates=6, rays=17, finalists=16, samples=32
+)
+
+
+def played(lie, stroke):
+    """Summary of a stroke."""
+    return summarize(simulate(lie.shot(POOL, PHYSICS, stroke)))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_found_shots_pot_what_they_say(seed):
+    """Without noise every found shot does it, by way of what it says."""
+    lie = scattered(seed, 10, unlike_balls(seed) if seed % 2 else None)
+    for shot in find_shots(lie, POOL, noise=STEADY, effort=QUICK, limit=12):
+        summary = played(lie, shot.stroke)
+        fallen = summary.pocketing(shot.ball)
+        assert fallen is not None and fallen.pocket == shot.pocket and not summary.cue_pocketed
+        assert shot.chance == 1.0 and shot.kind in (*KIND_NAMES, "cut")
+        assert (shot.via is not None) == (shot.kind == "combination")
+        if shot.kind == "kick":
+            assert summary.cue_path[0][0] == "cushion"
+
+
+KIND_NAMES = ("direct", "bank", "kick", "combination")
+
+
+def test_the_chance_is_the_share_of_noisy_strokes_that_pot():
+    """Against 300 strokes of other noise, played one by one: within four standard errors of both."""
+    lie = scattered(1, 6)
+    found = find_shots(lie, effort=QUICK._replace(samples=256), limit=2)
+    for shot in found:
+        noisy = with_noise(np.array([shot.stroke]), draw_noise(99, 300), Noise(), 0.028575)
+        hits = 0
+        for stroke in noisy.tolist():
+            summary = played(lie, Stroke(*stroke))
+            fallen = summary.pocketing(shot.ball)
+            hits += fallen is not None and fallen.pocket == shot.pocket and not summary.cue_pocketed
+        share = hits / 300
+        error = 4.0 * math.sqrt(max(share * (1.0 - share), 0.01) * (1 / 300 + 1 / 256))
+        assert abs(share - shot.chance) < error
+
+
+def test_equal_questions_have_equal_answers_on_any_threads():
+    lie = scattered(2)
+    answers = [find_shots(lie, effort=QUICK, seed=4, threads=threads) for threads in (1, 2, 3)]
+    assert answers[0] == answers[1] == answers[2] and answers[0]
+    assert find_shots(lie, effort=QUICK, seed=5) != answers[0]
+
+
+def test_kinds_targets_and_chains_are_kept():
+    lie = scattered(3)
+    for kind in KIND_NAMES:
+        names = {shot.kind for shot in find_shots(lie, kinds=(kind,), effort=QUICK)}
+        assert names <= ({"direct", "cut"} if kind == "direct" else {kind})
+    assert {shot.ball for shot in find_shots(lie, targets=(1, 2), effort=QUICK)} <= {1, 2}
+    for shot in find_shots(lie, chain=3, kinds=("combination",), noise=STEADY, effort=QUICK):
+        assert len(played(lie, shot.stroke).pocketing(shot.ball).chain) >= 3
+    for shot in find_shots(lie, first=(5,), noise=STEADY, effort=QUICK):
+        assert 5 in played(lie, shot.stroke).first
+
+
+def test_what_is_absurd_is_refused():
+    lie = scattered(1, 4)
+    with pytest.raises(ValueError, match="kinds"):
+        find_shots(lie, kinds=("jump",))
+    with pytest.raises(ValueError, match="ball 9"):
+        find_shots(lie, targets=(9,))
+    with pytest.raises(ValueError, match="ball 0"):
+        find_shots(lie, first=(0,))
+    with pytest.raises(ValueError, match="limit"):
+        find_shots(lie, limit=0)
+    with pytest.raises(ValueError, match="white ball"):
+        find_shots(lie.without(0))
+    assert find_shots(arrange({0: (0.5, 0.5)})) == []
+
+
+def test_no_time_still_gives_an_answer():
+    lie = scattered(2)
+    hurried = find_shots(lie, seconds=0.0)
+    assert hurried and Clock(0.0).is_out() and not Clock(None).is_out() and not Clock(100.0).is_out()
+
+
+def test_fans_spread_evenly_about_their_aim():
+    rows = np.zeros((2, COLUMNS))
+    rows[:, AIM], rows[:, SPREAD], rows[:, WINDOW] = (1.0, 2.0), (0.1, 0.02), (0.004, 0.02)
+    rays = rays_for(rows)
+    assert rays.tolist() == [41, 9] and (rays % 2 == 1).all()
+    styles = make_styles((1.0, 2.0), (0.1,), (0.0,))
+    starts = np.array([0, 82])
+    strokes = np.empty((100, 5))
+    spread_fans(rows, styles, rays, starts, np.array([0.0, 0.01]), strokes)
+    assert strokes[[0, 20, 40], 1] == pytest.approx([0.9, 1.0, 1.1])
+    assert strokes[41 + 20, 1] == pytest.approx(0.99) and strokes[82 + 4, 1] == pytest.approx(2.0)
+    assert strokes[:41, 0].tolist() == [1.0] * 41 and (strokes[:, 4] == 0.1).all()
+
+
+def test_the_widest_run_of_a_fan():
+    kinds = np.array([MISSED, SCORED, SCORED, MISSED, SCORED, WON, SCORED, SCORED, MISSED, MISSED])
+    middles, lengths = np.empty((1, 2), np.int64), np.empty((1, 2))
+    widest_runs(kinds, np.array([5]), np.array([0]), 2, middles, lengths)
+    assert lengths.tolist() == [[2.0, 3.0]] and middles.tolist() == [[1, 6]]
+
+
+def test_deeper_knows_what_one_ball_before_the_last_is_worth():
+    """Two balls near pockets: looked at more closely the table is worth at least what the estimate says."""
+    lie = arrange({0: (0.45, 1.27), 1: (0.2, 1.27), 8: (0.2, 2.3)})
+    game = EightBall(opening=False, in_hand="", on_table=(1, 8), groups=("solids", "stripes"), calling="all")
+    aims = aims_of(game, lie.numbers, solo=True)[0]
+    view = View(Board(lie, POOL), Noise())
+    draws = draw_noise(1, 64)
+    effort = QUICK._replace(deep=4, close=64, deep_samples=6, after=QUICK)
+    looked = look(view, aims, effort, draws)
+    deeper = look_deeper(view, aims, looked, effort, draws)
+    assert len(deeper.worth) == 4 and (np.diff(deeper.worth) <= 0.0).all()
+    assert 0.8 < deeper.worth[0] <= 1.0
+    assert look_deeper(view, aims, looked, effort._replace(after=None), draws) is looked
+    stuck = np.array([[0.6, 0.6], [-1e3, -1e3], [-1e3, -1e3]])
+    assert worth_after(view, aims, stuck, QUICK, draws, 0.25) == 0.25
+
+
+@pytest.mark.parametrize("hand", ["anywhere", "behind the line"])
+def test_the_white_ball_is_put_where_a_ball_can_be_potted(hand):
+    lie = scattered(7, 9).without(0)
+    aims = all_aims((0, *lie.numbers), lie.numbers, (), 0)
+    places = places_for_white(lie, POOL, PHYSICS, hand, aims, Noise(), 12)
+    assert 0 < len(places) <= 12 and all(is_free(lie, POOL, 0, x, y, hand) for x, y in places[:, :2])
+    draws = draw_noise(1, 32)
+    best = place_white(lie, POOL, PHYSICS, hand, aims, Noise(), QUICK, draws, 2, 6)
+    assert 1 <= len(best) <= 2
+    shots = find_shots(best[0], effort=QUICK)
+    assert shots and shots[0].chance > 0.8
+
+
+def test_a_white_ball_that_can_reach_nothing_is_put_down_all_the_same():
+    lie = arrange({1: (0.635, 2.5)})
+    nothing = all_aims((0, 1), (), (), 0)
+    (only,) = place_white(lie, POOL, PHYSICS, "behind the line", nothing, Noise(), QUICK, draw_noise(1, 8), 3)
+    assert is_free(lie, POOL, CUE_BALL, *only.place_of(CUE_BALL), "behind the line")
+
+
+def test_a_safe_stroke_is_legal_and_leaves_less_than_any_stroke():
+    game = EightBall(opening=False, in_hand="", groups=("solids", "stripes"), calling="all")
+    lie = scattered(5)
+    aims = aims_of(game, lie.numbers)[0]
+    view = View(Board(lie, POOL), Noise())
+    looked = look_for_safety(view, aims, 8, draw_noise(2, 24))
+    assert (looked.kinds[0] == MISSED).mean() > 0.8
+    assert looked.worth[0] >= looked.worth[-1] and looked.candidates[0, 0] == -1.0
+    summary = played(lie, Stroke(*looked.strokes[0].tolist()))
+    assert summary.first[0] in game.legal_first() and not summary.cue_pocketed
+
+
+def test_a_push_out_does_not_lose_the_white_ball():
+    lie = scattered(6, 10)
+    aims = all_aims(lie.numbers, tuple(range(1, 10)), (1,), 0)._replace(
+        solo=False, other=0x3FE, rotation=True
+    )
+    stroke = look_for_push_out(View(Board(lie, POOL), Noise()), aims, 3)
+    assert not played(lie, Stroke(*stroke.tolist())).cue_pocketed
+
+
+def test_the_break_is_behind_the_line_and_chosen_by_what_it_does():
+    lie = racked(POOL, seed=4)
+    aims = all_aims(lie.numbers, tuple(range(1, 16)), (), 0)._replace(called=False)
+    place, stroke, chance = best_break(lie, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 8))
+    assert is_free(lie, POOL, 0, *place, "behind the line") and -1.0 <= chance <= 1.0
+    summary = played(lie.with_ball(0, place), stroke)
+    assert summary.first and math.dist(apex_of(lie, POOL), lie.place_of(summary.first[0])) < 1e-9
+    plain, straight, nothing = best_break(lie, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 0))
+    assert plain[0] == pytest.approx(POOL.width / 2) and nothing == 0.0 and straight.cue_speed == 6.0
+    with pytest.raises(ValueError, match="no free place"):
+        wall = arrange({n: (0.08 * n, 0.62) for n in range(1, 16)})
+        best_break(wall, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 0))
