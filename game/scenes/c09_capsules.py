@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import ClassVar
 
 from game.lab.studies.bounds import capsule_study
-from game.physics.bounds import KINDS
+from game.physics.bounds import KINDS, least_capsule
 from game.physics.proximity_effects import EXACT_ANSWER
 from game.scenes.bounds_pair import Pane
 from game.scenes.bounds_scene import BoundsScene
-from game.stage import Choice, Equation, Strip, Toggle
+from game.stage import Choice, Equation, Strip, Toggle, WarmUp
 
 TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Upright boxes"}
 
@@ -53,6 +53,11 @@ class Capsules(BoundsScene):
             Pane(pair, 0.5, 0.5 * middle + way * quarter, 0.5 * height, TITLES[pair.options.kind])
             for pair, way in ((self.pair, -1.0), (self.beside, 1.0))
         ]
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+        return [*super().warm_ups(), WarmUp("least capsule", lambda: least_capsule(square, 0.3))]
 
     strips = (
         Strip("Volume tests", "", ("tests", "with boxes", "upright")),

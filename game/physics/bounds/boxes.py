@@ -56,7 +56,7 @@ def follow_supports(hull, h, c, s, supports):
         c, s = -s, c
 
 
-@kernel
+@kernel(inline="always")
 def extents_of_supports(hull, c, s, supports):
     """The same as `extents_along` from the four outermost corners."""
     far, top, back, low = supports[0], supports[1], supports[2], supports[3]

@@ -69,7 +69,7 @@ def golden_angle(kind, hull, h, angle, step):
     return best
 
 
-@kernel
+@kernel(inline="always")
 def best_axis(kind, fit, hull, h, turns, step, supports, bounds):
     """Direction (c, s) of the core, or of a side of the box, of a hull (h, 2)."""
     if kind == AABB or h < 2:
@@ -113,7 +113,7 @@ def middle_of(kind, volumes, node):
     return x, y, 1.0, 0.0
 
 
-@kernel
+@kernel(inline="always")
 def write_size(kind, volumes, node, sizes):
     """Write the greatest extent of a volume, m: the larger of two volumes is opened first."""
     if kind != CAPSULE:
@@ -198,7 +198,7 @@ def choose_sides(kind, split, ends, order, begin, end, volumes, node, too_deep, 
     return second
 
 
-@kernel
+@kernel(inline="always")
 def part(row, begin, end, sides, shift, room):
     """Stable partition of ``row[begin:end]`` by ``sides`` of entries over 2**shift; ``room``: scratch."""
     first = begin

@@ -33,7 +33,7 @@ def core_between(hull, h, c, s, middle, radius):
     return low, high
 
 
-@kernel
+@kernel(inline="always")
 def area_of_capsule(length, radius):
     """Area of a capsule with a core of that length, m²."""
     return 2.0 * radius * length + math.pi * radius * radius

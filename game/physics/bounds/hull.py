@@ -11,7 +11,7 @@ from game.physics.bounds.door import Array
 from game.physics.jit import kernel
 
 
-@kernel
+@kernel(inline="always")
 def turn_of(hull, h, x, y):
     """Twice the signed area of the last two corners and (x, y): above 0 turns left."""
     ax, ay = hull[h - 2, 0], hull[h - 2, 1]

@@ -63,7 +63,7 @@ def gap_of_capsules(va, a, vb, b, c, s, x, y):
     return gap, 1.0, 0.0
 
 
-@kernel
+@kernel(inline="always")
 def gap_of_volumes(kind, va, a, vb, b, place):
     """Gap and axis of two volumes of one kind; ``place`` (4,): cosine, sine, x, y of the second's frame."""
     if kind == CAPSULE:

@@ -24,7 +24,7 @@ VOLUMES_TESTED, SEGMENTS_TESTED, LEAVES_MET, CROSSINGS, ROWS = 0, 1, 2, 3, 4  # 
 DONE, MORE_ROWS, MORE_CROSSINGS = 0, 1, 2
 
 
-@kernel
+@kernel(inline="always")
 def test_leaves(la, ends_a, order_a, a, lb, ends_b, order_b, b, place, crossings, found, counts, scratch):
     """Test all segments of two leaves; pairs that meet are listed in ``crossings``. Returns their number.
 
