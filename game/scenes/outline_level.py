@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from game.scenes import outline_shapes as shapes
-from game.scenes.outlines import Outline, outline_through
+from game.scenes.outlines import Outline
 
 MOST_POINTS = 4_096  # of an outline
 Metre = Annotated[float, msgspec.Meta(ge=-1e9, le=1e9)]
@@ -154,15 +154,6 @@ def content_of(outlines: tuple[Outline, ...], view: View) -> OutlinesContent:
         ),
         view=view,
     )
-
-
-def middled(outline: Outline) -> Outline:
-    """The same outline with its place in the middle of its extent, so that it turns about that."""
-    made = outline_through(outline.points, outline.closed)
-    c, s = math.cos(outline.angle), math.sin(outline.angle)
-    (x, y), (dx, dy) = outline.position, made.position
-    place = (x + c * dx - s * dy, y + s * dx + c * dy)
-    return Outline(made.points, made.closed, place, outline.angle)
 
 
 def array_of(outline: Outline) -> shapes.Array:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.bounds import traversal
-from game.physics.bounds.building import CHILD, PARENT
+from game.physics.bounds.building import PARENT
 from game.physics.bounds.door import Array, as_angle, as_vector
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
@@ -260,8 +260,3 @@ def tandem(
     query = Query(tree_a, tree_b)
     query.run(offset_b, turn_b, exact=exact)
     return query.answer()
-
-
-def is_leaf(tree: BoundingTree, node: int) -> bool:
-    """Whether a node has no children."""
-    return bool(tree.links[node, CHILD] < 0)
