@@ -12,7 +12,7 @@ from game.lab.studies.skinning import skinning_study
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.physics.animation.skinning import BLENDS
-from game.scenes.figure_scene import FigureScene, warm_ups_of_figures
+from game.scenes.figure_scene import EDITING, FigureScene, warm_ups_of_figures
 from game.scenes.figure_view import (
     WHOLE,
     bone_tokens,
@@ -89,14 +89,8 @@ class Skinning(FigureScene):
         SceneAction("pose", "turn a bone", "1"),
         SceneAction("bone", "new bone", "2"),
         SceneAction("skin", "draw a skin", "3"),
-        SceneAction("finish", "close the skin", "return"),
-        SceneAction("delete", "delete", "delete"),
-        SceneAction("undo", "take back", "ctrl+z"),
-        SceneAction("redo", "do again", "ctrl+y"),
-        SceneAction("stand", "pose of binding", "b"),
-        SceneAction("rebind", "bind in this pose", "r"),
+        *EDITING,
         SceneAction("show-weights", "weights", "w"),
-        SceneAction("move", "motion", "m"),
     )
 
     def refresh(self) -> None:
@@ -114,8 +108,6 @@ class Skinning(FigureScene):
     def action(self, name: str) -> None:
         if name == "show-weights":
             self.values["weights"] = not self.weights
-        elif name == "move":
-            self.values["motion"] = not self.motion
         else:
             super().action(name)
 

@@ -17,7 +17,7 @@ from game.physics.animation.ik_solver import METHODS
 from game.scenes import skeleton_editor as editor
 from game.scenes.c03_view import ChainView, cell_at, cells_of
 from game.scenes.figure_level import BoneEntry, ChainEntry, FigureContent, PathEntry, View, bone_named
-from game.scenes.figure_scene import FigureScene, warm_ups_of_figures
+from game.scenes.figure_scene import EDITING, FigureScene, warm_ups_of_figures
 from game.stage import (
     Choice,
     Equation,
@@ -81,7 +81,7 @@ class InverseKinematics(FigureScene):
         group="Solver", help="the one that is saved, and shown alone",
     )  # fmt: skip
     compare = Toggle(True, group="Solver", label="All six", help="side by side, or the chosen one alone")
-    iterations = Param(10, 1, 1000, whole=True, log=True, group="Solver", help="at most, in each step")
+    iterations = Param(10, 1, 300, whole=True, log=True, group="Solver", help="at most, in each step")
     tolerance = Param(1e-6, 1e-12, 0.01, unit="m", log=True, group="Solver")
     gradient_step = Param(
         1.0, 0.02, 4.0, log=True, group="Solver", label="Step of the gradient",
@@ -125,14 +125,8 @@ class InverseKinematics(FigureScene):
         SceneAction("bone", "new bone", "3"),
         SceneAction("chain", "pick a chain", "4"),
         SceneAction("skin", "draw a skin", "5"),
-        SceneAction("finish", "close the skin", "return"),
-        SceneAction("delete", "delete", "delete"),
-        SceneAction("undo", "take back", "ctrl+z"),
-        SceneAction("redo", "do again", "ctrl+y"),
-        SceneAction("stand", "pose of binding", "b"),
-        SceneAction("rebind", "bind in this pose", "r"),
+        *EDITING,
         SceneAction("compare-all", "all or one", "c"),
-        SceneAction("move", "motion", "m"),
     )
     default_content: ClassVar[FigureContent] = FigureContent(
         bones=tuple(
@@ -282,8 +276,6 @@ class InverseKinematics(FigureScene):
     def action(self, name: str) -> None:
         if name == "compare-all":
             self.values["compare"] = not self.compare
-        elif name == "move":
-            self.values["motion"] = not self.motion
         else:
             super().action(name)
 

@@ -17,7 +17,7 @@ from game.scenes.figure_level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.figure_rig import Rig, WeightRules
 from game.scenes.skin_painter import SkinPainter, warm_up_painter
 from game.scenes.stopwatch import Stopwatch
-from game.stage import Choice, Frame, Knob, Param, Pointer, Scene, Toggle, WarmUp
+from game.stage import Choice, Frame, Knob, Param, Pointer, Scene, SceneAction, Toggle, WarmUp
 
 Array = NDArray[np.float64]
 UNCHANGED: NDArray[np.uint8] = np.zeros(0, dtype=np.uint8)
@@ -30,6 +30,17 @@ PLAIN = FigureContent(
     skins=(SkinEntry(points=((-0.1, 0.0), (0.1, 0.0), (1.4, 1.0), (0.4, 1.0))),),
     view=View(left=-1.2, bottom=-0.3, right=2.0, top=1.8),
 )
+
+
+EDITING = (
+    SceneAction("finish", "close the skin", "return"),
+    SceneAction("delete", "delete", "delete"),
+    SceneAction("undo", "take back", "ctrl+z"),
+    SceneAction("redo", "do again", "ctrl+y"),
+    SceneAction("stand", "pose of binding", "b"),
+    SceneAction("rebind", "bind in this pose", "r"),
+    SceneAction("move", "motion", "m"),
+)  # what both scenes can do besides their tools
 
 
 class FigureScene(Scene):
@@ -188,6 +199,8 @@ class FigureScene(Scene):
         elif name in ("undo", "redo"):
             self.values["motion"] = False
             self.take(getattr(editor, name)(self.bench, self.rig))
+        elif name == "move":
+            self.values["motion"] = not self.motion
         elif name == "delete":
             self.take(editor.delete(self.bench, self.rig, self.tool))
         elif name == "finish":

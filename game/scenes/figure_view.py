@@ -55,14 +55,16 @@ def bone_color(bone: int) -> str:
 
 def draw_weights(canvas: Canvas, rig: Rig, points: Array, chosen: int) -> None:
     """Points of the skin in the colours of the bones that they follow, or by weight on the chosen one."""
-    if rig.skinner is None:
+    bound = rig.binding
+    if bound is None:
         return
-    weights = rig.weights
-    if 0 <= chosen < weights.shape[1]:
+    if 0 <= chosen < rig.skeleton.count:
         cold, hot = _rgb(canvas, "grid2"), _rgb(canvas, "amber")
-        mixed = cold + weights[:, chosen : chosen + 1] * (hot - cold)
+        share = np.where(bound.bones == chosen, bound.weights, 0.0).sum(axis=1)
+        mixed = cold + share[:, None] * (hot - cold)
     else:
-        mixed = weights @ np.array([_rgb(canvas, bone_color(i)) for i in range(weights.shape[1])])
+        inks = np.array([_rgb(canvas, token) for token in BONE_COLORS])
+        mixed = np.einsum("vk,vkc->vc", bound.weights, inks[bound.bones % len(BONE_COLORS)])
     channels = np.rint(np.clip(mixed, 0.0, 255.0)).astype(np.uint32)
     colors = channels[:, 0] << 16 | channels[:, 1] << 8 | channels[:, 2]
     inner = rig.within

@@ -96,7 +96,7 @@ def _scene(method: str, iterations: int) -> dict[str, Any]:
     fixed = method == "damped-fixed"
     return {
         "method": "damped" if fixed else method,
-        "iterations": min(iterations, 1000),
+        "iterations": min(iterations, 300),
         "adaptive": not fixed,
     }
 
