@@ -12,7 +12,8 @@ CATALOGUE = Catalogue(
             category="Billiards",
             module="game.scenes.billiards",
             class_name="Billiards",
-            keywords="pool eight-ball nine-ball combination match trick shots puzzles drills opponents A02 exact cue",
+            keywords="pool eight-ball nine-ball combination match trick shots puzzles drills opponents A02 "
+            "exact cue",
             roomy=True,
         ),
         Entry(
@@ -63,7 +64,8 @@ CATALOGUE = Catalogue(
             category="Animation",
             module="game.scenes.c02_skinning",
             class_name="Skinning",
-            keywords="bones skeleton skin forward kinematics weights matrix palette linear blend rotor dual complex",
+            keywords="bones skeleton skin forward kinematics weights matrix palette linear blend rotor "
+            "dual complex",
         ),
         Entry(
             name="c03",
@@ -73,7 +75,8 @@ CATALOGUE = Catalogue(
             category="Animation",
             module="game.scenes.c03_inverse_kinematics",
             class_name="InverseKinematics",
-            keywords="bones skeleton chain inverse kinematics gradient jacobian damped least squares ccd fabrik limits",
+            keywords="bones skeleton chain inverse kinematics gradient jacobian damped least squares ccd "
+            "fabrik limits",
         ),
         Entry(
             name="c04",
@@ -153,7 +156,8 @@ CATALOGUE = Catalogue(
             category="Bounding volumes and distance",
             module="game.scenes.c08_oriented_boxes",
             class_name="OrientedBoxes",
-            keywords="obb tree oriented bounding boxes separating axis tandem traversal coastline gears hands",
+            keywords="obb tree oriented bounding boxes separating axis tandem traversal coastline gears "
+            "hands",
         ),
         Entry(
             name="c09",
@@ -193,8 +197,8 @@ CATALOGUE = Catalogue(
             category="Rigid bodies",
             module="game.scenes.c12_rigid_body",
             class_name="RigidBodyScene",
-            keywords="rigid body inertia tensor quaternion euler midpoint runge kutta splitting gyroscopic jacobi "
-            "angular momentum hammer dzhanibekov intermediate axis force torque density",
+            keywords="rigid body inertia tensor quaternion euler midpoint runge kutta splitting gyroscopic "
+            "jacobi angular momentum hammer dzhanibekov intermediate axis force torque density",
         ),
         Entry(
             name="c13",

@@ -235,7 +235,9 @@ class BoundsScene(Scene):
 
     def state(self) -> BoundsState:
         record = self.pair.query.record() if self.pair.query is not None else _NO_RECORD
-        return BoundsState(editor.places_of(self.board), self.clock, *self.packed.of(self.outlines), *record)
+        places, packed = editor.places_of(self.board), self.packed.of(self.outlines)
+        rows, gaps, crossings, counts = record
+        return BoundsState(places, self.clock, *packed, rows, gaps, crossings, counts)
 
     def restore(self, state: BoundsState) -> None:
         outlines = []

@@ -104,7 +104,10 @@ def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | Polyt
         )
         length = math.sqrt(float((q - p) @ (q - p))) or 1.0
         x, y = float(q[1] - p[1]) / length, float(p[0] - q[0]) / length
-        corners = (step.corners[step.edge], step.corners[(step.edge + 1) % count])
+        corners: tuple[tuple[int, int], ...] = (
+            step.corners[step.edge],
+            step.corners[(step.edge + 1) % count],
+        )
     else:
         (x, y), corners = step.direction, step.corners
     for k, sign in ((0, 1.0), (1, -1.0)):

@@ -86,4 +86,6 @@ def rule_text(value: float) -> str:
     """A round number at a rule."""
     if abs(value) >= 1e3 and value == round(value):
         return format_number(int(value))
-    return f"{value:.3g}".replace("-", MINUS) if 1e-3 < abs(value) < 1e3 else format_number(round(value, 9), 2)
+    return (
+        f"{value:.3g}".replace("-", MINUS) if 1e-3 < abs(value) < 1e3 else format_number(round(value, 9), 2)
+    )

@@ -1,4 +1,4 @@
-"""The exact free body: against values known to 15 digits, its own invariants, and the limits of its formulas."""
+"""The exact free body: against values known to 15 digits, its invariants, and the limits of its formulas."""
 
 from __future__ import annotations
 

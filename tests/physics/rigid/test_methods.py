@@ -140,7 +140,7 @@ def test_the_splitting_does_not_drift():
 
 
 def test_at_twenty_radians_a_second_and_ten_steps():
-    """A coarse step: the spin in the world's frame explodes, the splitting keeps its energy to some per cent."""
+    """A coarse step: the spin in the world's frame explodes, the splitting keeps its energy nearly."""
     spin = np.array((0.5, 20.0, 0.5))
     body, wild = free_body("splitting", spin), free_body("world-euler", spin)
     first = energy(body)
@@ -155,7 +155,7 @@ def test_at_twenty_radians_a_second_and_ten_steps():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_length_of_the_quaternion(method):
-    """H5: 1 to rounding after each step; not normalized, explicit Euler makes it longer and no one else does."""
+    """H5: 1 to rounding after each step; not normalized, explicit Euler alone makes it longer."""
     body = free_body(method, (0.0, 0.0, 10.0))
     body.step(1 / 60, 600)
     assert length(body.state[3:7]) == pytest.approx(1.0, abs=4 * EPS)
