@@ -160,6 +160,9 @@ class Billiards(Scene):
         Hint(("V",), "aim line"),
         Hint(("U",), "undo"),
         Hint(("R",), "replay"),
+        Hint(("E",), "set up"),
+        Hint(("N",), "new rack"),
+        Hint(("D",), "plays itself"),
     )
     actions = (
         SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),

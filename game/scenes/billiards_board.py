@@ -17,6 +17,7 @@ from game.ui.icons import icon
 from game.ui.look import Look
 from game.ui.painters.ball_picture import ball_chip
 from game.ui.shapes import draw_box, draw_disc
+from game.ui.theme import FELT_COOL, FELT_LINE
 
 if TYPE_CHECKING:
     from game.scenes.billiards import Billiards
@@ -27,6 +28,7 @@ GAME_TITLES = {
     Drill: "Drill",
 }  # fmt: skip
 MOST_CHIPS = 9
+KEY = (("white ball", FELT_LINE, False), ("after the hit", FELT_LINE, True), ("other balls", FELT_COOL, True))
 
 
 class Card(NamedTuple):
@@ -216,14 +218,36 @@ def _draw_line(scene: Billiards, canvas: Canvas, look: Look) -> None:
     rect = _rect(canvas, layout.FOOT)
     words, foul = line_of(scene)
     if not words:
+        _draw_key(scene, canvas, look, rect)
         return
     x = rect.x + look.px(4)
     if foul:
         mark = icon("warning", look.px(18), look.color("vermilion"))
         canvas.surface.blit(mark, mark.get_rect(midleft=(x, rect.centery)))
         x += look.px(26)
-    text = look.fonts.fit(words, 14, "medium", rect.right - x)
+    room = rect.right - x - _draw_key(scene, canvas, look, rect)
+    text = look.fonts.fit(words, 14, "medium", room)
     look.text(canvas.surface, text, (x, rect.centery), 14, "medium", "vermilion" if foul else "text1")
+
+
+def _draw_key(scene: Billiards, canvas: Canvas, look: Look, rect: pygame.Rect) -> int:
+    """What the lines on the cloth mean, at the right end of the row; the width it takes, px."""
+    if scene.phase != AIMING or not (scene.prediction and scene.person_plays and scene.round.playable):
+        return 0
+    x = rect.right - look.px(4)
+    for words, color, dashed in reversed(KEY):
+        x -= look.fonts.size(words, 12)[0]
+        look.text(canvas.surface, words, (x, rect.centery), 12, "medium", "text3")
+        x -= look.px(8)
+        for k in range(3 if dashed else 1):
+            width = look.px(6 if dashed else 24)
+            start = x - look.px(24) + k * look.px(9)
+            box = pygame.Rect(start, rect.centery - 1, width, max(2, look.px(2)))
+            draw_box(
+                canvas.surface, box, 0, color if dashed or look.theme.name == "dark" else look.theme.text1
+            )
+        x -= look.px(24) + look.px(18)
+    return rect.right - x
 
 
 def line_of(scene: Billiards) -> tuple[str, bool]:

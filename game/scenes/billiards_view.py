@@ -36,7 +36,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 FALL_S = 0.35  # s in which a ball drops out of sight
-LEFT_CUE, RIGHT_CUE = 0, 1
+BANDS = ("amber", "chalk")  # of the two players' cues
+BAND, BAND_RADIUS = (0.80, 0.845), 0.0088  # m from the tip, m
 
 
 @lru_cache(maxsize=16)
@@ -185,13 +186,17 @@ def _draw_cue(scene: Billiards, canvas: Canvas, time: float, aimed: bool) -> Non
         gap, solid = motion.track.sample(at).tolist()
     if stroke is None or place is None or solid < 0.05:
         return
-    _draw_stick(scene, canvas, stroke, place, gap)
+    last = scene.round.last
+    game = last.game if last is not None and scene.phase in (ROLLING, REPLAY) else scene.round.game
+    _draw_stick(scene, canvas, stroke, place, gap, BANDS[game.turn])
     if scene.cue.phase == PULLING:
         canvas.label(place, f"{scene.power:.1f} m/s", FELT_WARM, 13, "semibold", offset=(0.0, -28.0))
 
 
-def _draw_stick(scene: Billiards, canvas: Canvas, stroke, place: tuple[float, float], gap: float) -> None:
-    """A cue whose tip is ``gap`` m from the ball, aside and raised as the stroke says."""
+def _draw_stick(
+    scene: Billiards, canvas: Canvas, stroke: Stroke, place: tuple[float, float], gap: float, color: str
+) -> None:
+    """A cue whose tip is ``gap`` m from the ball, aside and raised as the stroke says; a band says whose."""
     radius = scene.round.conditions.radii[0]
     ux, uy = math.cos(stroke.azimuth), math.sin(stroke.azimuth)
     aside = radius * stroke.tip_left
@@ -208,6 +213,8 @@ def _draw_stick(scene: Billiards, canvas: Canvas, stroke, place: tuple[float, fl
     draw_cue(
         pixels, clip, (x, y), ((far_x - x) / scale, (far_y - y) / scale), scale, stroke.elevation, middle
     )
+    ends = [(tip[0] - ux * d * flat, tip[1] - uy * d * flat) for d in BAND]
+    canvas.line(ends[0], ends[1], color, 2.0 * BAND_RADIUS * scale / canvas.k)
 
 
 def surface_rect(canvas: Canvas, box: layout.Box) -> pygame.Rect:
