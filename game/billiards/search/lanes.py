@@ -39,7 +39,7 @@ WIDEST = 1.5  # rad; of a window to each side
 
 CLEARANCE = 0.001  # m; lanes are wider than the balls by this
 LEAST_COSINE = 0.2  # of the cut; thinner cuts are not played
-SIGHT = 0.0020  # rad; unsteadiness of the white ball's direction, at the speed that suits a pot best
+SIGHT = 0.0025  # rad; unsteadiness of the white ball's direction: azimuth, and squirt of an unsteady tip
 RUB = 0.004  # rad; unsteadiness of the object ball's direction whatever the distance: throw
 NEAR = 0.45  # m; how near the white ball is taken to be to a ball that is played later
 SLACK = 0.5 * 0.0572 * 0.9  # m; 2 R cos cut over two for it

@@ -163,8 +163,8 @@ class Board:
         self.physics = physics
         self.cue = lie.numbers.index(CUE_BALL)
         shot = lie.shot(table, physics)
-        self.base = shot.balls
-        self.radii = np.ascontiguousarray(shot.balls[:, IN_RADIUS])
+        self.base = shot.balls.copy()
+        self.radii = shot.balls[:, IN_RADIUS].copy()
         self.radius = float(self.radii[self.cue])
         self.middle = shot.layout.middle
         self._constants = shot.constants
