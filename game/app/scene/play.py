@@ -297,7 +297,9 @@ class ScenePlay:
 
     def draw(self, surface: pygame.Surface) -> None:
         """The scene and its shell."""
-        surface.fill(self.app.look.theme.stage, self.shell.layout.stage)
+        layout = self.shell.layout
+        if self.drawing_error or layout.free_stage != layout.stage:  # else the scene's picture covers it
+            surface.fill(self.app.look.theme.stage, layout.stage)
         if not self.drawing_error:
             try:
                 self.view.draw(surface)
