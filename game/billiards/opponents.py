@@ -14,7 +14,7 @@ from game.billiards.arrangement import Arrangement, Stroke
 from game.billiards.frame import Frame
 from game.billiards.games.eight_ball import IN_HAND, RACK_AND_BREAK, SPOT_EIGHT
 from game.billiards.games.nine_ball import PASS_BACK, PLAY
-from game.billiards.rack import BALL_RADIUS
+from game.billiards.rack import BALL_RADIUS, HEAD_SPOT
 from game.billiards.rules import CUE_BALL, Call, Game
 from game.billiards.search.aims import aims_of
 from game.billiards.search.breaking import best_break
@@ -191,14 +191,23 @@ class _Mind:
 
     def places(self, frame: Frame) -> list[Arrangement]:
         """Where the white ball in hand could go."""
-        numbers = frame.lie.with_ball(CUE_BALL, (0.0, 0.0)).numbers
-        lies = []
-        for aims in aims_of(frame.game, numbers, self.alone):
+        lies: list[Arrangement] = []
+        for aims in self._aims(frame, frame.lie.with_ball(CUE_BALL, (0.0, 0.0))):
             lies += place_white(
                 frame.lie, frame.table, frame.physics, frame.game.in_hand, aims, self.grade.noise,
                 self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool,
             )  # fmt: skip
         return lies
+
+    def _aims(self, frame: Frame, lie: Arrangement) -> list[Aims]:
+        """What to be after; from behind the line no ball that lies there, too (6.11)."""
+        found = aims_of(frame.game, lie.numbers, self.alone)
+        if frame.game.in_hand != "behind the line":
+            return found
+        beyond = sum(
+            1 << row for row, y in enumerate(lie.positions[:, 1]) if y > HEAD_SPOT * frame.table.length
+        )
+        return [aims._replace(first=aims.first & beyond) for aims in found]
 
     def likeliest(self, frame: Frame, lies: list[Arrangement], most: int) -> list[Arrangement]:
         """The places from which the best strokes are worth most, without a look at the stroke after them."""
@@ -231,7 +240,7 @@ class _Mind:
         effort = grade.effort if effort is None else effort
         view = View(Board(frame.lie, frame.table, frame.physics), grade.noise)
         found: list[tuple[Looked, Aims]] = []
-        every_aim = aims_of(frame.game, frame.lie.numbers, self.alone)
+        every_aim = self._aims(frame, frame.lie)
         for aims in every_aim:
             looked = search(view, aims, effort, self.seed, self.threads, self.clock)
             if looked is not None:

@@ -42,7 +42,8 @@ class ShotSummary(NamedTuple):
     order. cue_pocketed: the white one went down. cushioned: balls that were driven to a cushion after the
     first contact, each once, in order. off_table: balls that left the table. cue_path: what the white ball
     touched, ("ball" or "cushion", number), in order. touched: numbered balls that any ball touched, in
-    order. rest: (ball, x, y) m of what lies on the table in the end.
+    order. rest: (ball, x, y) m of what lies on the table in the end. short: the first ball lay behind the
+    head string, and the white one had not crossed it before.
     """
 
     first: tuple[int, ...] = ()
@@ -53,6 +54,7 @@ class ShotSummary(NamedTuple):
     cue_path: tuple[tuple[str, int], ...] = ()
     touched: tuple[int, ...] = ()
     rest: tuple[tuple[int, float, float], ...] = ()
+    short: bool = False
 
     @property
     def balls_down(self) -> tuple[int, ...]:
@@ -80,7 +82,10 @@ class Foul(NamedTuple):
     words: str
 
 
-FOULS = ("scratch", "off the table", "no contact", "wrong ball", "no cushion", "break", "three in a row")
+FOULS = (
+    "scratch", "off the table", "no contact", "wrong ball", "behind the line", "no cushion", "break",
+    "three in a row",
+)  # fmt: skip
 
 
 class Option(NamedTuple):
@@ -192,7 +197,8 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
 
 
 def common_fouls(game: Game, shot: ShotSummary, wanted: tuple[int, ...], push_out: bool) -> tuple[Foul, ...]:
-    """Fouls of every game: scratch (6.1), wrong ball first (6.2), no cushion (6.3), off the table (6.5).
+    """Fouls of every game: scratch (6.1), wrong ball first (6.2), no cushion (6.3), off the table (6.5), and
+    from behind the line a ball that lies there, too (6.11).
 
     wanted: balls that may be touched first. push_out: 6.2 and 6.3 do not hold.
     """
@@ -206,6 +212,8 @@ def common_fouls(game: Game, shot: ShotSummary, wanted: tuple[int, ...], push_ou
         fouls.append(Foul("no contact", "The white ball touched no ball."))
     elif not any(ball in wanted for ball in shot.first):
         fouls.append(Foul("wrong ball", f"The {named(shot.first[0])} was hit first, not {listed(wanted)}."))
+    if shot.short and game.in_hand == "behind the line":
+        fouls.append(Foul("behind the line", f"The {named(shot.first[0])} lies behind the line, too."))
     reached = shot.pocketed or shot.cushioned or shot.cue_pocketed or shot.off_table
     if shot.first and not reached:
         fouls.append(Foul("no cushion", "After the contact no ball went down and none reached a cushion."))

@@ -7,6 +7,9 @@ its way to does not send that one: a chain names no ball twice.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
+from game.billiards.rack import HEAD_SPOT
 from game.billiards.rules import CUE_BALL, Pocketing, ShotSummary
 from game.billiards.state import (
     BALL_BALL,
@@ -62,6 +65,7 @@ def summarize(trajectory: Trajectory) -> ShotSummary:
         _cue_path(rows, numbers, cue),
         tuple(numbers[k] for k in dict.fromkeys(touched) if k != cue),
         rest,
+        first_time is not None and _is_short(trajectory, cue, numbers.index(first[0]), first_time),
     )
 
 
@@ -150,6 +154,20 @@ def _still_frozen(trajectory: Trajectory, ball: int, cushion: int, time: float) 
                 if (px - x) * nx + (py - y) * ny - radius > FROZEN:
                     return False
     return True
+
+
+def _is_short(trajectory: Trajectory, cue: int, ball: int, time: float) -> bool:
+    """True if a ball lies behind the head string when the white one touches it, not having crossed it yet."""
+    line = HEAD_SPOT * trajectory.shot.table.length
+    if float(trajectory.state_at(time).positions[ball, 1]) > line:
+        return False
+    highest = float(trajectory.shot.positions[cue, 1])
+    starts = [t for t, of in trajectory.segments[:, [SEG_TIME, SEG_BALL]].tolist() if of == cue and t < time]
+    # a way is highest where it begins or ends; a curve between is seen well enough by its middle
+    for start, end in pairwise([*starts, time]):
+        for moment in (start, 0.5 * (start + end), end):
+            highest = max(highest, float(trajectory.state_at(moment).positions[cue, 1]))
+    return highest <= line
 
 
 def _cue_path(rows: list[Row], numbers: list[int], cue: int) -> tuple[tuple[str, int], ...]:

@@ -122,6 +122,18 @@ def test_balls_that_were_down_before_are_not_there():
     assert summary.first == (5,) and {ball for ball, _, _ in summary.rest} <= {0, 5, 12}
 
 
+def test_short_of_the_line_is_a_ball_behind_it_that_is_hit_without_crossing():
+    behind, beyond = (0.9, 0.4), (0.9, 0.9)
+    assert play([[0.5, 0.4], behind], (1.5, 0.0)).short
+    assert not play([[0.5, 0.9], beyond], (1.5, 0.0)).short
+    assert not play([[0.5, 0.9], behind], (1.5, -1.875)).short
+    up_and_back = play([[0.5, 0.3], [0.5, 0.45]], (0.0, -1.5), table=BARE)
+    assert up_and_back.first == (1,) and up_and_back.short
+    over = Table.bare(1.27, 0.9)
+    crossed = play([[0.6, 0.2], [0.6, 0.1]], (0.0, 2.0), table=over)
+    assert crossed.first == (1,) and not crossed.short
+
+
 def test_names_must_be_numbers():
     with pytest.raises(ValueError, match="numbers for names"):
         play([[0.4, 0.4], [0.4, 1.0]], (0.0, 1.0), ids=("white", "red"))

@@ -143,6 +143,10 @@ EIGHT_BALL = [
               {"turn": 1, "scored": (), "fouls": [], "missing": (9,)}),
     Situation("calls for the 8 only: an own ball needs none", grouped(calling="eight"), shot(1, down=(3,)),
               {"turn": 0, "scored": (3,)}),
+    Situation("from behind the line a ball that lies there", grouped(in_hand="behind the line"),
+              shot(1, down=(1,), short=True), {"turn": 1, "fouls": ["behind the line"]}, CALL_1),
+    Situation("from anywhere a ball behind the line", grouped(in_hand="anywhere"),
+              shot(1, down=(1,), short=True), {"turn": 0, "fouls": []}, CALL_1),
     Situation("a legal stroke ends a row of fouls", grouped(fouls_in_row=(2, 1)), shot(1), {"row": (0, 1)}),
 ]  # fmt: skip
 
