@@ -160,6 +160,7 @@ class Billiards(Scene):
         Hint(("V",), "aim line"),
         Hint(("U",), "undo"),
         Hint(("R",), "replay"),
+        Hint(("Click a name",), "computer player"),
         Hint(("E",), "set up"),
         Hint(("N",), "new rack"),
         Hint(("D",), "plays itself"),

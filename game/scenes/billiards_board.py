@@ -145,7 +145,7 @@ def _single(scene: Billiards) -> Card:
 
 def draw_board(scene: Billiards, canvas: Canvas, look: Look) -> None:
     """Title, cards and score; and the line below the table."""
-    rect = _rect(canvas, layout.BOARD)
+    rect = layout.rect_of(canvas, layout.BOARD)
     if rect.w < 60 or rect.h < 16:
         return
     picture = _board_picture(standing_of(scene), rect.size, look)
@@ -162,13 +162,13 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
     look.text(picture, standing.title, (px(4), 0.5 * height - px(10)), 15, "semibold", "text1")
     look.text(picture, standing.under, (px(4), 0.5 * height + px(10)), 12, "medium", "text3")
     if len(standing.cards) == 1:
-        box = pygame.Rect(px(144), 0, size[0] - 2 * px(144), height)
+        box = pygame.Rect(px(layout.CARD_FROM), 0, size[0] - 2 * px(layout.CARD_FROM), height)
         _draw_card(picture, box, standing.cards[0], 0, look)
         return picture
-    width = px(300)
+    width = px(layout.CARD)
     boxes = (
-        pygame.Rect(px(144), 0, width, height),
-        pygame.Rect(size[0] - px(144) - width, 0, width, height),
+        pygame.Rect(px(layout.CARD_FROM), 0, width, height),
+        pygame.Rect(size[0] - px(layout.CARD_FROM) - width, 0, width, height),
     )
     for player, (card, box) in enumerate(zip(standing.cards, boxes, strict=True)):
         _draw_card(picture, box, card, player, look)
@@ -215,7 +215,7 @@ def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: in
 
 def _draw_line(scene: Billiards, canvas: Canvas, look: Look) -> None:
     """What was said last, or what to do now."""
-    rect = _rect(canvas, layout.FOOT)
+    rect = layout.rect_of(canvas, layout.FOOT)
     words, foul = line_of(scene)
     if not words:
         _draw_key(scene, canvas, look, rect)
@@ -281,9 +281,3 @@ def _announced(scene: Billiards) -> str:
     if call.ball is None or call.pocket is None or not scene.round.game.needs_call():
         return ""
     return f"Called: the {call.ball} into the {layout.POCKETS[call.pocket]} pocket."
-
-
-def _rect(canvas: Canvas, box: layout.Box) -> pygame.Rect:
-    left, top = canvas.camera.to_screen(box.top, box.left)
-    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
-    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))

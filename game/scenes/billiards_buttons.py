@@ -8,6 +8,7 @@ from game.scenes import billiards_layout as layout
 from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP
+from game.scenes.billiards_players import GRADES
 from game.scenes.cue_control import MAX_SPEED
 
 if TYPE_CHECKING:
@@ -42,6 +43,10 @@ def button_at(scene: Billiards, x: float, y: float) -> str:
     for row, (name, _, _) in enumerate(buttons(scene)):
         if layout.button_box(row).holds(x, y):
             return name
+    if len(scene.round.game.players) == 2:
+        for player in range(2):
+            if layout.card_box(player).holds(x, y):
+                return f"card-{player}"
     if scene.phase == AIMING:
         options = scene.round.game.options
         for row in range(len(options)):
@@ -59,6 +64,8 @@ def press(scene: Billiards, name: str) -> None:
     """A button has been pressed and let go."""
     if name.startswith("option-"):
         moves.take_option(scene, int(name.removeprefix("option-")))
+    elif name.startswith("card-"):
+        change_player(scene, int(name.removeprefix("card-")))
     elif name == "replay-run":
         modes.toggle_replay(scene)
     elif name == "replay-speed":
@@ -67,6 +74,16 @@ def press(scene: Billiards, name: str) -> None:
         modes.fill_table(scene, name == "full")
     else:
         action(scene, name)
+
+
+def change_player(scene: Billiards, player: int) -> None:
+    """The next grade for a player: a person, then computer players from weak to strong."""
+    grades = ("person", *GRADES)
+    following = grades[(grades.index(scene.grade_of(player)) + 1) % len(grades)]
+    if player == 0:
+        scene.first_player = following
+    else:
+        scene.second_player = following
 
 
 def action(scene: Billiards, name: str) -> None:

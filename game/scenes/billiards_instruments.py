@@ -23,13 +23,6 @@ if TYPE_CHECKING:
     from game.scenes.billiards import Billiards
 
 
-def rect_of(canvas: Canvas, box: layout.Box) -> pygame.Rect:
-    """A box of the layout in px of the canvas' surface."""
-    left, top = canvas.camera.to_screen(box.top, box.left)
-    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
-    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))
-
-
 def shown_stroke(scene: Billiards) -> Stroke:
     """The stroke that the instruments show: the one that is played, or the one that is set."""
     if scene.phase == STRIKING and scene.pending is not None:
@@ -46,7 +39,7 @@ def draw_instruments(scene: Billiards, canvas: Canvas, look: Look) -> None:
         scene.pending if scene.phase == STRIKING and scene.pending is not None else moves.aimed_stroke(scene)
     )
     power = stroke.cue_speed * moves.speed_ratio()
-    draw_power(surface, rect_of(canvas, layout.POWER), power, MAX_SPEED, theme, book)
+    draw_power(surface, layout.rect_of(canvas, layout.POWER), power, MAX_SPEED, theme, book)
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
@@ -98,7 +91,7 @@ def draw_button(
     canvas: Canvas, look: Look, box: layout.Box, words: str, on: bool = False, pressed: bool = False
 ) -> None:
     """A button with words, filled when it is on."""
-    rect, theme = rect_of(canvas, box), look.theme
+    rect, theme = layout.rect_of(canvas, box), look.theme
     fill = theme.accent if on else theme.hover if pressed else theme.inset
     draw_box(canvas.surface, rect, look.px(8), fill, None if on else theme.line2, look.border)
     color = theme.on_accent if on else theme.text1
@@ -111,7 +104,7 @@ def _draw_options(scene: Billiards, canvas: Canvas, look: Look) -> None:
     options = scene.round.game.options
     whose = scene.round.game.shooter
     top = layout.option_box(0, len(options))
-    look_at = rect_of(
+    look_at = layout.rect_of(
         canvas, layout.Box(top.top - layout.metres(44.0), top.left, top.top - layout.metres(8.0), top.right)
     )
     draw_box(canvas.surface, look_at, look.px(10), look.theme.panel, look.theme.line, look.border)
@@ -125,7 +118,7 @@ def _draw_options(scene: Billiards, canvas: Canvas, look: Look) -> None:
 
 def _draw_tray(scene: Billiards, canvas: Canvas, look: Look) -> None:
     """The balls that are not on the table, below it."""
-    rect = rect_of(canvas, layout.FOOT)
+    rect = layout.rect_of(canvas, layout.FOOT)
     theme = look.theme
     draw_box(canvas.surface, rect, look.px(10), theme.inset, theme.line, look.border)
     on_table = {number for number, _, _ in scene.round.places}
@@ -143,7 +136,7 @@ def _draw_tray(scene: Billiards, canvas: Canvas, look: Look) -> None:
 def _draw_scrubber(scene: Billiards, canvas: Canvas, look: Look) -> None:
     """Run or stand, speed, and the bar of the replay with the contacts as ticks."""
     surface, theme, px = canvas.surface, look.theme, look.px
-    rect = rect_of(canvas, layout.PLAY)
+    rect = layout.rect_of(canvas, layout.PLAY)
     draw_box(surface, rect, px(8), theme.inset, theme.line2, look.border)
     x, y = rect.center
     if scene.replay_runs:
@@ -156,7 +149,7 @@ def _draw_scrubber(scene: Billiards, canvas: Canvas, look: Look) -> None:
     speed = scene.replay_speed
     words = f"{speed:g}×" if speed >= 1.0 else f"1/{round(1.0 / speed)}×"
     draw_button(canvas, look, layout.SPEED, words)
-    bar = rect_of(canvas, layout.SCRUBBER)
+    bar = layout.rect_of(canvas, layout.SCRUBBER)
     length = moves.shown_s(scene)
     share = float(scene.clock[moves.REPLAY_S]) / length
     track = pygame.Rect(bar.x, bar.centery - px(2), bar.w, max(px(4), 2))

@@ -9,8 +9,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import pygame
+
 from game.billiards.table import BED_LENGTH, BED_WIDTH, CUSHION_DEPTH
 from game.stage import Frame
+from game.ui.canvas import Canvas
 
 PIXELS = 360.0  # design px to a metre
 WOOD = 0.074  # m
@@ -46,6 +49,7 @@ def metres(pixels: float) -> float:
     return pixels / PIXELS
 
 
+CARD, CARD_FROM = 300.0, 144.0  # design px: width of a player's card, and where it begins
 SIDE = metres(84.0)  # of the gutters left and right
 TOP, LINE, GAP = metres(58.0), metres(36.0), metres(8.0)
 
@@ -71,6 +75,13 @@ SPEED = Box(PLAY.top, PLAY.right + metres(8.0), PLAY.bottom, PLAY.right + metres
 SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - metres(84.0))
 
 
+def rect_of(canvas: Canvas, box: Box) -> pygame.Rect:
+    """A box in px of the canvas' surface."""
+    left, top = canvas.camera.to_screen(box.top, box.left)
+    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
+    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))
+
+
 def button_box(row: int) -> Box:
     """The button of that number at the right of the table, counted from below."""
     bottom = TABLE.bottom - row * (BUTTON_HEIGHT + BUTTON_GAP)
@@ -86,8 +97,8 @@ def option_box(row: int, count: int) -> Box:
 
 def card_box(player: int) -> Box:
     """The card of a player on the score board."""
-    width = metres(300.0)
-    left = BOARD.left + metres(144.0) if player == 0 else BOARD.right - metres(144.0) - width
+    width = metres(CARD)
+    left = BOARD.left + metres(CARD_FROM) if player == 0 else BOARD.right - metres(CARD_FROM) - width
     return Box(BOARD.top, left, BOARD.bottom, left + width)
 
 

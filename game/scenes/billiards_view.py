@@ -7,7 +7,6 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
-import pygame
 from numpy.typing import NDArray
 
 from game.billiards.arrangement import Stroke
@@ -215,10 +214,3 @@ def _draw_stick(
     )
     ends = [(tip[0] - ux * d * flat, tip[1] - uy * d * flat) for d in BAND]
     canvas.line(ends[0], ends[1], color, 2.0 * BAND_RADIUS * scale / canvas.k)
-
-
-def surface_rect(canvas: Canvas, box: layout.Box) -> pygame.Rect:
-    """A box of the layout in px of the canvas' surface."""
-    left, top = canvas.camera.to_screen(box.top, box.left)
-    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
-    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))

@@ -72,6 +72,12 @@ def test_every_phase_is_drawn_at_every_size(driver, size):
     for event in (Action("replay"), Action("replay"), Action("set-up"), Action("set-up"), Action("view")):
         stage.post(event)
         pictures.append(drawn(driver))
+    stage.post(Action("rack"))
+    stage.post(Decision("stroke", (0.7, 1.57, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0)))
+    driver.frames(40, 0.1)
+    stage.post(Action("strike"))
+    assert stage.scene.round.game.options
+    pictures.append(drawn(driver))
     driver.app.toggle_theme()
     pictures.append(drawn(driver))
     assert len({picture.tobytes() for picture in pictures}) >= 9  # two looks at the same are alike

@@ -308,6 +308,16 @@ def test_an_illegal_break_gives_a_choice_by_click_and_key():
         check_balls(stage)
 
 
+def test_a_click_on_a_name_makes_it_a_computer_player_of_the_next_grade():
+    stage = open_level()
+    grades = []
+    for _ in range(5):
+        press(stage, layout.card_box(1))
+        grades.append(stage.scene.second_player)
+    assert grades == ["novice", "club", "expert", "master", "person"]
+    assert stage.scene.first_player == "person" and stage.scene.phase == "aiming"
+
+
 def test_pockets_are_called_by_hand_or_by_the_line_of_aim():
     stage = level_of(
         'game = "eight-ball"\ncalling = "all"\nballs = [{ number = 0, position = [0.5, 0.5] },'
