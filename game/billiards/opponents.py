@@ -277,26 +277,3 @@ class _Mind:
 def _without_options(game: Game) -> Game:
     """The game as if the option had been taken to play on as the table lies."""
     return game.choose(game.options[0].name).game
-
-
-def play_rack(
-    frame: Frame, grades: tuple[Grade, ...], seed: int, threads: int | None = None, most: int = 400
-) -> tuple[Frame, list[Stroke]]:
-    """A rack played to its end, or for at most so many turns: the last frame, and all strokes."""
-    strokes: list[Stroke] = []
-    radius = float(frame.lie.balls.radii[CUE_BALL])
-    for turn in range(most):
-        if frame.game.over:
-            break
-        grade = grades[frame.game.turn]
-        decision = decide(frame, grade, seed * 100_003 + turn, threads=threads)
-        if decision.option:
-            frame = frame.choose(decision.option, seed * 100_003 + turn)
-            continue
-        if decision.place is not None:
-            frame = frame.place_white(*decision.place)
-        assert decision.stroke is not None
-        stroke = stroke_of_hand(decision.stroke, grade, seed * 100_003 + 50_021 + turn, radius)
-        strokes.append(stroke)
-        frame = frame.play(stroke, decision.call).frame
-    return frame, strokes

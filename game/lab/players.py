@@ -20,7 +20,7 @@ from game.billiards.arrangement import Stroke, after_shot
 from game.billiards.frame import Frame, new_frame
 from game.billiards.games import EightBall
 from game.billiards.games.eight_ball import EIGHT
-from game.billiards.opponents import Grade, decide, play_rack, stroke_of_hand
+from game.billiards.opponents import Grade, decide, stroke_of_hand
 from game.billiards.rules import CUE_BALL
 from game.billiards.search.breaking import apex_of
 
@@ -102,6 +102,29 @@ def measure_clearing(grade: Grade, seeds: Iterable[int], threads: int | None = N
 def with_hand(grade: Grade, unsteady: float) -> Grade:
     """The grade's way to think, with another hand: 1 is the usual noise, 0 none."""
     return grade._replace(unsteady=unsteady)
+
+
+def play_rack(
+    frame: Frame, grades: tuple[Grade, ...], seed: int, threads: int | None = None, most: int = 400
+) -> tuple[Frame, list[Stroke]]:
+    """A rack played to its end, or for at most so many turns: the last frame, and all strokes."""
+    strokes: list[Stroke] = []
+    radius = float(frame.lie.balls.radii[CUE_BALL])
+    for turn in range(most):
+        if frame.game.over:
+            break
+        grade = grades[frame.game.turn]
+        decision = decide(frame, grade, seed * 100_003 + turn, threads=threads)
+        if decision.option:
+            frame = frame.choose(decision.option, seed * 100_003 + turn)
+            continue
+        if decision.place is not None:
+            frame = frame.place_white(*decision.place)
+        assert decision.stroke is not None
+        stroke = stroke_of_hand(decision.stroke, grade, seed * 100_003 + 50_021 + turn, radius)
+        strokes.append(stroke)
+        frame = frame.play(stroke, decision.call).frame
+    return frame, strokes
 
 
 def measure_series(first: Grade, second: Grade, seeds: Iterable[int], threads: int | None = None) -> Series:

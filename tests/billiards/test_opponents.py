@@ -11,9 +11,9 @@ import pytest
 from game.billiards.arrangement import Stroke, arrange, is_free
 from game.billiards.frame import Frame, new_frame
 from game.billiards.games import CombinationMatch, EightBall, NineBall, Practice
-from game.billiards.opponents import CLUB, EXPERT, GRADES, MASTER, NOVICE, decide, play_rack, stroke_of_hand
-from game.billiards.rules import CUE_BALL
-from game.lab.players import broken_table, measure_clearing, measure_series, visit, with_hand
+from game.billiards.opponents import CLUB, EXPERT, GRADES, MASTER, NOVICE, decide, stroke_of_hand
+from game.billiards.rules import CUE_BALL, Call, ShotSummary
+from game.lab.players import broken_table, measure_clearing, measure_series, play_rack, visit, with_hand
 from tests.billiards.search_tables import POOL, scattered
 
 MIDDLE = MASTER._replace(
@@ -83,8 +83,6 @@ def test_options_are_chosen_among_those_offered():
         (EightBall(), {"accept", "break", "other breaks"}),
         (NineBall(opening=False, in_hand="", push_out_next=True), {"play", "pass back"}),
     ):
-        from game.billiards.rules import Call, ShotSummary
-
         asked = game.judge(ShotSummary((1,)), Call(push_out=isinstance(game, NineBall))).game
         frame = _turn(asked)
         thought = decide(frame, CLUB, 2)
