@@ -127,7 +127,7 @@ def decide(
 ) -> Decision:
     """What a player of a grade plays, or chooses. Without `seconds` it depends on frame, grade and seed only.
 
-    seconds: think for about so long at most (the stage that is under way is finished; a glance takes 0.1 s).
+    seconds: think for about so long (the stage under way is finished, which takes up to half a second).
     alone: only clearing the table in this visit counts. ValueError if the rack is over.
     """
     game = frame.game
@@ -195,7 +195,7 @@ class _Mind:
         for aims in self._aims(frame, frame.lie.with_ball(CUE_BALL, (0.0, 0.0))):
             lies += place_white(
                 frame.lie, frame.table, frame.physics, frame.game.in_hand, aims, self.grade.noise,
-                self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool,
+                self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool, self.clock,
             )  # fmt: skip
         return lies
 

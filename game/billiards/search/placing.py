@@ -16,10 +16,11 @@ from game.billiards.lean import inner_kernel, lean_kernel
 from game.billiards.rack import HEAD_SPOT
 from game.billiards.rules import CUE_BALL, Hand
 from game.billiards.search.lanes import openness, pocket_window, pot_chance
-from game.billiards.search.looking import Effort, View, look
+from game.billiards.search.looking import Effort, look
 from game.billiards.search.outcomes import NOWHERE
 from game.billiards.search.rating import BLOCKED, Aims
 from game.billiards.search.strokes import Board, Noise, in_threads
+from game.billiards.search.view import UNLIMITED, Clock, View
 from game.billiards.shot import Physics
 from game.billiards.table import Table
 
@@ -133,10 +134,11 @@ def place_white(
     keep: int,
     most: int = 24,
     pool: ThreadPoolExecutor | None = None,
+    clock: Clock = UNLIMITED,
 ) -> list[Arrangement]:
     """Arrangements with the white ball at its best places, the best first: at least one, at most `keep`.
 
-    effort: how hard to look at each of `most` places.
+    effort: how hard to look at each of `most` places; when time is out, the likelier ones have been.
     """
     without = lie.without(CUE_BALL)
     places = places_for_white(without, table, physics, hand, aims, noise, most)
@@ -146,6 +148,8 @@ def place_white(
     lies = [without.with_ball(CUE_BALL, row[:2]) for row in places]
 
     def worth(i: int) -> float:
+        if i > 0 and clock.is_out():
+            return -1.0
         looked = look(View(Board(lies[i], table, physics), noise), aims, effort, draws)
         return float(looked.worth[0]) if looked is not None else 0.0
 
