@@ -122,6 +122,7 @@ def test_what_is_skipped_or_gone_back_over_is_not_played():
 
 
 def test_without_a_card_everything_is_silent(monkeypatch):
+    pygame.mixer.quit()  # whatever another test has opened
     monkeypatch.setenv("SDL_AUDIODRIVER", "no such driver")
     player = SoundPlayer(0.7)
     player.prepare()
