@@ -59,7 +59,7 @@ def _ours(name: str, kind: str, count: int) -> Call:
 
 def kd_tree(kind: str, count: int) -> Call:
     """scipy's tree of centres, rebuilt; right for boxes of one size alone."""
-    from scipy.spatial import cKDTree  # type: ignore[import-untyped,unused-ignore]
+    from scipy.spatial import cKDTree
 
     workload = Workload(kind, count)
 
@@ -73,7 +73,7 @@ def kd_tree(kind: str, count: int) -> Call:
 
 def str_tree(kind: str, count: int) -> Call:
     """shapely's tree of boxes, rebuilt."""
-    import shapely  # type: ignore[import-untyped,unused-ignore]
+    import shapely
 
     workload = Workload(kind, count)
 
