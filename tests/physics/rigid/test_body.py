@@ -54,7 +54,7 @@ def test_velocity_spin_and_accelerations_follow(w, axis, angle):
     assert np.allclose(body.inertia, j, rtol=0, atol=1e-14)
     assert np.allclose(body.angular_momentum, j @ w, rtol=0, atol=1e-13)
     assert np.allclose(body.angular_velocity, w, rtol=0, atol=1e-13)
-    body.apply_force((0, 1, 0), (*body.position, 1, 0, 0))
+    body.apply_force((0, 1, 0), body.position + np.array((1.0, 0.0, 0.0)))
     body.apply_torque((0.5, 0, 0))
     assert np.allclose(body.acceleration, (0, 0.5, 0))
     assert np.allclose(body.torque, (0.5, 0, 1.0))
@@ -76,7 +76,7 @@ def test_angular_acceleration_is_the_rate_of_the_spin():
 def test_a_force_at_a_point_shifts_and_turns(method):
     """C12.5: f at r gives P = f t and L = r x f t."""
     body = dumbbell(method=method)
-    point = (*body.position, 0.0, 0.3, 0.2)
+    point = body.position + np.array((0.0, 0.3, 0.2))
     body.apply_force((10.0, 0.0, 0.0), point)
     body.step(0.01)
     assert np.allclose(body.momentum, (0.1, 0, 0), rtol=1e-14)
@@ -96,7 +96,7 @@ def test_a_force_at_a_point_shifts_and_turns(method):
 
 def test_a_force_through_the_centre_does_not_turn():
     body = dumbbell()
-    body.apply_force((0.0, 5.0, 0.0), (*body.position, 0.0, 3.0, 0.0))
+    body.apply_force((0.0, 5.0, 0.0), body.position + np.array((0.0, 3.0, 0.0)))
     body.step(0.1)
     assert np.array_equal(body.angular_momentum, (0, 0, 0))
 
