@@ -71,7 +71,7 @@ _GLANCE = Effort(
 NOVICE = Grade(
     "novice", "Novice", "Sees the straight shots, hits the middle of the ball, and hopes.", 4.5,
     Effort(("direct",), (1.2, 2.2), (0.0,), (0.0,), candidates=4, rays=17, finalists=4, samples=12),
-    _GLANCE, places=4, careful=False, break_speed=4.5,
+    _GLANCE, places=4, careful=False, break_speed=5.8,
 )  # fmt: skip
 CLUB = Grade(
     "club", "Club player", "Plays draw and follow, and thinks of the next ball.", 2.8,
@@ -79,7 +79,7 @@ CLUB = Grade(
         ("direct", "bank"), (0.8, 1.4, 2.2), (-0.3, 0.0, 0.3), (0.0,), candidates=6, rays=17, finalists=12,
         samples=16,
     ),
-    _GLANCE, places=8, safe=6, break_speed=5.2,
+    _GLANCE, places=8, safe=6, break_speed=6.0,
 )  # fmt: skip
 EXPERT = Grade(
     "expert", "Expert", "Knows spin, banks and combinations, and when to play safe.", 1.9,
@@ -87,7 +87,7 @@ EXPERT = Grade(
         ("direct", "bank", "combination"), (0.6, 0.9, 1.4, 2.0, 3.0), (-0.4, -0.2, 0.0, 0.2, 0.4),
         (-0.3, 0.0, 0.3), candidates=6, rays=17, finalists=32, samples=24,
     ),
-    _GLANCE, places=16, kept=2, safe=12, break_speed=5.8, breaks=8,
+    _GLANCE, places=16, kept=2, safe=12, break_speed=6.2, breaks=24,
 )  # fmt: skip
 MASTER = Grade(
     "master", "Master", "Plays every shot for the one after it.", 1.0,
@@ -96,7 +96,7 @@ MASTER = Grade(
         (-0.4, -0.2, 0.0, 0.2, 0.4), (-0.3, 0.0, 0.3), candidates=6, rays=17, finalists=48, samples=32,
         deep=8, deep_samples=10, after=_GLANCE._replace(candidates=3, rays=11),
     ),
-    _GLANCE, places=16, kept=3, safe=16, break_speed=6.2, breaks=16,
+    _GLANCE, places=16, kept=3, safe=16, break_speed=6.5, breaks=48,
 )  # fmt: skip
 GRADES = {grade.name: grade for grade in (NOVICE, CLUB, EXPERT, MASTER)}
 
@@ -183,11 +183,11 @@ class _Mind:
         every = sum(1 << row for row, number in enumerate(numbers) if number in frame.game.on_table)
         first = sum(1 << row for row, number in enumerate(numbers) if number in some)
         aims = aims._replace(first=first, score=every, called=False, lose=0)
-        place, stroke, chance = best_break(
+        found = best_break(
             frame.lie, frame.table, frame.physics, aims, self.grade.noise, self.grade.break_speed,
             self.draws[: self.grade.breaks], self.pool,
         )  # fmt: skip
-        return Decision(place=place, stroke=stroke, worth=chance)
+        return Decision(place=found.place, stroke=found.stroke, worth=found.merit)
 
     def places(self, frame: Frame) -> list[Arrangement]:
         """Where the white ball in hand could go."""

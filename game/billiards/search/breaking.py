@@ -1,16 +1,23 @@
-"""The break: from where, how hard, and where on the white ball, tried under noise."""
+"""The break: from where, how hard, and where on the white ball, tried under noise.
+
+All of them go at the middle of the apex ball, and none comes from far aside: the more oblique a break, the
+fewer balls reach a cushion.
+"""
 
 from __future__ import annotations
 
 import math
 from concurrent.futures import ThreadPoolExecutor
+from itertools import groupby
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.arrangement import Arrangement, Stroke, bed_for, is_free
 from game.billiards.rack import FOOT_SPOT, HEAD_SPOT
-from game.billiards.rules import CUE_BALL
+from game.billiards.rules import CUE_BALL, NEEDED_AT_BREAK
+from game.billiards.search.outcomes import CUSHIONS, DOWN, Outcomes
 from game.billiards.search.rating import FOULED, LOST, SCORED, WON, Aims
 from game.billiards.search.strokes import Board, Noise, with_noise
 from game.billiards.search.view import View
@@ -19,7 +26,7 @@ from game.billiards.table import Table
 
 Array = NDArray[np.float64]
 
-PLACES = (0.5, 0.32, 0.68, 0.2, 0.8)  # across the table, behind the line
+PLACES = (0.5, 0.41, 0.59, 0.3, 0.7)  # across the table, behind the line
 UPS = (0.0, 0.12, -0.12)  # ball radii
 SLOWER = 0.85  # share of the hardest break that is tried as well
 
@@ -33,6 +40,31 @@ def apex_of(lie: Arrangement, table: Table) -> tuple[float, float]:
     return x, y
 
 
+class Break(NamedTuple):
+    """A break: where the white ball is put (m), the stroke, and how good it is under noise, see `_merits`."""
+
+    place: tuple[float, float]
+    stroke: Stroke
+    merit: float = 0.0
+
+
+def list_breaks(lie: Arrangement, table: Table, speed: float) -> list[Break]:
+    """All breaks that are tried, the plain one from the middle first. speed: the hardest, m/s."""
+    radius = float(lie.balls.radii[CUE_BALL])
+    left, right, lower, _ = bed_for(table, radius)
+    y = max(lower, HEAD_SPOT * table.length - 0.5 * radius)
+    target = apex_of(lie, table)
+    without = lie.without(CUE_BALL)
+    breaks = []
+    for x in (left + share * (right - left) for share in PLACES):
+        if is_free(without, table, CUE_BALL, x, y, "behind the line"):
+            azimuth = math.atan2(target[1] - y, target[0] - x)
+            breaks += [
+                Break((x, y), Stroke(v, azimuth, tip_up=up)) for v in (speed, SLOWER * speed) for up in UPS
+            ]
+    return breaks
+
+
 def best_break(
     lie: Arrangement,
     table: Table,
@@ -42,50 +74,33 @@ def best_break(
     speed: float,
     draws: Array,
     pool: ThreadPoolExecutor | None = None,
-) -> tuple[tuple[float, float], Stroke, float]:
-    """The break after which a ball is down most often: place of the white ball m, stroke, share that scored.
+) -> Break:
+    """The break that is lawful and pots a ball most often. ValueError if the white ball has no place.
 
     speed: the hardest, m/s. aims: in rows of the arrangement with the white ball. draws (k, 5) of noise; with
     none, the plain break from the middle is taken.
     """
-    radius = float(lie.balls.radii[CUE_BALL])
-    left, right, lower, _ = bed_for(table, radius)
-    y = max(lower, HEAD_SPOT * table.length - 0.5 * radius)
-    target = apex_of(lie, table)
-    without = lie.without(CUE_BALL)
-    best: tuple[float, tuple[float, float], Stroke] | None = None
-    for share in PLACES if len(draws) else PLACES[:1]:
-        x = left + share * (right - left)
-        if not is_free(without, table, CUE_BALL, x, y, "behind the line"):
-            continue
-        azimuth = math.atan2(target[1] - y, target[0] - x)
-        strokes = np.array([(v, azimuth, 0.0, 0.0, up) for v in (speed, SLOWER * speed) for up in UPS])
-        chances = _chances(
-            without.with_ball(CUE_BALL, (x, y)), table, physics, aims, noise, strokes, draws, pool
-        )
-        at = int(np.argmax(chances))
-        if best is None or chances[at] > best[0]:
-            best = (float(chances[at]), (x, y), Stroke(*strokes[at].tolist()))
-    if best is None:
+    breaks = list_breaks(lie, table, speed)
+    if not breaks:
         raise ValueError("break: there is no free place behind the line")
-    return best[1], best[2], best[0]
-
-
-def _chances(
-    lie: Arrangement,
-    table: Table,
-    physics: Physics,
-    aims: Aims,
-    noise: Noise,
-    strokes: Array,
-    draws: Array,
-    pool: ThreadPoolExecutor | None,
-) -> Array:
-    """Share of samples of each stroke (m, 5) that pot a ball, less the share that foul."""
     if not len(draws):
-        return np.zeros(len(strokes))
-    view = View(Board(lie, table, physics), noise)
-    outcomes = view.board.play(with_noise(strokes, draws, noise, view.board.radius), pool)
+        return breaks[0]
+    tried: list[Break] = []
+    for place, same in groupby(breaks, key=lambda one: one.place):
+        some = list(same)
+        view = View(Board(lie.with_ball(CUE_BALL, place), table, physics), noise)
+        strokes = np.array([one.stroke for one in some])
+        outcomes = view.board.play(with_noise(strokes, draws, noise, view.board.radius), pool)
+        merits = _merits(view, aims, outcomes).reshape(len(some), -1).mean(axis=1)
+        tried += [one._replace(merit=merit) for one, merit in zip(some, merits.tolist(), strict=True)]
+    return max(tried, key=lambda one: one.merit)
+
+
+def _merits(view: View, aims: Aims, outcomes: Outcomes) -> Array:
+    """Of each break (m,): 1 if it pots a ball, -1 if it is a foul or not lawful, else 0."""
     kinds = view.classes(outcomes, aims, np.full((len(outcomes.facts), 2), -1, np.int64))
-    good = np.isin(kinds, (SCORED, WON)).astype(float) - np.isin(kinds, (FOULED, LOST))
-    return good.reshape(len(strokes), -1).mean(axis=1)
+    driven = outcomes.ways[:, :, CUSHIONS] > 0
+    driven[:, view.board.cue] = False
+    unlawful = (outcomes.facts[:, DOWN] == 0) & (driven.sum(axis=1) < NEEDED_AT_BREAK)
+    bad = unlawful | np.isin(kinds, (FOULED, LOST))
+    return np.isin(kinds, (SCORED, WON)).astype(float) - bad

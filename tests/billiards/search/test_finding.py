@@ -9,14 +9,16 @@ import pytest
 
 from game.billiards import find_shots, simulate
 from game.billiards.arrangement import Stroke, arrange, is_free, racked
-from game.billiards.games import EightBall
+from game.billiards.frame import new_frame
+from game.billiards.games import EightBall, NineBall
 from game.billiards.rules import CUE_BALL
 from game.billiards.search.aims import aims_of, all_aims
-from game.billiards.search.breaking import apex_of, best_break
+from game.billiards.search.breaking import apex_of, best_break, list_breaks
 from game.billiards.search.candidates import AIM, COLUMNS, SPREAD, WINDOW
 from game.billiards.search.deeper import look_deeper, worth_after
 from game.billiards.search.fans import make_styles, rays_for, spread_fans, widest_runs
 from game.billiards.search.looking import Effort, look
+from game.billiards.search.outcomes import FIRST_BALLS
 from game.billiards.search.placing import place_white, places_for_white
 from game.billiards.search.rating import MISSED, SCORED, WON
 from game.billiards.search.safety import look_for_push_out, look_for_safety
@@ -189,15 +191,37 @@ def test_a_push_out_does_not_lose_the_white_ball():
     assert not played(lie, Stroke(*stroke.tolist())).cue_pocketed
 
 
+@pytest.mark.parametrize("game", [EightBall, NineBall])
+@pytest.mark.parametrize("unsteady", [0.0, 1.0, 4.5])
+def test_every_break_meets_the_apex_ball_first(game, unsteady):
+    """Under the noise of the worst hand, too."""
+    noise = Noise().scaled(unsteady)
+    for seed in range(6):
+        frame = new_frame(game(), seed=seed)
+        breaks = list_breaks(frame.lie, POOL, 6.0)
+        assert len(breaks) == 30 and breaks[0].place[0] == pytest.approx(0.5 * POOL.width)
+        for one in breaks:
+            lie = frame.lie.with_ball(CUE_BALL, one.place)
+            assert is_free(frame.lie.without(CUE_BALL), POOL, CUE_BALL, *one.place, "behind the line")
+            board = Board(lie, POOL)
+            outcomes = board.play(
+                with_noise(np.array([one.stroke]), draw_noise(seed, 8), noise, board.radius)
+            )
+            apex = [math.dist(place, apex_of(lie, POOL)) for place in lie.positions.tolist()].index(0.0)
+            assert (outcomes.facts[:, FIRST_BALLS] & (1 << apex) != 0).all()
+
+
 def test_the_break_is_behind_the_line_and_chosen_by_what_it_does():
     lie = racked(POOL, seed=4)
     aims = all_aims(lie.numbers, tuple(range(1, 16)), (), 0)._replace(called=False)
-    place, stroke, chance = best_break(lie, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 8))
-    assert is_free(lie, POOL, 0, *place, "behind the line") and -1.0 <= chance <= 1.0
+    place, stroke, merit = best_break(lie, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 8))
+    assert is_free(lie, POOL, 0, *place, "behind the line") and 0.0 < merit <= 1.0
     summary = played(lie.with_ball(0, place), stroke)
     assert summary.first and math.dist(apex_of(lie, POOL), lie.place_of(summary.first[0])) < 1e-9
     plain, straight, nothing = best_break(lie, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 0))
     assert plain[0] == pytest.approx(POOL.width / 2) and nothing == 0.0 and straight.cue_speed == 6.0
+    soft = best_break(lie, POOL, PHYSICS, aims, STEADY, 0.5, draw_noise(1, 1))
+    assert soft.merit == -1.0  # so soft a break is not lawful, however it is played
     with pytest.raises(ValueError, match="no free place"):
         wall = arrange({n: (0.08 * n, 0.62) for n in range(1, 16)})
         best_break(wall, POOL, PHYSICS, aims, Noise(), 6.0, draw_noise(1, 0))
