@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,6 +10,8 @@ from typing import NamedTuple
 
 from game.files import read_text
 from game.levels import MAX_BYTES, level_files, user_level_files
+
+_TABLE = re.compile(r"^[ \t]*\[", re.MULTILINE)
 
 
 class LevelHead(NamedTuple):
@@ -35,8 +38,21 @@ def _heads(scene_name: str) -> Iterator[LevelHead]:
 
 
 def _read(path: Path) -> dict[str, object]:
-    """The file's fields, or none if it is broken: opening it will say why."""
+    """The fields of the file's head, or none if it is broken: opening it will say why."""
     try:
-        return tomllib.loads(read_text(path, MAX_BYTES))
+        text = read_text(path, MAX_BYTES)
+        return _head(text) or tomllib.loads(text)
     except (ValueError, RecursionError):
         return {}
+
+
+def _head(text: str) -> dict[str, object]:
+    """The fields before the first table; none if that cannot be told from the lines alone.
+
+    What follows may be a hundred times as long, and a list of levels must not wait for it.
+    """
+    table = _TABLE.search(text)
+    try:
+        return tomllib.loads(text[: table.start()] if table else text)
+    except (ValueError, RecursionError):
+        return {}  # the bracket began no table: it stands within a text or a list of several lines
