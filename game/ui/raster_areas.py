@@ -11,6 +11,7 @@ from typing import Any
 
 from game.physics.jit import kernel
 from game.ui.raster_pixels import blend, fill_row, is_drawable, weight_of
+from game.ui.raster_vectors import is_blank
 
 HEAD_LENGTH = 3.2  # widths of the shaft from an arrow's point to the shaft
 HEAD_HALF = 1.6  # widths: half of the head's greatest breadth
@@ -95,6 +96,17 @@ def _add_edge(
 
 
 @kernel
+def _next_change(area: Any, row: int, column: int, last: int) -> int:
+    """The next column, from this one to ``last``, whose sum is not nought; else the one after ``last``."""
+    begin = row * area.shape[1]
+    while column + 8 <= last and is_blank(area, begin + column):
+        column += 8
+    while column <= last and area[row, column] == 0.0:
+        column += 1
+    return column
+
+
+@kernel
 def _sweep(
     pixels: Any, area: Any, extent: Any, x_high: int, y_low: int, y_high: int, color: int, alpha: float
 ) -> None:
@@ -104,12 +116,18 @@ def _sweep(
         if last < first:
             continue
         sum_so_far = 0.0
-        for column in range(first, last + 1):
+        column = first
+        while column <= last:
             sum_so_far += area[row, column]
             area[row, column] = 0.0
             weight = weight_of(min(1.0, abs(sum_so_far)), alpha)
-            if weight > 0 and column < x_high:
-                blend(pixels, row, column, color, weight)
+            start = column
+            column += 1
+            column = _next_change(area, row, column, last)  # between edges the share stays
+            if column > start + 1:
+                fill_row(pixels, row, start, min(column, x_high), color, weight)
+            elif weight > 0 and start < x_high:
+                blend(pixels, row, start, color, weight)
         extent[row, 0] = 1 << 30
         extent[row, 1] = -1
         if last + 1 < x_high and abs(sum_so_far) > 1e-9:  # the closing edge lies right of the clip

@@ -14,6 +14,7 @@ import numpy as np
 from game.physics.jit import kernel
 from game.ui.raster_lines import (
     BUTT,
+    FADING,
     ROUND,
     column_within,
     inside_share,
@@ -33,7 +34,7 @@ def _cover_segment(
     """Raise ``cover`` (h, w) uint8 to a segment's coverage where that is more."""
     if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
         return
-    reach = half + 0.75
+    reach = half + FADING
     first, last = inside_share(clip, x0, y0, x1, y1, reach + 1.0)
     if first > last:
         return
@@ -50,7 +51,7 @@ def _cover_segment(
     for row in range(top, bottom):
         left, right = row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
         for column in range(
-            column_within(left - 0.5, x_low, x_high), column_within(right + 1.5, x_low, x_high)
+            column_within(left + 0.5, x_low, x_high), column_within(right + 0.5, x_low, x_high)
         ):
             share = segment_coverage(column + 0.5, row + 0.5, x0, y0, ux, uy, length, half, ends)
             amount = int(share * 255.0 + 0.5)
@@ -74,7 +75,7 @@ def _lay_cover(
     """Lay what ``cover`` holds along a segment over the picture, and wipe it."""  # fmt: skip
     if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
         return
-    reach = half + 0.75
+    reach = half + FADING
     first, last = inside_share(clip, x0, y0, x1, y1, reach + 1.0)
     if first > last:
         return
@@ -89,7 +90,7 @@ def _lay_cover(
     for row in range(top, bottom):
         left, right = row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
         for column in range(
-            column_within(left - 0.5, x_low, x_high), column_within(right + 1.5, x_low, x_high)
+            column_within(left + 0.5, x_low, x_high), column_within(right + 0.5, x_low, x_high)
         ):
             amount = np.int64(cover[row, column])
             if amount > 0:

@@ -13,13 +13,13 @@ from game.ui.raster_pixels import (
     FULL,
     OPAQUE,
     blend,
-    blend_four,
     bounds_of,
     clip_bounds,
     is_drawable,
     strip_coverage,
     weight_of,
 )
+from game.ui.raster_vectors import blend_four
 
 SUBPIXELS = 8  # a stamp is kept for each eighth of a pixel both ways
 LARGEST_STAMP = 3.5  # px; larger discs are drawn one by one

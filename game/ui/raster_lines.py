@@ -12,6 +12,7 @@ from game.ui.raster_pixels import blend, bounds_of, is_drawable, strip_coverage,
 
 ROUND = 1  # line ends: a half disc, or (0) cut square
 BUTT = 0
+FADING = 0.501  # px beyond a strip's edge where a pixel's middle may lie that it still touches
 
 
 @kernel
@@ -107,7 +108,7 @@ def stroke_segment(
     if not 0.0 < width < 1e9:
         return
     half = 0.5 * width
-    reach = half + 0.75
+    reach = half + FADING
     first, last = inside_share(clip, x0, y0, x1, y1, reach + 1.0)
     if first > last:
         return
@@ -124,7 +125,7 @@ def stroke_segment(
     for row in range(top, bottom):
         left, right = row_span(row + 0.5, ax, ay, bx, by, reach, lean, slack)
         for column in range(
-            column_within(left - 0.5, x_low, x_high), column_within(right + 1.5, x_low, x_high)
+            column_within(left + 0.5, x_low, x_high), column_within(right + 0.5, x_low, x_high)
         ):
             share = segment_coverage(column + 0.5, row + 0.5, x0, y0, ux, uy, length, half, ends)
             weight = weight_of(share, alpha)

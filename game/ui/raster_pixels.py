@@ -1,4 +1,4 @@
-"""One pixel of a picture: how a colour is laid over it, and how four neighbours are at once.
+"""One pixel of a picture, and a piece of a row: how a colour is laid over them.
 
 A pixel is 0xAARRGGBB in a uint32. A weight of 256 replaces it, 0 leaves it. All four channels are mixed, the
 colour counting as opaque: on a surface without alpha the top byte is ignored; on one with alpha that starts
@@ -11,11 +11,9 @@ import math
 from typing import Any
 
 import numpy as np
-from llvmlite import ir
-from numba import config, types
-from numba.extending import intrinsic
 
 from game.physics.jit import kernel
+from game.ui.raster_vectors import mix_four
 
 FARTHEST = 1.0e9  # px; beyond this a coordinate has lost its subpixels and nothing is drawn
 OPAQUE = 0xFF000000
@@ -47,8 +45,13 @@ def fill_row(pixels: Any, row: int, start: int, stop: int, color: int, weight: i
         for column in range(start, stop):
             pixels[row, column] = solid
     elif weight > 0:
-        for column in range(start, stop):
+        column, begin = start, row * pixels.shape[1]
+        while column + 4 <= stop:
+            mix_four(pixels, begin + column, color | OPAQUE, weight)
+            column += 4
+        while column < stop:
             blend(pixels, row, column, color, weight)
+            column += 1
 
 
 @kernel
@@ -91,52 +94,3 @@ def clip_bounds(pixels: Any, clip: Any, left: float, top: float, right: float, b
     x_high = min(pixels.shape[1], clip[2], math.ceil(min(right, 1.0 * pixels.shape[1])))
     y_high = min(pixels.shape[0], clip[3], math.ceil(min(bottom, 1.0 * pixels.shape[0])))
     return x_low, y_low, x_high, y_high
-
-
-def _blend_four_plainly(pixels: Any, position: int, weights: Any, first: int, color: int) -> None:
-    """Lay a colour over ``pixels[position : position + 4]`` of a flat picture.
-
-    ``weights[first : first + 16]`` (uint16, 0 to 256) holds each pixel's weight four times, once a channel.
-    """
-    for i in range(4):
-        below, weight = int(pixels[position + i]), int(weights[first + 4 * i])
-        mixed = 0
-        for shift in (0, 8, 16, 24):
-            a, b = (color >> shift) & 255, (below >> shift) & 255
-            mixed |= ((a * weight + b * (256 - weight) + 128) >> 8) << shift
-        pixels[position + i] = mixed
-
-
-@intrinsic
-def _blend_four_at_once(
-    typing_context: Any, pixels: Any, position: Any, weights: Any, first: Any, color: Any
-) -> Any:
-    """``_blend_four_plainly`` in eight vector instructions; numba's own loop is five times slower."""
-    signature = types.void(pixels, position, weights, first, color)
-
-    def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        picture, at, table, start, ink = args
-        bytes16, words16 = ir.VectorType(ir.IntType(8), 16), ir.VectorType(ir.IntType(16), 16)
-        ints4, int32 = ir.VectorType(ir.IntType(32), 4), ir.IntType(32)
-        data = context.make_array(signature.args[0])(context, builder, picture).data
-        rows = context.make_array(signature.args[2])(context, builder, table).data
-        place = builder.bitcast(builder.gep(data, [at]), bytes16.as_pointer())
-        source = builder.bitcast(builder.gep(rows, [start]), words16.as_pointer())
-        below = builder.zext(builder.load(place, align=4), words16)
-        weight = builder.load(source, align=2)
-        nothing = ir.Constant(ints4, ir.Undefined)
-        one = builder.insert_element(nothing, builder.trunc(ink, int32), ir.Constant(int32, 0))
-        four = builder.shuffle_vector(one, nothing, ir.Constant(ints4, [0] * 4))
-        over = builder.zext(builder.bitcast(four, bytes16), words16)
-        keep = builder.sub(ir.Constant(words16, [256] * 16), weight)
-        mixed = builder.add(builder.mul(over, weight), builder.mul(below, keep))
-        mixed = builder.lshr(
-            builder.add(mixed, ir.Constant(words16, [128] * 16)), ir.Constant(words16, [8] * 16)
-        )
-        builder.store(builder.trunc(mixed, bytes16), place, align=4)
-        return context.get_dummy_value()
-
-    return signature, generate
-
-
-blend_four = _blend_four_plainly if config.DISABLE_JIT else _blend_four_at_once

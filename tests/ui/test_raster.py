@@ -37,7 +37,8 @@ from game.ui.raster import (
     stroke_segments,
 )
 from game.ui.raster_discs import disc_stamps
-from game.ui.raster_pixels import _blend_four_plainly, blend
+from game.ui.raster_pixels import blend, fill_row
+from game.ui.raster_vectors import _blend_four_plainly
 from tests.ui.paper import Paper, in_polygon, sampled, segment_distance
 
 INK = 0xFFFFFF
@@ -345,6 +346,35 @@ def test_blending_rounds_each_channel(color, below, weight):
     for shift in (0, 8, 16, 24):
         a, b = (over >> shift) & 255, (below >> shift) & 255
         assert (int(pixels[0, 0]) >> shift) & 255 == (a * weight + b * (256 - weight) + 128) >> 8
+
+
+@given(
+    st.integers(0, 0xFFFFFF), st.integers(0, 256), st.integers(0, 20), st.integers(0, 20), st.integers(0, 99)
+)
+@settings(max_examples=100, deadline=None)
+def test_a_piece_of_a_row_is_its_pixels_one_by_one(color, weight, start, length, seed):
+    row = np.random.default_rng(seed).integers(0, 1 << 32, (3, 41)).astype(np.uint32)
+    twin = row.copy()
+    fill_row(row, 1, start, start + length, color, weight)
+    for column in range(start, start + length):
+        blend(twin, 1, column, color, weight)
+    assert (row == twin).all()
+
+
+@given(points=st.lists(st.tuples(st.floats(-30, 70), st.floats(-10, 50)), min_size=3, max_size=9))
+@settings(max_examples=100, deadline=None)
+def test_a_polygon_keeps_its_share_between_its_edges(points):
+    """Against the same polygon in strips one column wide, in which there is nothing between edges."""
+    paper, twin = Paper(), Paper()
+    corners = np.array(points)
+    _cover, area, extent = scratch_for(paper.pixels)
+    fill_polygon(paper.pixels, paper.clip, area, extent, corners, 0xFFFFFF, 0.7)
+    for column in range(paper.clip[0], paper.clip[2]):
+        strip = np.array((column, paper.clip[1], column + 1, paper.clip[3]), np.int64)
+        fill_polygon(twin.pixels, strip, area, extent, corners, 0xFFFFFF, 0.7)
+    unlike = paper.pixels.view(np.uint8).astype(int) - twin.pixels.view(np.uint8).astype(int)
+    assert np.abs(unlike).max() <= 1  # float32 sums
+    assert not area.any()
 
 
 def test_many_discs_and_lines_are_single_ones_in_turn():
