@@ -2,7 +2,7 @@
 
 pygame.Window gives a drawing surface of true pixels on screens that scale (a display made by
 ``pygame.display.set_mode`` is stretched there). Positions of the mouse come in points and are brought to
-pixels here, so nothing else needs to know. No mixer is ever opened: no sound card is needed.
+pixels here, so nothing else needs to know. No sound is opened here: no sound card is needed.
 """
 
 from __future__ import annotations

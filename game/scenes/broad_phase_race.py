@@ -54,7 +54,7 @@ class BroadPhaseRace(BoxesScene):
 
     name = "broad-phase-race"
     task = "C05–C07"
-    title = "Broad phases: the race"
+    title = "Broad-phase race"
     study = count_study
     groups = ("Workload", "Boxes", "Contestants", "Step", "Disturbance", "Shown")
 

@@ -24,7 +24,7 @@ class OrientedBoxes(BoundsScene):
 
     name = "c08"
     task = "C08"
-    title = "Oriented bounding boxes"
+    title = "Oriented boxes"
     study = box_study
 
     strips = (

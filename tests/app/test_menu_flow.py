@@ -27,6 +27,22 @@ def test_eighteen_scenes_lie_as_in_the_drawing():
     assert flow.height == 600
 
 
+def test_a_row_is_filled_with_the_category_that_fits_best():
+    twenty = [
+        Group("Billiards", ("billiards", "lecture-balls", "lecture-table", "three-tables")),
+        Group("Animation", ("c01", "c02", "c03")),
+        Group("Particles", ("c04", "c14", "c15")),
+        Group("Broad phase", ("c05", "c06", "c07", "race")),
+        Group("Bounds", ("c08", "c09", "c10", "c11")),
+        Group("Rigid", ("c12", "c13")),
+    ]
+    flow = arrange_cards(twenty, "billiards", 1280, 600, 1.0)
+    assert flow.height == 600 and {card.rect.w for card in flow.cards if not card.wide} == {160}
+    assert [head.text for head in flow.heads] == [
+        "Billiards", "Rigid", "Animation", "Broad phase", "Particles", "Bounds",
+    ]  # fmt: skip
+
+
 def test_few_scenes_get_larger_cards():
     flow = arrange_cards([Group("Billiards", ("a", "b"))], "a", 1280, 600, 1.0)
     assert flow.cards[0].wide
@@ -42,7 +58,11 @@ groups = st.lists(st.integers(1, 9), min_size=0, max_size=6).map(
 @given(groups=groups, width=st.integers(1, 4000), height=st.integers(1, 2400), k=st.floats(0.5, 3.0))
 def test_cards_never_overlap_and_stay_inside(groups: list[Group], width: int, height: int, k: float):
     flow = arrange_cards(groups, "s0-0", width, height, k)
-    assert [card.name for card in flow.cards] == [name for group in groups for name in group.names]
+    names = [card.name for card in flow.cards]
+    assert sorted(names) == sorted(name for group in groups for name in group.names)
+    for group in groups:  # the cards of a category stand together, in their order
+        first = names.index(group.names[0])
+        assert tuple(names[first : first + len(group.names)]) == group.names
     for i, card in enumerate(flow.cards):
         assert card.rect.w > 0 and card.rect.h > 0
         assert card.rect.contains(card.picture)

@@ -4,11 +4,16 @@ import pygame
 import pytest
 from tests_app import Driver, example_entry
 
+from game.app.menu.items import WIDE
 from game.app.menu.screen import MenuScreen
+from game.app.menu.sketches import SKETCHES
 from game.app.scene.screen import SceneScreen
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.settings_card import SettingsCard
+from game.scenes import CATALOGUE
 from game.stage.catalogue import Catalogue
+from game.ui.look import Look
+from game.ui.theme import DARK
 
 
 def middle_of(driver: Driver, index: int) -> tuple[int, int]:
@@ -158,3 +163,17 @@ def test_resting_menu_paints_nothing_anew(driver: Driver):
     picture = driver.top._picture
     driver.frames(30)
     assert driver.top._picture is picture
+
+
+def test_no_words_on_a_card_are_cut_off():
+    look = Look(DARK, 1.0)
+    room = 160 - 2 * 12  # of the narrowest card, beside its margins
+    for entry in CATALOGUE:
+        assert look.fonts.fit(entry.title, 13, "semibold", room) == entry.title
+        if entry.name != WIDE[0]:
+            used = look.fonts.size(entry.task, 11, "semibold")[0] + 7
+            assert look.fonts.fit(entry.fact, 11, "medium", room - used) == entry.fact
+
+
+def test_every_scene_has_a_drawing_for_its_card():
+    assert set(SKETCHES) == {entry.name for entry in CATALOGUE}

@@ -1,4 +1,4 @@
-"""Where the menu's cards lie: categories one after another in rows, cards as large as the window lets them.
+"""Where the menu's cards lie: categories packed into rows, cards as large as the window lets them.
 
 Design measures: margins 32, header 80, footer 40, gap 16, a card's picture 160:104 with 56 for its words,
 28 for a category's name above.
@@ -80,11 +80,15 @@ def _arrange(groups: Sequence[Group], wide: str, columns: int, width: int, k: fl
     cards: list[Card] = []
     heads: list[Head] = []
     row = column = 0
-    for group in groups:
-        spans = [2 if name == wide and columns >= 2 else 1 for name in group.names]
-        if column and column + sum(spans) > columns:
+    left_over = list(groups)
+    while left_over:
+        group = _best_fit(left_over, wide, columns - column, columns)
+        if group is None:
             row, column = row + 1, 0
-        for i, (name, span) in enumerate(zip(group.names, spans, strict=True)):
+            continue
+        left_over.remove(group)
+        for i, name in enumerate(group.names):
+            span = _span(name, wide, columns)
             if column + span > columns:
                 row, column = row + 1, 0
             left = round(MARGIN * k + column * (card + GAP * k))
@@ -97,6 +101,20 @@ def _arrange(groups: Sequence[Group], wide: str, columns: int, width: int, k: fl
             cards.append(Card(name, rect, pygame.Rect(picture), span == 2))
             column += span
     return Flow(tuple(cards), tuple(heads), (row + 1) * pitch if cards else 0)
+
+
+def _span(name: str, wide: str, columns: int) -> int:
+    return 2 if name == wide and columns >= 2 else 1
+
+
+def _best_fit(groups: Sequence[Group], wide: str, room: int, columns: int) -> Group | None:
+    """What comes next in a row with so many columns left: at its beginning the first group, however long;
+    else the one that leaves the least room, the first of equals; None if none has place."""
+    if room == columns:
+        return groups[0]
+    lengths = [sum(_span(name, wide, columns) for name in group.names) for group in groups]
+    fitting = [(room - length, i) for i, length in enumerate(lengths) if length <= room]
+    return groups[min(fitting)[1]] if fitting else None
 
 
 def arrange_rows(count: int, top: int, width: int, k: float) -> tuple[pygame.Rect, ...]:

@@ -1,0 +1,94 @@
+"""Drawings of key-frames, a skin and its bones, and arms that reach."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import pygame
+
+from game.app.menu.sketches.pen import Pen, Point
+
+
+def draw_key_frames(pen: Pen) -> None:
+    pen.fill("stage")
+    path = []
+    for i in range(61):
+        t = 2.0 * math.pi * i / 60.0
+        path.append((80.0 - 58.0 * math.cos(t), 42.0 - 24.0 * math.sin(2.0 * t)))
+    pen.line([*path, path[1]], "chalk", 1.8)
+    for i, strength in ((4, "line"), (8, "line2"), (12, "ghost")):
+        pen.line(_box_on_path(path[i], path[i + 1]), strength, 0.9)
+    for i in (0, 20, 30, 40, 52):
+        pen.disc(*path[i], 3.0, "stage")
+        pen.disc(*path[i], 3.0, "accent", ring=1.3)
+    corners = _box_on_path(path[16], path[17])
+    pygame.draw.polygon(pen.large, pen.look.color("body"), [pen.at(*corner) for corner in corners])
+    pen.line(corners, "text1", 1.6)
+    pen.disc(*path[16], 2.4, "amber")
+    pen.line(((14.0, 90.0), (146.0, 90.0)), "line2", 1.0)
+    for x in (14.0, 50.0, 80.0, 104.0, 132.0):
+        pen.disc(x, 90.0, 2.2, "accent")
+    pen.line(((57.0, 76.0), (57.0, 90.0)), "amber", 1.4)
+
+
+def _box_on_path(place: Point, ahead: Point) -> list[Point]:
+    """Corners of a box that looks the way of a path, the first one again at the end."""
+    angle = math.atan2(ahead[1] - place[1], ahead[0] - place[0])
+    cos, sin = math.cos(angle), math.sin(angle)
+    sides = ((-10.0, -6.0), (10.0, -6.0), (10.0, 6.0), (-10.0, 6.0), (-10.0, -6.0))
+    return [(place[0] + a * cos - b * sin, place[1] + a * sin + b * cos) for a, b in sides]
+
+
+def draw_skeleton(pen: Pen) -> None:
+    pen.fill("stage")
+    pen.line(((0.0, 96.0), (160.0, 96.0)), "line", 1.0)
+    limbs = (
+        ((80.0, 32.0), (80.0, 60.0)), ((86.0, 33.0), (104.0, 42.0)), ((104.0, 42.0), (114.0, 22.0)),
+        ((74.0, 33.0), (60.0, 48.0)), ((60.0, 48.0), (52.0, 64.0)), ((84.0, 60.0), (90.0, 78.0)),
+        ((90.0, 78.0), (90.0, 94.0)), ((76.0, 60.0), (70.0, 78.0)), ((70.0, 78.0), (68.0, 94.0)),
+    )  # fmt: skip
+    for a, b in limbs:
+        for width, color in ((13.0, "chalk"), (11.0, "body")):
+            if color == "chalk":
+                pen.disc(*a, 0.5 * width, color)
+                pen.disc(*b, 0.5 * width, color)
+                pen.line((a, b), color, width)
+    pen.disc(80.0, 18.0, 10.5, "chalk")
+    for a, b in limbs:
+        pen.disc(*a, 5.4, "body")
+        pen.disc(*b, 5.4, "body")
+        pen.line((a, b), "body", 10.8)
+    pen.disc(80.0, 18.0, 9.4, "body")
+    for a, b in (*limbs, ((80.0, 28.0), (80.0, 14.0))):
+        _bone(pen, a, b, "amber" if b == (114.0, 22.0) else "text1")
+
+
+def _bone(pen: Pen, a: Point, b: Point, color: str) -> None:
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    x, y = a[0] + 0.2 * dx, a[1] + 0.2 * dy
+    length = math.sqrt(dx * dx + dy * dy)
+    side = 2.4 / length
+    corners = (a, (x - side * dy, y + side * dx), b, (x + side * dy, y - side * dx), a)
+    pen.line(corners, color, 0.9)
+    pen.disc(*a, 1.5, color)
+    pen.disc(*b, 1.5, color)
+
+
+def draw_reaching(pen: Pen) -> None:
+    pen.fill("stage")
+    root, target = (34.0, 84.0), (118.0, 30.0)
+    arms = (
+        ("chalk", ((34.0, 84.0), (24.0, 50.0), (52.0, 28.0), (87.0, 20.0), (118.0, 30.0))),
+        ("violet", ((34.0, 84.0), (58.0, 58.0), (94.0, 66.0), (122.0, 60.0), (118.0, 30.0))),
+        ("text1", ((34.0, 84.0), (46.0, 50.0), (76.0, 42.0), (96.0, 54.0), (118.0, 30.0))),
+    )
+    for color, joints in arms:
+        if color == "text1":
+            for a, b in pairwise(joints):
+                _bone(pen, a, b, color)
+        else:
+            pen.line(joints, color, 1.4, dash=2.6)
+    pen.disc(*root, 3.4, "text1")
+    pen.disc(*target, 8.0, "amber", ring=1.6)
+    pen.disc(*target, 2.6, "amber")

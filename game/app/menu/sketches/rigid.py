@@ -1,0 +1,48 @@
+"""Drawings of rigid bodies."""
+
+from __future__ import annotations
+
+import pygame
+
+from game.app.menu.sketches.pen import Pen
+
+
+def draw_rigid_body(pen: Pen) -> None:
+    """A hammer in its box, and the outline of where it will be when it has turned over."""
+    pen.fill("stage")
+    for left, middle, right in ((26, 14, 26), (92, 84, 92)):
+        pen.line(((18, left), (106, middle), (146, right)), "line2", 0.8)
+    for x, top, low in ((18, 26, 92), (106, 14, 84), (146, 26, 92)):
+        pen.line(((x, top), (x, low)), "line2", 0.8)
+    for k in range(6):
+        pen.disc(102.0 + 6.4 * k, 53.0 + 3.4 * k, 5.2, "ghost", ring=0.7)
+    for k in range(6):
+        _ball_of_body(pen, 40.0 + 6.6 * k, 69.0 - 3.4 * k, 5.4, pygame.Color("#E9E0CF"))
+    for k in (-2, 2, -1, 1, 0):
+        _ball_of_body(pen, 84.0 + 4.2 * k, 47.0 + 10.8 * k, 11.5, pygame.Color("#5FBAF9"))
+    pen.arrow((84.0, 47.0), (132.0, 22.0), "pink")
+
+
+def _ball_of_body(pen: Pen, x: float, y: float, radius: float, color: pygame.Color) -> None:
+    """A sphere: shade, colour, light."""
+    pen.disc(x, y, radius, color.lerp(pygame.Color("black"), 0.45))
+    pen.disc(x - 0.06 * radius, y - 0.08 * radius, 0.9 * radius, color)
+    pen.disc(x - 0.3 * radius, y - 0.36 * radius, 0.28 * radius, color.lerp(pygame.Color("white"), 0.6))
+
+
+def draw_cradle(pen: Pen) -> None:
+    """Newton's cradle, the first ball coming down."""
+    pen.fill("stage")
+    pen.line(((46.0, 18.0), (126.0, 18.0)), "line2", 2.4)
+    balls = [(62.0 + 16.0 * i, 76.0, 62.0 + 16.0 * i) for i in range(1, 4)]
+    balls.append((62.0 - 44.0 * 0.68, 18.0 + 58.0 * 0.87, 62.0))
+    for x, y, tie in balls:
+        pen.line(((tie, 18.0), (x, y)), "ghost", 0.8)
+    for i, (x, y, _) in enumerate(balls):
+        tone = "chalk" if i == 3 else "text1"
+        pen.disc(x, y, 8.0, "body")
+        pen.disc(x, y, 8.0, tone, ring=1.5)
+        pen.line(((x, y), (x + 7.0, y)), tone, 1.1)
+    pen.arrow((40.0, 76.0), (58.0, 83.0), "chalk")
+    pen.arrow((120.0, 76.0), (142.0, 76.0), "amber")
+    pen.disc(118.0, 76.0, 2.2, "amber")
