@@ -26,10 +26,14 @@ def demo_steps(scene_type: type[Scene], dt: float) -> int:
 
 
 class Script:
-    """Plays events into a stage. Steps are never anticipated: an event acts exactly at its stamp."""
+    """Plays events into a stage. Steps are never anticipated: an event acts exactly at its stamp.
 
-    def __init__(self, stage: Stage, events: Sequence[Stamped]):
+    ``players``: the scene's own players have their say before each step, see `Stage.run`.
+    """
+
+    def __init__(self, stage: Stage, events: Sequence[Stamped], players: bool = False):
         self.stage = stage
+        self._players = players
         self._events = events
         self._next = 0
 
@@ -48,6 +52,8 @@ class Script:
         made = 0
         while left > 0.0:
             self.post_due()
+            if self._players:
+                stage.listen(at_once=True)
             part = min(left, 0.9 * step_s)
             made += stage.advance(part)
             left -= part
@@ -60,7 +66,7 @@ class Script:
         while self.stage.step_number < end and self.stage.fault is None:
             self.post_due()
             upto = end if self.finished else min(end, self._events[self._next].step)
-            self.stage.run(max(1, upto - self.stage.step_number))
+            self.stage.run(max(1, upto - self.stage.step_number), players=self._players)
 
     def post_due(self) -> None:
         """Post what is stamped with the present step; what lies behind is passed over."""

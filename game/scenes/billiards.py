@@ -291,7 +291,7 @@ class Billiards(Scene):
             modes.run_replay(self, dt)
         elif self.phase == AIMING:
             self.rest_s += dt
-            if self.plays_itself:
+            if self.plays_itself or self.plays_alone:
                 deciding.play_by_itself(self)
 
     @property
@@ -330,8 +330,12 @@ class Billiards(Scene):
     def action(self, name: str) -> None:
         buttons.action(self, name)
 
-    def decisions(self) -> list[Decision]:
-        return deciding.decisions(self)
+    def decisions(self, at_once: bool = False) -> list[Decision]:
+        return deciding.decisions(self, at_once)
+
+    @property
+    def plays_alone(self) -> bool:
+        return all(self.grade_of(player) != "person" for player in range(len(self.round.game.players)))
 
     def decide(self, event: Decision) -> None:
         deciding.decide(self, event)

@@ -16,7 +16,7 @@ from game.stage import Decision
 if TYPE_CHECKING:
     from game.scenes.billiards import Billiards
 
-NEXT_STROKE_S = 0.7  # s of rest before the table's own next stroke
+NEXT_STROKE_S = 0.7  # s of rest before the next stroke of a computer player, or of the table itself
 NEW_RACK_S = 2.5
 
 
@@ -27,19 +27,25 @@ def question_of(scene: Billiards) -> Question:
     return Question(key, scene.round.frame, scene.grade_of(scene.round.game.turn), seed)
 
 
-def decisions(scene: Billiards) -> list[Decision]:
-    """What the computer player at turn has decided, if it is one and has."""
+def decisions(scene: Billiards, at_once: bool = False) -> list[Decision]:
+    """What the computer player at turn has decided, if it is one and has. at_once: it does so now."""
     players = range(len(scene.round.game.players))
-    if any(scene.grade_of(player) != "person" for player in players):
+    if not at_once and any(scene.grade_of(player) != "person" for player in players):
         scene.thinker.prepare()
     computer = not scene.person_plays and not scene.plays_itself and not scene.round.game.over
     if not computer or scene.phase != AIMING or scene.grip:
         scene.thinker.forget()
         return []
-    thought = scene.thinker.ask(question_of(scene))
+    rested = scene.rest_s > NEXT_STROKE_S
+    if at_once:
+        thought = scene.thinker.answer(question_of(scene)) if rested else None
+    else:
+        thought = scene.thinker.ask(question_of(scene))
     if thought is None:
         return []
     scene.kept.considered = thought.considered
+    if not rested:
+        return []
     if not thought.decisions:  # it failed; the game goes on
         return [decision_of(simple_stroke(scene.round.frame, scene.round.strokes))]
     return list(thought.decisions)
@@ -69,12 +75,14 @@ def decide(scene: Billiards, event: Decision) -> None:
 
 
 def play_by_itself(scene: Billiards) -> None:
-    """The table's own strokes, the same for the same round, and a new rack when one is over."""
+    """A new rack when one is over; and while the table plays itself its own strokes, the same for the same
+    round.
+    """
     game = scene.round.game
     if game.over:
         if scene.rest_s > NEW_RACK_S:
             rack(scene)
-    elif scene.rest_s > NEXT_STROKE_S:
+    elif scene.plays_itself and scene.rest_s > NEXT_STROKE_S:
         if game.options:
             take_option(scene, 0)
         elif scene.round.playable:

@@ -1,6 +1,8 @@
 """Who thinks for a computer player: a thread that is asked one question at a time.
 
-What it finds comes back as decisions, which the stage lets in as events; the state never waits for it.
+What it finds comes back as decisions, which the stage lets in as events; the state never waits for it. Where
+no time passes, the question is answered at once instead, with no thread and no limit of time: then the answer
+depends on the question alone.
 """
 
 from __future__ import annotations
@@ -24,12 +26,16 @@ class Thought(NamedTuple):
 
 
 class Question(NamedTuple):
-    """What is asked: the frame, the player's grade, a seed. key: equal for equal questions."""
+    """What is asked: the frame, the player's grade, a seed. key: equal for equal questions.
+
+    patient: it may take as long as it takes, on all processors.
+    """
 
     key: object
     frame: Frame
     grade: str
     seed: int
+    patient: bool = False
 
 
 Think = Callable[[Question], Thought]
@@ -78,6 +84,10 @@ class Thinker:
             self._thread.start()
         return None
 
+    def answer(self, question: Question) -> Thought:
+        """The answer to a question, thought about here and now."""
+        return self._thought(question._replace(patient=True))
+
     def forget(self) -> None:
         """Nobody waits for an answer any more."""
         with self._lock:
@@ -94,11 +104,14 @@ class Thinker:
 
     def _run(self, question: Question) -> None:
         self._make_ready()
-        try:
-            thought = self._think(question)
-        except Exception as error:  # a player that fails must not stop the game: it plays on simply
-            self.failure = f"{type(error).__name__}: {error}"
-            thought = Thought(())
+        thought = self._thought(question)
         with self._lock:
             if self._key == question.key:
                 self._answer = thought
+
+    def _thought(self, question: Question) -> Thought:
+        try:
+            return self._think(question)
+        except Exception as error:  # a player that fails must not stop the game: it plays on simply
+            self.failure = f"{type(error).__name__}: {error}"
+            return Thought(())

@@ -19,12 +19,13 @@ HAND_SEED = 50_021
 
 
 def think(question: Question) -> Thought:
-    """The decisions of a player of some grade. It uses one processor: the other one draws."""
+    """The decisions of a player of some grade. One in a hurry uses one processor: the other one draws."""
     from game.billiards.opponents import GRADES as PLAYERS
     from game.billiards.opponents import decide, stroke_of_hand
 
     frame, grade = question.frame, PLAYERS[question.grade]
-    made = decide(frame, grade, question.seed, THINK_S, threads=1)
+    limits = (None, None) if question.patient else (THINK_S, 1)
+    made = decide(frame, grade, question.seed, *limits)
     if made.option:
         names = [option.name for option in frame.game.options]
         return Thought((Decision("option", (float(names.index(made.option)),)),))

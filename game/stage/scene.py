@@ -247,12 +247,18 @@ class Scene:
     def action(self, name: str) -> None:
         """One of ``actions``."""
 
-    def decisions(self) -> Sequence[Decision]:
+    def decisions(self, at_once: bool = False) -> Sequence[Decision]:
         """What the scene's own players have decided since the last call; each is to be posted as an event.
 
-        Asked for where somebody plays, never in a replay. It must not change the state.
+        Asked for where somebody plays, never in a replay. It must not change the state. ``at_once``: they
+        think to their end within the call, so that what they decide depends on nothing but the state.
         """
         return ()
+
+    @property
+    def plays_alone(self) -> bool:
+        """True if the scene's own players decide everything, so that no demo is wanted."""
+        return False
 
     def decide(self, event: Decision) -> None:
         """A decision of ``decisions``; ValueError for one that cannot be."""

@@ -192,10 +192,14 @@ class Stage:
         due = self.clock.advance(elapsed_s * self._speed)
         return self._make(due)
 
-    def run(self, steps: int, progress: Callable[[int, int], Any] | None = None) -> int:
+    def run(
+        self, steps: int, progress: Callable[[int, int], Any] | None = None, players: bool = False
+    ) -> int:
         """Make so many steps as fast as it goes; returns how many were made (fewer after a fault).
 
         ``progress(done, total)`` is called about a hundred times; if it returns False the run stops.
+        ``players``: before each step the scene's own players are listened to. Simulated time stands still
+        while they think, so that what they do does not depend on the machine.
         """
         if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
             raise ValueError(f"steps = {steps!r}: a whole number, 0 or more, is wanted")
@@ -206,20 +210,22 @@ class Stage:
         portion = max(1, steps // 100) if progress is not None else steps
         while made < steps:
             asked = min(portion, steps - made)
-            done = self._make(asked)
+            done = self._make(asked, players)
             made += done
             if done < asked or (progress is not None and progress(made, steps) is False):
                 break
         self._next_sample = min(self._next_sample, self.step_number + 1)
         return made
 
-    def _make(self, steps: int) -> int:
+    def _make(self, steps: int, players: bool = False) -> int:
         """Make steps until one fails; returns how many were made."""
         session = self._session
         if session.fault is not None:
             return 0
         made = 0
         while made < steps:
+            if players:
+                self.listen(at_once=True)
             if made == steps - 1:
                 session.keep_previous()
             if not session.advance():
@@ -261,11 +267,14 @@ class Stage:
         self._session.let_in(checked_event(event, self.scene_type))
         self._follow_session()
 
-    def listen(self) -> None:
-        """Post what the scene's own players have decided, unless a remembered future will say it."""
+    def listen(self, at_once: bool = False) -> None:
+        """Post what the scene's own players have decided, unless a remembered future will say it.
+
+        ``at_once``: wait for those that think, see `Scene.decisions`. KnobError for what is refused.
+        """
         if self._paused or self._session.fault is not None or self._session.repeating:
             return
-        for event in self.scene.decisions():
+        for event in self.scene.decisions(at_once):
             self.post(event)
 
     def _follow_session(self) -> None:

@@ -77,7 +77,7 @@ def test_stepping_back_over_a_stroke_does_not_ask_again():
         stage.step_back()
     stage.resume()
     while stage.step_number < steps:
-        if stage.scene.round.strokes < 1:  # what comes after the stroke was not decided before, and may be now
+        if stage.scene.round.strokes < 1:  # what comes after the stroke was not decided before
             stage.listen()
         stage.run(1)
     assert stage.digest() == end and asked.count(first) == 1
@@ -105,6 +105,40 @@ def test_frames_go_on_while_a_player_thinks_and_an_old_answer_is_forgotten():
         stage.listen()
         seconds(stage, 0.02)
     assert stage.scene.phase == "aiming" and stage.scene.round.strokes == 0
+
+
+def test_without_a_window_time_stands_still_while_players_think():
+    """Two runs are alike, whatever the machine does meanwhile, and replay without a thought."""
+    digests, asked = [], []
+
+    def slowly(question: Question) -> Thought:
+        asked.append(threading.current_thread())
+        assert question.patient
+        time.sleep(0.01 * len(asked))
+        return simply(question)
+
+    for _ in range(2):
+        stage = open_level("nine-ball")
+        stage.scene.thinker = Thinker(slowly, lambda: None)
+        for name in ("first_player", "second_player"):
+            stage.post(SetKnob(name, "club"))
+        assert stage.scene.plays_alone
+        stage.run(round(25.0 / stage.dt), players=True)
+        assert stage.scene.round.strokes >= 2
+        digests.append(stage.digest())
+    assert digests[0] == digests[1] and set(asked) == {threading.current_thread()}
+    count = len(asked)
+    assert replay_scene(stage.recording, Billiards).digest() == digests[0] and len(asked) == count
+
+
+def test_a_rack_of_two_computer_players_is_followed_by_the_next():
+    stage = open_level("masters")
+    scene = stage.scene
+    scene.round = msgspec.structs.replace(
+        scene.round, game=msgspec.structs.replace(scene.round.game, winner=0, won=(1, 0))
+    )
+    seconds(stage, deciding.NEW_RACK_S + 0.1)
+    assert not scene.round.game.over and scene.round.game.opening and scene.round.game.won == (1, 0)
 
 
 def test_a_player_that_fails_does_not_stop_the_game():

@@ -30,8 +30,9 @@ class Chooser(Scene):
 
         return State(self.value)
 
-    def decisions(self):
+    def decisions(self, at_once=False):
         type(self).asked += 1
+        type(self).at_once = at_once
         due = self.steps % 10 == 0 and self.steps != self.last
         return [Decision("add", (float(self.steps),))] if due else []
 
@@ -58,6 +59,16 @@ def test_decisions_act_and_are_replayed_without_asking(tmp_path):
     asked = Chooser.asked
     again = replay_scene(Recording.load(path), Chooser)
     assert again.digest() == stage.digest() and Chooser.asked == asked
+
+
+def test_a_run_without_a_window_lets_players_play_at_once():
+    stage = Stage(Chooser)
+    stage.run(40)
+    assert stage.scene.value[0] == 0.0
+    stage = Stage(Chooser)
+    stage.run(40, players=True)
+    assert Chooser.at_once and stage.digest() == played(40).digest() and not Chooser.at_once
+    assert replay_scene(stage.recording, Chooser).digest() == stage.digest()
 
 
 def test_nobody_is_asked_while_it_stands_or_repeats():

@@ -1,4 +1,4 @@
-"""``record``: a film of a scene, MP4 or GIF; of its demo, or of a recording."""
+"""``record``: a film of a scene, MP4 or GIF; of its demo, of its own players, or of a recording."""
 
 from __future__ import annotations
 
@@ -42,10 +42,13 @@ def execute(options: argparse.Namespace) -> int:
         except RecordingError as error:
             raise MistakeError(str(error)) from None
     else:
-        stage, events = given.make_stage(options), list(demo_of(scene_type))
+        stage = given.make_stage(options)
+        events = [] if stage.scene.plays_alone else list(demo_of(scene_type))
     given.steps_in(seconds, stage.dt)
     try:
-        count = write_scene_film(stage, events, Path(film.path), film.size, film.fps, seconds, options.theme)
+        count = write_scene_film(
+            stage, events, Path(film.path), film.size, film.fps, seconds, options.theme, not options.replay
+        )
     except VideoError as error:
         raise MistakeError(str(error), status=1) from None
     print(f"{film.path}: {count / film.fps:.1f} s, {count} pictures")

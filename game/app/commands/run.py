@@ -1,4 +1,7 @@
-"""``run``: a scene without a window, as fast as it goes."""
+"""``run``: a scene without a window, as fast as it goes.
+
+Its own players play; simulated time stands still while they think.
+"""
 
 from __future__ import annotations
 
@@ -39,7 +42,7 @@ def execute(options: argparse.Namespace) -> int:
     for _, compile_kernel in stage.scene_type.warm_ups():
         compile_kernel()  # so that the time measured is that of the steps alone
     began = time.process_time()
-    stage.run(steps)
+    stage.run(steps, players=True)
     cpu_s = time.process_time() - began
     report = describe(stage, cpu_s)
     if options.screenshot:

@@ -39,18 +39,19 @@ class _Ear(SoundPlayer):
 
 def write_scene_film(
     stage: Stage, events: Sequence[Stamped], path: Path, size: tuple[int, int], fps: int, seconds: float,
-    theme: str = "dark",
+    theme: str = "dark", players: bool = False,
 ) -> int:  # fmt: skip
     """Film a stage while events act at their steps; the pictures made. VideoError in one line.
 
-    A scene that is stopped ends its film.
+    A scene that is stopped ends its film. players: the scene's own players play, and no time passes while
+    they think.
     """
     prepare()
     look = Look(theme_named(theme), auto_scale(*size))
     surface = pygame.Surface(size, 0, 32)
     view = StageView(stage, look)
     view.place(surface.get_rect(), look)
-    script = Script(stage, events)
+    script = Script(stage, events, players)
     track = Soundtrack()
     ear = _Ear(track)
     sounding = type(stage.scene).hearing is not Scene.hearing
