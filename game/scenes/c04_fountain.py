@@ -18,6 +18,7 @@ from game.scenes import c04_findings as findings
 from game.scenes import c04_hand as hand
 from game.scenes.c04_level import MOST_STONES, FountainContent, Stone
 from game.scenes.c04_view import FountainView
+from game.scenes.figures.fountain import draw_impact
 from game.stage import (
     Choice,
     Equation,
@@ -124,6 +125,7 @@ class Fountain(Scene):
         SceneAction("emit", "emitter on or off", "E"),
         SceneAction("clear", "clear all particles", "C"),
     )
+    figure = staticmethod(draw_impact)
     equations = (
         Equation(
             "Motion, with drag and wind",

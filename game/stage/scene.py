@@ -117,6 +117,7 @@ class Scene:
     takes: ClassVar[frozenset[str]] = frozenset()  # of "wheel", "middle", "right": not for zoom and pan
     strips: ClassVar[tuple[Strip, ...]] = ()
     equations: ClassVar[tuple[Equation, ...]] = ()
+    figure: ClassVar[Callable[[Any], None] | None] = None  # draws the help page's figure with a ui.pen.Pen
     try_this: ClassVar[tuple[str, ...]] = ()
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()

@@ -17,7 +17,8 @@ from game.ui.formula import FormulaError, render_formula
 from game.ui.hotspots import Hotspots
 from game.ui.look import Look
 from game.ui.overlay import Overlay, draw_close
-from game.ui.shapes import draw_box, draw_disc
+from game.ui.pen import FIGURE, Pen
+from game.ui.shapes import box, draw_box, draw_disc
 
 HEIGHT, HEAD, PADDING = 624, 72, 32  # design px
 COLUMNS = ((296, 0), (344, 336), (280, 712))  # width and left edge of the columns side by side
@@ -66,10 +67,24 @@ class Column:
         picture = self._formula(equation.formula)
         height = max(px(48), picture.get_height() + px(12))
         if self.surface is not None:
-            box = pygame.Rect(self.left, self.y, self.width, height)
-            draw_box(self.surface, box, px(8), look.theme.stage)
-            self.surface.blit(picture, picture.get_rect(midleft=(self.left + px(14), box.centery)))
+            ground = pygame.Rect(self.left, self.y, self.width, height)
+            draw_box(self.surface, ground, px(8), look.theme.stage)
+            self.surface.blit(picture, picture.get_rect(midleft=(self.left + px(14), ground.centery)))
         self.y += height + px(12)
+
+    def figure(self, draw: Callable[[Pen], None]) -> None:
+        """A drawing as wide as the column, in a box with round corners."""
+        width = self.width
+        height = round(width * FIGURE[1] / FIGURE[0])
+        if self.surface is not None:
+            pen = Pen((width, height), self.look, FIGURE)
+            pen.fill("stage")
+            draw(pen)
+            rounded = pen.finished().convert_alpha()
+            mask = box((width, height), self.look.px(8), pygame.Color(255, 255, 255))
+            rounded.blit(mask, (0, 0), special_flags=pygame.BLEND_RGBA_MULT)
+            self.surface.blit(rounded, (self.left, self.y))
+        self.y += height + self.look.px(12)
 
     def control(self, keys: Sequence[str], words: str) -> None:
         """Key caps and what they do."""
@@ -260,8 +275,10 @@ class HelpPage:
 
     def _write_seen(self, column: Column) -> None:
         column.head("What you see")
-        for words in paragraphs_of(self.scene_type):
+        for i, words in enumerate(paragraphs_of(self.scene_type)):
             column.paragraph(words)
+            if i == 0 and self.scene_type.figure is not None:
+                column.figure(self.scene_type.figure)
         effects = tuple(self.scene_type.effects)
         if effects:
             column.space(8)

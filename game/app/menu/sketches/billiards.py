@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from game.app.menu.sketches.pen import Pen
+from game.ui.pen import Pen
 from game.ui.theme import CUE_BALL, FELT, FELT_COOL, FELT_LINE, FELT_WARM, WOOD_DARK
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.app.menu.sketches.pen import Pen
+from game.ui.pen import Pen
 
 Box = tuple[float, float, float]  # left, top, side
 
@@ -23,7 +23,7 @@ def draw_grid(pen: Pen) -> None:
     """A grid whose cells are the darker the more boxes have their corner there."""
     pen.fill("stage")
     for left, top, _ in SMALL:
-        pen.box(20.0 * (left // 20), 20.0 * (top // 20) + 2.0, 20.0, 20.0, _veiled(pen, "chalk", 0.78))
+        pen.box(20.0 * (left // 20), 20.0 * (top // 20) + 2.0, 20.0, 20.0, pen.veiled("chalk", 0.78))
     _draw_lines(pen, 20.0, "line", 2.0)
     _draw_boxes(pen, SMALL)
 
@@ -33,7 +33,7 @@ def draw_grids_of_sizes(pen: Pen) -> None:
     pen.fill("stage")
     _draw_lines(pen, 10.0, "grid", 2.0)
     for left, top in ((0, 2), (40, 2), (80, 42), (120, 42)):
-        pen.box(left, top, 40.0, 40.0, _veiled(pen, "green", 0.84))
+        pen.box(left, top, 40.0, 40.0, pen.veiled("green", 0.84))
     _draw_lines(pen, 40.0, "line2", 2.0)
     _draw_boxes(pen, MIXED)
 
@@ -66,11 +66,6 @@ def draw_race(pen: Pen) -> None:
         pen.box(136.0 + 5.0 * ((k + 1) % 2), 13.0 + 10.0 * k, 5.0, 5.0, "line2")
 
 
-def _veiled(pen: Pen, color: str, veil: float):
-    """A colour sunk into the ground."""
-    return pen.look.color(color).lerp(pen.look.color("stage"), veil)
-
-
 def _draw_lines(pen: Pen, cell: float, color: str, top: float) -> None:
     """A grid over the picture and beyond it."""
     count = int(240.0 // cell)
@@ -83,7 +78,7 @@ def _draw_boxes(pen: Pen, boxes: tuple[Box, ...]) -> None:
     meeting = _overlapping(boxes)
     for box in boxes:
         color = "vermilion" if box in meeting else "chalk"
-        pen.box(box[0], box[1], box[2], box[2], _veiled(pen, color, 0.55))
+        pen.box(box[0], box[1], box[2], box[2], pen.veiled(color, 0.55))
         pen.box(box[0], box[1], box[2], box[2], color, ring=1.1)
 
 

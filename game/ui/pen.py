@@ -1,4 +1,8 @@
-"""The pen: draws in a frame of 160 x 104, four times larger, reduced at the end; no kernel is needed."""
+"""A pen for small drawings, of the menu's cards and the help pages: no kernel is needed.
+
+Everything is drawn four times larger in a frame of its own measures and reduced at the end; words and
+formulas are set after that, at their true size.
+"""
 
 from __future__ import annotations
 
@@ -8,24 +12,28 @@ from itertools import pairwise
 
 import pygame
 
+from game.ui.formula import render_formula
 from game.ui.look import Look
 from game.ui.theme import BALL_COLORS, BALL_WHITE
 
-WIDTH, HEIGHT, FINE = 160.0, 104.0, 4
+CARD = (160.0, 104.0)  # the frame of a card's picture
+FIGURE = (296.0, 208.0)  # the frame of a help page's figure: design px
+FINE = 4
 
 Point = tuple[float, float]
 
 
 class Pen:
-    """Draws in the frame of 160 x 104, which covers the middle of the picture whatever its shape."""
+    """Draws in a frame, x to the right and y down, that covers the middle of a picture of any shape."""
 
-    def __init__(self, size: tuple[int, int], look: Look):
+    def __init__(self, size: tuple[int, int], look: Look, frame: Point = CARD):
         self.look = look
         self.size = size
         self.large = pygame.Surface((FINE * size[0], FINE * size[1]), 0, 32)
-        self._scale = FINE * max(size[0] / WIDTH, size[1] / HEIGHT)
-        self._left = 0.5 * (FINE * size[0] - WIDTH * self._scale)
-        self._top = 0.5 * (FINE * size[1] - HEIGHT * self._scale)
+        self._scale = FINE * max(size[0] / frame[0], size[1] / frame[1])
+        self._left = 0.5 * (FINE * size[0] - frame[0] * self._scale)
+        self._top = 0.5 * (FINE * size[1] - frame[1] * self._scale)
+        self._words: list[tuple[pygame.Surface, Point, str]] = []
 
     def fill(self, color: str | pygame.Color) -> None:
         """The ground."""
@@ -66,6 +74,41 @@ class Pen:
         rect = pygame.Rect(self.at(left, top), (width * self._scale, height * self._scale))
         pygame.draw.rect(self.large, self.look.color(color), rect, thick)
 
+    def area(self, points: Sequence[Point], color: str | pygame.Color, veil: float = 0.0) -> None:
+        """A filled polygon; ``veil`` sinks its colour into the stage, 0 to 1."""
+        shade = self.veiled(color, veil)
+        pygame.draw.polygon(self.large, shade, [self.at(*point) for point in points])
+
+    def veiled(self, color: str | pygame.Color, veil: float) -> pygame.Color:
+        """A colour sunk into the stage, 0 not at all to 1 wholly."""
+        return self.look.color(color).lerp(self.look.color("stage"), veil)
+
+    def arc(
+        self, center: Point, radius: float, start: float, end: float, color: str | pygame.Color,
+        width: float = 1.2, dash: float = 0.0,
+    ) -> None:  # fmt: skip
+        """Part of a circle from one angle to another, degrees, counter-clockwise from the right."""
+        count = max(2, math.ceil(abs(end - start) / 4.0))
+        turns = [math.radians(start + (end - start) * i / count) for i in range(count + 1)]
+        points = [(center[0] + radius * math.cos(t), center[1] - radius * math.sin(t)) for t in turns]
+        self.line(points, color, width, dash)
+
+    def words(
+        self, text: str, x: float, y: float, color: str | pygame.Color = "text2", align: str = "center",
+        size: float = 12, weight: str = "medium",
+    ) -> None:  # fmt: skip
+        """Words; ``align``: center, left or right, which end of the line's middle is at (x, y)."""
+        shown = self.look.fonts.render(text, size, weight, self.look.color(color))
+        self._words.append((shown, self.at(x, y), align))
+
+    def formula(
+        self, markup: str, x: float, y: float, color: str | pygame.Color = "text1", align: str = "center",
+        size: float = 16.0,
+    ) -> None:  # fmt: skip
+        """A formula (its markup: ui/formula.py); ``align`` as for words."""
+        shown = render_formula(self.look.fonts, markup, self.look.color(color), size)
+        self._words.append((shown, self.at(x, y), align))
+
     def arrow(self, tail: Point, tip: Point, color: str | pygame.Color, width: float = 1.8) -> None:
         """A line with a solid head."""
         dx, dy = tip[0] - tail[0], tip[1] - tail[1]
@@ -96,9 +139,22 @@ class Pen:
         else:
             self.disc(x + 0.3 * radius, y - 0.2 * radius, 0.16 * radius, pygame.Color("#9E2112"))
 
+    def word_places(self) -> list[pygame.Rect]:
+        """Where words and formulas will stand in the picture."""
+        places = []
+        for shown, (x, y), align in self._words:
+            place = shown.get_rect(center=(round(x / FINE), round(y / FINE)))
+            if align != "center":
+                place.x = round(x / FINE) - (place.w if align == "right" else 0)
+            places.append(place)
+        return places
+
     def finished(self) -> pygame.Surface:
         """The picture in its true size."""
-        return pygame.transform.smoothscale(self.large, self.size)
+        picture = pygame.transform.smoothscale(self.large, self.size)
+        for (shown, _, _), place in zip(self._words, self.word_places(), strict=True):
+            picture.blit(shown, place)
+        return picture
 
 
 def _strokes(a: Point, b: Point, dash: float) -> list[tuple[Point, Point]]:
