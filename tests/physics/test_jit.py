@@ -325,9 +325,11 @@ def other_first() -> type:
     return First
 
 
-@kernel
-def difference(point):
+def plain_difference(point):
     return point.x - point.y
+
+
+difference = kernel(plain_difference)
 
 
 class TestNames:
@@ -344,7 +346,7 @@ class TestNames:
 
         sigs = [(numba.typeof(kind(x=1.0, y=2.0)),) for kind in (First, other_first())]
         assert repr(sigs[0]) == repr(sigs[1])
-        paths = [self.path(difference.py_func, sig, tmp_path) for sig in sigs]
+        paths = [self.path(plain_difference, sig, tmp_path) for sig in sigs]
         assert paths[0] != paths[1]
         assert difference(First(1.0, 2.0)) == difference(other_first()(y=2.0, x=1.0)) == -1.0
 
@@ -366,13 +368,16 @@ class TestNames:
         assert not any(set("<>:*?|") & set(path.name) for path in paths)
 
     def test_options_differ(self, tmp_path: Path) -> None:
-        function = difference.py_func
-        assert self.path(function, (), tmp_path, "a") != self.path(function, (), tmp_path, "b")
+        assert self.path(plain_difference, (), tmp_path, "a") != self.path(
+            plain_difference, (), tmp_path, "b"
+        )
 
     def test_types_without_a_lasting_name_are_not_kept(self, tmp_path: Path) -> None:
         import numba
+        from numba.core.registry import CPUDispatcher
 
-        assert self.path(difference.py_func, (numba.typeof(difference),), tmp_path) is None
+        sig = (numba.typeof(CPUDispatcher(plain_difference)),)
+        assert self.path(plain_difference, sig, tmp_path) is None
 
 
 class TestDecorator:
