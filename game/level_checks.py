@@ -125,6 +125,8 @@ def _parts(info: Any) -> list[Any]:
 
 def check_numbers(content: Any, content_type: Any, path: Path | None) -> None:
     """LevelError for a NaN anywhere, and for an infinity where the field is not ``Unbounded``."""
+    if _all_finite(content):
+        return
     waiting: list[tuple[Any, Any, str]] = [(content, msgspec.inspect.type_info(content_type), "content")]
     while waiting:
         value, info, field = waiting.pop()
@@ -134,7 +136,7 @@ def check_numbers(content: Any, content_type: Any, path: Path | None) -> None:
             if math.isinf(value) and not _allows_infinity(info):
                 raise LevelError(path, field, "a finite number is wanted")
         elif isinstance(value, msgspec.Struct):
-            known = msgspec.inspect.type_info(type(value))
+            known = _type_info(type(value))
             waiting += [
                 (getattr(value, part.name), part.type, _below(field, part.encode_name))
                 for part in getattr(known, "fields", ())
@@ -143,6 +145,28 @@ def check_numbers(content: Any, content_type: Any, path: Path | None) -> None:
             waiting += [(item, info, _below(field, str(key))) for key, item in value.items()]
         elif isinstance(value, (list, tuple)):
             waiting += [(item, info, _below(field, index)) for index, item in enumerate(value)]
+
+
+def _all_finite(content: Any) -> bool:
+    """True if no number in a content is NaN or infinite: ten times cheaper than to look with its types."""
+    waiting = [content]
+    while waiting:
+        value = waiting.pop()
+        if isinstance(value, (list, tuple)):
+            waiting += value
+        elif isinstance(value, float):
+            if not math.isfinite(value):
+                return False
+        elif isinstance(value, msgspec.Struct):
+            waiting += msgspec.structs.astuple(value)
+        elif isinstance(value, dict):
+            waiting += value.values()
+    return True
+
+
+@cache
+def _type_info(content_type: type) -> Any:
+    return msgspec.inspect.type_info(content_type)
 
 
 def _allows_infinity(info: Any) -> bool:

@@ -161,8 +161,8 @@ class App:
             self.screens.clear()
             self.sounds.close()
 
-    def frame(self) -> None:
-        """Take the events, pass the time, draw and show the picture."""
+    def frame(self, shown: bool = True) -> None:
+        """Take the events, pass the time, draw and show the picture (if anybody is to see it)."""
         began = self.clock.now()
         elapsed_s = min(max(began - self._last, 0.0), LONGEST_FRAME_S)
         self._last = began
@@ -174,7 +174,7 @@ class App:
             return
         self.screens.top.update(elapsed_s)
         self.toasts.update(elapsed_s)
-        if not self._hidden:
+        if shown and not self._hidden:
             self._draw(elapsed_s)
         self.meter.add(self.clock.now() - began)
 

@@ -54,11 +54,11 @@ class Driver:
         events, self.waiting = self.waiting, []
         return events
 
-    def frames(self, count: int = 1, seconds: float = FRAME_S) -> None:
-        """So many frames, each that long."""
+    def frames(self, count: int = 1, seconds: float = FRAME_S, shown: bool = True) -> None:
+        """So many frames, each that long, drawn or not."""
         for _ in range(count):
             self.clock.time_s += seconds
-            self.app.frame()
+            self.app.frame(shown)
 
     def post(self, *events: pygame.Event) -> None:
         """One frame with these events."""

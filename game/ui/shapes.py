@@ -155,6 +155,28 @@ def _rgba(color: Color | None) -> tuple[int, ...] | None:
 def _make_box(
     width: int, height: int, radius: float, fill: Color | None, outline: Color | None, border: float
 ) -> pygame.Surface:
+    """The box; only its corners are computed, for all between two of them is alike."""
+    corner = math.ceil(radius + border) + 2
+    columns, rows = _stretched(width, corner), _stretched(height, corner)
+    small = _make_small_box(columns[-1] + 1, rows[-1] + 1, radius, fill, outline, border)
+    picture = pygame.Surface((width, height), pygame.SRCALPHA, 32)
+    pixels, few = pygame.surfarray.pixels2d(picture), pygame.surfarray.pixels2d(small)
+    np.take(few[columns], rows, axis=1, out=pixels)
+    del pixels, few
+    return picture
+
+
+def _stretched(length: int, corner: int) -> np.ndarray:
+    """Which pixel of a shorter side each pixel of a side (length,) is like: the middle one is repeated."""
+    repeated = max(1, length - 2 * corner)
+    counts = np.ones(length - repeated + 1, dtype=np.int64)
+    counts[min(corner, len(counts) // 2)] = repeated
+    return np.repeat(np.arange(len(counts)), counts)
+
+
+def _make_small_box(
+    width: int, height: int, radius: float, fill: Color | None, outline: Color | None, border: float
+) -> pygame.Surface:
     x = np.abs(np.arange(width) + 0.5 - 0.5 * width) - (0.5 * width - radius)
     y = np.abs(np.arange(height) + 0.5 - 0.5 * height) - (0.5 * height - radius)
     outside_x, outside_y = np.maximum(x, 0.0)[:, None], np.maximum(y, 0.0)[None, :]

@@ -11,11 +11,12 @@ import pygame
 from game.app.keys import COMMANDS, Chord, parse_chord
 
 LEAVING = ("quit", "full-screen")  # would end the program, or change the screen of whoever runs it
-ACCURACY = parse_chord("a")  # begins a long measurement: pressed, but seldom
-PLACES = tuple(parse_chord(command.key) for command in COMMANDS if command.name not in LEAVING)
+SELDOM_USED = ("accuracy", "next", "previous")  # begin something long: pressed, but seldom
+SELDOM = tuple(parse_chord(command.key) for command in COMMANDS if command.name in SELDOM_USED)
+PLACES = tuple(parse_chord(command.key) for command in COMMANDS if command.name not in LEAVING + SELDOM_USED)
 LETTERS = tuple(parse_chord(letter) for letter in "bcdefghijklmnoprstuvwxyz1234567890")
 MORE = tuple(parse_chord(word) for word in ("return", "up", "down", "left", "right", "end", "delete"))
-KEYS = tuple(chord for chord in PLACES + LETTERS + MORE if chord != ACCURACY)
+KEYS = PLACES + LETTERS + MORE
 SIZES = ((1, 1), (40, 900), (320, 240), (640, 480), (1000, 700), (1280, 720), (1600, 1000))
 BUTTONS = (1, 1, 1, 1, 2, 3, 9)
 
@@ -26,7 +27,7 @@ def any_event(hand: Random, size: tuple[int, int], chords: Sequence[Chord] = ())
     kind = hand.randrange(12)
     if kind < 4:
         own = bool(chords) and hand.random() < 0.4
-        chord = ACCURACY if hand.random() < 0.01 else hand.choice(chords if own else KEYS)
+        chord = hand.choice(SELDOM if hand.random() < 0.01 else chords if own else KEYS)
         code = hand.choice([pygame.K_RETURN, pygame.K_UP, pygame.K_DOWN, pygame.K_a, pygame.K_TAB])
         modifier = pygame.KMOD_CTRL if chord.control else 0
         fields: dict[str, Any] = {"key": code, "scancode": chord.scancode, "mod": modifier}

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import traceback
+from collections.abc import Callable
 from pathlib import Path
 from random import Random
-from time import perf_counter
+from time import thread_time
 from typing import Any, NamedTuple
 
 import pygame
@@ -19,18 +20,22 @@ from game.app.keys import parse_chord
 from game.app.memory import resident_bytes
 from game.app.scene.screen import SceneScreen
 from game.levels import LevelError, level_files, parse_level
+from game.physics.jit import compiling
 from game.stage.catalogue import Catalogue
-from game.stage.events import SetEffect, SetKnob
+from game.stage.events import SetEffect, SetKnob, StageEvent
 
-SLOW_S = 0.1  # an event whose frame takes longer is felt as a hang
+SLOW_S = 0.1  # s of the drawing thread; an event whose frame takes more is felt as a hang
+SHOWN = 8  # one frame in so many is drawn: the others take their events and pass their time alone
 FRAME_LENGTHS = (0.0, 0.0, 0.004, 0.016, 0.016, 0.1)  # s of simulated time
+CARD = 30  # events after which, on average, a card that covers the scene is taken away
 AGAIN = 400  # events after which the scene is opened anew, so that what broke it does not hide the rest
 
 
 class FuzzReport(NamedTuple):
     """What came of a scene: events posted, knob values refused, files refused, faults told to the user,
-    frames of no simulated time longer than SLOW_S and the longest of them (s), growth of memory in the
-    second half (bytes), and the trouble: empty, or what was raised, with the number of the event."""
+    frames of no simulated time in which the drawing thread worked longer than SLOW_S (but for those in which
+    a kernel was compiled) and the longest of them (s), growth of memory in the second half (bytes), and the
+    trouble: empty, or what was raised, with the number of the event."""
 
     scene: str
     events: int
@@ -57,11 +62,11 @@ class FuzzSession:
     def run(self, events: int) -> FuzzReport:
         """Post so many events; never raises."""
         trouble = ""
-        half = grown = 0
+        half = grown = again = 0
         try:
             while self.events < events and not trouble:
-                away = not (self.driver.app.running and isinstance(self.driver.top, SceneScreen))
-                if away or self.events % AGAIN == 0:
+                if self._away() or self.events >= again:
+                    again = self.events + AGAIN
                     self._open()
                 if not half and 2 * self.events >= events:
                     half = resident_bytes()
@@ -77,11 +82,18 @@ class FuzzSession:
             grown, where,
         )  # fmt: skip
 
+    def _away(self) -> bool:
+        """Has the hand left the scene for the menu, another scene, or for good?"""
+        app = self.driver.app
+        scenes = [screen for screen in app.screens if isinstance(screen, SceneScreen)]
+        return not (app.running and scenes and scenes[-1].entry.name == self.scene)
+
     def _open(self) -> None:
         """The scene anew, with any of its levels."""
         driver = self.driver
         driver.resize(1280, 720)
         driver.app.running = True  # the hand may have chosen to leave
+        self._close_cards()
         files = level_files(self.scene)
         driver.app.open_scene(self.scene, level=self.hand.choice(files) if files else None)
         screen = driver.top
@@ -92,9 +104,16 @@ class FuzzSession:
             raise RuntimeError(f"{self.scene} could not be opened")
         self.events += 1
 
+    def _close_cards(self) -> None:
+        """Back to the scene, or to whatever else lies lowest."""
+        while len(self.driver.app.screens) > 1:
+            self.driver.app.pop()
+
     def _one_thing(self) -> str:
         """One event, drag, value, or file; what is wrong after it."""
         hand, driver = self.hand, self.driver
+        if hand.randrange(CARD) == 0:
+            self._close_cards()
         play = getattr(driver.top, "play", None)
         kind = hand.random()
         if play is None or kind < 0.7:
@@ -108,8 +127,9 @@ class FuzzSession:
         elif kind < 0.97:
             self._open_spoilt_level(play)
         else:
-            driver.resize(*hand.choice(SIZES))
+            size = hand.choice(SIZES)
             self.events += 1
+            self._measured(lambda: driver.resize(*size))
         return self._check()
 
     @staticmethod
@@ -121,15 +141,19 @@ class FuzzSession:
         """Post events in a frame; one in which no time passes is measured."""
         self.driver.waiting += events
         self.events += 1
+        self._measured(lambda: None)
+
+    def _measured(self, act: Callable[[], Any]) -> None:
+        """Do something and pass a frame after it, drawn or not; if no time passes in it both are measured."""
         seconds = self.hand.choice(FRAME_LENGTHS)
-        if seconds > 0.0:
-            self.driver.frames(1, seconds)
-            return
-        begin = perf_counter()
-        self.driver.frames(1, 0.0)
-        took = perf_counter() - begin
-        self.longest_s = max(self.longest_s, took)
-        self.slow += took > SLOW_S
+        shown = self.hand.randrange(SHOWN) == 0
+        compiled, begin = compiling().done, thread_time()
+        act()
+        self.driver.frames(1, seconds, shown)
+        took = thread_time() - begin
+        if seconds == 0.0 and compiling().done == compiled:
+            self.longest_s = max(self.longest_s, took)
+            self.slow += took > SLOW_S
 
     def _set_something(self, play: Any) -> None:
         """A knob to any value, or an effect on or off."""
@@ -138,12 +162,15 @@ class FuzzSession:
         effects = scene.effects.names
         self.events += 1
         if effects and (not knobs or hand.random() < 0.2):
-            play.post(SetEffect(hand.choice(effects), hand.random() < 0.5))
+            event: StageEvent = SetEffect(hand.choice(effects), hand.random() < 0.5)
         elif knobs:
             name, knob = hand.choice(knobs)
-            if not play.post(SetKnob(name, any_value(hand, knob))):
-                self.refused += 1
-        self.driver.frames(1, hand.choice(FRAME_LENGTHS))
+            event = SetKnob(name, any_value(hand, knob))
+        else:
+            return
+        taken: list[bool] = []
+        self._measured(lambda: taken.append(play.post(event)))
+        self.refused += not taken[0]
 
     def _open_spoilt_level(self, play: Any) -> None:
         """A level of the scene, spoilt: it is refused in one line, or opens."""

@@ -61,15 +61,13 @@ def rounded(outline: ArrayLike, spacing: float) -> Array:
     points = checked_points(outline)
     if len(points) < 3 or not spacing > 0.0:
         raise WeightError("outline: at least three points and a spacing above 0 m are wanted")
-    before, after, second = np.roll(points, 1, 0), np.roll(points, -1, 0), np.roll(points, -2, 0)
-    parts = []
-    for p0, p1, p2, p3 in zip(before, points, after, second, strict=True):
-        length = math.sqrt(float(((p2 - p1) ** 2).sum()))
-        count = min(max(1, math.ceil(length / spacing)), 1_000)
-        t = (np.arange(count) / count)[:, None]
-        curve = 2.0 * p1 + (p2 - p0) * t + (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) * t * t
-        parts.append(0.5 * (curve + (3.0 * (p1 - p2) + p3 - p0) * t**3))
-    return np.concatenate(parts)
+    along = np.roll(points, -1, 0) - points
+    counts = np.clip(np.ceil(np.sqrt((along**2).sum(axis=1)) / spacing), 1.0, 1_000.0).astype(np.int64)
+    segment = np.repeat(np.arange(len(points)), counts)
+    t = ((np.arange(len(segment)) - (np.cumsum(counts) - counts)[segment]) / counts[segment])[:, None]
+    p0, p1, p2, p3 = (np.roll(points, shift, 0)[segment] for shift in (1, 0, -1, -2))
+    curve = 2.0 * p1 + (p2 - p0) * t + (2.0 * p0 - 5.0 * p1 + 4.0 * p2 - p3) * t * t
+    return 0.5 * (curve + (3.0 * (p1 - p2) + p3 - p0) * t**3)
 
 
 def points_inside(outline: ArrayLike, spacing: float) -> Array:
