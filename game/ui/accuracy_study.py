@@ -20,7 +20,7 @@ from game.lab import (
     Study,
     StudyTable,
     cost_to_reach,
-    settled,
+    fitted,
     slope_of,
     upper_envelope,
 )
@@ -50,7 +50,7 @@ def study_data(
     rows = tuple(
         TableRow(
             _sentence_case(method.label),
-            slope_of(study, method, _fitted(table, method.name)),
+            slope_of(study, method, fitted(table, method.name)),
             method.order if method.order is not None else math.nan,
             _cost(table, method.name, target),
         )
@@ -77,11 +77,6 @@ def _axes(study: Study) -> PlotAxes:
     if study.axes.up == "error" and study.axes.across == "knob":
         heading = _sentence_case(study.error).split()[0]
     return PlotAxes(_sentence_case(words), unit, heading, study.up_words()[1])
-
-
-def _fitted(table: StudyTable, method: str) -> list[Row]:
-    """The rows of a method that its slope is fitted to."""
-    return settled(table.of(method), table.of(method, failed=True))
 
 
 def _cost(table: StudyTable, method: str, target: float) -> float:
@@ -136,11 +131,11 @@ def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting])
     study = table.study
     rows = sorted(table.of(method), key=study.across)
     failed = [_point(study, row) for row in table.of(method, failed=True)]
-    order = slope_of(study, study.method(method), _fitted(table, method))
+    order = slope_of(study, study.method(method), fitted(table, method))
     cloud: list[PlotPoint] = []
     chosen = rows
     if len(rows) > MANY and study.axes.up == "error":
-        chosen = sorted(upper_envelope(rows, ENVELOPE, study.order_over), key=study.across)
+        chosen = sorted(upper_envelope(fitted(table, method), ENVELOPE, study.order_over), key=study.across)
         kept = {id(row) for row in chosen}
         cloud = [_point(study, row) for row in rows if id(row) not in kept]
     have = {row.key for row in table.of(method, failed=None)}

@@ -31,6 +31,8 @@ def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
     if spacing is None or not (math.isfinite(spacing) and spacing > 0.0):
         spacing = round_spacing(CLOSEST * canvas.k / camera.scale)
     seen, color = camera.visible(), canvas.color("grid")
+    a, b, c, d, e, f = camera.affine()
+    swapped = abs(a) < abs(c)  # a quarter turn: x runs up the picture
     marks: list[tuple[float, bool, str]] = []  # px, whether the line is upright, world value
     for axis, low, high in (("x", seen.left, seen.right), ("y", seen.bottom, seen.top)):
         if not (high - low) / spacing < MOST_LINES or abs(low) + abs(high) > 1e15 * spacing:
@@ -38,10 +40,9 @@ def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
         first, last = math.ceil(low / spacing), math.floor(high / spacing)
         for i in range(first, last + 1):
             value = i * spacing
-            x0, y0 = camera.to_screen(value, 0.0) if axis == "x" else camera.to_screen(0.0, value)
-            x1, y1 = camera.to_screen(value, 1.0) if axis == "x" else camera.to_screen(1.0, value)
-            upright = abs(x1 - x0) < abs(y1 - y0)
-            place = int(x0 if upright else y0)
+            upright = (axis == "x") != swapped
+            across, along = (a, c) if axis == "x" else (b, d)
+            place = int(across * value + e if upright else along * value + f)
             line = (place, rect.y, 1, rect.h) if upright else (rect.x, place, rect.w, 1)
             surface.fill(color, line)
             if axis in labels:

@@ -13,7 +13,7 @@ import pygame
 
 from game.stage import Scene, Stage
 from game.ui.look import Look
-from game.ui.panel_effects import EffectCosts, EffectRow
+from game.ui.panel_effects import EffectCosts
 from game.ui.panel_flow import Contents
 from game.ui.panel_foot import PanelFoot
 from game.ui.panel_rows import PADDING, Source
@@ -44,7 +44,7 @@ class Panel:
         self._wishes: list[Wish] = []
         self._pointer = NOWHERE
         self._thumb_grip: int | None = None
-        self._seen: tuple[Any, ...] = ()
+        self._seen: tuple[dict[str, Any], int] | None = None  # values of the knobs, effects that are on
         self._since_s = REFRESH_S
         self._unrest_s = UNREST_S  # time left until all that moves has come to rest
 
@@ -78,7 +78,7 @@ class Panel:
         if self._sheet is None or not (self.rect.w and self.view.h):
             return False
         seen = pygame.Rect(0, self.scroll, self.rect.w, self.view.h)
-        return any(isinstance(row, EffectRow) and row.rect.colliderect(seen) for row in self._sheet.rows)
+        return any(row.rect.colliderect(seen) for row in self._sheet.effects)
 
     @property
     def view(self) -> pygame.Rect:
@@ -183,13 +183,21 @@ class Panel:
             if meter is not None:
                 contents.costs.costs, contents.costs.bare = dict(meter.costs), meter.bare
             self._sheet.refresh(stage.readouts())
-        now = (tuple(stage.scene.values.values()), stage.scene.active.mask)
-        if now != self._seen:
-            self._seen, self._unrest_s = now, UNREST_S
-            self._sheet.mark_stale()
-        if self._unrest_s > 0.0 or refresh or self._sheet.typing:
+        self._see(self._sheet, stage.scene)
+        if self._unrest_s > 0.0 or not self._sheet.is_quiet:
             self._sheet.update(dt_s)
+        else:
+            self._sheet.follow(dt_s)
         self._unrest_s -= dt_s
+
+    def _see(self, sheet: PanelSheet, scene: Scene) -> None:
+        """Mark the rows of what has changed in the scene since the last look."""
+        values, mask = dict(scene.values), scene.active.mask
+        before, self._seen = self._seen, (values, mask)
+        if before is None or before[0].keys() != values.keys() or before[1] != mask:
+            sheet.mark_stale()
+        elif before[0] != values:
+            sheet.mark_stale({name for name, value in values.items() if before[0][name] != value})
 
     def tip(self) -> tuple[str, pygame.Rect] | None:
         """What the thing under the pointer is, and where it is in the window."""

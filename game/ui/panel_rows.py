@@ -60,14 +60,17 @@ class Row(UIElement):
     height = 24  # design px
     tip = ""
 
-    def __init__(self, context: Context, top: int) -> None:
+    def __init__(self, context: Context, top: int, follows: str = "") -> None:
+        """``follows``: name of the knob that it shows, if any."""
         self.context = context
+        self.follows = follows
         self.look = context.look
         self.held = False
         self.has_keys = False  # the keyboard focus, which a press of the mouse never gives
         self._lit = motion.Fade(0.0 if self.look.less_motion else motion.HOVER_S)
         self._shown: tuple[object, ...] | None = None
         self.stale = True  # what it shows may have changed
+        self.moves = True  # something on it slides or fades
         super().__init__(
             pygame.Rect(0, top, context.width, self.look.px(self.height)), context.manager, None,
             starting_height=1, layer_thickness=1, element_id=["row"],
@@ -121,9 +124,9 @@ class Row(UIElement):
 
     def update(self, time_delta: float) -> None:
         """Let hover light and slides move on, and repaint if anything shown has changed."""
-        moves = self._lit.update(time_delta, self.hovered)
-        moves |= self.advance(time_delta)
-        if not (moves or self.stale or self.hovered or self.held):
+        lights = self._lit.update(time_delta, self.hovered)
+        self.moves = self.advance(time_delta) or lights
+        if not (self.moves or self.stale or self.hovered or self.held):
             return
         self.stale = False
         wanted = (*self.shows(), self._lit.amount, self.has_keys)
@@ -179,7 +182,7 @@ class Caption(Row):
         self.knob = knob
         self.tip = knob.help
         self.source = source
-        super().__init__(context, top)
+        super().__init__(context, top, knob.name)
 
     def shows(self) -> tuple[object, ...]:
         return (self.source.changed(self.knob),)
@@ -224,7 +227,7 @@ class SegmentsRow(Row):
         self.source = source
         self._place = float(self._index())
         self._under = -1
-        super().__init__(context, top)
+        super().__init__(context, top, knob.name)
 
     def _index(self) -> int:
         return self.knob.options.index(self.source.values[self.knob.name])

@@ -7,7 +7,7 @@ only when some row has another picture or place.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
 import pygame
@@ -45,6 +45,7 @@ class PanelSheet:
         flow.fill(contents)
         self.height = flow.height  # of the rows
         self.rows, self.menus = flow.rows, flow.menus
+        self.effects = [row for row in self.rows if isinstance(row, EffectRow)]
         self.picture = pygame.Surface((width, height), 0, 32)
         self._drawn: list[tuple[object, tuple[int, ...]]] = []
         self._field: tuple[SliderRow, UITextEntryLine] | None = None
@@ -209,10 +210,29 @@ class PanelSheet:
                 row.note = f"{format_si(total, 's')} a step" if math.isfinite(total) else NOTHING
         self.mark_stale()
 
-    def mark_stale(self) -> None:
-        """What rows show may have changed."""
+    def mark_stale(self, names: Collection[str] | None = None) -> None:
+        """What rows show may have changed: those of the knobs named, or all."""
         for row in self.rows:
-            row.stale = True
+            if names is None or row.follows in names:
+                row.stale = True
+
+    @property
+    def is_quiet(self) -> bool:
+        """Whether nobody is at it: then rows follow the scene without pygame_gui's turn."""
+        return not (
+            self.typing or self.is_held or self.has_keys or any(menu.is_open for menu in self.menus.values())
+        )
+
+    def follow(self, dt_s: float) -> None:
+        """Repaint the rows that are stale or move, and draw those alone; for a quiet sheet."""
+        for row in self.rows:
+            if not (row.stale or row.moves):
+                continue
+            before = row.image
+            row.update(dt_s)
+            if row.image is not before:
+                self.picture.fill(self.look.theme.panel, row.rect)
+                self.picture.blits([row.blit_data])
 
     def update(self, dt_s: float) -> None:
         """Let controls move on, and draw the sheet anew if any picture on it is another or elsewhere."""

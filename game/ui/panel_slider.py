@@ -109,7 +109,7 @@ class SliderRow(Row):
         self._dragging = False
         self._click_age_s, self._click_at = math.inf, (0.0, 0.0)
         self._over_value = False
-        super().__init__(context, top)
+        super().__init__(context, top, knob.name)
 
     @property
     def value(self) -> float:
@@ -146,7 +146,8 @@ class SliderRow(Row):
         if self.hovered:
             x, y = self.context.manager.get_mouse_position()
             self._over_value = self.value_rect().collidepoint(x - self.rect.x, y - self.rect.y)
-        return self._over_value != was_over
+        waits = self._click_age_s < DOUBLE_CLICK_S  # for a second click
+        return waits or self._over_value != was_over
 
     def shows(self) -> tuple[object, ...]:
         return (self.value, self.typed, self._over_value, self._dragging)

@@ -20,12 +20,12 @@ class SwitchRow(Row):
 
     def __init__(
         self, context: Context, top: int, label: str, tip: str, is_on: Callable[[], bool],
-        changed: Callable[[], bool], wish: Callable[[bool], StageEvent],
+        changed: Callable[[], bool], wish: Callable[[bool], StageEvent], follows: str = "",
     ) -> None:  # fmt: skip
         self.label, self.tip = label, tip
         self.is_on, self.changed, self.wish = is_on, changed, wish
         self._slide = motion.Fade(0.0 if context.look.less_motion else motion.SEGMENT_S, is_on())
-        super().__init__(context, top)
+        super().__init__(context, top, follows)
 
     def advance(self, dt_s: float) -> bool:
         return self._slide.update(dt_s, self.is_on())
@@ -61,6 +61,7 @@ def toggle_row(context: Context, top: int, knob: Toggle, source: Source) -> Swit
         is_on=lambda: source.values[knob.name],
         changed=lambda: source.changed(knob),
         wish=lambda on: SetKnob(knob.name, on),
+        follows=knob.name,
     )  # fmt: skip
 
 

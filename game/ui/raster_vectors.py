@@ -62,7 +62,7 @@ blend_four = _blend_four_plainly if config.DISABLE_JIT else _blend_four_at_once
 
 
 def _mix_four_plainly(pixels: Any, position: int, color: int, weight: int) -> None:
-    """Lay a colour with one weight (0 to 256) over four pixels of a C-ordered picture from ``position`` on."""
+    """Lay a colour with one weight (0 to 256) to four pixels of a C-ordered picture, from ``position`` on."""
     flat = pixels.reshape(-1)
     for i in range(position, position + 4):
         below, mixed = int(flat[i]), 0

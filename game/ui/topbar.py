@@ -78,6 +78,10 @@ class TopBar:
         name = self.spots.handle(event)
         return None if name is None else COMMANDS.get(name, Command(name))
 
+    def is_due(self, dt_s: float) -> bool:
+        """Whether after so many seconds more the numbers change, so that new ones are wanted."""
+        return self._since_s + dt_s >= READOUT_S
+
     def update(self, dt_s: float, state: BarState) -> None:
         """Let time pass; numbers change four times a second, everything else at once."""
         self.spots.update(dt_s, self.look)

@@ -114,7 +114,7 @@ class Shell:
 
     def update(self, elapsed_s: float, stage: Stage | None, costs: Any) -> None:
         """Let time pass and show what the stage is like now."""
-        self.bar.update(elapsed_s, self._bar_state(stage))
+        self.bar.update(elapsed_s, self._bar_state(stage, self.bar.is_due(elapsed_s)))
         self.hints.update(elapsed_s)
         if stage is not None and self.panel is not None and self.strips is not None:
             self.panel.update(elapsed_s, stage, costs)
@@ -124,14 +124,17 @@ class Shell:
             about = self.panel.tip()
         self.tip.update(elapsed_s, about)
 
-    def _bar_state(self, stage: Stage | None) -> BarState:
+    def _bar_state(self, stage: Stage | None, measured: bool) -> BarState:
+        """What the bar shows; ``measured``: with new numbers, which cost as much as some scenes' step."""
         panel = bool(self.layout.panel.w)
         frame = ("frame", self.app.meter.median_s, "s")
         if stage is None:
             empty = (("time", 0.0, "s"), ("step", 0.0, "s"), frame)
             return BarState(self.entry.task, self.entry.title, True, 1.0, panel, empty, ready=False)
-        own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
-        readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
+        readouts = self.bar.state.readouts
+        if measured or not self.bar.state.ready:
+            own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
+            readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
         return BarState(self.entry.task, self.entry.title, stage.paused, stage.speed, panel, readouts)
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
