@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from game.app.stars import kept_stars
 from game.files import read_text
 from game.levels import MAX_BYTES, level_files, user_level_files
 
@@ -22,6 +23,7 @@ class LevelHead(NamedTuple):
     about: str
     hard_case: str
     path: Path
+    stars: str = ""  # that were won in it
 
 
 def level_heads(scene_name: str) -> list[LevelHead]:
@@ -30,11 +32,13 @@ def level_heads(scene_name: str) -> list[LevelHead]:
 
 
 def _heads(scene_name: str) -> Iterator[LevelHead]:
+    stars = kept_stars(scene_name)
     for path in [*level_files(scene_name), *user_level_files(scene_name)]:
         fields = _read(path)
         title = str(fields.get("title") or path.stem.replace("-", " ").capitalize())
         hard_case = str(fields.get("hard_case") or "")
-        yield LevelHead(scene_name, title, str(fields.get("about") or ""), hard_case, path)
+        won = stars[path.stem].words if path.stem in stars else ""
+        yield LevelHead(scene_name, title, str(fields.get("about") or ""), hard_case, path, won)
 
 
 def _read(path: Path) -> dict[str, object]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from game.billiards.arrangement import Stroke
 from game.billiards.frame import Frame as GameFrame
+from game.billiards.games import Drill
 from game.billiards.lecture_state import POCKETS
 from game.billiards.rules import CUE_BALL, Call
 from game.billiards.shot import Physics
@@ -371,7 +372,17 @@ class Billiards(Scene):
         return told
 
     def worth_keeping(self) -> object:
-        return None if self.plays_itself or not self.round.strokes else (self.round.game, self.round.places)
+        puzzle = isinstance(self.round.game, Drill)  # which begins anew with every stroke
+        if puzzle or self.plays_itself or not self.round.strokes:
+            return None
+        return self.round.game, self.round.places
+
+    @property
+    def stars(self) -> tuple[int, int] | None:
+        game = self.round.game
+        if self.plays_itself or not isinstance(game, Drill):
+            return None
+        return game.best, 1 + len(game.more)
 
     def save_content(self) -> BilliardsContent:
         """Game and table as they are; in the midst of a stroke, as they were before it."""

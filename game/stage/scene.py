@@ -298,6 +298,11 @@ class Scene:
         """A value that changes whenever the content should be kept against a crash; None: never."""
         return None
 
+    @property
+    def stars(self) -> tuple[int, int] | None:
+        """Most stars won by a person in this level, and how many there are; None: it has none."""
+        return None
+
     def save_content(self) -> msgspec.Struct | None:
         """The present content as a level's [content], or None if the scene keeps none."""
         return None

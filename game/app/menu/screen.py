@@ -298,8 +298,9 @@ class MenuScreen(Screen):
     def _paint_row(self, surface: pygame.Surface, item: Item, rect: pygame.Rect, lit: bool) -> None:
         assert item.level is not None
         head = item.level
+        title = f"{head.title}  {head.stars}".rstrip()
         cards.paint_row(
-            surface, self.app.look, rect, item.entry.task, head.title, head.about, bool(head.hard_case), lit
+            surface, self.app.look, rect, item.entry.task, title, head.about, bool(head.hard_case), lit
         )
 
 

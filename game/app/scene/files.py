@@ -52,7 +52,7 @@ def save_all(stage: Stage) -> Path:
 def level_rows(scene_type: type[Scene]) -> list[Row]:
     """The scene's levels and the user's own, to choose from."""
     return [
-        Row(head.title, head.about, head.hard_case, bool(head.hard_case), head.path)
+        Row(head.title, head.about, head.hard_case or head.stars, bool(head.hard_case), head.path)
         for head in level_heads(scene_type.name)
     ]
 

@@ -16,6 +16,7 @@ from game.app.scene.keeping import Keeper
 from game.app.scene.opening import Opening
 from game.app.scene.pointer import ScenePointer
 from game.app.script import Script
+from game.app.stars import StarKeeper
 from game.app.view import StageView
 from game.levels import LevelError, load_level
 from game.stage import (
@@ -54,6 +55,7 @@ class ScenePlay:
         self.banner = FaultBanner(app)
         self.meter = EffectMeter(stage)
         self.drawing_error = ""
+        self.stars = StarKeeper()
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, files.level_rows(stage.scene_type))
         self.keeper = (
@@ -275,6 +277,8 @@ class ScenePlay:
             self.stage.advance(elapsed_s)
         if self.keeper is not None and self.script is None:
             self.keeper.update(self.stage)
+        if self.script is None and (complaint := self.stars.update(self.stage)):
+            self.app.tell("Stars.", complaint, "warning")
         self.app.sounds.follow(None if self.stage.paused else self.stage.scene.hearing())
         panel = self.shell.panel
         if not self.stage.paused and panel is not None and panel.shows_effects:
