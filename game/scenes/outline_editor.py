@@ -79,12 +79,20 @@ def outline_at(board: Board, point: Point, reach: float) -> int:
 
 
 def with_outlines(board: Board, outlines: tuple[Outline, ...], remember: bool = True) -> Board:
-    """The board with other outlines; what they were can be undone if ``remember``."""
+    """The board with other outlines; what they were can be undone if ``remember``.
+
+    The hand lets go of what is there no more.
+    """
     past, future = board.past, board.future
     if remember:
         past, future = (*past, board.outlines)[-HISTORY:], ()
     chosen = board.chosen if board.chosen < len(outlines) else NOBODY
-    return msgspec.structs.replace(board, outlines=outlines, past=past, future=future, chosen=chosen)
+    held, corner = board.held, board.corner
+    if chosen == NOBODY or corner >= len(outlines[chosen].points):
+        held, corner = "", NOBODY
+    return msgspec.structs.replace(
+        board, outlines=outlines, past=past, future=future, chosen=chosen, held=held, corner=corner
+    )
 
 
 def with_places(board: Board, places: NDArray[np.float64]) -> Board:
@@ -248,7 +256,7 @@ def with_another(board: Board, made: Outline, rules: Rules) -> Board:
     index = count if count < rules.most_outlines else board.chosen if board.chosen != NOBODY else count - 1
     outlines = (*board.outlines[:index], made, *board.outlines[index + 1 :])
     board = with_outlines(board, outlines)
-    return msgspec.structs.replace(board, chosen=index, corner=NOBODY)
+    return msgspec.structs.replace(board, held="", chosen=index, corner=NOBODY)
 
 
 # -- named actions ------------------------------------------------------------------------------------
@@ -278,9 +286,9 @@ def delete(board: Board, rules: Rules) -> Board:
         if reason:
             return _told(board, reason)
         board = _changed(with_outlines(board, board.outlines), index, points=points)
-        return msgspec.structs.replace(board, corner=NOBODY)
+        return msgspec.structs.replace(board, held="", corner=NOBODY)
     rest = (*board.outlines[:index], *board.outlines[index + 1 :])
-    return msgspec.structs.replace(with_outlines(board, rest), chosen=NOBODY, corner=NOBODY)
+    return msgspec.structs.replace(with_outlines(board, rest), held="", chosen=NOBODY, corner=NOBODY)
 
 
 def undo(board: Board) -> Board:

@@ -156,3 +156,38 @@ def test_a_board_is_plain_for_the_stage():
     holder = Holder()
     holder.board = Board((SQUARE,))
     assert "board" in remember(holder).attributes
+
+
+@pytest.mark.parametrize("tool", ["move", "points"])
+def test_what_is_deleted_while_it_is_held_is_held_no_more(tool: str):
+    board = Board((SQUARE, Outline(SQUARE.points, position=(5.0, 0.0))), chosen=0)
+    board = post(board, "down", 1.0, 0.3, tool)
+    assert board.held
+    for _ in range(2):  # a corner, and then the outline
+        board = editor.act(board, "delete", RULES)
+    left = board.outlines
+    for kind in ("move", "move", "up", "cancel"):
+        board = post(board, kind, 7.0, 3.0, tool)
+        assert board.outlines == left and not board.held
+
+
+def test_any_hand_leaves_as_many_outlines_as_there_may_be():
+    hand = np.random.default_rng(5)
+    board = Board((SQUARE, Outline(SQUARE.points, position=(5.0, 0.0))))
+    names = ("undo", "redo", "delete", "close", "finish", "cancel")
+    for _ in range(4000):
+        x, y = hand.uniform((-3.0, -3.0), (8.0, 3.0))
+        kind = hand.integers(8)
+        if kind < 6:
+            word = str(hand.choice(["down", "move", "move", "up", "wheel", "cancel"]))
+            tool = str(hand.choice(editor.TOOLS))
+            board = post(board, word, x, y, tool, wheel=1.0 if word == "wheel" else 0.0)
+        elif kind == 6:
+            board = editor.act(board, str(hand.choice(names)), RULES)
+        else:
+            kept = board.outlines[: hand.integers(3)]
+            board = editor.with_outlines(board, kept, remember=False)
+        assert len(board.outlines) <= RULES.most_outlines
+        assert -1 <= board.chosen < len(board.outlines)
+        if board.held:
+            assert board.chosen >= 0 and board.corner < len(board.outlines[board.chosen].points)
