@@ -9,51 +9,51 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from game.physics.jit import kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_pixels import blend, fill_row, is_drawable, weight_of
 from game.ui.raster_vectors import is_blank
 
+LEVEL = 1e-12  # px; an edge less high has no area beside it
 HEAD_LENGTH = 3.2  # widths of the shaft from an arrow's point to the shaft
 HEAD_HALF = 1.6  # widths: half of the head's greatest breadth
 
 
-@kernel
-def _add(area: Any, extent: Any, row: int, column: int, amount: float) -> None:
-    """Add to one cell and remember the row's first and last touched column."""
-    area[row, column] += amount
-    if column < extent[row, 0]:
-        extent[row, 0] = column
-    if column > extent[row, 1]:
-        extent[row, 1] = column
+@inner_kernel
+def _widen(extent: Any, row: int, first: int, last: int) -> None:
+    """Remember that a row is touched from column ``first`` to ``last``."""
+    if first < extent[row, 0]:
+        extent[row, 0] = first
+    if last > extent[row, 1]:
+        extent[row, 1] = last
 
 
-@kernel
+@inner_kernel
 def _cut_row(area: Any, extent: Any, row: int, x0: float, x1: float, height: float) -> None:
     """Add an edge piece within one row, x0 <= x1 in columns, of signed ``height``."""
     first = math.floor(x0)
     last = math.ceil(x1)
     if last <= first + 1:
-        right = 0.5 * (x0 + x1) - first
-        _add(area, extent, row, first, height * (1.0 - right))
-        _add(area, extent, row, first + 1, height * right)
+        right = height * (0.5 * (x0 + x1) - first)
+        area[row, first] += height - right
+        area[row, first + 1] += right
+        _widen(extent, row, first, first + 1)
         return
-    slope = 1.0 / (x1 - x0)
+    slope = height / (x1 - x0)
     begin = 1.0 - (x0 - first)
-    end = x1 - last + 1.0
-    covered = 0.0
-    for column in range(first, last):
-        if column == first:
-            share = 0.5 * slope * begin * begin
-        elif column == last - 1:
-            share = 1.0 - 0.5 * slope * end * end
-        else:
-            share = slope * (column + 0.5 - x0)
-        _add(area, extent, row, column, height * (share - covered))
+    covered = 0.5 * slope * begin * begin
+    area[row, first] += covered
+    for column in range(first + 1, last - 1):
+        share = slope * (column + 0.5 - x0)
+        area[row, column] += share - covered
         covered = share
-    _add(area, extent, row, last, height * (1.0 - covered))
+    end = x1 - last + 1.0
+    share = height - 0.5 * slope * end * end
+    area[row, last - 1] += share - covered
+    area[row, last] += height - share
+    _widen(extent, row, first, last)
 
 
-@kernel
+@inner_kernel
 def _add_edge(
     area: Any,
     extent: Any,
@@ -71,31 +71,35 @@ def _add_edge(
     if y0 > y1:
         x0, y0, x1, y1 = x1, y1, x0, y0
         sign = -1.0
-    if y1 <= y_low or y0 >= y_high or y0 == y1:
+    if y1 <= y_low or y0 >= y_high or not y1 - y0 > LEVEL:
         return
-    for row in range(int(max(y0, 1.0 * y_low)), min(y_high, math.ceil(min(y1, 1.0 * y_high)))):
-        top, bottom = max(y0, 1.0 * row), min(y1, row + 1.0)
-        if bottom <= top:
-            continue
-        height = sign * (bottom - top)
-        # shares of the edge, not a slope: that is infinite for an edge almost level
-        xa = x0 + (top - y0) / (y1 - y0) * (x1 - x0)
-        xb = x0 + (bottom - y0) / (y1 - y0) * (x1 - x0)
+    # shares of the edge, not a slope: that is huge for an edge almost level
+    whole, breadth = 1.0 / (y1 - y0), x1 - x0
+    start = max(y0, 1.0 * y_low)
+    xb, bottom = x0 + (start - y0) * whole * breadth, start
+    for row in range(int(start), min(y_high, math.ceil(min(y1, 1.0 * y_high)))):
+        xa, top = xb, bottom
+        bottom = min(y1, row + 1.0)
+        xb = x0 + (bottom - y0) * whole * breadth
         a, b = min(xa, xb), max(xa, xb)
-        breadth = b - a
+        height = sign * (bottom - top)
+        if a >= x_low and b <= x_high:
+            _cut_row(area, extent, row, a, b, height)
+            continue
         if a < x_low:
-            share = 1.0 if b <= x_low or breadth <= 0.0 else (x_low - a) / breadth
-            _add(area, extent, row, x_low, height * share)
+            share = 1.0 if b <= x_low or b <= a else (x_low - a) / (b - a)
+            area[row, x_low] += height * share
+            _widen(extent, row, x_low, x_low)
             if share >= 1.0:
                 continue
-        if b > x_high and a >= x_high:
+        if a >= x_high:
             continue  # right of the clip an edge changes nothing inside
         p, q = max(a, 1.0 * x_low), min(b, 1.0 * x_high)
-        part = height * (q - p) / breadth if breadth > 0.0 else height
+        part = height * (q - p) / (b - a) if b > a else height
         _cut_row(area, extent, row, p, max(p, q), part)
 
 
-@kernel
+@inner_kernel
 def _next_change(area: Any, row: int, column: int, last: int) -> int:
     """The next column, from this one to ``last``, whose sum is not nought; else the one after ``last``."""
     begin = row * area.shape[1]
@@ -106,7 +110,7 @@ def _next_change(area: Any, row: int, column: int, last: int) -> int:
     return column
 
 
-@kernel
+@inner_kernel
 def _sweep(
     pixels: Any, area: Any, extent: Any, x_high: int, y_low: int, y_high: int, color: int, alpha: float
 ) -> None:
@@ -134,7 +138,7 @@ def _sweep(
             fill_row(pixels, row, last + 1, x_high, color, weight_of(min(1.0, abs(sum_so_far)), alpha))
 
 
-@kernel
+@lean_kernel
 def fill_polygon(
     pixels: Any, clip: Any, area: Any, extent: Any, points: Any, color: int, alpha: float
 ) -> None:
@@ -165,7 +169,7 @@ def fill_polygon(
     _sweep(pixels, area, extent, x_high, first, last, color, alpha)
 
 
-@kernel
+@inner_kernel
 def _arrow_corner(corner: int, size: float, length: float) -> Any:
     """Along and across of a corner of an arrow: neck, wing, point, wing, neck, and twice the tail."""
     neck = length - HEAD_LENGTH * size
@@ -184,7 +188,7 @@ def _arrow_corner(corner: int, size: float, length: float) -> Any:
     return 0.0, 0.5 * size
 
 
-@kernel
+@lean_kernel
 def fill_arrow(
     pixels: Any,
     clip: Any,
@@ -227,7 +231,7 @@ def fill_arrow(
     _sweep(pixels, area, extent, x_high, first, last, color, alpha)
 
 
-@kernel
+@lean_kernel
 def fill_under(
     pixels: Any, clip: Any, points: Any, base: float, top: float, color: int, alpha: float
 ) -> None:
