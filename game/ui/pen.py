@@ -98,7 +98,7 @@ class Pen:
         size: float = 12, weight: str = "medium",
     ) -> None:  # fmt: skip
         """Words; ``align``: center, left or right, which end of the line's middle is at (x, y)."""
-        shown = self.look.fonts.render(text, size, weight, self.look.color(color))
+        shown = self.look.fonts.render(text, size, weight, self.look.color(color, words=True))
         self._words.append((shown, self.at(x, y), align))
 
     def formula(
@@ -106,7 +106,7 @@ class Pen:
         size: float = 16.0,
     ) -> None:  # fmt: skip
         """A formula (its markup: ui/formula.py); ``align`` as for words."""
-        shown = render_formula(self.look.fonts, markup, self.look.color(color), size)
+        shown = render_formula(self.look.fonts, markup, self.look.color(color, words=True), size)
         self._words.append((shown, self.at(x, y), align))
 
     def arrow(self, tail: Point, tip: Point, color: str | pygame.Color, width: float = 1.8) -> None:
