@@ -1,0 +1,91 @@
+"""Billiard balls: the collision in the frame of the line of centres; aiming with a ghost ball."""
+
+from __future__ import annotations
+
+import math
+
+import pygame
+
+from game.scenes.figures.marks import ahead, between, curve, dot, right_angle, spaced
+from game.ui.pen import Pen, Point
+from game.ui.theme import POCKET_RING
+
+RADIUS = 19.0
+POCKET = pygame.Color("#0A0E11")
+
+
+def draw_exchange(pen: Pen) -> None:
+    """Two equal balls, the second at rest: the parts along the line of centres change owners."""
+    alpha, radius = 20.0, 34.0
+    along, across = 84.0, 54.0  # parts of the first velocity
+    second = (103.0, 120.0)
+    first = ahead(second, alpha, 2.0 * radius)
+    foot = ahead(first, alpha, along)
+    tail = ahead(foot, alpha - 90.0, across)
+    given = ahead(second, alpha + 180.0, along)
+    pen.line((ahead(second, alpha + 180.0, 104.0), ahead(first, alpha, 112.0)), "text2", 1.1, dash=3.5)
+    for center, number in ((first, "1"), (second, "2")):
+        pen.disc(*center, radius, pen.veiled("body", 0.2))
+        pen.disc(*center, radius, "text1", ring=1.5)
+        pen.words(number, center[0] + 9.0, center[1] + 16.0, "text2", size=13, weight="semibold")
+    pen.line((foot, tail), "chalk", 1.4, dash=3.0)
+    right_angle(pen, foot, alpha + 180.0, color="text2")
+    pen.arrow(tail, first, "chalk", 2.2)
+    pen.arrow(second, given, "green", 2.2)
+    pen.arrow(first, ahead(first, alpha + 90.0, across), "green", 2.2)
+    pen.line((second, (second[0] - 92.0, second[1])), "text2", 1.1, dash=3.5)
+    pen.arc(second, 66.0, 180.0, 180.0 + alpha, "text1", 1.2)
+    dot(pen, ahead(second, alpha, radius), "amber", 3.6)
+    pen.formula(r"\alpha", *ahead(second, 180.0 + 0.42 * alpha, 77.0))
+    pen.formula(r"\v{v}_1", tail[0] - 20.0, tail[1] + 12.0, "chalk")
+    pen.formula("p_{1x}", *ahead(between(first, foot, 0.62), alpha + 90.0, 11.0), "chalk")
+    pen.formula("p_{1y}", *ahead(between(foot, tail, 0.5), alpha, 18.0), "chalk")
+    pen.formula("p_{2x}' = p_{1x}", given[0] + 58.0, given[1] + 15.0, "green")
+    pen.formula("p_{1y}", *ahead(ahead(first, alpha + 90.0, across), 200.0, 18.0), "green")
+
+
+def draw_aim(pen: Pen) -> None:
+    """A rolling cue ball after a cut of 35 degrees: off along the tangent, then bent until it rolls."""
+    aim, cut, throw = 4.0, 35.0, 5.0
+    normal, tangent = aim + cut, aim + cut - 90.0
+    cue, ghost = (38.0, 105.0), ahead((38.0, 105.0), aim, 94.0)
+    target = ahead(ghost, normal, 2.0 * RADIUS)
+    pocket = ahead(target, normal - throw, 99.0)
+    pen.disc(*pocket, 24.0, POCKET)
+    pen.disc(*pocket, 24.0, POCKET_RING, ring=1.6)
+    pen.line((ahead(ghost, normal, 3.0 * RADIUS), ahead(target, normal, 78.0)), "text2", 1.1, dash=3.5)
+    pen.line((ahead(ghost, aim, RADIUS), ahead(ghost, aim, 94.0)), "text2", 1.1, dash=3.5)
+    pen.line((ghost, ahead(ghost, tangent, 108.0)), "text2", 1.1, dash=3.5)
+    for center, veil in ((cue, 0.0), (target, 0.2)):
+        pen.disc(*center, RADIUS, pen.veiled("inset" if veil else "hover", veil))
+        pen.disc(*center, RADIUS, "text1", ring=1.5)
+    curve(pen, [ahead(ghost, degrees, RADIUS) for degrees in range(0, 361, 5)], "text1", 1.3, 4.0)
+    pen.line((ghost, target), "text1", 1.2)
+    pen.arrow(cue, ahead(cue, aim, 62.0), "chalk", 2.2)
+    pen.arrow(ghost, ahead(ghost, tangent, 70.0), "chalk", 2.2)
+    pen.arrow(ahead(target, normal - throw, RADIUS), ahead(pocket, normal - throw, -6.0), "green", 2.0)
+    way = _way(ghost, normal, cut, 70.0, 44.0)
+    pen.line(way[:-1], "green", 2.0)
+    pen.arrow(way[-2], way[-1], "green", 2.0)
+    pen.arc(ghost, 74.0, aim, normal, "text1", 1.2)
+    right_angle(pen, ghost, tangent, color="text2")
+    dot(pen, ahead(ghost, normal, RADIUS), "amber", 3.4)
+    pen.formula(r"\v{v}", cue[0] + 40.0, cue[1] - 15.0, "chalk")
+    pen.formula("2R", *ahead(between(ghost, target, 0.45), normal + 90.0, 27.0))
+    pen.formula(r"\text{35°}", *ahead(ghost, aim + 0.42 * cut, 90.0))
+    pen.words("throw", *ahead(target, normal + 11.0, 62.0), "green", align="right")
+    pen.words("ghost ball", ghost[0] + 7.0, ghost[1] + 31.0, "text2", align="right")
+    pen.formula(r"\v{v}_0", *ahead(ahead(ghost, tangent, 60.0), tangent - 90.0, 13.0), "chalk")
+    pen.formula(r"\v{r}(t)", way[-1][0] + 2.0, way[-1][1] - 22.0, "green")
+
+
+def _way(start: Point, normal: float, cut: float, sliding: float, rolling: float) -> list[Point]:
+    """Way of a rolling ball's centre from an impact: ``sliding`` along the tangent, then straight on.
+
+    With speed v it leaves with v sin(cut) along the tangent; its spin pulls it along the normal until it
+    rolls, with 2/7 v cos(cut) that way. A parabola in between: the mean of that speed is the half.
+    """
+    slope = (2.0 / 7.0) / math.tan(math.radians(cut))
+    bend = [(s, 0.5 * slope * s * s / sliding) for s in spaced(0.0, sliding, 30)]
+    bend.append((sliding + rolling, slope * (0.5 * sliding + rolling)))
+    return [ahead(ahead(start, normal - 90.0, s), normal, n) for s, n in bend]
