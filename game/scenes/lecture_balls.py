@@ -15,6 +15,7 @@ from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEE
 from game.levels import Level
 from game.scenes import lecture_balls_record as record
 from game.scenes import lecture_balls_view as view
+from game.scenes.figures.balls import draw_exchange
 from game.scenes.lecture_balls_level import HEIGHT, WIDTH, BallEntry, LectureBallsContent
 from game.stage import (
     Choice,
@@ -121,6 +122,7 @@ class LectureBalls(Scene):
         SceneAction("release", "go on", "H"),
         SceneAction("again", "start again", "R"),
     )
+    figure = staticmethod(draw_exchange)
     equations = (
         Equation("Line of centres", r"\alpha = \atan2(y_1 - y_2, x_1 - x_2)", "the lecture"),
         Equation(
