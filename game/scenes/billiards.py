@@ -34,6 +34,7 @@ from game.scenes.billiards_round import Conditions, Played, Round, Struck, begin
 from game.scenes.billiards_sounds import hearing_of, sounds_of
 from game.scenes.cue_control import CueControl
 from game.scenes.demo_shots import scattered_orientations
+from game.scenes.figures.balls import draw_aim
 from game.scenes.table_view import warm_ups as table_warm_ups
 from game.stage import (
     Action,
@@ -186,6 +187,7 @@ class Billiards(Scene):
         SceneAction("third", "take the third option", "3"),
         SceneAction("fourth", "take the fourth option", "4"),
     )  # fmt: skip
+    figure = staticmethod(draw_aim)
     equations = (
         Equation(
             "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
