@@ -32,6 +32,7 @@ from game.levels import Level
 from game.scenes import table_view
 from game.scenes.cue_control import AIMING, STRIKING, CueControl
 from game.scenes.demo_shots import choose_stroke, scattered_orientations
+from game.scenes.figures.tables import draw_tunnelling
 from game.scenes.lecture_table_level import BallEntry, LectureTableContent, layout_of
 from game.stage import (
     Choice,
@@ -171,6 +172,7 @@ class LectureTable(Scene):
         SceneAction("left", "turn the cue left", "left"),
         SceneAction("right", "turn the cue right", "right"),
     )
+    figure = staticmethod(draw_tunnelling)
     equations = (
         Equation("Motion", r"\v{x}_{n+1} = \v{x}_n + \v{v}_n \Delta t", "the lecture, Euler"),
         Equation("Cushion", r"x' = w - e (x - w), v' = -e v", "overshoot given back"),
