@@ -24,6 +24,7 @@ from game.scenes import table_view
 from game.scenes import three_tables_view as view
 from game.scenes.cue_control import AIMING, CueControl
 from game.scenes.demo_shots import choose_stroke
+from game.scenes.figures.tables import draw_chaos
 from game.scenes.lecture_table_level import BallEntry
 from game.stage import (
     Choice,
@@ -122,6 +123,7 @@ class ThreeTables(Scene):
         SceneAction("left", "turn the cue left", "left"),
         SceneAction("right", "turn the cue right", "right"),
     )
+    figure = staticmethod(draw_chaos)
     equations = (
         Equation(
             "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
