@@ -59,7 +59,8 @@ def draw_chaos(pen: Pen) -> None:
             dot(pen, b, color, 2.2)
         for _, b in ways[:2]:
             pen.disc(*b, RADIUS, color, ring=1.0)
-    span(pen, *(ahead(way[2][1], 0.0, 12.0) for way in (true, other)), "amber", 1.4)
+    upper, lower = (ahead(ways[2][1], 0.0, 12.0) for ways in (true, other))
+    span(pen, upper, lower, "amber", 1.4)
     pen.formula(r"\delta_0", start[0] + 27.0, start[1] + 6.0, "amber")
     pen.formula(r"\delta_1", true[1][1][0] - 12.0, true[1][1][1] - 27.0, "amber")
     pen.formula(r"\delta_2", true[2][1][0] + 27.0, true[2][1][1] + 9.0, "amber")
