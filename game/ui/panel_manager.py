@@ -6,12 +6,16 @@ event and a hand do the same, with or without a screen.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import pygame
 import pygame_gui
-from pygame_gui import UIManager
+from pygame_gui import UIManager, ui_manager
 from pygame_gui.core.interfaces import IUIElementInterface
+from pygame_gui.core.resource_loaders import BlockingThreadedResourceLoader
+from pygame_gui.core.surface_cache import SurfaceCache
+from pygame_gui.core.ui_appearance_theme import UIAppearanceTheme
 from pygame_gui.elements import UIDropDownMenu, UISelectionList
 
 from game.ui.assets import asset
@@ -26,20 +30,52 @@ QUEUED = (
 )  # fmt: skip
 CORNERS = 6  # px
 MOST_ROUNDS = 6  # of events that answer events
+MOST_THEMES = 4  # kept: dark and light, a window as it is and as it was
+
+_themes: dict[tuple[str, float], UIAppearanceTheme] = {}  # the one used last at the end
+
+
+@lru_cache(maxsize=1)
+def _loader() -> BlockingThreadedResourceLoader:
+    """Loads fonts at once; one for all managers, for each begins with five threads."""
+    loader = BlockingThreadedResourceLoader()
+    loader.start()
+    loader.update()
+    return loader
+
+
+def _font_files() -> list[str]:
+    return [
+        str(asset("fonts", f"CaromSans-{face}.otf")) for face in ("Medium", "SemiBold", "Italic", "SemiBold")
+    ]
 
 
 class PanelManager(UIManager):
     """A manager for a sheet of so many window px."""
 
     def __init__(self, size: tuple[int, int], look: Look) -> None:
-        super().__init__(size, enable_live_theme_updates=False)
-        fonts = [
-            str(asset("fonts", f"CaromSans-{face}.otf"))
-            for face in ("Medium", "SemiBold", "Italic", "SemiBold")
-        ]
-        self.add_font_paths("carom_sans", *fonts)
-        self.get_theme().load_theme(gui_theme(look.theme, look.k))
+        self._look = look
+        paths = ui_manager.i18n.load_path
+        before = list(paths)
+        super().__init__(size, enable_live_theme_updates=False, resource_loader=_loader())
+        paths[:] = list(dict.fromkeys([*before, *paths]))  # else there is one more with each manager
         self.mouse_position = (-1, -1)
+
+    def create_new_theme(self, theme_path: Any = None) -> UIAppearanceTheme:
+        """The theme of the look, read and checked once, with no pictures of another manager's."""
+        look = self._look
+        key = look.theme.name, look.k
+        theme = _themes.pop(key, None)
+        if theme is None:
+            theme = super().create_new_theme(theme_path)
+            theme.get_font_dictionary().add_font_path("carom_sans", *_font_files())
+            theme.load_theme(gui_theme(look.theme, look.k))
+        else:
+            theme._shape_cache = SurfaceCache()
+        _themes[key] = theme
+        while len(_themes) > MOST_THEMES:
+            del _themes[next(iter(_themes))]
+        return theme
 
     def _update_mouse_position(self) -> None:
         """The position is set by ``point``."""

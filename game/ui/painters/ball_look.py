@@ -83,7 +83,8 @@ def digit_texture(number: int, side: int) -> np.ndarray:
         return np.zeros((side, side), np.uint8)
     if not pygame.font.get_init():
         pygame.font.init()
-    large = max(4 * side, 96)  # drawn large and reduced, so that each size has its own best pixels
+    # drawn large and reduced, so that each size has its own best pixels; a zoom asks for many of them
+    large = max(96, min(4 * side, 256), 2 * side)
     size = round(large * (0.92 if number < 10 else 0.74))
     font = pygame.font.Font(asset("fonts", "CaromDisplay-Bold.otf"), size)
     white = pygame.Color("white")
