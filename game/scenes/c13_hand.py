@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from game.physics.rigid import PUSHES, quaternion_conjugate, quaternion_rotate
-from game.physics.rigid.spheres import Makeup, MotionState, SphereBodies
+from game.physics.rigid.makeup import Makeup
+from game.physics.rigid.spheres import MotionState, SphereBodies
 from game.scenes.c13_level import MOST_SPHERES
 from game.stage import Pointer
 

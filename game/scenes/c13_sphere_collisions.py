@@ -16,9 +16,10 @@ from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
 from game.physics.rigid.collisions import CollidingSpheres, CollisionState
+from game.physics.rigid.makeup import Makeup
 from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
-from game.physics.rigid.spheres import Makeup, MotionState, SphereBodies
+from game.physics.rigid.spheres import MotionState, SphereBodies
 from game.scenes import c13_hand as hand
 from game.scenes.c13_level import CollisionContent, SphereEntry, bodies_of, makings_of, tables_of
 from game.scenes.c13_saving import content_of

@@ -14,19 +14,13 @@ import math
 
 from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid import planar_impulses as flat_law
+from game.physics.rigid.bearing import harden_rows, keep_impulses, pass_over, start_warm, sweep_rows
 from game.physics.rigid.contacts import recall_impulses
-from game.physics.rigid.impulses import (
-    harden_rows,
-    keep_impulses,
-    pass_over,
-    prepare_rows,
-    start_warm,
-    sweep_rows,
-)
 from game.physics.rigid.ledger import JX, JY, JZ, ONE, OTHER, REBOUND, TIME, X, Y, Z, spin_of
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize
 from game.physics.rigid.sphere_effects import ROTATION_BIT, STRINGS_BIT
 from game.physics.rigid.spheres import VX, VY, VZ, WEIGHT, WX, WY, WZ, gather_velocities
+from game.physics.rigid.touch_rows import prepare_rows
 
 EXPLICIT, SEMI_IMPLICIT, EXACT = range(3)
 IN_TURN, AT_ONCE = range(2)

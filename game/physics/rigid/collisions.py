@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.broadphase import BroadPhase
+from game.physics.rigid.candidates import Candidates
 from game.physics.rigid.collision_settings import (
     LAGS,
     CollisionSettings,
@@ -33,10 +34,9 @@ from game.physics.rigid.collision_steps import (
     planar_part,
     prepare_part,
 )
-from game.physics.rigid.contacts import boxes_of, farthest_moved, find_touches, near_pairs
-from game.physics.rigid.impulses import ROW_COLUMNS, collide_at_once, collide_in_turn
-from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, deepest_overlap, sum_totals
-from game.physics.rigid.planar_impulses import FLAT_COLUMNS, PLANAR_COLUMNS, lies_in_plane
+from game.physics.rigid.impulses import collide_at_once, collide_in_turn
+from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
+from game.physics.rigid.planar_impulses import FLAT_COLUMNS, lies_in_plane
 from game.physics.rigid.position_correction import project_apart, split_apart
 from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, STRINGS
 from game.physics.rigid.spheres import (
@@ -46,11 +46,11 @@ from game.physics.rigid.spheres import (
     gather_velocities,
     place_spheres,
 )
-from game.physics.rigid.time_of_impact import first_impact, swept_pairs
+from game.physics.rigid.time_of_impact import first_impact
+from game.physics.rigid.touch_room import TouchRoom
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-SKIN = 0.2  # of the smallest radius: candidates are found anew when a sphere has gone half of it
 PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
 MOMENT = 1e-9  # of a substep
 IMPACTS_PER_SPHERE, MOST_IMPACTS = 8, 400  # parts of a step, at most
@@ -70,21 +70,6 @@ class CollisionState(NamedTuple):
     pulls: Floats  # (n, 6) forces N and torques N m of the next step
     ring: Floats  # (LEDGER_ROWS, LEDGER_COLUMNS) last collisions
     counters: Floats  # (8,): see collision_steps
-
-
-class Totals(NamedTuple):
-    """Of all bodies together; angular momentum about the origin."""
-
-    momentum: tuple[float, float, float]  # kg m/s
-    spin: tuple[float, float, float]  # kg m²/s
-    moving: float  # J
-    turning: float  # J
-    height: float  # J, above y = 0
-
-    @property
-    def energy(self) -> float:
-        """J, all of it."""
-        return self.moving + self.turning + self.height
 
 
 class CollidingSpheres:
@@ -107,7 +92,6 @@ class CollidingSpheres:
         self.bodies = bodies
         self.surroundings = surroundings if surroundings is not None else surroundings_of()
         self.tables = tables if tables is not None else material_tables(0.5, 0.3)
-        self.broad_phase = broad_phase
         s, n = len(bodies.makeup.radii), bodies.count
         if int(bodies.makeup.kinds.max(initial=0)) > len(self.tables.restitution) - 2:
             raise ValueError(f"kinds: there are {len(self.tables.restitution) - 1} materials")
@@ -116,7 +100,6 @@ class CollidingSpheres:
         ):
             raise ValueError(f"strings: spheres 0 to {s - 1} can hang")
         self.smallest = float(bodies.makeup.radii.min())
-        self.skin = SKIN * self.smallest
         self.pulls = np.zeros((n, 6))
         self.ring = np.zeros((LEDGER_ROWS, LEDGER_COLUMNS))
         self.counters = np.zeros(COUNTERS)
@@ -125,74 +108,18 @@ class CollidingSpheres:
         self._shifts = np.zeros((n + 1, 4))
         self._sums = np.zeros((2, 7))
         self._places = bodies.places()
-        self._found_at = np.full((s, 3), 1e9)  # nowhere: candidates are found at the first step
-        self._pairs: Ints = np.zeros((0, 2), dtype=np.int64)
-        self._room_for_pairs: Ints = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
-        self._boxes: Any = None
-        self.tests = 0  # of pairs, in the last step
+        self._candidates = Candidates(bodies.makeup, broad_phase)
+        self._room = TouchRoom(max(64, 4 * s))
         self.parts = 0  # of the last step
-        self._make_room(max(64, 4 * s))
-        self._count = self._old_count = 0
-
-    # -- room ---------------------------------------------------------------------------------------
-
-    def _make_room(self, room: int) -> None:
-        """Arrays for so many touches; what the last step left is kept."""
-        old = (
-            getattr(self, "_old_keys", np.zeros(0, dtype=np.int64)),
-            getattr(self, "_old_held", np.zeros((0, 4))),
-        )
-        self._touches = np.zeros((room, 4))
-        self._who: NDArray[np.int32] = np.zeros((room, 2), dtype=np.int32)
-        self._ids: NDArray[np.uint32] = np.zeros((room, 2), dtype=np.uint32)
-        self._keys: Ints = np.zeros(room, dtype=np.int64)
-        self._held = np.zeros((room, 4))
-        self._old_keys: Ints = np.zeros(room, dtype=np.int64)
-        self._old_held = np.zeros((room, 4))
-        self._old_keys[: len(old[0])] = old[0]
-        self._old_held[: len(old[1])] = old[1]
-        self._pushes = np.zeros(room)
-        self._general = np.zeros((0, ROW_COLUMNS))
-        self._planar = np.zeros((0, PLANAR_COLUMNS))
 
     def change(self, **settings: Any) -> None:
         """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense."""
         self.settings = dataclasses.replace(self.settings, **settings)
 
-    # -- candidates ---------------------------------------------------------------------------------
-
-    def _find_candidates(self) -> None:
-        """Pairs that may touch, when somebody has gone so far that there may be others."""
-        if COLLISIONS not in self.settings.effects:
-            return
-        radii = self.bodies.makeup.radii
-        if self.broad_phase is not None:
-            if farthest_moved(self._places, self._found_at) <= 0.5 * self.skin:
-                return
-            lower, upper = boxes_of(self._places, radii, 2.0 * self.skin)
-            if self._boxes is None:
-                self._boxes = self.broad_phase.add_boxes(lower, upper)
-            else:
-                self.broad_phase.update_boxes(self._boxes, lower, upper)
-            self._pairs = self.broad_phase.pairs()
-            self.tests += len(radii)
-        else:
-            self._pairs = self._brute_force(0.0)
-            self.tests += len(radii) * (len(radii) - 1) // 2
-        np.copyto(self._found_at, self._places)
-
-    def _brute_force(self, h: float) -> Ints:
-        """Pairs that touch nearly, or that could meet within h (s)."""
-        radii = self.bodies.makeup.radii
-        found = math.inf
-        while True:
-            if h > 0.0:
-                found = swept_pairs(self._places, self.bodies.makeup, self._work, h, self._room_for_pairs)
-            else:
-                found = near_pairs(self._places, radii, self.skin, self._room_for_pairs)
-            if found <= len(self._room_for_pairs):
-                return self._room_for_pairs[:found].copy()
-            self._room_for_pairs = np.zeros((2 * found, 2), dtype=np.int64)
+    @property
+    def tests(self) -> int:
+        """Pairs that were tested in the last step; boxes where there is a broad phase."""
+        return self._candidates.tests
 
     # -- a step -------------------------------------------------------------------------------------
 
@@ -202,7 +129,7 @@ class CollidingSpheres:
             raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
         settings = self.settings
         nominal = dt / settings.substeps
-        self.tests = self.parts = 0
+        self.parts = self._candidates.tests = 0
         whole = IMPACT_TIMES in settings.effects
         for _ in range(settings.substeps):
             self._parts(nominal, whole)
@@ -232,31 +159,13 @@ class CollidingSpheres:
         bodies, settings = self.bodies, self.settings
         gather_velocities(bodies.state, bodies.makeup, self._work)
         self._place()
-        pairs = self._swept_candidates(left)
+        pairs = self._candidates.that_could_meet(self._places, self._work, left)
         gravity = settings.gravity if "gravity" in settings.effects.names else 0.0
         first: float = first_impact(
             self._places, bodies.makeup, self._work, pairs, self.surroundings, settings.effects.mask, left,
             float(gravity), LAGS[settings.scheme], float(settings.fast),
         )  # fmt: skip
         return first
-
-    def _swept_candidates(self, h: float) -> Ints:
-        """Pairs that could meet within h (s)."""
-        radii = self.bodies.makeup.radii
-        if self.broad_phase is None:
-            self.tests += len(radii) * (len(radii) - 1) // 2
-            return self._brute_force(h)
-        velocities = self._work[self.bodies.makeup.owners, :2]
-        ends = self._places[:, :2] + h * velocities
-        reach = radii[:, None]
-        lower = np.minimum(self._places[:, :2], ends) - reach
-        upper = np.maximum(self._places[:, :2], ends) + reach
-        if self._boxes is None:
-            self._boxes = self.broad_phase.add_boxes(lower, upper)
-        else:
-            self.broad_phase.update_boxes(self._boxes, lower, upper)
-        self._found_at.fill(1e9)
-        return self.broad_phase.pairs()
 
     def planar(self) -> bool:
         """True if the next step will be that of single spheres in a plane."""
@@ -279,31 +188,27 @@ class CollidingSpheres:
         if settings.scheme == "explicit-euler":
             (move_flat if planar else move_by_velocity)(bodies.state, bodies.makeup, mask, work, numbers.h)
         self._find_touches(mask)
-        shared = (
-            self._touches, self._who, self._ids, self._keys, self._count, self._old_keys, self._old_count,
-            self._held, self._old_held,
-        )  # fmt: skip
-        first = (bodies.state, bodies.makeup, self.surroundings, self.tables, mask, numbers, work)
         if planar:
-            if len(self._planar) < len(self._keys):
-                self._planar = np.zeros((len(self._keys), PLANAR_COLUMNS))
-            planar_part(*first, *shared, self._planar, self._pushes, self.pulls, self.ring, self.counters)
+            room = self._room
+            planar_part(
+                bodies.state, bodies.makeup, self.surroundings, self.tables, mask, numbers, work,
+                room.touches, room.who, room.ids, room.keys, room.count, room.old_keys, room.old_count,
+                room.held, room.old_held, room.planar_rows(), room.pushes, self.pulls, self.ring,
+                self.counters,
+            )  # fmt: skip
         else:
             self._general_part(mask, numbers)
-        self._keys, self._old_keys = self._old_keys, self._keys
-        self._held, self._old_held = self._old_held, self._held
-        self._old_count = self._count
+        self._room.turn_over()
 
     def _general_part(self, mask: int, numbers: Numbers) -> None:
         """The rest of a part, for any bodies."""
-        if len(self._general) < len(self._keys):
-            self._general = np.zeros((len(self._keys), ROW_COLUMNS))
-        state, makeup, work, rows = self.bodies.state, self.bodies.makeup, self._work, self._general
-        touches, who, ids, count = self._touches, self._who, self._ids, self._count
+        room, rows = self._room, self._room.general_rows()
+        state, makeup, work = self.bodies.state, self.bodies.makeup, self._work
+        touches, who, ids, count = room.touches, room.who, room.ids, room.count
         gather_velocities(state, makeup, work)
         fastest = prepare_part(
-            state, makeup, self.tables, numbers, work, self._places, touches, who, ids, self._keys, count,
-            self._old_keys, self._old_count, self._held, self._old_held, rows,
+            state, makeup, self.tables, numbers, work, self._places, touches, who, ids, room.keys, count,
+            room.old_keys, room.old_count, room.held, room.old_held, rows,
         )  # fmt: skip
         self.counters[ROUNDS : BOUNCES + 1] = 0.0
         if fastest > 0.0:
@@ -312,27 +217,26 @@ class CollidingSpheres:
                 work, state.positions, makeup.radii, touches, who, ids, count, rows, fastest, numbers,
                 self.ring, self.counters, self._sums,
             )  # fmt: skip
-        bear_part(work, touches, ids, count, self._held, rows, self._shifts, self.pulls, numbers)
+        bear_part(work, touches, ids, count, room.held, rows, self._shifts, self.pulls, numbers)
         limits = numbers.slop, numbers.share, numbers.most_shift, numbers.passes
         if self.settings.correction == "split":
-            split_apart(touches, ids, count, self._shifts, self._pushes, *limits)
+            split_apart(touches, ids, count, self._shifts, room.pushes, *limits)
         elif self.settings.correction == "projection":
             project_apart(self._places, makeup.radii, touches, who, ids, count, self._shifts, *limits)
         finish_part(state, makeup, self.surroundings, mask, numbers, work, self._shifts, self.counters)
 
     def _find_touches(self, mask: int) -> None:
-        bodies = self.bodies
+        """Bring places, candidates and touches up to date."""
         self._place()
         self._find_candidates()
         margin = self.settings.slop * self.smallest
-        while True:
-            self._count = find_touches(
-                self._places, bodies.makeup, self._pairs, self.surroundings, mask, margin, self._touches,
-                self._who, self._ids, self._keys,
-            )  # fmt: skip
-            if self._count <= len(self._keys):
-                return
-            self._make_room(2 * self._count)
+        pairs = self._candidates.pairs
+        self._room.find(self._places, self.bodies.makeup, pairs, self.surroundings, mask, margin)
+
+    def _find_candidates(self) -> None:
+        """Bring the pairs that may touch up to date, if spheres collide at all."""
+        if COLLISIONS in self.settings.effects:
+            self._candidates.find(self._places)
 
     def _place(self) -> None:
         """Bring the places of spheres up to date."""
@@ -368,20 +272,17 @@ class CollidingSpheres:
         bodies = self.bodies
         self._place()
         self._find_candidates()
-        room = max(64, 4 * len(self._places), len(self._keys))
-        touches, keys = np.zeros((room, 4)), np.zeros(room, np.int64)
-        who, ids = np.zeros((room, 2), np.int32), np.zeros((room, 2), np.uint32)
-        count = find_touches(
-            self._places, bodies.makeup, self._pairs, self.surroundings, self.settings.effects.mask, 0.0,
-            touches, who, ids, keys,
-        )  # fmt: skip
-        return float(deepest_overlap(touches, who, min(count, room))[0])
+        room = TouchRoom(max(64, 4 * len(self._places), len(self._room.keys)))
+        mask = self.settings.effects.mask
+        count = room.find(self._places, bodies.makeup, self._candidates.pairs, self.surroundings, mask, 0.0)
+        return float(deepest_overlap(room.touches, room.who, count)[0])
 
     @property
     def touches(self) -> tuple[Floats, NDArray[np.int32], Floats]:
         """Of the last step: normals and gaps (m, 4), spheres (m, 2), bearing impulses (m, 4)."""
-        m = self._old_count
-        return self._touches[:m], self._who[:m], self._old_held[:m]
+        room = self._room
+        m = room.old_count
+        return room.touches[:m], room.who[:m], room.old_held[:m]
 
     @property
     def time(self) -> float:
@@ -414,9 +315,10 @@ class CollidingSpheres:
 
     def state(self) -> CollisionState:
         """The state as arrays that the world goes on using."""
-        m = self._old_count
+        found, room = self._candidates, self._room
+        m = room.old_count
         return CollisionState(
-            *self.bodies.state, self._pairs, self._found_at, self._old_keys[:m], self._old_held[:m],
+            *self.bodies.state, found.pairs, found.found_at, room.old_keys[:m], room.old_held[:m],
             self.pulls, self.ring, self.counters,
         )  # fmt: skip
 
@@ -424,13 +326,8 @@ class CollidingSpheres:
         """Take over a copy of a state of a world of the same bodies."""
         for mine, theirs in zip(self.bodies.state, MotionState(*state[:4]), strict=True):
             np.copyto(mine, theirs)
-        self._pairs = state.pairs.copy()
-        np.copyto(self._found_at, state.found_at)
-        m = len(state.keys)
-        if m > len(self._old_keys):
-            self._make_room(2 * m)
-        self._old_keys[:m], self._old_held[:m] = state.keys, state.held
-        self._old_count = m
+        self._candidates.take(state.pairs, state.found_at)
+        self._room.take(state.keys, state.held)
         np.copyto(self.pulls, state.pulls)
         np.copyto(self.ring, state.ring)
         np.copyto(self.counters, state.counters)
@@ -438,6 +335,7 @@ class CollidingSpheres:
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
         self.bodies.check()
-        keys = self._old_keys[: self._old_count]
+        room = self._room
+        keys = room.old_keys[: room.old_count]
         assert np.all(np.diff(keys) > 0), "touches by ascending key, each once"
-        assert (self._old_held[: self._old_count, 0] >= 0.0).all(), "impulses only push"
+        assert (room.old_held[: room.old_count, 0] >= 0.0).all(), "impulses only push"

@@ -8,6 +8,7 @@ For smooth spheres that is -(1 - e²) m_eff v_n² / 2.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid.contacts import GAP, SECOND
@@ -22,6 +23,21 @@ from game.physics.rigid.spheres import IXX, IXY, IXZ, IYY, IYZ, IZZ, VX, VY, VZ,
 ) = range(16)  # fmt: skip
 LEDGER_COLUMNS = 16
 LEDGER_ROWS = 256
+
+
+class Totals(NamedTuple):
+    """Of all bodies together; angular momentum about the origin."""
+
+    momentum: tuple[float, float, float]  # kg m/s
+    spin: tuple[float, float, float]  # kg m²/s
+    moving: float  # J
+    turning: float  # J
+    height: float  # J, above y = 0
+
+    @property
+    def energy(self) -> float:
+        """J, all of it."""
+        return self.moving + self.turning + self.height
 
 
 @inner_kernel

@@ -9,8 +9,9 @@ from __future__ import annotations
 import math
 
 from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.rigid.bearing import STRIDE
 from game.physics.rigid.contacts import FAR, FIRST, GAP, NX, NY, SECOND
-from game.physics.rigid.impulses import STILL, STRIDE, STRING, TOUCHING, rest_speed
+from game.physics.rigid.touch_rows import STILL, STRING, TOUCHING, rest_speed
 
 # columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, way in this step
 VX, VY, TURN, WEIGHT, RADIUS, LEVER, WAY_X, WAY_Y = range(8)

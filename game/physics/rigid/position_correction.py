@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 
 from game.physics.lean import lean_kernel
+from game.physics.rigid.bearing import STRIDE
 from game.physics.rigid.contacts import FAR, FIRST, GAP, NX, NY, NZ, SECOND
-from game.physics.rigid.impulses import STRIDE
 
 WEIGHT_COLUMN = 3
 

@@ -8,20 +8,28 @@ momentum about the body's own centre; velocities are made from them.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.rigid.makeup import (
+    LARGEST,
+    Makeup,
+    checked_kinds,
+    checked_numbers,
+    checked_owners,
+    checked_turns,
+    checked_vectors,
+    invert_inertias,
+    join_spheres,
+    symmetric,
+)  # fmt: skip
 from game.physics.rigid.quaternion import matrix_of, quaternion_to_matrix
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
-MAX_SPHERES = 1_000_000
-LARGEST = 1e6  # m and m/s: far enough for any window, near enough for squares
-SOLID = 0.4  # of m r², inertia of a solid ball about its centre
-INERTIAS = ("unit", "solid")
 
 # columns of the velocities that a step works on; the last row is a body that nothing moves
 VX, VY, VZ, WX, WY, WZ, WEIGHT, IXX, IYY, IZZ, IXY, IXZ, IYZ = range(13)
@@ -35,18 +43,6 @@ class MotionState(NamedTuple):
     orientations: Floats  # (n, 4) unit quaternions, scalar first
     momenta: Floats  # (n, 3) kg m/s
     spins: Floats  # (n, 3) kg m²/s, angular momentum about the centre of mass
-
-
-class Makeup(NamedTuple):
-    """What bodies are made of: all that does not change."""
-
-    masses: Floats  # (n,) kg, infinite for what nothing moves
-    inverse_inertias: Floats  # (n, 6) 1/(kg m²) in the body's frame: xx yy zz xy xz yz
-    round_bodies: NDArray[np.uint8]  # (n,) 1 where inertia is the same about all axes
-    radii: Floats  # (s,) m
-    owners: Ints  # (s,) body of each sphere
-    offsets: Floats  # (s, 3) m from the body's centre, in its frame
-    kinds: Ints  # (s,) material
 
 
 @lean_kernel
@@ -133,21 +129,21 @@ class SphereBodies:
         kinds: ArrayLike = 0,
         owners: ArrayLike | None = None,
     ):
-        places = _vectors("positions", positions, None)
+        places = checked_vectors("positions", positions, None)
         s = len(places)
-        radii = _numbers("radii", radii, s, 1e-9, LARGEST)
-        weights = _numbers("masses", masses, s, 1e-12, math.inf)
+        radii = checked_numbers("radii", radii, s, 1e-9, LARGEST)
+        weights = checked_numbers("masses", masses, s, 1e-12, math.inf)
         self.single = owners is None
-        who = np.arange(s) if owners is None else _owners(owners, s)
+        who = np.arange(s) if owners is None else checked_owners(owners, s)
         n = int(who.max()) + 1
-        mass, centre = _joined(places, weights, who, n)
+        mass, centre = join_spheres(places, weights, who, n)
         self.state = MotionState(centre, np.zeros((n, 4)), np.zeros((n, 3)), np.zeros((n, 3)))
-        self.state.orientations[:] = _turns(orientations, n)
+        self.state.orientations[:] = checked_turns(orientations, n)
         offsets = places - centre[who]
         if not self.single:
             self._turn_back(offsets, who)
-        inverse, round_bodies = _inverse_inertias(inertias, offsets, radii, weights, who, mass)
-        self.makeup = Makeup(mass, inverse, round_bodies, radii, who, offsets, _kinds(kinds, s))
+        inverse, round_bodies = invert_inertias(inertias, offsets, radii, weights, who, mass)
+        self.makeup = Makeup(mass, inverse, round_bodies, radii, who, offsets, checked_kinds(kinds, s))
         self.count = n
         self.alike = self.single and bool(round_bodies.all())  # each a ball that turns alike about all axes
         self.set_velocities(
@@ -172,8 +168,8 @@ class SphereBodies:
 
     def set_velocities(self, velocities: ArrayLike, turning: ArrayLike) -> None:
         """Give all bodies velocities (n, 3) m/s and angular velocities (n, 3) rad/s."""
-        v = _vectors("velocities", velocities, self.count)
-        w = _vectors("turning", turning, self.count)
+        v = checked_vectors("velocities", velocities, self.count)
+        w = checked_vectors("turning", turning, self.count)
         heavy = np.isinf(self.makeup.masses)
         if np.any(v[heavy] != 0.0) or np.any(w[heavy] != 0.0):
             raise ValueError("velocities: a body of infinite mass stays where it is")
@@ -213,126 +209,3 @@ class SphereBodies:
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-12, "orientations have length 1"
         heavy = np.isinf(self.makeup.masses)
         assert not self.state.momenta[heavy].any(), "what nothing moves has no momentum"
-
-
-def symmetric(six: ArrayLike) -> Floats:
-    """(3, 3) from xx, yy, zz, xy, xz, yz."""
-    xx, yy, zz, xy, xz, yz = np.asarray(six, dtype=np.float64).tolist()
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-
-
-def _joined(places: Floats, weights: Floats, owners: Ints, n: int) -> tuple[Floats, Floats]:
-    """Mass (n,) and centre of mass (n, 3) of each body."""
-    if len(places) == n:
-        return weights.copy(), places.copy()
-    mass, centre = np.zeros(n), np.zeros((n, 3))
-    for i in range(n):
-        mine = owners == i
-        own = weights[mine]
-        if np.isinf(own).any():
-            raise ValueError("masses: spheres joined to a body must have a finite mass")
-        mass[i] = math.fsum(own.tolist())
-        first = places[mine][0]
-        centre[i] = first + (own[:, None] * (places[mine] - first)).sum(axis=0) / mass[i]
-    return mass, centre
-
-
-def _inverse_inertias(
-    inertias: Any, offsets: Floats, radii: Floats, weights: Floats, owners: Ints, mass: Floats
-) -> tuple[Floats, NDArray[np.uint8]]:
-    """Inverse inertia (n, 6) in the bodies' frames, and which are the same about all axes."""
-    n = len(mass)
-    if isinstance(inertias, str):
-        if inertias not in INERTIAS:
-            raise ValueError(f"inertias = {inertias!r}: one of {', '.join(INERTIAS)}, or numbers")
-        if inertias == "unit":
-            inertias = np.ones(n)
-        elif n == len(radii):
-            inertias = SOLID * weights * radii * radii
-        else:
-            inertias = _by_offsets(offsets, radii, weights, owners, n)
-    given = np.array(inertias, dtype=np.float64)
-    if given.ndim < 2:
-        given = np.broadcast_to(given, (n,))
-        if not (given > 0.0).all():
-            raise ValueError("inertias: numbers above 0 kg m² are wanted")
-        moments = np.where(np.isinf(mass), math.inf, given)
-        six = np.zeros((n, 6))
-        six[:, :3] = (1.0 / moments)[:, None]
-        return six, np.ones(n, dtype=np.uint8)
-    if given.shape != (n, 3, 3) or not np.isfinite(given).all():
-        raise ValueError(f"inertias: one number or finite tensor for each of {n} bodies is wanted")
-    six = np.zeros((n, 6))
-    for i in range(n):
-        if not np.allclose(given[i], given[i].T, rtol=1e-9) or np.linalg.eigvalsh(given[i])[0] <= 0.0:
-            raise ValueError(f"inertias[{i}]: must be symmetric and positive definite")
-        inverse = np.linalg.inv(given[i])
-        six[i] = inverse[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
-    even = (six[:, 0] == six[:, 1]) & (six[:, 0] == six[:, 2]) & ~six[:, 3:].any(axis=1)
-    return six, even.astype(np.uint8)
-
-
-def _by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners: Ints, n: int) -> Floats:
-    """Inertia tensors (n, 3, 3) of joined solid spheres by the offset theorem (Huygens and Steiner)."""
-    tensors = np.zeros((n, 3, 3))
-    for s, i in enumerate(owners.tolist()):
-        d = offsets[s]
-        tensors[i] += weights[s] * ((SOLID * radii[s] ** 2 + d @ d) * np.eye(3) - np.outer(d, d))
-    return tensors
-
-
-def _owners(owners: ArrayLike, s: int) -> Ints:
-    who = np.array(owners, dtype=np.int64).reshape(-1)
-    if who.shape != (s,) or not np.array_equal(np.unique(who), np.arange(who.max(initial=-1) + 1)):
-        raise ValueError(f"owners: a body 0, 1, ... for each of {s} spheres is wanted, none left out")
-    return who
-
-
-def _kinds(kinds: ArrayLike, s: int) -> Ints:
-    array = np.array(np.broadcast_to(np.asarray(kinds, dtype=np.int64), (s,)))
-    if (array < 0).any():
-        raise ValueError("kinds: whole numbers from 0 are wanted")
-    return array
-
-
-def _turns(orientations: ArrayLike | None, n: int) -> Floats:
-    """Unit quaternions (n, 4)."""
-    if orientations is None:
-        return np.tile((1.0, 0.0, 0.0, 0.0), (n, 1))
-    q = np.array(orientations, dtype=np.float64)
-    if q.shape != (n, 4) or not np.isfinite(q).all():
-        raise ValueError(f"orientations: {n} quaternions of finite numbers are wanted")
-    lengths = np.sqrt((q * q).sum(axis=1))
-    if not (lengths > 1e-150).all():
-        raise ValueError("orientations: a quaternion without length is no turn")
-    turned: Floats = q / lengths[:, None]
-    return turned
-
-
-def _vectors(name: str, values: ArrayLike, count: int | None) -> Floats:
-    """(n, 3) finite numbers within the world from (n, 3) or (n, 2), or ValueError."""
-    given = np.array(values, dtype=np.float64)
-    if given.size == 0 and count in (None, 0):
-        return np.zeros((0, 3)) if count == 0 else _refuse(f"{name}: at least one is wanted")
-    if given.ndim != 2 or given.shape[1] not in (2, 3) or len(given) > MAX_SPHERES:
-        raise ValueError(f"{name}: rows of two or three numbers are wanted, at most {MAX_SPHERES}")
-    if count is not None and len(given) != count:
-        raise ValueError(f"{name}: {count} rows are wanted, not {len(given)}")
-    if not np.isfinite(given).all() or np.abs(given).max() > LARGEST:
-        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
-    vectors = np.zeros((len(given), 3))
-    vectors[:, : given.shape[1]] = given
-    return vectors
-
-
-def _numbers(name: str, values: ArrayLike, count: int, least: float, most: float) -> Floats:
-    given = np.array(values, dtype=np.float64)
-    if given.size not in (1, count) or given.ndim > 1:
-        raise ValueError(f"{name}: one number, or one for each of {count}, is wanted")
-    if not ((given >= least) & (given <= most)).all():
-        raise ValueError(f"{name}: {least:g} to {most:g} is wanted")
-    return np.array(np.broadcast_to(given, (count,)))
-
-
-def _refuse(why: str) -> Floats:
-    raise ValueError(why)

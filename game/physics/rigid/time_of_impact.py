@@ -11,9 +11,9 @@ from __future__ import annotations
 import math
 
 from game.physics.lean import inner_kernel, lean_kernel
-from game.physics.rigid.impulses import TOUCHING
 from game.physics.rigid.sphere_effects import COLLISIONS_BIT, LEDGES_BIT, WINDOW_BIT
 from game.physics.rigid.spheres import VX, VY, VZ
+from game.physics.rigid.touch_rows import TOUCHING
 
 NEVER = math.inf
 
