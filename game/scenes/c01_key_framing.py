@@ -19,6 +19,7 @@ from game.scenes.c01_clock import REPEATS, folded, frame_of, held, phase_of
 from game.scenes.c01_document import CHOSEN, LABELS, NOTHING, SHAPING, Edit, MotionScene
 from game.scenes.c01_level import Motion
 from game.scenes.c01_view import KeyFramingView
+from game.scenes.figures.animation import draw_casteljau
 from game.stage import (
     Choice,
     Equation,
@@ -119,6 +120,7 @@ class KeyFraming(MotionScene):
         SceneAction("earlier", "to the key before", "leftbracket"),
         SceneAction("later", "to the next key", "rightbracket"),
     )
+    figure = staticmethod(draw_casteljau)
     equations = (
         Equation(
             "Nearest, linear", r"x = x_i,  x = x_i + u (x_{i+1} - x_i),  u = \frac{t - t_i}{t_{i+1} - t_i}"
