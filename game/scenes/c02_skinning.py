@@ -22,6 +22,7 @@ from game.scenes.figure_view import (
     draw_pen,
     draw_weights,
 )
+from game.scenes.figures.animation import draw_bend
 from game.stage import Equation, Hint, Readout, SceneAction, Strip, Toggle, WarmUp, blend_angles
 
 Array = NDArray[np.float64]
@@ -59,6 +60,7 @@ class Skinning(FigureScene):
         Strip("Blends apart", "m", ("apart",)),
         Strip("Time of the skin", "s", ("linear time", "rotor time")),
     )
+    figure = staticmethod(draw_bend)
     equations = (
         Equation("Forward kinematics", r"W_i = W_{p(i)} T(o_i) R(\theta_i)", "3 × 3 matrices on (x, y, 1)"),
         Equation("Palette", r"P_i = W_i B_i^{-1}", "B: the frames when the skin was bound"),
