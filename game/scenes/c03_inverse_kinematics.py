@@ -18,6 +18,7 @@ from game.scenes import skeleton_editor as editor
 from game.scenes.c03_view import ChainView, cell_at, cells_of
 from game.scenes.figure_level import BoneEntry, ChainEntry, FigureContent, PathEntry, View, bone_named
 from game.scenes.figure_scene import EDITING, FigureScene, warm_ups_of_figures
+from game.scenes.figures.animation import draw_ccd
 from game.stage import (
     Choice,
     Equation,
@@ -96,6 +97,7 @@ class InverseKinematics(FigureScene):
         Strip("Iterations", "", tuple(f"{name} n" for name in NAMES)),
         Strip("Time", "s", tuple(f"{name} t" for name in NAMES)),
     )
+    figure = staticmethod(draw_ccd)
     equations = (
         Equation("Error", r"\v{e} = \v{t} - \v{p}_n(\theta)", "target and end of the chain"),
         Equation(
