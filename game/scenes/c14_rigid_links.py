@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.constraints import stretch_study
+from game.scenes.figures.springs import draw_projection
 from game.scenes.mass_spring import MassSpringScene
 from game.stage import Choice, Equation, Param
 
@@ -37,6 +38,7 @@ class RigidLinks(MassSpringScene):
         1e-6, 1e-9, 1.0, unit="m/N", log=True, group="Links", help="inverse stiffness, with compliance only"
     )
 
+    figure = staticmethod(draw_projection)
     equations = (
         Equation(
             "Prediction",
