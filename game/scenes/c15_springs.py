@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from game.lab.studies.constraints import spring_study
 from game.physics.constraints import MODELS
 from game.physics.constraints.areas import COMPLIANCE, INTACT, STIFFNESS
+from game.scenes.figures.springs import draw_sweeps
 from game.scenes.mass_spring import MassSpringScene
 from game.scenes.mass_spring_level import NOT_OWN
 from game.stage import Choice, Equation, Param, Readout, Strip
@@ -48,6 +49,7 @@ class Springs(MassSpringScene):
         Strip("Energy", "J", ("kinetic", "elastic", "sum")),
         Strip("Area", "", ("area kept",)),
     )
+    figure = staticmethod(draw_sweeps)
     equations = (
         Equation("Correction", r"\Delta\v{p}_a = k \frac{w_a}{w_a + w_b} C \v{n}", "Müller and others 2007"),
         Equation("Rest stretch of a bead", r"g h^2 \frac{q}{1-q},  q = (1-k)^n", "fixed point of n sweeps"),
