@@ -4,13 +4,15 @@ from game.lab.analysis import (
     cost_to_reach,
     fit_exponent,
     fit_order,
+    fitted,
     out_of_order,
     settled,
     slope_of,
     summarise,
     upper_envelope,
 )
-from game.lab.report import PlotsMissingError, write_report
+from game.lab.picture import PlotsMissingError
+from game.lab.report import write_report
 from game.lab.runner import StoppedError, measure, measure_present, run_study
 from game.lab.study import ACCURACY, Axes, Knob, Method, Outcome, Row, Setting, Study, StudyTable, Trial
 
@@ -30,6 +32,7 @@ __all__ = [
     "cost_to_reach",
     "fit_exponent",
     "fit_order",
+    "fitted",
     "measure",
     "measure_present",
     "out_of_order",

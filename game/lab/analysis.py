@@ -42,14 +42,22 @@ def upper_envelope(rows: Sequence[Row], bins: int = ENVELOPE_BINS, over: str = "
     return chosen
 
 
-def fit_order(rows: Sequence[Row], floor: float = 0.0, envelope: bool = False, over: str = "knob") -> float:
+def fit_order(
+    rows: Sequence[Row],
+    floor: float = 0.0,
+    envelope: bool = False,
+    over: str = "knob",
+    ceiling: float = math.inf,
+) -> float:
     """Least-squares slope of log(error) over log(knob); nan with fewer than three usable points.
 
-    over: `knob`, or `counter`, when the slope is that over 1 / counter.
+    floor, ceiling: errors outside take no part. over: `knob`, or `counter`, when the slope is that over
+    1 / counter.
     """
     points = usable(rows, floor)
     if envelope:
         points = upper_envelope(points, over=over)
+    points = [row for row in points if row.error <= ceiling]
     places = [float(getattr(row, over)) for row in points]
     if len(set(places)) < 3:
         return math.nan
@@ -73,11 +81,13 @@ def fit_exponent(rows: Sequence[Row]) -> float:
 def slope_of(study: Study, method: Method, rows: Sequence[Row]) -> float:
     """The slope that the study's picture tells of one method: order of the error, or exponent of the cost.
 
-    A cost of which no exponent is expected has none: it may be a U.
+    Where none is expected there is none: a cost may be a U, an error nought, or fall geometrically.
     """
+    if method.order is None:
+        return math.nan
     if study.axes.up == "cpu":
-        return fit_exponent(rows) if method.order is not None else math.nan
-    return fit_order(rows, study.floor, study.envelope, study.order_over)
+        return fit_exponent(rows)
+    return fit_order(rows, study.floor, study.envelope, study.order_over, study.ceiling)
 
 
 def settled(rows: Sequence[Row], failures: Sequence[Row]) -> list[Row]:
@@ -90,6 +100,11 @@ def settled(rows: Sequence[Row], failures: Sequence[Row]) -> list[Row]:
     if finer and max(row.knob for row in finer) >= SPAN * min(row.knob for row in finer):
         return finer
     return list(rows)
+
+
+def fitted(table: StudyTable, method: str) -> list[Row]:
+    """The rows of a method that its slope is fitted to."""
+    return settled(table.of(method), table.of(method, failed=True))
 
 
 def cost_to_reach(rows: Sequence[Row], target: float, envelope: bool = False) -> float:
@@ -151,12 +166,11 @@ def summarise(table: StudyTable, targets: Sequence[float] = TARGETS) -> list[Met
     lines = []
     for method in study.methods:
         rows = table.of(method.name)
-        fitted = settled(rows, table.of(method.name, failed=True))
         lines.append(
             MethodSummary(
                 method.name,
                 method.label,
-                slope_of(study, method, fitted),
+                slope_of(study, method, fitted(table, method.name)),
                 method.order,
                 tuple(cost_to_reach(rows, target, study.envelope) for target in targets),
                 len(rows),

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from game.lab.study import Row, Setting, Study, StudyTable
 
 REPEATS = 7  # after a warm-up that also compiles
+MOST_REPEATS = 200
 Progress = Callable[[int, int, str, float], None]
 
 
@@ -21,23 +22,31 @@ class StoppedError(Exception):
 
 
 def measure(
-    study: Study, setting: Setting, stop: Callable[[], bool] | None = None, repeats: int = REPEATS
+    study: Study,
+    setting: Setting,
+    stop: Callable[[], bool] | None = None,
+    repeats: int = REPEATS,
+    seconds: float = 0.0,
 ) -> Row:
-    """Error, counter and least CPU time of one setting. StoppedError if `stop` says so between repeats."""
+    """Error, counter and least CPU time of one setting. StoppedError if `stop` says so between repeats.
+
+    What takes little time is repeated further, until so many seconds are spent: that quietens the noise.
+    """
     if repeats < 1:
         raise ValueError(f"repeats: must be at least 1, got {repeats!r}")
     trial = study.trial(setting)
     trial.reset()
     trial.run()
     outcome = trial.outcome()
-    least = math.inf
-    for _ in range(repeats):
+    least, spent, made = math.inf, 0.0, 0
+    while made < repeats or (spent < seconds and made < MOST_REPEATS):
         if stop is not None and stop():
             raise StoppedError(study.name)
         trial.reset()
         begin = time.thread_time()
         trial.run()
-        least = min(least, time.thread_time() - begin)
+        took = time.thread_time() - begin
+        least, spent, made = min(least, took), spent + took, made + 1
     failure = outcome.failure
     if not failure and not math.isfinite(outcome.error):
         failure = "not a finite number"
@@ -53,11 +62,16 @@ def measure(
     )
 
 
-def measure_present(study: Study, parameters: dict[str, object], repeats: int = REPEATS) -> Row:
-    """The point at which a scene with these parameters stands. ValueError if the study cannot tell."""
+def measure_present(
+    study: Study, parameters: dict[str, object], repeats: int = REPEATS, seconds: float = 0.0
+) -> Row:
+    """The point at which a scene with these parameters and effects stands.
+
+    ValueError if the study cannot tell.
+    """
     if study.present is None:
         raise ValueError(f"study {study.name}: cannot place the present setting of its scene")
-    return measure(study, study.present(parameters), repeats=repeats)
+    return measure(study, study.present(parameters), repeats=repeats, seconds=seconds)
 
 
 def run_study(
@@ -66,12 +80,14 @@ def run_study(
     stop: Callable[[], bool] | None = None,
     table: StudyTable | None = None,
     repeats: int = REPEATS,
+    seconds: float = 0.0,
 ) -> StudyTable:
     """Measure all settings of a study; rows (method, knob, error, cpu_s, ...).
 
     progress(done, total, label, seconds_left) is called before each point and at the end (seconds_left nan
     while nothing is known). stop() true ends the run; the table holds what was measured, and handed back as
     `table` it is gone on with. Rows are added one by one, and in the end stand in the order of the settings.
+    repeats, seconds: see `measure`.
     """
     table = StudyTable(study) if table is None else table
     if table.study is not study:
@@ -89,7 +105,7 @@ def run_study(
             label = study.method(setting.method).label
             progress(len(have), len(settings), label, left)
         try:
-            row = measure(study, setting, stop, repeats)
+            row = measure(study, setting, stop, repeats, seconds)
         except StoppedError:
             break
         have[setting.key] = row

@@ -6,6 +6,7 @@ setting that fails stays in the table and is marked, as where a method breaks is
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Protocol
@@ -37,7 +38,8 @@ class Setting:
     """One point to be measured.
 
     knob: value of the study's knob. others: further knobs that tell points of one method apart. scene: the
-    scene's parameters at this point, so that it can be opened there. weight: expected cost, any unit.
+    scene's parameters at this point, and its effects as true and false, so that it can be opened there.
+    weight: expected cost, any unit.
     """
 
     method: str
@@ -86,7 +88,7 @@ ACCURACY = Axes()  # what accuracy costs
 
 
 class Row(NamedTuple):
-    """One measured point: method, value of the knob, error, CPU seconds for each simulated second, ..."""
+    """One measured point: method, value of the knob, error, CPU seconds for one simulated second, ..."""
 
     method: str
     knob: float
@@ -113,10 +115,12 @@ class Study:
     error, error_unit: what is on the vertical axis. counter: what `Outcome.counter` counts. reference: where
     the exact values come from. settings(): the points, in the order in which they are measured. trial:
     setting to trial. envelope: collisions make the error saw-toothed, so orders are fitted to its upper
-    envelope. floor: errors below it are rounding and take no part in fits. expectation: what the curves
-    should show, in a sentence or two. present: the scene's parameters to the setting they amount to.
+    envelope. floor: errors below it are rounding and take no part in fits. ceiling: errors above it are not
+    yet those of small steps and take no part either. expectation: what the curves should show, in a sentence
+    or two. present: the scene's parameters and effects to the setting they amount to.
     axes: what its picture shows; accuracy against cost, unless what is bought is no accuracy. short: its name
-    among the studies of its scene. related: further studies of the same scene.
+    among the studies of its scene. related: further studies of the same scene. cost: what the CPU time is
+    for, where the seconds that its trials simulate stand for something else.
     """
 
     name: str
@@ -133,9 +137,11 @@ class Study:
     order_over: str = "knob"
     envelope: bool = False
     floor: float = 1e-13
+    ceiling: float = math.inf
     present: Callable[[Mapping[str, Any]], Setting] | None = None
     axes: Axes = ACCURACY
     short: str = ""
+    cost: str = COST
     related: tuple[Study, ...] = ()
 
     def __post_init__(self) -> None:
@@ -170,11 +176,11 @@ class Study:
 
     def across_words(self) -> tuple[str, str]:
         """What runs from left to right, and its unit."""
-        return (COST, "s") if self.axes.across == "cpu" else (self.knob.label, self.knob.unit)
+        return (self.cost, "s") if self.axes.across == "cpu" else (self.knob.label, self.knob.unit)
 
     def up_words(self) -> tuple[str, str]:
         """What runs upwards, and its unit."""
-        return (self.error, self.error_unit) if self.axes.up == "error" else (COST, "s")
+        return (self.error, self.error_unit) if self.axes.up == "error" else (self.cost, "s")
 
     def method(self, name: str) -> Method:
         """The method of that name; ValueError if there is none."""

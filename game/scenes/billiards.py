@@ -18,6 +18,7 @@ from game.billiards.rules import CUE_BALL, Call
 from game.billiards.shot import Physics
 from game.billiards.shot_effects import EXACT_EFFECTS, physics_of
 from game.billiards.trajectory import rotation_matrices
+from game.lab.studies.billiards_effects import effects_study
 from game.levels import Level
 from game.scenes import billiards_buttons as buttons
 from game.scenes import billiards_deciding as deciding
@@ -110,6 +111,8 @@ class Billiards(Scene):
     task = "L.10"
     title = "Billiards"
     effects = EXACT_EFFECTS
+    study = effects_study
+    covers = True
     quarter_turns = 1
     takes = frozenset(("wheel", "middle", "right"))
     content_type = BilliardsContent
@@ -237,6 +240,7 @@ class Billiards(Scene):
         self.hint_shown = False  # the solution of a puzzle
         self.fine_at = math.nan  # bearing of the pointer at which the aim was made finely, rad
         self.power_before = self.power
+        self.pulled = math.nan  # power of the stroke that the cue was drawn back for, m/s
         self.kept = Kept()
         moves.lay_out(self)
 

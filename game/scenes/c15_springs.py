@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.studies.constraints import spring_study
+from game.lab.studies.springs import spring_study
 from game.physics.constraints import MODELS
 from game.physics.constraints.areas import COMPLIANCE, INTACT, STIFFNESS
 from game.scenes.figures.springs import draw_sweeps

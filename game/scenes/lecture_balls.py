@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from game.billiards.ball import Ball, Collision, Overshoot
 from game.billiards.lecture_slips import SLIPS
 from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
+from game.lab.studies.lecture_table import one_collision_study
 from game.levels import Level
 from game.scenes import lecture_balls_record as record
 from game.scenes import lecture_balls_view as view
@@ -72,6 +73,7 @@ class LectureBalls(Scene):
     task = "L"
     title = "Two balls"
     effects = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED
+    study = one_collision_study
     dt = 1.0 / FRAME_RATE
     unit = "px"
     y_up = False

@@ -227,4 +227,5 @@ def _notes(study: Study, series: Sequence[PlotSeries], trouble: str) -> tuple[st
 
 
 def _sentence_case(label: str) -> str:
-    return label[:1].upper() + label[1:]
+    """With a capital, but for a symbol of one letter."""
+    return label[:1].upper() + label[1:] if label[1:2].isalpha() else label

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import json
 import math
+import threading
 from pathlib import Path
 
 import example_scene
+import numpy as np
 import pytest
 
 from game.app.commands import accuracy, run_command_line
+from game.app.report import prices
 from game.app.report.page import SceneReport, write_page
 from game.app.report.prices import Price, Prices, measure_prices
+from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab import Knob, Method, Outcome, Row, Setting, Study, StudyTable
+from game.scenes import CATALOGUE
 
 KNOBS = [0.4, 0.2, 0.1, 0.05]
 
@@ -54,13 +59,16 @@ def study(monkeypatch: pytest.MonkeyPatch) -> Study:
     made = made_study()
     monkeypatch.setattr(example_scene.BouncingBall, "study", made)
     monkeypatch.setattr(Trial, "runs", 0)
+    monkeypatch.setattr(accuracy, "ENOUGH_S", 0.0)  # so that the number of runs does not depend on the clock
     from game.scenes import CATALOGUE
 
     monkeypatch.setattr("game.scenes.CATALOGUE", type(CATALOGUE)((CATALOGUE["example"],)))
     return made
 
 
-def test_all_scenes_make_a_page_with_pictures_orders_and_prices(study: Study, tmp_path: Path, capsys):
+def test_all_scenes_make_a_page_with_pictures_orders_and_prices(
+    study: Study, tmp_path: Path, capsys, monkeypatch: pytest.MonkeyPatch
+):
     assert run_command_line(["accuracy", "--all", "--out", str(tmp_path)]) == 0
     page = (tmp_path / "index.html").read_text(encoding="utf-8")
     assert "Made &lt;up&gt;" in page and "<td>a first</td><td>1.00</td><td>1</td>" in page
@@ -69,8 +77,10 @@ def test_all_scenes_make_a_page_with_pictures_orders_and_prices(study: Study, tm
     for effect in example_scene.BouncingBall.effects:
         assert f"<td>{effect.label}</td>" in page
     first = Trial.runs
-    assert run_command_line(["accuracy", "--all", "--out", str(tmp_path)]) == 0
-    assert Trial.runs == first  # all is there
+    with monkeypatch.context() as patch:
+        patch.setattr(prices, "measure_prices", None)
+        assert run_command_line(["accuracy", "--all", "--out", str(tmp_path)]) == 0
+    assert Trial.runs == first  # all is there, the prices too
     assert run_command_line(["accuracy", "--all", "--anew", "--out", str(tmp_path)]) == 0
     assert Trial.runs == 2 * first
     assert str(tmp_path / "index.html") in capsys.readouterr().out
@@ -114,18 +124,74 @@ def test_what_was_kept_and_cannot_be_read_is_measured_again(study: Study, tmp_pa
     assert Trial.runs == 2 * len(KNOBS) * 8
 
 
+def test_a_scene_without_a_study_has_its_prices_on_the_page(study: Study, tmp_path: Path, monkeypatch):
+    monkeypatch.setattr(example_scene.BouncingBall, "study", None)
+    assert run_command_line(["accuracy", "--all", "--out", str(tmp_path)]) == 0
+    assert "What every effect costs" in (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert run_command_line(["accuracy", "example", "--out", str(tmp_path)]) == 2
+
+
+def test_a_study_of_two_scenes_is_measured_once(study: Study, tmp_path: Path):
+    known: dict[str, StudyTable] = {}
+    for name in ("one", "other"):
+        accuracy._measure(
+            example_scene.BouncingBall, tmp_path, name, "", threading.Event(), anew=True, known=known
+        )
+    assert Trial.runs == 2 * len(KNOBS) * 8
+    assert (tmp_path / "other" / "made-up.png").exists()
+
+
 def test_prices_of_every_effect():
-    prices = measure_prices(example_scene.BouncingBall)
-    assert [price.label for price in prices.effects] == [e.label for e in example_scene.BouncingBall.effects]
-    assert math.isfinite(prices.bare_s) and prices.step_s > 0.0
+    found = measure_prices(example_scene.BouncingBall)
+    assert [price.label for price in found.effects] == [e.label for e in example_scene.BouncingBall.effects]
+    for price in found.effects:
+        assert min(price.with_s, price.without_s, price.undeclared_s) > 0.0
+        assert price.cost_s == price.with_s - price.without_s
+    assert min(found.bare_s, found.step_s) > 0.0
+    assert Prices.from_dict(json.loads(json.dumps(found.to_dict()))) == found
+
+
+def test_tables_played_by_events_are_priced_by_a_break():
+    active = EXACT_EFFECTS.without("cloth")
+    assert prices._break(active, active)() > 0.0
+    assert all(CATALOGUE[name].load().effects.names == EXACT_EFFECTS.names for name in prices.BY_EVENTS)
+
+
+def test_a_copy_without_an_effect_does_not_declare_it():
+    """The same steps as with the effect switched off: what is not declared is not computed either."""
+    stage = prices._begun(example_scene.BouncingBall)
+    declared = stage.scene_type.effects
+    made = prices.copy_declaring(stage, declared.without("test-gravity"), declared.without("test-gravity"))
+    off = stage.copy_scene(declared.without("test-gravity"))
+    assert "test-gravity" not in type(made).effects.names
+    made.restore(off.state())
+    for scene in (made, off):
+        scene.advance(stage.dt)
+    assert [np.asarray(part).tolist() for part in made.state()] == [
+        np.asarray(part).tolist() for part in off.state()
+    ]
 
 
 def test_a_page_without_numbers(tmp_path: Path):
     study = made_study()
     row = Row("b", 0.4, math.inf, 1.0, 1, "diverged", {}, {})
     table = StudyTable(study, [row])
-    prices = Prices(1e-6, math.nan, (Price("Gravity", math.nan),))
-    report = SceneReport(example_scene.BouncingBall, (table,), "example", prices)
+    none = Prices(1e-6, math.nan, (Price("Gravity", math.nan, math.nan, math.nan),))
+    report = SceneReport(example_scene.BouncingBall, (table,), "example", none)
     page = write_page([report], tmp_path / "index.html").read_text(encoding="utf-8")
     assert "nan" not in page and "inf" not in page.lower().replace("info", "")
     assert "Stopped before all points" in page and "<td class=bad>1</td>" in page
+    assert "Failed: b: diverged (1 point, step 0.4 s)." in page
+
+
+def test_a_page_tells_which_orders_are_as_expected(tmp_path: Path):
+    rows = [Row("a", h, h, 1.0 / h, round(1 / h), "", {}, {}) for h in KNOBS]
+    rows += [Row("b", h, h, 1.0 / h, round(1 / h), "", {}, {}) for h in KNOBS]
+    found = Prices(1e-6, 1e-7, (Price("Gravity", 1.2e-6, 1.1e-6, 1.11e-6), Price("Drag", 1e-6, 1e-6, 1e-6)))
+    report = SceneReport(
+        example_scene.BouncingBall, (StudyTable(made_study(), rows, True),), "example", found
+    )
+    page = write_page([report], tmp_path / "index.html").read_text(encoding="utf-8")
+    assert "1 of 2 fitted orders" in page
+    assert "<td class=bad>1.00</td><td>2</td>" in page
+    assert page.count("none to be seen") == 1 and "<td>100 ns</td>" in page.replace("\u202f", " ")

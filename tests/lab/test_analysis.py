@@ -112,7 +112,7 @@ def test_an_exponent_of_cost_is_fitted_beyond_the_fixed_part():
     assert math.isnan(fit_exponent(rows[:2])) and math.isnan(fit_exponent([]))
 
 
-def test_only_a_cost_with_an_expected_exponent_has_a_slope():
+def test_only_what_an_order_is_expected_of_has_a_slope():
     rows = [row(2.0**i, 2.0**-i, 1e-6 * 4.0**i) for i in range(8)]
     made = {
         "name": "s", "title": "S", "error": "e", "error_unit": "m", "counter": "c",
@@ -122,7 +122,9 @@ def test_only_a_cost_with_an_expected_exponent_has_a_slope():
     study = Study(**made, axes=Axes("knob", "cpu"))
     assert slope_of(study, Method("m", "m", 2.0), rows) == pytest.approx(2.0)
     assert math.isnan(slope_of(study, Method("m", "m"), rows))
-    assert slope_of(Study(**made), Method("m", "m"), rows) == pytest.approx(-1.0)
+    assert slope_of(Study(**made), Method("m", "m", 1.0), rows) == pytest.approx(-1.0)
+    assert math.isnan(slope_of(Study(**made), Method("m", "m"), rows))
+    assert math.isnan(slope_of(Study(**made, ceiling=0.02), Method("m", "m", 1.0), rows))  # too few are left
     assert (study.across(rows[3]), study.up(rows[3])) == (8.0, 64e-6)
     with pytest.raises(ValueError, match="axes"):
         Study(**made, axes=Axes("time", "cpu"))

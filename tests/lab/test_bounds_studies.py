@@ -7,13 +7,8 @@ from dataclasses import replace
 import pytest
 
 from game.lab import fit_order, run_study
-from game.lab.studies.bounds import (
-    STEPS_DEGREES,
-    box_study,
-    capsule_study,
-    gap_study,
-    present_fit,
-)
+from game.lab.studies.bounds import STEPS_DEGREES, box_study, capsule_study, present_fit
+from game.lab.studies.bounds_gap import gap_study
 from game.scenes.c08_oriented_boxes import OrientedBoxes
 from game.scenes.c09_capsules import Capsules
 

@@ -8,13 +8,8 @@ import numpy as np
 import pytest
 
 from game.lab import run_study
-from game.lab.studies.constraints import (
-    present_spring,
-    present_stretch,
-    spring_study,
-    stretch_study,
-    swing_study,
-)
+from game.lab.studies.constraints import present_stretch, stretch_study, swing_study
+from game.lab.studies.springs import present_spring, spring_study
 
 
 def few(study, knobs):
@@ -61,10 +56,7 @@ def test_too_much_over_relaxation_is_marked_where_it_fails():
     assert all(row.method == "over-relaxed" for row in failed)
 
 
-def test_present_settings_can_be_placed_and_points_set():
-    from game.scenes.c14_rigid_links import RigidLinks
-    from game.scenes.c15_springs import Springs
-
+def test_present_settings_can_be_placed():
     rigid = {"substeps": 4, "iterations": 20, "relaxation": 1.0}
     trial = stretch_study.trial(present_stretch(rigid))
     trial.reset()
@@ -75,7 +67,3 @@ def test_present_settings_can_be_placed_and_points_set():
     trial.reset()
     trial.run()
     assert trial.outcome().error < 0.05
-    for study, scene in ((stretch_study, RigidLinks), (swing_study, RigidLinks), (spring_study, Springs)):
-        for setting in study.settings():
-            for name, value in setting.scene.items():
-                scene.knob(name).check(value)

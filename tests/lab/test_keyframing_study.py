@@ -53,8 +53,6 @@ def test_equal_ways_by_table_and_by_newton():
 
 
 def test_present_settings_can_be_placed_and_points_set():
-    from game.scenes.c01_key_framing import KeyFraming
-
     for name in INTERPOLATIONS:
         for study, present in ((keyframing_study, present_even), (uneven_study, present_uneven)):
             assert study.present is present
@@ -64,7 +62,3 @@ def test_present_settings_can_be_placed_and_points_set():
     trial = line_study.trial(present_lines({"tolerance": 0.01}))
     trial.run()
     assert trial.outcome().error <= 0.01
-    for study in keyframing_study.family:
-        for setting in study.settings():
-            for name, value in setting.scene.items():
-                KeyFraming.knob(name).check(value)

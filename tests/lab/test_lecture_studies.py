@@ -9,7 +9,14 @@ import pytest
 from game.billiards.lecture_state import LectureSettings
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, measure_present, run_study
-from game.lab.studies.lecture_breaks import HIT_SHOTS, missed_hits_study, rack_study, symmetry_study
+from game.lab.studies.lecture_breaks import (
+    HIT_SHOTS,
+    LONGEST,
+    SHORTEST,
+    missed_hits_study,
+    rack_study,
+    symmetry_study,
+)
 from game.lab.studies.lecture_table import lecture_table_study, two_ball_study
 from game.lab.study import Setting
 
@@ -66,7 +73,7 @@ def test_each_point_opens_its_scene():
         if setting.method != "events":
             knobs = {name: value for name, value in setting.scene.items() if name != "step_length"}
             assert LectureSettings(**knobs).model()
-            assert setting.scene["step_length"] == setting.knob
+            assert setting.scene["step_length"] == min(max(setting.knob, SHORTEST), LONGEST)
 
 
 def test_present_setting_of_the_scene_is_placed_with_losses_left_out():

@@ -20,10 +20,12 @@ from game.app.mistake import MistakeError
 
 if TYPE_CHECKING:
     from game.app.report.page import SceneReport
+    from game.app.report.prices import Prices
     from game.lab import Study, StudyTable
 
 INTERRUPTED = 130  # exit status
-PAGE = "index.html"
+PAGE, PRICES = "index.html", "effects.json"
+ENOUGH_S = 0.02  # CPU time of repeats of a cheap point
 
 
 def add(commands: Any) -> None:
@@ -45,17 +47,15 @@ def execute(options: argparse.Namespace) -> int:
     from game.scenes import CATALOGUE
 
     types = [entry.load() for entry in CATALOGUE] if options.all else [given.scene_type_named(options.scene)]
-    studied = [scene_type for scene_type in types if scene_type.study is not None]
-    if not studied:
-        raise MistakeError(
-            f"accuracy: {options.scene or 'no scene'} has {'no' if options.scene else 'a'} study"
-        )
+    if options.scene and types[0].study is None:
+        raise MistakeError(f"accuracy: {options.scene} has no study")
     reports = []
+    known: dict[str, StudyTable] = {}  # some studies belong to two scenes
     with _interruption() as stopped:
-        for number, scene_type in enumerate(studied, 1):
-            place = f"{number} of {len(studied)}  " if options.all else ""
+        for number, scene_type in enumerate(types, 1):
+            place = f"{number} of {len(types)}  " if options.all else ""
             name = scene_type.name if options.all else ""
-            reports.append(_measure(scene_type, folder, name, place, stopped, options.anew))
+            reports.append(_measure(scene_type, folder, name, place, stopped, options.anew, known))
             if options.all:
                 page = write_page(reports, folder / PAGE)
             if stopped.is_set():
@@ -99,22 +99,27 @@ def _interruption() -> Iterator[threading.Event]:
 
 
 def _measure(
-    scene_type: Any, folder: Path, name: str, place: str, stopped: threading.Event, anew: bool
+    scene_type: Any,
+    folder: Path,
+    name: str,
+    place: str,
+    stopped: threading.Event,
+    anew: bool,
+    known: dict[str, StudyTable],
 ) -> SceneReport:
     """The studies of one scene into one folder; with a name into one of that name, and the effects too."""
     from game.app.report.page import SceneReport
-    from game.app.report.prices import measure_prices
     from game.lab import PlotsMissingError, run_study, write_report
 
     into = _made_folder(str(folder / name)) if name else folder
     tables = []
-    for study in scene_type.study.family:
+    for study in scene_type.study.family if scene_type.study is not None else ():
         if stopped.is_set():
             break
         print(f"{place}{study.title}", file=sys.stderr)
-        table = run_study(
-            study, _show_progress, stopped.is_set, None if anew else _kept(study, into, bool(name))
-        )
+        kept = known.get(study.name) or (None if anew else _kept(study, into, bool(name)))
+        table = run_study(study, _show_progress, stopped.is_set, kept, seconds=ENOUGH_S)
+        known[study.name] = table
         if sys.stderr.isatty():
             print(file=sys.stderr)
         tables.append(table)
@@ -125,8 +130,30 @@ def _measure(
             raise MistakeError(f"--out {into}: {error}") from None
         for path in paths:
             print(path)
-    prices = measure_prices(scene_type) if name and not stopped.is_set() else None
+    prices = _prices(scene_type, into, place, anew) if name and not stopped.is_set() else None
     return SceneReport(scene_type, tuple(tables), name, prices)
+
+
+def _prices(scene_type: Any, folder: Path, place: str, anew: bool) -> Prices:
+    """What the effects cost: kept from before, or measured and kept."""
+    from game.app.report.prices import Prices, measure_prices
+    from game.files import FileProblem, read_text
+
+    path = folder / PRICES
+    labels = [effect.label for effect in scene_type.effects]
+    try:
+        prices = Prices.from_dict(json.loads(read_text(path, 1 << 20)))
+        if not anew and [price.label for price in prices.effects] == labels:
+            return prices
+    except (FileProblem, ValueError, TypeError, KeyError, RecursionError):
+        pass
+    print(f"{place}{scene_type.title}: effects", file=sys.stderr)
+    prices = measure_prices(scene_type)
+    try:
+        _write(path, prices.to_dict())
+    except OSError as error:
+        raise MistakeError(f"--out {folder}: {error}") from None
+    return prices
 
 
 def _kept(study: Study, folder: Path, complete: bool) -> StudyTable | None:
@@ -146,11 +173,16 @@ def _kept(study: Study, folder: Path, complete: bool) -> StudyTable | None:
 
 
 def _keep(table: StudyTable, folder: Path) -> None:
-    """Write what was measured, to go on with; numbers that are not finite are kept."""
+    """Write what was measured, to go on with."""
+    _write(folder / f"{table.study.name}.json", table.to_dict())
+
+
+def _write(path: Path, values: dict[str, Any]) -> None:
+    """Write JSON; numbers that are not finite are kept. OSError if it cannot be written."""
     from game.files import FileProblem, write_text
 
     try:
-        write_text(folder / f"{table.study.name}.json", json.dumps(table.to_dict()) + "\n")
+        write_text(path, json.dumps(values) + "\n")
     except FileProblem as problem:
         raise OSError(str(problem)) from None
 

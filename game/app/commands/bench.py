@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
-import os
-import platform
-from datetime import date
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import output
 from game.app.mistake import MistakeError
+from game.app.report.machine import about, about_words
 
 if TYPE_CHECKING:
     from game.lab.benchmarks import Measured
 
-PACKAGES = ("numpy", "numba", "scipy", "shapely", "pymunk")
 TURNS, MOST_TURNS = 15, 1000
 
 
@@ -51,7 +46,7 @@ def execute(options: argparse.Namespace) -> int:
                 f"{scenario.name:<26}{_time(one.median_s):>12} a {scenario.unit:<8}{_peers(one)}", flush=True
             )
     if options.json:
-        output.write_json({**_about(), "results": [_row(one) for one in measured]}, options.json)
+        output.write_json({**about(), "results": [_row(one) for one in measured]}, options.json)
     if options.markdown:
         output.write_text(markdown(measured), options.markdown, "--markdown")
     return 0
@@ -59,8 +54,6 @@ def execute(options: argparse.Namespace) -> int:
 
 def markdown(measured: list[Measured]) -> str:
     """A table with date, machine and versions."""
-    about = _about()
-    versions = ", ".join(f"{name} {version}" for name, version in about["versions"].items())
     lines = [
         "| workload | median | worst | peers in the same run |",
         "| --- | ---: | ---: | --- |",
@@ -68,30 +61,7 @@ def markdown(measured: list[Measured]) -> str:
     for one in measured:
         title = one.scenario.title.replace("|", "/")
         lines.append(f"| {title} | {_time(one.median_s)} | {_time(one.worst_s)} | {_peers(one)} |")
-    return "\n".join([*lines, "", f"{about['date']}, {about['machine']}; {versions}.", ""])
-
-
-def _about() -> dict[str, Any]:
-    """When, on what, with which versions."""
-    from importlib.metadata import PackageNotFoundError, version
-
-    versions = {"Python": platform.python_version()}
-    for name in PACKAGES:
-        try:
-            versions[name] = version(name)
-        except PackageNotFoundError:
-            continue
-    return {"date": date.today().isoformat(), "machine": _machine(), "versions": versions}
-
-
-def _machine() -> str:
-    """Processor and system, as far as they say."""
-    name = platform.processor() or platform.machine()
-    with contextlib.suppress(OSError):
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-        models = (line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
-        name = next(models, name)
-    return f"{name}, {os.cpu_count()} cores, {platform.system()}"
+    return "\n".join([*lines, "", about_words(about()), ""])
 
 
 def _row(one: Measured) -> dict[str, Any]:

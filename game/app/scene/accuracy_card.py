@@ -11,7 +11,7 @@ from game.app.pictures import save_picture
 from game.app.scene.page_screen import PageScreen
 from game.app.scene.study_run import StudyRun, accuracy_data
 from game.folders import user_folder
-from game.stage import SetKnob
+from game.stage import SetEffect, SetKnob
 from game.ui.accuracy import AccuracyPage
 from game.ui.accuracy_data import AccuracyData
 from game.ui.commands import Command
@@ -44,7 +44,9 @@ class AccuracyCard(PageScreen):
 
     def _start(self, study: Study, before: StudyRun | None) -> None:
         """Measure a study, once the one before it has stopped."""
-        self.run = StudyRun(study, self.play.stage.scene.values, _tables.get(study.name), before)
+        scene = self.play.stage.scene
+        present = {**scene.values, **{effect.name: effect in scene.active for effect in scene.effects}}
+        self.run = StudyRun(study, present, _tables.get(study.name), before)
         _tables[study.name] = self.run.table
 
     def _data(self) -> AccuracyData:
@@ -111,11 +113,14 @@ class AccuracyCard(PageScreen):
             self._set_scene(dict(wish.value))
 
     def _set_scene(self, parameters: dict[str, object]) -> None:
-        """Set the scene's knobs to those of a point, and go back to it."""
-        knobs = self.play.stage.scene.knobs()
+        """Set the scene's knobs and effects to those of a point, and go back to it."""
+        scene = self.play.stage.scene
+        knobs, effects = scene.knobs(), scene.effects.names
         for name, value in parameters.items():
             if name in knobs:
                 self.play.post(SetKnob(name, value))  # type: ignore[arg-type]
+            elif name in effects:
+                self.play.post(SetEffect(name, bool(value)))
         self.close()
 
     def _save_csv(self) -> None:

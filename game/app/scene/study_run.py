@@ -10,6 +10,8 @@ from game.lab import Row, Study, StudyTable, measure_present, run_study
 from game.ui.accuracy_data import AccuracyData, Progress
 from game.ui.accuracy_study import study_data
 
+ENOUGH_S = 5e-3  # of repeats of a cheap point
+
 
 class StudyRun:
     """Measures in a thread; ``table`` fills while it runs and may be gone on with later."""
@@ -51,8 +53,8 @@ class StudyRun:
                 self.progress = self.progress._replace(running=False)
                 return
             if self.study.present is not None:
-                self.present = measure_present(self.study, self._parameters)
-            run_study(self.study, self._report, self._stop.is_set, self.table)
+                self.present = measure_present(self.study, self._parameters, seconds=ENOUGH_S)
+            run_study(self.study, self._report, self._stop.is_set, self.table, seconds=ENOUGH_S)
         except Exception as error:  # a study's own code; the page says so and the scene goes on
             self.error = " ".join(str(error).split()) or type(error).__name__
         self.progress = self.progress._replace(done=len(self.table), running=False)

@@ -19,9 +19,9 @@ from game.billiards.simulation import simulate
 from game.billiards.state import BALL_JAW
 from game.billiards.table import Table
 from game.billiards.trajectory import Trajectory
+from game.lab.ranges import counts_between
 from game.lab.studies.billiards_effects import effects_study
 from game.lab.studies.billiards_hits import missed_hits_study, overlap_study
-from game.lab.studies.lecture_table import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial
 
 STEPS_PER_S = {"stepped": (20.0, 20_000.0), "lecture": (20.0, 2_000.0)}  # the range of the scene's knobs
@@ -82,7 +82,7 @@ def options_of(setting: Setting) -> dict[str, Any]:
 
 def stepped_setting(dt: float, passes: int) -> Setting:
     """A point of the stepped table, and where it is in the scene."""
-    scene = {"stepped_step": dt, "passes": passes}
+    scene = {"stepped_step": max(dt, 1.0 / STEPS_PER_S["stepped"][1]), "passes": passes}
     return Setting("stepped", dt, {"passes": passes}, scene, 1.0 + 0.001 / dt)
 
 

@@ -7,7 +7,7 @@ three balls and on a break. What is switched off is not computed.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from game.billiards.rack import eight_ball_rack
 from game.billiards.shot import Shot, make_shot
@@ -49,8 +49,8 @@ class WithoutEffect:
 
     simulated_s = SHOTS_IN_A_RUN * TIME
 
-    def __init__(self, name: str, balls: int) -> None:
-        self.shot = shot_of(balls, effects_without(name))
+    def __init__(self, active: EffectSet, balls: int) -> None:
+        self.shot = shot_of(balls, active)
         self.full = simulate(shot_of(balls, EXACT_EFFECTS), until=TIME)
 
     def reset(self) -> None:
@@ -65,9 +65,25 @@ class WithoutEffect:
         return Outcome(math.sqrt(float((apart * apart).sum(axis=1).max())), len(self.played.times))
 
 
+def switches(active: EffectSet) -> dict[str, bool]:
+    """The studied effects by name, on or off."""
+    return {name: effect in active for name, effect in EFFECTS.items()}
+
+
+def active_of(switched: Mapping[str, object]) -> EffectSet:
+    """All effects of the exact table but those that are switched off."""
+    off = [effect for name, effect in EFFECTS.items() if not switched[name]]
+    return EffectSet(effect for effect in EXACT_EFFECTS if effect not in off)
+
+
+def present_setting(parameters: Mapping[str, object]) -> Setting:
+    """Where a scene with these effects stands, in a break."""
+    return Setting("present", float(BREAK_BALLS), {}, {name: bool(parameters[name]) for name in EFFECTS})
+
+
 def _settings() -> Sequence[Setting]:
     return [
-        Setting(name, float(balls), {}, {}, float(balls))
+        Setting(name, float(balls), {}, switches(effects_without(name)), float(balls))
         for balls in (3, BREAK_BALLS)
         for name in ("all", *EFFECTS, "none")
     ]
@@ -90,7 +106,8 @@ effects_study = Study(
     ),
     settings=_settings,
     short="Effects",
-    trial=lambda setting: WithoutEffect(setting.method, int(setting.knob)),
+    trial=lambda setting: WithoutEffect(active_of(setting.scene), int(setting.knob)),
+    present=present_setting,
     reference="the exact table with all effects.",
     expectation="An effect costs the events that it brings: in a break the cloth is every other one, as "
     "balls begin to roll and come to rest. Throw, spin decay and cushion friction cost little, and each puts "

@@ -91,6 +91,7 @@ missed_hits_study = Study(
     settings=_hit_settings,
     short="Missed hits",
     trial=lambda setting: MissedHits(setting.method, setting.knob),
+    present=lambda parameters: Setting("stepped", float(parameters["stepped_step"])),
     reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0^2 = D^2 - c^2; column formula.",
     expectation="Whatever physics a contact has, a test once a step overlooks grazing hits: a share that "
     "falls with the square of the step. Event by event none is missed.",
@@ -146,6 +147,9 @@ overlap_study = Study(
     settings=_overlap_settings,
     short="Overlap",
     trial=lambda setting: BreakOverlap(setting.knob, int(setting.method.split("-")[1])),
+    present=lambda parameters: Setting(
+        f"passes-{int(parameters['passes'])}", float(parameters["stepped_step"])
+    ),
     reference="no overlap at all, as on the exact table.",
     expectation="Moving one pair apart pushes the next together: one pass leaves a tightly packed rack "
     "overlapping by what a ball moves in a step, and more passes, or shorter steps, buy that off.",

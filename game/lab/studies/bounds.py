@@ -1,26 +1,21 @@
-"""What bounding volumes cost: area against the angle step, tests against the gap that they prove.
+"""What bounding volumes cost: area against the angle step.
 
-Area: the search by degrees is of first order in the step, as the least box has a side flush with the hull
-and its area has a kink there; calipers are exact and no dearer. Gap: upright boxes stay half as broad when
-they are half as long, boxes on a curve a quarter as broad; so the tests grow with 1/g for the former and
-with 1/sqrt(g) for the latter, and twice the tests prove half the gap, or a quarter of it.
+The search by degrees is of first order in the step, as the least box has a side flush with the hull and its
+area has a kink there; calipers are exact and no dearer.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.bounds_gap import gap_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.bounds import (
-    BoundingTree,
-    Query,
-    build_tree,
     fit_capsule,
     fit_obb,
     least_capsule,
@@ -34,9 +29,6 @@ STEPS_DEGREES = (45.0, 30.0, 20.0, 15.0, 10.0, 6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.4
 SHAPES = 40
 CAPSULE_SHAPES = 16
 TOLERANCE = 0.02  # to which the least capsules are proven; they are polished all the same
-GAPS = tuple(np.geomspace(0.02, 2e-4, 12).tolist())
-SEGMENTS = 1024  # of each arc
-ARC_DEGREES = tuple(60.0 * 2.0 ** (0.25 * i) for i in range(4))
 
 
 def shapes(count: int) -> list[Array]:
@@ -59,10 +51,9 @@ def shapes(count: int) -> list[Array]:
 class FitTrial:
     """All shapes fitted once; the error is the mean of area over least area, less 1."""
 
-    simulated_s = 1.0
-
     def __init__(self, fit: Callable[[Array], Any], given: list[Array], least: list[float], counter: int):
         self.fit, self.given, self.least, self.counter = fit, given, least, counter
+        self.simulated_s = float(len(given))
         self.areas: list[float] = []
 
     def reset(self) -> None:
@@ -131,94 +122,6 @@ def present_fit(parameters: Mapping[str, Any]) -> Setting:
     return Setting("refined" if fit != "search" else "search", float(parameters["angle_step"]))
 
 
-# -- two arcs ------------------------------------------------------------------------------------------
-
-TREES: dict[str, tuple[str, str]] = {
-    "aabb": ("aabb", "search"),
-    "obb": ("obb", "search"),
-    "obb-exact": ("obb", "calipers"),
-    "capsule": ("capsule", "search"),
-}
-
-
-def arc(radius: float, degrees: float) -> Array:
-    """A part of a circle about the origin, m."""
-    angle = np.radians(17.0 + degrees * np.arange(SEGMENTS + 1) / SEGMENTS)
-    return radius * np.column_stack((np.cos(angle), np.sin(angle)))
-
-
-@lru_cache(maxsize=32)
-def inner_tree(kind: str, fit: str, degrees: float) -> BoundingTree:
-    """The tree over the inner arc."""
-    return build_tree(arc(1.0, degrees), kind, 1, fit=fit)
-
-
-class GapTrial:
-    """Two arcs about one centre, a gap apart: queries prove that they do not meet, for arcs of four lengths.
-
-    Halving makes volumes of few lengths only; over an octave of lengths its steps even out.
-    """
-
-    simulated_s = 1.0
-
-    def __init__(self, kind: str, fit: str, gap: float):
-        self.gap = gap
-        self.queries = [
-            Query(inner_tree(kind, fit, degrees), build_tree(arc(1.0 + gap, degrees), kind, 1, fit=fit))
-            for degrees in ARC_DEGREES
-        ]
-
-    def reset(self) -> None:
-        pass
-
-    def run(self) -> None:
-        for query in self.queries:
-            query.run((0.0, 0.0))
-
-    def outcome(self) -> Outcome:
-        met = sum(query.leaves_met for query in self.queries)
-        tests = sum(query.volume_tests + query.segment_tests for query in self.queries)
-        return Outcome(self.gap, tests, "leaves overlap: not by volumes alone" if met else "")
-
-
-def gap_trial(setting: Setting) -> GapTrial:
-    """The query at one gap."""
-    kind, fit = TREES[setting.method]
-    return GapTrial(kind, fit, setting.knob)
-
-
-def gap_settings() -> list[Setting]:
-    """Every gap with every tree."""
-    return [
-        Setting(name, gap, {}, {"volume": TREES[name][0], "fit": TREES[name][1]}, 1.0 / gap)
-        for gap in GAPS
-        for name in TREES
-    ]
-
-
-gap_study = Study(
-    name="bounds-gap",
-    title="Bounding volumes: tests to prove a gap",
-    error="gap between two arcs that is proven",
-    error_unit="m",
-    counter="tests of volumes and segments",
-    knob=Knob("gap", "gap", "m"),
-    methods=(
-        Method("aabb", "upright boxes", 1.0),
-        Method("obb", "boxes, by degrees", None, "loses its order where a box is thinner than its own error"),
-        Method("obb-exact", "boxes, exact", 2.0),
-        Method("capsule", "capsules", None, "by degrees, too"),
-    ),
-    settings=gap_settings,
-    trial=gap_trial,
-    reference="arcs of 1024 segments about one centre, 1 m off, 60 to 101 degrees long.",
-    expectation=(
-        "Twice the tests prove half the gap with upright boxes, a quarter of it with exact ones. "
-        "Boxes by degrees lose that where they are thinner than half a degree of their length."
-    ),
-    order_over="counter",
-)
-
 box_study = Study(
     name="c08",
     title="Oriented boxes: area against the angle step",
@@ -240,6 +143,8 @@ box_study = Study(
     ),
     floor=1e-9,
     present=present_fit,
+    cost="CPU time for one shape",
+    short="Fit",
     related=(gap_study,),
 )
 
@@ -264,5 +169,7 @@ capsule_study = Study(
     ),
     floor=1e-9,
     present=present_fit,
+    cost="CPU time for one shape",
+    short="Fit",
     related=(gap_study,),
 )

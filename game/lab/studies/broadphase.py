@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +23,7 @@ from game.physics.broadphase import (
 from game.physics.broadphase.workloads import MovingBoxes, expected_swaps, make_boxes
 
 Array = NDArray[np.float64]
+PER_STEP = "CPU time for one step"
 
 
 def _geometric(first: float, last: float, count: int) -> list[float]:
@@ -100,8 +103,10 @@ cell_cost_study = Study(
         for cell in _geometric(0.25, 32.0, 15)
     ],
     trial=_cell_trial,
+    present=lambda parameters: Setting(str(parameters["storage"]), float(parameters["cell"])),
     axes=Axes("knob", "cpu"),
     short="Cell size",
+    cost=PER_STEP,
     reference="Pairs are the same at every cell size: errors are none. The curve is cost.",
     expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)^2 where all "
     "covered cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at "
@@ -137,11 +142,10 @@ def _ratio_trial(setting: Setting) -> Steps:
     phases: dict[str, Callable[[], BroadPhase]] = {
         "largest": lambda: UniformGrid((0.0, 0.0), EXTENT, min(large, EXTENT[1])),
         "tuned": lambda: UniformGrid((0.0, 0.0), EXTENT, math.sqrt(small * large)),
-        "hierarchical-2": lambda: HierarchicalGrid(2),
-        "hierarchical-4": lambda: HierarchicalGrid(4),
-        "hierarchical-8": lambda: HierarchicalGrid(8),
     }
-    return Steps(phases[setting.method](), boxes, tests_per_box)
+    if setting.method in phases:
+        return Steps(phases[setting.method](), boxes, tests_per_box)
+    return Steps(HierarchicalGrid(int(setting.method.split("-")[1])), boxes, tests_per_box)
 
 
 ratio_study = Study(
@@ -164,8 +168,12 @@ ratio_study = Study(
         for ratio in _geometric(1.0, 256.0, 9)
     ],
     trial=_ratio_trial,
+    present=lambda parameters: Setting(
+        f"hierarchical-{parameters['step_ratio']}", float(parameters["ratio"])
+    ),
     axes=Axes("knob", "cpu"),
     short="Size ratio",
+    cost=PER_STEP,
     reference="Pairs are the same for all methods: errors are none. The curve is cost.",
     expectation="Twenty large boxes among three thousand small ones: a grid whose cells fit the largest box "
     "tests small boxes against each other; the hierarchy is never far from the best, and needs no tuning.",
@@ -194,38 +202,55 @@ def _speed_trial(setting: Setting) -> Steps:
     return Steps(SweepAndPrune(resort=setting.method == "resort"), moving, _swaps_over_formula)
 
 
-def _speed_settings() -> Sequence[Setting]:
+def _speed_settings(methods: Sequence[str]) -> Sequence[Setting]:
     boxes = make_boxes("equal", SPEED_BOXES, np.random.default_rng(SEED), EXTENT, 0.1)
     size = 2.0 * float(boxes.half_sizes[0, 0])
     points = []
-    for method in ("swaps", "resort", "grid"):
+    for method in methods:
         for share in _geometric(0.005, 8.0, 11):
             formula = expected_swaps(SPEED_BOXES, share * size, EXTENT) / SPEED_BOXES
             points.append(Setting(method, share, {"formula": formula}, {"resort": method == "resort"}, 1.0))
     return points
 
 
-speed_study = Study(
-    name="c07-speed",
+swaps_study = Study(
+    name="c07-swaps",
     title="Sweep and prune: swaps against speed",
     error="swaps (grid: tests) for each box and step",
     error_unit="",
     counter="swaps",
     knob=Knob("speed", "way in a step over box size"),
     methods=(
-        Method("swaps", "swaps alone", 1.0),
-        Method("resort", "sorted anew where that is cheaper", 1.0),
-        Method("grid", "uniform grid beside it"),
+        Method("swaps", "swaps", 1.0),
+        Method("grid", "tests of a uniform grid"),
     ),
-    settings=_speed_settings,
+    settings=partial(_speed_settings, ("swaps", "grid")),
     trial=_speed_trial,
     axes=Axes("knob", "error"),
-    short="Speed",
+    short="Swaps",
+    cost=PER_STEP,
     reference="Column formula: 2 n (8/pi^2) v dt (1/W + 1/H), swaps for each box, for slow isotropic motion.",
-    expectation="Swaps grow in proportion to the way in a step, and time with them, until it is cheaper to "
-    "sort anew. A grid does not mind the speed.",
+    expectation="Swaps grow in proportion to the way in a step. A grid does not mind the speed.",
 )
-sweep_study = missed_pairs_study("c07", "Sweep and prune", lambda size: SweepAndPrune(), (speed_study,))
+speed_study = replace(
+    swaps_study,
+    name="c07-speed",
+    title="Sweep and prune: cost against speed",
+    short="Speed",
+    methods=(
+        Method("swaps", "swaps alone", 1.0),
+        Method("resort", "sorted anew where that is cheaper"),
+        Method("grid", "uniform grid beside it"),
+    ),
+    settings=partial(_speed_settings, ("swaps", "resort", "grid")),
+    axes=Axes("knob", "cpu"),
+    reference="Pairs are the same for all methods: errors are none. The curve is cost.",
+    expectation="Time grows with the swaps, in proportion to the way in a step, until it is cheaper to sort "
+    "anew. A grid does not mind the speed.",
+)
+sweep_study = missed_pairs_study(
+    "c07", "Sweep and prune", lambda size: SweepAndPrune(), (swaps_study, speed_study)
+)
 
 
 # -- number of boxes
@@ -268,8 +293,10 @@ count_study = Study(
         if method != "naive" or count <= MOST_NAIVE
     ],
     trial=_count_trial,
+    present=lambda parameters: Setting("hierarchical", float(parameters["count"])),
     axes=Axes("knob", "cpu"),
     short="Number",
+    cost=PER_STEP,
     reference="All methods find the same pairs. Boxes move 2 % of their size in a step, 1.5 overlaps each.",
     expectation="Time grows with the square of the number for testing all pairs, in proportion to it for "
     "grids. The swaps of sweep and prune grow with the power 1.5 at a fixed speed in box sizes; its time "

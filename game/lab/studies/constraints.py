@@ -1,8 +1,7 @@
-"""What accuracy costs for linked particles: sweeps against substeps, springs by three models, two schemes.
+"""What accuracy costs for linked particles: sweeps against substeps, two schemes, two solvers.
 
 Stretch: a chain that hangs at rest should have its length. n sweeps divide its stretch by about n, n substeps
 of one sweep by n²: (N - 1) (M + (N - 2) / 2) g h². Swing: sweeps do nothing for the motion, the step decides.
-Springs: with a plain k the motion does not converge to that of any spring, with compliance it does.
 """
 
 from __future__ import annotations
@@ -13,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.constraints import DAMPING, LINKS, PositionBasedDynamics, PositionState
-from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 
 FRAME = 1.0 / 60.0  # s
@@ -29,8 +28,6 @@ SWING_END = (
     (-0.582905620171927, -0.135946278801312), (-0.76373204020427, -0.22139688335322),
     (-0.928429039428859, -0.334864493032881),
 )  # fmt: skip
-SPRING_S, SPRING_K, SPRING_START = 1.0, 100.0, 0.1  # s, N/m, m out of rest
-SHARE_K = SPRING_K / (SPRING_K + 3600.0)  # k that is SPRING_K for 1 kg and one sweep of a step of 1/60 s
 
 
 def copied(state: PositionState) -> PositionState:
@@ -65,11 +62,6 @@ class Run:
         error = self.error(self.system)
         sane = math.isfinite(error) and error < ABSURD
         return Outcome(error, self.projections, "" if sane else "diverged")
-
-
-def counts_between(fewest: int, most: int, number: int) -> list[int]:
-    """Whole numbers spread evenly in the logarithm, without repetition."""
-    return sorted({round(x) for x in np.geomspace(fewest, most, number).tolist()})
 
 
 # -- stretch of a hanging chain -------------------------------------------------------------------------
@@ -150,11 +142,14 @@ SWING: dict[str, tuple[str, str, bool]] = {
 def swing_trial(setting: Setting) -> Run:
     """Five links let go from horizontal."""
     n = int(setting.knob)
-    scheme, solver, divide = SWING[setting.method]
+    scheme, solver, divide = SWING.get(setting.method, ("", "", True))
+    substeps, iterations = (n, 1) if divide else (1, n)
+    if setting.method == "present":
+        scheme, solver = str(setting.scene["scheme"]), str(setting.scene["solver"])
+        substeps, iterations = int(setting.scene["substeps"]), int(setting.scene["iterations"])
     system = PositionBasedDynamics(
         [(0.2 * i, 0.0) for i in range(6)], [0.0] + [1.0] * 5, [(i, i + 1) for i in range(5)],
-        order="natural", scheme=scheme, solver=solver, substeps=n if divide else 1,
-        iterations=1 if divide else n,
+        order="natural", scheme=scheme, solver=solver, substeps=substeps, iterations=iterations,
         effects=GRAVITY | LINKS,
     )  # fmt: skip
     steps = round(SWING_S / FRAME)
@@ -164,6 +159,12 @@ def swing_trial(setting: Setting) -> Run:
         return math.sqrt(float((off * off).sum(axis=1).max()))
 
     return Run(system, FRAME, steps, error, 5 * n * steps)
+
+
+def present_swing(parameters: Mapping[str, Any]) -> Setting:
+    """Where a scene with these parameters stands."""
+    scene = {name: parameters[name] for name in ("scheme", "solver", "substeps", "iterations")}
+    return Setting("present", float(scene["substeps"]) * float(scene["iterations"]), {}, scene)
 
 
 def swing_settings() -> list[Setting]:
@@ -179,59 +180,6 @@ def swing_settings() -> list[Setting]:
         for n in counts_between(1, 400, 18)
         for name in SWING
     ]  # fmt: skip
-
-
-# -- one spring -----------------------------------------------------------------------------------------
-
-SPRINGS: dict[str, dict[str, Any]] = {
-    "pbd": {"model": "pbd", "iterations": 4},
-    "pbd-even": {"model": "pbd-even", "iterations": 4},
-    "xpbd": {"model": "xpbd", "iterations": 1},
-    "xpbd-bdf2": {"model": "xpbd", "iterations": 1, "scheme": "bdf2"},
-}
-
-
-def spring_trial(setting: Setting) -> Run:
-    """A bead of 1 kg on a spring of 100 N/m, let go 10 cm from rest, for a second."""
-    n = max(1, round(SPRING_S / setting.knob))
-    settings = SPRINGS[setting.method] if setting.method in SPRINGS else dict(setting.scene)
-    system = PositionBasedDynamics(
-        [(0.0, 0.0), (1.0 + SPRING_START, 0.0)], [0.0, 1.0], [(0, 1)], SHARE_K, rest_lengths=[1.0],
-        compliances=1.0 / SPRING_K, substeps=n, effects=EffectSet([LINKS]), **settings,
-    )  # fmt: skip
-    exact = SPRING_START * math.cos(math.sqrt(SPRING_K) * SPRING_S)
-    return Run(
-        system,
-        SPRING_S,
-        1,
-        lambda s: abs(float(s.positions[1, 0]) - 1.0 - exact),
-        n * int(settings["iterations"]),
-    )
-
-
-def spring_settings() -> list[Setting]:
-    """40 to 10 000 steps for the second."""
-    return [
-        Setting(
-            name, SPRING_S / n, {},
-            {**SPRINGS[name],
-             "step_length": min(max(SPRING_S / n, 1.0 / 2000.0), 0.1), "substeps": 1},
-            10.0 + n,
-        )
-        for n in counts_between(40, 10_000, 22)
-        for name in SPRINGS
-    ]  # fmt: skip
-
-
-def present_spring(parameters: Mapping[str, Any]) -> Setting:
-    """Where a scene with these parameters stands: its model, scheme, iterations and substep."""
-    settings = {
-        "model": parameters["model"],
-        "scheme": parameters["scheme"],
-        "iterations": int(parameters["iterations"]),
-    }
-    h = float(parameters["step_length"]) / float(parameters["substeps"])
-    return Setting("present", max(h, SPRING_S / 10_000), {}, settings)
 
 
 swing_study = Study(
@@ -250,6 +198,7 @@ swing_study = Study(
     ),
     settings=swing_settings,
     trial=swing_trial,
+    present=present_swing,
     reference="Lagrange's equations in the angles of five links.",
     expectation="Sweeps do not help; substeps are of first order, with BDF2 of second.",
     order_over="counter",
@@ -278,28 +227,4 @@ stretch_study = Study(
     floor=1e-12,
     present=present_stretch,
     related=(swing_study,),
-)
-
-spring_study = Study(
-    name="c15",
-    title="Soft springs: a bead on a spring",
-    error="distance from the exact place after 1 s",
-    error_unit="m",
-    counter="projections of the spring",
-    knob=Knob("step_length", "substep", "s"),
-    methods=(
-        Method("pbd", "k, 4 sweeps", None, "converges to a rigid link"),
-        Method("pbd-even", "k′, 4 sweeps", None, "the same"),
-        Method("xpbd", "compliance", 1.0, "backward Euler"),
-        Method("xpbd-bdf2", "compliance, BDF2", 2.0),
-    ),
-    settings=spring_settings,
-    trial=spring_trial,
-    reference="0.1 m cos(10 t / s).",
-    expectation=(
-        "With k the error does not go away, whatever the step: there is no spring that it converges to. With "
-        "compliance the order is 1, with BDF2 2."
-    ),
-    order_over="counter",
-    present=present_spring,
 )

@@ -20,6 +20,7 @@ from game.physics.animation import IK_METHODS, Solutions, Solver, chain_skeleton
 
 Array = NDArray[np.float64]
 BONES, TARGETS = 10, 40
+PER_TARGET = "CPU time for one target"
 TIGHT = 1e-13  # m: as good as exact
 LABELS = {
     "gradient": "gradient, fixed step",
@@ -139,7 +140,9 @@ def single_study(
         expectation=expectation,
         order_over="counter",
         floor=1e-11,
-        short=kind,
+        present=present_reaching,
+        short=kind.capitalize(),
+        cost=PER_TARGET,
     )
 
 
@@ -175,6 +178,7 @@ reaching_study = Study(
     order_over="counter",
     floor=1e-12,
     present=present_reaching,
-    short="within reach",
+    short="Within reach",
+    cost=PER_TARGET,
     related=(dead_point_study, full_reach_study, out_of_reach_study),
 )

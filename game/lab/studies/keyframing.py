@@ -88,9 +88,7 @@ class Samples:
 def key_settings(names: Sequence[str]) -> list[Setting]:
     """These methods at 8 to 512 keys; every fourth number first, so the whole soon shows."""
     counts = [count for first in range(4) for count in COUNTS[first::4]]
-    scenes: dict[str, dict[str, Any]] = {name: {"interpolation": name} for name in names}
-    scenes["bezier"] = {}  # the scene does not know the exact velocities
-    return [Setting(name, float(n), {}, scenes[name]) for n in counts for name in names]
+    return [Setting(name, float(n), {}, {"interpolation": name}) for n in counts for name in names]
 
 
 def even_trial(setting: Setting) -> Samples:
@@ -141,6 +139,7 @@ def key_study(
         reference=f"the function itself at {SAMPLES:,} times.".replace(",", " "),
         expectation=expectation,
         order_over="counter",
+        ceiling=0.05,  # m, of a motion of more than 2
         present=present,
         axes=Axes("knob", "error"),
         short=short,

@@ -121,8 +121,14 @@ class Spread:
 
 def spread_settings() -> list[Setting]:
     """A table of 4 to 1024 chords; what comes without a table, and the solution, once each."""
-    once = [Setting("even", 1.0), Setting("newton", 1.0)]
-    return once + [Setting("table", float(n)) for n in EVALUATIONS]
+    spread = {"constant-speed": True}
+    once = [Setting("even", 1.0, {}, {"constant-speed": False}), Setting("newton", 1.0, {}, spread)]
+    return once + [Setting("table", float(n), {}, spread) for n in EVALUATIONS]
+
+
+def present_spread(parameters: Mapping[str, Any]) -> Setting:
+    """The scene solves for even speed if it is to have it."""
+    return Setting("newton" if parameters["constant-speed"] else "even", 1.0)
 
 
 def spread_trial(setting: Setting) -> Spread:
@@ -144,11 +150,13 @@ spread_study = Study(
     ),
     settings=spread_settings,
     trial=spread_trial,
+    present=present_spread,
     reference="adaptive Gauss-Legendre quadrature of the speed.",
     expectation="A table of chords is of second order; Newton's method on the integral is exact at once.",
     order_over="counter",
     axes=Axes("cpu", "error"),
     short="Even speed",
+    cost="CPU time for 200 ways",
 )
 
 line_study = Study(
@@ -168,4 +176,5 @@ line_study = Study(
     present=present_lines,
     axes=Axes("cpu", "error"),
     short="Lines",
+    cost="CPU time for one curve",
 )

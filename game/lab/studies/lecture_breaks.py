@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,27 @@ from game.lab.study import Knob, Method, Outcome, Setting, Study
 LOSSLESS: dict[str, Any] = {"bounce": 1.0, "restitution": 1.0, "friction": 1.0, "minimum_speed": 0.0}
 PAIRWISE = {"order": "pairwise", "substeps": 1}
 STEP = Knob("step_length", "step", "s")
+SHORTEST, LONGEST = 1.0 / 2000.0, 0.05  # s, steps that the scene allows
+
+
+def step_in_scene(dt: float) -> float:
+    """The step, or the nearest one that the scene allows, s."""
+    return min(max(dt, SHORTEST), LONGEST)
+
+
+def chosen(parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """How a scene with these parameters treats its contacts."""
+    return {
+        "order": str(parameters["order"]),
+        "substeps": int(parameters["substeps"]),
+        "passes": int(parameters["passes"]),
+    }
+
+
+def present_step(parameters: Mapping[str, Any]) -> Setting:
+    """Where a scene with these parameters stands: its step and how it treats contacts."""
+    return Setting("present", float(parameters["step_length"]), {}, chosen(parameters))
+
 
 # -- hits missed
 
@@ -74,7 +95,7 @@ def _hit_settings() -> Sequence[Setting]:
         for rate in np.geomspace(20.0, 2000.0, 13).tolist():
             dt = 1.0 / rate
             parts = int(knobs["substeps"]) or max(1, math.ceil(HIT_SPEED * dt / (0.5 * BALL_RADIUS)))
-            scene = {"step_length": dt, **knobs}
+            scene = {"step_length": step_in_scene(dt), **knobs}
             others = {"formula": missed_share(HIT_SPEED, dt / parts, BALL_RADIUS)}
             points.append(Setting(method, dt, others, scene, 1.0 + 0.01 * rate))
     return points
@@ -96,8 +117,9 @@ missed_hits_study = Study(
     ),
     settings=_hit_settings,
     trial=lambda setting: MissedHits(
-        setting.knob, LectureSettings(**LOSSLESS, **HIT_SETTINGS[setting.method])
+        setting.knob, LectureSettings(**LOSSLESS, **HIT_SETTINGS.get(setting.method, setting.scene))
     ),
+    present=present_step,
     reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0^2 = D^2 - c^2; column formula.",
     expectation="A test once a step overlooks grazing hits: a share that falls with the square of the step, "
     "and passes one half where a step is longer than three radii.",
@@ -148,6 +170,7 @@ rack_study = Study(
     error_unit="",
     counter="pair tests",
     knob=Knob("passes", "passes"),
+    order_over="counter",
     methods=(
         Method("pairwise", "pair by pair", None),
         Method("joint", "jointly", None),
@@ -155,8 +178,9 @@ rack_study = Study(
     settings=_rack_settings,
     short="Pressed rack",
     trial=lambda setting: PressedRack(
-        LectureSettings(**LOSSLESS, order=setting.method, substeps=1, passes=int(setting.knob))
+        LectureSettings(**LOSSLESS, order=str(setting.scene["order"]), substeps=1, passes=int(setting.knob))
     ),
+    present=lambda parameters: Setting("present", float(parameters["passes"]), {}, chosen(parameters)),
     reference="no overlap at all.",
     expectation="Pair by pair the overlap falls by a constant factor a pass; all contacts together need one.",
 )
@@ -203,7 +227,7 @@ def _break_settings() -> Sequence[Setting]:
     points = []
     for method in ("pairwise", "joint"):
         for rate in (60, 120, 240, 480, 1000, 2000, 4000):
-            scene = {"step_length": 1.0 / rate, "order": method, "substeps": 1, "passes": 4}
+            scene = {"step_length": step_in_scene(1.0 / rate), "order": method, "substeps": 1, "passes": 4}
             points.append(Setting(method, 1.0 / rate, {}, scene, float(rate)))
     return points
 
@@ -222,8 +246,12 @@ symmetry_study = Study(
     settings=_break_settings,
     short="Symmetry",
     trial=lambda setting: MirroredBreak(
-        setting.knob, LectureSettings(**LOSSLESS, order=setting.method, substeps=1, passes=4)
+        setting.knob,
+        LectureSettings(
+            **LOSSLESS, **{name: setting.scene[name] for name in ("order", "substeps", "passes")}
+        ),
     ),
+    present=present_step,
     reference="the mirror image.",
     expectation="Pair by pair the numbering of the balls decides, at any step. Jointly the two halves are "
     "equal to the last bit.",

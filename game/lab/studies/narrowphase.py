@@ -1,7 +1,7 @@
 """What closest points cost.
 
 Steps and error of GJK against its tolerance, of V-Clip and GJK against the number of vertices and the motion
-between queries, and climbing against looking at all vertices.
+between queries.
 
 Both methods are finite: the error falls from the tolerance to rounding within a few steps. With coherence
 V-Clip takes a step or two whatever the number of vertices; if the shapes turn by an angle between queries
@@ -12,38 +12,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.narrowphase_support import LEAST, packed_pebbles, support_study
 from game.lab.study import Knob, Method, Outcome, Setting, Study
-from game.physics.lean import lean_kernel
 from game.physics.narrowphase import ConvexPolygon, PolygonSet, Proximities, gjk_batch, vclip_batch
-from game.physics.narrowphase.simplex import support_cold, support_hc, support_scan
 
 Array = NDArray[np.float64]
-QUERY_S = 1.0 / 60.0  # a query belongs to a step of this length
-PAIRS, FRAMES, DIRECTIONS = 400, 8, 20_000
-LEAST = 2.0**-56  # errors below are shown as this: they are nought
+PAIRS, FRAMES = 400, 8
 SIZES = (8, 64, 512)
-
-
-def pebbles(corners: int, count: int, seed: int) -> list[Array]:
-    """Convex polygons (corners, 2) with uneven corners on ellipses of half axes 1 and 0.5 to 1."""
-    random = np.random.default_rng(seed)
-    shapes = []
-    for _ in range(count):
-        turns = (np.arange(corners) + random.uniform(-0.3, 0.3, corners)) * (2.0 * math.pi / corners)
-        shapes.append(np.column_stack((np.cos(turns), random.uniform(0.5, 1.0) * np.sin(turns))))
-    return shapes
-
-
-@lru_cache(maxsize=8)
-def packed_pebbles(corners: int, count: int, seed: int) -> PolygonSet:
-    """The same as a set, kept."""
-    return PolygonSet(pebbles(corners, count, seed))
+PER_QUERY = "CPU time for one query"
 
 
 def poses_of(places: Array, angles: Array) -> Array:
@@ -57,7 +38,7 @@ class Queries:
     def __init__(
         self, corners: int, turn: float, method: str, tolerance: float = 1e-14, warm: bool = True
     ) -> None:
-        self.simulated_s = PAIRS * FRAMES * QUERY_S
+        self.simulated_s = float(PAIRS * FRAMES)
         self.shapes = [packed_pebbles(corners, PAIRS, seed) for seed in (1, 2)]
         random = np.random.default_rng(corners)
         far, around = random.uniform(2.1, 4.0, PAIRS), random.uniform(0.0, 2.0 * math.pi, PAIRS)
@@ -164,7 +145,7 @@ CORNERS = (6, 8, 16, 32, 64, 128, 256, 512, 1000)
 def coherence_settings() -> list[Setting]:
     """Six to a thousand vertices, turned a little or much from query to query."""
     return [
-        Setting(name, 2.0 * math.pi / n, {}, {}, 1.0 + 0.05 * n * TURNS[name][1])
+        Setting(name, 2.0 * math.pi / n, {}, {"coherence": True}, 1.0 + 0.05 * n * TURNS[name][1])
         for n in CORNERS
         for name in TURNS
     ]
@@ -176,91 +157,6 @@ def coherence_trial(setting: Setting) -> Coins:
     return Coins(round(2.0 * math.pi / setting.knob), turn, method)
 
 
-# -- support vertices -----------------------------------------------------------------------------------
-
-WAYS = ("climb-near", "climb-far", "scan")
-
-
-@lean_kernel
-def ask(vertices, directions, way, found):
-    """Write the vertex of (n, 2) farthest along each direction (m, 2), found in one of the ``WAYS``."""
-    n = vertices.shape[0]
-    k = 0
-    for i in range(directions.shape[0]):
-        x, y = directions[i, 0], directions[i, 1]
-        if way == 0:
-            k = support_hc(vertices, 0, n, k, x, y)
-        elif way == 1:
-            k = support_cold(vertices, 0, n, x, y)
-        else:
-            k = support_scan(vertices, 0, n, x, y)
-        found[i] = k
-
-
-class Supports:
-    """Support vertices along directions that turn slowly (near) or are anywhere (far)."""
-
-    def __init__(self, corners: int, way: str) -> None:
-        self.simulated_s = DIRECTIONS * QUERY_S
-        self.way = WAYS.index(way)
-        self.vertices = packed_pebbles(corners, 1, corners).vertices
-        random = np.random.default_rng(7)
-        turns = 0.01 * np.arange(DIRECTIONS) if way != "climb-far" else random.uniform(0.0, 7.0, DIRECTIONS)
-        self.directions = np.column_stack((np.cos(turns), np.sin(turns)))
-        self.found = np.zeros(DIRECTIONS, dtype=np.int64)
-
-    def reset(self) -> None:
-        self.found[:] = 0
-
-    def run(self) -> None:
-        ask(self.vertices, self.directions, self.way, self.found)
-
-    def outcome(self) -> Outcome:
-        reach = self.vertices @ self.directions.T
-        missed = reach.max(axis=0) - reach[self.found, np.arange(DIRECTIONS)]
-        n = len(self.vertices)
-        if self.way == WAYS.index("scan"):
-            looks = n * DIRECTIONS
-        else:
-            before = np.concatenate(([0], self.found[:-1])) if self.way == 0 else self.found * 0
-            way = np.abs(self.found - before)
-            steps = np.minimum(way, n - way) if self.way == 0 else np.full(DIRECTIONS, min(n, 8 + n // 16))
-            looks = int((steps + 3).sum())
-        return Outcome(max(LEAST, float(missed.max())), looks)
-
-
-def support_settings() -> list[Setting]:
-    """Four to a thousand vertices."""
-    return [
-        Setting(way, n, {}, {"method": "scan" if way == "scan" else "climb"}, 1.0 + 0.01 * n)
-        for n in (4, 8, 16, 32, 64, 128, 256, 512, 1024)
-        for way in WAYS
-    ]
-
-
-def support_trial(setting: Setting) -> Supports:
-    """One polygon, asked for its farthest vertex along many directions."""
-    return Supports(int(setting.knob), setting.method)
-
-
-support_study = Study(
-    name="c11-support",
-    title="Support vertices: climbing against looking at all",
-    error="how much farther another vertex is",
-    error_unit="m",
-    counter="vertices looked at",
-    knob=Knob("corners", "vertices"),
-    methods=(
-        Method("climb-near", "climbing from the last", None, "directions turn by 0.01"),
-        Method("climb-far", "eight asked, then climbing", None, "directions anywhere"),
-        Method("scan", "all vertices", None),
-    ),
-    settings=support_settings,
-    trial=support_trial,
-    reference="the largest product of all vertices with the direction.",
-    expectation="All find the farthest vertex; looking at all of them pays for small polygons only.",
-)
-
 gjk_study = Study(
     name="c11",
     title="GJK: tolerance",
@@ -268,7 +164,7 @@ gjk_study = Study(
     error_unit="m",
     counter="steps",
     knob=Knob("exponent", "relative tolerance"),
-    methods=tuple(Method(f"corners-{n}", f"{n} vertices", 1.0) for n in SIZES),
+    methods=tuple(Method(f"corners-{n}", f"{n} vertices") for n in SIZES),
     settings=tolerance_settings,
     trial=tolerance_trial,
     reference="GJK at full tolerance, all vertices looked at; V-Clip says the same to rounding.",
@@ -276,7 +172,9 @@ gjk_study = Study(
         "The walk is finite: a step takes many digits at once, so that nearly all tolerances cost the same."
     ),
     floor=1e-15,
+    cost=PER_QUERY,
     present=present_tolerance,
+    short="Tolerance",
     related=(support_study,),
 )
 
@@ -302,4 +200,5 @@ vclip_study = Study(
         "coherence more vertices cost V-Clip hardly anything; turned by a radian between queries, its walk "
         "grows with them, GJK's hardly."
     ),
+    cost=PER_QUERY,
 )

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.particles import CALM, CONTACTS, EVALUATIONS, METHODS, OBSTACLES, ORDERS, Discs
@@ -115,7 +116,7 @@ class Shot:
 
 def _steps(most: int, number: int) -> list[int]:
     """Counts of steps spread evenly in the logarithm; every sixth first, so the whole soon shows."""
-    counts = sorted({round(x) for x in np.geomspace(FEWEST, most, number).tolist()})
+    counts = counts_between(FEWEST, most, number)
     return counts[::6] + [count for i, count in enumerate(counts) if i % 6]
 
 
@@ -208,6 +209,7 @@ bounce_study = Study(
     order_over="counter",
     envelope=True,
     floor=1e-12,
+    ceiling=0.2 * RADIUS,
     present=present_bounce,
     related=(free_flight_study,),
 )

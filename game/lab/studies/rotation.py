@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.rigid import METHODS, ROTATION, FreeTop, RigidBody
 
@@ -99,7 +100,6 @@ def settings_for(
     """These methods at step lengths that divide the time, spread evenly in the logarithm."""
 
     def settings() -> list[Setting]:
-        counts = sorted({round(n) for n in np.geomspace(fewest, most, number).tolist()})
         return [
             Setting(
                 name,
@@ -108,7 +108,7 @@ def settings_for(
                 {"method": name, "step_length": min(max(seconds / n, 5e-4), 0.1)},
                 1.0 + n,
             )
-            for n in counts
+            for n in counts_between(fewest, most, number)
             for name in names
         ]
 

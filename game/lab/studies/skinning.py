@@ -209,7 +209,7 @@ collapse_study = Study(
     expectation="Matrices lose 1 - cos(a/2) of the thickness, all of it at 180°. Rotors keep it, and bulge.",
     floor=1e-13,
     axes=Axes("knob", "error"),
-    short="collapse",
+    short="Collapse",
 )
 joints_study = Study(
     name="c02-joints",
@@ -226,7 +226,7 @@ joints_study = Study(
     order_over="counter",
     floor=1e-13,
     axes=Axes("knob", "error"),
-    short="joints",
+    short="Joints",
 )
 
 skinning_study = Study(
@@ -247,6 +247,6 @@ skinning_study = Study(
     order_over="counter",
     floor=1e-13,
     present=present_influences,
-    short="influences",
+    short="Influences",
     related=(collapse_study, joints_study),
 )
