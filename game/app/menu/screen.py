@@ -8,11 +8,11 @@ import pygame
 
 from game.app.level_index import LevelHead
 from game.app.menu import cards, flow
+from game.app.menu.behind import Behind
 from game.app.menu.foot import paint_foot
 from game.app.menu.header import Header
 from game.app.menu.items import Offer
 from game.app.menu.sketches import sketch
-from game.app.menu.thumbnails import Thumbnails
 from game.app.screens.screen import Screen
 from game.stage.catalogue import Entry
 from game.ui.motion import LIFT_S, Fade
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 LEVELS_SHOWN = 60  # of those found; more is no list to read
-SETTLED_S = 0.4  # s of the menu standing before the compiler is imported behind it
 WHEEL = 60  # design px for a notch
 
 
@@ -42,7 +41,8 @@ class MenuScreen(Screen):
         super().__init__(app)
         self.offer = Offer(app.catalogue)
         self.header = Header(app)
-        self.thumbnails = Thumbnails(app.catalogue, app.canvas_warming)
+        self.behind = Behind(app)
+        self.thumbnails = self.behind.thumbnails
         self.query = ""
         self.items: list[Item] = []
         self.focus = 0
@@ -50,7 +50,6 @@ class MenuScreen(Screen):
         self._scroll = 0
         self._content_height = 0
         self._lift = Fade(LIFT_S)
-        self._age_s = 0.0
         self._picture: pygame.Surface | None = None
         self._sketches: dict[tuple[str, tuple[int, int]], pygame.Surface] = {}
         self._wanted_focus = focus
@@ -217,14 +216,12 @@ class MenuScreen(Screen):
         self._picture = None
 
     def closed(self) -> None:
-        self.thumbnails.close()
+        self.behind.close()
 
     def update(self, elapsed_s: float) -> None:
         self.header.update(elapsed_s)
-        self._age_s += elapsed_s
-        if self._age_s > SETTLED_S and self.app.background:
-            self.app.canvas_warming.begin()
-            self.thumbnails.begin()
+        if self.behind.update(elapsed_s):
+            self._picture = None
         self._lift.update(elapsed_s, True)
         live = self.items[self.focus] if self.focus < len(self.items) else None
         name = live.entry.name if live is not None and live.card is not None else ""
@@ -292,7 +289,7 @@ class MenuScreen(Screen):
             look.text(picture, f"Nothing is called “{self.query}”", middle, 13, "medium", "text2", "center")
         picture.fill(look.theme.bg, (0, 0, size[0], self._top - look.px(6)))
         foot = pygame.Rect(0, self._bottom, size[0], max(1, size[1] - self._bottom))
-        paint_foot(picture, self.app, foot, bool(self.query), self.thumbnails.words())
+        paint_foot(picture, self.app, foot, bool(self.query), self.behind.words())
         return picture
 
     def _paint_row(self, surface: pygame.Surface, item: Item, rect: pygame.Rect, lit: bool) -> None:

@@ -60,7 +60,8 @@ class Thumbnails:
 
     def begin(self) -> None:
         """Start to build the scenes that are ready, if that has not been done yet."""
-        if not self._asked and any_notes():
+        busy = self._thread is not None and self._thread.is_alive()
+        if not self._asked and not busy and any_notes():
             self._asked = True
             self._thread = threading.Thread(target=self._prepare, name="thumbnails", daemon=True)
             self._thread.start()
@@ -96,10 +97,6 @@ class Thumbnails:
                 live = _build(entry)
                 if live is not None:
                     self._made.put(live)
-
-    def words(self) -> str:
-        """How many scenes open at once, for the menu's foot."""
-        return f"{len(self._catalogue)} scenes" if len(self._catalogue) != 1 else "1 scene"
 
     def wake(self) -> None:
         """The menu is on top again: what was opened meanwhile may be ready now."""
