@@ -13,6 +13,7 @@ from game.physics.broadphase.effects import BOUNDARY, HASHED_PAIRS, MATRIX_PAIRS
 from game.scenes import boxes_view as view
 from game.scenes.boxes_level import HEIGHT, WIDTH
 from game.scenes.boxes_scene import BoxesScene
+from game.scenes.figures.broad_phase import draw_cells
 from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 
 MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
@@ -64,6 +65,7 @@ class UniformGridScene(BoxesScene):
         Strip("Pair managers", "s", ("matrix", "hash")),
         Strip("Grid", "s", ("grid",)),
     )
+    figure = staticmethod(draw_cells)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t", "explicit Euler"),
         Equation("Boundary", r"v' = -v", "beyond it and on the way out"),
