@@ -13,6 +13,7 @@ from game.physics.broadphase.hash_levels import TOP
 from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import ComparedScene, manager_for
 from game.scenes.boxes_scene import RATIO, SHARE
+from game.scenes.figures.broad_phase import draw_levels
 from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 from game.ui.numerals import format_si
 from game.ui.painters.boxes import BoxPainter
@@ -72,6 +73,7 @@ class HierarchicalGridScene(ComparedScene):
         Strip("Update and all pairs", "s", ("hierarchical", "naive")),
         Strip("Box tests", "", ("box tests",)),
     )
+    figure = staticmethod(draw_levels)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
         Equation("Level", r"2^{k-1} < s \le 2^k", "k from the exponent of the size s"),
