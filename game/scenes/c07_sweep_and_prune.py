@@ -14,6 +14,7 @@ from game.physics.broadphase.workloads import expected_swaps
 from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import MOST_IN_MATRIX, ComparedScene, manager_for
 from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.scenes.figures.broad_phase import draw_swap
 from game.stage import Equation, Frame, Param, Readout, Strip, Toggle
 
 MOST_TICKS = 1_500  # boxes whose end points are drawn
@@ -59,6 +60,7 @@ class SweepAndPruneScene(ComparedScene):
         Strip("Update and all pairs", "s", ("sweep", "naive")),
         Strip("Pairs", "", ("pairs",)),
     )
+    figure = staticmethod(draw_swap)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
         Equation("Order", r"(x, \text{lower}) < (x, \text{upper})", "closed boxes: touching overlaps"),
