@@ -23,6 +23,7 @@ from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import MOST_IN_MATRIX, MOST_NAIVE
 from game.scenes.boxes_level import HEIGHT, WIDTH
 from game.scenes.boxes_scene import RATIO, SHARE, BoxesScene
+from game.scenes.figures.broad_phase import draw_costs
 from game.scenes.race_table import TABLE_RIGHT, Contestant, RaceTable, short
 from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
 
@@ -115,6 +116,7 @@ class BroadPhaseRace(BoxesScene):
         Strip("Pair managers", "s", ("matrix", "hash")),
         Strip("Pairs", "", ("pairs",)),
     )
+    figure = staticmethod(draw_costs)
     equations = (
         Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
         Equation("Grids", r"O(n)", "tests, boxes alike"),
