@@ -78,6 +78,31 @@ class ThreeTablesState(NamedTuple):
 PLAYING, TIME, SPEED, AIM, LEFT, UP, ELEVATION, STROKES = range(8)
 
 
+class Differences:
+    """How far the balls of the other tables lie from those of the exact one.
+
+    Computed as far as it is asked for: a stroke must not wait for the curves of a minute.
+    """
+
+    def __init__(self, tables: dict[str, Trajectory]) -> None:
+        self._tables = tables
+        self._curves: dict[str, list[float]] = {name: [] for name in tables if name != "exact"}
+
+    def __len__(self) -> int:
+        """Samples computed."""
+        return min(len(curve) for curve in self._curves.values())
+
+    def until(self, time: float) -> dict[str, list[float]]:
+        """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
+        wanted = int(time * SAMPLES_HZ) + 1
+        for i in range(len(self), wanted):
+            exact = self._tables["exact"].state_at(i / SAMPLES_HZ).positions
+            for name, curve in self._curves.items():
+                apart = self._tables[name].state_at(i / SAMPLES_HZ).positions - exact
+                curve.append(math.sqrt(float((apart * apart).sum(axis=1).max())))
+        return {name: curve[:wanted] for name, curve in self._curves.items()}
+
+
 class ThreeTables(Scene):
     """The same stroke on three tables. The first is the lecture's: a velocity added to the position in every
     step, no spin. The second steps too, but with all of the physics: balls slide, roll and spin, throw each
@@ -246,19 +271,11 @@ class ThreeTables(Scene):
         }
         self.event_times = np.asarray(self.tables["exact"].times)
         self.end_s = min(max(table.end_time for table in self.tables.values()), LONGEST_S)
-        self.differences = self._differences()
+        self._differences = Differences(self.tables)
 
-    def _differences(self) -> dict[str, Array]:
-        """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ."""
-        times = np.arange(0.0, self.end_s + 1.0 / SAMPLES_HZ, 1.0 / SAMPLES_HZ)
-        names = [name for name in self.tables if name != "exact"]
-        found = {name: np.zeros(len(times)) for name in names}
-        for i, time in enumerate(times.tolist()):
-            exact = self.tables["exact"].state_at(time).positions
-            for name in names:
-                apart = self.tables[name].state_at(time).positions - exact
-                found[name][i] = math.sqrt(float((apart * apart).sum(axis=1).max()))
-        return found
+    def differences_until(self, time: float) -> dict[str, list[float]]:
+        """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
+        return self._differences.until(min(max(time, 0.0), self.end_s))
 
     def _strike(self, aim: float, speed: float) -> None:
         tip = self.tip_left, self.tip_up, math.radians(self.elevation)
@@ -349,10 +366,9 @@ class ThreeTables(Scene):
 
     def difference_now(self, name: str) -> float:
         """Largest distance of a ball to its place on the exact table at this moment, m."""
-        curve = self.differences.get(name)
-        if curve is None or not self.shot[PLAYING]:
+        if name not in self.tables or not self.shot[PLAYING]:
             return 0.0
-        return float(curve[min(int(self.shot[TIME] * SAMPLES_HZ), len(curve) - 1)])
+        return self.differences_until(float(self.shot[TIME]))[name][-1]
 
     def readouts(self) -> tuple[Readout, ...]:
         time = float(self.shot[TIME]) if self.shot[PLAYING] else 0.0

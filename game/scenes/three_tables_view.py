@@ -136,11 +136,8 @@ def _draw_chart(scene: ThreeTables, canvas: Canvas, time: float) -> None:
         return
     canvas.halo = canvas.theme.stage
     ends = []
-    for name, curve in scene.differences.items():
-        count = min(int(time * 30.0) + 1, len(curve))
-        points = np.array(
-            [place(i / 30.0, math.log10(max(d, 1e-17))) for i, d in enumerate(curve[:count].tolist())]
-        )
+    for name, curve in scene.differences_until(time).items():
+        points = np.array([place(i / 30.0, math.log10(max(d, 1e-17))) for i, d in enumerate(curve)])
         if len(points) > 1:
             canvas.polyline(points, SERIES[name], 1.8)
         if len(points):

@@ -31,7 +31,7 @@ class EffectMeter:
     time added with it; effects not measured yet are missing. `bare`: s of a step with all effects off, NaN
     until measured. `done`: True when all have been measured; changing knobs or effects begins anew.
 
-    ``clock`` gives s. Code of a variant not used before compiles in a thread meanwhile.
+    ``clock`` gives s. Copies are built, and code of a new variant compiles, in a thread meanwhile.
     """
 
     def __init__(self, stage: Stage, clock: Callable[[], float] = perf_counter):
@@ -45,7 +45,7 @@ class EffectMeter:
         self._measuring: _Comparison | None = None
 
     def slice(self, budget_s: float) -> None:
-        """Measure for about so many seconds (a copy may take longer); nothing while code compiles."""
+        """Measure for about so many seconds; nothing while copies are built."""
         if self._stage.fault is not None:
             return
         end = self._clock() + budget_s
@@ -54,7 +54,7 @@ class EffectMeter:
             if self._measuring is None:
                 self._measuring = self._next()
             comparison = self._measuring
-            if comparison is None or not comparison.ready:
+            if not comparison.ready:
                 return
             if not comparison.measure(self._stage.scene.state(), budget_s):
                 self._note(comparison)
@@ -73,18 +73,14 @@ class EffectMeter:
             self.costs = {name: cost for name, cost in self.costs.items() if name in self._waiting}
             self.done = False
 
-    def _next(self) -> _Comparison | None:
-        """The next comparison, its copies just made; None if a copy cannot be made."""
+    def _next(self) -> _Comparison:
+        """The next comparison; its copies are being made."""
         name = self._waiting.pop(0)
         active = self._stage.scene.active
         other = (
             EffectSet() if name == BARE else active.without(name) if name in active else active.with_(name)
         )
-        try:
-            return _Comparison(name, self._stage, other, self._clock)
-        except Exception:  # a scene that cannot do without an effect has no cost to show for it
-            self.done = not self._waiting
-            return None
+        return _Comparison(name, self._stage, other, self._clock)
 
     def _note(self, comparison: _Comparison) -> None:
         if not comparison.differences:
@@ -105,34 +101,39 @@ class _Comparison:
         self.others: list[float] = []
         self._clock = clock
         self._dt = stage.dt
-        self._present = stage.copy_scene()
-        self._other = stage.copy_scene(active)
+        values, before = dict(stage.scene.values), stage.scene.active
+        self._builds = [lambda: stage.build_scene(values, before), lambda: stage.build_scene(values, active)]
+        self._copies: list[Scene] = []
         self._steps = 0
-        self._warming = Warming([WarmUp(name, self._compile)])
+        self._warming = Warming([WarmUp(name, self._make)])
 
-    def _compile(self) -> None:
-        for copy in (self._present, self._other):
+    def _make(self) -> None:
+        """Build the copies and compile what they need: large scenes take longer than a frame may."""
+        for build in self._builds:
+            copy = build()
             copy.advance(self._dt)
+            self._copies.append(copy)
 
     @property
     def ready(self) -> bool:
-        """True when the code of both variants is compiled."""
+        """True when both variants are built and their code is compiled."""
         return self._warming.finished
 
     def measure(self, state: Any, budget_s: float) -> bool:
         """Take one pair of measurements; False when there are enough, or the scene will not be measured."""
-        if self._warming.errors:
+        if self._warming.errors:  # a scene that cannot do without an effect has no cost to show for it
             return False
+        present, changed = self._copies
         try:
             if not self._steps:
-                cost = max(self._time(self._present, state, 1), 1e-9)
+                cost = max(self._time(present, state, 1), 1e-9)
                 self._steps = max(1, min(MOST_STEPS, int(0.25 * budget_s / cost)))
             if len(self.differences) % 2:
-                now = self._time(self._present, state, self._steps)
-                other = self._time(self._other, state, self._steps)
+                now = self._time(present, state, self._steps)
+                other = self._time(changed, state, self._steps)
             else:
-                other = self._time(self._other, state, self._steps)
-                now = self._time(self._present, state, self._steps)
+                other = self._time(changed, state, self._steps)
+                now = self._time(present, state, self._steps)
         except Exception:  # without an effect a scene may run into what it is not made for
             return False
         self.differences.append(other - now)

@@ -9,6 +9,7 @@ from game.levels import level_files, load_level
 from game.scenes.three_tables import ThreeTables
 from game.scenes.three_tables_view import ORIGINS, table_at
 from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+from game.stage.memory import remember
 
 
 def open_level(name: str, **parameters) -> Stage:
@@ -37,7 +38,7 @@ def test_a_finer_step_comes_nearer_to_the_exact_table():
     errors = []
     for step in (1 / 120, 1 / 480, 1 / 1920, 1 / 7680):
         stage = open_level("draw-shot", stepped_step=step)
-        errors.append(float(stage.scene.differences["stepped"][: 30 * 1].max()))
+        errors.append(max(stage.scene.differences_until(1.0)["stepped"][:30]))
     assert errors[-1] < 0.2 * errors[0]
     assert errors[-1] < errors[1]
 
@@ -58,11 +59,23 @@ def test_the_masse_bends_on_the_exact_table_only_with_spin():
 
 def test_chaos_a_picometre_becomes_a_metre():
     stage = open_level("hard-01-chaos")
-    curve = stage.scene.differences["perturbed"]
+    curve = np.array(stage.scene.differences_until(60.0)["perturbed"])
     assert curve[0] == pytest.approx(1e-12, rel=1e-3)
     assert curve.max() > 0.5
     before = stage.scene.event_times[:20]
     assert curve[: int(before[5] * 30)].max(initial=0.0) < 1e-6
+
+
+def test_differences_are_computed_only_as_far_as_they_are_asked_for():
+    scene = open_level("hard-01-chaos").scene
+    assert scene.end_s > 10.0
+    few = scene.differences_until(2.0)
+    assert {len(curve) for curve in few.values()} == {61}
+    assert len(scene._differences) == 61
+    assert "_differences" not in remember(scene).attributes  # snapshots do not copy what can be had again
+    more = scene.differences_until(3.0)
+    assert all(more[name][:61] == curve for name, curve in few.items())
+    assert all(len(curve) <= 30.0 * scene.end_s + 1 for curve in scene.differences_until(1e9).values())
 
 
 def test_the_thin_hit_is_found_by_the_exact_table():

@@ -142,6 +142,18 @@ class TestEffectMeter:
         meter = measured(Stage(Costly, effects_off=["test-ground"]))
         assert meter.costs == pytest.approx({"test-gravity": 1e-6, "test-ground": 5e-6})
 
+    def test_copies_are_built_behind_the_picture(self) -> None:
+        stage, builders = Stage(Costly), []
+        build = stage.build_scene
+
+        def noted(values, active):
+            builders.append(threading.get_ident())
+            return build(values, active)
+
+        stage.build_scene = noted  # type: ignore[method-assign]
+        measured(stage)
+        assert len(builders) == 6 and threading.get_ident() not in builders
+
     def test_the_scene_is_only_read(self) -> None:
         stage, twin = Stage(Costly), Stage(Costly)
         stage.run(10)
