@@ -30,6 +30,7 @@ class CanvasBase:
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.camera = Camera()
         self.unit = "m"
+        self.covered = False  # what is drawn covers all, so that no ground is laid
         self.halo: pygame.Color = look.theme.stage  # behind labels
         self.insets = (0, 0, 0, 0)  # px covered at left, top, right, bottom, for labels that keep clear of it
         self._inks: dict[Token, tuple[int, float]] = {}
@@ -46,7 +47,8 @@ class CanvasBase:
         self.halo = self.theme.stage
         self._pixels = raster.pixels_of(surface)
         self._clip = raster.clip_of(surface)
-        self.fill()
+        if not self.covered:
+            self.fill()
         self._cover, self._area, self._extent = raster.scratch_for(self._pixels)
         self._a, self._b, self._c, self._d, self._e, self._f = camera.affine()
         self._scale = camera.scale

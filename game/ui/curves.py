@@ -6,12 +6,37 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
+from game.physics.lean import lean_kernel
 
 TOLERANCE_PX = 0.15
 
 
-@kernel
+@lean_kernel
+def finite_range(values: Any) -> Any:
+    """Least and greatest of the finite ones of ``values`` (n,); inf and -inf if there are none."""
+    low, high = np.inf, -np.inf
+    for i in range(values.shape[0]):
+        value = values[i]
+        if abs(value) < np.inf:
+            low, high = min(low, value), max(high, value)
+    return low, high
+
+
+@lean_kernel
+def place_curve(
+    times: Any, values: Any, right: float, across: float, foot: float, low: float, up: float, points: Any
+) -> None:
+    """Write places (n, 2) px of samples: the newest at ``right``, ``low`` at ``foot``.
+
+    ``across`` px to a unit of ``times`` (n,), ``up`` px to a unit of ``values`` (n,).
+    """
+    n = times.shape[0]
+    for i in range(n):
+        points[i, 0] = right + (times[i] - times[n - 1]) * across
+        points[i, 1] = foot - (values[i] - low) * up
+
+
+@lean_kernel
 def thin_curve(points: Any, tolerance: float, kept: Any) -> int:
     """Write the points of a curve that cannot be left out into ``kept``; how many they are.
 

@@ -31,6 +31,7 @@ FACES = {
 }
 SMALLEST_PX = 6  # px; smaller letters are no letters
 KEPT_SURFACES = 1024
+KEPT_SIZES = 4096  # of measured texts
 KEPT_PIXELS = 6_000_000  # about 24 MB
 
 
@@ -49,6 +50,7 @@ class FontBook:
         self._fonts: dict[tuple[str, int], pygame.font.Font] = {}
         self._kept: OrderedDict[tuple[object, ...], pygame.Surface] = OrderedDict()
         self._pixels = 0
+        self._sizes: dict[tuple[str, float, str], tuple[int, int]] = {}
 
     def font(self, size: float, weight: str = "medium") -> pygame.font.Font:
         """The pygame font of a design size."""
@@ -62,7 +64,13 @@ class FontBook:
 
     def size(self, text: str, size: float, weight: str = "medium") -> tuple[int, int]:
         """Width and height in window px of one line."""
-        return self.font(size, weight).size(_clean(text))
+        key = (text, size, weight)
+        found = self._sizes.get(key)
+        if found is None:
+            if len(self._sizes) >= KEPT_SIZES:
+                self._sizes.clear()
+            found = self._sizes[key] = self.font(size, weight).size(_clean(text))
+        return found
 
     def line_height(self, size: float, weight: str = "medium") -> int:
         """Height in window px of a line."""
@@ -135,10 +143,10 @@ class FontBook:
 
     def fit(self, text: str, size: float, weight: str, width: int) -> str:
         """Text cut with an ellipsis so that it is no wider than ``width`` window px."""
+        if self.size(text, size, weight)[0] <= width:
+            return _clean(text)
         font = self.font(size, weight)
         text = _clean(text)
-        if font.size(text)[0] <= width:
-            return text
         low, high = 0, len(text)
         while low < high:
             middle = (low + high + 1) // 2

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
+from game.physics.lean import lean_kernel
 
 
-@kernel
+@lean_kernel
 def map_points(points: Any, a: float, b: float, c: float, d: float, e: float, f: float, mapped: Any) -> None:
     """Write a x + b y + e, c x + d y + f into ``mapped`` (m, 2), m >= n, for ``points`` (n, 2)."""
     for i in range(points.shape[0]):

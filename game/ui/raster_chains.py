@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
+from game.physics.lean import lean_kernel
 from game.ui.raster_lines import (
     BUTT,
     FADING,
@@ -27,7 +27,7 @@ from game.ui.raster_pixels import blend, bounds_of, is_drawable, weight_of
 SHORTEST_DASH = 0.5  # px; a finer pattern is drawn as a paler solid line
 
 
-@kernel
+@lean_kernel
 def _cover_segment(
     cover: Any, pixels: Any, clip: Any, x0: float, y0: float, x1: float, y1: float, half: float, ends: int
 ) -> None:
@@ -59,7 +59,7 @@ def _cover_segment(
                 cover[row, column] = amount
 
 
-@kernel
+@lean_kernel
 def _lay_cover(
     cover: Any,
     pixels: Any,
@@ -98,7 +98,7 @@ def _lay_cover(
                 cover[row, column] = 0
 
 
-@kernel
+@lean_kernel
 def stroke_polyline(
     pixels: Any, clip: Any, cover: Any, points: Any, width: float, closed: bool, color: int, alpha: float
 ) -> None:
@@ -123,7 +123,7 @@ def stroke_polyline(
                 _lay_cover(cover, pixels, clip, x0, y0, x1, y1, half, color, weight)
 
 
-@kernel
+@lean_kernel
 def _cover_dashes(
     cover: Any,
     pixels: Any,
@@ -156,7 +156,7 @@ def _cover_dashes(
             )
 
 
-@kernel
+@lean_kernel
 def stroke_dashes(
     pixels: Any,
     clip: Any,

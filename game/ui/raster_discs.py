@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
+from game.physics.lean import lean_kernel
 from game.ui.raster_pixels import (
     FULL,
     OPAQUE,
@@ -27,7 +27,7 @@ STREAK_DOTS = 5
 STREAK_FADE = (1.0, 0.5, 0.3, 0.18, 0.1)  # weight of a streak's dots from the particle backwards
 
 
-@kernel
+@lean_kernel
 def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: int, alpha: float) -> None:
     """A filled disc; below half a pixel of radius it keeps its area and fades."""
     if not (is_drawable(x) and is_drawable(y) and 0.0 < radius < 1e9):
@@ -57,7 +57,7 @@ def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: 
                 blend(pixels, row, column, color, weight_of(outer - math.sqrt(squared), alpha))
 
 
-@kernel
+@lean_kernel
 def _arc_distance(forward: float, aside: float, radius: float, end_x: float, end_y: float) -> float:
     """Distance from an arc that runs from straight forward to the direction (end_x, end_y) on both sides.
 
@@ -70,7 +70,7 @@ def _arc_distance(forward: float, aside: float, radius: float, end_x: float, end
     return math.sqrt(dx * dx + dy * dy)
 
 
-@kernel
+@lean_kernel
 def stroke_arc(
     pixels: Any,
     clip: Any,
@@ -124,7 +124,7 @@ def stroke_arc(
             column += 1
 
 
-@kernel
+@lean_kernel
 def stroke_ring(
     pixels: Any, clip: Any, x: float, y: float, radius: float, width: float, color: int, alpha: float
 ) -> None:
@@ -132,14 +132,14 @@ def stroke_ring(
     stroke_arc(pixels, clip, x, y, radius, width, 0.0, 7.0, color, alpha)
 
 
-@kernel
+@lean_kernel
 def fill_discs(pixels: Any, clip: Any, points: Any, radii: Any, colors: Any, alpha: float) -> None:
     """Discs of any radius: ``points`` (n, 2) px, ``radii`` (n,) px, ``colors`` (n,) uint32."""
     for i in range(min(points.shape[0], radii.shape[0], colors.shape[0])):
         fill_disc(pixels, clip, points[i, 0], points[i, 1], radii[i], np.int64(colors[i]), alpha)
 
 
-@kernel
+@lean_kernel
 def _lay_whole_stamp(
     flat: Any, width: int, left: float, top: float, weights: Any, rows: int, side: int, level: int, color: int
 ) -> None:
@@ -157,7 +157,7 @@ def _lay_whole_stamp(
             blend_four(flat, place + j * width + 4, weights, first + 32 * j + 16, color)
 
 
-@kernel
+@lean_kernel
 def _lay_cut_stamp(
     pixels: Any,
     x_low: int,
@@ -184,7 +184,7 @@ def _lay_cut_stamp(
             blend(pixels, row + j, column + i, color, np.int64(weights[first + 4 * (j * side + i)]))
 
 
-@kernel
+@lean_kernel
 def fill_stamps(
     pixels: Any, flat: Any, clip: Any, points: Any, colors: Any, weights: Any, rows: int, side: int
 ) -> None:
@@ -204,7 +204,7 @@ def fill_stamps(
             _lay_cut_stamp(pixels, x_low, y_low, x_high, y_high, left, top, weights, rows, side, 0, color)
 
 
-@kernel
+@lean_kernel
 def fill_streaks(
     pixels: Any,
     flat: Any,
@@ -238,7 +238,7 @@ def fill_streaks(
                 )
 
 
-@kernel
+@lean_kernel
 def color_by_speed(velocities: Any, slow: int, fast: int, top_speed: float, colors: Any) -> None:
     """Write into ``colors`` (n,) uint32 the mixture of two colours by |velocity| / top_speed."""
     for i in range(min(velocities.shape[0], colors.shape[0])):

@@ -15,7 +15,7 @@ import pygame
 
 from game.stage import Stage, Strip
 from game.ui import raster
-from game.ui.curves import thinned
+from game.ui.curves import finite_range, place_curve, thinned
 from game.ui.layout import Layout
 from game.ui.look import Look
 from game.ui.numerals import quantity
@@ -142,12 +142,10 @@ class Strips:
         return self._labels[i]
 
     def _axis(self, i: int, series: Sequence[np.ndarray]) -> Axis:
-        finite = [values[np.isfinite(values)] for values in series]
-        finite = [values for values in finite if values.size]
-        if not finite:
+        ends = [finite_range(values) for values in series if values.size]
+        if not any(low <= high for low, high in ends):
             return self._axes.get(i, Axis(0.0, 1.0))
-        low = min(float(values.min()) for values in finite)
-        high = max(float(values.max()) for values in finite)
+        low, high = min(low for low, _ in ends), max(high for _, high in ends)
         return axis_for(low, high, self._axes.get(i))
 
     def _paint_rules(self, picture: pygame.Surface, box: pygame.Rect, axis: Axis, factor: float) -> None:
@@ -184,7 +182,8 @@ class Strips:
         measured = [(name, points) for name, points in curves if name not in strip.exact]
         if measured:
             name, points = measured[0]
-            top = float(np.nanmin(points[:, 1])) if np.isfinite(points[:, 1]).any() else float(box.y)
+            top = finite_range(np.ascontiguousarray(points[:, 1]))[0]
+            top = top if math.isfinite(top) else float(box.y)
             ink = packed(self._color(strip, name))
             raster.fill_under(pixels, clip, points, float(box.bottom), top, ink, 0.16)
         for name, points in reversed(curves):
@@ -245,7 +244,6 @@ def _height(value: float, box: pygame.Rect, axis: Axis) -> float:
 def _curve(times: np.ndarray, values: np.ndarray, box: pygame.Rect, axis: Axis) -> np.ndarray:
     """Pixels (n, 2) of a series whose newest sample is at the right end."""
     points = np.empty((values.size, 2))
-    points[:, 0] = box.right + (times - times[-1]) * (box.w / SPAN_S)
-    with np.errstate(all="ignore"):
-        points[:, 1] = box.bottom + 0.5 - (values - axis.low) * (box.h / max(axis.high - axis.low, 1e-300))
+    up = box.h / max(axis.high - axis.low, 1e-300)
+    place_curve(times, values, float(box.right), box.w / SPAN_S, box.bottom + 0.5, axis.low, up, points)
     return thinned(points)
