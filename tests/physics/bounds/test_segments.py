@@ -75,7 +75,7 @@ def test_orientation_of_points_within_rounding_of_a_line(a, b, share, ulps):
     sign = exact_sign(a, b, c)
     assert orientation(*a, *b, *c, SPARE) == sign
     value = exact_orientation(*a, *b, *c, SPARE)
-    assert (value > 0) - (value < 0) == sign
+    assert np.sign(value) == sign
 
 
 @settings(max_examples=100, deadline=None)
