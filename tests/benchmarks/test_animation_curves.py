@@ -8,22 +8,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from game.lab.benchmarks.animation import KEYS, SAMPLES, by_interp, keys, moments
 from game.physics.animation import CubicBezier, Easing, Keyframes
 
-MILLION = 1_000_000
-KEYS = 16
 
-
-def keys(count=KEYS, columns=3):
-    rng = np.random.default_rng(1)
-    return np.linspace(0.0, 1.0, count), rng.normal(size=(count, columns))
-
-
-def moments(order, benchmark):
+def times_for(benchmark, order="in order"):
     """A million times, for the benchmark only; a few where it only has to run."""
-    count = MILLION if benchmark.enabled else 1_000
-    at = np.linspace(0.0, 1.0, count)
-    return at if order == "in order" else np.random.default_rng(2).permutation(at)
+    return moments(SAMPLES if benchmark.enabled else 1_000, order == "at random")
 
 
 @pytest.mark.parametrize("order", ["in order", "at random"])
@@ -31,7 +22,7 @@ def moments(order, benchmark):
 def test_a_million_samples(benchmark, name, order):
     """16 keys of place and angle; the goal is 10 ms."""
     benchmark.group = f"a million samples, 16 keys of 3 numbers, {order}"
-    at = moments(order, benchmark)
+    at = times_for(benchmark, order)
     track = Keyframes(*keys(), name)
     out = np.empty((len(at), 3))
     benchmark(track.sample, at, out)
@@ -41,7 +32,7 @@ def test_a_million_samples(benchmark, name, order):
 @pytest.mark.parametrize("order", ["in order", "at random"])
 def test_a_million_samples_of_many_keys(benchmark, order):
     benchmark.group = f"a million samples, 512 keys of 3 numbers, {order}"
-    at = moments(order, benchmark)
+    at = times_for(benchmark, order)
     track = Keyframes(*keys(512), "spline")
     out = np.empty((len(at), 3))
     benchmark(track.sample, at, out)
@@ -52,10 +43,9 @@ def test_a_million_samples_of_many_keys(benchmark, order):
 def test_a_million_samples_with_numpy(benchmark, order):
     """Linear, column by column: numpy.interp."""
     benchmark.group = f"a million samples, 16 keys of 3 numbers, {order}"
-    at = moments(order, benchmark)
-    times, values = keys()
-    found = benchmark(lambda: [np.interp(at, times, column) for column in values.T])
-    mine = Keyframes(times, values).sample(at[:100])
+    at = times_for(benchmark, order)
+    found = benchmark(by_interp, at)
+    mine = Keyframes(*keys()).sample(at[:100])
     assert np.abs(np.array(found).T[:100] - mine).max() < 1e-12
 
 
@@ -63,7 +53,7 @@ def test_a_million_samples_with_numpy(benchmark, order):
 def test_a_million_samples_with_scipy(benchmark, order):
     interpolate = pytest.importorskip("scipy.interpolate")
     benchmark.group = f"a million samples, 16 keys of 3 numbers, {order}"
-    at = moments(order, benchmark)
+    at = times_for(benchmark, order)
     times, values = keys()
     found = benchmark(interpolate.CubicSpline(times, values), at)
     assert np.abs(found[:100] - Keyframes(times, values, "spline").sample(at[:100])).max() < 1e-12
@@ -94,6 +84,6 @@ def test_a_thousand_equal_ways(benchmark):
 
 def test_a_million_times_eased(benchmark):
     benchmark.group = "once"
-    at = moments("in order", benchmark)
+    at = times_for(benchmark)
     eased = benchmark(Easing("ease"), at)
     assert np.all(np.diff(eased) >= 0.0)

@@ -9,56 +9,16 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from game.lab.benchmarks.rigid import BODIES, DT, MOMENTS, STEPS, NumpyBodies, batch, runner
 from game.physics.rigid import METHODS, FreeTop
 from game.physics.rigid.motion import advance
-
-BODIES, STEPS, DT = 1_000, 10, 1 / 60
-MOMENTS = np.array((1.0, 2.0, 3.0))
-
-
-def batch(count=BODIES):
-    """States (n, 13), constants (n, 7), loads (n, 6) of bodies that all turn differently."""
-    generator = np.random.default_rng(12)
-    states = np.zeros((count, 13))
-    q = generator.standard_normal((count, 4))
-    states[:, 3:7] = q / np.sqrt((q * q).sum(axis=1, keepdims=True))
-    states[:, 7:] = generator.standard_normal((count, 6))
-    constants = np.tile(np.concatenate(((1.0,), MOMENTS, 1.0 / MOMENTS)), (count, 1))
-    return states, constants, np.zeros((count, 6))
-
-
-class NumpyBodies:
-    """Explicit Euler of x, q, P, L, all bodies at a time, as one writes it with numpy."""
-
-    def __init__(self, states):
-        self.states = states.copy()
-
-    def step(self, dt):
-        q, momentum, angular = self.states[:, 3:7], self.states[:, 7:10], self.states[:, 10:]
-        w, u = q[:, :1], q[:, 1:]
-        t = 2.0 * np.cross(-u, angular)
-        body = (angular + w * t + np.cross(-u, t)) / MOMENTS
-        t = 2.0 * np.cross(u, body)
-        spin = body + w * t + np.cross(u, t)
-        self.states[:, :3] += dt * momentum
-        change = np.concatenate(
-            (-(spin * u).sum(axis=1, keepdims=True), w * spin + np.cross(spin, u)), axis=1
-        )
-        q = q + 0.5 * dt * change
-        self.states[:, 3:7] = q / np.sqrt((q * q).sum(axis=1, keepdims=True))
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_batch(benchmark, method):
     """Extra info: microseconds for one step of one body; the goal is 1."""
     benchmark.group = f"{STEPS} steps of {BODIES} bodies"
-    states, constants, loads = batch()
-    start, number = states.copy(), METHODS.index(method)
-
-    def run():
-        states[:] = start
-        advance(number, states, constants, loads, 0.0, 1.0, 1, 1, DT, STEPS)
-
+    run, states = runner(method)
     benchmark(run)
     if benchmark.enabled:
         benchmark.extra_info["us a body step"] = benchmark.stats.stats.min / (BODIES * STEPS) * 1e6
@@ -69,12 +29,7 @@ def test_batch(benchmark, method):
 def test_batch_with_numpy(benchmark):
     benchmark.group = f"{STEPS} steps of {BODIES} bodies"
     bodies = NumpyBodies(batch()[0])
-
-    def run():
-        for _ in range(STEPS):
-            bodies.step(DT)
-
-    benchmark(run)
+    benchmark(bodies.run)
     assert np.isfinite(bodies.states).all()
 
 

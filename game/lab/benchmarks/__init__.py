@@ -7,7 +7,16 @@ __all__ = ["Measured", "Peer", "Scenario", "all_scenarios", "measure_scenario"]
 
 def all_scenarios() -> tuple[Scenario, ...]:
     """Every scenario, room by room."""
-    from game.lab.benchmarks import billiards, broadphase, constraints, particles
+    from game.lab.benchmarks import (
+        animation,
+        billiards,
+        bounds,
+        broadphase,
+        constraints,
+        narrowphase,
+        particles,
+        rigid,
+    )
 
-    rooms = (billiards, broadphase, particles, constraints)
+    rooms = (billiards, broadphase, bounds, narrowphase, rigid, constraints, particles, animation)
     return tuple(scenario for room in rooms for scenario in room.SCENARIOS)
