@@ -29,7 +29,7 @@ from game.billiards.lecture_state import (
 from game.billiards.rack import HEAD_SPOT
 from game.lab.studies.lecture_table import lecture_table_study
 from game.levels import Level
-from game.scenes import table_view
+from game.scenes import lecture_table_sounds, table_view
 from game.scenes.cue_control import AIMING, STRIKING, CueControl
 from game.scenes.demo_shots import choose_stroke, scattered_orientations
 from game.scenes.figures.tables import draw_tunnelling
@@ -38,6 +38,7 @@ from game.stage import (
     Choice,
     Equation,
     Frame,
+    Hearing,
     Hint,
     Param,
     Pointer,
@@ -212,6 +213,8 @@ class LectureTable(Scene):
         self.marks[:, 2] = MARK_S
         self.next_mark = 0
         self.strokes = 0
+        self.played_s = 0.0
+        self.struck_s = -math.inf  # when the cue last met the white ball, of the time played
         self.player = 0
         self.down_before = 0
         self.rest_s = 0.0
@@ -261,6 +264,9 @@ class LectureTable(Scene):
     def warm_ups(cls) -> list[WarmUp]:
         return [*(WarmUp(*row) for row in table_warm_ups()), *table_view.warm_ups()]
 
+    def hearing(self) -> Hearing:
+        return lecture_table_sounds.hearing_of(self)
+
     # -- stepping -----------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
@@ -268,6 +274,8 @@ class LectureTable(Scene):
             aim, speed = self.cue.aim, self.cue.speed
             self.table.strike(0, (speed * math.cos(aim), speed * math.sin(aim)))
             self.strokes += 1
+            self.struck_s = self.played_s + dt
+        self.played_s += dt
         self.table.step(dt)
         self.sunk_s += dt
         np.minimum(self.sunk_s, SUNK_S, out=self.sunk_s)
