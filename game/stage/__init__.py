@@ -9,10 +9,21 @@ from typing import TYPE_CHECKING, Any
 
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.clock import FixedStep
+from game.stage.declarations import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Readout,
+    SceneAction,
+    Sound,
+    Strip,
+    WarmUp,
+)
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent, Stamped
 from game.stage.knobs import Choice, Knob, KnobError, Param, Toggle
 from game.stage.recording import Recording, RecordingError
-from game.stage.scene import Equation, Frame, Hearing, Hint, Readout, Scene, SceneAction, Sound, Strip, WarmUp
+from game.stage.scene import Scene
 from game.stage.series import StripSeries
 
 if TYPE_CHECKING:

@@ -14,7 +14,8 @@ from time import perf_counter
 from typing import Any
 
 from game.physics.effects import EffectSet
-from game.stage.scene import Scene, WarmUp
+from game.stage.declarations import WarmUp
+from game.stage.scene import Scene
 from game.stage.stage import Stage
 from game.stage.state import copy_state
 from game.stage.warming import Warming

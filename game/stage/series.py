@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from game.stage.scene import Readout
+from game.stage.declarations import Readout
 
 WINDOW_S = 10.0
 RATE_HZ = 60.0

@@ -12,10 +12,11 @@ from typing import Any
 from game.levels import Level, LevelError, format_level
 from game.physics.effects import EffectSet
 from game.stage.clock import FixedStep
+from game.stage.declarations import Readout
 from game.stage.door import checked_event
 from game.stage.events import StageEvent
 from game.stage.recording import Recording, RecordingError
-from game.stage.scene import Readout, Scene
+from game.stage.scene import Scene
 from game.stage.series import StripSeries
 from game.stage.session import STEP_LENGTH, Fault, Session
 from game.stage.state import copy_state

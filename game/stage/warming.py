@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from time import perf_counter
 from typing import NamedTuple
 
-from game.stage.scene import WarmUp
+from game.stage.declarations import WarmUp
 
 
 class WarmingProgress(NamedTuple):

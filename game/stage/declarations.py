@@ -1,0 +1,79 @@
+"""The words in which a scene says what it measures, charts, explains, sounds like and warms up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+
+class Readout(NamedTuple):
+    """A measured value: name, value, unit (an SI unit takes prefixes in the picture)."""
+
+    name: str
+    value: float
+    unit: str = ""
+
+
+class Strip(NamedTuple):
+    """A strip chart over the last ten seconds: title, unit, and the readouts (by name) that it draws."""
+
+    title: str
+    unit: str
+    series: tuple[str, ...]
+    exact: tuple[str, ...] = ()  # of these, the ones drawn dashed as a reference
+
+
+class Equation(NamedTuple):
+    """A line of the help page: what it says, the formula (see ui/formula.py for the markup), its source."""
+
+    title: str
+    formula: str
+    source: str = ""
+
+
+class Hint(NamedTuple):
+    """Keys or gestures and what they do, for hint bar and help page."""
+
+    keys: tuple[str, ...]
+    text: str
+
+
+class SceneAction(NamedTuple):
+    """A named action of a scene, its words, and the key it has unless the settings say otherwise."""
+
+    name: str
+    label: str
+    key: str
+
+
+class Sound(NamedTuple):
+    """One sound: when (s), its kind (see ui/sound.py), speed of the impact m/s, pan -1 (left) to 1."""
+
+    time: float
+    kind: str
+    speed: float
+    pan: float = 0.0
+
+
+class Hearing(NamedTuple):
+    """A line of sounds and a place in it: another ``key`` is another line; ``time`` s runs on by itself."""
+
+    key: object
+    time: float
+    sounds: Sequence[Sound]
+
+
+class Frame(NamedTuple):
+    """The part of the world that a scene wants in view, m (or its own unit)."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+
+class WarmUp(NamedTuple):
+    """One kernel to compile before a scene opens, and the call that does it."""
+
+    name: str
+    call: Callable[[], Any]
