@@ -42,4 +42,5 @@ class StageView:
     def _make_canvas(self) -> Canvas:
         canvas = Canvas(self.look)
         canvas.unit = self.stage.scene_type.unit
+        canvas.covered = self.stage.scene_type.covers
         return canvas

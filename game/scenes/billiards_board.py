@@ -10,6 +10,7 @@ import pygame
 from game.billiards.games import CombinationMatch, Drill, EightBall, NineBall, Practice
 from game.billiards.games.eight_ball import GROUPS
 from game.billiards.goals import described
+from game.billiards.rules import listed
 from game.scenes import billiards_layout as layout
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
 from game.ui.canvas import Canvas
@@ -93,8 +94,8 @@ def _card(scene: Billiards, player: int) -> Card:
         left = game.balls_of(player)
         parts.append(f"{game.groups[player]}, {len(left)} left" if left else "on the 8")
         chips = tuple((ball, ball not in left) for ball in group)
-    elif isinstance(game, NineBall) and active:
-        chips = tuple((ball, ball not in game.on_table) for ball in range(1, 10))
+    elif isinstance(game, NineBall) and active and not game.options:
+        parts.append(f"on {listed(game.legal_first())}")
     if game.fouls_in_row[player] and isinstance(game, NineBall):
         parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
     if doing:
@@ -107,6 +108,8 @@ def _card(scene: Billiards, player: int) -> Card:
 def _doing(scene: Billiards) -> str:
     """What the player at turn does."""
     game = scene.round.game
+    if scene.phase in (SET_UP, REPLAY):
+        return ""
     if scene.phase in (STRIKING, ROLLING):
         return "plays"
     if game.options:
@@ -234,20 +237,28 @@ def _draw_key(scene: Billiards, canvas: Canvas, look: Look, rect: pygame.Rect) -
     """What the lines on the cloth mean, at the right end of the row; the width it takes, px."""
     if scene.phase != AIMING or not (scene.prediction and scene.person_plays and scene.round.playable):
         return 0
-    x = rect.right - look.px(4)
-    for words, color, dashed in reversed(KEY):
-        x -= look.fonts.size(words, 12)[0]
-        look.text(canvas.surface, words, (x, rect.centery), 12, "medium", "text3")
-        x -= look.px(8)
+    picture = _key_picture(rect.h, look)
+    canvas.surface.blit(picture, picture.get_rect(midright=(rect.right - look.px(4), rect.centery)))
+    return picture.get_width() + look.px(22)
+
+
+@lru_cache(maxsize=4)
+def _key_picture(height: int, look: Look) -> pygame.Surface:
+    """The words and samples of the lines."""
+    gap, sample = look.px(18), look.px(24) + look.px(8)
+    widths = [look.fonts.size(words, 12)[0] + sample for words, _, _ in KEY]
+    picture = pygame.Surface((sum(widths) + gap * (len(KEY) - 1), max(height, 1)), pygame.SRCALPHA, 32)
+    x, middle = 0, height // 2
+    for (words, color, dashed), wide in zip(KEY, widths, strict=True):
         for k in range(3 if dashed else 1):
-            width = look.px(6 if dashed else 24)
-            start = x - look.px(24) + k * look.px(9)
-            box = pygame.Rect(start, rect.centery - 1, width, max(2, look.px(2)))
-            draw_box(
-                canvas.surface, box, 0, color if dashed or look.theme.name == "dark" else look.theme.text1
+            box = pygame.Rect(
+                x + k * look.px(9), middle - 1, look.px(6 if dashed else 24), max(2, look.px(2))
             )
-        x -= look.px(24) + look.px(18)
-    return rect.right - x
+            on_paper = color is FELT_LINE and look.theme.name != "dark"
+            draw_box(picture, box, 0, look.theme.text1 if on_paper else color)
+        look.text(picture, words, (x + sample, middle), 12, "medium", "text3")
+        x += wide + gap
+    return picture
 
 
 def line_of(scene: Billiards) -> tuple[str, bool]:

@@ -137,6 +137,7 @@ def release_cue(scene: Billiards, event: Pointer) -> None:
     scene.cue.data[2] = 0.0
     stroke = moves.aimed_stroke(scene)
     moves.begin_stroke(scene, stroke, moves.call_for(scene, stroke), practised=False)
+    scene.pulled = scene.power
 
 
 def move(scene: Billiards, event: Pointer) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import pygame
@@ -57,8 +58,7 @@ def draw_instruments(scene: Billiards, canvas: Canvas, look: Look) -> None:
         "center",
     )
     _draw_numbers(scene, canvas, look, x)
-    for row, (_, words, on) in enumerate(buttons.buttons(scene)):
-        name = buttons.buttons(scene)[row][0]
+    for row, (name, words, on) in enumerate(buttons.buttons(scene)):
         draw_button(canvas, look, layout.button_box(row), words, on, scene.grip == f"button {name}")
     if scene.phase == AIMING and scene.round.game.options:
         _draw_options(scene, canvas, look)
@@ -91,12 +91,22 @@ def draw_button(
     canvas: Canvas, look: Look, box: layout.Box, words: str, on: bool = False, pressed: bool = False
 ) -> None:
     """A button with words, filled when it is on."""
-    rect, theme = layout.rect_of(canvas, box), look.theme
+    rect = layout.rect_of(canvas, box)
+    if rect.w > 0 and rect.h > 0:
+        canvas.surface.blit(_button_picture(rect.size, look, words, on, pressed), rect)
+
+
+@lru_cache(maxsize=64)
+def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pressed: bool) -> pygame.Surface:
+    """A button, made anew only when it looks otherwise."""
+    picture = pygame.Surface(size, pygame.SRCALPHA, 32)
+    rect, theme = picture.get_rect(), look.theme
     fill = theme.accent if on else theme.hover if pressed else theme.inset
-    draw_box(canvas.surface, rect, look.px(8), fill, None if on else theme.line2, look.border)
+    draw_box(picture, rect, look.px(8), fill, None if on else theme.line2, look.border)
     color = theme.on_accent if on else theme.text1
     words = look.fonts.fit(words, 12, "semibold", rect.w - look.px(8))
-    look.text(canvas.surface, words, rect.center, 12, "semibold", color, "center")
+    look.text(picture, words, rect.center, 12, "semibold", color, "center")
+    return picture
 
 
 def _draw_options(scene: Billiards, canvas: Canvas, look: Look) -> None:

@@ -156,6 +156,9 @@ def settle(scene: Billiards) -> None:
     end = played.trajectory.orientations_at(played.trajectory.end_time, scene.turns_before[numbers])
     scene.turns[numbers] = end
     scene.round = played.after
+    if scene.power == scene.pulled:  # the next line is shown for what is set, not for how hard this one was
+        scene.power = scene.power_before
+    scene.pulled = math.nan
     lay_out(scene)
     start_phase(scene, AIMING)
 

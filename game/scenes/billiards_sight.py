@@ -142,8 +142,8 @@ def _kept(kept: Any, struck: Struck, events: int) -> Any:
         return key, None
 
 
-def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, clear: bool = True) -> None:
-    """The lines on the cloth; ``clear``: with the label of the cut."""
+def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, foul: bool = False) -> None:
+    """The lines on the cloth. foul: the ball that is met first must not be."""
     for way in sight.others:
         own = way.number == sight.target
         canvas.polyline(way.points, FELT_COOL, 2.0 if own else 1.5, dash=DASH, alpha=0.9 if own else 0.55)
@@ -157,18 +157,35 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         canvas.ring(place, 3.0, FELT_LINE, 1.25)
     if sight.ghost is not None:
         canvas.circle(sight.ghost, radius, fill=FELT_LINE, fill_alpha=0.22, outline=FELT_LINE, width=1.5)
-        canvas.circle(sight.target_place, target_radius + canvas.px(4.0), outline=FELT_COOL, width=1.5)
+        ring = (FELT_WARM, 2.5) if foul else (FELT_COOL, 1.5)
+        canvas.circle(sight.target_place, target_radius + canvas.px(4.0), outline=ring[0], width=ring[1])
     if sight.last is not None:
         canvas.circle(
             sight.last, radius, fill=FELT_LINE, fill_alpha=0.16, outline=FELT_LINE, width=1.0, alpha=0.7
         )
-    if sight.ghost is not None and clear:
-        gx, gy = sight.ghost
-        tx, ty = sight.target_place
-        side = 1.6 * radius + canvas.px(34.0)
-        away = math.sqrt((tx - gx) ** 2 + (ty - gy) ** 2) or 1.0
-        x, y = canvas.camera.to_screen(gx - (ty - gy) / away * side, gy + (tx - gx) / away * side)
-        draw_cloth_label(canvas.surface, canvas.fonts, f"cut {math.degrees(sight.cut):.0f}°", (x, y))
+
+
+def draw_label(canvas: Canvas, sight: Sight, places: Places, radius: float, foul: str) -> None:
+    """The cut, or why the stroke is a foul, on a plate beside the ghost ball where no ball is covered."""
+    if sight.ghost is None:
+        return
+    gx, gy = sight.ghost
+    tx, ty = sight.target_place
+    apart = math.sqrt((tx - gx) ** 2 + (ty - gy) ** 2) or 1.0
+    ux, uy = (tx - gx) / apart, (ty - gy) / apart
+    best = (-1.0, gx, gy)
+    for ring in range(1, 4):
+        side = (1.6 * radius + canvas.px(34.0)) * (0.6 + 0.4 * ring)
+        for ax, ay in ((-uy, ux), (uy, -ux), (-ux, -uy)):
+            x, y = gx + side * ax, gy + side * ay
+            # the plate is about three times as wide, along y, as it is high
+            clear = min(
+                max(abs(bx - x) / canvas.px(20.0), abs(by - y) / canvas.px(46.0)) for _, bx, by in places
+            )
+            if min(clear, 1.0) > best[0]:
+                best = (min(clear, 1.0), x, y)
+    words = foul or f"cut {math.degrees(sight.cut):.0f}°"
+    draw_cloth_label(canvas.surface, canvas.fonts, words, canvas.camera.to_screen(*best[1:]))
 
 
 def draw_considered(
@@ -182,6 +199,7 @@ def draw_considered(
     white = where.get(CUE_BALL)
     if white is None:
         return
+    named = {shot.ball: rank for rank, shot in reversed(list(enumerate(shots)))}  # the best for each ball
     for rank, shot in reversed(list(enumerate(shots))):
         strong = rank == 0
         color, alpha = (FELT_WARM, 0.95 if strong else 0.4)
@@ -199,7 +217,7 @@ def draw_considered(
         if shot.via is not None and first is not None:
             canvas.line(first, ball, color, width, dash=DASH, alpha=alpha)
         canvas.line(ball, table.pockets[shot.pocket, :2], color, width, dash=DASH, alpha=alpha)
-        if strong or not played:
+        if strong or (not played and named[shot.ball] == rank):
             words = f"{shot.kind} {100.0 * shot.chance:.0f} %"
             canvas.label(
                 ball, words, color, 11, "semibold", offset=(0.0, -18.0), alpha=1.0 if strong else 0.7

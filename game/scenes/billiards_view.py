@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from game.billiards.arrangement import Stroke
 from game.billiards.games import Drill
 from game.billiards.rack import HEAD_SPOT
-from game.billiards.rules import CUE_BALL
+from game.billiards.rules import CUE_BALL, listed
 from game.billiards.state import BALL_POCKET
 from game.scenes import billiards_board as board
 from game.scenes import billiards_instruments as instruments
@@ -21,7 +21,7 @@ from game.scenes import billiards_moves as moves
 from game.scenes.billiards_cue import pull_of
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
 from game.scenes.billiards_round import Struck
-from game.scenes.billiards_sight import draw_considered, draw_sight, hint_of, sight_of
+from game.scenes.billiards_sight import Sight, draw_considered, draw_label, draw_sight, hint_of, sight_of
 from game.scenes.cue_control import PULLING, REST_GAP
 from game.scenes.table_view import Balls, draw_balls, draw_table
 from game.ui.canvas import Canvas
@@ -60,11 +60,14 @@ def draw(scene: Billiards, canvas: Canvas, alpha: float) -> None:
     time = _moment(scene, alpha)
     balls = balls_at(scene, time)
     aimed = scene.phase == AIMING and scene.person_plays and scene.round.playable
-    if aimed and scene.prediction and scene.grip not in ("white",):
-        _draw_aim(scene, canvas)
+    sight = _draw_aim(scene, canvas) if aimed and scene.prediction and scene.grip != "white" else None
     if scene.hint_shown and scene.phase == AIMING and scene.content.solution is not None:
         _draw_hint(scene, canvas, scene.content.solution.stroke())
     draw_balls(canvas, balls, table)
+    if sight is not None:
+        draw_label(
+            canvas, sight, scene.round.places, scene.round.conditions.radii[0], _foul_of(scene, sight.target)
+        )
     if scene.considered and scene.phase == STRIKING and not scene.person_plays:
         draw_considered(canvas, scene.kept.considered, scene.round.places, table, played=False)
     _draw_cue(scene, canvas, time, aimed)
@@ -138,14 +141,26 @@ def _draw_marks(scene: Billiards, canvas: Canvas) -> None:
                       dash=(4.0, 3.0))  # fmt: skip
 
 
-def _draw_aim(scene: Billiards, canvas: Canvas) -> None:
+def _foul_of(scene: Billiards, first: int | None) -> str:
+    """Why a stroke is a foul whose white ball meets that ball first, empty if it is none."""
+    game = scene.round.game
+    wanted = game.legal_first()
+    if first is None or first in wanted or scene.call.push_out:
+        return ""
+    return f"foul: {listed(wanted)} first" if len(wanted) == 1 else f"foul: not the {first}"
+
+
+def _draw_aim(scene: Billiards, canvas: Canvas) -> Sight | None:
+    """Cue line and ways of the stroke that is set; what is foreseen, None if it cannot be played."""
     stroke = moves.aimed_stroke(scene)
     struck = Struck(scene.round.game, scene.round.places, scene.round.conditions, stroke)
     sight = sight_of(scene, struck)
     if sight is None:
-        return
+        return None
     radii = scene.round.conditions.radii
-    draw_sight(canvas, sight, radii[0], radii[sight.target] if sight.target is not None else 0.0)
+    target = radii[sight.target] if sight.target is not None else 0.0
+    draw_sight(canvas, sight, radii[0], target, bool(_foul_of(scene, sight.target)))
+    return sight
 
 
 def _draw_hint(scene: Billiards, canvas: Canvas, stroke: Stroke) -> None:
