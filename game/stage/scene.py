@@ -7,7 +7,7 @@ digest are made from the declarations.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import msgspec
@@ -15,84 +15,21 @@ import numpy as np
 
 from game.levels import Level, LevelError
 from game.physics.effects import Effect, EffectSet
+from game.stage.declarations import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Readout,
+    SceneAction,
+    Strip,
+    WarmUp,
+)
 from game.stage.events import Decision, Pointer, Stamped
 from game.stage.knobs import Knob, KnobError, knobs_of
 
 if TYPE_CHECKING:
     from game.lab import Study
-
-
-class Readout(NamedTuple):
-    """A measured value: name, value, unit (an SI unit takes prefixes in the picture)."""
-
-    name: str
-    value: float
-    unit: str = ""
-
-
-class Strip(NamedTuple):
-    """A strip chart over the last ten seconds: title, unit, and the readouts (by name) that it draws."""
-
-    title: str
-    unit: str
-    series: tuple[str, ...]
-    exact: tuple[str, ...] = ()  # of these, the ones drawn dashed as a reference
-
-
-class Equation(NamedTuple):
-    """A line of the help page: what it says, the formula (see ui/formula.py for the markup), its source."""
-
-    title: str
-    formula: str
-    source: str = ""
-
-
-class Hint(NamedTuple):
-    """Keys or gestures and what they do, for hint bar and help page."""
-
-    keys: tuple[str, ...]
-    text: str
-
-
-class SceneAction(NamedTuple):
-    """A named action of a scene, its words, and the key it has unless the settings say otherwise."""
-
-    name: str
-    label: str
-    key: str
-
-
-class Sound(NamedTuple):
-    """One sound: when (s), its kind (see ui/sound.py), speed of the impact m/s, pan -1 (left) to 1."""
-
-    time: float
-    kind: str
-    speed: float
-    pan: float = 0.0
-
-
-class Hearing(NamedTuple):
-    """A line of sounds and a place in it: another ``key`` is another line; ``time`` s runs on by itself."""
-
-    key: object
-    time: float
-    sounds: Sequence[Sound]
-
-
-class Frame(NamedTuple):
-    """The part of the world that a scene wants in view, m (or its own unit)."""
-
-    left: float
-    bottom: float
-    right: float
-    top: float
-
-
-class WarmUp(NamedTuple):
-    """One kernel to compile before a scene opens, and the call that does it."""
-
-    name: str
-    call: Callable[[], Any]
 
 
 _OWN = frozenset(("values", "active", "previous", "level", "seed"))  # attributes that each scene object has
@@ -118,7 +55,7 @@ class Scene:
     takes: ClassVar[frozenset[str]] = frozenset()  # of "wheel", "middle", "right": not for zoom and pan
     strips: ClassVar[tuple[Strip, ...]] = ()
     equations: ClassVar[tuple[Equation, ...]] = ()
-    figure: ClassVar[Callable[[Any], None] | None] = None  # draws the help page's figure with a ui.pen.Pen
+    figure: ClassVar[staticmethod[[Any], None] | None] = None  # draws a help page's figure, with a ui.pen.Pen
     try_this: ClassVar[tuple[str, ...]] = ()
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
