@@ -52,6 +52,15 @@ def shapely_meetings() -> Call:
     return lambda: [bool(shapely.intersects(a, other)) for other in moved]
 
 
+def shapely_crossings() -> Call:
+    """All points in which both coasts cross, at all PLACES, by shapely."""
+    import shapely
+
+    a, b = (shapely.LinearRing(coast(seed)) for seed in (1, 2))
+    moved = [shapely.transform(b, lambda xy, place=place: xy + place) for place in PLACES]
+    return lambda: [shapely.intersection(a, other) for other in moved]
+
+
 def shapely_distance() -> Call:
     """The distance of both coasts by shapely."""
     import shapely
@@ -87,11 +96,15 @@ def _box() -> Call:
     return lambda: minimal_obb(points)
 
 
+SHAPELY = (
+    Peer("shapely intersection", shapely_crossings),
+    Peer("shapely intersects, prepared: only whether", shapely_meetings),
+)
 SCENARIOS = (
     *(
         Scenario(
             f"overlap-{kind}", f"Crossings of two coasts of 1,024 segments, {title}", "query",
-            partial(_overlap, kind), len(PLACES), (Peer("shapely intersects, prepared", shapely_meetings),),
+            partial(_overlap, kind), len(PLACES), SHAPELY,
         )
         for kind, title in (("obb", "oriented boxes"), ("capsule", "capsules"), ("aabb", "upright boxes"))
     ),

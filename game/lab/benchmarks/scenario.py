@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from statistics import median
-from time import perf_counter
+from time import thread_time
 from typing import NamedTuple
 
 Call = Callable[[], object]
@@ -37,7 +37,7 @@ class Scenario:
 
 
 class Measured(NamedTuple):
-    """Least, median and worst time of one unit, s; and the peers' least by name (those that are installed).
+    """Least, median and worst CPU time of one unit, s; and the peers' least by name, of those installed.
 
     Least times are compared: what else runs on a machine only ever adds to them.
     """
@@ -80,8 +80,8 @@ def _repeats(call: Call) -> int:
 
 
 def _turn(call: Call, repeats: int) -> float:
-    """Seconds of one call, the mean of so many."""
-    begin = perf_counter()
+    """CPU seconds of one call, the mean of so many: none of the peers works in further threads."""
+    begin = thread_time()
     for _ in range(repeats):
         call()
-    return (perf_counter() - begin) / repeats
+    return (thread_time() - begin) / repeats
