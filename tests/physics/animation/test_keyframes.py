@@ -61,6 +61,7 @@ def test_orders(name, uneven):
     assert ORDERS[name][uneven] - 0.15 <= order <= ORDERS[name][uneven] + 0.25
 
 
+@pytest.mark.compiled
 def test_true_errors_on_a_sine():
     """Sixteen keys on a sine: true maxima, within the analytic bounds M1 h/2, M2 h²/8 and M4 h⁴/384."""
     times, at = np.linspace(0, 1, 17), np.linspace(0, 1, 400_001)

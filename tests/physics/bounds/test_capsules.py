@@ -107,6 +107,7 @@ def rectangle_least(aspect):
     return float(found.fun)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("aspect", [1.0, 2.0, 10.0])
 def test_the_least_capsule_of_a_rectangle_has_its_corners_on_its_ends(aspect):
     """Not the one of least radius: its ends are cheaper when they reach a little beyond the long sides."""
@@ -118,6 +119,7 @@ def test_the_least_capsule_of_a_rectangle_has_its_corners_on_its_ends(aspect):
     assert capsule.outside(points).max() <= 1e-13
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", range(3))
 def test_the_least_capsule_is_that_of_a_general_minimiser(seed):
     points = np.random.default_rng(seed).normal(size=(12, 2)) * (1.0 + 2.0 * seed, 1.0)

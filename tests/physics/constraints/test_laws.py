@@ -127,6 +127,7 @@ def test_rest_stretch_with_compliance_is_hookes(dt, scheme):
     assert abs(-system.positions[1, 1] - 1.0 - 0.0981) < 1e-12
 
 
+@pytest.mark.compiled
 def test_rest_extension_of_a_chain_with_compliance():
     """alpha g N (N + 1) / 2, and what one sweep a substep adds to it: N (N - 1) / 2 g h², whatever alpha."""
     exact = 1e-5 * G * 20 * 21 / 2
@@ -296,6 +297,7 @@ def test_bdf2_velocity_with_the_prediction_of_euler_doubles_gravity():
     assert -system.positions[0, 1] / (G * 50) == pytest.approx(1.0, abs=2e-3)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(
     ("links", "sag", "rise"),
     [(10, 0.804370998291229, 0.871546766346051), (20, 0.79827310891564, 0.435603127368318)],

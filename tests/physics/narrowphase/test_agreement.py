@@ -39,6 +39,7 @@ def least_overlap(a, b):
     return (low.min(axis=0) - high.max(axis=0)).max()
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("kind", MAKERS)
 def test_five_thousand_pairs_by_all_methods(kind):
     shapely = pytest.importorskip("shapely")

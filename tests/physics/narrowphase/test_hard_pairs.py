@@ -61,6 +61,7 @@ def test_from_every_start_feature(name):
             assert found.iterations.max() <= 4 * (len(a) + len(b))
 
 
+@pytest.mark.compiled
 def test_64_corners_from_every_start_feature():
     a, b, expected, tolerance = polygons("64 corners")
     starts = np.array([(i, j) for i in range(128) for j in range(128)])

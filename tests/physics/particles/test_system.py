@@ -70,6 +70,7 @@ def test_horizontal_motion_is_kept_where_nothing_acts_on_it():
     assert np.allclose(system.velocities[:, 1], speeds[:, 1] - 9.81 / 2, rtol=0, atol=1e-14)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("contact", ["end", "chord", "root"])
 def test_nobody_ends_a_step_inside_a_solid(contact):
     """300 particles in a crowd of stones, thrown about by all fields, for two seconds."""

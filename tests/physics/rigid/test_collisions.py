@@ -146,6 +146,7 @@ def test_h7_a_bounce_ends_and_begins_with_the_right_height():
     assert abs(heights[-1]) <= 0.005 and not bodies.velocities.any()
 
 
+@pytest.mark.compiled
 def test_a_heap_comes_to_rest_without_sinking_in():
     """150 discs: the plane's kernels, warm start, friction; deepest overlap and speed at the end."""
     bodies, window = heap_of(150, 15)
@@ -268,6 +269,7 @@ def cradle(**settings):
                     correction="projection", substeps=16, **settings)  # fmt: skip
 
 
+@pytest.mark.compiled
 def test_newtons_cradle_behaves_like_one():
     """One comes, one leaves, to the same height; the others stay. For four swings."""
     world = cradle()
