@@ -21,6 +21,7 @@ from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.rigid.spheres import MotionState, SphereBodies
 from game.scenes import c13_hand as hand
+from game.scenes import c13_sounds
 from game.scenes.c13_level import CollisionContent, SphereEntry, bodies_of, makings_of, tables_of
 from game.scenes.c13_saving import content_of
 from game.scenes.c13_view import CollisionView
@@ -28,6 +29,7 @@ from game.stage import (
     Choice,
     Equation,
     Frame,
+    Hearing,
     Hint,
     Knob,
     KnobError,
@@ -390,6 +392,9 @@ class SphereCollisions(Scene):
             return []
         off = self.exact.positions - self.world.bodies.state.positions
         return [Readout("beside exact", float(np.sqrt((off * off).sum(axis=1).max())), "m")]
+
+    def hearing(self) -> Hearing:
+        return c13_sounds.hearing_of(self)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)
