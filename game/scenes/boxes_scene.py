@@ -24,6 +24,7 @@ from game.ui.painters.boxes import warm_up as warm_up_painter
 
 Array = NDArray[np.float64]
 RATIO, SHARE = 20.0, 0.01  # of the heavy tail, in scenes without knobs for them
+MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
 BATCH = 50  # boxes added or removed by one key
 
 
@@ -141,6 +142,7 @@ class BoxesScene(ArraysOfBoxes):
         self.make_structures()
         lowers, uppers = self.covered()
         for phase in self.structures():
+            phase.limit_pairs(MOST_PAIRS)
             phase.add_boxes(lowers[self.ids], uppers[self.ids], ids=self.ids)
         self.pair_up()
         self.begun = self.ended = 0

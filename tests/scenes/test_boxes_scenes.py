@@ -17,6 +17,7 @@ from scenes.box_stages import (
 )
 
 from game.levels import LevelError, parse_level
+from game.scenes import CATALOGUE
 from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
 
 HARD = {"c05": range(1, 13), "c06": range(1, 9), "c07": range(1, 10), "broad-phase-race": range(0)}
@@ -287,3 +288,17 @@ def test_a_box_beyond_the_most_is_not_taken():
     stage.run(1)
     assert stage.fault is None
     assert open_level(SCENES[0], "default").scene.count == 500
+
+
+@pytest.mark.parametrize("name", ["c05", "c06", "c07", "broad-phase-race"])
+def test_so_many_boxes_that_all_of_them_overlap_are_refused_at_once(name: str):
+    scene_type = CATALOGUE[name].load()
+    wide = ", ".join("{lower = [0.0, 0.0], upper = [9.0, 7.0]}" for _ in range(3))
+    level = parse_level(f'scene = "{name}"\n[content]\nboxes = [{wide}]\n', name, scene_type.content_type)
+    stage = Stage(scene_type, level=level)
+    stage.run(2)
+    before = stage.digest()
+    with pytest.raises(KnobError, match="too many pairs"):
+        stage.post(SetKnob("count", 2000))
+    assert stage.digest() == before and stage.fault is None
+    assert stage.run(2) == 2

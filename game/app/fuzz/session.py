@@ -21,6 +21,7 @@ from game.app.memory import resident_bytes
 from game.app.scene.screen import SceneScreen
 from game.levels import LevelError, level_files, parse_level
 from game.physics.jit import compiling
+from game.physics.limits import LimitError
 from game.stage.catalogue import Catalogue
 from game.stage.events import SetEffect, SetKnob, StageEvent
 
@@ -198,7 +199,7 @@ class FuzzSession:
         fault = play.stage.fault
         if fault is None:
             return "" if math.isfinite(play.stage.time_s) else "the time is not finite"
-        if fault.error is not None:
+        if fault.error is not None and not isinstance(fault.error, LimitError):
             return f"the scene raised {fault.quantity}: {fault.message}"
         self.faults += 1
         play.reset()

@@ -54,6 +54,13 @@ class BroadPhase:
     def __contains__(self, box: object) -> bool:
         return isinstance(box, (int, np.integer)) and bool(0 <= box < self.top and self.alive[box])
 
+    def limit_pairs(self, most: int) -> None:
+        """Make no room for more pairs, lest an answer take all memory: LimitError near it or beyond it.
+
+        Afterwards the structure is of no more use.
+        """
+        self._sorter.most = most
+
     @property
     def capacity(self) -> int:
         """Number of ids for which arrays are kept."""

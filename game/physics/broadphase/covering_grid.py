@@ -124,7 +124,7 @@ class CoveringGrid(UniformGrid):
                 self.boxes, *grid, self._entries, self._packed, self._sorter.keys, self._reach[2:]
             )
             if found < 0:
-                self._sorter.reserve(max(2 * len(self._sorter.keys), 8 * self._count))
+                self._sorter.grow(8 * self._count)
         self.tests = int(self._reach[2])
         return self._sorter.sorted(found, self.top)
 

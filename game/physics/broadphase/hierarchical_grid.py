@@ -212,7 +212,7 @@ class HierarchicalGrid(BroadPhase):
                 self._buckets, self._start, self._order, self._sorted, self._sorter.keys, self._tests,
             )  # fmt: skip
             if found == -1:
-                self._sorter.reserve(max(2 * len(self._sorter.keys), 8 * self._count))
+                self._sorter.grow(8 * self._count)
             elif found < -1:
                 self._start = np.zeros(lay_out(self._layout, SPREAD), dtype=np.int32)
         self.tests = int(self._tests[0])

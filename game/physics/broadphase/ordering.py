@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.jit import kernel
+from game.physics.limits import LimitError
 
 LOW_HALF = 0x7FFFFFFF  # the second id of a key
+MAX_PAIRS = 1 << 26  # of one answer: keys and spare take 1 GB then
 WHOLE_DIGIT = 12  # bits; ids of more bits are sorted in two digits, so that the counters stay in the L1 cache
 
 
@@ -67,19 +69,30 @@ def sort_pairs(keys, count, spare, counters, bits, pairs):
 
 
 class PairSorter:
-    """Sorts keys of pairs, keeping its buffers from one time to the next."""
+    """Sorts keys of pairs, keeping its buffers from one time to the next. ``most``: pairs it has room for."""
 
     def __init__(self) -> None:
+        self.most = MAX_PAIRS
         self.keys: NDArray[np.int64] = np.empty(64, dtype=np.int64)
         self._spare: NDArray[np.int64] = np.empty(64, dtype=np.int64)
         self._counters: NDArray[np.int64] = np.empty((4, 1 << WHOLE_DIGIT), dtype=np.int64)
 
+    def check(self, count: int) -> None:
+        """LimitError if there may not be so many pairs."""
+        if count > self.most:
+            raise LimitError(f"too many pairs: there is room for {self.most:,}".replace(",", "\u202f"))
+
     def reserve(self, count: int) -> None:
-        """Make room for so many keys in ``keys``; what it held is lost."""
+        """Make room for so many keys in ``keys``; what it held is lost. LimitError beyond ``most``."""
+        self.check(count)
         if count > len(self.keys):
-            size = max(count, 2 * len(self.keys))
+            size = min(max(count, 2 * len(self.keys)), self.most)
             self.keys = np.empty(size, dtype=np.int64)
             self._spare = np.empty(size, dtype=np.int64)
+
+    def grow(self, least: int) -> None:
+        """Make at least twice the room, as far as there may be any; LimitError if there may be no more."""
+        self.reserve(max(len(self.keys) + 1, min(max(2 * len(self.keys), least), self.most)))
 
     def sorted(self, count: int, top: int) -> NDArray[np.int64]:
         """The first ``count`` of ``keys`` as (count, 2) sorted pairs of ids below ``top``."""

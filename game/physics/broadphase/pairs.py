@@ -153,8 +153,13 @@ class PairManager:
             )
             assert hashed == (0 if numbers[ROWS] else hash_pair(a, b)), "each pair keeps its hash"
 
+    def limit_pairs(self, most: int) -> None:
+        """Make no room for more pairs, those that just ended included: LimitError beyond it."""
+        self._sorter.most = most
+
     def make_room(self) -> None:
         """Double the list; a hash table is doubled with it."""
+        self._sorter.check(len(self.table.slots) + 1)
         self.table = self.table._replace(slots=grown(self.table.slots, 2 * len(self.table.slots)))
 
     def _put(self, pairs: Pairs, mark: int) -> None:

@@ -156,6 +156,10 @@ class SweepAndPrune(BroadPhase):
         others = self.partners(box)
         self.manager.add_pairs(np.stack([np.full(len(others), box), others], axis=1))
 
+    def limit_pairs(self, most: int) -> None:
+        super().limit_pairs(most)
+        self.manager.limit_pairs(2 * most)  # those that ended are in its list, too, until they are asked for
+
     def _added_many(self, ids: Ids) -> None:
         count = 2 * (len(self) - len(ids))
         for axis in range(2):
@@ -234,7 +238,7 @@ class SweepAndPrune(BroadPhase):
         codes = self._codes[0 if tests[0] <= tests[1] else 1]
         active, places = np.empty(len(self), dtype=np.int64), np.empty(self.capacity, dtype=np.int64)
         while (found := sweep(self.boxes, codes, count, active, places, self._sorter.keys)) < 0:
-            self._sorter.reserve(max(2 * len(self._sorter.keys), 4 * len(self)))
+            self._sorter.grow(4 * len(self))
         self.tests = min(tests)
         self.manager.set_pairs(self._sorter.sorted(found, self.top))
         return inversions

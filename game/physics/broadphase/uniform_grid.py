@@ -160,7 +160,7 @@ class UniformGrid(BroadPhase):
                 self._cells, self._start, self._order, self._sorted, self._sorter.keys, self._reach,
             )  # fmt: skip
             if found < 0:
-                self._sorter.reserve(max(2 * len(self._sorter.keys), 8 * self._count))
+                self._sorter.grow(8 * self._count)
         self.tests = int(self._reach[2])
         return self._sorter.sorted(found, self.top)
 
