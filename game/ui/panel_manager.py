@@ -50,6 +50,32 @@ def _font_files() -> list[str]:
     ]
 
 
+class ShapeStore(SurfaceCache):
+    """Pictures of one manager's elements by what they look like.
+
+    The stock one copies each, in a later frame, into one of three sheets of 4 MB, and has no place for
+    what is higher than these.
+    """
+
+    def __init__(self) -> None:
+        self._kept: dict[str, pygame.Surface] = {}
+
+    def add_surface_to_cache(self, surface: pygame.Surface, string_id: str) -> None:
+        self._kept[string_id] = surface.copy()
+
+    def find_surface_in_cache(self, lookup_id: str) -> pygame.Surface | None:
+        return self._kept.get(lookup_id)
+
+    def update(self) -> None:
+        """Nothing is to be moved."""
+
+    def remove_user_from_cache_item(self, string_id: str) -> None:
+        """A picture is kept as long as its manager."""
+
+    def remove_user_and_request_clean_up_of_cached_item(self, string_id: str) -> None:
+        self._kept.pop(string_id, None)
+
+
 class PanelManager(UIManager):
     """A manager for a sheet of so many window px."""
 
@@ -70,8 +96,7 @@ class PanelManager(UIManager):
             theme = super().create_new_theme(theme_path)
             theme.get_font_dictionary().add_font_path("carom_sans", *_font_files())
             theme.load_theme(gui_theme(look.theme, look.k))
-        else:
-            theme._shape_cache = SurfaceCache()
+        theme._shape_cache = ShapeStore()
         _themes[key] = theme
         while len(_themes) > MOST_THEMES:
             del _themes[next(iter(_themes))]

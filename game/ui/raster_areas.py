@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_pixels import blend, fill_row, is_drawable, weight_of
 from game.ui.raster_vectors import is_blank
@@ -218,7 +220,7 @@ def fill_arrow(
         return
     ux, uy = dx / length, dy / length
     size = min(width, length / (HEAD_LENGTH + 0.4))
-    along, across = _arrow_corner(6, size, length)
+    along, across = _arrow_corner(np.int64(6), size, length)  # a bare number would be compiled in, twice
     px, py = x0 + along * ux - across * uy, y0 + along * uy + across * ux
     for corner in range(7):
         along, across = _arrow_corner(corner, size, length)

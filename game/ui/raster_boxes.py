@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from game.physics.lean import lean_kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_pixels import blend, clip_bounds, fill_row, is_drawable, weight_of
 
 
-@lean_kernel
+@inner_kernel
 def _box_coverage(column: int, row: int, x0: float, y0: float, x1: float, y1: float, radius: float) -> float:
     """Share of a pixel inside a box with round corners: exact on straight sides, by distance in corners."""
     px, py = column + 0.5, row + 0.5
@@ -23,14 +23,14 @@ def _box_coverage(column: int, row: int, x0: float, y0: float, x1: float, y1: fl
     return max(0.0, across) * max(0.0, down)
 
 
-@lean_kernel
+@inner_kernel
 def _corner(radius: float, x0: float, y0: float, x1: float, y1: float) -> float:
     """Radius that a box's corners get: at most half the shorter side; below half a pixel they are sharp."""
     r = min(max(radius, 0.0), 0.5 * (x1 - x0), 0.5 * (y1 - y0)) if is_drawable(radius) else 0.0
     return r if r >= 0.5 else 0.0
 
 
-@lean_kernel
+@inner_kernel
 def _is_box(x0: float, y0: float, x1: float, y1: float) -> bool:
     """Whether the corners are finite and in order."""
     return is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1) and x0 < x1 and y0 < y1

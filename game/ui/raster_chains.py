@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.lean import lean_kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_lines import (
     BUTT,
     FADING,
@@ -27,7 +27,7 @@ from game.ui.raster_pixels import blend, bounds_of, is_drawable, weight_of
 SHORTEST_DASH = 0.5  # px; a finer pattern is drawn as a paler solid line
 
 
-@lean_kernel
+@inner_kernel
 def _cover_segment(
     cover: Any, pixels: Any, clip: Any, x0: float, y0: float, x1: float, y1: float, half: float, ends: int
 ) -> None:
@@ -59,7 +59,7 @@ def _cover_segment(
                 cover[row, column] = amount
 
 
-@lean_kernel
+@inner_kernel
 def _lay_cover(
     cover: Any,
     pixels: Any,
@@ -118,12 +118,12 @@ def stroke_polyline(
             j = (i + 1) % count
             x0, y0, x1, y1 = points[i, 0], points[i, 1], points[j, 0], points[j, 1]
             if phase == 0:
-                _cover_segment(cover, pixels, clip, x0, y0, x1, y1, half, ROUND)
+                _cover_segment(cover, pixels, clip, x0, y0, x1, y1, half, np.int64(ROUND))
             else:
                 _lay_cover(cover, pixels, clip, x0, y0, x1, y1, half, color, weight)
 
 
-@lean_kernel
+@inner_kernel
 def _cover_dashes(
     cover: Any,
     pixels: Any,
@@ -152,7 +152,7 @@ def _cover_dashes(
         if stop > start:
             a, b = start - travelled, stop - travelled
             _cover_segment(
-                cover, pixels, clip, x0 + a * ux, y0 + a * uy, x0 + b * ux, y0 + b * uy, half, BUTT
+                cover, pixels, clip, x0 + a * ux, y0 + a * uy, x0 + b * ux, y0 + b * uy, half, np.int64(BUTT)
             )
 
 

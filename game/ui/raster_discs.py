@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.lean import lean_kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_pixels import (
     FULL,
     OPAQUE,
@@ -57,7 +57,7 @@ def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: 
                 blend(pixels, row, column, color, weight_of(outer - math.sqrt(squared), alpha))
 
 
-@lean_kernel
+@inner_kernel
 def _arc_distance(forward: float, aside: float, radius: float, end_x: float, end_y: float) -> float:
     """Distance from an arc that runs from straight forward to the direction (end_x, end_y) on both sides.
 
@@ -139,7 +139,7 @@ def fill_discs(pixels: Any, clip: Any, points: Any, radii: Any, colors: Any, alp
         fill_disc(pixels, clip, points[i, 0], points[i, 1], radii[i], np.int64(colors[i]), alpha)
 
 
-@lean_kernel
+@inner_kernel
 def _lay_whole_stamp(
     flat: Any, width: int, left: float, top: float, weights: Any, rows: int, side: int, level: int, color: int
 ) -> None:
@@ -157,7 +157,7 @@ def _lay_whole_stamp(
             blend_four(flat, place + j * width + 4, weights, first + 32 * j + 16, color)
 
 
-@lean_kernel
+@inner_kernel
 def _lay_cut_stamp(
     pixels: Any,
     x_low: int,
@@ -199,9 +199,11 @@ def fill_stamps(
         color = np.int64(colors[i]) | OPAQUE
         left, top = points[i, 0] - corner, points[i, 1] - rise
         if x_low <= left < x_high - side and y_low <= top < y_high - rows:
-            _lay_whole_stamp(flat, width, left, top, weights, rows, side, 0, color)
+            _lay_whole_stamp(flat, width, left, top, weights, rows, side, np.int64(0), color)
         else:
-            _lay_cut_stamp(pixels, x_low, y_low, x_high, y_high, left, top, weights, rows, side, 0, color)
+            _lay_cut_stamp(
+                pixels, x_low, y_low, x_high, y_high, left, top, weights, rows, side, np.int64(0), color
+            )
 
 
 @lean_kernel

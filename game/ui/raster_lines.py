@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.lean import lean_kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_pixels import blend, bounds_of, is_drawable, strip_coverage, weight_of
 
 ROUND = 1  # line ends: a half disc, or (0) cut square
@@ -15,7 +15,7 @@ BUTT = 0
 FADING = 0.501  # px beyond a strip's edge where a pixel's middle may lie that it still touches
 
 
-@lean_kernel
+@inner_kernel
 def inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: float) -> Any:
     """Part (first, last) of a segment, as shares 0 to 1, within the clip widened by ``margin``; else (1, 0).
 
@@ -42,7 +42,7 @@ def inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: 
     return first, last
 
 
-@lean_kernel
+@inner_kernel
 def lean_of(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
     """Columns that a segment moves in one row, and half the breadth of its band of ``reach`` along a row."""
     dx, dy = x1 - x0, y1 - y0
@@ -51,7 +51,7 @@ def lean_of(x0: float, y0: float, x1: float, y1: float, reach: float) -> Any:
     return dx / dy, reach * math.sqrt(dx * dx + dy * dy) / abs(dy)
 
 
-@lean_kernel
+@inner_kernel
 def row_span(
     middle: float, x0: float, y0: float, x1: float, y1: float, reach: float, lean: float, slack: float
 ) -> Any:
@@ -65,7 +65,7 @@ def row_span(
     return max(min(xa, xb) - reach, across - slack), min(max(xa, xb) + reach, across + slack)
 
 
-@lean_kernel
+@inner_kernel
 def segment_coverage(
     px: float, py: float, x0: float, y0: float, ux: float, uy: float, length: float, half: float, ends: int
 ) -> float:
@@ -83,7 +83,7 @@ def segment_coverage(
     return strip_coverage(across, half) * inside
 
 
-@lean_kernel
+@inner_kernel
 def column_within(x: float, low: int, high: int) -> int:
     """A finite abscissa as a column between ``low`` and ``high``."""
     return int(min(max(x, 1.0 * low), 1.0 * high))

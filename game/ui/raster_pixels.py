@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.lean import lean_kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_vectors import mix_four
 
 FARTHEST = 1.0e9  # px; beyond this a coordinate has lost its subpixels and nothing is drawn
@@ -20,7 +20,7 @@ OPAQUE = 0xFF000000
 FULL = 256  # the weight that replaces a pixel
 
 
-@lean_kernel
+@inner_kernel
 def is_drawable(value: float) -> bool:
     """Whether a coordinate or length is finite and near enough to draw with."""
     return -FARTHEST <= value <= FARTHEST
@@ -54,7 +54,7 @@ def fill_row(pixels: Any, row: int, start: int, stop: int, color: int, weight: i
             column += 1
 
 
-@lean_kernel
+@inner_kernel
 def weight_of(coverage: float, alpha: float) -> int:
     """Blending weight 0 to 256 of a covered share of a pixel; nan counts as nothing."""
     share = coverage * alpha
@@ -63,7 +63,7 @@ def weight_of(coverage: float, alpha: float) -> int:
     return int(min(share, 1.0) * 256.0 + 0.5)
 
 
-@lean_kernel
+@inner_kernel
 def lay(pixels: Any, row: int, column: int, color: int, share: float) -> None:
     """Lay a colour over a share 0 to 1 of one pixel; more counts as 1, less and nan as 0."""
     weight = weight_of(share, 1.0)
@@ -71,7 +71,7 @@ def lay(pixels: Any, row: int, column: int, color: int, share: float) -> None:
         blend(pixels, row, column, color, weight)
 
 
-@lean_kernel
+@inner_kernel
 def strip_coverage(distance: float, half: float) -> float:
     """Share of a one-pixel window ``distance`` from the middle of a strip that the strip covers.
 
@@ -80,13 +80,13 @@ def strip_coverage(distance: float, half: float) -> float:
     return max(0.0, min(half, distance + 0.5) - max(-half, distance - 0.5))
 
 
-@lean_kernel
+@inner_kernel
 def bounds_of(pixels: Any, clip: Any) -> Any:
     """The clip cut to the picture, as four integers."""
     return max(0, clip[0]), max(0, clip[1]), min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
 
 
-@lean_kernel
+@inner_kernel
 def clip_bounds(pixels: Any, clip: Any, left: float, top: float, right: float, bottom: float) -> Any:
     """Pixels that a box touches inside the clip: first column and row, past-the-last column and row."""
     x_low = max(0, clip[0], math.floor(max(left, -1.0)))
