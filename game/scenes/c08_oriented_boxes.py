@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from game.lab.studies.bounds import box_study
 from game.scenes.bounds_scene import BoundsScene
+from game.scenes.figures.bounds import draw_separating_axis
 from game.stage import Equation, Strip
 
 
@@ -32,6 +33,7 @@ class OrientedBoxes(BoundsScene):
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )
+    figure = staticmethod(draw_separating_axis)
     equations = (
         Equation(
             "Projection", r"u_i = \v{p}_i \cdot \v{e}_\alpha,  v_i = \v{p}_i \cdot \v{e}_{\alpha + 90°}"
