@@ -9,6 +9,7 @@ from game.physics.bounds import KINDS, least_capsule
 from game.physics.proximity_effects import EXACT_ANSWER
 from game.scenes.bounds_pair import Pane
 from game.scenes.bounds_scene import BoundsScene
+from game.scenes.figures.bounds import draw_capsules
 from game.stage import Choice, Equation, Strip, Toggle, WarmUp
 
 TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Upright boxes"}
@@ -64,6 +65,7 @@ class Capsules(BoundsScene):
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )
+    figure = staticmethod(draw_capsules)
     equations = (
         Equation(
             "Capsule", r"\abs{\v{x} - \v{c}(t)} \le r,  \v{c}(t) = \v{a} + t (\v{b} - \v{a}),  0 \le t \le 1"
