@@ -14,6 +14,7 @@ from game.physics.narrowphase.queries import FeatureStep, vclip_trace
 from game.physics.proximity_effects import EXACT_ANSWER
 from game.scenes import c10_view as view
 from game.scenes.convex_pair import ConvexPairScene
+from game.scenes.figures.convex import draw_regions
 from game.stage import Equation, Toggle
 
 
@@ -40,6 +41,7 @@ class VClip(ConvexPairScene):
     )
     walk = Toggle(True, group="Shown", label="Walk", help="features visited by the last query, numbered")
 
+    figure = staticmethod(draw_regions)
     equations = (
         Equation(
             "Region of a vertex",
