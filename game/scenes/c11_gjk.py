@@ -24,6 +24,7 @@ from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.physics.proximity_effects import EXACT_ANSWER
 from game.scenes import c11_view as view
 from game.scenes.convex_pair import ConvexPairScene
+from game.scenes.figures.convex import draw_difference
 from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
 
 
@@ -62,6 +63,7 @@ class Gjk(ConvexPairScene):
         Strip("Distance", "m", ("distance", "V-Clip"), ("V-Clip",)),
         Strip("Query", "s", ("query",)),
     )
+    figure = staticmethod(draw_difference)
     equations = (
         Equation("Minkowski difference", r"A - B = \{ \v{a} - \v{b} \}"),
         Equation("Support", r"\v{w} = s_A(-\v{v}) - s_B(\v{v})", "Gilbert, Johnson, Keerthi 1988"),
