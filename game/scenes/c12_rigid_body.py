@@ -23,6 +23,7 @@ from game.scenes.c12_camera import box_edges, camera_matrix
 from game.scenes.c12_findings import readouts_of
 from game.scenes.c12_level import RigidContent, SphereEntry, design_of, entries_of
 from game.scenes.c12_view import RigidView
+from game.scenes.figures.rigid import draw_momentum_sphere
 from game.stage import (
     Choice,
     Equation,
@@ -164,6 +165,7 @@ class RigidBodyScene(Scene):
         Strip("Angular momentum made", "", ("L of A", "L of B")),
         Strip("Length of q, off 1", "", ("q of A", "q of B")),
     )
+    figure = staticmethod(draw_momentum_sphere)
     equations = (
         Equation(
             "Motion",
