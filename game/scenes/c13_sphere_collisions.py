@@ -25,6 +25,7 @@ from game.scenes import c13_sounds
 from game.scenes.c13_level import CollisionContent, SphereEntry, bodies_of, makings_of, tables_of
 from game.scenes.c13_saving import content_of
 from game.scenes.c13_view import CollisionView
+from game.scenes.figures.rigid import draw_friction_cone
 from game.stage import (
     Choice,
     Equation,
@@ -181,6 +182,7 @@ class SphereCollisions(Scene):
         Strip("Momentum", "kg m/s", ("P x", "P y")),
         Strip("Overlap", "m", ("deepest",)),
     )
+    figure = staticmethod(draw_friction_cone)
     equations = (
         Equation(
             "Motion", r"\v{x}' = \v{x} + h\v{P}/m,  q' = q + \frac{h}{2} \v{\omega} q", "explicit Euler"
