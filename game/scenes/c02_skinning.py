@@ -12,9 +12,9 @@ from game.lab.studies.skinning import skinning_study
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.physics.animation.skinning import BLENDS
+from game.scenes.figure_cells import WHOLE
 from game.scenes.figure_scene import EDITING, FigureScene, warm_ups_of_figures
 from game.scenes.figure_view import (
-    WHOLE,
     bone_tokens,
     draw_bones,
     draw_limits,

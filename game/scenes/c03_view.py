@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
+from game.scenes.figure_cells import Cell
 from game.scenes.figure_level import FigureContent
-from game.scenes.figure_view import Cell, bone_tokens, draw_bones, draw_limits, draw_pen, draw_weights
+from game.scenes.figure_view import bone_tokens, draw_bones, draw_limits, draw_pen, draw_weights
 from game.stage import Frame, blend_angles
 from game.ui.canvas import EXACT_DASH, Canvas
 from game.ui.numerals import quantity
@@ -68,11 +69,12 @@ class ChainView:
         if scene.compare:
             self._draw_lines(canvas, frame)
         shown = range(len(TITLES)) if scene.compare else (scene.master,)
+        poses = self._poses(scene, alpha)
         bases, ends = [], []
         for k in shown:
-            self._draw_body(scene, canvas, k, cells[k], alpha)
-            bases.append(cells[k].out(scene.rig.shown.bases).copy())
-            ends.append(cells[k].out(scene.rig.shown.ends).copy())
+            self._draw_body(scene, canvas, k, cells[k], poses[k])
+            bases.append(cells[k].out(scene.rig.shown.bases))
+            ends.append(cells[k].out(scene.rig.shown.ends))
         if scene.bones:
             self._draw_bones(scene, canvas, list(shown), np.concatenate(bases), np.concatenate(ends))
         self._refresh(scene)
@@ -108,21 +110,20 @@ class ChainView:
             canvas.line((x, 0.0), (x, frame.top), "line", 1.0)
         canvas.line((0.0, frame.top / ROWS), (frame.right, frame.top / ROWS), "line", 1.0)
 
-    def _pose(self, scene: InverseKinematics, k: int, alpha: float) -> Array:
-        now, before = scene.methods[k], scene.previous
-        if before is None or before.poses.shape != scene.methods.shape:
+    def _poses(self, scene: InverseKinematics, alpha: float) -> Array:
+        """Poses (6, n + 2) of all methods between the last two steps."""
+        now, before = scene.methods, scene.previous
+        if before is None or before.poses.shape != now.shape:
             return now
-        old = before.poses[k]
-        return np.concatenate(
-            [blend_angles(old[:-2], now[:-2], alpha), old[-2:] + alpha * (now[-2:] - old[-2:])]
-        )
+        poses = blend_angles(before.poses, now, alpha)
+        poses[:, -2:] = before.poses[:, -2:] + alpha * (now[:, -2:] - before.poses[:, -2:])
+        return poses
 
-    def _draw_body(self, scene: InverseKinematics, canvas: Canvas, k: int, cell: Cell, alpha: float) -> None:
+    def _draw_body(self, scene: InverseKinematics, canvas: Canvas, k: int, cell: Cell, pose: Array) -> None:
         """Skins, and what lies below the bones; ``rig.shown`` is posed so."""
         rig, bench, mine = scene.rig, scene.bench, k == scene.master
         figure, view = bench.figure, bench.figure.view
-        points = rig.show(self._pose(scene, k, alpha), scene.blend)
-        points = cell.out(points if scene.weights else points[: rig.starts[-1]])
+        points = rig.show(pose, scene.blend)
         if figure.ground is not None:
             ends = cell.out(np.array([(view.left, figure.ground), (view.right, figure.ground)]))
             canvas.line(ends[0], ends[1], "line2", 1.0)
@@ -130,9 +131,10 @@ class ChainView:
             self._draw_reach(scene, canvas, cell)
         if SKINNING in scene.active:
             if scene.skins:
-                scene.painter.paint(canvas, rig, points, 0.35 if scene.weights else 1.0, not scene.compare)
+                strength = 0.35 if scene.weights else 1.0
+                scene.painter.paint(canvas, rig, points, strength, not scene.compare, cell)
             if scene.weights:
-                draw_weights(canvas, rig, points, bench.chosen)
+                draw_weights(canvas, rig, cell.out(points), bench.chosen)
         if mine and bench.chosen != NOWHERE and JOINT_LIMITS in scene.active and scene.tool == "pose":
             draw_limits(canvas, rig.shown, cell, bench.chosen)
 

@@ -112,7 +112,10 @@ class Rig:
 
     def show(self, pose: Array, blend: str) -> Array:
         """Pose `shown` so and give the points (v, 2) of its skin, for a picture; good until the next call."""
-        self._put(self.shown, pose)
+        shown = self.shown
+        shown.offsets[self._roots] = self._places + pose[-2:]
+        shown.angles[:] = pose[:-2]  # of a state, whose numbers are finite: `Skeleton.pose` would look again
+        shown.update()
         return self.skinned if self._spare is None else self._spare(self.shown.world, blend)
 
     def skin_shown(self, blend: str) -> Array:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.animation import Skeleton
+from game.scenes.figure_cells import Cell
 from game.scenes.figure_rig import Rig
 from game.scenes.skin_painter import NO_EDGE, paint
 from game.ui.canvas import EXACT_DASH, Canvas
@@ -18,27 +18,6 @@ BONE_COLORS = ("chalk", "vermilion", "green", "pink", "violet", "yellow")
 WIDEST = 0.13  # of a bone's length: half of its width
 SHOULDER = 0.16  # of a bone's length: where it is widest
 MOST_DIAMONDS = 160  # bones drawn as diamonds; more are lines
-
-
-class Cell(NamedTuple):
-    """Where a figure is drawn: its own coordinates times ``scale``, plus an origin."""
-
-    x: float = 0.0
-    y: float = 0.0
-    scale: float = 1.0
-
-    def out(self, points: Array) -> Array:
-        """Places in the picture of points (m, 2) of the figure."""
-        if self == WHOLE:
-            return points
-        return points * self.scale + (self.x, self.y)
-
-    def into(self, x: float, y: float) -> tuple[float, float]:
-        """The point of the figure at a place in the picture."""
-        return (x - self.x) / self.scale, (y - self.y) / self.scale
-
-
-WHOLE = Cell()
 
 
 def draw_outlines(canvas: Canvas, rig: Rig, points: Array, color: str) -> None:

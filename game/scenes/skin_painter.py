@@ -15,6 +15,7 @@ import pygame
 from numpy.typing import NDArray
 
 from game.physics.jit import kernel
+from game.scenes.figure_cells import WHOLE, Cell
 from game.scenes.figure_rig import Rig
 from game.ui.canvas import Canvas
 from game.ui.raster_areas import fill_polygon
@@ -25,7 +26,7 @@ INK = pygame.Color(18, 22, 26)  # what edges are darkened with
 EDGE_PX = 0.9  # design px, beyond the fill
 LEAST_AREA = 2.0  # px², of a polygon that is worth painting
 NO_EDGE = -1
-MANY_POINTS = 24  # of an outline of which a small figure shows every second one
+COARSE = (24, 90, 300)  # points of an outline, above which a small figure shows every 2nd, 4th, 6th one
 
 
 @kernel
@@ -77,10 +78,10 @@ def fill_color(canvas: Canvas, fill: str) -> pygame.Color:
         return canvas.color("chalk")
 
 
-def every_second(starts: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Every second point of outlines with many points, all of others; and where the outlines then start."""
+def coarser(starts: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Points of outlines for a small figure, fewer of those with many; and where the outlines then start."""
     kept = [
-        np.arange(first, last, 2 if last - first > MANY_POINTS else 1)
+        np.arange(first, last, max(1, 2 * sum(last - first > many for many in COARSE)))
         for first, last in pairwise(starts.tolist())
     ]
     ends = np.cumsum([0, *(len(points) for points in kept)], dtype=np.int64)
@@ -95,7 +96,7 @@ class SkinPainter:
         self._theme: Any = None
         self._moved = np.zeros((0, 2))
         self._inks = self._edges = self._none = np.zeros(0, dtype=np.int64)
-        self._coarse = every_second(np.zeros(1, dtype=np.int64))
+        self._coarse = coarser(np.zeros(1, dtype=np.int64))
         self._strengths, self._shades = np.zeros(0), np.zeros(0, dtype=bool)
 
     def _take(self, canvas: Canvas, rig: Rig) -> None:
@@ -115,14 +116,15 @@ class SkinPainter:
         self._shades = np.array([not skin.outline and skin.strength < 0.5 for skin in skins])
         self._moved = np.zeros((len(rig.skinned), 2))
         self._none = np.full_like(self._edges, NO_EDGE)
-        self._coarse = every_second(rig.starts)
+        self._coarse = coarser(rig.starts)
 
     def paint(
-        self, canvas: Canvas, rig: Rig, points: Array, strength: float = 1.0, fine: bool = True
-    ) -> None:
-        """All skins, from the first to the last, at places (v, 2) of the world.
+        self, canvas: Canvas, rig: Rig, points: Array, strength: float = 1.0, fine: bool = True,
+        cell: Cell = WHOLE,
+    ) -> None:  # fmt: skip
+        """All skins, from the first to the last, at places (v, 2) of the figure, which stands in ``cell``.
 
-        fine: with edges, shades and every point; a small figure does with every second one.
+        fine: with edges, shades and every point; a small figure does with fewer.
         """
         if not rig.figure.skins:
             return
@@ -130,15 +132,17 @@ class SkinPainter:
         solid = strength >= 1.0
         if fine:
             edges = self._edges if solid else self._none
+            points = cell.out(points[: rig.starts[-1]])
             paint(canvas, points, rig.starts, self._inks, strength * self._strengths, edges, self._moved)
         else:
             shares = np.where(self._shades, 0.0, strength * self._strengths)
             coarse, starts = self._coarse
-            paint(canvas, points[coarse], starts, self._inks, shares, self._none, self._moved)
+            paint(canvas, cell.out(points[coarse]), starts, self._inks, shares, self._none, self._moved)
         for i, skin in enumerate(rig.figure.skins):
             if skin.outline and (not solid or skin.strength < 1.0):
                 edge = fill_color(canvas, skin.fill).lerp(INK, 0.25)
-                canvas.polyline(points[rig.outline(i)], edge, 1.6, closed=True, alpha=0.9 * strength)
+                outline = points[rig.outline(i)] if fine else cell.out(points[rig.outline(i)])
+                canvas.polyline(outline, edge, 1.6, closed=True, alpha=0.9 * strength)
 
 
 def paint(
