@@ -119,7 +119,7 @@ class AccuracyPage:
         i, j = self._point
         one, point = self.data.series[i], self.data.series[i].runs[j]
         x, y = self.plot.place(i, point)
-        came = "diverged" if point.diverged else self.plot.error_text(point.y)
+        came = "failed" if point.diverged else self.plot.error_text(point.y)
         words = f"{one.name}, {point.words}" if point.words else one.name
         place = pygame.Rect(0, 0, 2 * self.look.px(8), 2 * self.look.px(8))
         place.center = (round(x) + self.overlay.card.x, round(y) + self.overlay.card.y)

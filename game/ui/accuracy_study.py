@@ -115,8 +115,13 @@ def _decisive(study: Study, rows: list[Row]) -> list[Row]:
 @lru_cache(maxsize=8192)
 def setting_words(knob: Knob, value: float, others: tuple[tuple[str, float], ...] = ()) -> str:
     """A point in words: its knob with unit, and what else tells it apart."""
-    number = format_si(value, knob.unit) if knob.unit else format_number(value)
-    return ", ".join([f"{knob.label} {number}", *(f"{name} {format_number(x)}" for name, x in others)])
+    number = format_si(value, knob.unit) if knob.unit else _plain(value)
+    return ", ".join([f"{knob.label} {number}", *(f"{name} {_plain(x)}" for name, x in others)])
+
+
+def _plain(value: float) -> str:
+    """A count as it is, else a number of a few digits."""
+    return str(int(value)) if abs(value) < 1e5 and float(value).is_integer() else format_number(value)
 
 
 def _point(study: Study, row: Row) -> PlotPoint:

@@ -152,7 +152,7 @@ class WorkPrecisionPlot:
                 self._draw_error_figure(surface, 10.0**n, y)
         if any(point.diverged for one in self.series for point in one.runs):
             place = (self.rect.x - px(12), self.rect.y + px(16))
-            look.text(surface, "diverged", place, 12, "medium", "vermilion", "right")
+            look.text(surface, "failed", place, 12, "medium", "vermilion", "right")
         look.text(
             surface, self.axes.y, (self.rect.x - px(12), self.rect.y - px(12)), 12, "medium", "text2", "right"
         )

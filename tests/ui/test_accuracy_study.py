@@ -118,7 +118,7 @@ def test_the_present_setting_and_its_words():
         ).present.series
         == -1
     )
-    assert setting_words(made.knob, 0.5, (("passes", 5.0),)) == "step 500 ms, passes 5.00"
+    assert setting_words(made.knob, 0.5, (("passes", 5.0),)) == "step 500 ms, passes 5"
 
 
 def test_the_round_error_is_one_that_all_methods_reach():
