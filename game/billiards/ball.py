@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple, Protocol
 
+from game.billiards.ball_collision import Collision, Parts, in_collision_frame, sum_of
 from game.billiards.lecture_contacts import exchange_as_lectured
 from game.billiards.lecture_state import RULES
 
@@ -34,44 +35,11 @@ class Overshoot(NamedTuple):
     high: float
 
 
-class Parts(NamedTuple):
-    """A velocity in the frame of the collision: along the line of centres, and across it."""
-
-    normal: float
-    tangential: float
-
-
-class Collision(NamedTuple):
-    """All that handle_collision computed, for drawing. Ball 1 is self, ball 2 the other.
-
-    angle: of the line of centres, from ball 2 to ball 1, rad. contact: middle of the overlap. exchanged:
-    False if the balls were parting already and only moved apart. Momenta and energies are sums of both.
-    """
-
-    rule: str
-    distance: float
-    overlap: float
-    angle: float
-    cosa: float
-    sina: float
-    contact: tuple[float, float]
-    positions_before: tuple[tuple[float, float], tuple[float, float]]
-    positions_after: tuple[tuple[float, float], tuple[float, float]]
-    velocities_before: tuple[tuple[float, float], tuple[float, float]]
-    velocities_after: tuple[tuple[float, float], tuple[float, float]]
-    parts_before: tuple[Parts, Parts]
-    parts_after: tuple[Parts, Parts]
-    exchanged: bool
-    momentum_before: tuple[float, float]
-    momentum_after: tuple[float, float]
-    energy_before: float
-    energy_after: float
-
-
 class BallPainter(Protocol):
     """Anything that can draw a ball."""
 
-    def ball(self, position: tuple[float, float], radius: float, colour: Any) -> None: ...
+    def ball(self, position: tuple[float, float], radius: float, colour: Any) -> None:
+        """Draw a ball at a position, in the unit of the ball, of a colour that the painter knows."""
 
 
 class Ball:
@@ -108,6 +76,7 @@ class Ball:
 
     @property
     def position(self) -> tuple[float, float]:
+        """Where the centre is; ValueError for numbers that are not finite, as for all that can be set."""
         return self._x, self._y
 
     @position.setter
@@ -125,6 +94,7 @@ class Ball:
 
     @property
     def acceleration(self) -> tuple[float, float]:
+        """What is added to the velocity in one unit of time."""
         return self._ax, self._ay
 
     @acceleration.setter
@@ -149,6 +119,7 @@ class Ball:
 
     @property
     def momentum(self) -> tuple[float, float]:
+        """Mass times velocity."""
         return self.mass * self._vx, self.mass * self._vy
 
     @property
@@ -158,6 +129,7 @@ class Ball:
 
     @property
     def bounds(self) -> Bounds | None:
+        """The walls, or None if there are none."""
         return self._bounds
 
     def set_bounds(self, left: float, right: float, low: float, high: float) -> None:
@@ -236,15 +208,12 @@ class Ball:
         angle = math.atan2(dy, dx)
         cosa = dx / distance if distance > 0.0 else 1.0
         sina = dy / distance if distance > 0.0 else 0.0
-        before = (self.position, other.position), (self.velocity, other.velocity)
-        momentum, energy = _sum(self.momentum, other.momentum), self.energy + other.energy
-        parts = _in_collision_frame(self, cosa, sina), _in_collision_frame(other, cosa, sina)
+        places, ways = (self.position, other.position), (self.velocity, other.velocity)
+        momentum, energy = sum_of(self.momentum, other.momentum), self.energy + other.energy
+        parts = in_collision_frame(ways[0], cosa, sina), in_collision_frame(ways[1], cosa, sina)
         reach = other.radius - 0.5 * overlap
         contact = other._x + reach * cosa, other._y + reach * sina
-        self._x += 0.5 * overlap * cosa
-        self._y += 0.5 * overlap * sina
-        other._x -= 0.5 * overlap * cosa
-        other._y -= 0.5 * overlap * sina
+        self._part_from(other, overlap, cosa, sina)
         exchanged = rule == "as-printed" or parts[1].normal > parts[0].normal
         if exchanged and rule == "conserving":
             self._exchange_conserving(other, parts, cosa, sina, restitution)
@@ -252,26 +221,19 @@ class Ball:
             self._vx, self._vy, other._vx, other._vy = exchange_as_lectured(
                 *self.velocity, *other.velocity, cosa, sina, restitution, rule == "as-printed"
             )
+        after = in_collision_frame(self.velocity, cosa, sina), in_collision_frame(other.velocity, cosa, sina)
         return Collision(
-            rule,
-            distance,
-            overlap,
-            angle,
-            cosa,
-            sina,
-            contact,
-            before[0],
-            (self.position, other.position),
-            before[1],
-            (self.velocity, other.velocity),
-            parts,
-            (_in_collision_frame(self, cosa, sina), _in_collision_frame(other, cosa, sina)),
-            exchanged,
-            momentum,
-            _sum(self.momentum, other.momentum),
-            energy,
-            self.energy + other.energy,
-        )
+            rule, distance, overlap, angle, cosa, sina, contact, places, (self.position, other.position),
+            ways, (self.velocity, other.velocity), parts, after, exchanged,
+            momentum, sum_of(self.momentum, other.momentum), energy, self.energy + other.energy,
+        )  # fmt: skip
+
+    def _part_from(self, other: Ball, overlap: float, cosa: float, sina: float) -> None:
+        """Move each of two balls half of the overlap, along the line of centres."""
+        self._x += 0.5 * overlap * cosa
+        self._y += 0.5 * overlap * sina
+        other._x -= 0.5 * overlap * cosa
+        other._y -= 0.5 * overlap * sina
 
     def _exchange_conserving(
         self, other: Ball, parts: tuple[Parts, Parts], cosa: float, sina: float, restitution: float
@@ -289,16 +251,6 @@ class Ball:
     def draw(self, painter: BallPainter) -> None:
         """Hand what there is to be drawn to whoever draws."""
         painter.ball(self.position, self.radius, self.colour)
-
-
-def _in_collision_frame(ball: Ball, cosa: float, sina: float) -> Parts:
-    """The velocity turned by minus the angle of the line of centres."""
-    vx, vy = ball.velocity
-    return Parts(cosa * vx + sina * vy, cosa * vy - sina * vx)
-
-
-def _sum(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
-    return a[0] + b[0], a[1] + b[1]
 
 
 def _finite(name: str, first: float, second: float) -> tuple[float, float]:

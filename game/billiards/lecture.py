@@ -108,6 +108,7 @@ class LectureTable:
 
     @property
     def effects(self) -> EffectSet:
+        """What is computed; ValueError for an effect that this table knows nothing of."""
         return self._effects
 
     @effects.setter
@@ -128,6 +129,7 @@ class LectureTable:
 
     @property
     def settings(self) -> LectureSettings:
+        """The knobs as they are; see `configure`."""
         return self._settings
 
     def configure(self, **knobs: Any) -> None:
@@ -260,6 +262,7 @@ class LectureTable:
 
     @property
     def moving(self) -> bool:
+        """True while any ball has a velocity."""
         return bool(self.state.velocities.any())
 
     @property

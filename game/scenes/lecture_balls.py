@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.ball import Ball, Collision, Overshoot
+from game.billiards.ball import Ball, Overshoot
+from game.billiards.ball_collision import Collision
 from game.billiards.lecture_slips import SLIPS
 from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
 from game.lab.studies.lecture_table import one_collision_study
