@@ -48,7 +48,7 @@ def draw_aim(pen: Pen) -> None:
     """A rolling cue ball after a cut of 35 degrees: off along the tangent, then bent until it rolls."""
     aim, cut, throw = 4.0, 35.0, 5.0
     normal, tangent = aim + cut, aim + cut - 90.0
-    cue, ghost = (38.0, 105.0), ahead((38.0, 105.0), aim, 94.0)
+    cue, ghost = (38.0, 116.0), ahead((38.0, 116.0), aim, 94.0)
     target = ahead(ghost, normal, 2.0 * RADIUS)
     pocket = ahead(target, normal - throw, 99.0)
     pen.disc(*pocket, 24.0, POCKET)
