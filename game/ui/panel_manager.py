@@ -76,6 +76,21 @@ class ShapeStore(SurfaceCache):
         self._kept.pop(string_id, None)
 
 
+class PanelTheme(UIAppearanceTheme):
+    """The stock theme with short keys: its own are woven of all ids, megabytes long, and kept."""
+
+    unique_theming_ids: dict[str, list[str]]
+
+    def build_all_combined_ids(self, *ids: Any) -> list[str]:
+        key = repr(ids)
+        found = self.unique_theming_ids.get(key)
+        if found is None:
+            before = dict(self.unique_theming_ids)
+            found = super().build_all_combined_ids(*ids)
+            self.unique_theming_ids = {**before, key: found}
+        return found
+
+
 class PanelManager(UIManager):
     """A manager for a sheet of so many window px."""
 
@@ -93,7 +108,7 @@ class PanelManager(UIManager):
         key = look.theme.name, look.k
         theme = _themes.pop(key, None)
         if theme is None:
-            theme = super().create_new_theme(theme_path)
+            theme = PanelTheme(self.resource_loader, self._locale)
             theme.get_font_dictionary().add_font_path("carom_sans", *_font_files())
             theme.load_theme(gui_theme(look.theme, look.k))
         theme._shape_cache = ShapeStore()

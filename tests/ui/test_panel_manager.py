@@ -9,11 +9,12 @@ import weakref
 import pygame
 import pytest
 from pygame_gui import ui_manager
+from pygame_gui.core.ui_appearance_theme import UIAppearanceTheme
 from pygame_gui.elements import UIButton
 
 from game.ui import panel_manager
 from game.ui.look import Look
-from game.ui.panel_manager import MOST_THEMES, PanelManager
+from game.ui.panel_manager import MOST_THEMES, DropDown, PanelManager
 from game.ui.theme import theme_named
 
 
@@ -43,6 +44,21 @@ def test_managers_of_one_look_draw_alike():
         manager.draw_ui(surface)
         pictures.append(pygame.image.tobytes(surface, "RGB"))
     assert pictures[0] == pictures[1] and len(set(pictures[0])) > 2
+
+
+def test_the_theme_keeps_no_long_keys():
+    manager = PanelManager((200, 600), Look(theme_named("dark"), 1.0))
+    names = [(f"Word {i}", f"word {i}") for i in range(12)]
+    menu = DropDown(names, "word 1", pygame.Rect(10, 10, 150, 30), manager)
+    plain = UIAppearanceTheme.build_all_combined_ids(manager.get_theme(), ["a"], ["b"], [None], ["c"])
+    assert manager.get_theme().build_all_combined_ids(["a"], ["b"], [None], ["c"]) == plain
+    for kind in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+        manager.point((50, 20))
+        manager.tell(pygame.Event(kind, pos=(50, 20), button=1))
+    manager.update(0.1)
+    assert menu.is_open
+    keys = manager.get_theme().unique_theming_ids
+    assert keys and sum(map(len, keys)) < 20_000
 
 
 def test_managers_leave_nothing_behind():
