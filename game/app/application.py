@@ -13,7 +13,7 @@ from game.app.frames import Clock, FrameMeter, SystemClock
 from game.app.gamepad import Gamepads
 from game.app.keys import Keys
 from game.app.menu.screen import MenuScreen
-from game.app.pictures import save_picture
+from game.app.pictures import PictureSaver
 from game.app.scene.opening import Opening
 from game.app.scene.screen import SceneScreen
 from game.app.screens.keys_card import KeysCard
@@ -60,6 +60,7 @@ class App:
         self.gamepads = Gamepads()
         self.canvas_warming = CanvasWarming()
         self.sounds = SoundPlayer(settings.volume)
+        self.pictures = PictureSaver()
         self.running = True
         self.background = background
         self.tour_due = False  # the first scene opened begins with the tour
@@ -160,6 +161,7 @@ class App:
         finally:
             self.screens.clear()
             self.sounds.close()
+            self.pictures.wait()
 
     def frame(self, shown: bool = True) -> None:
         """Take the events, pass the time, draw and show the picture (if anybody is to see it)."""
@@ -172,6 +174,7 @@ class App:
             self._give(event)
         if not self.running:
             return
+        self._tell_of_pictures()
         self.screens.top.update(elapsed_s)
         self.toasts.update(elapsed_s)
         if shown and not self._hidden:
@@ -276,15 +279,28 @@ class App:
         self.save_settings()
         self.restyle()
 
+    def change_keys(self, changed: dict[str, str]) -> None:
+        """Other keys from now on, kept in the settings. ValueError, and nothing changed, if they clash."""
+        self.keys = Keys(changed)
+        self.settings.keys = changed
+        self.save_settings()
+        self.restyle()
+
     def screenshot(self) -> None:
         """Save what the window shows into the pictures folder and say where."""
         self._draw(0.0)
         try:
-            path = save_picture(self.window.surface, self.screens.top.title or "menu")
+            self.pictures.save(self.window.surface, self.screens.top.title or "menu")
         except OSError as error:
             self.tell("No picture.", str(error.strerror or error), "warning")
-        else:
-            self.tell("Picture saved", str(path))
+
+    def _tell_of_pictures(self) -> None:
+        """Say where pictures are that have been written meanwhile."""
+        for path, problem in self.pictures.take():
+            if problem:
+                self.tell("No picture.", problem, "warning")
+            else:
+                self.tell("Picture saved", str(path))
 
 
 _OWN: dict[str, Callable[[App], None]] = {

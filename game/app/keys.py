@@ -111,6 +111,32 @@ class Keys:
         """What is printed on the command's key in the present layout; a dash if it has none."""
         return chord_label(self.chords[name]) if name in self.chords else NO_KEY
 
+    def changed_by(self, name: str, chord: Chord) -> dict[str, str]:
+        """What the settings say when a command gets a key, in the form that ``Keys`` takes.
+
+        A command that has the key already gets the other's in exchange. ValueError if the key is the way
+        back, or has no name that the settings could keep.
+        """
+        if not _place_name(chord.scancode):
+            raise ValueError("this key has no name")
+        if chord in (self.chords.get("back"), self.chords.get("quit")) and self._commands[chord] != name:
+            raise ValueError(f"{chord_label(chord)} stays the key to get out")
+        chords = dict(self.chords)
+        other, old = self._commands.get(chord), chords.get(name)
+        if other is not None and other != name:
+            del chords[other]
+            if old is not None:
+                chords[other] = old
+        chords[name] = chord
+        defaults = {command.name: parse_chord(command.key) for command in COMMANDS}
+        return {n: chord_word(c) for n, c in chords.items() if c != defaults[n]}
+
+
+def chord_word(chord: Chord) -> str:
+    """The chord as the settings name it: "space", "ctrl+s"."""
+    name = _place_name(chord.scancode)
+    return f"ctrl+{name}" if chord.control else name
+
 
 def chord_of(event: pygame.Event) -> Chord:
     """The chord of a KEYDOWN event."""
@@ -119,13 +145,14 @@ def chord_of(event: pygame.Event) -> Chord:
 
 def chord_label(chord: Chord) -> str:
     """The key's name in the present keyboard layout, e.g. "Ctrl+S", "Esc", "."."""
-    name = pygame.key.name(_keycodes().get(chord.scancode, 0)) or _place_name(chord.scancode)
+    name = pygame.key.name(_keycodes().get(chord.scancode, 0)) or _place_name(chord.scancode) or "?"
     shown = _SHORT.get(name) or _ARROWS.get(name) or name.capitalize()
     return f"Ctrl+{shown}" if chord.control else shown
 
 
 def _place_name(scancode: int) -> str:
-    return next((name for name, place in _PLACES.items() if place == scancode), "?")
+    """The key's name on a US keyboard, empty if it has none."""
+    return next((name for name, place in _PLACES.items() if place == scancode), "")
 
 
 def _keycodes() -> dict[int, int]:

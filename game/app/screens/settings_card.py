@@ -1,4 +1,4 @@
-"""The card of the settings: theme, size of the interface, sound, motion, full screen."""
+"""The card of the settings: theme, size of the interface, sound, motion, full screen, keys."""
 
 from __future__ import annotations
 
@@ -35,6 +35,7 @@ LINES = (
         "as it is, or the whole screen",
         (("screen-window", "Window"), ("screen-full", "Full screen")),
     ),
+    _Line("Keys", "each by its place", (("keys-shown", "See and change keys"),)),
 )
 
 
@@ -78,6 +79,9 @@ class SettingsCard(CardScreen):
     def pressed(self, name: str) -> None:
         kind, _, value = name.partition("-")
         settings = self.app.settings
+        if kind == "keys":
+            self.app.open_keys()
+            return
         if kind == "theme":
             settings.theme = "light" if value == "light" else "dark"
         elif kind == "scale":

@@ -1,0 +1,77 @@
+"""Keys are changed in their card and kept in the settings, never so that nobody gets out."""
+
+import pygame
+import pytest
+from tests_app import Driver
+
+from game.app.keys import Keys, parse_chord
+from game.app.screens.keys_card import KeysCard
+from game.app.screens.settings_card import SettingsCard
+
+
+@pytest.fixture
+def card(driver: Driver) -> KeysCard:
+    driver.key(pygame.K_F1)
+    driver.frames(20)
+    assert isinstance(driver.top, KeysCard)
+    return driver.top
+
+
+def press_row(driver: Driver, name: str) -> None:
+    driver.click(*driver.top.spots.find(name).rect.center)
+    driver.frames(2)
+
+
+def test_a_row_waits_for_its_key_and_keeps_it(driver: Driver, card: KeysCard):
+    press_row(driver, "pause")
+    assert card.waiting == "pause"
+    driver.key(pygame.K_LSHIFT)
+    assert card.waiting == "pause"
+    driver.key(pygame.K_j)
+    assert card.waiting == "" and driver.app.keys.label("pause") == "J"
+    assert 'pause = "j"' in (driver.app.folder / "settings.toml").read_text()
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(20)
+    driver.open("example")
+    stood = driver.stage.paused
+    driver.key(pygame.K_j)
+    assert driver.stage.paused is not stood
+
+
+def test_a_key_of_another_command_is_exchanged_and_all_go_back(driver: Driver, card: KeysCard):
+    press_row(driver, "accuracy")
+    driver.key(pygame.K_l)
+    assert (driver.app.keys.label("accuracy"), driver.app.keys.label("levels")) == ("L", "A")
+    assert driver.app.settings.keys == {"accuracy": "l", "levels": "a"}
+    press_row(driver, "defaults")
+    assert driver.app.settings.keys == {} and driver.app.keys.label("accuracy") == "A"
+    assert card.spots.find("defaults") is None
+
+
+def test_esc_takes_the_question_back_and_stays_the_way_out(driver: Driver, card: KeysCard):
+    press_row(driver, "pause")
+    driver.key(pygame.K_ESCAPE)
+    assert card.waiting == "" and driver.top is card and driver.app.settings.keys == {}
+    with pytest.raises(ValueError, match="get out"):
+        Keys().changed_by("pause", parse_chord("escape"))
+    press_row(driver, "pause")
+    driver.post(pygame.Event(pygame.WINDOWFOCUSLOST))
+    assert card.waiting == ""
+
+
+def test_settings_lead_to_the_keys_and_back(driver: Driver):
+    driver.key(pygame.K_F10)
+    driver.frames(20)
+    press_row(driver, "keys-shown")
+    driver.frames(20)
+    assert isinstance(driver.top, KeysCard)
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(20)
+    assert isinstance(driver.top, SettingsCard)
+
+
+def test_what_the_card_writes_is_what_the_settings_read():
+    changed = Keys().changed_by("pause", parse_chord("ctrl+p"))
+    again = Keys(Keys(changed).changed_by("step", parse_chord("ctrl+p")))
+    assert again.label("step") == "Ctrl+P" and again.label("pause") == "."
+    assert Keys(Keys(changed).changed_by("pause", parse_chord("space"))).chords == Keys().chords
