@@ -20,8 +20,8 @@ Vector = tuple[float, float, float]
 def draw_momentum_sphere(pen: Pen) -> None:
     """Where L can go in a free body: curves of equal energy on the sphere of equal length."""
     pen.disc(*CENTER, RADIUS, pen.veiled("body", 0.3))
-    for part in (0.04, 0.16, 0.35, 0.6, 0.85):  # of the way from an extreme energy to the middle one
-        for axis in (0, 2):
+    for axis, parts in ((0, (0.04, 0.16, 0.35, 0.6)), (2, (0.04, 0.16, 0.35, 0.6, 0.85))):
+        for part in parts:  # of the way from an extreme energy to the middle one
             for way in _ways(axis, part):
                 _draw_way(pen, way, "text3", 1.1)
     for way in _ways(0, 1.0):
@@ -30,8 +30,8 @@ def draw_momentum_sphere(pen: Pen) -> None:
     way = _euler_way((0.34, 0.93, 0.16), 0.3, 200)
     _draw_way(pen, way, "vermilion", 1.6)
     tip = _seen(way[0])
-    pen.arrow(CENTER, tip[:2], "text1", 2.2)
-    dot(pen, CENTER, "text1", 2.6)
+    pen.arrow(CENTER, tip[:2], "green", 2.2)
+    dot(pen, CENTER, "green", 2.6)
     for i, name in enumerate("123"):
         start, end, beyond = (
             _seen((r * (i == 0), r * (i == 1), r * (i == 2)))[:2] for r in (1.0, 1.3, 1.46 + 0.12 * (i == 2))
@@ -40,7 +40,7 @@ def draw_momentum_sphere(pen: Pen) -> None:
         pen.formula(name, *beyond)
     pen.words("explicit Euler", 204.0, 46.0, "vermilion", align="left")
     pen.formula(r"E = \frac{L^2}{2 I_2}", 54.0, 52.0, "amber")
-    pen.formula(r"\v{L}", tip[0] + 10.0, tip[1] + 26.0)
+    pen.formula(r"\v{L}", tip[0] + 10.0, tip[1] + 26.0, "green")
 
 
 def _euler_way(start: Vector, step: float, count: int) -> list[Vector]:
