@@ -9,10 +9,10 @@ ball's way, from which any moment can be had.
 from __future__ import annotations
 
 from game.billiards.batch import view_room
-from game.billiards.cluster import collide_jointly, gather_contacts, has_company
 from game.billiards.elements import plan_ball
-from game.billiards.impacts import collide_pair, end_chatter, hit_rail, normal_between
+from game.billiards.impacts import hit_rail
 from game.billiards.lean import inner_kernel, lean_kernel
+from game.billiards.meeting import meet
 from game.billiards.motion import advance, end_phase, enter_phase
 from game.billiards.pairs import refresh_pairs
 from game.billiards.state import (
@@ -27,7 +27,6 @@ from game.billiards.state import (
     EVENTS_START,
     FINISHED,
     FIRST,
-    IMPULSE,
     IN_CLEAR,
     IN_MASS,
     IN_MOTION,
@@ -36,7 +35,6 @@ from game.billiards.state import (
     IN_X,
     IN_Y,
     INVERSE_MASS,
-    MARK,
     MASS,
     MEET,
     MEMBER,
@@ -72,8 +70,6 @@ from game.billiards.state import (
     WZ,
     X,
 )
-
-HIT = 3  # mark of a ball that got an impulse
 
 
 @inner_kernel(inline="always")
@@ -148,60 +144,25 @@ def happen_to_ball(state, modes, i, cushions, jaws, physics):
     return event
 
 
-@inner_kernel(forceinline=True)
-def meet_alone(state, modes, pairs, i, j, now, physics):
-    """Balls i and j collide, and no other contact takes part."""
-    advance(state, modes, i, now, physics)
-    advance(state, modes, j, now, physics)
-    nx, ny = normal_between(state, i, j)
-    collide_pair(state, i, j, nx, ny, physics)
-    end_chatter(state, pairs, i, j, nx, ny, now)
-    modes[MEMBER, 0] = i
-    modes[MEMBER, 1] = j
-    enter_phase(state, modes, i, SLIDING, physics)
-    enter_phase(state, modes, j, SLIDING, physics)
-
-
-@inner_kernel
-def meet_in_company(
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
-):
-    """Balls i and j collide together with all that touch them.
-
-    Moves the contacts that got an impulse to the front of ends, and writes their balls to row MEMBER of
-    modes. Returns the numbers of both.
-    """
-    count, found = gather_contacts(state, modes, pairs, i, j, now, ends, normals)
-    for q in range(found):
-        advance(state, modes, modes[MEMBER, q], now, physics)
-    collide_jointly(
-        state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
-    )
-    written = 0
-    for m in range(count):
-        if forces[IMPULSE, m] > 0.0:
-            a = ends[FIRST, m]
-            b = ends[SECOND, m]
-            end_chatter(state, pairs, a, b, normals[m, 0], normals[m, 1], now)
-            ends[FIRST, written] = a
-            ends[SECOND, written] = b
-            written += 1
-            modes[MARK, a] = HIT
-            modes[MARK, b] = HIT
-    changed = 0
-    for q in range(found):
-        k = modes[MEMBER, q]
-        if modes[MARK, k] == HIT:
-            modes[MEMBER, changed] = k
-            changed += 1
-            enter_phase(state, modes, k, SLIDING, physics)
-    return written, changed
+@inner_kernel(inline="always")
+def plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segment):
+    """Plan the first balls of row MEMBER anew, each of which begins a segment. Returns their end."""
+    state, modes, pairs = room[0], room[1], room[2]
+    for q in range(changed):
+        i = modes[MEMBER, q]
+        if segments.shape[0] > 0:
+            record_ball(segments, segment, state, modes, i, physics)
+            segment += 1
+        plan_ball(state, modes, i, cushions, jaws, pockets, physics)
+    for q in range(changed):
+        refresh_pairs(state, modes, pairs, modes[MEMBER, q])
+    return segment
 
 
 @inner_kernel(inline="always")
 def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment):
     """Play one shot whose balls are placed. Returns status, end of events, end of segments, end time."""
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = room
+    state, modes, ends = room[0], room[1], room[3]
     n = state.shape[1]
     last_row = row + max_events
     end_time = 0.0
@@ -215,14 +176,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
         ):
             status = BUFFER_FULL
             break
-        for q in range(changed):
-            i = modes[MEMBER, q]
-            if segments.shape[0] > 0:
-                record_ball(segments, segment, state, modes, i, physics)
-                segment += 1
-            plan_ball(state, modes, i, cushions, jaws, pockets, physics)
-        for q in range(changed):
-            refresh_pairs(state, modes, pairs, modes[MEMBER, q])
+        segment = plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segment)
         i = soonest_ball(state)
         now = state[NEXT_TIME, i]
         if not (now < AT_REST and now <= until):
@@ -239,29 +193,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
             modes[MEMBER, 0] = i
             changed = 1
             continue
-        j = modes[PARTNER, i]
-        ends[FIRST, 0] = i
-        ends[SECOND, 0] = j
-        written = 1
-        changed = 2
-        if has_company(pairs, i, j, now):
-            written, changed = meet_in_company(
-                state,
-                modes,
-                pairs,
-                ends,
-                forces,
-                normals,
-                velocities,
-                joint_contacts,
-                joint_balls,
-                i,
-                j,
-                now,
-                physics,
-            )
-        else:
-            meet_alone(state, modes, pairs, i, j, now, physics)
+        written, changed = meet(room, i, modes[PARTNER, i], now, physics)
         for m in range(written):
             i = ends[FIRST, m]
             j = ends[SECOND, m]
