@@ -316,5 +316,5 @@ def _written(section: Callable[[Column], None], column: Column) -> int:
 
 
 def _key_name(key: str) -> str:
-    """A key as it is printed on its cap."""
-    return key.upper() if len(key) == 1 else key[:1].upper() + key[1:]
+    """A key as it is printed on its cap: "Z", "Ctrl+Z", "Left"."""
+    return "+".join(part[:1].upper() + part[1:] for part in key.split("+")) if len(key) > 1 else key.upper()
