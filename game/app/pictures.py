@@ -2,17 +2,76 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import re
+import threading
 from datetime import datetime
 from pathlib import Path
+from queue import Empty, SimpleQueue
+from typing import NamedTuple
 
 import pygame
 
 from game.folders import pictures_folder
 
 
+class SavedPicture(NamedTuple):
+    """A picture that was written, or why it was not (``problem``, else empty)."""
+
+    path: Path
+    problem: str
+
+
+class PictureSaver:
+    """Writes pictures in threads: packing one takes as long as several frames."""
+
+    def __init__(self) -> None:
+        self._done: SimpleQueue[SavedPicture] = SimpleQueue()
+        self._threads: list[threading.Thread] = []
+
+    def save(self, surface: pygame.Surface, title: str) -> None:
+        """Begin to write what a surface shows now. OSError if there is no folder for it."""
+        path = _free_path(title)
+        path.touch()  # the name is taken from now on
+        arguments = (surface.copy(), path)
+        thread = threading.Thread(target=self._write, args=arguments, name="picture", daemon=True)
+        self._threads = [*(one for one in self._threads if one.is_alive()), thread]
+        thread.start()
+
+    def _write(self, picture: pygame.Surface, path: Path) -> None:
+        try:
+            write_png(picture, path)
+        except OSError as error:
+            with contextlib.suppress(OSError):
+                path.unlink()
+            self._done.put(SavedPicture(path, str(error.strerror or error)))
+        else:
+            self._done.put(SavedPicture(path, ""))
+
+    def take(self) -> list[SavedPicture]:
+        """What has been done since the last call."""
+        taken: list[SavedPicture] = []
+        with contextlib.suppress(Empty):
+            while True:
+                taken.append(self._done.get_nowait())
+        return taken
+
+    def wait(self) -> None:
+        """Wait until all is written."""
+        for thread in self._threads:
+            thread.join()
+
+
 def save_picture(surface: pygame.Surface, title: str) -> Path:
     """Write a PNG named by the title and the time; its path. OSError if it cannot be written."""
+    path = _free_path(title)
+    write_png(surface, path)
+    return path
+
+
+def _free_path(title: str) -> Path:
+    """A name that no picture has yet, in a folder that is there. OSError if there is none."""
     folder = pictures_folder()
     folder.mkdir(parents=True, exist_ok=True)
     word = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") or "carom"
@@ -22,13 +81,17 @@ def save_picture(surface: pygame.Surface, title: str) -> Path:
     while path.exists():
         path = folder / f"carom-{word}-{stamp}-{number}.png"
         number += 1
-    write_png(surface, path)
     return path
 
 
 def write_png(surface: pygame.Surface, path: Path) -> None:
-    """Write a PNG to exactly this path; OSError if it cannot be written."""
+    """Write a PNG to exactly this path, whole or not at all; OSError if it cannot be written."""
+    part = path.with_name(f".{path.stem}.{os.getpid()}.part.png")  # its ending says what is written
     try:
-        pygame.image.save(surface, str(path), "png")
+        pygame.image.save(surface, str(part))
+        part.replace(path)
     except pygame.error as error:
         raise OSError(f"{path}: {error}") from None
+    finally:
+        with contextlib.suppress(OSError):
+            part.unlink()

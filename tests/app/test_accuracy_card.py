@@ -153,6 +153,8 @@ def test_table_and_picture_are_saved(scene: Driver):
     assert len(rows) == 2 * len(STEPS)
     scene.app.toasts.clear()
     scene.click(*scene.top.page.spots.find("save-picture").rect.center)
+    scene.app.pictures.wait()
+    scene.frames(1)
     assert pygame.image.load(scene.app.toasts.shown.consequence).get_width() > 900
 
 

@@ -10,6 +10,7 @@ from game.app.menu.screen import MenuScreen
 from game.app.scene.help_card import HelpCard
 from game.app.scene.play import SPEEDS
 from game.app.screens.choices import ChoiceCard
+from game.folders import pictures_folder
 from game.levels import Level, save_level
 from game.stage import Pointer, SetEffect, SetKnob
 from game.stage.catalogue import Catalogue
@@ -101,6 +102,8 @@ def test_every_button_of_the_bar(scene: Driver, name: str):
     if name == "help":
         assert isinstance(scene.top, HelpCard)
     if name == "picture":
+        scene.app.pictures.wait()
+        scene.frames(1)
         assert scene.app.toasts.shown.cause == "Picture saved"
     if name == "reset":
         assert stage.step_number < 5
@@ -291,13 +294,20 @@ def test_saved_session_is_found_and_replayed(scene: Driver):
     assert scene.stage.digest() == recording.digest
 
 
-def test_screenshot_is_written_and_named(scene: Driver):
+def save_screenshot(scene: Driver) -> None:
+    """Press the key, and wait for the thread that writes."""
     scene.key(pygame.K_F12)
+    scene.app.pictures.wait()
+    scene.frames(1)
+
+
+def test_screenshot_is_written_and_named(scene: Driver):
+    save_screenshot(scene)
     path = Path(scene.app.toasts.shown.consequence)
     picture = pygame.image.load(str(path))
     assert picture.get_size() == (1280, 720)
     assert path.name.startswith("carom-bouncing-ball-")
-    scene.key(pygame.K_F12)
+    save_screenshot(scene)
     assert len(list(path.parent.iterdir())) == 2
 
 
@@ -309,6 +319,19 @@ def test_screenshot_that_cannot_be_written_is_told(
     monkeypatch.setenv("CAROM_HOME", str(blocked))
     scene.key(pygame.K_F12)
     assert scene.app.toasts.shown.cause == "No picture."
+
+
+def test_a_picture_that_fails_while_it_is_written_is_told_and_leaves_nothing(
+    scene: Driver, monkeypatch: pytest.MonkeyPatch
+):
+    def full(surface, path):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("game.app.pictures.write_png", full)
+    save_screenshot(scene)
+    assert scene.app.toasts.shown.cause == "No picture."
+    assert "No space left" in scene.app.toasts.shown.consequence
+    assert list(pictures_folder().iterdir()) == []
 
 
 def test_state_that_is_not_finite_stops_and_reset_begins_anew(scene: Driver):

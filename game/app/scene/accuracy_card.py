@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.pictures import save_picture
 from game.app.scene.page_screen import PageScreen
 from game.app.scene.study_run import StudyRun, accuracy_data
 from game.folders import user_folder
@@ -138,8 +137,6 @@ class AccuracyCard(PageScreen):
 
     def _save_picture(self) -> None:
         try:
-            path = save_picture(self.page.picture(), self.run.study.name)
+            self.app.pictures.save(self.page.picture(), self.run.study.name)
         except OSError as error:
             self.app.tell("Not saved.", str(error.strerror or error), "warning")
-        else:
-            self.app.tell("Picture saved", str(path))
