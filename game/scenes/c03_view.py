@@ -15,6 +15,7 @@ from game.scenes.figure_level import FigureContent
 from game.scenes.figure_view import bone_tokens, draw_bones, draw_limits, draw_pen, draw_weights
 from game.stage import Frame, blend_angles
 from game.ui.canvas import EXACT_DASH, Canvas
+from game.ui.curves import thinned
 from game.ui.numerals import quantity
 
 if TYPE_CHECKING:
@@ -123,7 +124,8 @@ class ChainView:
         """Skins, and what lies below the bones; ``rig.shown`` is posed so."""
         rig, bench, mine = scene.rig, scene.bench, k == scene.master
         figure, view = bench.figure, bench.figure.view
-        points = rig.show(pose, scene.blend)
+        few = scene.compare and not scene.weights
+        points = rig.show_few(pose, scene.blend) if few else rig.show(pose, scene.blend)
         if figure.ground is not None:
             ends = cell.out(np.array([(view.left, figure.ground), (view.right, figure.ground)]))
             canvas.line(ends[0], ends[1], "line2", 1.0)
@@ -132,7 +134,7 @@ class ChainView:
         if SKINNING in scene.active:
             if scene.skins:
                 strength = 0.35 if scene.weights else 1.0
-                scene.painter.paint(canvas, rig, points, strength, not scene.compare, cell)
+                scene.painter.paint(canvas, rig, points, strength, not few, cell)
             if scene.weights:
                 draw_weights(canvas, rig, cell.out(points), bench.chosen)
         if mine and bench.chosen != NOWHERE and JOINT_LIMITS in scene.active and scene.tool == "pose":
@@ -206,6 +208,6 @@ class ChainView:
         x, y = corner
         right = x + float(places[k, -1, 0])
         canvas.line((x, y + level), (right, y + level), "text3", 1.0, dash=(3.0, 3.0), alpha=0.7)
-        line = places[k] + corner
+        line = thinned(places[k] + corner, canvas.px(0.2))
         canvas.polyline(line, COLORS[k], 1.5)
         canvas.dot(line[-1], 2.2, COLORS[k])

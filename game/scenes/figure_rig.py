@@ -7,6 +7,7 @@ binding is kept, and weights are of it alone.
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,7 @@ from game.scenes.figure_level import FigureContent, SkinEntry, bone_named
 
 Array = NDArray[np.float64]
 INSIDE = 1_400  # points within all skins that show their weights, about
+COARSE = (24, 90, 300)  # points of an outline, above which a small figure has every 2nd, 4th, 6th one
 ROUND = 0.006  # of the height in view: spacing of the points of a rounded skin
 
 
@@ -51,6 +53,8 @@ class Rig:
         )  # fmt: skip
         self.skinner: Skinner | None = None
         self._spare: Skinner | None = None
+        self._few: Skinner | None = None
+        self.few_starts = np.zeros(1, dtype=np.int64)  # of the outlines in `show_few`
         self._dense: Array | None = None
         self.binding: Binding | None = None
         self.skinned, self.areas = np.zeros((0, 2)), np.zeros(len(figure.skins))
@@ -112,11 +116,20 @@ class Rig:
 
     def show(self, pose: Array, blend: str) -> Array:
         """Pose `shown` so and give the points (v, 2) of its skin, for a picture; good until the next call."""
+        self._stand(pose)
+        return self.skinned if self._spare is None else self._spare(self.shown.world, blend)
+
+    def show_few(self, pose: Array, blend: str) -> Array:
+        """As `show`, with the points of the outlines alone, fewer of those that have many."""
+        self._stand(pose)
+        return self.skinned if self._few is None else self._few(self.shown.world, blend)
+
+    def _stand(self, pose: Array) -> None:
+        """Pose `shown`, from a state whose numbers are finite: `Skeleton.pose` would look at them again."""
         shown = self.shown
         shown.offsets[self._roots] = self._places + pose[-2:]
-        shown.angles[:] = pose[:-2]  # of a state, whose numbers are finite: `Skeleton.pose` would look again
+        shown.angles[:] = pose[:-2]
         shown.update()
-        return self.skinned if self._spare is None else self._spare(self.shown.world, blend)
 
     def skin_shown(self, blend: str) -> Array:
         """The points (v, 2) of the skin of `shown` by another blend, of their own."""
@@ -148,6 +161,10 @@ class Rig:
         self.within = slice(int(self.starts[-1]), len(binding.points))
         self.binding = binding
         self.skinner, self._spare = Skinner(binding), Skinner(binding)
+        few, self.few_starts = coarser(self.starts)
+        self._few = Skinner(
+            Binding(binding.points[few], binding.bones[few], binding.weights[few], self.skeleton.world)
+        )
         self.skinned = binding.points.copy()
         sum_areas(self.skinned, self.starts, self.areas)
 
@@ -180,6 +197,16 @@ class Rig:
             whole[:, own] = distances
             return bind_given(skeleton, points, whole, rules.influences)
         return bind_weights(skeleton, points, rules.threshold, rules.falloff, rules.influences)
+
+
+def coarser(starts: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Points of outlines for a small figure, fewer of those with many; and where the outlines then start."""
+    kept = [
+        np.arange(first, last, max(1, 2 * sum(last - first > many for many in COARSE)))
+        for first, last in pairwise(starts.tolist())
+    ]
+    ends = np.cumsum([0, *(len(points) for points in kept)], dtype=np.int64)
+    return np.concatenate(kept) if kept else np.zeros(0, dtype=np.int64), ends
 
 
 def _padded(rows: NDArray, width: int) -> NDArray:

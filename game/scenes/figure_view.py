@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,20 +81,28 @@ def bone_tokens(count: int, chosen: int, colored: bool, strong: frozenset[int] =
     ]  # fmt: skip
 
 
-def draw_bones(canvas: Canvas, bases: Array, ends: Array, tokens: list[str]) -> None:
+@lru_cache(maxsize=8)
+def _sorted_bones(tokens: tuple[str, ...]) -> tuple[NDArray[np.int64], NDArray[np.int64], tuple[str, ...]]:
+    """Which bones are thin lines, which are shown, and the colours of these by name."""
+    quiet = np.array([i for i, token in enumerate(tokens) if not token], dtype=np.int64)
+    shown = np.array([i for i, token in enumerate(tokens) if token], dtype=np.int64)
+    return quiet, shown, tuple(token for token in tokens if token)
+
+
+def draw_bones(canvas: Canvas, bases: Array, ends: Array, tokens: Sequence[str]) -> None:
     """Tapered diamonds from ``bases`` to ``ends`` (n, 2) in the colours named, dots at their joints."""
-    quiet = [i for i, token in enumerate(tokens) if not token]
-    if quiet:
+    quiet, shown, names = _sorted_bones(tuple(tokens))
+    if len(quiet):
         canvas.segments(bases[quiet], ends[quiet], "text1", 1.2, alpha=0.45)
-    shown = [i for i, token in enumerate(tokens) if token]
-    if not shown:
+    if not len(shown):
         return
+    bases, ends = bases[shown], ends[shown]
     if len(shown) > MOST_DIAMONDS:
-        canvas.segments(bases[shown], ends[shown], tokens[shown[0]], 1.6)
+        canvas.segments(bases, ends, names[0], 1.6)
         return
-    inks = {token: canvas.ink(token) for token in set(tokens) if token}
-    colors = np.array([inks[tokens[i]] for i in shown], dtype=np.uint32)
-    corners = diamonds(bases[shown], ends[shown], canvas.px(2.2), canvas.px(7.0))
+    inks = {token: canvas.ink(token) for token in set(names)}
+    colors = np.array([inks[name] for name in names], dtype=np.uint32)
+    corners = diamonds(bases, ends, canvas.px(2.2), canvas.px(7.0))
     count = len(shown)
     fills = np.full(count, canvas.ink("panel"), dtype=np.int64)
     none = np.full(count, NO_EDGE, dtype=np.int64)
@@ -100,7 +110,7 @@ def draw_bones(canvas: Canvas, bases: Array, ends: Array, tokens: list[str]) -> 
     paint(canvas, corners, starts, fills, np.full(count, 0.45), none, np.zeros((4, 2)))
     after = corners.reshape(-1, 4, 2)[:, (1, 2, 3, 0)].reshape(-1, 2)
     canvas.segments(corners, after, np.repeat(colors, 4), 1.4)
-    dots = np.vstack([bases[shown], ends[shown]])
+    dots = np.concatenate((bases, ends))
     canvas.discs(dots, canvas.px(2.8), "stage")
     canvas.discs(dots, canvas.px(1.9), "text1")
 

@@ -7,14 +7,13 @@ costs a third of a line drawn around.
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.physics.jit import kernel
+from game.physics.lean import lean_kernel
 from game.scenes.figure_cells import WHOLE, Cell
 from game.scenes.figure_rig import Rig
 from game.ui.canvas import Canvas
@@ -26,10 +25,9 @@ INK = pygame.Color(18, 22, 26)  # what edges are darkened with
 EDGE_PX = 0.9  # design px, beyond the fill
 LEAST_AREA = 2.0  # px², of a polygon that is worth painting
 NO_EDGE = -1
-COARSE = (24, 90, 300)  # points of an outline, above which a small figure shows every 2nd, 4th, 6th one
 
 
-@kernel
+@lean_kernel
 def signed_area(places, first, last):
     """Area (px²) of the polygon through the places from ``first`` to before ``last``."""
     twice = 0.0
@@ -40,7 +38,7 @@ def signed_area(places, first, last):
     return 0.5 * twice
 
 
-@kernel
+@lean_kernel
 def move_outwards(places, first, last, width, moved):
     """Write the corners of a polygon moved outwards by ``width`` px into ``moved``, from its beginning."""
     side = width if signed_area(places, first, last) > 0.0 else -width
@@ -54,7 +52,7 @@ def move_outwards(places, first, last, width, moved):
         moved[i - first, 1] = places[i, 1] - share * dx
 
 
-@kernel
+@lean_kernel
 def paint_polygons(pixels, clip, area, extent, places, starts, inks, shares, edges, width, moved):
     """Fill polygons: places (v, 2) px from ``starts`` (m + 1,) on, colours ``inks`` (m,), opacity ``shares``.
 
@@ -78,16 +76,6 @@ def fill_color(canvas: Canvas, fill: str) -> pygame.Color:
         return canvas.color("chalk")
 
 
-def coarser(starts: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Points of outlines for a small figure, fewer of those with many; and where the outlines then start."""
-    kept = [
-        np.arange(first, last, max(1, 2 * sum(last - first > many for many in COARSE)))
-        for first, last in pairwise(starts.tolist())
-    ]
-    ends = np.cumsum([0, *(len(points) for points in kept)], dtype=np.int64)
-    return np.concatenate(kept) if kept else np.zeros(0, dtype=np.int64), ends
-
-
 class SkinPainter:
     """Paints the skins of one rig after the other; keeps the colours of the last."""
 
@@ -96,7 +84,6 @@ class SkinPainter:
         self._theme: Any = None
         self._moved = np.zeros((0, 2))
         self._inks = self._edges = self._none = np.zeros(0, dtype=np.int64)
-        self._coarse = coarser(np.zeros(1, dtype=np.int64))
         self._strengths, self._shades = np.zeros(0), np.zeros(0, dtype=bool)
 
     def _take(self, canvas: Canvas, rig: Rig) -> None:
@@ -116,7 +103,6 @@ class SkinPainter:
         self._shades = np.array([not skin.outline and skin.strength < 0.5 for skin in skins])
         self._moved = np.zeros((len(rig.skinned), 2))
         self._none = np.full_like(self._edges, NO_EDGE)
-        self._coarse = coarser(rig.starts)
 
     def paint(
         self, canvas: Canvas, rig: Rig, points: Array, strength: float = 1.0, fine: bool = True,
@@ -124,24 +110,23 @@ class SkinPainter:
     ) -> None:  # fmt: skip
         """All skins, from the first to the last, at places (v, 2) of the figure, which stands in ``cell``.
 
-        fine: with edges, shades and every point; a small figure does with fewer.
+        fine: with edges, shades and every point; else the few points of `Rig.show_few`.
         """
         if not rig.figure.skins:
             return
         self._take(canvas, rig)
         solid = strength >= 1.0
-        if fine:
-            edges = self._edges if solid else self._none
-            points = cell.out(points[: rig.starts[-1]])
-            paint(canvas, points, rig.starts, self._inks, strength * self._strengths, edges, self._moved)
-        else:
-            shares = np.where(self._shades, 0.0, strength * self._strengths)
-            coarse, starts = self._coarse
-            paint(canvas, cell.out(points[coarse]), starts, self._inks, shares, self._none, self._moved)
+        starts = rig.starts if fine else rig.few_starts
+        points = cell.out(points[: starts[-1]])
+        edges = self._edges if solid and fine else self._none
+        shares = strength * self._strengths
+        if not fine:
+            shares[self._shades] = 0.0
+        paint(canvas, points, starts, self._inks, shares, edges, self._moved)
         for i, skin in enumerate(rig.figure.skins):
             if skin.outline and (not solid or skin.strength < 1.0):
                 edge = fill_color(canvas, skin.fill).lerp(INK, 0.25)
-                outline = points[rig.outline(i)] if fine else cell.out(points[rig.outline(i)])
+                outline = points[starts[i] : starts[i + 1]]
                 canvas.polyline(outline, edge, 1.6, closed=True, alpha=0.9 * strength)
 
 
