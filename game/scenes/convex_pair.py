@@ -135,7 +135,9 @@ class ConvexPairScene(Scene):
         self.query(fresh=True)
 
     def shape(self, index: int) -> ConvexPolygon | None:
-        """A polygon in the world, m; None if its outline is refused."""
+        """A polygon in the world, m; None if its outline is refused, or was deleted."""
+        if index >= len(self.board.outlines):
+            return None
         outline = self.board.outlines[index]
         kept = self._worlds.get(index)
         if kept is not None and kept[0] is outline:

@@ -166,6 +166,21 @@ def test_a_corner_is_dragged_added_and_taken_away(scene_type):
 
 
 @both
+def test_one_polygon_alone_and_none_can_be_looked_at_and_acted_on(scene_type):
+    stage = still(scene_type)
+    for left in (1, 0):
+        click(stage, stage.scene.drawn_corners(0).mean(axis=0))
+        stage.post(Action("delete"))
+        assert len(stage.scene.board.outlines) == left
+        for action in scene_type.actions:
+            if action.name not in ("delete", "undo", "redo"):
+                stage.post(Action(action.name))
+        stage.post(SetKnob("start_b", 3))
+        stage.run(2)
+        assert stage.fault is None and readouts(stage)["query"] == 0.0
+
+
+@both
 def test_coherence_begins_at_the_last_answer(scene_type):
     warm, cold = open_level(scene_type, "coins"), open_level(scene_type, "coins")
     cold.post(SetEffect("coherence", False))
