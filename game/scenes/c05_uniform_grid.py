@@ -157,7 +157,7 @@ class UniformGridScene(BoxesScene):
             Readout("matrix", self.watch.median("matrix"), "s"),
             Readout("hash", self.watch.median("hash"), "s"),
             Readout("box tests", self.grid.tests),
-            Readout("answers differ", 0.0 if self.same else 1.0),
+            Readout("answers differ", 0 if self.same else 1),
         )
 
     def legend(self) -> tuple[tuple[str, str, str], ...]:

@@ -129,7 +129,7 @@ class HierarchicalGridScene(ComparedScene):
             Readout("naive", self.watch.median("naive"), "s"),
             Readout("pair manager", self.watch.median("keeper"), "s"),
             Readout("box tests", self.grid.tests),
-            Readout("answers differ", 0.0 if self.same else 1.0),
+            Readout("answers differ", 0 if self.same else 1),
         )
 
     def legend(self) -> tuple[tuple[str, str, str], ...]:

@@ -142,7 +142,7 @@ class SweepAndPruneScene(ComparedScene):
             Readout("sweep", self.watch.median("sweep"), "s"),
             Readout("naive", self.watch.median("naive"), "s"),
             Readout("sorted anew", self.sap.resorts),
-            Readout("answers differ", 0.0 if self.same else 1.0),
+            Readout("answers differ", 0 if self.same else 1),
         )
 
     def legend(self) -> tuple[tuple[str, str, str], ...]:

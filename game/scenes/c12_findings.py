@@ -25,7 +25,7 @@ def readouts_of(scene: RigidBodyScene) -> list[Readout]:
     found = [
         Readout("off", angle_off(scene, A), "°"),
         Readout("spin", math.sqrt(sum(w * w for w in spin)), "rad/s"),
-        Readout("flips", float(bodies.accounts[A, FLIPS])),
+        Readout("flips", int(bodies.accounts[A, FLIPS])),
         Readout("mass", body.mass, "kg"),
         Readout("exact", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
         Readout("bound", body.largest_rotation_energy, "J"),

@@ -311,7 +311,7 @@ class MassSpringScene(Scene):
         projections = len(system.torn) * settings.iterations * settings.substeps
         return [
             Readout("particles", system.count),
-            Readout("links", float(len(system.torn) - system.torn.sum())),
+            Readout("links", int(len(system.torn) - system.torn.sum())),
             Readout("worst", _above_rounding(links.worst_strain)),
             Readout("as a whole", _above_rounding(links.length_ratio - 1.0)),
             Readout("residual", _above_rounding(links.mean_excess), "m"),
@@ -319,8 +319,8 @@ class MassSpringScene(Scene):
             Readout("potential", potential, "J"),
             Readout("elastic", elastic, "J"),
             Readout("sum", kinetic + potential + elastic, "J"),
-            Readout("torn", float(system.tears)),
-            Readout("projections a step", float(projections)),
+            Readout("torn", int(system.tears)),
+            Readout("projections a step", int(projections)),
         ]
 
     def legend(self) -> Sequence[tuple[str, str, str]]:

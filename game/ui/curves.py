@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -13,13 +14,14 @@ TOLERANCE_PX = 0.15
 
 @lean_kernel
 def finite_range(values: Any) -> Any:
-    """Least and greatest of the finite ones of ``values`` (n,); inf and -inf if there are none."""
-    low, high = np.inf, -np.inf
+    """Least and greatest finite one of ``values`` (n,), or inf and -inf; whether all of them are whole."""
+    low, high, whole = np.inf, -np.inf, True
     for i in range(values.shape[0]):
         value = values[i]
         if abs(value) < np.inf:
             low, high = min(low, value), max(high, value)
-    return low, high
+            whole = whole and value == math.floor(value)
+    return low, high, whole
 
 
 @lean_kernel

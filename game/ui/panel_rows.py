@@ -199,7 +199,8 @@ class Measure(Row):
 
     def __init__(self, context: Context, top: int, name: str) -> None:
         self.name = name
-        self.value, self.unit = 0.0, ""
+        self.value: float = 0.0  # an int is a count and shown whole
+        self.unit = ""
         super().__init__(context, top)
 
     def shows(self) -> tuple[object, ...]:

@@ -203,7 +203,7 @@ class PanelSheet:
         total = costs.total([effect.name for effect in scene.effects if effect in scene.active])
         for row in self.rows:
             if isinstance(row, Measure) and row.name in known:
-                row.value, row.unit = float(known[row.name].value), known[row.name].unit
+                row.value, row.unit = known[row.name].value, known[row.name].unit
             elif isinstance(row, EffectRow):
                 row.scale_to(most)
             elif isinstance(row, Heading) and row.title == "Effects":

@@ -18,7 +18,7 @@ from game.ui import raster
 from game.ui.curves import finite_range, place_curve, thinned
 from game.ui.layout import Layout
 from game.ui.look import Look
-from game.ui.numerals import quantity
+from game.ui.numerals import format_number, quantity
 from game.ui.raster import packed
 from game.ui.strip_axis import Axis, axis_for, rule_text, spread, unit_of, value_text
 
@@ -114,13 +114,19 @@ class Strips:
     def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
         look, px, strip = self.look, self.look.px, self.strips[i]
         series = [(name, _values(stage, name)) for name in strip.series]
-        axis = self._axes[i] = self._axis(i, [values for _, values in series])
+        ends = [finite_range(values) for _, values in series if values.size]
+        axis = self._axes[i] = self._axis(i, ends)
+        counts = not strip.unit and all(whole for _, _, whole in ends)
         unit, factor = unit_of(axis, strip.unit)
         taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
         look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
         series = [(name, values) for name, values in series if values.size]
         most = max(abs(axis.low), abs(axis.high)) / factor
-        numbers = [value_text(float(values[-1]) / factor, most) for _, values in series]
+        last = [float(values[-1]) for _, values in series]
+        numbers = [
+            format_number(int(value)) if counts and math.isfinite(value) else value_text(value / factor, most)
+            for value in last
+        ]
         labels = [_label(name, strip) for name, _ in series]
         room = self._label_room(i, labels, numbers)
         box = pygame.Rect(place.x, place.y + px(32), max(place.w - room, px(24)), px(72))
@@ -141,11 +147,10 @@ class Strips:
         self._labels[i] = max(room, self._labels.get(i, 0))
         return self._labels[i]
 
-    def _axis(self, i: int, series: Sequence[np.ndarray]) -> Axis:
-        ends = [finite_range(values) for values in series if values.size]
-        if not any(low <= high for low, high in ends):
+    def _axis(self, i: int, ends: Sequence[tuple[float, float, bool]]) -> Axis:
+        if not any(low <= high for low, high, _ in ends):
             return self._axes.get(i, Axis(0.0, 1.0))
-        low, high = min(low for low, _ in ends), max(high for _, high in ends)
+        low, high = min(low for low, _, _ in ends), max(high for _, high, _ in ends)
         return axis_for(low, high, self._axes.get(i))
 
     def _paint_rules(self, picture: pygame.Surface, box: pygame.Rect, axis: Axis, factor: float) -> None:
