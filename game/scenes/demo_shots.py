@@ -1,17 +1,20 @@
-"""What a table does by itself: balls turned as somebody left them, strokes while nobody holds the cue.
+"""What a table does by itself: balls turned as somebody left them, the white one put back, strokes while
+nobody holds the cue.
 
-Both are the same for the same seed.
+What is random is the same for the same seed.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.aim import first_contact
+from game.billiards.rack import HEAD_SPOT
 from game.billiards.table import Table
 
 Array = NDArray[np.float64]
@@ -28,6 +31,16 @@ def scattered_orientations(count: int, seed: int) -> Array:
     x, y, z = (np.sin(halves) * axes.T) / np.sqrt((axes * axes).sum(axis=1))
     w, quarter = np.cos(halves), math.sqrt(0.5)  # after a quarter turn about z, half of which has this sine
     return np.stack((w - z, x + y, y - x, z + w), axis=1) * quarter
+
+
+def free_head_spot(table: Table, radius: float, is_free: Callable[[Array], bool]) -> Array | None:
+    """The head spot (2,) m, or the free place nearest to it along the middle; None without one."""
+    spot = np.array([0.5 * table.width, HEAD_SPOT * table.length])
+    for k in range(400):
+        place = spot + np.array([0.0, (k + 1) // 2 * (-1) ** k * 0.5 * radius])
+        if is_free(place):
+            return place
+    return None
 
 
 class Stroke(NamedTuple):

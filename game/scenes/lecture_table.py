@@ -26,14 +26,14 @@ from game.billiards.lecture_state import (
     RULES,
     LectureSettings,
 )
-from game.billiards.rack import HEAD_SPOT
 from game.lab.studies.lecture_table import lecture_table_study
 from game.levels import Level
 from game.scenes import lecture_table_sounds, table_view
-from game.scenes.cue_control import AIMING, STRIKING, CueControl
-from game.scenes.demo_shots import choose_stroke, scattered_orientations
+from game.scenes import lecture_table_turns as turns
+from game.scenes.cue_control import STRIKING, CueControl
+from game.scenes.demo_shots import scattered_orientations
 from game.scenes.figures.tables import draw_tunnelling
-from game.scenes.lecture_table_level import BallEntry, LectureTableContent, layout_of
+from game.scenes.lecture_table_level import LectureTableContent, content_of, layout_of
 from game.stage import (
     Choice,
     Equation,
@@ -53,8 +53,6 @@ from game.stage import (
 Array = NDArray[np.float64]
 
 TURN_ENDS_S = 0.4  # s of rest before the turn is over
-NEXT_STROKE_S = 1.2  # s of rest before the table's own next stroke
-NEW_RACK_S = 2.0  # s of rest on an empty table before the balls come back
 SUNK_S = 0.35  # s in which a pocketed ball drops out of sight
 LEAST_OVERLAP = 1e-12  # m; below that touching balls overlap by rounding only
 MARKS = 24  # contacts remembered for the picture
@@ -288,8 +286,8 @@ class LectureTable(Scene):
         else:
             self.rest_s += dt
             if self.turn_open and self.rest_s > TURN_ENDS_S:
-                self._turn_ends()
-            self._play_by_itself()
+                turns.end_turn(self)
+            turns.play_by_itself(self)
 
     def _take_events(self) -> None:
         for row in self.table.event_rows.tolist():
@@ -303,53 +301,6 @@ class LectureTable(Scene):
                     row[IMPULSE] * (1.0 if row[KIND] == BALL_BALL else -1.0),
                 )
                 self.next_mark = (self.next_mark + 1) % MARKS
-
-    def _turn_ends(self) -> None:
-        """All balls have come to rest: the white one comes back, and who potted nothing passes the cue."""
-        self.turn_open = False
-        down = self.balls_down
-        if self.has_white and not self.table.state.in_play[0]:
-            self._put_back_white()
-            self.told.append("The white ball comes back to the head spot.")
-            self.player = 1 - self.player
-        elif down == self.down_before:
-            self.player = 1 - self.player
-        if down and down == len(self.numbers) - 1 and len(self.numbers) > 2:
-            self.told.append(f"The table is empty after {self.strokes} strokes.")
-        self.down_before = down
-
-    def _put_back_white(self) -> None:
-        """The head spot, or the free place nearest to it along the middle of the table."""
-        bed = self.table.table
-        spot = np.array([0.5 * bed.width, HEAD_SPOT * bed.length])
-        radius = float(self.table.state.radii[0])
-        for k in range(400):
-            place = spot + np.array([0.0, (k + 1) // 2 * (-1) ** k * 0.5 * radius])
-            if self.table.is_clear(0, place):
-                self.table.place(0, place)
-                return
-
-    def _play_by_itself(self) -> None:
-        """Strokes of the level's own, and a new rack when the table is empty."""
-        if self.down_before and self.down_before == len(self.numbers) - 1:
-            if self.rest_s > NEW_RACK_S:
-                self.action("rack")
-            return
-        if not self.white_ready or self.cue.phase != AIMING:
-            return
-        if self.stroke is not None:
-            if self.rest_s >= self.stroke.after_s and self.strokes == 0:
-                self.cue.strike(math.radians(self.stroke.angle_deg), self.stroke.speed)
-        elif self.plays_itself and self.rest_s > NEXT_STROKE_S:
-            chosen = choose_stroke(
-                self.table.positions,
-                self.table.state.radii,
-                self.table.state.in_play,
-                self.table.table,
-                self.seed,
-                self.strokes,
-            )
-            self.cue.strike(chosen.aim, chosen.speed)
 
     # -- the hand -----------------------------------------------------------------------------------
 
@@ -419,25 +370,4 @@ class LectureTable(Scene):
         return told
 
     def save_content(self) -> LectureTableContent:
-        """The table as it lies now."""
-        state = self.table.state
-        base = self.content or LectureTableContent()
-        rows = [
-            BallEntry(
-                number=int(self.numbers[i]),
-                position=(float(x), float(y)),
-                velocity=(float(state.velocities[i, 0]), float(state.velocities[i, 1])),
-                radius=float(state.radii[i]),
-                mass=float(self.table.masses[i]),
-            )
-            for i, (x, y) in enumerate(self.table.positions.tolist())
-            if state.in_play[i]
-        ]
-        return LectureTableContent(
-            table=base.table,
-            width=base.width,
-            length=base.length,
-            rack=False,
-            balls=rows,
-            plays_itself=self.plays_itself,
-        )
+        return content_of(self.table, self.numbers, self.content, self.plays_itself)

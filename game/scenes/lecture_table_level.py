@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.billiards.lecture import LectureTable as Lecture
 from game.billiards.rack import BALL_MASS, BALL_RADIUS, eight_ball_rack
 from game.billiards.table import BED_LENGTH, BED_WIDTH, Table
 
@@ -108,3 +109,29 @@ def _racked(table: Table, gap: float, radius_spread: float, mass_spread: float, 
     else:
         positions = eight_ball_rack(table, float(radii.max()), gap)
     return Layout(table, np.arange(16), positions, np.zeros((16, 2)), radii, masses)
+
+
+def content_of(
+    table: Lecture, numbers: NDArray[np.int64], base: LectureTableContent | None, plays_itself: bool
+) -> LectureTableContent:
+    """The table as it lies now; ``base``: the level that it began with."""
+    state, base = table.state, base or LectureTableContent()
+    rows = [
+        BallEntry(
+            number=int(numbers[i]),
+            position=(float(x), float(y)),
+            velocity=(float(state.velocities[i, 0]), float(state.velocities[i, 1])),
+            radius=float(state.radii[i]),
+            mass=float(table.masses[i]),
+        )
+        for i, (x, y) in enumerate(table.positions.tolist())
+        if state.in_play[i]
+    ]
+    return LectureTableContent(
+        table=base.table,
+        width=base.width,
+        length=base.length,
+        rack=False,
+        balls=rows,
+        plays_itself=plays_itself,
+    )

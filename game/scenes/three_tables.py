@@ -15,17 +15,16 @@ from game.billiards.cue import strike
 from game.billiards.rack import BALL_RADIUS, HEAD_SPOT, eight_ball_rack
 from game.billiards.shot import Shot, make_shot
 from game.billiards.shot_effects import EXACT_EFFECTS, physics_of, table_of
-from game.billiards.simulation import simulate
 from game.billiards.table import Table
-from game.billiards.trajectory import Trajectory
 from game.lab.studies.billiards import billiards_study
 from game.levels import Level
 from game.scenes import table_view
 from game.scenes import three_tables_view as view
 from game.scenes.cue_control import AIMING, CueControl
-from game.scenes.demo_shots import choose_stroke
+from game.scenes.demo_shots import choose_stroke, free_head_spot
 from game.scenes.figures.tables import draw_chaos
 from game.scenes.lecture_table_level import BallEntry
+from game.scenes.three_tables_shot import MODELS, PlayedShot, Steps
 from game.stage import (
     Choice,
     Equation,
@@ -43,11 +42,8 @@ from game.stage import (
 
 Array = NDArray[np.float64]
 
-MODELS = ("lecture", "stepped", "exact")
 PERTURBATIONS = ("none", "1e-15", "1e-12", "1e-9", "1e-6", "1e-3")  # m, of the white ball
 NEXT_STROKE_S = 1.5  # s between the end of a shot and the next stroke that the table plays itself
-LONGEST_S = 60.0  # s that a shot is shown; without cloth it would never end
-SAMPLES_HZ = 30.0  # of the difference, for the chart
 LEAST = 1e-17  # m; what the logarithm of no difference at all is taken from
 
 
@@ -76,31 +72,6 @@ class ThreeTablesState(NamedTuple):
 
 
 PLAYING, TIME, SPEED, AIM, LEFT, UP, ELEVATION, STROKES = range(8)
-
-
-class Differences:
-    """How far the balls of the other tables lie from those of the exact one.
-
-    Computed as far as it is asked for: a stroke must not wait for the curves of a minute.
-    """
-
-    def __init__(self, tables: dict[str, Trajectory]) -> None:
-        self._tables = tables
-        self._curves: dict[str, list[float]] = {name: [] for name in tables if name != "exact"}
-
-    def __len__(self) -> int:
-        """Samples computed."""
-        return min(len(curve) for curve in self._curves.values())
-
-    def until(self, time: float) -> dict[str, list[float]]:
-        """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
-        wanted = int(time * SAMPLES_HZ) + 1
-        for i in range(len(self), wanted):
-            exact = self._tables["exact"].state_at(i / SAMPLES_HZ).positions
-            for name, curve in self._curves.items():
-                apart = self._tables[name].state_at(i / SAMPLES_HZ).positions - exact
-                curve.append(math.sqrt(float((apart * apart).sum(axis=1).max())))
-        return {name: curve[:wanted] for name, curve in self._curves.items()}
 
 
 class ThreeTables(Scene):
@@ -254,28 +225,13 @@ class ThreeTables(Scene):
         if signature == self._signature:
             return
         self._signature = signature
-        shot = self._shot_now()
-        until = LONGEST_S
-        self.tables: dict[str, Trajectory] = {
-            "lecture": simulate(shot, "lecture", dt=self.lecture_step, until=until),
-            "stepped": simulate(shot, "stepped", dt=self.stepped_step, passes=int(self.passes), until=until),
-            "exact": simulate(shot, "exact", until=until),
-        }
-        if self.perturbation != "none":
-            self.tables["perturbed"] = simulate(
-                self._shot_now(float(self.perturbation)), "exact", until=until
-            )
-        self.pocketings = {
-            name: [event for event in table.events if event.type == "ball-pocket"]
-            for name, table in self.tables.items()
-        }
-        self.event_times = np.asarray(self.tables["exact"].times)
-        self.end_s = min(max(table.end_time for table in self.tables.values()), LONGEST_S)
-        self._differences = Differences(self.tables)
+        moved = None if self.perturbation == "none" else self._shot_now(float(self.perturbation))
+        steps = Steps(self.lecture_step, self.stepped_step, int(self.passes))
+        self.played = PlayedShot(self._shot_now(), moved, steps)
 
     def differences_until(self, time: float) -> dict[str, list[float]]:
         """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
-        return self._differences.until(min(max(time, 0.0), self.end_s))
+        return self.played.differences.until(min(max(time, 0.0), self.played.end_s))
 
     def _strike(self, aim: float, speed: float) -> None:
         tip = self.tip_left, self.tip_up, math.radians(self.elevation)
@@ -285,8 +241,8 @@ class ThreeTables(Scene):
     def _end_shot(self) -> None:
         """The next shot begins on all tables from where the exact one has ended."""
         rows = np.flatnonzero(self.in_play)
-        final = self.tables["exact"].state_at(self.end_s)
-        pocketed = np.array([place == "pocketed" for place in self.tables["exact"].final.values()])
+        final = self.played.tables["exact"].state_at(self.played.end_s)
+        pocketed = np.array([place == "pocketed" for place in self.played.tables["exact"].final.values()])
         self.start[rows] = final.positions
         self.in_play[rows] = ~pocketed
         if not self.in_play[0]:
@@ -299,14 +255,15 @@ class ThreeTables(Scene):
         self._play()
 
     def _free_spot(self) -> Array:
-        """The head spot, or the nearest free place along the middle."""
-        spot = np.array([0.5 * self.bed.width, HEAD_SPOT * self.bed.length])
+        """Where the white ball comes back to; the head spot itself if all is full."""
         others = self.start[1:][self.in_play[1:]]
-        for k in range(400):
-            place = spot + np.array((0.0, (k + 1) // 2 * (-1) ** k * 0.5 * BALL_RADIUS))
-            if not len(others) or np.sqrt(((others - place) ** 2).sum(axis=1)).min() > 2.1 * self.radii.max():
-                return place
-        return spot
+        reach = 2.1 * self.radii.max()
+
+        def is_free(place: Array) -> bool:
+            return not len(others) or bool(np.sqrt(((others - place) ** 2).sum(axis=1)).min() > reach)
+
+        spot = free_head_spot(self.bed, BALL_RADIUS, is_free)
+        return np.array([0.5 * self.bed.width, HEAD_SPOT * self.bed.length]) if spot is None else spot
 
     # -- stepping -----------------------------------------------------------------------------------
 
@@ -316,7 +273,7 @@ class ThreeTables(Scene):
         if self.shot[PLAYING]:
             self.shot[TIME] += dt
             self._place_balls()
-            if self.shot[TIME] >= self.end_s:
+            if self.shot[TIME] >= self.played.end_s:
                 self._end_shot()
         else:
             self.wait_s += dt
@@ -328,7 +285,7 @@ class ThreeTables(Scene):
     def _place_balls(self) -> None:
         rows = np.flatnonzero(self.in_play)
         for k, name in enumerate(MODELS):
-            self.places[k, rows] = self.tables[name].state_at(self.shot[TIME]).positions
+            self.places[k, rows] = self.played.tables[name].state_at(self.shot[TIME]).positions
 
     # -- the hand -----------------------------------------------------------------------------------
 
@@ -366,16 +323,16 @@ class ThreeTables(Scene):
 
     def difference_now(self, name: str) -> float:
         """Largest distance of a ball to its place on the exact table at this moment, m."""
-        if name not in self.tables or not self.shot[PLAYING]:
+        if name not in self.played.tables or not self.shot[PLAYING]:
             return 0.0
         return self.differences_until(float(self.shot[TIME]))[name][-1]
 
     def readouts(self) -> tuple[Readout, ...]:
         time = float(self.shot[TIME]) if self.shot[PLAYING] else 0.0
-        moving = self.tables["exact"].state_at(time).velocities
+        moving = self.played.tables["exact"].state_at(time).velocities
         masses = self.masses[self.in_play]
         energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum()) if self.shot[PLAYING] else 0.0
-        done = int(np.searchsorted(self.event_times, time, side="right")) if self.shot[PLAYING] else 0
+        done = int(np.searchsorted(self.played.event_times, time, side="right")) if self.shot[PLAYING] else 0
         logs = {
             name: math.log10(max(self.difference_now(name), LEAST))
             for name in ("lecture", "stepped", "perturbed")

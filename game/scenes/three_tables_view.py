@@ -52,7 +52,7 @@ def draw(scene: ThreeTables, canvas: Canvas, alpha: float) -> None:
         )
         canvas.label((origin[0] - 0.19, origin[1] - 0.1), words, "text1", 13, "semibold", anchor="left")
         canvas.halo = FELT
-        played = scene.tables[name]
+        played = scene.played.tables[name]
         places = played.state_at(time).positions
         gone = _gone(scene, name, time)
         balls = Balls(
@@ -84,7 +84,7 @@ def _gone(scene: ThreeTables, name: str, time: float) -> np.ndarray:
     rows = np.flatnonzero(scene.in_play)
     gone = np.zeros(len(rows), dtype=bool)
     order = {str(number): i for i, number in enumerate(scene.numbers[rows].tolist())}
-    for event in scene.pocketings[name]:
+    for event in scene.played.pocketings[name]:
         if event.time <= time:
             gone[order[event.ids[0]]] = True
     return gone
@@ -117,7 +117,7 @@ def _draw_chart(scene: ThreeTables, canvas: Canvas, time: float) -> None:
     canvas.label((x0 - 0.11, y0 + 0.02), "Off the exact table", "text1", 13, "semibold", anchor="left")
     corners = np.array([(x0, y0), (x0, y0 + right), (x0 + down, y0 + right), (x0 + down, y0)])
     canvas.polygon(corners, fill="stage", outline="line", width=1.0)
-    span = max(scene.end_s, 1.0) if scene.shot[0] else 10.0
+    span = max(scene.played.end_s, 1.0) if scene.shot[0] else 10.0
 
     def place(seconds: float, logarithm: float) -> tuple[float, float]:
         share = (HIGHEST - min(max(logarithm, LOWEST), HIGHEST)) / (HIGHEST - LOWEST)

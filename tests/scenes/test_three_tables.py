@@ -26,7 +26,7 @@ def seconds(stage: Stage, s: float) -> Stage:
 
 def test_the_draw_comes_back_where_there_is_spin():
     stage = open_level("draw-shot")
-    tables = stage.scene.tables
+    tables = stage.scene.played.tables
     hit = next(event.time for event in tables["exact"].events if event.type == "ball-ball")
     later = hit + 1.0
     assert tables["exact"].state_at(later).velocities[0, 1] < -0.05
@@ -46,7 +46,7 @@ def test_a_finer_step_comes_nearer_to_the_exact_table():
 def test_the_masse_bends_on_the_exact_table_only_with_spin():
     def bend(stage: Stage, name: str) -> float:
         places = np.array(
-            [stage.scene.tables[name].state_at(t).positions[0] for t in np.linspace(0.0, 0.5, 20)]
+            [stage.scene.played.tables[name].state_at(t).positions[0] for t in np.linspace(0.0, 0.5, 20)]
         )
         chord = places[-1] - places[0]
         off = (places - places[0]) @ np.array((-chord[1], chord[0])) / np.linalg.norm(chord)
@@ -62,30 +62,30 @@ def test_chaos_a_picometre_becomes_a_metre():
     curve = np.array(stage.scene.differences_until(60.0)["perturbed"])
     assert curve[0] == pytest.approx(1e-12, rel=1e-3)
     assert curve.max() > 0.5
-    before = stage.scene.event_times[:20]
+    before = stage.scene.played.event_times[:20]
     assert curve[: int(before[5] * 30)].max(initial=0.0) < 1e-6
 
 
 def test_differences_are_computed_only_as_far_as_they_are_asked_for():
     scene = open_level("hard-01-chaos").scene
-    assert scene.end_s > 10.0
+    assert scene.played.end_s > 10.0
     few = scene.differences_until(2.0)
     assert {len(curve) for curve in few.values()} == {61}
-    assert len(scene._differences) == 61
+    assert len(scene.played.differences) == 61
     assert "_differences" not in remember(scene).attributes  # snapshots do not copy what can be had again
     more = scene.differences_until(3.0)
     assert all(more[name][:61] == curve for name, curve in few.items())
-    assert all(len(curve) <= 30.0 * scene.end_s + 1 for curve in scene.differences_until(1e9).values())
+    assert all(len(curve) <= 30.0 * scene.played.end_s + 1 for curve in scene.differences_until(1e9).values())
 
 
 def test_the_thin_hit_is_found_by_the_exact_table():
     stage = open_level("hard-02-thin-cut", lecture_step=1 / 60, stepped_step=1 / 240)
-    assert any(event.type == "ball-ball" for event in stage.scene.tables["exact"].events)
+    assert any(event.type == "ball-ball" for event in stage.scene.played.tables["exact"].events)
 
 
 def test_the_cradle_hands_the_push_through():
     stage = open_level("hard-03-cradle")
-    exact = stage.scene.tables["exact"]
+    exact = stage.scene.played.tables["exact"]
     hits = [event for event in exact.events if event.type == "ball-ball"]
     after = exact.state_at(hits[0].time + 0.01).velocities[:, 1]
     assert after[-1] > 5.0 * np.abs(after[1:-1]).max()
@@ -103,13 +103,13 @@ def test_a_stroke_by_hand_on_any_of_the_tables():
         stage.post(Pointer("up", x + ox, y + oy + 0.3, button=1))
         seconds(stage, 0.5)
         assert stage.scene.shot[0] == 1.0
-        speeds = [np.linalg.norm(table.state_at(0.0).velocities[0]) for table in stage.scene.tables.values()]
+        speeds = [np.linalg.norm(table.state_at(0.0).velocities[0]) for table in stage.scene.played.tables.values()]
         assert speeds == pytest.approx([stage.scene.shot[2]] * len(speeds), rel=1e-9)
 
 
 def test_after_a_shot_all_go_on_from_the_exact_table():
     stage = open_level("draw-shot")
-    end = stage.scene.tables["exact"].final
+    end = stage.scene.played.tables["exact"].final
     for _ in range(100):
         if not stage.scene.shot[0]:
             break
