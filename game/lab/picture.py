@@ -78,8 +78,9 @@ def _foot_of(table: StudyTable) -> Foot:
     heights = [study.up(row) for row in table]
     above = min((y for y in heights if math.isfinite(y) and y > floor), default=1e-3)
     below = [y for y in heights if y <= floor]
-    highest = max((study.up(row) for row in table if not row.failed), default=math.inf)
-    return Foot(above / 3.0 if below else 0.0, "rounding" if any(below) else "none", BEYOND * highest)
+    highest = max((study.up(row) for row in table if not row.failed), default=0.0)
+    top = BEYOND * highest if highest > floor else math.inf
+    return Foot(above / 3.0 if below else 0.0, "rounding" if any(below) else "none", top)
 
 
 def _draw_method(axes: Any, table: StudyTable, name: str, foot: Foot, colour: str, shape: str) -> None:
@@ -104,10 +105,11 @@ def _draw_method(axes: Any, table: StudyTable, name: str, foot: Foot, colour: st
 
 
 def _places(study: Study, rows: list[Row], foot: Foot) -> tuple[list[float], list[float]]:
-    """Where rows stand, between foot and top."""
+    """Where rows stand, between foot and top; what is not finite at the top, if there is one."""
     heights = [study.up(row) for row in rows]
-    heights = [y if y < foot.top else foot.top for y in heights]
-    return [study.across(row) for row in rows], [max(y, foot.height) for y in heights]
+    heights = [min(y, foot.top) if not math.isnan(y) else foot.top for y in heights]
+    placed = [(study.across(row), y) for row, y in zip(rows, heights, strict=True) if math.isfinite(y)]
+    return [x for x, _ in placed], [max(y, foot.height) for _, y in placed]
 
 
 def _by_knob(row: Row) -> float:
@@ -195,7 +197,7 @@ def _with_unit(words: str, unit: str) -> str:
 
 def _capital(words: str) -> str:
     """With a capital, but for a symbol of one letter."""
-    return words[:1].upper() + words[1:] if words[1:2].isalpha() else words
+    return words[:1].upper() + words[1:] if words[1:2].isalpha() or words[:2] == "a " else words
 
 
 # -- matplotlib -----------------------------------------------------------------------------------------

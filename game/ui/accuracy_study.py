@@ -134,13 +134,13 @@ def _point(study: Study, row: Row) -> PlotPoint:
 def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting]) -> PlotSeries:
     """The runs of one method, a line through them or through their envelope, and those still to come."""
     study = table.study
-    rows = sorted(table.of(method), key=study.across)
+    rows = _in_turn(study, table.of(method))
     failed = [_point(study, row) for row in table.of(method, failed=True)]
     order = slope_of(study, study.method(method), fitted(table, method))
     cloud: list[PlotPoint] = []
     chosen = rows
     if len(rows) > MANY and study.axes.up == "error":
-        chosen = sorted(upper_envelope(fitted(table, method), ENVELOPE, study.order_over), key=study.across)
+        chosen = _in_turn(study, upper_envelope(fitted(table, method), ENVELOPE, study.order_over))
         kept = {id(row) for row in chosen}
         cloud = [_point(study, row) for row in rows if id(row) not in kept]
     have = {row.key for row in table.of(method, failed=None)}
@@ -153,6 +153,12 @@ def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting])
     )
 
 
+def _in_turn(study: Study, rows: Sequence[Row]) -> list[Row]:
+    """Rows in the order in which they are joined, from the left: that of the knob, for cost is noisy."""
+    found = sorted(rows, key=lambda row: row.knob)
+    return found[::-1] if found and study.across(found[0]) > study.across(found[-1]) else found
+
+
 def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) -> list[PlotPoint]:
     """Where the runs of a method that are still to come may lie; none without enough to go by."""
     if study.axes != ACCURACY:
@@ -163,7 +169,7 @@ def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) ->
     knobs = np.log([row.knob for row in good])
     error, cost = (np.polyfit(knobs, np.log(values), 1) for values in
                    ([row.error for row in good], [row.cpu_s for row in good]))  # fmt: skip
-    last = good[-1].cpu_s
+    last = max(row.cpu_s for row in good)
     found = []
     for setting in missing:
         point = _estimate(study, setting, error, cost)
@@ -233,4 +239,4 @@ def _notes(study: Study, series: Sequence[PlotSeries], trouble: str) -> tuple[st
 
 def _sentence_case(label: str) -> str:
     """With a capital, but for a symbol of one letter."""
-    return label[:1].upper() + label[1:] if label[1:2].isalpha() else label
+    return label[:1].upper() + label[1:] if label[1:2].isalpha() or label[:2] == "a " else label

@@ -238,7 +238,7 @@ speed_study = replace(
     title="Sweep and prune: cost against speed",
     short="Speed",
     methods=(
-        Method("swaps", "swaps alone", 1.0),
+        Method("swaps", "swaps alone"),
         Method("resort", "sorted anew where that is cheaper"),
         Method("grid", "uniform grid beside it"),
     ),

@@ -23,16 +23,16 @@ SAMPLES = 100_001
 DEFAULT_KEYS = 8  # of the level that the scene opens with
 COUNTS = (8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512)
 METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys, over uneven ones
-    "nearest": ("Nearest key", 1.0, 1.0),
-    "linear": ("Linear", 2.0, 2.0),
-    "flat": ("Rest at every key", 1.0, 1.0),
-    "monotone": ("Monotone", 2.0, 2.0),
+    "nearest": ("nearest key", 1.0, 1.0),
+    "linear": ("linear", 2.0, 2.0),
+    "flat": ("rest at every key", 1.0, 1.0),
+    "monotone": ("monotone", 2.0, 2.0),
     "catmull-rom": ("Catmull-Rom", 3.0, 1.0),
-    "secant": ("Secants", 3.0, 2.0),
-    "parabolic": ("Parabolas", 3.0, 3.0),
-    "natural-spline": ("Natural spline", 2.0, 2.0),
-    "spline": ("Spline", 4.0, 4.0),
-    "bezier": ("Exact Bezier", 4.0, 4.0),
+    "secant": ("secants", 3.0, 2.0),
+    "parabolic": ("parabolas", 3.0, 3.0),
+    "natural-spline": ("natural spline", 2.0, 2.0),
+    "spline": ("spline", 4.0, 4.0),
+    "bezier": ("exact Bezier", 4.0, 4.0),
 }
 
 

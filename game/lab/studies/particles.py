@@ -28,13 +28,13 @@ FREE_TIME, BOUNCE_TIME = 1.0, 1.6  # s
 FEWEST = 8  # steps: with fewer, a bounce would be shorter than four steps and so not be made
 COPIES = 16  # of the shot in one run, so that beginning a run costs next to nothing
 LABELS = {
-    "explicit-euler": "Explicit Euler",
-    "semi-implicit-euler": "Semi-implicit Euler",
-    "midpoint": "Midpoint",
+    "explicit-euler": "explicit Euler",
+    "semi-implicit-euler": "semi-implicit Euler",
+    "midpoint": "midpoint",
     "verlet": "Verlet",
     "stormer-verlet": "Störmer-Verlet",
     "rk4": "Runge-Kutta 4",
-    "exponential": "Exponential",
+    "exponential": "exponential",
 }
 CONTACT_LABELS = {"end": "step end", "chord": "chord", "root": "root"}
 SHOWN = (
