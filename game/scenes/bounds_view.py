@@ -158,10 +158,12 @@ class BoundsView:
         if len(middles) == 2 and math.dist(*middles) < canvas.px(90.0):
             apart = 52.0
         for i, at in enumerate(middles):
-            aside, count = apart * (2 * i - 1), pair.trees[i].segments
-            canvas.label(at, "AB"[i], COLORS[i], 22, "semibold", offset=(aside, -9.0))
+            count = pair.trees[i].segments
             words = "1 segment" if count == 1 else f"{count:,} segments".replace(",", "\u202f")
-            canvas.label(at, words, "text2", 12, offset=(aside, 11.0))
+            width = canvas.fonts.size(words, 12)[0] / canvas.k + 4.0
+            aside, down = canvas.room_for(at, (width, 40.0), (apart * (2 * i - 1), 0.0))
+            canvas.label(at, "AB"[i], COLORS[i], 22, "semibold", offset=(aside, down - 9.0))
+            canvas.label(at, words, "text2", 12, offset=(aside, down + 11.0))
 
     def _draw_hand(self, scene: BoundsScene, canvas: Canvas, pane: Pane, places: list[Place]) -> None:
         board = scene.board
@@ -319,7 +321,7 @@ class BoundsView:
         end = (knee[0] + math.copysign(12.0, dx) * scale, knee[1])
         canvas.polyline(np.array((at, knee, end)), color, 1.2)
         anchor = "left" if dx > 0 else "right"
-        canvas.label(end, words, color, 12, "semibold", anchor, offset=(math.copysign(5.0, dx), 0.0))
+        canvas.label(end, words, color, 12, "semibold", anchor, (math.copysign(5.0, dx), 0.0), clear=True)
 
 
 def warm_up() -> None:

@@ -105,7 +105,8 @@ def draw_walk(canvas: Canvas, shapes: list[Array], shown: list[FeatureStep], who
                 place = view.feature_points(shapes[k], feature).mean(axis=0)
                 x, y = view.outward(shapes[k], feature)
                 canvas.label(
-                    place, str(number), "amber", 12, "semibold", offset=(15.0 * x, -15.0 * y), alpha=alpha
+                    place, str(number), "amber", 12, "semibold", offset=(15.0 * x, -15.0 * y), alpha=alpha,
+                    clear=True,
                 )  # fmt: skip
     if not whole and shown:
         points = [

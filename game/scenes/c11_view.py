@@ -153,7 +153,7 @@ def draw_difference(
     away = (-1.0 if place[0] > 0.0 else 1.0, -1.0 if place[1] > 0.0 else 1.0)
     canvas.label(
         origin, "origin", "text1", 12, anchor="right" if away[0] < 0.0 else "left",
-        offset=(-10.0 * away[0] if place != (0.0, 0.0) else 10.0, 16.0 * away[1]),
+        offset=(-10.0 * away[0] if place != (0.0, 0.0) else 10.0, 16.0 * away[1]), clear=True,
     )  # fmt: skip
 
 
@@ -211,10 +211,10 @@ def draw_simplexes(
         canvas.arrow(origin, (tip[0] - origin[0], tip[1] - origin[1]), color, "v", width=2.0)
     canvas.ring(new, 7.0, "pink", 2.0)
     below = float(new[1]) <= float(tip[1])
-    canvas.label(new, "w", "pink", 13, "semibold", offset=(0.0, 19.0 if below else -19.0))
+    canvas.label(new, "w", "pink", 13, "semibold", offset=(0.0, 19.0 if below else -19.0), clear=True)
     if last.kept == "done" and scene.answer[0] > 0.0 and math.dist(tip, origin) > canvas.px(110.0):
         words = f"|v| = {format_si(float(scene.answer[0]), 'm')}"
         canvas.label(
             (0.5 * (tip[0] + origin[0]), 0.5 * (tip[1] + origin[1])), words, "green", 12, "semibold",
-            offset=(0.0, -16.0),
+            offset=(0.0, -16.0), clear=True,
         )  # fmt: skip

@@ -108,9 +108,9 @@ def draw_hulls(scene: ConvexPairScene, canvas: Canvas) -> None:
         canvas.polygon(hull, "green", 0.06, "green", 1.6, PREDICTION_DASH)
         bad = scene.drawn_corners(k)[refused.vertex]
         canvas.ring(bad, 9.0, "vermilion", 1.8)
-        canvas.label(bad, "not convex here", "vermilion", offset=(0.0, -18.0))
+        canvas.label(bad, "not convex here", "vermilion", offset=(0.0, -18.0), clear=True)
         top = hull[int(hull[:, 1].argmax())]
-        canvas.label(top, "its hull: press H to take it", "green", 13, offset=(0.0, -16.0))
+        canvas.label(top, "its hull: press H to take it", "green", 13, offset=(0.0, -16.0), clear=True)
 
 
 def draw_feature(canvas: Canvas, corners: Array, feature: Feature, color: str, alpha: float = 1.0) -> None:
@@ -127,7 +127,7 @@ def label_feature(
 ) -> None:  # fmt: skip
     """What a feature is called: on the side of its polygon, away from the other one."""
     x, y = toward
-    canvas.label(place, words, color, 12, "semibold", offset=(-56.0 * x, 18.0 * y))
+    canvas.label(place, words, color, 12, "semibold", offset=(-56.0 * x, 18.0 * y), clear=True)
 
 
 def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
@@ -154,7 +154,7 @@ def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> 
         color = "amber" if distance > 0.0 else "vermilion"
     sign = 1.0 if nx >= 0.0 else -1.0
     canvas.label(
-        middle, words, color, 13, "semibold", offset=(-64.0 * sign * ny, -20.0 * sign * nx)
+        middle, words, color, 13, "semibold", offset=(-64.0 * sign * ny, -20.0 * sign * nx), clear=True
     )  # fmt: skip
 
 
@@ -183,7 +183,9 @@ def draw_hand(scene: ConvexPairScene, canvas: Canvas) -> None:
         canvas.line(board.pointer, board.drawn[0], "accent", 1.2, dash=(4.0, 4.0), alpha=0.6)
         for point in board.drawn:
             canvas.handle(point)
-        canvas.label(board.drawn[0], "click here or press Enter to close", "accent", offset=(0.0, -16.0))
+        canvas.label(
+            board.drawn[0], "click here or press Enter to close", "accent", offset=(0.0, -16.0), clear=True
+        )
 
 
 def caption(scene: ConvexPairScene, canvas: Canvas, words: str, color: str = "text1") -> None:

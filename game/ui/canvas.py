@@ -175,8 +175,12 @@ class Canvas(CanvasBase):
     def label(
         self, position: Point, text: str, color: Token = "text2", size: float = 12, weight: str = "medium",
         anchor: str = "center", offset: Point = (0.0, 0.0), halo: bool = True, alpha: float = 1.0,
+        clear: bool = False,
     ) -> None:  # fmt: skip
-        """Words at a world point: the ``anchor`` of their box lies there, moved by ``offset`` design px."""
+        """Words at a world point: the ``anchor`` of their box lies there, moved by ``offset`` design px.
+
+        ``clear``: they keep clear of the labels drawn before them, and of the edges.
+        """
         x, y = self._place(position)
         ink = self.look.color(color, words=True)
         if halo:
@@ -187,7 +191,19 @@ class Canvas(CanvasBase):
         if alpha < 1.0:
             picture = picture.copy()
             picture.set_alpha(round(255 * max(alpha, 0.0)))
-        self._blit_at(picture, x + offset[0] * self.k, y + offset[1] * self.k, share_x, share_y)
+        x, y = x + offset[0] * self.k, y + offset[1] * self.k
+        x, y = self._room(x, y, *picture.get_size(), share_x, share_y, clear)
+        self._blit_at(picture, x, y, share_x, share_y)
+
+    def room_for(self, position: Point, size: Point, offset: Point = (0.0, 0.0)) -> tuple[float, float]:
+        """The offset at which a group of labels as large as ``size`` about a world point is clear of others.
+
+        Sizes and offsets in design px. The group's own labels come after it, and need not be clear.
+        """
+        x, y = self._place(position)
+        width, height = size[0] * self.k, size[1] * self.k
+        at = self._room(x + offset[0] * self.k, y + offset[1] * self.k, width, height, 0.5, 0.5, True)
+        return (at[0] - x) / self.k, (at[1] - y) / self.k
 
     def formula(
         self, position: Point, markup: str, color: Token = "text1", size: float = 18, anchor: str = "center",

@@ -10,6 +10,7 @@ import pygame
 
 from game.ui import raster
 from game.ui.camera import Camera
+from game.ui.label_places import Box, LabelPlaces
 from game.ui.look import Look
 from game.ui.projection import PointBuffer, as_points, map_points
 from game.ui.raster import packed
@@ -36,6 +37,7 @@ class CanvasBase:
         self._inks: dict[Token, tuple[int, float]] = {}
         self._mapped, self._second, self._colors = PointBuffer(), PointBuffer(), np.empty(64, np.uint32)
         self._pair = np.empty((2, 2))
+        self._labels = LabelPlaces()
         self._old_clip = pygame.Rect(0, 0, 1, 1)
 
     def begin(self, surface: pygame.Surface, rect: pygame.Rect, camera: Camera) -> None:
@@ -45,6 +47,7 @@ class CanvasBase:
         self._old_clip = surface.get_clip()
         surface.set_clip(self.rect)
         self.halo = self.theme.stage
+        self._labels.clear()
         self._pixels = raster.pixels_of(surface)
         self._clip = raster.clip_of(surface)
         if not self.covered:
@@ -140,6 +143,19 @@ class CanvasBase:
         y -= share_y * picture.get_height() + self._origin[1]
         if -_FAR < x < _FAR and -_FAR < y < _FAR:
             self.surface.blit(picture, (round(x), round(y)), None, flags)
+
+    def _room(
+        self, x: float, y: float, width: float, height: float, share_x: float, share_y: float, clear: bool
+    ) -> tuple[float, float]:
+        """Where the anchor of a label's box goes: (x, y), or a free place near it; that is then taken."""
+        left, top = x - share_x * width, y - share_y * height
+        box = Box(left, top, left + width, top + height)
+        if clear:
+            (x0, y0), (w, h), edge = self.rect.topleft, self.rect.size, 4.0 * self.k
+            x0, y0 = x0 + self._origin[0], y0 + self._origin[1]
+            box = self._labels.free(box, Box(x0 + edge, y0 + edge, x0 + w - edge, y0 + h - edge))
+        self._labels.claim(box)
+        return box.left + share_x * width, box.top + share_y * height
 
     def _color_room(self, n: int) -> np.ndarray:
         if n > self._colors.shape[0]:

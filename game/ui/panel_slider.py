@@ -51,10 +51,15 @@ def share_of(knob: Param, value: float) -> float:
 
 
 def shown_value(knob: Param, value: float) -> Quantity:
-    """Number and unit as the panel writes them: whole, with the grain's decimals, or three digits."""
+    """Number and unit as the panel writes them: whole, with the grain's decimals, or three digits.
+
+    A linear knob with a grain whose range reaches one of its unit keeps that unit all along its way.
+    """
     if knob.whole:
         return Quantity(format_number(int(value)), knob.unit)
     number, unit = quantity(value, knob.unit)
+    if knob.step is not None and not knob.log and 1e-3 <= knob.step and 1.0 <= knob.maximum < 1e3:
+        unit = knob.unit
     if knob.step is not None and unit == knob.unit and 1e-6 < knob.step < 1e6:
         decimals = _decimals(knob.step, knob.minimum)
         sign = "−" if round(value, decimals) < 0 else ""
