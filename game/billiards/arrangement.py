@@ -119,13 +119,14 @@ def racked(
 ) -> Arrangement:
     """The rack of a game ("nine-ball" or any other), the white ball on the head spot.
 
-    Balls of different radii lie on the lattice of the largest. With a seed the order is drawn, and the balls
-    lie up to 0.1 mm apart, as no rack is perfect.
+    Balls of different radii lie on the lattice of the largest, those of one radius touch: apart by a tenth of
+    a millimetre only they would be struck one after the other, and half of them would hardly leave their
+    place. With a seed the order is drawn.
     """
     balls = equal_balls() if balls is None else balls
     radius = float(balls.radii.max())
     rack = nine_ball_rack if game == "nine-ball" else eight_ball_rack
-    positions = rack(table, radius, 0.0 if seed is None else 1e-4, seed)
+    positions = rack(table, radius, seed=seed)
     return Arrangement(tuple(range(len(positions))), positions, balls)
 
 

@@ -2,6 +2,9 @@
 
 Move, take what is over a pocket, turn round what is beyond a wall, part what overlaps: substep by substep
 within one call. Slow down: once, at the end, as the lecture does once a frame.
+
+Arrays are those of `lecture_state`: offsets, velocities and rolled (n, 2) m and m/s, orientations (n, 4),
+radii (n,) m, knobs: the model's numbers.
 """
 
 from __future__ import annotations

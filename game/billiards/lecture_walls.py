@@ -6,6 +6,8 @@ round and shortened by the bounce factor e. Where it is put:
     clamp     on the wall (the lecture's printed code)
     mirror    as far inside as it was outside
     exact     e times as far inside: where it would be, had it turned round in time
+
+Rows of cushions are (6,): both ends and the normal; of jaws (3,): centre and radius, m.
 """
 
 from __future__ import annotations

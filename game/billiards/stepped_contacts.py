@@ -8,6 +8,9 @@ than they are wide in a step may pass through each other.
 
 The table itself is not to be passed: a ball whose centre has crossed a cushion's line within this step is
 caught, however far it went, and a pocket takes a ball whose way has led over it.
+
+Arrays: state, modes, pairs and the elements (cushions, jaws, pockets) as in `state`; old (2, n) m, places
+when the step began; physics (18,); events (e, 4); counters (6,).
 """
 
 from __future__ import annotations

@@ -63,10 +63,12 @@ class Effect:
 
     @property
     def mask(self) -> int:
+        """An integer of this one bit: what kernels are specialised by."""
         return 1 << self.bit
 
     @property
     def room(self) -> str:
+        """The room in whose range the bit lies."""
         return next(room for room, bits in ROOMS.items() if self.bit in bits)
 
     def __or__(self, other: Effect | EffectSet) -> EffectSet:
@@ -131,6 +133,7 @@ class EffectSet:
 
     @property
     def names(self) -> tuple[str, ...]:
+        """Names of the members, in the order of bits."""
         return tuple(effect.name for effect in self)
 
     def with_(self, effect: Effect | str) -> EffectSet:

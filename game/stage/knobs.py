@@ -99,6 +99,7 @@ class Param(Knob[float]):
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> float:
+        """The value as a number; KnobError if it is none, out of range, or not whole where that is wanted."""
         if isinstance(value, bool) or not isinstance(value, Real):
             raise self._refuse(value, "a number is wanted")
         try:
@@ -115,6 +116,7 @@ class Param(Knob[float]):
         return int(number) if self.whole else number
 
     def parse(self, text: str) -> float:
+        """The number that a text says, with a point or a comma; KnobError as for `check`."""
         cleaned = text.strip().replace("\u202f", "").replace("\u2212", "-").replace(",", ".")
         try:
             return self.check(float(cleaned))
@@ -145,11 +147,13 @@ class Choice(Knob[str]):
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> str:
+        """The option; KnobError, naming all, if it is none."""
         if not isinstance(value, str) or value not in self.options:
             raise self._refuse(value, "one of " + ", ".join(self.options) + " is wanted")
         return str(value)
 
     def parse(self, text: str) -> str:
+        """The option that a text names; KnobError if it is none."""
         return self.check(text.strip())
 
 
@@ -157,11 +161,13 @@ class Toggle(Knob[bool]):
     """A switch."""
 
     def check(self, value: Any) -> bool:
+        """The value; KnobError unless it is True or False."""
         if not isinstance(value, bool):
             raise self._refuse(value, "true or false is wanted")
         return value
 
     def parse(self, text: str) -> bool:
+        """True for "on", "yes", "true" or "1", False for their opposites; KnobError for another word."""
         word = text.strip().lower()
         if word in ("true", "on", "yes", "1"):
             return True

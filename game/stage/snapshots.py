@@ -34,6 +34,7 @@ class Snapshot(NamedTuple):
 
     @property
     def bytes(self) -> int:
+        """What it takes, about."""
         return OVERHEAD + 100 * len(self.values) + state_bytes(self.state) + self.memory.bytes
 
 
@@ -101,10 +102,6 @@ class SnapshotRing:
         self._rare.cut(step)
         self._dense.cut(step)
 
-    def clear(self) -> None:
-        self._rare.cut(-1)
-        self._dense.cut(-1)
-
 
 class _Shelf:
     """Snapshots sorted by step, with a running count of their bytes."""
@@ -115,6 +112,7 @@ class _Shelf:
         self.items: list[Snapshot] = []
 
     def put(self, snapshot: Snapshot, keep_newest: bool) -> None:
+        """Keep a snapshot, unless there is one of its step; drop the oldest while there are too many bytes."""
         index = bisect_right(self.items, snapshot.step, key=lambda item: item.step)
         if index and self.items[index - 1].step == snapshot.step:
             return
@@ -127,9 +125,11 @@ class _Shelf:
             self.bytes -= self.items.pop(0).bytes
 
     def before(self, step: int) -> Snapshot | None:
+        """The last one of that step or before it."""
         index = bisect_right(self.items, step, key=lambda item: item.step)
         return self.items[index - 1] if index else None
 
     def cut(self, step: int) -> None:
+        """Drop those of later steps."""
         while self.items and self.items[-1].step > step:
             self.bytes -= self.items.pop().bytes

@@ -28,6 +28,7 @@ class Timeline:
 
     @property
     def has_future(self) -> bool:
+        """True if events are remembered that have yet to act."""
         return self.acted < len(self)
 
     def past(self) -> list[Stamped]:
@@ -49,6 +50,7 @@ class Timeline:
         return None
 
     def drop_future(self) -> None:
+        """Forget the events that have yet to act."""
         del self._events[self.acted - self._dropped :]
 
     def drop_before(self, number: int) -> None:

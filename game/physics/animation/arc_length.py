@@ -6,6 +6,9 @@ between two of the points as easily as not: so a piece is divided where its spee
 length to parameter, is Newton's method on the integral, whose derivative is the speed itself, kept in a
 bracket by bisection where the speed vanishes (Guenter and Parent 1990, "Computing the arc length of
 parametric curves").
+
+Arrays: controls (n, 4, d) m, the pieces of a curve; breaks (n, 3), where each is divided; table
+(n PARTS + 1,) m, the way up to each part.
 """
 
 from __future__ import annotations

@@ -6,6 +6,8 @@ halved until it is flat, by one of two bounds. With both inner control points be
 no farther from it than 3/4 of the farther of them. And it differs from an even pace along the chord by
 u (1 - u) ((1 - u) a + u b) with a = 3 P1 - 2 P0 - P3 and b = 3 P2 - P0 - 2 P3, so by no more than the longer
 of these, by components, over 4 (Fischer 2000, "Piecewise linear approximation of Bezier curves").
+
+Arrays: controls (n, 4, d) m, the pieces of a curve; out (k, d) m and parameters (k,) of the chain.
 """
 
 from __future__ import annotations

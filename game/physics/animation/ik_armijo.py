@@ -4,6 +4,8 @@
 
 Armijo 1966, projected on the limits as by Bertsekas 1976. The error never grows, whatever the target. The
 first try is twice the step that held last time.
+
+Arrays as in `ik_chain`.
 """
 
 from __future__ import annotations

@@ -2,6 +2,8 @@
 
 Wang and Chen 1991; Canutescu and Dunbrack 2003. Each turn is the exact minimum along one angle, so the error
 never grows. Joints near the tip turn most, and long chains curl up.
+
+Arrays as in `ik_chain`.
 """
 
 from __future__ import annotations

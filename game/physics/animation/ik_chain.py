@@ -6,6 +6,9 @@ With the error e = target - end, the gradient of |e|² / 2 by the angles is -J�
     (Jᵀe)_i = (end - p_i) × e        p_i: where joint i is
 
 so no matrix is ever made. All methods share these kernels and are one file each.
+
+Arrays: links (LINK_ROWS, n); points (n + 1, 2) m, joints and end; base (3,): x, y (m) and angle (rad) of the
+frame; target (2,) m; numbers (NUMBERS,), what a method keeps between iterations.
 """
 
 from __future__ import annotations

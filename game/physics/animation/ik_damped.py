@@ -6,6 +6,8 @@ In the plane J Jᵀ is 2 x 2. With a fixed λ a target out of reach makes the ch
 pose J Jᵀ loses a rank and the turns become huge. The adaptive λ (Levenberg 1944, Marquardt 1963) takes a turn
 back that does not help, and damps more; after one that helps it damps less, and convergence is nearly
 quadratic. Joints that stand at a limit and are pulled beyond it do not take part.
+
+Arrays as in `ik_chain`.
 """
 
 from __future__ import annotations

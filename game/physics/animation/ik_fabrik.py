@@ -6,6 +6,8 @@ iterative solver for the inverse kinematics problem". A target out of reach is m
 Limits are kept in the forward pass: a link that would bend too far is turned back to its limit. That alone
 gets stuck wherever limits matter, so a pass that a limit has kept from coming nearer is taken back, and one
 of cyclic coordinate descent is made in its place.
+
+Arrays as in `ik_chain`.
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@
 
 Σ r_i² over the stretched chain is the largest eigenvalue that J Jᵀ can have. A step of 1 is safe in every
 pose; from 2 on a straight chain oscillates. Convergence is linear, with the factor 1 - α λ of the smallest λ.
+
+Arrays as in `ik_chain`.
 """
 
 from __future__ import annotations

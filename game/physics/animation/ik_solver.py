@@ -8,6 +8,8 @@ A straight chain with its target on its axis is a dead point: Jᵀe = 0 though t
 every gradient method stands still. There, one joint is kicked by a fixed angle; if that leads nowhere, the
 best pose so far is taken again. A target far out of reach is aimed at on its line from the root, a quarter
 beyond the reach, which has the same best pose and keeps every step moderate (Buss 2009, clamped targets).
+
+Arrays as in `ik_chain`.
 """
 
 from __future__ import annotations

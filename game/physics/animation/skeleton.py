@@ -6,6 +6,8 @@ axis of its own frame, so its end is computed. The frame in the world is a 3 x 3
     W_i = W_parent(i) T(offset_i) R(angle_i),   W_parent(root) = 1
 
 which holds turn and shift alike, so one product hands a parent's motion on to all below it.
+
+Arrays: parents, order (n,); offsets, bases, ends (n, 2) m; angles, lengths (n,); world (n, 3, 3) frames.
 """
 
 from __future__ import annotations

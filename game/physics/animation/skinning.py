@@ -11,6 +11,9 @@ A blend of matrices is no rotation: with halves and a bend a, (1 + R(a)) / 2 = c
 joint shrinks by cos(a / 2) and vanishes at 180 degrees. A rotor M = p + q ε, with p = e^(iθ/2), q = t p̄ / 2
 and ε z = z̄ ε, turns by θ and shifts by t: v' = p² v + 2 q p. A sum of rotors made unit is a rotor again: the
 joint keeps its thickness, at the price of a bulge.
+
+Arrays: worlds and palette (f, n, 3, 3), frames of bones in f poses, and inverse (n, 3, 3); rotors (f, n, 4);
+bones and weights (v, k), which bones a point follows and how much; points (v, 2) and skinned (f, v, 2) m.
 """
 
 from __future__ import annotations

@@ -3,6 +3,8 @@
 Boxes by separating axes (Gottschalk, Lin and Manocha 1996): in the plane the four side directions are all
 that can separate, nothing is divided, parallel sides are no special case. Capsules by the distance of their
 cores. Closed volumes: touching overlaps.
+
+Arrays: va, vb (m, 6), volumes as rows (see `boxes` and `capsules`).
 """
 
 from __future__ import annotations

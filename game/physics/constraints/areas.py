@@ -3,6 +3,8 @@
     C = A - A_rest,  A = ½ Σ p_i × p_{i+1},  ∂A/∂p_i = ½ (y_{i+1} - y_{i-1}, x_{i-1} - x_{i+1})
 
 Müller and others 2007, section 4.4 (volume in three dimensions), with compliance as Macklin and others 2016.
+
+Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; corners: indices of an outline, in order; rows (AREA_ROWS, k).
 """
 
 from __future__ import annotations

@@ -2,6 +2,9 @@
 
 One inequality for each free particle, so a hanging rope or cloth cannot stretch as a whole however few sweeps
 the links get (Kim, Chentanez, Müller 2012, "Long range attachments", with geodesic distances).
+
+Arrays: x, y (n,) m; pins (n,), the pin of each particle or -1; reaches (n,) m; heap, keys, place_of (n,): the
+queue of Dijkstra's algorithm, its distances, and where in it a particle stands.
 """
 
 from __future__ import annotations

@@ -5,6 +5,8 @@ a solve costs about as much as two sweeps (Thomas algorithm), and heavy ends or 
 slower. One solve is a Newton step for the lengths; with masses that differ by more than 10^4 it wants
 substeps of a millisecond while the chain is thrown about. Compare Deul, Kugelstadt, Weiler, Bender 2018,
 "Direct position-based solver for stiff rods".
+
+Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; torn (m,); rows (LINK_ROWS, m); work (WORK_ROWS, longest).
 """
 
 from __future__ import annotations

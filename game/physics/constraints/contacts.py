@@ -3,6 +3,8 @@
 Before a substep, pairs that would touch within it exchange impulses one after the other until none approaches
 (sequential impacts by Newton's law, as shocks run through a row of balls); were they let overlap first, the
 projection would take their speed away. What still overlaps is pushed apart as a constraint.
+
+Arrays: x, y (n,) m; vx, vy (n,) m/s; w (n,) 1/kg; fresh (n,); pairs (c, 2); distances (c,) m.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""What a network of particles and links is worth: energies, momentum, how far the constraints are off."""
+"""What a network of particles and links is worth: energies, momentum, how far the constraints are off.
+
+Arrays: fields (FIELD_ROWS, n), see `motion`; links (m, 2) and rows (LINK_ROWS, m) in the order of solving.
+"""
 
 from __future__ import annotations
 

@@ -11,6 +11,9 @@ it never reverses a motion: BDF2 takes it as Euler does where h k_d w is above S
 
 A particle begins BDF2 anew, with one step of Euler, after it has touched the ground or was slowed down.
 Substeps in place of sweeps: Macklin and others 2019, "Small steps in physics simulation".
+
+Arrays, (n,) each: x, y, vx, vy (m, m/s) now, ox, oy, ux, uy the same a step earlier, px, py (m) where a step
+leads; inverse_mass (1/kg); fresh, 1 where BDF2 begins anew.
 """
 
 from __future__ import annotations

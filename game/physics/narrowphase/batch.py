@@ -1,4 +1,8 @@
-"""Many pairs in one call: polygons packed in a row, poses, features kept from call to call."""
+"""Many pairs in one call: polygons packed in a row, poses, features kept from call to call.
+
+Arrays of a set: vertices (N, 2) m, first (k + 1,), centres (k, 2) m, poses (k, 4): x, y, cos,
+sin; pairs (m, 2).
+"""
 
 from __future__ import annotations
 
@@ -211,6 +215,7 @@ class _Query:
         return given
 
     def answers(self) -> Proximities:
+        """The answers, as views of the arrays that the kernel wrote."""
         numbers = self.numbers
         return Proximities(
             numbers[:, 0], numbers[:, 1:3], numbers[:, 3:5], self.features[:, 0], self.features[:, 1],

@@ -2,6 +2,8 @@
 
 Particles are worked through in blocks that stay in the nearest cache: mark without a branch those that come
 near a solid, note their state as it was, then fly them all. The few on the list go through `contacts`.
+
+Arrays, (n,) each: x, y, vx, vy (m, m/s); marks, lying (flags). hits (LIST_ROWS, k) and who (k,): a list.
 """
 
 from __future__ import annotations

@@ -10,6 +10,8 @@ Newton's law v⁺ = v⁻ - (1 + e) (v⁻ · n) n, with v relative to the surface
 no particle would ever rest: stepping gives every bounce of an explicit method about v g h of energy
 (measured; it is balanced by the loss at v = 3 g h / (1 - e²) for explicit Euler). Chord crossing of step
 maps: Shampine and Thompson 2000, "Event location for ordinary differential equations".
+
+solids: (k, COLUMNS) rows of discs, see `solids`.
 """
 
 from __future__ import annotations

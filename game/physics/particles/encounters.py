@@ -5,6 +5,8 @@ of the step.
 
 A row of the list: x, y, vx, vy at the beginning; when it begins (s into the step); how long it flies (s);
 its identity. Its place in the pool is in ``who``; -1: it dies at the end of its flight.
+
+Arrays: tallies (TALLIES,); hits (LIST_ROWS, k) and who (k,), those whose flight meets something.
 """
 
 from __future__ import annotations

@@ -62,12 +62,14 @@ def decay_over(drag, h):
 
 @kernel(forceinline=True)
 def explicit_euler(mask, forces, x, y, vx, vy, h):
+    """Both from the old state (Euler 1768). Like all steppers here: m and m/s after h s, as four numbers."""
     ax, ay = acceleration(mask, forces, x, y, vx, vy)
     return x + h * vx, y + h * vy, vx + h * ax, vy + h * ay
 
 
 @kernel(forceinline=True)
 def semi_implicit_euler(mask, forces, x, y, vx, vy, h):
+    """Velocity first, position with the new velocity; symplectic without drag."""
     ax, ay = acceleration(mask, forces, x, y, vx, vy)
     ux = vx + h * ax
     uy = vy + h * ay
@@ -76,6 +78,7 @@ def semi_implicit_euler(mask, forces, x, y, vx, vy, h):
 
 @kernel(forceinline=True)
 def midpoint(mask, forces, x, y, vx, vy, h):
+    """Slope in the middle, reached by half an Euler step (Runge 1895)."""
     half = 0.5 * h
     ax, ay = acceleration(mask, forces, x, y, vx, vy)
     ux = vx + half * ax
@@ -127,6 +130,7 @@ def stormer_verlet(mask, forces, x, y, vx, vy, h):
 
 @kernel(forceinline=True)
 def runge_kutta_4(mask, forces, x, y, vx, vy, h):
+    """The classical method of fourth order (Kutta 1901)."""
     half = 0.5 * h
     ax, ay = acceleration(mask, forces, x, y, vx, vy)
     ux = vx + half * ax

@@ -1,4 +1,7 @@
-"""Where particles are between two steps, for a picture of them."""
+"""Where particles are between two steps, for a picture of them.
+
+Arrays: fields and before (>= 5, n), tags and tags_before (2, n), now and a step earlier.
+"""
 
 from __future__ import annotations
 

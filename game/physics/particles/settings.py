@@ -128,6 +128,7 @@ class Settings:
 
     @property
     def floor_restitution(self) -> float:
+        """Speed after over speed before an impact on the floor."""
         return self._floor_restitution
 
     def set_ground(self, floor: float, restitution: float) -> None:

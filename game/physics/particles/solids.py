@@ -88,18 +88,22 @@ class Discs:
 
     @property
     def rows(self) -> NDArray[np.float64]:
+        """The rows that kernels read, (n, columns); a view."""
         return self._store[: self.count]
 
     @property
     def impulses(self) -> NDArray[np.float64]:
+        """What each disc was given, (n, 2) N s for particles of 1 kg; a view."""
         return self._impulses[: self.count]
 
     @property
     def centres(self) -> NDArray[np.float64]:
+        """Centres (n, 2) m; a view."""
         return self._store[: self.count, :2]
 
     @property
     def radii(self) -> NDArray[np.float64]:
+        """Radii (n,) m; a view."""
         return self._store[: self.count, RADIUS]
 
     def add(self, centre: ArrayLike, radius: float, restitution: float = 0.5) -> int:

@@ -6,6 +6,9 @@
 Collisions come before forces: so what rests is not thrown by a step's worth of gravity. Explicit Euler moves
 first, by the velocities of before; the semi-implicit scheme moves last, by the new ones; exact flight by
 their mean, which is a parabola.
+
+Arrays: work (n + 1, WORK_COLUMNS) and flat (n + 1, FLAT_COLUMNS), velocities; shifts (n + 1, 4), by how much
+positions are corrected; pulls (n, 6) N and N m; counters (COUNTERS,).
 """
 
 from __future__ import annotations
@@ -23,7 +26,6 @@ from game.physics.rigid.spheres import VX, VY, VZ, WEIGHT, WX, WY, WZ, gather_ve
 from game.physics.rigid.touch_rows import prepare_rows
 
 EXPLICIT, SEMI_IMPLICIT, EXACT = range(3)
-IN_TURN, AT_ONCE = range(2)
 NO_CORRECTION, BAUMGARTE, SOFT, SPLIT, PROJECTION = range(5)
 # of counters: time s, length of the last part s, collisions so far, rounds and bounces of the last part
 CLOCK, LAST_H, MADE, ROUNDS, BOUNCES = range(5)

@@ -3,6 +3,8 @@
 A touch has a normal from the first body to the second, a gap (negative: overlap) and a key by which it is
 known again in the next step. Walls, ledges and strings belong to a second body that nothing moves. A taut
 string is a touch like any other: a wall around its anchor, of the string's length.
+
+Arrays: places, before (s, 3) m; radii (s,) m; pairs (p, 2).
 """
 
 from __future__ import annotations

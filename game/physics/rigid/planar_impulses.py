@@ -2,6 +2,9 @@
 
 A sphere's normal impulse does not turn it, and friction has one direction in the plane, so a touch takes
 three velocities of each body. All that a touch needs of a body lies in one line of the cache.
+
+Arrays: flat (n + 1, FLAT_COLUMNS), rows (count, PLANAR_COLUMNS); positions, momenta, spins (n, 3); touches,
+who, ids as in `contacts`.
 """
 
 from __future__ import annotations

@@ -5,6 +5,9 @@ slop, as accumulated impulses do it for velocities (split impulses: Bullet; Tong
 `projection` moves one pair after the other, with its normal as it is by then (nonlinear Gauss-Seidel:
 Catto, Box2D). Both take into account how far bodies move in this step. ``shifts`` (n + 1, 4) m holds that,
 and what is added to it: x, y, z, inverse mass.
+
+Arrays: touches (count, 4), who and ids (count, 2), see `contacts`; shifts (n + 1, 4); places (s, 3) m;
+radii (s,) m.
 """
 
 from __future__ import annotations

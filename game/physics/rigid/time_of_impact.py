@@ -4,6 +4,8 @@ Two spheres fall alike, so they approach along a straight line and |d + v t| = r
 constant term is taken as (d - R)(d + R), which loses no digits for spheres that nearly touch. A wall is met
 where v t - c g t² uses up the gap; c says how the scheme falls: 0 explicit, 1 semi-implicit, 1/2 exact.
 Source: Ericson, Real-Time Collision Detection (2005), 5.5.
+
+Arrays: places (s, 3) m; work (n + 1, WORK_COLUMNS), velocities; pairs (p, 2).
 """
 
 from __future__ import annotations

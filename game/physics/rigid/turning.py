@@ -4,6 +4,8 @@
 
 q: turn of the principal frame, a unit quaternion; L: angular momentum in the world's frame. I is diagonal in
 the principal frame. Each gives q after the step, not normalized where the method makes it longer.
+
+Triples of plain numbers throughout: moments, ascending, and their inverses (0: no turn about that axis).
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@
 way out the velocity of its centre is mirrored; its spin stays. "impulse": the wall strikes the point that is
 farthest out, so that the spin changes as well, by j = -(1 + e) v·n / (1/m + (r x n)·J⁻¹ (r x n)), r from the
 centre of mass to that point (Baraff 1997). Points equally far out are struck in their middle.
+
+Arrays: row (13,), a state (see `motion`); places (k, 3) m; radii (k,) m.
 """
 
 from __future__ import annotations
