@@ -23,7 +23,7 @@ SERIES = (
 )
 FEW = 24  # points that are drawn singly; of more the upper envelope
 INK, QUIET, GRID = "#1d252b", "#66707a", "#e3e6e8"
-SIZE, DPI = (10.0, 5.4), 120  # inches, dots an inch
+SIZE, DPI = (10.0, 5.4), 112  # inches, dots an inch
 BEYOND = 30.0  # times the largest error: there stand the failures that are worse
 APART = 0.05  # of an axis: marks at its foot need so much room
 SHORT = 2.2  # decades: on an axis of fewer, marks stand at 1, 2 and 5
@@ -192,7 +192,8 @@ def in_words(value: float, unit: str, plain: bool = True) -> str:
 
 
 def _with_unit(words: str, unit: str) -> str:
-    return f"{words}, {unit}" if unit else words
+    """With the unit, unless the marks have it."""
+    return f"{words}, {unit}" if unit not in ("", "s", "m") else words
 
 
 def _capital(words: str) -> str:

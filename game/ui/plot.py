@@ -36,6 +36,7 @@ class WorkPrecisionPlot:
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.series: tuple[PlotSeries, ...] = ()
         self.present: Present | None = None
+        self.floor = 0.0
         self.target = math.nan  # the round error of the table
         self.x = self.y = Range(-2, 0)
 
@@ -43,7 +44,7 @@ class WorkPrecisionPlot:
         self, series: Sequence[PlotSeries], present: Present | None, target: float, floor: float = 0.0
     ) -> None:
         """Take new data; the axes follow, but for errors up to ``floor``, which lie at the foot."""
-        self.series, self.present, self.target = tuple(series), present, target
+        self.series, self.present, self.target, self.floor = tuple(series), present, target, floor
         points = [point for one in self.series for point in one.runs]
         if present is not None:
             points.append(present.point)
@@ -176,7 +177,9 @@ class WorkPrecisionPlot:
         return abs(self.column(self.present.point.x) - x) < 44 * self.look.k
 
     def error_text(self, error: float, digits: int = 2) -> str:
-        """An error with its unit, or as a power of ten if it has none."""
+        """An error with its unit, or as a power of ten if it has none; what is only rounding is said so."""
+        if self.floor > 0.0 and error <= self.floor:
+            return "rounding"
         if self.axes.y_unit:
             return format_si(error, self.axes.y_unit, digits)
         return format_number(error, digits)
