@@ -45,6 +45,11 @@ def write_text(path: Path, text: str) -> None:
     Folders on the way are made. Raises FileProblem; the old file, if any, is then as it was. A link or
     anything else that is not a regular file is left alone.
     """
+    write_bytes(path, text.encode("utf-8"))
+
+
+def write_bytes(path: Path, data: bytes) -> None:
+    """As `write_text`, for what is no text."""
     try:
         if path.is_symlink():
             raise FileProblem("a symbolic link; not written over")
@@ -53,7 +58,7 @@ def write_text(path: Path, text: str) -> None:
         if path.parent.exists() and not path.parent.is_dir():
             raise FileProblem("its folder is not a directory")
         path.parent.mkdir(parents=True, exist_ok=True)
-        _replace(path, text.encode("utf-8"))
+        _replace(path, data)
     except OSError as error:
         raise FileProblem(_reason(error)) from None
     except ValueError as error:

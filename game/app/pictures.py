@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import re
 import threading
 from datetime import datetime
+from io import BytesIO
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import NamedTuple
 
 import pygame
 
+from game.files import FileProblem, write_bytes
 from game.folders import pictures_folder
 
 
@@ -86,12 +87,9 @@ def _free_path(title: str) -> Path:
 
 def write_png(surface: pygame.Surface, path: Path) -> None:
     """Write a PNG to exactly this path, whole or not at all; OSError if it cannot be written."""
-    part = path.with_name(f".{path.stem}.{os.getpid()}.part.png")  # its ending says what is written
+    packed = BytesIO()  # the toolkit itself would pass over a full disk
     try:
-        pygame.image.save(surface, str(part))
-        part.replace(path)
-    except pygame.error as error:
+        pygame.image.save(surface, packed, "png")
+        write_bytes(path, packed.getvalue())
+    except (pygame.error, FileProblem) as error:
         raise OSError(f"{path}: {error}") from None
-    finally:
-        with contextlib.suppress(OSError):
-            part.unlink()

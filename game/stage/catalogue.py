@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from difflib import get_close_matches
 from importlib import import_module
 from typing import NamedTuple
 
@@ -50,9 +51,18 @@ class Catalogue:
         for entry in self.entries:
             if entry.name == name:
                 return entry
+        near = self.near(name)
+        meant = f" (did you mean {' or '.join(near)}?)" if near else ""
         raise KeyError(
-            f"no scene is called {name}; there are {', '.join(entry.name for entry in self.entries)}"
+            f"no scene is called {name}{meant}; there are {', '.join(entry.name for entry in self.entries)}"
         )
+
+    def near(self, name: str) -> list[str]:
+        """Names of at most three scenes that may have been meant: alike, or with that word in their title."""
+        word = name.strip().lower()
+        alike = get_close_matches(word, [entry.name for entry in self.entries], 3, 0.6)
+        titled = [e.name for e in self.entries if len(word) > 2 and word in f"{e.name} {e.title.lower()}"]
+        return list(dict.fromkeys([*titled, *alike]))[:3]
 
     def categories(self) -> tuple[str, ...]:
         """Category names in order of first appearance."""

@@ -279,6 +279,11 @@ class TestCatalogue:
         with pytest.raises(KeyError, match="no scene is called x; there are example"):
             Catalogue((self.row,))["x"]
 
+    @pytest.mark.parametrize("name", ["exampel", "Example ", "bouncing", "exam"])
+    def test_a_name_that_is_nearly_right(self, name: str) -> None:
+        with pytest.raises(KeyError, match=r"\(did you mean example\?\); there are example"):
+            Catalogue((self.row,))[name]
+
     def test_two_of_one_name(self) -> None:
         with pytest.raises(ValueError, match="two scenes have one name"):
             Catalogue((self.row, self.row))

@@ -6,6 +6,7 @@ Modules import what they need inside ``execute``, so that no command pays for an
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import sys
 from collections.abc import Sequence
@@ -44,7 +45,10 @@ def run_command_line(arguments: Sequence[str]) -> int:
     """Do what the arguments say; the exit status. A user's mistake is one line on stderr and status 2."""
     try:
         options = build_parser().parse_args(list(arguments))
-        return int(options.execute(options) or 0)
+        status = int(options.execute(options) or 0)
+        if sys.stdout is not None:
+            sys.stdout.flush()  # what cannot be written is to be told here, not at the exit
+        return status
     except MistakeError as mistake:
         print(f"carom: {mistake}", file=sys.stderr)
         return mistake.status
@@ -53,5 +57,22 @@ def run_command_line(arguments: Sequence[str]) -> int:
         return 130
     except BrokenPipeError:
         # whoever read the output has enough; nothing must be flushed into the closed pipe at exit
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _drop_output()
         return 0
+    except OSError as error:  # a disk that is full or gone, under a file or under the standard output
+        if sys.stdout is not None:
+            _drop_output()
+        print(f"carom: {_words_of(error)}", file=sys.stderr)
+        return 1
+
+
+def _drop_output() -> None:
+    """What is still to be printed goes nowhere."""
+    with contextlib.suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _words_of(error: OSError) -> str:
+    """What the system says, and of which file, in one line."""
+    words = (error.strerror or str(error) or type(error).__name__).lower()
+    return " ".join(f"{error.filename}: {words}".split() if error.filename else words.split())
