@@ -79,7 +79,9 @@ def _foot_of(table: StudyTable) -> Foot:
     above = min((y for y in heights if math.isfinite(y) and y > floor), default=1e-3)
     below = [y for y in heights if y <= floor]
     highest = max((study.up(row) for row in table if not row.failed), default=0.0)
-    top = BEYOND * highest if highest > floor else math.inf
+    if highest <= floor:  # only failures stand above the foot
+        highest = max((y for y in heights if math.isfinite(y)), default=0.0) or 1.0
+    top = BEYOND * highest
     return Foot(above / 3.0 if below else 0.0, "rounding" if any(below) else "none", top)
 
 
@@ -105,11 +107,10 @@ def _draw_method(axes: Any, table: StudyTable, name: str, foot: Foot, colour: st
 
 
 def _places(study: Study, rows: list[Row], foot: Foot) -> tuple[list[float], list[float]]:
-    """Where rows stand, between foot and top; what is not finite at the top, if there is one."""
+    """Where rows stand, between foot and top; what is not finite at the top."""
     heights = [study.up(row) for row in rows]
     heights = [min(y, foot.top) if not math.isnan(y) else foot.top for y in heights]
-    placed = [(study.across(row), y) for row, y in zip(rows, heights, strict=True) if math.isfinite(y)]
-    return [x for x, _ in placed], [max(y, foot.height) for _, y in placed]
+    return [study.across(row) for row in rows], [max(y, foot.height) for y in heights]
 
 
 def _by_knob(row: Row) -> float:
