@@ -74,6 +74,7 @@ class SpinRun(Run):
     """The same, and how far the spin is off at the end, as a share of that at first."""
 
     def error(self) -> float:
+        """Share of the first spin by which the last one is off."""
         exact = FreeTop(MOMENTS, GENERIC).spin(self.simulated_s)
         off = (self.body.spin - exact) / math.sqrt(sum(w * w for w in GENERIC))
         return math.sqrt(float(off @ off)) if np.isfinite(off).all() else math.inf
