@@ -48,6 +48,14 @@ def write_text(path: Path, text: str) -> None:
     write_bytes(path, text.encode("utf-8"))
 
 
+def save_text(path: Path, text: str) -> None:
+    """As `write_text`, but OSError says why it could not be written."""
+    try:
+        write_text(path, text)
+    except FileProblem as problem:
+        raise OSError(f"{path}: {problem}") from None
+
+
 def write_bytes(path: Path, data: bytes) -> None:
     """As `write_text`, for what is no text."""
     try:

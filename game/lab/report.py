@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import csv
 import math
+from io import StringIO
 from pathlib import Path
 
+from game.files import save_text
 from game.lab.analysis import TARGETS, summarise
 from game.lab.picture import PlotsMissingError, write_png
 from game.lab.study import ACCURACY, StudyTable
@@ -15,14 +17,15 @@ def write_csv(table: StudyTable, path: Path) -> Path:
     """All rows, one a line; further knobs and scene parameters in columns of their own."""
     others = sorted({name for row in table for name in row.others})
     scene = sorted({name for row in table for name in row.scene})
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        fixed = ["method", table.study.knob.name, "error", "cpu_s", "counter", "failure"]
-        writer.writerow([*fixed, *others, *(f"scene.{name}" for name in scene)])
-        for row in table:
-            values = [row.method, repr(row.knob), repr(row.error), repr(row.cpu_s), row.counter, row.failure]
-            values += [row.others.get(name, "") for name in others]
-            writer.writerow([*values, *(row.scene.get(name, "") for name in scene)])
+    file = StringIO(newline="")
+    writer = csv.writer(file)
+    fixed = ["method", table.study.knob.name, "error", "cpu_s", "counter", "failure"]
+    writer.writerow([*fixed, *others, *(f"scene.{name}" for name in scene)])
+    for row in table:
+        values = [row.method, repr(row.knob), repr(row.error), repr(row.cpu_s), row.counter, row.failure]
+        values += [row.others.get(name, "") for name in others]
+        writer.writerow([*values, *(row.scene.get(name, "") for name in scene)])
+    save_text(path, file.getvalue())
     return path
 
 
@@ -68,7 +71,7 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
     failed = failure_lines(table)
     if failed:
         lines += ["", "Failed:", "", *(f"- {line}" for line in failed)]
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    save_text(path, "\n".join(lines) + "\n")
     return path
 
 

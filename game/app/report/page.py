@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from game.app.report.machine import about, about_words
 from game.app.report.prices import Price, Prices
+from game.files import save_text
 from game.lab import ACCURACY, Study, StudyTable, summarise
 from game.lab.analysis import TARGETS
 from game.lab.report import failure_lines
@@ -57,7 +58,7 @@ def write_page(reports: Sequence[SceneReport], path: Path) -> Path:
     ]
     for report in reports:
         parts += _scene(report)
-    path.write_text("\n".join(parts) + "\n", encoding="utf-8")
+    save_text(path, "\n".join(parts) + "\n")
     return path
 
 
