@@ -11,6 +11,7 @@ import sys
 import time
 from pathlib import Path
 
+import pygame
 import pytest
 from tests_app import CATALOGUE, example_entry
 
@@ -18,7 +19,7 @@ from game.app.fuzz.hostile import spoil
 from game.app.fuzz.session import FuzzSession
 from game.app.fuzz.values import any_value
 from game.app.settings import load_settings
-from game.levels import LevelError, parse_level
+from game.levels import LevelError, load_level, parse_level
 from game.stage import KnobError
 from game.stage.recording import Recording, RecordingError
 
@@ -97,30 +98,54 @@ def test_spoilt_files_are_refused_in_one_line_or_taken(tmp_path: Path):
 WRITER = """
 import sys
 from pathlib import Path
+import pygame
+from game.app.pictures import write_png
+from game.app.settings import Settings, save_settings
 from game.files import write_text
-path = Path(sys.argv[1])
-print("ready", flush=True)
+from game.levels import Level, save_level
+from game.stage.recording import Recording
+folder = Path(sys.argv[1])
 n = 0
 while True:
     n += 1
-    write_text(path, f"{n} " * 20000 + "end")
+    write_text(folder / "kept.txt", f"{n} " * 20000 + "end")
+    save_settings(Settings(width=640 + n % 1000, keys={"pause": "x"}), folder)
+    save_level(Level(scene="example", title=f"{n} " * 50, parameters={"restitution": 0.5}), folder / "a.toml")
+    recording = Recording(scene="example", seed=n, dt=0.01, parameters={"a" * i: 0.5 for i in range(99)},
+                          effects_off=[], events=[], steps=0, digest="x")
+    recording.save(folder / "a.json")
+    surface = pygame.Surface((200, 200 + n % 50))
+    surface.fill((n % 255, 9, 9))
+    write_png(surface, folder / "a.png")
+    if n == 1:
+        print("ready", flush=True)
 """
+
+
+def _check_kept(folder: Path) -> None:
+    """Everything that was ever written is there, whole."""
+    words = (folder / "kept.txt").read_text(encoding="utf-8").split()
+    assert words[-1] == "end" and len(words) == 20_001 and len(set(words[:-1])) == 1
+    loaded = load_settings(folder)
+    assert loaded.complaint == "" and loaded.settings.keys == {"pause": "x"}
+    assert len(set(load_level(folder / "a.toml", "example", None).title.split())) == 1
+    assert len(Recording.load(folder / "a.json").parameters) == 99
+    picture = pygame.image.load(str(folder / "a.png"))
+    assert picture.get_at((0, 0)) == picture.get_at((199, picture.get_height() - 1))
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs a process that can be killed")
 def test_a_process_killed_while_it_writes_loses_nothing(tmp_path: Path):
-    path = tmp_path / "kept.txt"
-    path.write_text("before end", encoding="utf-8")
     hand = random.Random(3)
-    for _ in range(6):
+    for _ in range(5):
         process = subprocess.Popen(
-            [sys.executable, "-c", WRITER, str(path)], stdout=subprocess.PIPE, text=True,
-            env={**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[2])},
+            [sys.executable, "-c", WRITER, str(tmp_path)], stdout=subprocess.PIPE, text=True,
+            env={**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[2]),
+                 "PYGAME_HIDE_SUPPORT_PROMPT": "1"},
         )  # fmt: skip
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
-        time.sleep(hand.uniform(0.0, 0.05))
+        time.sleep(hand.uniform(0.0, 0.06))
         process.send_signal(signal.SIGKILL)
         process.communicate()
-        words = path.read_text(encoding="utf-8").split()
-        assert words[-1] == "end" and len(set(words[:-1])) == 1
+        _check_kept(tmp_path)
