@@ -229,6 +229,7 @@ def test_one_ball_off_one_rail() -> None:
         assert played.state_at(played.end_time).positions[0] == pytest.approx(played.final["cue"], abs=1e-9)
 
 
+@pytest.mark.compiled
 def test_a_study_is_a_table_of_cost_and_error() -> None:
     table = run_study(free_flight_study, repeats=1, stop=lambda: False)
     assert {(row.method, row.knob) for row in table} == {

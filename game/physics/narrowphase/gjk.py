@@ -55,16 +55,9 @@ def corner(va, fa, vb, fb, c, s, tx, ty, i, j):
     return va[fa + i, 0] - (c * x - s * y + tx), va[fa + i, 1] - (s * x + c * y + ty)
 
 
-@inner_kernel
-def walk(
-    va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, trace
-):  # fmt: skip
-    """GJK from two features (-1: from the support vertices along h): (status, steps, i0, j0, i1, j1, i, j).
-
-    Two corners i0, j0 and i1, j1 (the same twice for one) are the closest simplex; with INSIDE_SIMPLEX i, j
-    is the third that closes the triangle round the origin.
-    """
-    count = 1
+@inner_kernel(forceinline=True)
+def first_simplex(va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b):
+    """Where the walk begins: corners (count, i0, j0, i1, j1), the second the same as the first for one."""
     if known_feature(start_a, na) and known_feature(start_b, nb):
         i0, j0 = start_a >> 1, start_b >> 1
         i1, j1 = i0, j0
@@ -76,19 +69,44 @@ def walk(
         w1x, w1y = corner(va, fa, vb, fb, c, s, tx, ty, i1, j1)
         part = closest_point(w0x, w0y, w1x, w1y)[2]
         if part == 0.0:
-            i1, j1, w1x, w1y = i0, j0, w0x, w0y
-        elif part == 1.0:
-            i0, j0, w0x, w0y = i1, j1, w1x, w1y
-        else:
-            count = 2
-    else:
-        if hx == 0.0 and hy == 0.0:
-            hx = 1.0  # any direction will do, but the first corner must be a support vertex
-        i0 = support_cold(va, fa, na, hx, hy)
-        j0 = support_cold(vb, fb, nb, -(c * hx + s * hy), s * hx - c * hy)
-        i1, j1 = i0, j0
-        w0x, w0y = corner(va, fa, vb, fb, c, s, tx, ty, i0, j0)
-        w1x, w1y = w0x, w0y
+            return 1, i0, j0, i0, j0
+        if part == 1.0:
+            return 1, i1, j1, i1, j1
+        return 2, i0, j0, i1, j1
+    if hx == 0.0 and hy == 0.0:
+        hx = 1.0  # any direction will do, but the first corner must be a support vertex
+    i0 = support_cold(va, fa, na, hx, hy)
+    j0 = support_cold(vb, fb, nb, -(c * hx + s * hy), s * hx - c * hy)
+    return 1, i0, j0, i0, j0
+
+
+@inner_kernel(forceinline=True)
+def note_step(trace, step, count, i0, j0, i1, j1, mx, my, length, distance, i, j, wx, wy, bound, kept):
+    """Write one step into the trace, as far as it has room; see TRACE_WIDTH."""
+    if step < trace.shape[0]:
+        row = trace[step]
+        row[0], row[1], row[2], row[3], row[4] = count, i0, j0, i1, j1
+        row[5], row[6], row[9], row[10], row[11], row[12] = -mx / length, -my / length, i, j, wx, wy
+        row[7], row[8] = mx / length * distance, my / length * distance
+        row[13], row[14], row[15] = distance, bound / length, kept
+
+
+@inner_kernel
+def walk(
+    va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, trace
+):  # fmt: skip
+    """GJK from two features (-1: from the support vertices along h): (status, steps, i0, j0, i1, j1, i, j).
+
+    Two corners i0, j0 and i1, j1 (the same twice for one) are the closest simplex; with INSIDE_SIMPLEX i, j
+    is the third that closes the triangle round the origin.
+    """
+    count, i0, j0, i1, j1 = first_simplex(
+        va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b
+    )  # fmt: skip
+    w0x, w0y = corner(va, fa, vb, fb, c, s, tx, ty, i0, j0)
+    w1x, w1y = w0x, w0y
+    if count == 2:
+        w1x, w1y = corner(va, fa, vb, fb, c, s, tx, ty, i1, j1)
     k0, l0, k1, l1 = i0, j0, i1, j1  # the nearest simplex
     i, j = i0, j0
     nearest, stalls = math.inf, 0
@@ -125,12 +143,7 @@ def walk(
         bound = mx * wx + my * wy
         done = height - bound <= tolerance * height or (i == i0 and j == j0) or (i == i1 and j == j1)
         kept = 0 if done else best_simplex(count, w0x, w0y, w1x, w1y, wx, wy)
-        if step < trace.shape[0]:
-            row = trace[step]
-            row[0], row[1], row[2], row[3], row[4] = count, i0, j0, i1, j1
-            row[5], row[6], row[9], row[10], row[11], row[12] = -mx / length, -my / length, i, j, wx, wy
-            row[7], row[8] = mx / length * distance, my / length * distance
-            row[13], row[14], row[15] = distance, bound / length, kept
+        note_step(trace, step, count, i0, j0, i1, j1, mx, my, length, distance, i, j, wx, wy, bound, kept)
         if done:
             return APART, step + 1, i0, j0, i1, j1, i, j
         if kept == INSIDE:
