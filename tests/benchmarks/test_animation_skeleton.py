@@ -8,7 +8,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.lab.benchmarks.animation import MOST, TOLERANCE, numpy_skinner, posed_skin, reach
+from game.lab.benchmarks.animation import MOST, TOLERANCE, posed_skin, reach
+from game.lab.studies.skinning import by_numpy
 from game.physics.animation import BLENDS, IK_METHODS, Skinner, bind_weights
 
 SKINNING = "100 000 points, 15 bones"
@@ -33,7 +34,7 @@ def test_skinning_with_numpy(benchmark, posed):
     """Matrices by einsum: the same points."""
     benchmark.group = SKINNING
     skeleton, binding = posed
-    moved = benchmark(numpy_skinner(skeleton, binding))
+    moved = benchmark(by_numpy(skeleton, binding))
     assert np.allclose(moved, Skinner(binding)(skeleton.world), rtol=0, atol=1e-12)
 
 

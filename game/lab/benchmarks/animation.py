@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
+from game.lab.studies.skinning import by_numpy
 from game.physics.animation import Binding, Keyframes, Skeleton, Skinner, Solver, bind_weights, chain_skeleton
 
 Array = NDArray[np.float64]
@@ -63,19 +64,6 @@ def posed_skin() -> tuple[Skeleton, Binding]:
     return skeleton, binding
 
 
-def numpy_skinner(skeleton: Skeleton, binding: Binding) -> Call:
-    """Matrices by einsum: the same points."""
-    points = np.column_stack([binding.points, np.ones(POINTS)])
-
-    def work() -> Array:
-        palette = np.einsum("nij,njk->nik", skeleton.world, binding.inverse)[:, :2]
-        blended = np.einsum("vk,vkij->vij", binding.weights, palette[binding.bones])
-        moved: Array = np.einsum("vij,vj->vi", blended, points)
-        return moved
-
-    return work
-
-
 def _skin(blend: str) -> Call:
     skeleton, binding = posed_skin()
     skinner = Skinner(binding)
@@ -83,7 +71,7 @@ def _skin(blend: str) -> Call:
 
 
 def _numpy_skin() -> Call:
-    return numpy_skinner(*posed_skin())
+    return by_numpy(*posed_skin())
 
 
 # -- reaching -------------------------------------------------------------------------------------------

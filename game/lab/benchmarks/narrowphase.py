@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
+from game.lab.studies.narrowphase_support import pebbles
 from game.physics.narrowphase import PolygonSet, Proximities, gjk_batch, vclip_batch
 
 Array = NDArray[np.float64]
@@ -22,11 +23,8 @@ class Workload:
     """A thousand pairs of pebbles in random places, none overlapping; poses for ROUNDS rounds."""
 
     def __init__(self, corners: int) -> None:
+        self.points = pebbles(corners, SHAPES, corners)
         random = np.random.default_rng(corners)
-        self.points: list[Array] = []
-        for _ in range(SHAPES):
-            turns = (np.arange(corners) + random.uniform(-0.3, 0.3, corners)) * (2.0 * math.pi / corners)
-            self.points.append(np.column_stack((np.cos(turns), random.uniform(0.5, 1.0) * np.sin(turns))))
         self.which = random.integers(0, SHAPES, (2, PAIRS))
         self.sets = [PolygonSet([self.points[k] for k in row]) for row in self.which.tolist()]
         far, around = random.uniform(2.05, 4.0, PAIRS), random.uniform(0.0, 2.0 * math.pi, PAIRS)
