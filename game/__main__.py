@@ -10,7 +10,11 @@ from collections.abc import Sequence
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; the exit status."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-    from game.app.commands import run_command_line
+    try:
+        from game.app.commands import run_command_line
+    except KeyboardInterrupt:  # an impatient hand, while modules are read
+        print("carom: stopped", file=sys.stderr)
+        return 130
 
     return run_command_line(sys.argv[1:] if arguments is None else arguments)
 

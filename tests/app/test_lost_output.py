@@ -11,6 +11,7 @@ import pygame
 import pytest
 
 from game import files
+from game.__main__ import main
 from game.app.commands import run_command_line
 from game.app.pictures import PictureSaver, write_png
 
@@ -75,3 +76,15 @@ def test_a_picture_for_which_there_is_no_room_is_told_and_leaves_nothing(
     (done,) = saver.take()
     assert "no space left on device" in done.problem
     assert list((tmp_path / "pictures").iterdir()) == []
+
+
+def test_an_impatient_hand_is_told_in_one_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+):
+    class Interrupted:
+        def __getattr__(self, name: str):
+            raise KeyboardInterrupt
+
+    monkeypatch.setitem(sys.modules, "game.app.commands", Interrupted())
+    assert main(["list"]) == 130
+    assert capsys.readouterr().err == "carom: stopped\n"
