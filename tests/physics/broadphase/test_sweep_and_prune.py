@@ -124,3 +124,45 @@ def test_more_changes_than_fit_the_notes_are_handed_on_in_parts():
     sap.update_boxes(ids, np.hstack([-x, x * 0.0]), np.hstack([1.0 - x, x * 0.0 + 1.0]))
     assert len(sap.pairs()) == 0
     sap.check()
+
+
+@pytest.mark.parametrize("resort", [True, False])
+def test_few_boxes_are_moved_one_by_one_to_the_same_pairs(resort):
+    """Far fewer than all: each is moved by itself; the pairs are those of sweeping anew."""
+    generator = np.random.default_rng(4)
+    lowers = generator.random((400, 2)) * 10.0
+    sap = SweepAndPrune(resort=resort)
+    ids = sap.add_boxes(lowers, lowers + 0.5)
+    for _ in range(5):
+        chosen = generator.choice(400, 3, replace=False)
+        lowers[chosen] += generator.uniform(-1.0, 1.0, (3, 2))
+        sap.update_boxes(ids[chosen], lowers[chosen], lowers[chosen] + 0.5)
+        anew = SweepAndPrune()
+        anew.add_boxes(lowers, lowers + 0.5)
+        assert np.array_equal(sap.pairs(), anew.pairs())
+        sap.check()
+    before = sap.pairs()
+    for call, message in (
+        (lambda: sap.update_boxes(ids[:2], lowers[:1], lowers[:1] + 0.5), "ids: 2 ids for 1 boxes"),
+        (lambda: sap.update_boxes([401], lowers[:1], lowers[:1] + 0.5), "401"),
+        (lambda: sap.update_boxes(ids[:1], lowers[:1], lowers[:1] - 0.5), "upper|lower"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            call()
+    assert np.array_equal(sap.pairs(), before)
+
+
+def test_another_manager_takes_over_the_pairs_without_events():
+    lowers = np.array([(0.0, 0.0), (0.5, 0.5), (5.0, 5.0)])
+    sap = SweepAndPrune(HashedPairs())
+    ids = sap.add_boxes(lowers, lowers + 1.0)
+    matrix = MatrixPairs(8)
+    sap.use_manager(matrix)
+    assert sap.pairs().tolist() == matrix.pairs().tolist() == [[0, 1]]
+    begun, ended = matrix.take_events()
+    assert len(begun) == len(ended) == 0
+    sap.update_box(int(ids[2]), (1.5, 1.5), (2.0, 2.0))
+    assert sap.pairs().tolist() == [[0, 1], [1, 2]]
+    for useless in (matrix, MatrixPairs(2)):
+        with pytest.raises(ValueError, match="an empty pair manager with room for 3 ids"):
+            sap.use_manager(useless)
