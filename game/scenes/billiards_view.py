@@ -66,7 +66,7 @@ def draw(scene: Billiards, canvas: Canvas, alpha: float) -> None:
     draw_balls(canvas, balls, table)
     if sight is not None:
         draw_label(
-            canvas, sight, scene.round.places, scene.round.conditions.radii[0], _foul_of(scene, sight.target)
+            canvas, sight, scene.round.places, scene.round.conditions.radii[0], foul_of(scene, sight.target)
         )
     if scene.considered and scene.phase == STRIKING and not scene.person_plays:
         draw_considered(canvas, scene.kept.considered, scene.round.places, table, played=False)
@@ -141,7 +141,7 @@ def _draw_marks(scene: Billiards, canvas: Canvas) -> None:
                       dash=(4.0, 3.0))  # fmt: skip
 
 
-def _foul_of(scene: Billiards, first: int | None) -> str:
+def foul_of(scene: Billiards, first: int | None) -> str:
     """Why a stroke is a foul whose white ball meets that ball first, empty if it is none."""
     game = scene.round.game
     wanted = game.legal_first()
@@ -159,7 +159,7 @@ def _draw_aim(scene: Billiards, canvas: Canvas) -> Sight | None:
         return None
     radii = scene.round.conditions.radii
     target = radii[sight.target] if sight.target is not None else 0.0
-    draw_sight(canvas, sight, radii[0], target, bool(_foul_of(scene, sight.target)))
+    draw_sight(canvas, sight, radii[0], target, bool(foul_of(scene, sight.target)))
     return sight
 
 

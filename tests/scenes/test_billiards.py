@@ -2,6 +2,7 @@
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 from scenes.billiards_stages import (
@@ -19,6 +20,7 @@ from scenes.billiards_stages import (
 )
 
 from game.billiards.rack import BALL_RADIUS, HEAD_SPOT
+from game.billiards.rules import Call
 from game.levels import LevelError
 from game.scenes import billiards_hand as hand
 from game.scenes import billiards_layout as layout
@@ -26,6 +28,7 @@ from game.scenes import billiards_moves as moves
 from game.scenes.billiards_cue import pull_of, stroke_motion
 from game.scenes.billiards_round import Struck, trajectory_of
 from game.scenes.billiards_sight import foresee
+from game.scenes.billiards_view import foul_of
 from game.scenes.cue_control import FULL_PULL, MAX_SPEED
 from game.stage import Action, Decision, KnobError, SetEffect, SetKnob
 
@@ -58,6 +61,36 @@ def test_pulling_the_cue_back_strikes_as_hard_as_it_was_pulled():
     assert 3 not in [number for number, _, _ in scene.round.places]
     assert scene.round.game.potted == 1
     check_balls(stage)
+
+
+def test_after_a_pull_the_power_is_again_what_was_set():
+    stage = straight_pot()
+    scene = stage.scene
+    stage.post(SetKnob("power", 2.5))
+    aim(stage, AT_THE_CORNER)
+    x, y = scene.round.white
+    ux, uy = math.cos(AT_THE_CORNER), math.sin(AT_THE_CORNER)
+    near, far = 0.1, 0.1 - 0.6 * FULL_PULL
+    drag(stage, (x + near * ux, y + near * uy), (x + far * ux, y + far * uy))
+    assert scene.phase == "striking" and scene.power > 2.5
+    until_aiming(stage)
+    assert scene.power == 2.5
+    stage.post(Action("undo"))
+    assert scene.power > 2.5  # the same stroke can be tried again
+
+
+def test_a_ball_that_must_not_be_hit_first_is_named():
+    stage = open_level("nine-ball")
+    scene = stage.scene
+    game = scene.round.game
+    assert game.legal_first() == (1,)
+    assert foul_of(scene, 1) == foul_of(scene, None) == "" and foul_of(scene, 4) == "foul: the 1 first"
+    scene.call = Call(push_out=True)
+    assert foul_of(scene, 4) == ""
+    stage = open_level("called-pockets")
+    groups = msgspec.structs.replace(stage.scene.round.game, opening=False, groups=("solids", "stripes"))
+    stage.scene.round = msgspec.structs.replace(stage.scene.round, game=groups)
+    assert foul_of(stage.scene, 3) == "" and foul_of(stage.scene, 12) == "foul: not the 12"
 
 
 def test_a_short_pull_is_a_change_of_mind_and_esc_takes_the_stroke_back():
