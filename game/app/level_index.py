@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from game.app.stars import kept_stars
 from game.files import read_text
 from game.levels import MAX_BYTES, level_files, user_level_files
 
+MOST_KEPT = 2_000  # heads of files
 _TABLE = re.compile(r"^[ \t]*\[", re.MULTILINE)
 
 
@@ -34,14 +36,24 @@ def level_heads(scene_name: str) -> list[LevelHead]:
 def _heads(scene_name: str) -> Iterator[LevelHead]:
     stars = kept_stars(scene_name)
     for path in [*level_files(scene_name), *user_level_files(scene_name)]:
-        fields = _read(path)
+        fields = _fields(path)
         title = str(fields.get("title") or path.stem.replace("-", " ").capitalize())
         hard_case = str(fields.get("hard_case") or "")
         won = stars[path.stem].words if path.stem in stars else ""
         yield LevelHead(scene_name, title, str(fields.get("about") or ""), hard_case, path, won)
 
 
-def _read(path: Path) -> dict[str, object]:
+def _fields(path: Path) -> dict[str, object]:
+    """The fields of the file's head as it is now; the menu asks for all of them each time it is opened."""
+    try:
+        found = path.stat()
+    except OSError:
+        return {}
+    return _read(path, found.st_mtime_ns, found.st_size)
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def _read(path: Path, modified_ns: int, size: int) -> dict[str, object]:
     """The fields of the file's head, or none if it is broken: opening it will say why."""
     try:
         text = read_text(path, MAX_BYTES)

@@ -29,8 +29,11 @@ def heads_of(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
 
     monkeypatch.setattr(level_index, "tomllib", SimpleNamespace(loads=loads))
 
-    def write_and_read(text: str) -> tuple[LevelHead, int]:
-        (tmp_path / "a-file.toml").write_text(text, encoding="utf-8")
+    level_index._read.cache_clear()
+
+    def write_and_read(text: str | None) -> tuple[LevelHead, int]:
+        if text is not None:
+            (tmp_path / "a-file.toml").write_text(text, encoding="utf-8")
         parsed.clear()
         return level_heads("example")[0], sum(parsed)
 
@@ -41,6 +44,14 @@ def test_only_the_head_is_parsed(heads_of):
     head, letters = heads_of(HEAD + LONG)
     assert head[1:4] == ("A level", "Words.", "E.H1")
     assert letters <= len(HEAD) + 1
+
+
+def test_a_file_is_read_again_when_it_has_changed(heads_of):
+    assert heads_of(HEAD)[0].title == "A level"
+    head, letters = heads_of(None)
+    assert head.title == "A level" and letters == 0
+    head, letters = heads_of(HEAD.replace("A level", "Another level"))
+    assert head.title == "Another level" and letters > 0
 
 
 @pytest.mark.parametrize(
