@@ -146,6 +146,37 @@ def test_click_on_a_point_sets_the_scene(scene: Driver):
     assert scene.stage.recording.events[-1].event.name == "gravity"
 
 
+def test_a_point_switches_effects_and_the_scene_finds_its_place_by_them(
+    driver: Driver, monkeypatch: pytest.MonkeyPatch
+):
+    import example_scene
+
+    def settings() -> list[Setting]:
+        return [Setting("first", step, scene={"test-ground": step > 0.01}) for step in STEPS]
+
+    seen = []
+
+    def present(values) -> Setting:
+        seen.append(values["test-ground"])
+        return Setting("first", 0.05 if values["test-ground"] else 0.005)
+
+    made = dataclasses.replace(make_study(), settings=settings, present=present)
+    monkeypatch.setattr(example_scene.BouncingBall, "study", made)
+    driver.open()
+    driver.key(pygame.K_a)
+    driver.top.run.wait(60.0)
+    driver.frames(40)
+    page = driver.top.page
+    point = next(p for p in page.data.series[0].points if p.parameters == {"test-ground": False})
+    x, y = page.plot.place(0, point)
+    driver.click(round(x) + page.overlay.card.x, round(y) + page.overlay.card.y)
+    driver.frames(30)
+    assert "test-ground" not in driver.stage.scene.active
+    driver.key(pygame.K_a)
+    driver.top.run.wait(60.0)
+    assert seen == [True, False] and driver.top.run.present.knob == 0.005
+
+
 def test_table_and_picture_are_saved(scene: Driver):
     scene.click(*scene.top.page.spots.find("save-csv").rect.center)
     with Path(scene.app.toasts.shown.consequence).open(newline="") as file:
