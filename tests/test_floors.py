@@ -87,6 +87,29 @@ def test_no_screen_below_the_ui() -> None:
     assert [where for where, tree in lower if roots(tree, where) & {"pygame", "pygame_gui"}] == []
 
 
+def test_no_circles_of_imports_without_a_screen() -> None:
+    """Each module can be read after those that it imports."""
+    lower = {
+        "game." + where.removesuffix(".py").replace("/", ".").removesuffix(".__init__"): (where, tree)
+        for where, tree in MODULES
+        if floor_of(where) in SCREENLESS
+    }
+    waiting = {
+        name: (lower.keys() - {name}) & set(imported(tree, where, typing_too=False))
+        for name, (where, tree) in lower.items()
+        if not where.endswith("__init__.py")
+    }
+    faces = lower.keys() - waiting.keys()  # a package's face imports what lies in it
+    for others in waiting.values():
+        others -= faces
+    while ready := [name for name, others in waiting.items() if not others]:
+        for name in ready:
+            del waiting[name]
+        for others in waiting.values():
+            others.difference_update(ready)
+    assert sorted(waiting) == []
+
+
 def test_physics_is_numbers_only() -> None:
     physics = [
         (where, tree) for where, tree in MODULES if floor_of(where) == "physics" and where not in MACHINERY
