@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.app.script import Script, demo_of, demo_steps
-from game.stage import Action, Pointer, SetKnob, Stage, Stamped
+from game.stage import Action, Decision, Pointer, SetKnob, Stage, Stamped, replay_scene
 
 EVENTS = (
     Stamped(0, SetKnob("gravity", 5.0)),
@@ -67,3 +67,28 @@ def test_length_of_a_demo(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(scene_type, "demo", EVENTS, raising=False)
     assert demo_of(scene_type) == EVENTS
     assert demo_steps(scene_type, 0.01) == 60 + 800
+
+
+class SelfKicker(example_scene.BouncingBall):
+    """The ball with a player of its own, who kicks it whenever it comes down."""
+
+    def decisions(self, at_once=False):
+        return [Decision("kick", ())] if at_once and self.ball.velocity[1] < -2.0 else []
+
+    def decide(self, event):
+        self.ball.velocity[1] = 3.0
+
+
+def test_players_have_their_say_before_each_step_however_it_is_played():
+    digests = set()
+    for frames in (1, 7, 90):
+        stage = Stage(SelfKicker)
+        script = Script(stage, EVENTS[:1], players=True)
+        while stage.step_number < 60:
+            script.advance(0.0123 * frames / 90)
+        script.run(200 - stage.step_number)
+        digests.add(stage.digest())
+        kicks = [stamped for stamped in stage.recording.events if isinstance(stamped.event, Decision)]
+        assert len(kicks) > 1
+    assert len(digests) == 1
+    assert replay_scene(stage.recording, SelfKicker).digest() == stage.digest()
