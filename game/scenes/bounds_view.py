@@ -239,10 +239,13 @@ class BoundsView:
         draw_threads(pixels, clip, mapped, self._pairs[: m * p], torn, colors, GREY_ALPHA)
 
     def _draw_green(self, canvas: Canvas, paths: Array, depth: Any, deepest: int) -> None:
-        for path, level in zip(paths, depth.tolist(), strict=True):
+        if not len(paths):
+            return
+        sizes = (paths.max(axis=1) - paths.min(axis=1)).max(axis=1) * canvas.pixels_per_unit
+        small = (sizes < SHORTEST * canvas.k).tolist()
+        for path, level, plain in zip(paths, depth.tolist(), small, strict=True):
             alpha = 0.5 + 0.5 * level / deepest
-            small = float(np.ptp(path, axis=0).max()) * canvas.pixels_per_unit < SHORTEST * canvas.k
-            canvas.polyline(path, "green", 1.5, closed=True, dash=None if small else GREEN_DASH, alpha=alpha)
+            canvas.polyline(path, "green", 1.5, closed=True, dash=None if plain else GREEN_DASH, alpha=alpha)
 
     # -- what a query tells -------------------------------------------------------------------------
 

@@ -28,7 +28,9 @@ TALLEST = 6.0  # times the mean speed; faster moments leave the plot of speeds
 _UNIT_BOX = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])
 
 
-def box_corners(poses: Sequence[float] | Array, box: tuple[float, float]) -> Array:
+def box_corners(
+    poses: Sequence[float] | Sequence[Sequence[float]] | Array, box: tuple[float, float]
+) -> Array:
     """Corners (4, 2) of a box of width and height at a pose x, y, angle; (k, 4, 2) at poses (k, 3)."""
     x, y, angle = np.moveaxis(np.asarray(poses, dtype=np.float64), -1, 0)[..., None]
     cos, sin = np.cos(angle), np.sin(angle)
@@ -131,13 +133,15 @@ class KeyFramingView:
 
     def _draw_keys(self, scene: KeyFraming, canvas: Canvas) -> None:
         keys, box = scene.motion.keys, scene.motion.box
+        poses = [(*key.position, math.radians(key.angle)) for key in keys]
+        boxed = 0 < len(keys) <= MOST_POSES and scene.turning == "keys"
+        boxes = box_corners(poses, box) if boxed else np.zeros((0, 4, 2))
         for i, key in enumerate(keys):
             chosen = i == scene.chosen
-            if len(keys) <= MOST_POSES and scene.turning == "keys":
-                pose = (*key.position, math.radians(key.angle))
+            if boxed:
                 color = "amber" if chosen else "text2"
-                canvas.polygon(box_corners(pose, box), outline=color, width=1.4, alpha=1.0 if chosen else 0.7)
-                tip = turning_handle(scene, *pose)
+                canvas.polygon(boxes[i], outline=color, width=1.4, alpha=1.0 if chosen else 0.7)
+                tip = turning_handle(scene, *poses[i])
                 canvas.line(key.position, tip, color, 1.2, alpha=1.0 if chosen else 0.5)
                 canvas.dot(tip, 3.4, color)
             canvas.handle(key.position)

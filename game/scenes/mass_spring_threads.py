@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.jit import kernel
+from game.physics.lean import inner_kernel, lean_kernel
 from game.ui.raster_pixels import blend, is_drawable
 
 LONGEST = 4_000.0  # px; a longer thread is not drawn
 
 
-@kernel
+@inner_kernel
 def draw_thread(pixels, clip, x0, y0, x1, y1, color, alpha):
     """One thread between two places (px)."""
     steep = abs(y1 - y0) > abs(x1 - x0)
@@ -43,7 +43,7 @@ def draw_thread(pixels, clip, x0, y0, x1, y1, color, alpha):
             blend(pixels, whole + 1, x, color, part)
 
 
-@kernel
+@lean_kernel
 def draw_threads(pixels, clip, points, pairs, torn, colors, alpha):
     """Threads between ``points`` (n, 2) px by ``pairs`` (m, 2) of them, those torn (m,) left out.
 

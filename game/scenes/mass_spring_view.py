@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints import AREAS, CONTACTS
+from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
 from game.physics.jit import kernel
 from game.scenes.mass_spring_threads import draw_threads
+from game.scenes.skin_painter import NO_EDGE, paint
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
@@ -23,6 +25,7 @@ MOST_POINTS = 1_500  # particles drawn as points; more would cover their links
 MOST_STROKES = 2_500  # links drawn as strokes; more are drawn as threads
 THREAD_OPACITY = 0.8
 MOST_OUTLINES = 1_500
+AREA_OPACITY = 0.22
 LARGEST_DOT = 15.0  # design px, of a very heavy particle
 
 
@@ -91,13 +94,13 @@ class SpringView:
 
     def _draw_areas(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
         outlines = scene.system.outlines
-        starts = outlines.starts.tolist()
-        if len(starts) - 1 > MOST_OUTLINES:
+        count = len(outlines.starts) - 1
+        if not 0 < count <= MOST_OUTLINES:
             return
-        for j in range(len(starts) - 1):
-            if outlines.rows[4, j]:
-                corners = places[outlines.corners[starts[j] : starts[j + 1]]]
-                canvas.polygon(corners, fill="chalk", fill_alpha=0.22)
+        shares = np.where(outlines.rows[INTACT] > 0.0, AREA_OPACITY, 0.0)
+        inks = np.full(count, canvas.ink("chalk"), dtype=np.int64)
+        none = np.full(count, NO_EDGE, dtype=np.int64)
+        paint(canvas, places[outlines.corners], outlines.starts, inks, shares, none, np.zeros((4, 2)))
 
     def _draw_links(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
         system = scene.system

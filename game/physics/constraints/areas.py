@@ -32,6 +32,13 @@ def outline_area(x, y, corners):
 
 
 @kernel
+def measure_areas(x, y, corners, starts, areas):
+    """Write the signed areas (k,) m² of outlines; corners, starts (k + 1,): see `sweep_areas`."""
+    for j in range(areas.shape[0]):
+        areas[j] = outline_area(x, y, corners[starts[j] : starts[j + 1]])
+
+
+@kernel
 def project_outline(x, y, inverse_mass, corners, correction):
     """Move the corners along the gradient of the area by ``correction`` (kg^-1 scaled); x, y are written."""
     count = corners.shape[0]

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from game.physics.constraints.areas import AREA, INTACT, outline_area
+from game.physics.constraints.areas import AREA, INTACT, measure_areas
 from game.physics.constraints.attachments import nearest_pins
 from game.physics.constraints.chains import WORK_ROWS, find_chains
 from game.physics.constraints.colours import arrange_links
@@ -293,10 +292,10 @@ class PositionBasedDynamics:
 
     def areas(self) -> tuple[Floats, Floats]:
         """Areas (k,) m² of the outlines, now and at rest."""
-        x, y = self.fields[X], self.fields[Y]
-        starts = self.outlines.starts
-        now = [outline_area(x, y, self.outlines.corners[a:b]) for a, b in pairwise(starts)]
-        return np.array(now), self.outlines.rows[AREA].copy()
+        outlines = self.outlines
+        now = np.empty(len(outlines.starts) - 1)
+        measure_areas(self.fields[X], self.fields[Y], outlines.corners, outlines.starts, now)
+        return now, outlines.rows[AREA].copy()
 
     # -- remembering --------------------------------------------------------------------------------
 
