@@ -186,8 +186,8 @@ class ChainView:
             canvas.label((x, y - canvas.px(20.0)), "pick a chain", "text3", 12, anchor="topleft")
             return
         words = self._words[k]
-        canvas.label((x, y - canvas.px(20.0)), words.error, "text1", 12, "semibold", "topleft", halo=False)
-        canvas.label((x, y - canvas.px(36.0)), words.work, "text2", 11, anchor="topleft", halo=False)
+        canvas.label((x, y - canvas.px(20.0)), words.error, "text1", 12, "semibold", "topleft")
+        canvas.label((x, y - canvas.px(36.0)), words.work, "text2", 11, anchor="topleft")
         self._draw_trail(canvas, k, (x, y - canvas.px(56.0)))
 
     def _trails(self, scene: InverseKinematics, canvas: Canvas) -> tuple[Array, float]:
