@@ -217,6 +217,41 @@ def test_values_from_elsewhere_show(desk):
     assert desk.picture() == before
 
 
+def test_a_quiet_panel_that_follows_the_scene_shows_what_a_new_one_shows(desk):
+    """Rows that follow the scene one by one, without a pointer, against the whole sheet drawn anew."""
+    for _ in range(60):
+        desk.frame()  # at rest
+    sheet = desk.panel._sheet
+    for value, method in ((0.9, "explicit-euler"), (0.2, "explicit-euler"), (0.7, desk.stage.scene.method)):
+        desk.stage.post(SetKnob("restitution", value))
+        desk.stage.post(SetKnob("method", method))
+        for _ in range(40):
+            desk.frame()
+    assert desk.panel._sheet is sheet
+    followed = desk.picture()
+    desk.panel._unrest_s = 1.0
+    sheet._drawn = []
+    assert desk.picture() == followed
+
+
+def test_two_clicks_far_apart_in_time_are_no_double_click(desk):
+    row = desk.row(SliderRow, "restitution")
+    desk.apply([SetKnob("restitution", 0.9)])
+    place = desk.place(row, 60, 10)
+    click(desk.panel, place)
+    for _ in range(60):
+        desk.frame()
+    assert click(desk.panel, place) == []
+
+
+def test_a_linear_knob_with_a_grain_keeps_its_unit():
+    time = Param(0.0, 0.0, 1.0, unit="s", step=0.001)
+    time.name = "time"
+    assert shown_value(time, 0.004) == ("0.004", "s")
+    assert read_value(time, "0.5", shown_value(time, 0.004).unit) == 0.5
+    assert read_value(time, "4ms", "s") == 0.004
+
+
 def test_another_scene_of_the_type_takes_over_without_a_new_sheet(desk):
     sheet = desk.panel._sheet
     desk.stage.reset()
