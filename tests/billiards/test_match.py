@@ -43,6 +43,7 @@ def record(matches):
     return json.loads(json.dumps(match_data(matches[1], "A title")))
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", SEEDS)
 def test_every_round_holds_by_its_own_record(matches, seed):
     match = matches[seed]
@@ -58,6 +59,7 @@ def test_every_round_holds_by_its_own_record(matches, seed):
         assert ("ball-pocket", (said["ball"], said["pocket"])) in [(e.type, e.ids) for e in again.events]
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", SEEDS)
 def test_every_ball_but_the_last_falls_by_way_of_another(matches, seed):
     """Told by the contacts alone: after the break the ball that falls was hit once, by a numbered one."""
@@ -73,6 +75,7 @@ def test_every_ball_but_the_last_falls_by_way_of_another(matches, seed):
         assert hits[0][0] == "0"
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("seed", SEEDS)
 def test_balls_lie_where_the_round_before_left_them(matches, seed):
     rounds = matches[seed].rounds
@@ -83,6 +86,7 @@ def test_balls_lie_where_the_round_before_left_them(matches, seed):
         assert all(now[name] == pytest.approx(left[name], abs=1e-12) for name in now)
 
 
+@pytest.mark.compiled
 def test_a_match_is_long_enough_to_watch_and_its_balls_differ(matches):
     match = matches[1]
     assert match.playing_time > 45.0
@@ -91,6 +95,7 @@ def test_a_match_is_long_enough_to_watch_and_its_balls_differ(matches):
     assert not np.array_equal(unlike_balls(1).radii, unlike_balls(2).radii)
 
 
+@pytest.mark.compiled
 def test_equal_seeds_give_equal_matches_on_any_number_of_threads(matches):
     again = play_match(2, threads=1)
     assert [one.trajectory.digest for one in again.rounds] == [
@@ -109,6 +114,7 @@ SPOILED = [
 ]
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize(("spoil", "complaint"), SPOILED)
 def test_a_record_that_does_not_hold_is_refused(record, spoil, complaint):
     check_match_data(copy.deepcopy(record))

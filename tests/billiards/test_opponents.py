@@ -16,6 +16,8 @@ from game.billiards.rules import CUE_BALL, Call, ShotSummary
 from game.lab.players import broken_table, measure_clearing, measure_series, play_rack, visit, with_hand
 from tests.billiards.search_tables import POOL, scattered
 
+pytestmark = pytest.mark.compiled
+
 MIDDLE = MASTER._replace(
     name="middle", effort=CLUB.effort._replace(deep=2, close=16, deep_samples=2, after=CLUB.placing), places=4
 )

@@ -28,6 +28,8 @@ from game.billiards.shot import Physics
 from game.billiards.summary import summarize
 from tests.billiards.search_tables import POOL, scattered, unlike_balls
 
+pytestmark = pytest.mark.compiled
+
 PHYSICS = Physics()
 QUICK = Effort(
     speeds=(0.9, 1.6), ups=(-0.2, 0.2), lefts=(0.0,), candidates=6, rays=17, finalists=16, samples=32

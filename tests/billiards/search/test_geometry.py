@@ -114,6 +114,7 @@ def test_a_ball_within_its_window_falls_and_one_outside_does_not():
     assert inside.min() > 0.9 and outside.max() < 0.1
 
 
+@pytest.mark.compiled
 @given(st.integers(0, 400))
 def test_the_white_ball_first_meets_what_a_candidate_says(seed):
     lie = scattered(seed, 9, unlike_balls(seed))
@@ -200,6 +201,7 @@ def test_an_unsteady_hand_has_less_of_a_chance_and_a_steady_one_is_sure():
     assert chances[0] > 0.999 and all(a > b for a, b in pairwise(chances))
 
 
+@pytest.mark.compiled
 def test_the_chance_is_about_what_play_gives():
     """Estimated chances of direct pots against noisy strokes of one speed, over many tables."""
     effort = Effort(

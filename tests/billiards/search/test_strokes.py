@@ -93,6 +93,7 @@ def test_outcomes_of_breaks():
         assert outcomes.facts[s, FIRST_BALLS] == bits(summary.first)
 
 
+@pytest.mark.compiled
 def test_threads_and_chunks_make_no_difference():
     board = Board(scattered(1), POOL)
     strokes = random_strokes(1, 2 * CHUNK + 9)
