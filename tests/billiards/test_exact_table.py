@@ -66,11 +66,13 @@ def test_random_shots_hold_the_invariants():
     assert 0 < hold_invariants(random_shot((2, 5, 9, 16)[k % 4], k) for k in range(400)) < 1000
 
 
+@pytest.mark.compiled
 def test_breaks_hold_the_invariants():
     gaps = (0.0, 1e-6, 1e-5, 1e-4, 1e-3)
     assert 0 < hold_invariants(break_shot(k, gaps[k % 5]) for k in range(100)) < 2000
 
 
+@pytest.mark.compiled
 @pytest.mark.slow
 def test_ten_thousand_random_shots_hold_the_invariants(record_property):
     most = hold_invariants(random_shot((2, 5, 9, 16)[k % 4], k) for k in range(1_000, 11_000))
@@ -78,6 +80,7 @@ def test_ten_thousand_random_shots_hold_the_invariants(record_property):
     assert most < 1000
 
 
+@pytest.mark.compiled
 @pytest.mark.slow
 def test_two_thousand_breaks_hold_the_invariants(record_property):
     gaps = (0.0, 1e-6, 1e-5, 1e-4, 1e-3)
@@ -86,6 +89,7 @@ def test_two_thousand_breaks_hold_the_invariants(record_property):
     assert most < 2000
 
 
+@pytest.mark.compiled
 def test_thin_breaks_end():
     """At a 45 degree cut others' simulators lose one break in 200 to contacts without end."""
     most = 0
@@ -277,6 +281,7 @@ def test_a_log_that_is_too_small_grows():
     assert audit(trajectory).overlap <= 1e-9 * R
 
 
+@pytest.mark.compiled
 def test_many_balls():
     """Eighty balls: more than the bits of one number."""
     places = [[0.1 + 0.13 * (k % 9), 0.1 + 0.25 * (k // 9)] for k in range(80)]
