@@ -112,7 +112,7 @@ class _Shelf:
         self.items: list[Snapshot] = []
 
     def put(self, snapshot: Snapshot, keep_newest: bool) -> None:
-        """Keep a snapshot, unless there is one of its step; drop the oldest while too many bytes are taken."""
+        """Keep a snapshot, unless there is one of its step; drop the oldest while there are too many."""
         index = bisect_right(self.items, snapshot.step, key=lambda item: item.step)
         if index and self.items[index - 1].step == snapshot.step:
             return
