@@ -58,7 +58,7 @@ def shown_value(knob: Param, value: float) -> Quantity:
     if knob.whole:
         return Quantity(format_number(int(value)), knob.unit)
     number, unit = quantity(value, knob.unit)
-    if knob.step is not None and not knob.log and 1e-3 <= knob.step and 1.0 <= knob.maximum < 1e3:
+    if knob.step is not None and not knob.log and knob.step >= 1e-3 and 1.0 <= knob.maximum < 1e3:
         unit = knob.unit
     if knob.step is not None and unit == knob.unit and 1e-6 < knob.step < 1e6:
         decimals = _decimals(knob.step, knob.minimum)
