@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pygame
 from numpy.typing import NDArray
 
 from game.physics.rigid import ledger
@@ -16,6 +17,7 @@ from game.scenes.c13_discs import draw_rimmed_discs
 from game.scenes.c13_level import COLORS
 from game.scenes.mass_spring_threads import draw_threads
 from game.ui.canvas import EXACT_DASH, Canvas
+from game.ui.shapes import draw_box
 
 if TYPE_CHECKING:
     from game.scenes.c13_sphere_collisions import SphereCollisions
@@ -34,6 +36,7 @@ COLUMNS = (
     ("pair", 0.0), ("J, N s", 84.0), ("v before", 150.0), ("after, m/s", 216.0), ("ΔE, J", 292.0),
     ("P lost", 358.0),
 )  # fmt: skip
+CARD = 408.0  # width of the ledger's card, design px
 
 
 class CollisionView:
@@ -233,10 +236,16 @@ class CollisionView:
             )
 
     def _draw_ledger(self, scene: SphereCollisions, canvas: Canvas) -> None:
-        """The last collisions in figures, at the lower left."""
+        """The last collisions in figures, on a card at the lower left that lets spheres shine through."""
         entries = scene.world.ledger()[-ROWS:][::-1]
         left, bottom = scene.world.surroundings.window[:2].tolist()
-        top = -16.0 * (len(entries) + 1) - 12.0
+        height = 16.0 * (len(entries) + 1)
+        top = -height - 14.0
+        look, (x, y) = canvas.look, canvas.place((left, bottom))
+        card = pygame.Rect(x + look.px(8), y + look.px(top - 4.0), look.px(CARD), look.px(height + 10.0))
+        ground = pygame.Color(look.theme.panel)
+        ground.a = 216
+        draw_box(canvas.surface, card, look.px(8), ground, look.theme.line, look.border)
         for word, x in COLUMNS:
             canvas.label((left, bottom), word, "text3", 11, anchor="topleft", offset=(14.0 + x, top))
         for i, entry in enumerate(entries):
