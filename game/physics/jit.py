@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numba
-from numba import config
+from numba import config, types
 from numba.core import event
 
 from game.folders import cache_folder
@@ -96,6 +96,8 @@ def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
 
     def compile_lazily(py_function: Callable[..., Any]) -> Any:
         dispatcher = numba.njit(nogil=True, error_model="numpy", **options)(py_function)
+        if not config.DISABLE_JIT:
+            _forget_literals(dispatcher)
         if config.DISABLE_JIT or not _closes_over_integers(py_function):
             return dispatcher
         folder = code_folder(Path(py_function.__code__.co_filename).resolve())
@@ -106,6 +108,21 @@ def kernel(function: Callable[..., Any] | None = None, **options: Any) -> Any:
         return dispatcher
 
     return compile_lazily if function is None else compile_lazily(function)
+
+
+def _forget_literals(dispatcher: Any) -> None:
+    """Let calls with a constant share the machine code of calls with a variable.
+
+    For numba ``f(a, 0)`` is another signature than ``f(a, i)``, and all that f calls is compiled once more
+    for it. The optimiser puts the constant in anyway where that is worth something.
+    """
+    ask = dispatcher.get_call_template
+
+    def get_call_template(args: Any, kws: Any) -> Any:
+        plain = {name: types.unliteral(kind) for name, kind in dict(kws).items()}
+        return ask(tuple(types.unliteral(kind) for kind in args), plain)
+
+    dispatcher.get_call_template = get_call_template
 
 
 def _closes_over_integers(function: Callable[..., Any]) -> bool:
