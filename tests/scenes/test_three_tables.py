@@ -103,7 +103,8 @@ def test_a_stroke_by_hand_on_any_of_the_tables():
         stage.post(Pointer("up", x + ox, y + oy + 0.3, button=1))
         seconds(stage, 0.5)
         assert stage.scene.shot[0] == 1.0
-        speeds = [np.linalg.norm(table.state_at(0.0).velocities[0]) for table in stage.scene.played.tables.values()]
+        tables = stage.scene.played.tables.values()
+        speeds = [np.linalg.norm(table.state_at(0.0).velocities[0]) for table in tables]
         assert speeds == pytest.approx([stage.scene.shot[2]] * len(speeds), rel=1e-9)
 
 
