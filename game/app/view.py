@@ -15,10 +15,12 @@ MARGIN = 20.0  # design px round the scene's frame
 class StageView:
     """Draws what a stage shows now. ``stage`` may be changed for another of the same scene."""
 
-    def __init__(self, stage: Stage, look: Look):
+    def __init__(self, stage: Stage, look: Look, words: bool = True):
+        """``words``: whether labels are drawn as well."""
         scene_type = stage.scene_type
         self.stage = stage
         self.look = look
+        self._words = words
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.camera = Camera(y_up=scene_type.y_up, quarter_turns=scene_type.quarter_turns)
         self._canvas = self._make_canvas()
@@ -41,6 +43,7 @@ class StageView:
 
     def _make_canvas(self) -> Canvas:
         canvas = Canvas(self.look)
+        canvas.words = self._words
         canvas.unit = self.stage.scene_type.unit
         canvas.covered = self.stage.scene_type.covers
         return canvas

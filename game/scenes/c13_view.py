@@ -84,7 +84,7 @@ class CollisionView:
         if scene.shown_impulses:
             self._draw_impulses(scene, canvas)
         self._draw_hand(scene, canvas)
-        if scene.ledger and len(places) <= MOST_LEDGER and scene.world.collisions:
+        if scene.ledger and canvas.words and len(places) <= MOST_LEDGER and scene.world.collisions:
             self._draw_ledger(scene, canvas)
 
     def _between(self, scene: SphereCollisions, alpha: float) -> tuple[Array, Array]:

@@ -181,6 +181,8 @@ class Canvas(CanvasBase):
 
         ``clear``: they keep clear of the labels drawn before them, and of the edges.
         """
+        if not self.words:
+            return
         x, y = self._place(position)
         ink = self.look.color(color, words=True)
         if halo:
@@ -210,6 +212,8 @@ class Canvas(CanvasBase):
         offset: Point = (0.0, 0.0),
     ) -> None:  # fmt: skip
         """A formula at a world point; see ``markup`` for what it may hold."""
+        if not self.words:
+            return
         x, y = self._place(position)
         picture = render_formula(self.fonts, markup, self.look.color(color, words=True), size)
         share_x, share_y = _ANCHORS[anchor]

@@ -31,6 +31,7 @@ class CanvasBase:
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.camera = Camera()
         self.unit = "m"
+        self.words = True  # whether labels and formulas are drawn; a small picture has no room for them
         self.covered = False  # what is drawn covers all, so that no ground is laid
         self.halo: pygame.Color = look.theme.stage  # behind labels
         self.insets = (0, 0, 0, 0)  # px covered at left, top, right, bottom, for labels that keep clear of it

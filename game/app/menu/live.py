@@ -52,7 +52,7 @@ class LiveScene:
                 or self._view.look.theme is not look.theme
                 or self._view.rect != _frame_of(size)
             ):
-                self._view = StageView(self.stage, small)
+                self._view = StageView(self.stage, small, words=False)
                 self._view.place(_frame_of(size), small, margin=4.0 * look.k)
             self._view.draw(surface)
         except Exception:  # a scene's own slip; its card then keeps its drawing
