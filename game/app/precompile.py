@@ -7,12 +7,10 @@ written, or a process cannot be started, the first one compiles all by itself.
 
 from __future__ import annotations
 
-import contextlib
-import os
-import subprocess
 import sys
 
 from game.app.readiness import is_ready
+from game.app.second_process import end, start_quietly
 from game.stage.catalogue import Entry
 
 
@@ -20,27 +18,14 @@ class Precompiler:
     """Runs beside the opening of one scene; ``stop`` when it is open."""
 
     def __init__(self, entry: Entry):
-        self._process: subprocess.Popen[bytes] | None = None
-        ours = entry.module.startswith("game.")  # the other process knows only the real catalogue
-        if not ours or (os.cpu_count() or 1) < 2 or getattr(sys, "frozen", False) or is_ready(entry):
-            return
-        with contextlib.suppress(OSError):
-            self._process = subprocess.Popen(
-                [sys.executable, "-m", "game.app.precompile", entry.name],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                env={**os.environ, "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"},
-            )
+        # the other process knows only the real catalogue
+        wanted = entry.module.startswith("game.") and not is_ready(entry)
+        command = (sys.executable, "-m", "game.app.precompile", entry.name)
+        self._process = start_quietly(command) if wanted else None
 
     def stop(self) -> None:
-        """End it, wherever it is: what it has finished is on disk."""
-        if self._process is None:
-            return
-        with contextlib.suppress(OSError):
-            self._process.terminate()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(1.0)
+        """End it: what it has finished is on disk."""
+        end(self._process)
         self._process = None
 
 

@@ -15,6 +15,7 @@ import threading
 from collections.abc import Sequence
 
 from game.app.readiness import is_ready, mark_ready
+from game.app.second_process import end, start_quietly
 from game.stage.catalogue import Catalogue, Entry
 
 QUIETLY = 10  # added to the process's niceness
@@ -33,19 +34,12 @@ class Preparation:
 
     def begin(self) -> None:
         """Start it, once; nothing happens on one core or where a process cannot be started."""
-        if self._begun or (os.cpu_count() or 1) < 2 or getattr(sys, "frozen", False):
+        if self._begun:
             return
         self._begun = True
-        with contextlib.suppress(OSError):
-            self._process = subprocess.Popen(
-                self._command,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                text=True,
-                env={**os.environ, "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"},
-                creationflags=getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0),
-            )
+        below = getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)
+        self._process = start_quietly(self._command, stdout=subprocess.PIPE, text=True, creationflags=below)
+        if self._process is not None:
             threading.Thread(target=self._read, args=(self._process,), name="prepared", daemon=True).start()
 
     def _read(self, process: subprocess.Popen[str]) -> None:
@@ -69,13 +63,8 @@ class Preparation:
 
     def stop(self) -> None:
         """End it, wherever it is."""
-        process, self._process, self._begun = self._process, None, False
-        if process is None:
-            return
-        with contextlib.suppress(OSError):
-            process.kill()  # it writes nothing that is not whole
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(1.0)
+        end(self._process)
+        self._process, self._begun = None, False
 
 
 def prepare_scene(entry: Entry) -> None:

@@ -12,6 +12,7 @@ from game.billiards.state import (
 )
 from game.billiards.trajectory import Trajectory
 from game.scenes.billiards_ways import Ways
+from game.scenes.table_sounds import pan_of
 from game.stage import Hearing, Sound
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def sounds_of(trajectory: Trajectory, cue_speed: float) -> tuple[Sound, ...]:
     """The sounds of a shot in order of time; speeds are those at which the two close in on each other."""
     length = trajectory.shot.table.length
     white = trajectory.shot.positions[trajectory.shot.ids.index("0")]
-    sounds = [Sound(0.0, "tip", cue_speed, _pan(float(white[1]), length))]
+    sounds = [Sound(0.0, "tip", cue_speed, pan_of(float(white[1]), length))]
     ways = Ways(trajectory)
     for time, code, i, j in trajectory.rows.tolist():
         kind = KINDS.get(int(code))
@@ -44,12 +45,8 @@ def sounds_of(trajectory: Trajectory, cue_speed: float) -> tuple[Sound, ...]:
         if kind == "pocket":
             speed = max(speed, 0.5)  # it falls in, however slowly it came
         if speed > QUIETEST:
-            sounds.append(Sound(time, kind, speed, _pan(y, length)))
+            sounds.append(Sound(time, kind, speed, pan_of(y, length)))
     return tuple(sounds)
-
-
-def _pan(y: float, length: float) -> float:
-    return max(-1.0, min(1.0, 1.6 * (y / length - 0.5)))
 
 
 def hearing_of(scene: Billiards) -> Hearing | None:

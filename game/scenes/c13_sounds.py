@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from game.physics.rigid import ledger
+from game.scenes.table_sounds import REMEMBERED_S
 from game.stage import Hearing, Sound
 
 if TYPE_CHECKING:
     from game.scenes.c13_sphere_collisions import SphereCollisions
 
-REMEMBERED_S = 0.4  # s; more than the longest gap between two frames that is heard
 LEAST = 0.05  # m/s of approach; what rests is silent
 
 

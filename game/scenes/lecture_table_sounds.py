@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from game.scenes.table_sounds import REMEMBERED_S, pan_of
 from game.stage import Hearing, Sound
 
 if TYPE_CHECKING:
     from game.scenes.lecture_table import LectureTable
 
-REMEMBERED_S = 0.4  # s; more than the longest gap between two frames that is heard
 POCKET_SPEED = 1.0  # m/s, at which a ball is taken to fall in
 
 
@@ -19,19 +19,16 @@ def hearing_of(scene: LectureTable) -> Hearing:
     state, length = scene.table.state, scene.table.table.length
     mass = float(scene.table.masses.mean())
     sounds = [
-        Sound(now - age - half, "ball" if impulse > 0.0 else "cushion", abs(impulse) / mass, _pan(y, length))
+        Sound(
+            now - age - half, "ball" if impulse > 0.0 else "cushion", abs(impulse) / mass, pan_of(y, length)
+        )
         for _, y, age, impulse in scene.marks.tolist()
         if age < REMEMBERED_S and impulse != 0.0
     ]
     places = (state.offsets[:, 1] + 0.5 * length).tolist()
     for age, y in zip(scene.sunk_s.tolist(), places, strict=True):
         if age < REMEMBERED_S:
-            sounds.append(Sound(now - age - half, "pocket", POCKET_SPEED, _pan(y, length)))
+            sounds.append(Sound(now - age - half, "pocket", POCKET_SPEED, pan_of(y, length)))
     if now - scene.struck_s < REMEMBERED_S:
         sounds.append(Sound(scene.struck_s - half, "tip", scene.cue.speed, 0.0))
     return Hearing("lecture's table", now, sounds)
-
-
-def _pan(y: float, length: float) -> float:
-    """Left to right across the window, as the table lies there."""
-    return max(-1.0, min(1.0, 1.6 * (y / length - 0.5)))

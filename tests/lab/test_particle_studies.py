@@ -58,11 +58,3 @@ def test_the_present_setting_of_the_scene_can_be_placed():
     trial.run()
     assert trial.outcome().error < 1e-3
     assert trial.outcome().failure == ""
-
-
-def test_every_point_can_be_set_in_the_scene():
-    from game.scenes.c04_fountain import Fountain
-
-    for setting in bounce_study.settings()[:40] + free_flight_study.settings()[:20]:
-        for name, value in setting.scene.items():
-            Fountain.knob(name).check(value)

@@ -306,6 +306,7 @@ class TestCleaning:
 
     def test_a_missing_folder_is_no_trouble(self, tmp_path: Path) -> None:
         jit_cache.remove_old_folders(tmp_path / "none" / "game.a-1")
+        assert not (tmp_path / "none").exists()
 
 
 class First(NamedTuple):

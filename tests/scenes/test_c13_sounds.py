@@ -1,20 +1,10 @@
 """Colliding spheres are heard: each collision once, whatever the frames' lengths."""
 
+from scenes.listening import heard_in
+
 from game.app.scene.opening import Opening
 from game.levels import level_files
 from game.scenes.c13_sphere_collisions import SphereCollisions
-
-
-def heard_in(stage, frames):
-    """Kinds and speeds of what a player of sounds hears in frames of so many steps."""
-    heard, since = [], -1e-9
-    for steps in frames:
-        stage.run(steps)
-        hearing = stage.scene.hearing()
-        heard += [(s.kind, round(s.speed, 9)) for s in hearing.sounds if since < s.time <= hearing.time]
-        assert all(-1.0 <= s.pan <= 1.0 for s in hearing.sounds)
-        since = hearing.time
-    return sorted(heard)
 
 
 def test_every_collision_is_heard_once_at_any_frame_rate():

@@ -1,19 +1,10 @@
 """The lecture's table is heard: each impact once, in its place, whatever the frames' lengths."""
 
+from scenes.listening import heard_in
+
 from game.app.scene.opening import Opening
 from game.scenes.lecture_table import LectureTable
 from game.stage import Stage
-
-
-def heard_in(stage: Stage, frames: list[int]) -> list[tuple[str, float]]:
-    """Kinds and speeds of what a player of sounds hears in frames of so many steps."""
-    heard, since = [], -1e-9
-    for steps in frames:
-        stage.run(steps)
-        hearing = stage.scene.hearing()
-        heard += [(s.kind, round(s.speed, 6)) for s in hearing.sounds if since < s.time <= hearing.time]
-        since = hearing.time
-    return sorted(heard)
 
 
 def make_stage() -> Stage:

@@ -108,7 +108,7 @@ def test_a_subsurface_takes_the_same_picture():
 @settings(max_examples=60, deadline=None)
 @given(a=WILD, b=WILD, c=WILD, d=WILD)
 def test_absurd_numbers_draw_nothing_and_raise_nothing(a, b, c, d):
-    canvas = begun((40, 30))
+    canvas = begun((40, 30), rect=pygame.Rect(8, 6, 20, 15))
     canvas.line((a, b), (c, d))
     canvas.line((a, b), (c, d), dash=(4, 4))
     canvas.polyline([(a, b), (c, d), (0.0, 0.0)], dash=(5, 3), closed=True)
@@ -133,6 +133,8 @@ def test_absurd_numbers_draw_nothing_and_raise_nothing(a, b, c, d):
     canvas.ground(a)
     canvas.grid(b)
     canvas.end()
+    canvas.surface.fill(0, (8, 6, 20, 15))
+    assert not pygame.surfarray.array3d(canvas.surface).any()  # nothing outside its part
 
 
 @pytest.mark.parametrize("size", [(1, 1), (3, 700), (700, 3)])
@@ -142,6 +144,7 @@ def test_tiny_parts(size):
     canvas.body((0, 0), 0.5, 0.1)
     canvas.arrow((0, 0), (1, 1), label="v")
     canvas.end()
+    assert len(np.unique(pygame.surfarray.array2d(canvas.surface))) > 1 or size == (1, 1)
 
 
 def test_no_points_at_all():

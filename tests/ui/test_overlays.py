@@ -178,6 +178,7 @@ def test_the_overlay_in_any_window(any_look, size):
     page.show(AccuracyData("Empty", "", PlotAxes(y_unit="")))
     page.report(Progress())
     page.draw(pygame.Surface(size, 0, 32))
+    assert pygame.Rect(0, 0, *size).contains(page.overlay.card)
 
 
 def test_clicking_a_point_gives_its_parameters(look):

@@ -327,6 +327,7 @@ def test_any_size(any_look, size):
     desk.frame()
     desk.panel.place(pygame.Rect(0, 0, 320, 500), any_look)
     desk.frame()
+    assert desk.panel.rect == pygame.Rect(0, 0, 320, 500)
     desk.panel.close()
 
 
@@ -345,6 +346,9 @@ def test_a_thousand_random_events(desk):
                 int(rng.choice([pygame.K_RETURN, pygame.K_LEFT, pygame.K_ESCAPE, pygame.K_BACKSPACE]))
             )
         desk.apply(desk.panel.handle(made))
+    scene = desk.stage.scene
+    assert all(knob.check(scene.values[name]) == scene.values[name] for name, knob in scene.knobs().items())
+    assert desk.stage.fault is None
 
 
 # -- numbers on a track --------------------------------------------------------------------------------

@@ -67,6 +67,8 @@ def test_shapes_at_absurd_places(x, y, radius, border):
     draw_box(surface, pygame.Rect(0, 0, 0, 5), radius, DARK.panel)
     if math.isfinite(x) and abs(x) < 1e5 and math.isfinite(y) and abs(y) < 1e5:
         draw_line(surface, DARK.line, (x, y), (1.0, 1.0), border)
+    if not math.isfinite(x + y):
+        assert not pygame.surfarray.array3d(surface).any()
 
 
 def test_a_shadow_is_strongest_in_the_middle_and_gone_at_its_edge():
@@ -298,10 +300,13 @@ def test_the_loading_card_in_any_window(any_look, size):
     layout = arrange(*size, any_look.k)
     surface = pygame.Surface(size, 0, 32)
     draw_shell(surface, layout, any_look)
+    before = pygame.image.tobytes(surface, "RGB")
     card = LoadingCard(any_look)
     for done, total in ((0, 0), (0, 12), (5, 12), (12, 12), (3, 200)):
         card.update(0.1, done, total)
         card.draw(surface, layout.stage, "Sweep and prune", done, total, "sort_endpoints", 2.3)
+    roomy = layout.stage.w - any_look.px(16) >= any_look.px(160) and layout.stage.h >= any_look.px(208)
+    assert (pygame.image.tobytes(surface, "RGB") != before) == roomy
 
 
 def test_the_ball_rolls_with_its_way(look):

@@ -115,6 +115,7 @@ def test_any_script_of_calls_gives_the_pairs_and_queries_of_brute_force(operatio
     for words in operations:
         script.play(*words)
     script.check()
+    assert all(len(phase.ids()) == len(script.boxes) for phase in script.phases.values())
 
 
 @pytest.mark.parametrize("kind", WORKLOADS)

@@ -1,0 +1,34 @@
+"""A second Python process that works for the window where nobody sees it."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+
+def start_quietly(command: Sequence[str], **options: Any) -> subprocess.Popen[Any] | None:
+    """Start it without a screen or sound card; None on one core, or where it cannot be started.
+
+    ``options`` go to `subprocess.Popen`; what is not said otherwise is neither read nor written.
+    """
+    if (os.cpu_count() or 1) < 2 or getattr(sys, "frozen", False):
+        return None
+    streams: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
+    environment = {**os.environ, "SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy"}
+    with contextlib.suppress(OSError):
+        return subprocess.Popen(command, env=environment, **{**streams, **options})
+    return None
+
+
+def end(process: subprocess.Popen[Any] | None) -> None:
+    """End it, wherever it is: what it keeps on disk it writes whole or not at all."""
+    if process is None:
+        return
+    with contextlib.suppress(OSError):
+        process.kill()
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(1.0)
