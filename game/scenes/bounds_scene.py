@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Sequence
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import msgspec
 import numpy as np
@@ -19,6 +19,7 @@ from game.scenes import bounds_view as view
 from game.scenes import bounds_walk as walk
 from game.scenes import outline_editor as editor
 from game.scenes.bounds_pair import Pane, TreeOptions, TreePair
+from game.scenes.bounds_state import NO_RECORD, BoundsState, PackedShapes
 from game.scenes.outline_editor import Board, Rules
 from game.scenes.outline_level import (
     MOST_POINTS,
@@ -49,49 +50,6 @@ GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that i
 BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "upright"}  # tests of the other trees
 TREE_KNOBS = ("volume", "fit", "angle_step", "leaf_size", "split")
 RULES = Rules(most_outlines=2, most_points=MOST_POINTS)
-_NO_RECORD = QueryRecord(
-    np.zeros((0, 5), dtype=np.int32), np.zeros((0, 3)), np.zeros((0, 2), dtype=np.int64),
-    np.zeros(5, dtype=np.int64),
-)  # fmt: skip
-
-
-class BoundsState(NamedTuple):
-    """Outlines, where they are, and the last query.
-
-    places (k, 3) m, m, rad; clock (1,) s of own motion; points (n, 2) m of all outlines, starts (k + 1,),
-    closed (k,); rows, gaps, crossings, counts: see `QueryRecord`.
-    """
-
-    places: Array
-    clock: Array
-    points: Array
-    starts: NDArray[np.int64]
-    closed: NDArray[np.int64]
-    rows: NDArray[np.int32]
-    gaps: Array
-    crossings: NDArray[np.int64]
-    counts: NDArray[np.int64]
-
-
-class PackedShapes:
-    """The corners of all outlines in arrays, packed anew only when an outline has others."""
-
-    def __init__(self) -> None:
-        self._points: list[object] = [None]
-        self._arrays: tuple[Array, NDArray[np.int64], NDArray[np.int64]]
-
-    def of(self, outlines: Sequence[Outline]) -> tuple[Array, NDArray[np.int64], NDArray[np.int64]]:
-        """Corners (n, 2) m, where each outline starts (k + 1,), whether it is closed (k,)."""
-        points: list[object] = [outline.points for outline in outlines]
-        if len(points) != len(self._points) or any(
-            a is not b for a, b in zip(points, self._points, strict=True)
-        ):
-            arrays = [array_of(outline) for outline in outlines]
-            starts = np.cumsum([0, *(len(array) for array in arrays)], dtype=np.int64)
-            closed = np.array([outline.closed for outline in outlines], dtype=np.int64)
-            self._arrays = (np.concatenate(arrays) if arrays else np.zeros((0, 2)), starts, closed)
-            self._points = points
-        return self._arrays
 
 
 class BoundsScene(Scene):
@@ -234,7 +192,7 @@ class BoundsScene(Scene):
     # -- remembering --------------------------------------------------------------------------------
 
     def state(self) -> BoundsState:
-        record = self.pair.query.record() if self.pair.query is not None else _NO_RECORD
+        record = self.pair.query.record() if self.pair.query is not None else NO_RECORD
         places, packed = editor.places_of(self.board), self.packed.of(self.outlines)
         rows, gaps, crossings, counts = record
         return BoundsState(places, self.clock, *packed, rows, gaps, crossings, counts)

@@ -16,11 +16,11 @@ from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
 from game.physics.rigid.collisions import CollidingSpheres, CollisionState
-from game.physics.rigid.ledger import LOST_MOMENTUM
 from game.physics.rigid.makeup import Makeup
 from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.rigid.spheres import MotionState, SphereBodies
+from game.scenes import c13_findings as findings
 from game.scenes import c13_hand as hand
 from game.scenes import c13_sounds
 from game.scenes.c13_level import CollisionContent, SphereEntry, bodies_of, makings_of, tables_of
@@ -52,7 +52,6 @@ NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses"
 TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
 MOST_EXACT = 2_000  # impacts in a step of the event-driven run
 NOTHING = np.zeros((0, 3))
-ROUNDING = 1e-9  # m of overlap that is none
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
 
 
@@ -374,42 +373,7 @@ class SphereCollisions(Scene):
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        world = self.world
-        totals = world.totals()
-        gaps = world.touches[0][:, 3]
-        deepest = float(np.max(-gaps, initial=0.0))
-        return [
-            Readout("spheres", len(world.bodies.makeup.radii)),
-            Readout("collisions", world.collisions),
-            Readout("sum", totals.energy, "J"),
-            Readout("touches", len(gaps)),
-            Readout("moving", totals.moving, "J"),
-            Readout("turning", totals.turning, "J"),
-            Readout("P x", totals.momentum[0], "kg m/s"),
-            Readout("P y", totals.momentum[1], "kg m/s"),
-            Readout("L z", totals.spin[2], "kg m²/s"),
-            Readout("deepest", deepest if deepest > ROUNDING else 0.0, "m"),
-            Readout("rounds", world.rounds),
-            *self._beside_exact(),
-            *self._weighed(),
-            Readout("pair tests a step", world.tests),
-            Readout("parts of a step", world.parts),
-        ]
-
-    def _weighed(self) -> list[Readout]:
-        """The most momentum that a collision of the ledger made or lost, where they are weighed."""
-        world = self.world
-        if world.planar():
-            return []
-        entries = world.ring[: min(world.collisions, len(world.ring))]
-        return [Readout("momentum lost", float(entries[:, LOST_MOMENTUM].max(initial=0.0)), "kg m/s")]
-
-    def _beside_exact(self) -> list[Readout]:
-        """How far the spheres are from the event-driven run."""
-        if self.exact is None:
-            return []
-        off = self.exact.positions - self.world.bodies.state.positions
-        return [Readout("beside exact", float(np.sqrt((off * off).sum(axis=1).max())), "m")]
+        return findings.readouts_of(self)
 
     def hearing(self) -> Hearing:
         return c13_sounds.hearing_of(self)
