@@ -11,6 +11,7 @@ from tests_app import Driver, example_entry
 
 from game.app.fuzz.hand import SIZES, any_event
 from game.app.scene.screen import SceneScreen
+from game.stage import begin
 from game.stage.catalogue import Catalogue
 
 
@@ -76,7 +77,7 @@ def test_recorded_session_replays_at_any_frame_rate(start):
     recording = driver.stage.recording
     for frame_s in (1 / 144, 0.07):
         play = driver.top.play
-        play._watch(recording)
+        play.watch(begin(recording, play.stage.scene_type), recording)
         while driver.stage.step_number < recording.steps:
             driver.frames(
                 1, seconds=min(frame_s, (recording.steps - driver.stage.step_number) * driver.stage.dt)

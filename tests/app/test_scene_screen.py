@@ -215,7 +215,7 @@ def test_knob_by_the_panel_and_refused_value(scene: Driver):
     assert scene.app.toasts.shown.cause == "Not taken."
     assert "gravity" in scene.app.toasts.shown.consequence
     assert play.post(SetEffect("test-gravity", False))
-    play.set_defaults()
+    play.gate.set_defaults()
     assert scene.stage.scene.gravity == 9.81
 
 

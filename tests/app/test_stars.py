@@ -66,7 +66,7 @@ def test_stars_won_in_the_window_stay(tmp_path):
     solve(driver)
     won, most = driver.stage.scene.stars
     assert won >= 1 and kept_stars("billiards") == {PUZZLE: Stars(won, most)}
-    row = next(row for row in driver.top.play.level_rows() if row.value == path)
+    row = next(row for row in driver.top.play.shelf.levels() if row.value == path)
     assert row.chip == Stars(won, most).words
     head = next(head for head in level_heads("billiards") if head.path == path)
     assert head.stars == row.chip

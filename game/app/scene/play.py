@@ -5,28 +5,28 @@ from __future__ import annotations
 import sys
 import traceback
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pygame
 
 from game.app.keys import chord_of, parse_chord
 from game.app.scene import files
 from game.app.scene.banner import FaultBanner
+from game.app.scene.errands import Errands
+from game.app.scene.gate import Gate
 from game.app.scene.keeping import Keeper
 from game.app.scene.opening import Opening
 from game.app.scene.pointer import ScenePointer
+from game.app.scene.shelf import Shelf
+from game.app.scene.variants import Variants
 from game.app.script import Script
 from game.app.stars import StarKeeper
 from game.app.view import StageView
-from game.levels import LevelError, load_level
 from game.stage import (
     Action,
     EffectMeter,
-    KnobError,
     Recording,
-    RecordingError,
     Scene,
-    SetKnob,
     Stage,
     StageEvent,
 )
@@ -50,6 +50,10 @@ class ScenePlay:
         self.shell = shell
         self.stage = stage
         self.script = Script(stage, opening.recording.events) if opening.recording is not None else None
+        self.errands = Errands(behind=app.background)
+        self.variants = Variants(stage)
+        self.gate = Gate(self)
+        self.shelf = Shelf(self)
         self.view = StageView(stage, app.look)
         self.hand = ScenePointer(stage.scene_type, self.view.camera)
         self.banner = FaultBanner(app)
@@ -91,6 +95,7 @@ class ScenePlay:
 
     def close(self) -> None:
         """The scene is left."""
+        self.errands.close()
         self.app.sounds.follow(None)
         if self.keeper is not None:
             self.keeper.close()
@@ -119,13 +124,8 @@ class ScenePlay:
         return commands
 
     def post(self, event: StageEvent) -> bool:
-        """Let an event act; a refused one is told, and False."""
-        try:
-            self.stage.post(event)
-        except KnobError as error:
-            self.app.tell("Not taken.", str(error), "warning")
-            return False
-        return True
+        """Let an event act when it is its turn; False if it is refused at once."""
+        return self.gate.post(event)
 
     def action_of(self, event: pygame.Event) -> str | None:
         """The scene's own action of a key, if it has one."""
@@ -133,52 +133,29 @@ class ScenePlay:
 
     def act(self, name: str) -> None:
         """One of the scene's named actions."""
-        self._post_hand()
+        self.gate.post_hand()
         self.post(Action(name))
 
     def cancel(self) -> bool:
         """Take back a drag; False if there was none."""
         begun = self.hand.cancel()
-        self._post_hand()
+        self.gate.post_hand()
         return begun
-
-    def _listen(self) -> None:
-        """Let the scene's own players have their say; what is refused is told."""
-        try:
-            self.stage.listen()
-        except KnobError as error:
-            self.app.tell("Not taken.", str(error), "warning")
-
-    def _post_hand(self) -> None:
-        for event in self.hand.take():
-            self.post(event)
 
     # -- commands -----------------------------------------------------------------------------------
 
     def command(self, name: str) -> bool:
         """A key command; False if it is none of these."""
-        stage = self.stage
-        if name == "pause":
-            if stage.paused:
-                stage.resume()
-            else:
-                stage.pause()
-        elif name == "step":
-            self._post_hand()
-            stage.step()
-        elif name == "step-back":
-            if not stage.step_back():
-                self.app.tell("No further back.", "This is the first step that is remembered.")
-        elif name == "reset":
-            self.reset()
+        if name == "view":
+            self.view.camera.home(smooth=not self.app.look.less_motion)
         elif name in ("slower", "faster"):
             self.change_speed(-1 if name == "slower" else 1)
-        elif name == "view":
-            self.view.camera.home(smooth=not self.app.look.less_motion)
+        elif name == "reset":
+            self.reset()
         elif name == "save":
-            self.save()
+            self.shelf.save()
         else:
-            return False
+            return self.gate.command(name)
         return True
 
     def change_speed(self, way: int) -> None:
@@ -191,106 +168,75 @@ class ScenePlay:
         """Build the scene anew with its present knobs."""
         self.hand.cancel()
         self.hand.take()
+        self.errands.act(self._reset)
+
+    def _reset(self) -> None:
         self.script = None
         self.drawing_error = ""
-        try:
-            self.stage.reset()
-        except ValueError as error:
-            self.app.tell("Not reset.", str(error), "warning")
-
-    def set_defaults(self) -> None:
-        """All knobs as the level has them, or as declared."""
-        level = self.stage.level
-        given = dict(level.parameters) if level is not None else {}
-        for name, knob in self.stage.scene.knobs().items():
-            value = knob.check(given.get(name, knob.default))
-            if self.stage.scene.values[name] != value:
-                self.post(SetKnob(name, value))
+        self.gate.reset()
 
     # -- files --------------------------------------------------------------------------------------
 
-    @property
-    def present_level(self) -> Path | None:
-        """File of the level in play."""
-        return self.stage.level.path if self.stage.level is not None else None
-
-    def level_rows(self) -> list[Any]:
-        """Rows of the gallery."""
-        return files.level_rows(self.stage.scene_type)
-
-    def saved_rows(self) -> list[Any]:
-        """Rows of what was saved."""
-        return files.saved_rows(self.stage.scene_type.name)
-
     def open_file(self, path: Path) -> None:
-        """A level or a recording; what is broken is told, and the scene goes on with what it had."""
-        self.cancel()
-        try:
-            if Path(path).suffix == ".json":
-                self._watch(Recording.load(path))
-            else:
-                scene_type = self.stage.scene_type
-                self.stage.load_level(load_level(path, scene_type.name, scene_type.content_type))
-                self.script = None
-        except (LevelError, RecordingError, KnobError) as error:
-            self.app.tell("Not opened.", str(error), "warning")
-            return
-        self.drawing_error = ""
+        """A level or a recording."""
+        self.shelf.open(path)
+
+    def watch(self, stage: Stage, recording: Recording) -> None:
+        """Play a recording, from its beginning, before the user's eyes."""
+        self.stage = stage
+        self.script = Script(stage, recording.events)
+        self.variants, self.meter = Variants(stage), EffectMeter(stage)
+        self.view.stage = stage
+        self.app.tell("Replaying", f"{recording.steps} steps as they were recorded")
         self._opened()
 
-    def _watch(self, recording: Recording) -> None:
-        """Play a recording before the user's eyes."""
-        if recording.scene != self.stage.scene_type.name:
-            raise RecordingError(None, "scene", f"of {recording.scene}")
-        self.stage = Opening(recording=recording).make_stage(self.stage.scene_type)
-        self.script = Script(self.stage, recording.events)
-        self.meter = EffectMeter(self.stage)
-        self.view.stage = self.stage
-        self.app.tell("Replaying", f"{recording.steps} steps as they were recorded")
+    def begin_anew(self) -> None:
+        """The stage has begun with another level: nothing of the one before is gone on with."""
+        self.script = None
+        self._opened()
 
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
+        self.drawing_error = ""
         self._place_view()
         self.view.camera.home(smooth=False)
         level = self.stage.level
         if level is not None and level.about:
             self.app.tell(level.title or "Level", level.about, "marker" if level.hard_case else "info")
 
-    def save(self) -> None:
-        """Keep the present content as a level, and the session as a recording."""
-        try:
-            path = files.save_all(self.stage)
-        except (LevelError, RecordingError) as error:
-            self.app.tell("Not saved.", str(error), "warning")
-        else:
-            self.app.tell("Saved", f"{path.stem} in {path.parent}")
-
     # -- time and picture ---------------------------------------------------------------------------
 
     def update(self, elapsed_s: float) -> None:
         """Events of the hand, then the steps that are due, then what is shown of them."""
-        self._post_hand()
+        self.errands.update(elapsed_s)
+        if not self.errands.busy:
+            self._go_on(elapsed_s)
+        stage = self.stage
+        still = stage.paused or self.errands.busy
+        self.app.sounds.follow(None if still else stage.scene.hearing())
+        self.view.camera.update(0.0 if self.app.look.less_motion else elapsed_s)
+        for message in stage.scene.messages():
+            cause, _, consequence = message.partition(". ")
+            self.app.tell(cause + ("." if consequence else ""), consequence)
+        self.shell.update(elapsed_s, stage, self.meter)
+        self.banner.update(elapsed_s, self.trouble)
+
+    def _go_on(self, elapsed_s: float) -> None:
+        """Let the scene go on, and keep what is won or worth keeping in it."""
+        self.gate.post_hand()
         if self.script is not None:
             self.script.advance(elapsed_s)
         else:
-            self._listen()
+            self.gate.listen()
             self.stage.advance(elapsed_s)
-        if self.keeper is not None and self.script is None:
-            self.keeper.update(self.stage)
-        if self.script is None and (complaint := self.stars.update(self.stage)):
-            self.app.tell("Stars.", complaint, "warning")
-        self.app.sounds.follow(None if self.stage.paused else self.stage.scene.hearing())
+            if self.keeper is not None:
+                self.keeper.update(self.stage)
+            if complaint := self.stars.update(self.stage):
+                self.app.tell("Stars.", complaint, "warning")
         panel = self.shell.panel
         if not self.stage.paused and panel is not None and panel.shows_effects:
-            self.meter.slice(
-                METER_BUDGET_S
-            )  # compiles variants of the step behind the window: only if wanted
-        self.view.camera.update(0.0 if self.app.look.less_motion else elapsed_s)
-        for message in self.stage.scene.messages():
-            cause, _, consequence = message.partition(". ")
-            self.app.tell(cause + ("." if consequence else ""), consequence)
-        self.shell.update(elapsed_s, self.stage, self.meter)
-        self.banner.update(elapsed_s, self.trouble)
+            # compiles variants of the step behind the window: only if wanted
+            self.meter.slice(METER_BUDGET_S)
 
     @property
     def trouble(self) -> str:

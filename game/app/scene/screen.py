@@ -152,7 +152,7 @@ class SceneScreen(Screen):
             self.app.tell("Not taken." if wish.name == "refused" else str(wish.value),
                           str(wish.value) if wish.name == "refused" else "", "warning")  # fmt: skip
         elif wish.name == "defaults":
-            play.set_defaults()
+            play.gate.set_defaults()
         else:
             name = {"play": "pause", "picture": "screenshot"}.get(wish.name, wish.name)
             if not self.app.command(name):
@@ -178,9 +178,9 @@ class SceneScreen(Screen):
 
     def _command_in_play(self, play: ScenePlay, name: str) -> bool:
         if name == "levels":
-            self._choose("Levels and hard cases", play.level_rows(), play.present_level)
+            self._choose("Levels and hard cases", play.shelf.levels(), play.shelf.present)
         elif name == "open":
-            self._choose("Saved levels and recordings", play.saved_rows(), None)
+            self._choose("Saved levels and recordings", play.shelf.saved(), None)
         elif name == "help":
             from game.app.scene.help_card import HelpCard
 

@@ -1,0 +1,112 @@
+"""What may take longer than a frame: a thread does it, while the scene stands still and the window answers.
+
+What is asked for meanwhile waits for its turn. So everything acts in the order in which it came and at the
+step at which the scene stood, however long the thread took: nothing that comes out depends on the machine.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable
+from typing import NamedTuple
+
+Act = Callable[[], object]
+
+
+class _Errand(NamedTuple):
+    """``work`` gives what the window is then to do. ``quick``: no thread is needed for it."""
+
+    work: Callable[[], Act]
+    quick: bool = False
+    kept: bool = False
+    name: str = ""
+
+
+class Errands:
+    """The errands of one scene, one after the other; only the window's thread may call this."""
+
+    def __init__(self, behind: bool) -> None:
+        """``behind``: False has everything done at once, for those who do not look on."""
+        self.behind = behind
+        self.seconds = 0.0  # that the scene has stood still
+        self._waiting: deque[_Errand] = deque()  # the first one is under way
+        self._thread: threading.Thread | None = None
+        self._outcome: Act | Exception | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is under way, so that the scene is to stand still."""
+        return bool(self._waiting)
+
+    def work(self, work: Callable[[], Act], kept: bool = False) -> None:
+        """Let a thread do this, which must not change the scene, and then the window what it gives.
+
+        ``kept``: it is finished even if the scene is left before.
+        """
+        self._add(_Errand(work, kept=kept))
+
+    def act(self, act: Act, name: str = "") -> None:
+        """Do this at once, or when everything before it has been done.
+
+        What waits under a ``name`` is given up for what is asked for right after it under the same one.
+        """
+        if name and len(self._waiting) > 1 and self._waiting[-1].name == name:
+            self._waiting.pop()
+        self._add(_Errand(lambda: act, quick=True, name=name))
+
+    def update(self, elapsed_s: float) -> None:
+        """Let time pass, and go on as far as the thread has come."""
+        self.seconds = self.seconds + elapsed_s if self.busy else 0.0
+        if self._thread is not None and not self._thread.is_alive():
+            self._end()
+            self._go_on()
+
+    def wait(self, seconds: float | None = None) -> None:
+        """Wait for the thread of what is under way, for tests."""
+        if self._thread is not None:
+            self._thread.join(seconds)
+
+    def close(self) -> None:
+        """The scene is left: what is to be kept is finished, with all that comes before it."""
+        while self._waiting and not self._waiting[-1].kept:
+            self._waiting.pop()
+        while self._waiting:
+            if self._thread is not None:
+                self._end()
+            self._go_on()
+        self._thread = None
+
+    def _add(self, errand: _Errand) -> None:
+        self._waiting.append(errand)
+        if self._thread is None:
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """Do what is first in the row, and the next, until a thread is to be waited for."""
+        while self._waiting and self._thread is None:
+            work = self._waiting[0].work
+            if self.behind and not self._waiting[0].quick:
+                self._thread = threading.Thread(target=self._call, args=(work,), name="errand", daemon=True)
+                self._thread.start()
+            else:
+                self._call(work)
+                self._end()
+
+    def _call(self, work: Callable[[], Act]) -> None:
+        try:
+            self._outcome = work()
+        except Exception as error:  # raised again where the window waits for it
+            self._outcome = error
+
+    def _end(self) -> None:
+        """Wait for the thread and do what its errand has given."""
+        if self._thread is not None:
+            self._thread.join()
+        outcome = self._outcome
+        self._thread = self._outcome = None
+        self._waiting.popleft()
+        if isinstance(outcome, Exception):
+            raise outcome
+        if outcome is not None:
+            outcome()
