@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.layout import FAR
+from game.billiards.lean import lean_kernel
 from game.billiards.lecture import LectureTable
 from game.billiards.lecture_state import (
     BALL_COLLISIONS,
@@ -36,6 +37,9 @@ from game.billiards.sampled import (
     SAMPLE_VY,
     SAMPLE_WX,
     SAMPLE_WY,
+    SAMPLE_WZ,
+    SAMPLE_X,
+    SAMPLE_Y,
     SampledTrajectory,
     sampled_trajectory,
     samples_for,
@@ -129,56 +133,69 @@ def lecture_table_for(shot: Shot, settings: LectureSettings) -> LectureTable:
     return lectured
 
 
-class Record:
-    """What the table did, written down as it goes: times, states, events, counts."""
+@lean_kernel
+def write_sample(offsets, velocities, in_play, radii, middle_x, middle_y, sample):
+    """Write the balls as they are to sample (n, 8), about a middle (m); what moves rolls."""
+    for i in range(radii.shape[0]):
+        vx = velocities[i, 0]
+        vy = velocities[i, 1]
+        sample[i, SAMPLE_X] = offsets[i, 0] + middle_x
+        sample[i, SAMPLE_Y] = offsets[i, 1] + middle_y
+        sample[i, SAMPLE_VX] = vx
+        sample[i, SAMPLE_VY] = vy
+        sample[i, SAMPLE_WX] = -vy / radii[i]
+        sample[i, SAMPLE_WY] = vx / radii[i]
+        sample[i, SAMPLE_WZ] = 0.0
+        if not in_play[i]:
+            sample[i, SAMPLE_MOTION] = POCKETED
+        elif vx != 0.0 or vy != 0.0:
+            sample[i, SAMPLE_MOTION] = ROLLING
+        else:
+            sample[i, SAMPLE_MOTION] = STATIONARY
 
-    def __init__(self, table: LectureTable, room: int) -> None:
-        n = len(table.state.radii)
-        self.table = table
-        self.times = np.zeros(room)
-        self.offsets = np.empty((room, n, 2))
-        self.velocities = np.empty((room, n, 2))
-        self.in_play = np.empty((room, n), np.bool_)
+
+class LecturePlay:
+    """A shot being played on the lecture's table: the time reached (s), rows of events, counts."""
+
+    def __init__(self, shot: Shot, settings: LectureSettings) -> None:
+        self.table = lecture_table_for(shot, settings)
+        self.middle = shot.layout.middle
+        self.time = 0.0
         self.rows: list[Array] = []
         self.counts = {"steps": 0, "pair_tests": 0, "lost_events": 0}
-        self.kept = 0
-        self._keep(0.0)
-
-    def _keep(self, time: float) -> None:
-        k = self.kept
-        self.times[k] = time
-        self.offsets[k] = self.table.state.offsets
-        self.velocities[k] = self.table.state.velocities
-        self.in_play[k] = self.table.state.in_play
-        self.kept = k + 1
 
     def advance(self, dt: float, steps: int) -> None:
         """Go on by so many steps. ShotError if a number is not finite any more."""
-        before = float(self.times[self.kept - 1])
         self.table.step(dt, steps)
         if self.table.not_finite >= 0:
-            raise ShotError(f"ball {self.table.not_finite}: its numbers grew without limit by {before:.3g} s")
+            raise ShotError(
+                f"ball {self.table.not_finite}: its numbers grew without limit by {self.time:.3g} s"
+            )
         if len(self.table.event_rows):
             events = self.table.event_rows[:, [TIME, KIND, FIRST, SECOND]]
-            events[:, 0] += before
+            events[:, 0] += self.time
             self.rows.append(events)
         counters = self.table.counters
         self.counts["steps"] += steps
         self.counts["pair_tests"] += counters["pair_tests"]
         self.counts["lost_events"] += counters["events_lost"]
-        self._keep(before + steps * dt)
+        self.time += steps * dt
 
-    def samples(self, middle: tuple[float, float]) -> Array:
-        """Samples (m, n, 8), about `middle` (m); what moves rolls."""
-        offsets, velocities = self.offsets[: self.kept], self.velocities[: self.kept]
-        samples = np.zeros((*offsets.shape[:2], SAMPLE_COLUMNS))
-        samples[..., :2] = offsets + middle
-        samples[..., SAMPLE_VX : SAMPLE_VY + 1] = velocities
-        samples[..., SAMPLE_WX] = -velocities[..., 1] / self.table.state.radii
-        samples[..., SAMPLE_WY] = velocities[..., 0] / self.table.state.radii
-        moving = np.where(velocities.any(axis=2), ROLLING, STATIONARY)
-        samples[..., SAMPLE_MOTION] = np.where(self.in_play[: self.kept], moving, POCKETED)
-        return samples
+    def play_to(self, step: int, dt: float) -> bool:
+        """Go on in steps of dt s to the end of the step of that number; True if nothing moves any more."""
+        if self.table.moving and self.counts["steps"] < step:
+            self.advance(dt, step - self.counts["steps"])
+        return not self.table.moving
+
+    def write(self, sample: Array) -> None:
+        """Write the balls as they are to sample (n, 8)."""
+        state = self.table.state
+        write_sample(state.offsets, state.velocities, state.in_play, state.radii, *self.middle, sample)
+
+    @property
+    def events(self) -> Array:
+        """Events so far (e, 4), as in `Trajectory`."""
+        return np.concatenate(self.rows) if self.rows else np.empty((0, 4))
 
 
 def simulate_lecture(
@@ -195,16 +212,23 @@ def simulate_lecture(
     ValueError names an option out of range, or a ball whose numbers did not stay finite.
     """
     check_steps(dt, until)
-    table = lecture_table_for(shot, lecture_settings_for(shot, substeps, rule, order))
+    play = LecturePlay(shot, lecture_settings_for(shot, substeps, rule, order))
     whole = int(until / dt * (1.0 + 1e-12))
     rest = until - whole * dt
     room = samples_for(len(shot.balls))
     stride = max(1, math.ceil(whole / (room - 2)))
-    record = Record(table, min(room, whole + 2))
-    while table.moving and record.counts["steps"] < whole:
-        record.advance(float(dt), min(stride, whole - record.counts["steps"]))
-    if table.moving and rest > 1e-9 * dt:
-        record.advance(rest, 1)
-    events = np.concatenate(record.rows) if record.rows else np.empty((0, 4))
-    times = record.times[: record.kept].copy()
-    return sampled_trajectory(shot, events, times, record.samples(shot.layout.middle), record.counts)
+    times = np.zeros(min(room, whole + 2))
+    samples = np.empty((len(times), len(shot.balls), SAMPLE_COLUMNS))
+    play.write(samples[0])
+    kept = 1
+    while play.table.moving and (play.counts["steps"] < whole or rest > 1e-9 * dt):
+        left = whole - play.counts["steps"]
+        if left > 0:
+            play.advance(float(dt), min(stride, left))
+        else:
+            play.advance(rest, 1)
+            rest = 0.0
+        times[kept] = play.time
+        play.write(samples[kept])
+        kept += 1
+    return sampled_trajectory(shot, play.events, times[:kept].copy(), samples[:kept].copy(), play.counts)

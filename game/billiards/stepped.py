@@ -90,6 +90,15 @@ def is_at_rest(modes, physics):
 
 
 @lean_kernel
+def write_sample(state, modes, samples):
+    """Write the balls as they are to samples (n, 8)."""
+    for i in range(state.shape[1]):
+        for column in range(SAMPLE_MOTION):
+            samples[i, column] = state[X + column, i]
+        samples[i, SAMPLE_MOTION] = modes[MOTION, i]
+
+
+@lean_kernel
 def keep_sample(state, modes, time, times, samples, counters):
     """Write a sample, having dropped every second when there is no room."""
     row = counters[SAMPLES]
@@ -102,11 +111,22 @@ def keep_sample(state, modes, time, times, samples, counters):
                     samples[k, i, column] = samples[2 * k, i, column]
         counters[STRIDE] *= 2
     times[row] = time
-    for i in range(state.shape[1]):
-        for column in range(SAMPLE_MOTION):
-            samples[row, i, column] = state[X + column, i]
-        samples[row, i, SAMPLE_MOTION] = modes[MOTION, i]
+    write_sample(state, modes, samples[row])
     counters[SAMPLES] = row + 1
+
+
+@lean_kernel
+def take_step(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, now, passes, events, counters):
+    """One step of dt s, to the time `now` (s)."""
+    for i in range(state.shape[1]):
+        state[TIME, i] = now
+        old[OLD_X, i] = state[X, i]
+        old[OLD_Y, i] = state[Y, i]
+        if modes[MOTION, i] != STATIONARY and modes[MOTION, i] != POCKETED:
+            event = step_on_cloth(state, modes, i, dt, physics)
+            if event != NO_EVENT:
+                log_event(events, counters, now, event, i, -1)
+    settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters)
 
 
 @lean_kernel
@@ -142,20 +162,32 @@ def play_steps(
         now = step * dt
         if now > until - 1e-9 * dt:
             now = until
-        for i in range(state.shape[1]):
-            state[TIME, i] = now
-            old[OLD_X, i] = state[X, i]
-            old[OLD_Y, i] = state[Y, i]
-            if modes[MOTION, i] != STATIONARY and modes[MOTION, i] != POCKETED:
-                event = step_on_cloth(state, modes, i, now - before, physics)
-                if event != NO_EVENT:
-                    log_event(events, counters, now, event, i, -1)
-        settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters)
+        take_step(
+            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
+            events, counters,
+        )  # fmt: skip
         if step % counters[STRIDE] == 0:
             keep_sample(state, modes, now, times, samples, counters)
     if times[counters[SAMPLES] - 1] < now:
         keep_sample(state, modes, now, times, samples, counters)
     counters[STEPS] = step
+
+
+@lean_kernel
+def go_on(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, last, passes, events, counters):
+    """Go on in steps of dt s to the end of the step `last`, or until all balls rest; true if they do.
+
+    Writes events (e, 4) and counters (6,) as `play_steps` does, but no samples.
+    """
+    while counters[STEPS] < last and not is_at_rest(modes, physics):
+        before = counters[STEPS] * dt
+        counters[STEPS] += 1
+        now = counters[STEPS] * dt
+        take_step(
+            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
+            events, counters,
+        )  # fmt: skip
+    return is_at_rest(modes, physics)
 
 
 def steps_for(shot: Shot) -> Steps:
@@ -186,6 +218,58 @@ def check_steps(dt: float, until: float) -> None:
         raise ShotError(f"dt: {until:g} s would be more than {MAX_STEPS} steps of {dt!r} s")
 
 
+class SteppedPlay:
+    """A shot being played on the stepped table: the time reached (s), events, counts.
+
+    ShotError for passes out of range.
+    """
+
+    def __init__(self, shot: Shot, passes: int) -> None:
+        if (
+            isinstance(passes, bool)
+            or not isinstance(passes, int | np.integer)
+            or not 1 <= passes <= MAX_PASSES
+        ):
+            raise ShotError(f"passes: must be a whole number from 1 to {MAX_PASSES}, got {passes!r}")
+        self.time = 0.0
+        self.passes = int(passes)
+        self.room = steps_for(shot)
+        # a copy, for kernels are compiled anew for arrays that may not be written to
+        self.elements = np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2])
+        self.constants = shot.constants
+        self.middle = shot.layout.middle
+        self.log = np.empty((MAX_EVENTS, 4))
+        self.counters = np.zeros(COUNTERS, np.int64)
+
+    def play_to(self, step: int, dt: float) -> bool:
+        """Go on in steps of dt s to the end of the step of that number; True if nothing moves any more."""
+        at_rest = go_on(
+            *self.room, *self.elements, self.constants, dt, step, self.passes, self.log, self.counters
+        )
+        self.time = int(self.counters[STEPS]) * dt
+        return bool(at_rest)
+
+    def write(self, sample: Array) -> None:
+        """Write the balls as they are to sample (n, 8)."""
+        write_sample(self.room.state, self.room.modes, sample)
+        sample[:, :2] += self.middle
+
+    @property
+    def events(self) -> Array:
+        """Events so far (e, 4), as in `Trajectory`; a view."""
+        return self.log[: self.counters[EVENTS]]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How much work it was, by name."""
+        counters = self.counters
+        return {
+            "steps": int(counters[STEPS]),
+            "pair_tests": int(counters[PAIR_TESTS]),
+            "lost_events": int(counters[LOST_EVENTS]),
+        }
+
+
 def simulate_stepped(
     shot: Shot, dt: float = 1.0 / 240.0, passes: int = 4, until: float = 60.0
 ) -> SampledTrajectory:
@@ -194,26 +278,15 @@ def simulate_stepped(
     ShotError names an option out of range, or says that a number became infinite.
     """
     check_steps(dt, until)
-    if isinstance(passes, bool) or not (isinstance(passes, int | np.integer) and 1 <= passes <= MAX_PASSES):
-        raise ShotError(f"passes: must be a whole number from 1 to {MAX_PASSES}, got {passes!r}")
+    play = SteppedPlay(shot, passes)
     n = len(shot.balls)
-    room = steps_for(shot)
-    # a copy, for kernels are compiled anew for arrays that may not be written to
-    rails, jaws, pockets = np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2])
-    events = np.empty((MAX_EVENTS, 4))
     times = np.empty(samples_for(n))
     samples = np.empty((len(times), n, SAMPLE_COLUMNS))
-    counters = np.zeros(COUNTERS, np.int64)
     play_steps(
-        *room, rails, jaws, pockets, shot.constants, float(dt), float(until), int(passes),
-        events, times, samples, counters,
+        *play.room, *play.elements, play.constants, float(dt), float(until), play.passes,
+        play.log, times, samples, play.counters,
     )  # fmt: skip
-    kept = int(counters[SAMPLES])
-    counts = {
-        "steps": int(counters[STEPS]),
-        "pair_tests": int(counters[PAIR_TESTS]),
-        "lost_events": int(counters[LOST_EVENTS]),
-    }
+    kept = int(play.counters[SAMPLES])
     samples = samples[:kept].copy()
-    samples[:, :, :2] += shot.layout.middle
-    return sampled_trajectory(shot, events[: counters[EVENTS]].copy(), times[:kept].copy(), samples, counts)
+    samples[:, :, :2] += play.middle
+    return sampled_trajectory(shot, play.events.copy(), times[:kept].copy(), samples, play.counts)

@@ -24,7 +24,7 @@ from game.scenes.cue_control import AIMING, CueControl
 from game.scenes.demo_shots import choose_stroke, free_head_spot
 from game.scenes.figures.tables import draw_chaos
 from game.scenes.lecture_table_level import BallEntry
-from game.scenes.three_tables_shot import MODELS, PlayedShot, Steps
+from game.scenes.three_tables_shot import MODELS, PlayedShot, ShotShelf, Steps
 from game.stage import (
     Choice,
     Equation,
@@ -103,7 +103,11 @@ class ThreeTables(Scene):
     )
     passes = Param(4, 1, 50, whole=True, group="Steps", help="rounds of moving overlapping balls apart")
     perturbation = Choice(
-        "none", PERTURBATIONS, group="Chaos", help="a second exact table, the white ball moved"
+        "none",
+        PERTURBATIONS,
+        labels=("None", "1 fm", "1 pm", "1 nm", "1 µm", "1 mm"),
+        group="Chaos",
+        help="a second exact table, the white ball moved",
     )
     prediction = Toggle(True, group="Shown", label="Aim line")
 
@@ -130,7 +134,7 @@ class ThreeTables(Scene):
     try_this = (
         "Draw the tip down and play a straight shot: the lecture's ball stops, the other two come back.",
         "Set the stepped table's step to 0.05 s and break: balls pass through each other.",
-        "Choose a perturbation of 1e-12 and break: watch the curve climb to a metre.",
+        "Choose a perturbation of 1 pm and break: watch the curve climb to a metre.",
     )
 
     # -- building -----------------------------------------------------------------------------------
@@ -145,8 +149,9 @@ class ThreeTables(Scene):
         self.wait_s = 0.0
         self.grasped = 2  # the table that the pointer is on
         self.plays_itself = self.content.plays_itself
+        self.known_s = 0.0  # s of the shot that have been computed for sure
         self.told: deque[str] = deque(maxlen=8)
-        self._signature = b""
+        self.shelf = ShotShelf()
         self._play()
         if self.content.speed > 0.0:
             self._strike(math.radians(self.content.angle_deg), self.content.speed)
@@ -177,13 +182,10 @@ class ThreeTables(Scene):
         self._play()
 
     def effects_changed(self) -> None:
-        self._signature = b""
         self._play()
 
     def knob_changed(self, name: str) -> None:
-        if name in ("lecture_step", "stepped_step", "passes", "perturbation"):
-            self._signature = b""
-            self._play()
+        self._play()
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
@@ -219,19 +221,32 @@ class ThreeTables(Scene):
         return shot.struck(0, blow.velocity, blow.spin)
 
     def _play(self) -> None:
-        """Compute the shot on all tables, unless it is the one that is computed already."""
-        signature = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes()
-        signature += self.start.tobytes() + self.in_play.tobytes()
-        if signature == self._signature:
-            return
-        self._signature = signature
-        moved = None if self.perturbation == "none" else self._shot_now(float(self.perturbation))
+        """Play the shot on all tables, unless it is the one that is being played already."""
+        shot = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes()
+        balls = self.start.tobytes() + self.in_play.tobytes()
         steps = Steps(self.lecture_step, self.stepped_step, int(self.passes))
-        self.played = PlayedShot(self._shot_now(), moved, steps)
+        key = (shot, balls, steps, self.perturbation, self.active.mask)
+        before = self.shelf.latest
+        self.played = self.shelf.get(key, lambda: self._played_with(steps))
+        if self.played is not before:
+            self.known_s = 0.0
+
+    def _played_with(self, steps: Steps) -> PlayedShot:
+        moved = None if self.perturbation == "none" else self._shot_now(float(self.perturbation))
+        return PlayedShot(self._shot_now(), moved, steps)
+
+    @property
+    def shown_s(self) -> float:
+        """Time of the shot up to which it is known, s, at most the time that it has come to.
+
+        It lies behind for a moment when a step has become very short in the middle of a long shot.
+        """
+        return min(float(self.shot[TIME]), self.played.reached_s) if self.shot[PLAYING] else 0.0
 
     def differences_until(self, time: float) -> dict[str, list[float]]:
         """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
-        return self.played.differences.until(min(max(time, 0.0), self.played.end_s))
+        self.played.compute(time)
+        return self.played.differences.until(min(max(time, 0.0), self.played.least_end_s))
 
     def _strike(self, aim: float, speed: float) -> None:
         tip = self.tip_left, self.tip_up, math.radians(self.elevation)
@@ -241,8 +256,9 @@ class ThreeTables(Scene):
     def _end_shot(self) -> None:
         """The next shot begins on all tables from where the exact one has ended."""
         rows = np.flatnonzero(self.in_play)
-        final = self.played.tables["exact"].state_at(self.played.end_s)
-        pocketed = np.array([place == "pocketed" for place in self.played.tables["exact"].final.values()])
+        exact = self.played.tables["exact"]
+        final = exact.state_at(exact.end_time)
+        pocketed = np.array([place == "pocketed" for place in exact.final.values()])
         self.start[rows] = final.positions
         self.in_play[rows] = ~pocketed
         if not self.in_play[0]:
@@ -271,10 +287,11 @@ class ThreeTables(Scene):
         if self.cue.advance(dt) and not self.shot[PLAYING]:
             self._strike(self.cue.aim, self.cue.speed)
         if self.shot[PLAYING]:
-            self.shot[TIME] += dt
-            self._place_balls()
-            if self.shot[TIME] >= self.played.end_s:
-                self._end_shot()
+            if self._caught_up():
+                self.shot[TIME] += dt
+                self._place_balls()
+                if self.played.is_over(float(self.shot[TIME])):
+                    self._end_shot()
         else:
             self.wait_s += dt
             if self.plays_itself and self.wait_s > NEXT_STROKE_S and self.cue.phase == AIMING:
@@ -282,7 +299,18 @@ class ThreeTables(Scene):
                 chosen = choose_stroke(self.start, self.radii, self.in_play, self.bed, self.seed, first)
                 self.cue.strike(chosen.aim, chosen.speed)
 
+    def _caught_up(self) -> bool:
+        """True if the shot is known up to now. Else a slice more of it is computed, and time stands still.
+
+        How many steps that takes depends on nothing but the shot, whatever has been computed of it before.
+        """
+        self.known_s = min(self.known_s + self.played.steps.slice_s, float(self.shot[TIME]))
+        self.played.compute(self.known_s)
+        return self.known_s >= self.shot[TIME]
+
     def _place_balls(self) -> None:
+        self.known_s = float(self.shot[TIME])
+        self.played.compute(self.known_s)
         rows = np.flatnonzero(self.in_play)
         for k, name in enumerate(MODELS):
             self.places[k, rows] = self.played.tables[name].state_at(self.shot[TIME]).positions
@@ -325,10 +353,10 @@ class ThreeTables(Scene):
         """Largest distance of a ball to its place on the exact table at this moment, m."""
         if name not in self.played.tables or not self.shot[PLAYING]:
             return 0.0
-        return self.differences_until(float(self.shot[TIME]))[name][-1]
+        return self.differences_until(self.shown_s)[name][-1]
 
     def readouts(self) -> tuple[Readout, ...]:
-        time = float(self.shot[TIME]) if self.shot[PLAYING] else 0.0
+        time = self.shown_s
         moving = self.played.tables["exact"].state_at(time).velocities
         masses = self.masses[self.in_play]
         energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum()) if self.shot[PLAYING] else 0.0

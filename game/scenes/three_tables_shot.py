@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections import OrderedDict
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
+from game.billiards.growing import GrowingTrajectory, grow_lecture, grow_stepped
 from game.billiards.shot import Shot
 from game.billiards.simulation import simulate
 from game.billiards.trajectory import Trajectory
@@ -14,6 +17,10 @@ from game.billiards.trajectory import Trajectory
 MODELS = ("lecture", "stepped", "exact")
 LONGEST_S = 60.0  # s that a shot is shown; without cloth it would never end
 SAMPLES_HZ = 30.0  # of the difference, for the chart
+MOST_STEPS = 2_000  # of the stepped table computed at once: some 2 ms
+MOST_LECTURE_STEPS = 1_000
+MOST_S = 1.0  # computed at once: a sample costs more than a step
+SHOTS_KEPT = 3
 
 
 class Steps(NamedTuple):
@@ -23,37 +30,74 @@ class Steps(NamedTuple):
     stepped: float
     passes: int
 
+    @property
+    def slice_s(self) -> float:
+        """How much of a shot can be computed without holding up a picture, s of simulated time."""
+        return min(MOST_S, MOST_LECTURE_STEPS * self.lecture, MOST_STEPS * self.stepped)
+
 
 class PlayedShot:
-    """What has come of a shot. ``moved``: the same, begun elsewhere, for a second exact table.
+    """What has come of a shot so far. ``moved``: the same, begun elsewhere, for a second exact table.
 
-    tables: by model, "perturbed" the second exact one. pocketings: by model. event_times (k,) s of the exact
-    one. end_s: when all balls lie.
+    The exact tables are computed at once, those that step as far as `compute` is told to; what is known of a
+    moment does not depend on that. tables: by model, "perturbed" the second exact one. event_times (k,) s of
+    the exact one.
     """
 
     def __init__(self, shot: Shot, moved: Shot | None, steps: Steps) -> None:
-        until = LONGEST_S
-        self.tables: dict[str, Trajectory] = {
-            "lecture": simulate(shot, "lecture", dt=steps.lecture, until=until),
-            "stepped": simulate(shot, "stepped", dt=steps.stepped, passes=steps.passes, until=until),
-            "exact": simulate(shot, "exact", until=until),
-        }
+        self.steps = steps
+        self.stepping: tuple[GrowingTrajectory, ...] = (
+            grow_lecture(shot, steps.lecture, LONGEST_S),
+            grow_stepped(shot, steps.stepped, steps.passes, LONGEST_S),
+        )
+        self.exact: tuple[Trajectory, ...] = (simulate(shot, "exact", until=LONGEST_S),)
+        self.tables: dict[str, Trajectory] = dict(zip(MODELS, (*self.stepping, *self.exact), strict=True))
         if moved is not None:
-            self.tables["perturbed"] = simulate(moved, "exact", until=until)
-        self.pocketings = {
-            name: [event for event in table.events if event.type == "ball-pocket"]
-            for name, table in self.tables.items()
-        }
+            self.tables["perturbed"] = simulate(moved, "exact", until=LONGEST_S)
+            self.exact = (*self.exact, self.tables["perturbed"])
         self.event_times = np.asarray(self.tables["exact"].times)
-        self.end_s = min(max(table.end_time for table in self.tables.values()), until)
         self.differences = Differences(self.tables)
+
+    @property
+    def reached_s(self) -> float:
+        """Up to where all tables are known, s."""
+        return min((table.end_time for table in self.stepping if not table.complete), default=math.inf)
+
+    @property
+    def least_end_s(self) -> float:
+        """When all balls lie, as far as is known, s: the shot lasts at least so long."""
+        return max(table.end_time for table in self.tables.values())
+
+    def compute(self, time: float) -> None:
+        """Compute all tables up to a time, s, or to the end."""
+        for table in self.stepping:
+            table.compute(time)
+
+    def is_over(self, time: float) -> bool:
+        """True if nothing moves on any table at a time, s, up to which they are known."""
+        return self.reached_s == math.inf and time >= self.least_end_s
+
+
+class ShotShelf:
+    """The last few shots, by what they were played with, for the clock that is turned back and forth."""
+
+    def __init__(self) -> None:
+        self._shots: OrderedDict[object, PlayedShot] = OrderedDict()
+        self.latest: PlayedShot | None = None
+
+    def get(self, key: object, play: Callable[[], PlayedShot]) -> PlayedShot:
+        """The shot of that key; if it is not there, it is played."""
+        if key not in self._shots:
+            self._shots[key] = play()
+        self._shots.move_to_end(key)
+        while len(self._shots) > SHOTS_KEPT:
+            self._shots.popitem(last=False)
+        self.latest = self._shots[key]
+        return self.latest
 
 
 class Differences:
-    """How far the balls of the other tables lie from those of the exact one.
-
-    Computed as far as it is asked for: a stroke must not wait for the curves of a minute.
-    """
+    """How far the balls of the other tables lie from those of the exact one, as far as it is asked for."""
 
     def __init__(self, tables: dict[str, Trajectory]) -> None:
         self._tables = tables

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from game.billiards.aim import first_contact
+from game.billiards.state import BALL_POCKET
 from game.scenes import table_view
 from game.scenes.cue_control import PULLING, STRIKING
 from game.scenes.table_view import Balls
@@ -25,7 +26,7 @@ CHART = (ACROSS - 0.08, ALONG - 0.02)  # m, top left corner of the chart
 CHART_SIZE = (1.40, 2.50)  # m, down and to the right
 FRAME = Frame(-0.30, -0.21, ACROSS + WIDTH + 0.19, ALONG + LENGTH + 0.21)
 TITLES = ("The lecture's table", "Stepped, all of the physics", "Exact, from event to event")
-SERIES = {"lecture": "vermilion", "stepped": "chalk", "perturbed": "violet"}
+SERIES = {"lecture": "chalk", "stepped": "green", "perturbed": "pink"}  # those of the strip
 HIGHEST, LOWEST = 1.0, -16.0  # log10 m, of the chart
 
 
@@ -71,22 +72,27 @@ def draw(scene: ThreeTables, canvas: Canvas, alpha: float) -> None:
 
 
 def _moment(scene: ThreeTables, alpha: float) -> float:
-    """Time of the shot that is shown: the tables are known at every moment, not only at steps."""
+    """Time of the shot that is shown: the tables are known at every moment, not only at steps.
+
+    What is not known yet is computed, a slice in each picture.
+    """
+    if not scene.shot[0]:
+        return 0.0
     time = float(scene.shot[1])
-    if scene.previous is None or not scene.shot[0]:
-        return time if scene.shot[0] else 0.0
-    before = float(scene.previous.shot[1])
-    return before + alpha * (time - before) if before <= time else time
+    if scene.previous is not None and scene.previous.shot[1] <= time:
+        before = float(scene.previous.shot[1])
+        time = before + alpha * (time - before)
+    played = scene.played
+    played.compute(min(time, played.reached_s + played.steps.slice_s))
+    return min(time, played.reached_s)
 
 
 def _gone(scene: ThreeTables, name: str, time: float) -> np.ndarray:
     """Balls that are in a pocket by now."""
-    rows = np.flatnonzero(scene.in_play)
-    gone = np.zeros(len(rows), dtype=bool)
-    order = {str(number): i for i, number in enumerate(scene.numbers[rows].tolist())}
-    for event in scene.played.pocketings[name]:
-        if event.time <= time:
-            gone[order[event.ids[0]]] = True
+    gone = np.zeros(int(scene.in_play.sum()), dtype=bool)
+    rows = scene.played.tables[name].rows
+    fallen = (rows[:, 1] == BALL_POCKET) & (rows[:, 0] <= time)
+    gone[rows[fallen, 2].astype(np.int64)] = True
     return gone
 
 
@@ -115,9 +121,13 @@ def _draw_chart(scene: ThreeTables, canvas: Canvas, time: float) -> None:
     down, right = CHART_SIZE
     canvas.halo = canvas.theme.bg
     canvas.label((x0 - 0.11, y0 + 0.02), "Off the exact table", "text1", 13, "semibold", anchor="left")
+    behind = scene.shot[0] and scene.shown_s < scene.shot[1]
+    if behind:
+        words = f"computing: {scene.shown_s:.0f} of {scene.shot[1]:.0f} s"
+        canvas.label((x0 - 0.11, y0 + right), words, "text2", 12, anchor="right")
     corners = np.array([(x0, y0), (x0, y0 + right), (x0 + down, y0 + right), (x0 + down, y0)])
     canvas.polygon(corners, fill="stage", outline="line", width=1.0)
-    span = max(scene.played.end_s, 1.0) if scene.shot[0] else 10.0
+    span = max(scene.played.least_end_s, 1.0) if scene.shot[0] else 10.0
 
     def place(seconds: float, logarithm: float) -> tuple[float, float]:
         share = (HIGHEST - min(max(logarithm, LOWEST), HIGHEST)) / (HIGHEST - LOWEST)
@@ -125,7 +135,7 @@ def _draw_chart(scene: ThreeTables, canvas: Canvas, time: float) -> None:
 
     for power, words in ((0, "1 m"), (-3, "1 mm"), (-6, "1 µm"), (-9, "1 nm"), (-12, "1 pm"), (-15, "1 fm")):
         canvas.line(place(0.0, power), place(span, power), "grid2", 1.0)
-        canvas.label(place(0.0, power), words, "text3", 11, anchor="left", offset=(6.0, -7.0), halo=False)
+        canvas.label(place(0.0, power), words, "text3", 11, anchor="right", offset=(-6.0, 0.0))
     canvas.label(
         place(span, LOWEST), f"{span:.0f} s", "text3", 11, anchor="right", offset=(-6.0, -9.0), halo=False
     )

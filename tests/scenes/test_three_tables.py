@@ -68,14 +68,53 @@ def test_chaos_a_picometre_becomes_a_metre():
 
 def test_differences_are_computed_only_as_far_as_they_are_asked_for():
     scene = open_level("hard-01-chaos").scene
-    assert scene.played.end_s > 10.0
+    assert scene.played.tables["exact"].end_time > 10.0
     few = scene.differences_until(2.0)
     assert {len(curve) for curve in few.values()} == {61}
     assert len(scene.played.differences) == 61
     assert "_differences" not in remember(scene).attributes  # snapshots do not copy what can be had again
     more = scene.differences_until(3.0)
     assert all(more[name][:61] == curve for name, curve in few.items())
-    assert all(len(curve) <= 30.0 * scene.played.end_s + 1 for curve in scene.differences_until(1e9).values())
+    assert all(len(curve) <= 30.0 * 60.0 + 1 for curve in scene.differences_until(1e9).values())
+
+
+LONG = {"stepped_step": 1 / 20000, "lecture_step": 1 / 2000}  # a minute of it takes more than a second
+
+
+def test_a_stroke_is_computed_as_time_goes_on_and_not_before():
+    scene = open_level("hard-01-chaos", **LONG).scene
+    for _ in range(10):
+        scene.advance(scene.dt)
+    assert all(table.end_time < 0.1 and not table.complete for table in scene.played.stepping)
+
+
+def test_time_stands_still_until_a_shorter_step_has_caught_up():
+    stage = seconds(open_level("hard-01-chaos"), 3.0)
+    stage.post(SetKnob("stepped_step", LONG["stepped_step"]))
+    time = float(stage.scene.shot[1])
+    stage.run(1)
+    assert stage.scene.shot[1] == time
+    slice_s = stage.scene.played.steps.slice_s
+    assert stage.scene.shown_s == pytest.approx(slice_s, abs=0.01)
+    stage.run(math.ceil(time / slice_s))
+    assert time < stage.scene.shot[1] <= time + 2.0 * stage.dt
+
+
+def test_what_has_been_computed_before_leaves_no_trace():
+    def digests(far: bool) -> list[str]:
+        stage = seconds(open_level("hard-01-chaos"), 2.5)
+        for step in (1 / 4000, 1 / 20000, 1 / 4000):
+            stage.post(SetKnob("stepped_step", step))
+            if far:
+                stage.scene.played.compute(4.0)
+            stage.run(5)
+        for _ in range(12):
+            stage.step_back()
+        middle = stage.digest()
+        stage.run(12)
+        return [middle, stage.digest()]
+
+    assert digests(far=True) == digests(far=False)
 
 
 def test_the_thin_hit_is_found_by_the_exact_table():
