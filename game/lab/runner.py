@@ -64,14 +64,13 @@ def measure(
 
 def measure_present(
     study: Study, parameters: dict[str, object], repeats: int = REPEATS, seconds: float = 0.0
-) -> Row:
-    """The point at which a scene with these parameters and effects stands.
+) -> Row | None:
+    """The point at which a scene with these parameters, effects and standing is; None if it has no place.
 
-    ValueError if the study cannot tell.
+    `Study.no_place` says why it has none.
     """
-    if study.present is None:
-        raise ValueError(f"study {study.name}: cannot place the present setting of its scene")
-    return measure(study, study.present(parameters), repeats=repeats, seconds=seconds)
+    setting = study.present(parameters) if study.present is not None else None
+    return None if setting is None else measure(study, setting, repeats=repeats, seconds=seconds)
 
 
 def run_study(

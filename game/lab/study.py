@@ -117,7 +117,8 @@ class Study:
     setting to trial. envelope: collisions make the error saw-toothed, so orders are fitted to its upper
     envelope. floor: errors below it are rounding and take no part in fits. ceiling: errors above it are not
     yet those of small steps and take no part either. expectation: what the curves should show, in a sentence
-    or two. present: the scene's parameters and effects to the setting they amount to.
+    or two. present: the scene's parameters, effects and `standing` to the setting they amount to, if to any.
+    no_place: why a scene has no place among the points, for where it has none.
     axes: what its picture shows; accuracy against cost, unless what is bought is no accuracy. short: its name
     among the studies of its scene. related: further studies of the same scene. cost: what the CPU time is
     for, where the seconds that its trials simulate stand for something else.
@@ -138,7 +139,8 @@ class Study:
     envelope: bool = False
     floor: float = 1e-13
     ceiling: float = math.inf
-    present: Callable[[Mapping[str, Any]], Setting] | None = None
+    present: Callable[[Mapping[str, Any]], Setting | None] | None = None
+    no_place: str = ""
     axes: Axes = ACCURACY
     short: str = ""
     cost: str = COST

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from game.lab.studies.broadphase import count_study
+from game.lab.studies.broadphase_count import count_study
 from game.physics.broadphase import (
     BroadPhase,
     CoveringGrid,

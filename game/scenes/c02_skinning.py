@@ -155,6 +155,11 @@ class Skinning(FigureScene):
             Readout("rotor time", self.watch.median("rotor"), "s"),
         ]
 
+    def standing(self) -> dict[str, float]:
+        """bend: of the joint that is bent most, ° from where it was bound."""
+        bends = np.degrees(self.rig.skeleton.angles - self.rig.rest)[self.rig.skeleton.parents >= 0]
+        return {"bend": float(np.abs((bends + 180.0) % 360.0 - 180.0).max(initial=0.0))}
+
     def legend(self) -> Sequence[tuple[str, str, str]]:
         rows = []
         if self.bones:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.studies.broadphase import sweep_study
+from game.lab.studies.broadphase_speed import sweep_study
 from game.physics.broadphase import NaiveBroadPhase, SweepAndPrune
 from game.physics.broadphase.effects import MOTION
 from game.physics.broadphase.workloads import expected_swaps

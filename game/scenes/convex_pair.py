@@ -312,6 +312,12 @@ class ConvexPairScene(Scene):
             rows.append(Readout("certificate lacks", self.certificate()))
         return rows
 
+    def standing(self) -> dict[str, float]:
+        """corners: of the polygon that has more; turn: of one against the other in a step, rad."""
+        shapes = [shape for shape in (self.shape(0), self.shape(1)) if shape is not None]
+        turn = abs(float(self.rates[0, 2] - self.rates[1, 2])) * self.dt
+        return {"corners": float(max(map(len, shapes), default=0)), "turn": turn}
+
     def certificate(self) -> float:
         """What the optimality certificate of the last answer lacks, in extents; infinite if it fails."""
         a, b = self.shape(0), self.shape(1)

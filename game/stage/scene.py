@@ -220,6 +220,10 @@ class Scene:
         """Measured values; the first four are shown in the top bar, those named in strips are charted."""
         return ()
 
+    def standing(self) -> Mapping[str, float]:
+        """Figures of the state from which studies tell where the scene is, beside its knobs and effects."""
+        return {}
+
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """Rows of the legend: (mark, words, live count or ""); mark is "shape:colour", e.g. "disc:chalk"."""
         return ()

@@ -35,11 +35,12 @@ FEWEST = 3  # points for an estimate of those to come
 
 
 def study_data(
-    table: StudyTable, scene_title: str, present: Row | None = None, trouble: str = ""
+    table: StudyTable, scene_title: str, present: Row | None = None, trouble: str = "", no_place: str = ""
 ) -> AccuracyData:
     """What the overlay shows of a table, whole or in the making.
 
-    ``present``: the scene's own point. ``trouble``: what went wrong in the study, if anything.
+    ``present``: the scene's own point; ``no_place``: why it has none. ``trouble``: what went wrong in the
+    study, if anything.
     """
     study = table.study
     target = round_error(table)
@@ -59,7 +60,7 @@ def study_data(
     return AccuracyData(
         scene_title, _subtitle(study), _axes(study), series, rows,
         _present(study, present, series, [method.name for method in shown]), target,
-        _sentence(study, rows, target), _notes(study, series, trouble),
+        _sentence(study, rows, target), _notes(study, series, trouble, no_place),
         "least" if study.axes.up == "cpu" else "", study.slope_name,
         floor=study.floor if study.axes.up == "error" else 0.0,
     )  # fmt: skip
@@ -224,8 +225,8 @@ def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
     return sentence_for(inside, words) or study.expectation
 
 
-def _notes(study: Study, series: Sequence[PlotSeries], trouble: str) -> tuple[str, ...]:
-    notes = [trouble] if trouble else []
+def _notes(study: Study, series: Sequence[PlotSeries], trouble: str, no_place: str) -> tuple[str, ...]:
+    notes = [words for words in (trouble, no_place) if words]
     if study.envelope:
         notes.append("Orders are fitted to the upper envelope.")
     of_errors = study.axes.up == "error"

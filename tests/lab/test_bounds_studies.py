@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from game.lab import fit_order, run_study
-from game.lab.studies.bounds import STEPS_DEGREES, box_study, capsule_study, present_fit
+from game.lab import Setting, fit_order, run_study
+from game.lab.studies.bounds import STEPS_DEGREES, box_study, capsule_study
 from game.lab.studies.bounds_gap import gap_study
 from game.scenes.c08_oriented_boxes import OrientedBoxes
 from game.scenes.c09_capsules import Capsules
@@ -27,6 +27,7 @@ def test_the_search_for_a_box_is_of_first_order():
     table = run_study(at(box_study, STEPS_DEGREES[4:12]), repeats=1)
     assert fit_order(table.of("search")) == pytest.approx(1.0, abs=0.15)
     assert max(row.error for row in table.of("refined")) < 1e-8
+    assert table.of("calipers")[0].error == 0.0
     assert table.of("principal")[0].error > 0.01
     assert not [row for row in table if row.failed]
 
@@ -57,8 +58,10 @@ def test_a_finer_step_does_not_make_a_centred_capsule_the_least():
 @pytest.mark.parametrize("scene_type", [OrientedBoxes, Capsules])
 def test_the_present_point_is_that_of_the_scene(scene_type):
     scene = scene_type(parameters={"angle_step": 2.5})
-    assert scene_type.study.present(scene.values) == present_fit({"fit": "search", "angle_step": 2.5})
-    assert present_fit({"fit": "calipers", "angle_step": 2.5}).method == "refined"
+    assert scene_type.study.present(scene.values) == Setting("search", 2.5)
+    exact = scene_type.study.present({"fit": "calipers", "angle_step": 2.5})
+    assert exact.method == ("calipers" if scene_type is OrientedBoxes else "thinnest")
+    assert exact.method in {method.name for method in scene_type.study.methods}
     for study in (scene_type.study, *scene_type.study.related):
         for setting in study.settings():
             scene_type(parameters=dict(setting.scene))

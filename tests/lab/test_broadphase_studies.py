@@ -5,16 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.lab.studies.broadphase import (
-    cell_cost_study,
-    cell_size_study,
-    count_study,
-    hierarchy_study,
-    ratio_study,
-    speed_study,
-    sweep_study,
-)
+from game.lab.studies.broadphase import cell_cost_study, cell_size_study, hierarchy_study, ratio_study
+from game.lab.studies.broadphase_count import count_study, work_study
 from game.lab.studies.broadphase_missed import meeting_times
+from game.lab.studies.broadphase_speed import speed_study, swaps_study, sweep_study
 from game.lab.study import Outcome, Study
 
 ALL = (
@@ -23,8 +17,10 @@ ALL = (
     hierarchy_study,
     ratio_study,
     sweep_study,
+    swaps_study,
     speed_study,
     count_study,
+    work_study,
 )
 
 
@@ -67,6 +63,15 @@ def test_a_scenes_setting_has_its_place():
     assert setting.method == "swept" and setting.knob == pytest.approx(1.0 / 60.0)
 
 
+@pytest.mark.parametrize("study", [swaps_study, speed_study], ids=lambda study: study.name)
+def test_a_scene_set_to_a_point_stands_at_that_point(study):
+    """The way in a step over the size of a box, from the number of boxes, their speed and the step."""
+    for setting in study.settings():
+        if setting.method != "grid":
+            place = study.present(setting.scene)
+            assert place.method == setting.method and place.knob == pytest.approx(setting.knob)
+
+
 def test_times_of_meeting():
     first, last = meeting_times(
         np.array([0.0, 0.0, 0.0]), np.array([1.0, 1.0, 1.0]),
@@ -104,4 +109,4 @@ def test_swaps_follow_speed_as_the_formula_says():
 @pytest.mark.parametrize(("method", "exponent"), [("naive", 2.0), ("uniform", 1.0), ("sweep", 1.5)])
 def test_work_grows_with_the_number_of_boxes_as_expected(method, exponent):
     counts = [100.0, 300.0, 1000.0, 3000.0]
-    assert slope(count_study, method, counts) == pytest.approx(exponent, abs=0.15)
+    assert slope(work_study, method, counts) == pytest.approx(exponent, abs=0.15)

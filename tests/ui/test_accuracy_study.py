@@ -128,3 +128,10 @@ def test_the_round_error_is_one_that_all_methods_reach():
     assert round_error(table_of(made, rows)) == pytest.approx(
         10.0 ** math.ceil(math.log10(max(least.values())))
     )
+
+
+def test_a_scene_without_a_place_among_the_points_is_told_why():
+    made = study()
+    rows = [row(s.method, s.knob) for s in made.settings()]
+    data = study_data(table_of(made, rows), "A scene", no_place="No mark: nothing is turned.")
+    assert data.present is None and data.notes[0] == "No mark: nothing is turned."

@@ -44,7 +44,8 @@ class AccuracyCard(PageScreen):
     def _start(self, study: Study, before: StudyRun | None) -> None:
         """Measure a study, once the one before it has stopped."""
         scene = self.play.stage.scene
-        present = {**scene.values, **{effect.name: effect in scene.active for effect in scene.effects}}
+        effects = {effect.name: effect in scene.active for effect in scene.effects}
+        present = {**scene.standing(), **scene.values, **effects}
         self.run = StudyRun(study, present, _tables.get(study.name), before)
         _tables[study.name] = self.run.table
 

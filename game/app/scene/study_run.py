@@ -31,6 +31,7 @@ class StudyRun:
             len(self.table), max(len(study.settings()), 1), "the present setting", running=True
         )
         self.error = ""
+        self.no_place = ""  # why there is no present setting
         self._parameters = dict(parameters)
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._work, name=f"study {study.name}", daemon=True)
@@ -52,8 +53,8 @@ class StudyRun:
             if self._stop.is_set():
                 self.progress = self.progress._replace(running=False)
                 return
-            if self.study.present is not None:
-                self.present = measure_present(self.study, self._parameters, seconds=ENOUGH_S)
+            self.present = measure_present(self.study, self._parameters, seconds=ENOUGH_S)
+            self.no_place = self.study.no_place if self.present is None else ""
             run_study(self.study, self._report, self._stop.is_set, self.table, seconds=ENOUGH_S)
         except Exception as error:  # a study's own code; the page says so and the scene goes on
             self.error = " ".join(str(error).split()) or type(error).__name__
@@ -66,4 +67,4 @@ class StudyRun:
 def accuracy_data(run: StudyRun, title: str) -> AccuracyData:
     """What has been measured so far, as the page draws it."""
     table = StudyTable(run.study, list(run.table.rows))
-    return study_data(table, title, run.present, run.error)
+    return study_data(table, title, run.present, run.error, run.no_place)

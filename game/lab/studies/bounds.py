@@ -28,6 +28,7 @@ Array = NDArray[np.float64]
 STEPS_DEGREES = (45.0, 30.0, 20.0, 15.0, 10.0, 6.0, 4.0, 2.5, 1.5, 1.0, 0.6, 0.4, 0.25, 0.1)
 SHAPES = 40
 CAPSULE_SHAPES = 16
+GOLDEN_TRIALS = 46  # directions that golden section looks at
 TOLERANCE = 0.02  # to which the least capsules are proven; they are polished all the same
 
 
@@ -68,13 +69,21 @@ class FitTrial:
 
 
 def directions(step: float, quarter: float) -> int:
-    """How many directions a search tries."""
+    """How many directions a search by steps tries over ``quarter``, both in degrees."""
     return math.ceil(quarter / step - 1e-9)
+
+
+def tried(setting: Setting, count: int, quarter: float) -> int:
+    """Directions tried for so many shapes, those of golden section among them."""
+    if setting.method not in SEARCHES:
+        return count
+    return count * (directions(setting.knob, quarter) + (GOLDEN_TRIALS if setting.method == "refined" else 0))
 
 
 BOXES: dict[str, Callable[[float], Callable[[Array], Any]]] = {
     "search": lambda step: lambda points: fit_obb(points, step),
     "refined": lambda step: lambda points: fit_obb(points, step, refine=True),
+    "calipers": lambda step: minimal_obb,
     "principal": lambda step: principal_box,
 }
 CAPSULES: dict[str, Callable[[float], Callable[[Array], Any]]] = {
@@ -83,6 +92,7 @@ CAPSULES: dict[str, Callable[[float], Callable[[Array], Any]]] = {
     "thinnest": lambda step: thinnest_capsule,
 }
 FIT_KNOB = {"search": "search", "refined": "refined", "thinnest": "calipers", "calipers": "calipers"}
+SEARCHES = ("search", "refined")  # by steps; the others have none
 
 
 def fit_settings(methods: Mapping[str, Any]) -> list[Setting]:
@@ -90,7 +100,7 @@ def fit_settings(methods: Mapping[str, Any]) -> list[Setting]:
     found = []
     for step in STEPS_DEGREES:
         for name in methods:
-            if name in ("search", "refined") or step == 1.0:
+            if name in SEARCHES or step == 1.0:
                 scene = {"fit": FIT_KNOB[name], "angle_step": step} if name in FIT_KNOB else {}
                 found.append(Setting(name, step, {}, scene, 90.0 / step))
     return found
@@ -100,26 +110,26 @@ def box_trial(setting: Setting) -> FitTrial:
     """Boxes round all shapes."""
     given = shapes(SHAPES)
     least = [minimal_obb(points).area for points in given]
-    name = setting.method if setting.method in BOXES else "search"
-    counter = SHAPES * (directions(setting.knob, 90.0) if name in ("search", "refined") else 1)
-    counter += SHAPES * 46 if name == "refined" else 0
-    return FitTrial(BOXES[name](setting.knob), given, least, counter)
+    return FitTrial(BOXES[setting.method](setting.knob), given, least, tried(setting, SHAPES, 90.0))
 
 
 def capsule_trial(setting: Setting) -> FitTrial:
     """Capsules round some of the shapes."""
     given = shapes(CAPSULE_SHAPES)
     least = [least_capsule(points, TOLERANCE)[0].area for points in given]
-    name = setting.method if setting.method in CAPSULES else "search"
-    counter = CAPSULE_SHAPES * (directions(setting.knob, 180.0) if name in ("search", "refined") else 1)
-    counter += CAPSULE_SHAPES * 46 if name == "refined" else 0
-    return FitTrial(CAPSULES[name](setting.knob), given, least, counter)
+    return FitTrial(
+        CAPSULES[setting.method](setting.knob), given, least, tried(setting, CAPSULE_SHAPES, 180.0)
+    )
 
 
-def present_fit(parameters: Mapping[str, Any]) -> Setting:
-    """Where a scene with these parameters stands."""
-    fit = str(parameters["fit"])
-    return Setting("refined" if fit != "search" else "search", float(parameters["angle_step"]))
+def present_fit(exact: str) -> Callable[[Mapping[str, Any]], Setting]:
+    """Where a scene stands, if ``exact`` is the method that its fit by calipers is."""
+
+    def present(parameters: Mapping[str, Any]) -> Setting:
+        fit = str(parameters["fit"])
+        return Setting(exact if fit == "calipers" else fit, float(parameters["angle_step"]))
+
+    return present
 
 
 box_study = Study(
@@ -132,6 +142,7 @@ box_study = Study(
     methods=(
         Method("search", "by degrees", 1.0),
         Method("refined", "golden section", None, "finds the flush side"),
+        Method("calipers", "calipers", None, "exact"),
         Method("principal", "greatest variance", None, "no search at all"),
     ),
     settings=lambda: fit_settings(BOXES),
@@ -142,7 +153,7 @@ box_study = Study(
         "Golden section goes down to that kink."
     ),
     floor=1e-9,
-    present=present_fit,
+    present=present_fit("calipers"),
     cost="CPU time for one shape",
     short="Fit",
     related=(gap_study,),
@@ -168,7 +179,7 @@ capsule_study = Study(
         "core in the middle of the projection, with half of the breadth for a radius."
     ),
     floor=1e-9,
-    present=present_fit,
+    present=present_fit("thinnest"),
     cost="CPU time for one shape",
     short="Fit",
     related=(gap_study,),

@@ -7,7 +7,9 @@ quarter of it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,7 +71,7 @@ class GapTrial:
 
 def gap_trial(setting: Setting) -> GapTrial:
     """The query at one gap."""
-    kind, fit = TREES[setting.method]
+    kind, fit = TREES.get(setting.method) or (setting.scene["volume"], setting.scene["fit"])
     return GapTrial(kind, fit, setting.knob)
 
 
@@ -80,6 +82,18 @@ def gap_settings() -> list[Setting]:
         for gap in GAPS
         for name in TREES
     ]
+
+
+def present_gap(parameters: Mapping[str, Any]) -> Setting | None:
+    """The trees of a scene at the gap between its outlines, if there is one."""
+    gap = float(parameters["gap"])
+    kind, fit = str(parameters["volume"]), str(parameters["fit"])
+    names = [name for name, tree in TREES.items() if tree == (kind, "search" if kind == "aabb" else fit)]
+    return (
+        Setting(names[0] if names else "present", gap, {}, {"volume": kind, "fit": fit})
+        if gap > 0.0
+        else None
+    )
 
 
 gap_study = Study(
@@ -103,6 +117,8 @@ gap_study = Study(
         "Boxes by degrees lose that where they are thinner than half a degree of their length."
     ),
     order_over="counter",
+    present=present_gap,
+    no_place="No mark: the outlines meet, and no gap can be proven.",
     cost="CPU time for one query",
     short="Gap",
 )

@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab.studies.broadphase_steps import EXTENT, SEED
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 
 Array = NDArray[np.float64]
-SEED = 20
-EXTENT = (11.2, 8.0)  # m, the world of the scenes
 MISS_BOXES, MISS_S, MISS_SPEED = 400, 0.5, 4.0  # boxes, s, m/s
 MISS_RATES = (960, 480, 240, 120, 60, 30, 16, 8, 4)  # steps/s
 

@@ -118,8 +118,8 @@ def present_tolerance(parameters: Mapping[str, Any]) -> Setting:
 class Coins(Queries):
     """The same with coins of radius 1 m: regular polygons in them, against the distance of the circles."""
 
-    def __init__(self, corners: int, turn: float, method: str) -> None:
-        super().__init__(corners, turn, method)
+    def __init__(self, corners: int, turn: float, method: str, warm: bool = True) -> None:
+        super().__init__(corners, turn, method, warm=warm)
         turns = np.arange(corners) * (2.0 * math.pi / corners)
         coin = ConvexPolygon(np.column_stack((np.cos(turns), np.sin(turns))))
         self.shapes = [PolygonSet([coin] * PAIRS)] * 2
@@ -152,9 +152,18 @@ def coherence_settings() -> list[Setting]:
 
 
 def coherence_trial(setting: Setting) -> Coins:
-    """Queries that begin at the last answer."""
-    method, turn = TURNS[setting.method]
-    return Coins(round(2.0 * math.pi / setting.knob), turn, method)
+    """Queries that begin at the last answer; those of a scene only if it lets them."""
+    method, turn = TURNS.get(setting.method) or ("vclip", setting.others["turn"])
+    return Coins(round(2.0 * math.pi / setting.knob), turn, method, bool(setting.scene["coherence"]))
+
+
+def present_coherence(parameters: Mapping[str, Any]) -> Setting | None:
+    """V-Clip on coins of as many corners as the scene's polygons, turned as they are."""
+    corners = int(parameters["corners"])
+    if corners < 3:
+        return None
+    coherence = {"coherence": bool(parameters["coherence"])}
+    return Setting("present", 2.0 * math.pi / corners, {"turn": float(parameters["turn"])}, coherence)
 
 
 gjk_study = Study(
@@ -200,5 +209,7 @@ vclip_study = Study(
         "coherence more vertices cost V-Clip hardly anything; turned by a radian between queries, its walk "
         "grows with them, GJK's hardly."
     ),
+    present=present_coherence,
+    no_place="No mark: there is no convex polygon.",
     cost=PER_QUERY,
 )

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,6 +99,13 @@ def support_trial(setting: Setting) -> Supports:
     return Supports(int(setting.knob), setting.method)
 
 
+def present_support(parameters: Mapping[str, Any]) -> Setting | None:
+    """How the scene asks its polygons, the one with more corners."""
+    corners = float(parameters["corners"])
+    climb = "climb-near" if parameters["coherence"] else "climb-far"
+    return Setting("scan" if parameters["method"] == "scan" else climb, corners) if corners >= 3.0 else None
+
+
 support_study = Study(
     name="c11-support",
     title="Support vertices: climbing against looking at all",
@@ -113,6 +122,8 @@ support_study = Study(
     trial=support_trial,
     reference="the largest product of all vertices with the direction.",
     expectation="All find the farthest vertex; looking at all of them pays for small polygons only.",
+    present=present_support,
+    no_place="No mark: there is no convex polygon.",
     axes=Axes("knob", "cpu"),
     cost="CPU time for one direction",
     short="Support",

@@ -193,6 +193,15 @@ def loss_settings(knobs: tuple[float, ...]) -> list[Setting]:
     return [Setting(name, knob, {}, {"blend": name.split("-")[0]}) for knob in knobs for name in LOSSES]
 
 
+LEAST_BEND = 0.1  # °; less is straight
+
+
+def present_bend(parameters: Mapping[str, Any]) -> Setting | None:
+    """The joint that is bent most, if one is bent."""
+    bend = float(parameters["bend"])
+    return Setting(str(parameters["blend"]), bend) if bend >= LEAST_BEND else None
+
+
 BENDS = (5.0, 8.0, 12.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0, 175.0)
 
 collapse_study = Study(
@@ -208,6 +217,8 @@ collapse_study = Study(
     reference="cos(a/2) of halves blended; the bar as it was bound.",
     expectation="Matrices lose 1 - cos(a/2) of the thickness, all of it at 180°. Rotors keep it, and bulge.",
     floor=1e-13,
+    present=present_bend,
+    no_place="No mark: no joint of the figure is bent.",
     axes=Axes("knob", "error"),
     short="Collapse",
 )
@@ -225,6 +236,7 @@ joints_study = Study(
     expectation="n joints in place of one lose n squared times less. Rotors lose nothing with one.",
     order_over="counter",
     floor=1e-13,
+    no_place="No mark: in the figure each joint has a bend of its own.",
     axes=Axes("knob", "error"),
     short="Joints",
 )
