@@ -13,6 +13,7 @@ from game.physics.constraints.settings import LARGEST
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+MAX_PARTICLES = 1_000_000
 
 
 class Arms(NamedTuple):
@@ -130,3 +131,16 @@ def checked(name: str, values: ArrayLike, count: int, least: float, most: float)
             f"{name}[{i}] = {numbers[i]!r}: {least:g} to {most:g} is wanted".replace("np.float64", "")
         )
     return numbers
+
+
+def checked_pairs(name: str, values: ArrayLike, count: int | None = None) -> Floats:
+    """(n, 2) numbers within the world, of one pair or several; ValueError if they are not, or not so many."""
+    pairs = np.array(values, dtype=np.float64)
+    pairs = pairs.reshape(1, 2) if pairs.shape == (2,) else pairs
+    if pairs.ndim != 2 or pairs.shape[1] != 2 or not 1 <= len(pairs) <= MAX_PARTICLES:
+        raise ValueError(f"{name}: pairs of numbers are wanted, 1 to {MAX_PARTICLES} of them")
+    if count is not None and len(pairs) != count:
+        raise ValueError(f"{name}: {count} pairs are wanted, got {len(pairs)}")
+    if not np.all(np.abs(pairs) <= LARGEST):
+        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+    return pairs

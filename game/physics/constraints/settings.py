@@ -6,8 +6,10 @@ import math
 from dataclasses import dataclass
 
 from game.physics.constraints.effects import (
+    AREAS,
     AREAS_BIT,
     ATTACHMENTS_BIT,
+    CONTACTS,
     CONTACTS_BIT,
     DAMPING,
     DAMPING_BIT,
@@ -85,3 +87,10 @@ class Settings:
             value = getattr(self, name)
             if not least <= value <= most:
                 raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")
+
+
+def effects_for(areas: bool, contacts: bool) -> EffectSet:
+    """The usual effects, and those of outlines and of contacts if there are any."""
+    effects = Settings().effects
+    effects = effects.with_(AREAS) if areas else effects
+    return effects.with_(CONTACTS) if contacts else effects

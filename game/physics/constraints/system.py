@@ -11,11 +11,9 @@ from numpy.typing import ArrayLike
 
 from game.physics.constraints.areas import AREA, INTACT, measure_areas
 from game.physics.constraints.attachments import nearest_pins
-from game.physics.constraints.chains import WORK_ROWS, find_chains
-from game.physics.constraints.colours import arrange_links
-from game.physics.constraints.effects import AREAS, ATTACHMENTS, CONTACTS, TEARING
-from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked
-from game.physics.constraints.links import LINK_ROWS, MODELS, REST, prepare_links
+from game.physics.constraints.effects import ATTACHMENTS, TEARING
+from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked, checked_pairs
+from game.physics.constraints.links import MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
 from game.physics.constraints.motion import (
     FIELD_ROWS,
@@ -25,19 +23,14 @@ from game.physics.constraints.motion import (
     SCHEMES,
     VX,
     Motion,
-    Network,
     X,
     Y,
     advance,
     break_link,
     tear,
 )
-from game.physics.constraints.settings import LARGEST, Settings
-from game.physics.effects import EffectSet
-
-PADDING = 40  # numbers between the rows, so that equal indices do not fall on one set of a cache
-NOBODY = -1
-MAX_PARTICLES = 1_000_000
+from game.physics.constraints.network import NOBODY, PADDING, network_of
+from game.physics.constraints.settings import LARGEST, Settings, effects_for
 
 
 class PositionState(NamedTuple):
@@ -87,10 +80,10 @@ class PositionBasedDynamics:
         order: str = "coloured",
         **settings: Any,
     ):
-        places = _pairs("positions", positions)
+        places = checked_pairs("positions", positions)
         n = len(places)
         if "effects" not in settings:
-            settings["effects"] = _effects_for(areas, contacts)
+            settings["effects"] = effects_for(len(areas) > 0, np.size(contacts) > 0)
         self.settings = Settings(**settings)
         self.fields = np.zeros((FIELD_ROWS, n + PADDING))
         self.count = n
@@ -99,7 +92,7 @@ class PositionBasedDynamics:
         self.fields[INVERSE_MASS, :n] = checked("inverse_masses", inverse_masses, n, 0.0, 1e15)
         self.fields[FRESH] = 1.0
         if velocities is not None:
-            self.fields[VX : VX + 2, :n] = _pairs("velocities", velocities, n).T
+            self.fields[VX : VX + 2, :n] = checked_pairs("velocities", velocities, n).T
         self.links = Links.between(places, links, rest_lengths, stiffness, compliances)
         self.outlines = Outlines.around(places, areas, None, area_stiffness, area_compliance)
         self.torn = np.zeros(len(self.links.pairs), dtype=np.int64)
@@ -126,24 +119,11 @@ class PositionBasedDynamics:
 
     def _arrange(self) -> None:
         """Bring links into the order of solving."""
-        order, runs = arrange_links(self.links.pairs, self.count, self.order)
-        pairs = np.ascontiguousarray(self.links.pairs[order])
-        m, n = len(order), self.count
-        rows = np.zeros((LINK_ROWS, m + PADDING))
-        rows[REST, :m] = self.links.rest[order]
-        nodes = starts = some = np.zeros(0, dtype=np.int64)
-        if self.settings.solver == "direct":
-            nodes, starts, some = find_chains(pairs, n)
-        else:
-            starts = np.zeros(1, dtype=np.int64)
-        longest = int(np.max(np.diff(starts), initial=1))
-        self._net = Network(
-            pairs, runs, rows, order, self.torn,
-            self.outlines.corners, self.outlines.starts, self.outlines.rows,
-            np.full(n, NOBODY, dtype=np.int64), np.full(n, math.inf), nodes, starts, some,
-            np.zeros((WORK_ROWS, longest)), self.contacts.pairs, self.contacts.rest,
+        self._net = network_of(
+            self.count, self.links, self.outlines, self.contacts, self.torn, self.order,
+            self.settings.solver == "direct",
         )  # fmt: skip
-        self._strains = np.zeros(m)
+        self._strains = np.zeros(len(self.torn))
         self.hand[4] = 0.0
 
     def _prepare(self, h: float, soft_step: float) -> None:
@@ -216,7 +196,7 @@ class PositionBasedDynamics:
 
     def drag(self, target: ArrayLike) -> None:
         """Where the held particle is to be after the next step (m); no faster than the speed limit."""
-        self.hand[2:4] = _pairs("target", target, 1)[0]
+        self.hand[2:4] = checked_pairs("target", target, 1)[0]
 
     def release(self) -> None:
         """Let go: the particle has its mass again, and goes on as fast as it was led."""
@@ -271,17 +251,10 @@ class PositionBasedDynamics:
     def measure(self) -> LinkMeasures:
         """How far links are off now."""
         net = self._net
-        return LinkMeasures(
-            *measure_links(
-                self.fields,
-                net.links,
-                net.link_rows,
-                net.order,
-                self.torn,
-                self.links.compliance,
-                self._strains,
-            )
+        found = measure_links(
+            self.fields, net.links, net.link_rows, net.order, self.torn, self.links.compliance, self._strains
         )
+        return LinkMeasures(*found)
 
     @property
     def strains(self) -> Floats:
@@ -324,23 +297,3 @@ class PositionBasedDynamics:
         for start, length, together in net.runs.tolist():
             run = net.links[start : start + length]
             assert not together or len(np.unique(run)) == 2 * length, "no particle twice in a run"
-
-
-def _effects_for(areas: Any, contacts: ArrayLike) -> EffectSet:
-    """The usual effects, and those that these arguments are for."""
-    effects = Settings().effects
-    effects = effects.with_(AREAS) if len(areas) else effects
-    return effects.with_(CONTACTS) if np.size(contacts) else effects
-
-
-def _pairs(name: str, values: ArrayLike, count: int | None = None) -> Floats:
-    """(n, 2) finite numbers within the world, or ValueError."""
-    pairs = np.array(values, dtype=np.float64)
-    pairs = pairs.reshape(1, 2) if pairs.shape == (2,) else pairs
-    if pairs.ndim != 2 or pairs.shape[1] != 2 or not 1 <= len(pairs) <= MAX_PARTICLES:
-        raise ValueError(f"{name}: pairs of numbers are wanted, 1 to {MAX_PARTICLES} of them")
-    if count is not None and len(pairs) != count:
-        raise ValueError(f"{name}: {count} pairs are wanted, got {len(pairs)}")
-    if not np.all(np.abs(pairs) <= LARGEST):
-        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
-    return pairs
