@@ -31,6 +31,7 @@ from game.ui.theme import theme_named
 from game.ui.toasts import Toasts
 
 REPEATED = ("step", "step-back", "slower", "faster")  # commands that a held key gives again and again
+LOOKS_KEPT = 3  # dark and light, a window as it is and as it was
 HIDDEN_HZ = 10.0  # a window that nobody sees asks for events only now and then
 LONGEST_FRAME_S = 1.0  # what is longer is a machine that slept; the scene's clock drops more than that itself
 
@@ -70,6 +71,7 @@ class App:
         self._fade = CrossFade()
         self._backdrop: pygame.Surface | None = None
         self._last = self.clock.now()
+        self._looks: dict[tuple[str, float, bool], Look] = {}  # the one used last at the end
         self.look = self._style()
         self.toasts = Toasts(self.look)
 
@@ -78,7 +80,14 @@ class App:
     def _style(self) -> Look:
         """Theme, fonts and scale for the present window and settings."""
         scale = auto_scale(*self.window.size, self.settings.ui_scale)
-        return Look(theme_named(self.settings.theme), scale, less_motion=self.settings.less_motion)
+        key = self.settings.theme, scale, self.settings.less_motion
+        look = self._looks.pop(key, None) or Look(
+            theme_named(self.settings.theme), scale, less_motion=self.settings.less_motion
+        )
+        self._looks[key] = look  # with all the words that it has drawn
+        while len(self._looks) > LOOKS_KEPT:
+            del self._looks[next(iter(self._looks))]
+        return look
 
     def restyle(self) -> None:
         """Lay all screens out anew for another size, scale or theme."""

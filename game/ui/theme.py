@@ -40,7 +40,6 @@ __all__ = [
     "Series",
     "Theme",
     "auto_scale",
-    "gui_font_paths",
     "gui_theme",
     "metrics",
     "mix",
@@ -266,10 +265,3 @@ def gui_theme(theme: Theme, k: float) -> dict[str, Any]:
                 width = int(value)
                 misc[key] = str(border_width(k) if width == 1 else round(width * k))
     return blocks
-
-
-def gui_font_paths() -> tuple[str, str, str, str, str]:
-    """Arguments of pygame_gui's ``manager.add_font_paths``: name, regular, bold, italic, bold italic."""
-    faces = ("Medium", "SemiBold", "Italic", "SemiBold")
-    medium, bold, italic, bold_italic = (str(asset("fonts", f"CaromSans-{face}.otf")) for face in faces)
-    return "carom_sans", medium, bold, italic, bold_italic

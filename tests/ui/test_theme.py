@@ -94,8 +94,8 @@ def test_gui_theme_at_scale_one_is_the_file(theme):
 def test_gui_theme_scales_lengths_only():
     one, two = gui_theme(DARK, 1.0), gui_theme(DARK, 2.0)
     assert two["button"]["font"]["size"] == "26"
-    assert two["#search"]["misc"]["padding"] == "72,16"
+    assert two["#number"]["misc"]["padding"] == "8,4"
     assert two["button"]["misc"]["border_width"] == "2"
     assert two["button"]["misc"]["tool_tip_delay"] == one["button"]["misc"]["tool_tip_delay"]
     assert two["button"]["colours"] == one["button"]["colours"]
-    assert two["horizontal_slider"]["misc"]["enable_arrow_buttons"] == "0"
+    assert two["vertical_scroll_bar"]["misc"]["enable_arrow_buttons"] == "0"

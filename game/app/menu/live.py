@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
+import queue
+import threading
+
 import pygame
 
 from game.app.scene.opening import Opening
@@ -22,42 +26,56 @@ class LiveScene:
     def __init__(self, entry: Entry):
         """Raises whatever the scene raises."""
         self.entry = entry
-        self.stage = self._begin()
+        self.stage, self._script = self._begin()
+        self._end = demo_steps(self.stage.scene_type, self.stage.dt)
         self._view: StageView | None = None
+        self._next: queue.SimpleQueue[tuple[Stage, Script]] = queue.SimpleQueue()
+        self._beginning = False
 
-    def _begin(self) -> Stage:
+    def _begin(self) -> tuple[Stage, Script]:
+        """The scene once more, with something to be seen in it."""
         scene_type = self.entry.load()
         stage = Opening().make_stage(scene_type)
-        self._end = demo_steps(scene_type, stage.dt)
-        self._script = Script(stage, demo_of(scene_type))
-        self._script.run(min(round(BEFORE_SHOWN_S / stage.dt), self._end))
-        return stage
+        script = Script(stage, demo_of(scene_type))
+        script.run(min(round(BEFORE_SHOWN_S / stage.dt), demo_steps(scene_type, stage.dt)))
+        return stage, script
 
     def advance(self, elapsed_s: float) -> None:
-        """Let it go on; at its end it begins anew."""
+        """Let it go on; at its end it stands until a thread has begun anew."""
+        if self._beginning:
+            with contextlib.suppress(queue.Empty):
+                self.stage, self._script = self._next.get_nowait()
+                self._beginning = False
+                if self._view is not None:
+                    self._view.stage = self.stage
+            return
         self._script.advance(min(elapsed_s, 0.05))
         if self.stage.step_number >= self._end or self.stage.fault is not None:
-            self.stage = self._begin()
-            if self._view is not None:
-                self._view.stage = self.stage
+            self._beginning = True
+            threading.Thread(target=self._begin_anew, name=f"card {self.entry.name}", daemon=True).start()
+
+    def _begin_anew(self) -> None:
+        with contextlib.suppress(Exception):  # what could be built once and now cannot stands still
+            self._next.put(self._begin())
 
     def draw(self, size: tuple[int, int], look: Look) -> pygame.Surface | None:
         """Its picture, or None if it cannot be drawn."""
         surface = pygame.Surface(size, 0, 32)
         surface.fill(look.theme.stage)
-        small = Look(look.theme, max(0.5, look.k * SMALLER), less_motion=look.less_motion)
         try:
-            if (
-                self._view is None
-                or self._view.look.theme is not look.theme
-                or self._view.rect != _frame_of(size)
-            ):
-                self._view = StageView(self.stage, small, words=False)
-                self._view.place(_frame_of(size), small, margin=4.0 * look.k)
-            self._view.draw(surface)
+            self._view_for(size, look).draw(surface)
         except Exception:  # a scene's own slip; its card then keeps its drawing
             return None
         return surface
+
+    def _view_for(self, size: tuple[int, int], look: Look) -> StageView:
+        """The view in a card's size and theme, where letters and lines are smaller than in a scene."""
+        view, frame = self._view, _frame_of(size)
+        if view is None or view.look.theme is not look.theme or view.rect != frame:
+            small = Look(look.theme, max(0.5, look.k * SMALLER), less_motion=look.less_motion)
+            view = self._view = StageView(self.stage, small, words=False)
+            view.place(frame, small, margin=4.0 * look.k)
+        return view
 
 
 def _frame_of(size: tuple[int, int]) -> pygame.Rect:

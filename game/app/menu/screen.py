@@ -51,14 +51,12 @@ class MenuScreen(Screen):
         self._content_height = 0
         self._lift = Fade(LIFT_S)
         self._picture: pygame.Surface | None = None
-        self._sketches: dict[tuple[str, tuple[int, int]], pygame.Surface] = {}
         self._wanted_focus = focus
         self.restyle()
 
     # -- layout -------------------------------------------------------------------------------------
 
     def restyle(self) -> None:
-        self._sketches.clear()
         look, (width, height) = self.app.look, self.app.window.size
         self._top = look.px(flow.HEADER)
         self._bottom = max(self._top + 1, height - look.px(flow.FOOTER))
@@ -259,12 +257,7 @@ class MenuScreen(Screen):
         assert item.card is not None
         size = item.card.picture.size
         picture = self.thumbnails.picture(item.entry.name, size, self.app.look)
-        if picture is not None:
-            return picture
-        key = (item.entry.name, size)
-        if key not in self._sketches:
-            self._sketches[key] = sketch(item.entry.name, size, self.app.look)
-        return self._sketches[key]
+        return sketch(item.entry.name, size, self.app.look) if picture is None else picture
 
     def _paint(self, size: tuple[int, int]) -> pygame.Surface:
         """Everything but the chosen item and the header."""

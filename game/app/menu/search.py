@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
 T = TypeVar("T")
 
 LONGEST_QUERY = 60
+MOST_KEPT = 8_000  # texts, or words; all levels of all scenes have some two thousand of each
 _WORD = re.compile(r"[a-z0-9]+")
 
 
@@ -20,10 +22,28 @@ class Field(NamedTuple):
     weight: float
 
 
+class Words(NamedTuple):
+    """A text as it is searched: plain, its words, the first letters of these."""
+
+    text: str
+    parts: tuple[str, ...]
+    initials: str
+
+
 def plain(text: str) -> str:
     """Lower case, without accents."""
-    letters = unicodedata.normalize("NFKD", text.casefold())
-    return "".join(letter for letter in letters if not unicodedata.combining(letter))
+    letters = text.casefold()
+    if letters.isascii():
+        return letters
+    return "".join(one for one in unicodedata.normalize("NFKD", letters) if not unicodedata.combining(one))
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def words_of(text: str) -> Words:
+    """The words of a text, which is asked for anew with every letter that is typed."""
+    whole = plain(text)
+    parts = tuple(_WORD.findall(whole))
+    return Words(whole, parts, "".join(part[0] for part in parts))
 
 
 def rank(query: str, candidates: Iterable[tuple[T, Sequence[Field]]]) -> list[T]:
@@ -33,9 +53,9 @@ def rank(query: str, candidates: Iterable[tuple[T, Sequence[Field]]]) -> list[T]
         return [candidate for candidate, _ in candidates]
     found: list[tuple[float, int, T]] = []
     for i, (candidate, fields) in enumerate(candidates):
-        texts = [(plain(field.text), field.weight) for field in fields]
         scores = [
-            max((weight * score_word(word, text) for text, weight in texts), default=0.0) for word in words
+            max((field.weight * score_word(word, field.text) for field in fields), default=0.0)
+            for word in words
         ]
         if min(scores) > 0.0:
             found.append((-sum(scores), i, candidate))
@@ -45,19 +65,20 @@ def rank(query: str, candidates: Iterable[tuple[T, Sequence[Field]]]) -> list[T]
 
 def score_word(word: str, text: str) -> float:
     """How well a word fits a text, 0 to 1: whole, begins a word, is inside one, first letters, scattered."""
-    if not word or not text:
+    whole, parts, initials = words_of(text)
+    if not word or not whole:
         return 0.0
-    parts = _WORD.findall(text)
     if word in parts:
         return 1.0 if parts[0] == word else 0.95
-    if any(part.startswith(word) for part in parts):
-        return 0.85 if parts[0].startswith(word) else 0.8
-    if word in text:
+    if word in whole:
+        if any(part.startswith(word) for part in parts):
+            return 0.85 if parts[0].startswith(word) else 0.8
         return 0.6
-    if len(word) >= 2 and _is_subsequence(word, "".join(part[0] for part in parts)):
+    if len(word) < 2:
+        return 0.0
+    if _is_subsequence(word, initials):
         return 0.5
-    best = max((_scattered(word, part) for part in parts), default=0.0)
-    return best if len(word) >= 3 else 0.0
+    return max((_scattered(word, part) for part in parts), default=0.0) if len(word) >= 3 else 0.0
 
 
 def _is_subsequence(word: str, text: str) -> bool:
@@ -65,11 +86,14 @@ def _is_subsequence(word: str, text: str) -> bool:
     return all(letter in letters for letter in word)
 
 
+@lru_cache(maxsize=MOST_KEPT)
 def _scattered(word: str, part: str) -> float:
     """Letters in order with gaps within one word ("fntn"), or one too many or swapped ("fountian")."""
+    if len(part) < len(word) - 1:
+        return 0.0
     if word[0] == part[0] and _is_subsequence(word, part):
         return 0.4 * len(word) / len(part)
-    if len(word) >= 4 and abs(len(word) - len(part)) <= 1 and _distance_is_small(word, part):
+    if len(word) >= 4 and len(part) <= len(word) + 1 and _distance_is_small(word, part):
         return 0.3
     return 0.0
 

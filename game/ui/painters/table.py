@@ -16,7 +16,7 @@ import pygame
 from game.billiards.table import CUSHION_DEPTH, Table
 from game.ui import theme as colors
 from game.ui.painters.table_shapes import CushionShape, cushion_shapes
-from game.ui.painters.table_surface import DRAWN_AT, paint_cloth_and_wood, paint_glow, paint_pocket
+from game.ui.painters.table_surface import DRAWN_AT, paint_cloth, paint_glow, paint_pocket, paint_wood
 from game.ui.raster import (
     BUTT,
     clip_of,
@@ -142,8 +142,9 @@ def _draw_ground(pixels: Array, clip: Array, table: Table, view: TableView, them
         pixels, clip, (x - reach_x, y - reach_y, x + reach_x, y + reach_y), s, 0.51 if dark else 0.21
     )
     bed = np.array((x, y, half_x, half_y))
-    inks = np.stack([_channels(c) for c in (colors.FELT, colors.WOOD_DARK, colors.WOOD_LIGHT)])
-    paint_cloth_and_wood(pixels, bed, s, CUSHION_DEPTH * s, WOOD * s, inks, 0.79 if dark else 1.12)
+    inks = np.stack([_channels(c) for c in (colors.WOOD_DARK, colors.WOOD_LIGHT)])
+    paint_cloth(pixels, bed, s, CUSHION_DEPTH * s, _channels(colors.FELT))
+    paint_wood(pixels, bed, s, CUSHION_DEPTH * s, WOOD * s, inks, 0.79 if dark else 1.12)
 
 
 def _draw_shadow(

@@ -8,6 +8,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
+
 from game.physics.jit import kernel
 from game.ui.raster_pixels import OPAQUE, clip_bounds, lay
 
@@ -45,16 +47,48 @@ def _channel(value: float) -> int:
 
 
 @kernel
-def _cloth(x: float, y: float, half_x: float, half_y: float, column: int, row: int) -> float:
-    """Brightness of the cloth at a place in metres from the middle of the bed (x right, y up)."""
-    dx, dy = max(0.0, abs(x) - LIGHT_HALF * half_x / 1.27), y - LIGHT_SHIFT
-    light = 0.40 + 0.74 * 0.91 / (1.0 + dx * dx + dy * dy)
-    top, bottom, side = (half_y - y) / SHADE_TOP, (half_y + y) / SHADE_BOTTOM, (half_x - abs(x)) / SHADE_SIDE
-    light *= 1.0 - 0.27 * max(0.0, 1.0 - abs(top))
-    light *= 1.0 - 0.19 * max(0.0, 1.0 - abs(bottom))
-    light *= 1.0 - 0.25 * max(0.0, 1.0 - abs(side))
-    fuzz = _random(column, row, 1) + _random((column + row) >> 1, (column - row) >> 1, 2) - 1.0
-    return light * (1.0 + 0.028 * fuzz)
+def _packed(red: float, green: float, blue: float) -> int:
+    """Three channels as a colour 0xRRGGBB."""
+    return (_channel(red) << 16) | (_channel(green) << 8) | _channel(blue)
+
+
+@kernel
+def _shade(away: float, reach: float, strength: float) -> float:
+    """What a cushion leaves of the light, ``away`` m from it."""
+    return 1.0 - strength * max(0.0, 1.0 - abs(away / reach))
+
+
+@kernel
+def _span(middle: float, reach: float, limit: int) -> tuple[int, int]:
+    """First pixel, and the one after the last, whose middle lies within ``reach`` of a place."""
+    return max(0, math.ceil(middle - reach - 0.5)), min(limit, math.floor(middle + reach - 0.5) + 1)
+
+
+@kernel
+def paint_cloth(pixels: Any, box: Any, scale: float, cushion: float, felt: Any) -> None:
+    """The bed under its lamp. ``box``: middle x, y and half sides x, y of the bed, px; ``scale`` px/m.
+
+    Where the cushions, ``cushion`` px broad, will lie the cloth goes on; ``felt`` is its colour.
+    """
+    middle_x, middle_y, half_x, half_y = box[0], box[1], box[2] / scale, box[3] / scale  # px, px, m, m
+    reach_x, reach_y = box[2] + cushion, box[3] + cushion
+    top, bottom = _span(middle_y, reach_y, pixels.shape[0])
+    left, right = _span(middle_x, reach_x, pixels.shape[1])
+    far, shaded = np.empty(max(right - left, 0)), np.empty(max(right - left, 0))
+    for column in range(left, right):
+        x = (column + 0.5 - middle_x) / scale
+        dx = max(0.0, abs(x) - LIGHT_HALF * half_x / 1.27)
+        far[column - left] = dx * dx
+        shaded[column - left] = _shade(half_x - abs(x), SHADE_SIDE, 0.25)
+    for row in range(top, bottom):
+        y = (middle_y - row - 0.5) / scale
+        dy = y - LIGHT_SHIFT
+        upper, lower = _shade(half_y - y, SHADE_TOP, 0.27), _shade(half_y + y, SHADE_BOTTOM, 0.19)
+        for column in range(left, right):
+            light = 0.40 + 0.74 * 0.91 / (1.0 + far[column - left] + dy * dy)
+            fuzz = _random(column, row, 1) + _random((column + row) >> 1, (column - row) >> 1, 2) - 1.0
+            b = light * upper * lower * shaded[column - left] * (1.0 + 0.028 * fuzz)
+            pixels[row, column] = OPAQUE | _packed(felt[0] * b, felt[1] * b, felt[2] * b)
 
 
 @kernel
@@ -111,12 +145,6 @@ def paint_glow(pixels: Any, middle_x: float, middle_y: float, color: int, lift: 
 
 
 @kernel
-def _packed(red: float, green: float, blue: float) -> int:
-    """Three channels as a colour 0xRRGGBB."""
-    return (_channel(red) << 16) | (_channel(green) << 8) | _channel(blue)
-
-
-@kernel
 def _wood_color(
     px: float,
     py: float,
@@ -142,35 +170,33 @@ def _wood_color(
 
 
 @kernel
-def paint_cloth_and_wood(
+def paint_wood(
     pixels: Any, box: Any, scale: float, cushion: float, wood: float, inks: Any, glow: float
 ) -> None:
-    """Bed and frame. ``box``: middle x, y and half sides x, y of the bed, px; ``scale`` px/m.
+    """The frame round the cloth; ``box``, ``scale`` and ``cushion`` as for the cloth.
 
-    ``cushion`` and ``wood`` px are the breadths of what surrounds it, ``inks`` (3, 3) the colours of felt,
-    dark and light wood, ``glow`` the brightness of the wood. Where the cushions will lie the cloth goes on.
-    Outside of the frame nothing changes.
+    ``wood`` px is its breadth, ``inks`` (2, 3) the colours of dark and light wood, ``glow`` its brightness.
     """
-    middle_x, middle_y, half_x, half_y = box[0], box[1], box[2], box[3]
-    reach_x, reach_y = half_x + cushion, half_y + cushion
+    middle_x, middle_y, reach_x, reach_y = box[0], box[1], box[2] + cushion, box[3] + cushion
     frame_x, frame_y = reach_x + wood, reach_y + wood
     corner = min(CORNER * scale, 0.9 * wood)
     top, bottom = max(0, math.floor(middle_y - frame_y)), min(pixels.shape[0], math.ceil(middle_y + frame_y))
     left, right = max(0, math.floor(middle_x - frame_x)), min(pixels.shape[1], math.ceil(middle_x + frame_x))
+    first, behind = _span(middle_x, reach_x, pixels.shape[1])  # columns of the cloth
+    upper, below = _span(middle_y, reach_y, pixels.shape[0])
     for row in range(top, bottom):
         py = middle_y - row - 0.5
-        for column in range(left, right):
-            px = column + 0.5 - middle_x
-            inner = max(abs(px) - reach_x, abs(py) - reach_y)
-            if inner <= 0.0:
-                b = _cloth(px / scale, py / scale, half_x / scale, half_y / scale, column, row)
-                pixels[row, column] = OPAQUE | _packed(inks[0, 0] * b, inks[0, 1] * b, inks[0, 2] * b)
-                continue
-            outer = _frame_depth(px, py, frame_x, frame_y, corner)
-            if outer > -0.5:
-                slack = (abs(py) - reach_y) - (abs(px) - reach_x)  # > 0 on the long rails
-                color = _wood_color(px, py, outer, inner, slack, scale, inks[1], inks[2], glow)
-                lay(pixels, row, column, color, outer + 0.5)
+        beside = upper <= row < below and first < behind
+        for part in range(2 if beside else 1):
+            begin, end = (left, first if beside else right) if part == 0 else (behind, right)
+            for column in range(begin, end):
+                px = column + 0.5 - middle_x
+                outer = _frame_depth(px, py, frame_x, frame_y, corner)
+                if outer > -0.5:
+                    slack = (abs(py) - reach_y) - (abs(px) - reach_x)  # > 0 on the long rails
+                    inner = max(abs(px) - reach_x, abs(py) - reach_y)
+                    color = _wood_color(px, py, outer, inner, slack, scale, inks[0], inks[1], glow)
+                    lay(pixels, row, column, color, outer + 0.5)
 
 
 @kernel

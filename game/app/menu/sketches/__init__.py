@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import pygame
 
@@ -49,6 +50,10 @@ SKETCHES: dict[str, Callable[[Pen], None]] = {
 }
 
 
+MOST_KEPT = 64  # drawings: two sizes of all cards, or two themes
+
+
+@lru_cache(maxsize=MOST_KEPT)
 def sketch(name: str, size: tuple[int, int], look: Look) -> pygame.Surface:
     """The drawing of a scene in that size, window px; of one without a drawing a thrown ball."""
     pen = Pen((max(1, size[0]), max(1, size[1])), look)
