@@ -196,6 +196,7 @@ class Ball:
         `scaled`: normal parts exchanged (equal masses), then both whole velocities times `restitution`: of
         the momentum that part is left. `as-printed`: the same by the printed listing, with its SLIPS, also
         where the balls are parting already. Each ball is moved by half of the overlap, whatever it weighs.
+        ValueError for another rule, or a restitution that is not 0 to 1.
         """
         if rule not in RULES:
             raise ValueError(f"rule: must be one of {', '.join(RULES)}, got {rule!r}")

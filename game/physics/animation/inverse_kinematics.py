@@ -136,7 +136,10 @@ class Solver:
         limited: bool = True,
         keep_best: bool = True,
     ) -> Solutions:
-        """Solve for many targets (m, 2) m, each from the present pose, which stays."""
+        """Solve for many targets (m, 2) m, each from the present pose, which stays.
+
+        SkeletonError unless all are finite numbers within the world.
+        """
         targets = np.array(targets, dtype=np.float64, order="C")
         if targets.ndim != 2 or targets.shape[1] != 2 or not np.all(np.abs(targets) <= LARGEST):
             raise SkeletonError("targets: finite numbers (m, 2) are wanted")

@@ -185,7 +185,10 @@ class Keyframes:
         )
 
     def automatic_handles(self, rule: str = "parabolic") -> Array:
-        """Handles (n, 2, m) with which "bezier" would be the curve of another rule, for a first shape."""
+        """Handles (n, 2, m) with which "bezier" would be the curve of another rule, for a first shape.
+
+        ValueError for a rule that is none of RULES.
+        """
         if rule not in RULES:
             raise ValueError(f"rule: one of {', '.join(RULES)} is wanted, not {rule!r}")
         known = {"angles": self.angles, "turn": self.turn, "loop": self.loop, "geometry": self.geometry}

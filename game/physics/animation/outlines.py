@@ -71,13 +71,17 @@ def rounded(outline: ArrayLike, spacing: float) -> Array:
 
 
 def points_inside(outline: ArrayLike, spacing: float) -> Array:
-    """Points (v, 2) of a triangular grid within a closed outline; at most MOST_INSIDE, then coarser."""
+    """Points (v, 2) m of a triangular grid within a closed outline (n, 2) m, so far apart (m).
+
+    At most MOST_INSIDE or so, then coarser. WeightError unless the spacing is finite and above 0.
+    """
     corners = checked_points(outline)
-    if not spacing > 0.0:
-        raise WeightError(f"spacing: more than 0 m is wanted, got {spacing!r}")
+    if not 0.0 < spacing < math.inf:
+        raise WeightError(f"spacing: a finite number above 0 m is wanted, got {spacing!r}")
     low, high = corners.min(axis=0), corners.max(axis=0)
     box = (high[0] - low[0]) * (high[1] - low[1])
-    step = max(spacing, math.sqrt(max(box, 1e-300) / MOST_INSIDE))
+    longest = float(max(high - low))  # of an outline without area the rows alone could be too many
+    step = max(spacing, math.sqrt(box / MOST_INSIDE), longest / MOST_INSIDE)
     rows = np.arange(low[1] + 0.5 * step, high[1], step * math.sqrt(0.75))
     columns = np.arange(low[0], high[0], step)
     x = columns[None, :] + (0.5 * step * (np.arange(len(rows)) % 2))[:, None]

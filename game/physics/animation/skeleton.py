@@ -122,7 +122,10 @@ class Skeleton:
         return self.update()
 
     def turn(self, bone: int, angle: float, limited: bool = True) -> Array:
-        """Turn one bone to an angle (rad) against its parent, within its limits; gives `world`."""
+        """Turn one bone to an angle (rad) against its parent, within its limits; gives `world`.
+
+        SkeletonError for a bone that there is not, or an angle that is not finite.
+        """
         bone = self.bone(bone)
         if not abs(angle) <= LARGEST:
             raise SkeletonError(f"angle: a finite number of rad is wanted, got {angle!r}")
@@ -131,7 +134,10 @@ class Skeleton:
         return self.update()
 
     def frames(self, angles: ArrayLike) -> Array:
-        """Frames (f, n, 3, 3) of many poses (f, n) rad at once; the present pose stays."""
+        """Frames (f, n, 3, 3) of many poses (f, n) rad at once; the present pose stays.
+
+        SkeletonError unless there are n finite numbers for each.
+        """
         angles = np.ascontiguousarray(angles, np.float64)
         if angles.ndim != 2 or angles.shape[1] != self.count or not np.all(np.isfinite(angles)):
             raise SkeletonError(f"angles: (frames, {self.count}) finite numbers are wanted")

@@ -137,7 +137,10 @@ class Skinner:
 def blend_skin(
     binding: Binding, worlds: Array, blend: str, palette: Array, rotors: Array, skinned: Array
 ) -> None:
-    """Write the skin (f, v, 2) for frames (f, n, 3, 3); ``palette`` and ``rotors`` are room to work in."""
+    """Write the skin (f, v, 2) for frames (f, n, 3, 3); ``palette`` and ``rotors`` are room to work in.
+
+    WeightError for a blend that is none of BLENDS.
+    """
     make_palette(worlds, binding.inverse, palette)
     if blend == "linear":
         skin_linear(binding.points, binding.bones, binding.weights, palette, skinned)

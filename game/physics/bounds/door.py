@@ -40,7 +40,7 @@ def as_step(step_degrees: float) -> float:
 
 
 def as_vector(values: Any, name: str) -> tuple[float, float]:
-    """Two finite numbers, m."""
+    """Two finite numbers, m; ValueError, by this name, if they are not."""
     try:
         x, y = float(values[0]), float(values[1])
     except (TypeError, ValueError, IndexError):
@@ -51,7 +51,7 @@ def as_vector(values: Any, name: str) -> tuple[float, float]:
 
 
 def as_angle(angle: float, name: str) -> float:
-    """A finite angle, rad."""
+    """A finite angle, rad; ValueError, by this name, if it is not."""
     if not math.isfinite(angle):
         raise ValueError(f"{name}: a finite angle is wanted, not {angle!r}")
     return float(angle)

@@ -77,6 +77,7 @@ class Query:
     """Two trees that are asked again and again; keeps its room, and the front if told to go on from it.
 
     After `run`: ``volume_tests``, ``segment_tests``, ``leaves_met``, ``crossing_count``; `answer` copies all.
+    ValueError unless both trees are of one kind.
     """
 
     def __init__(self, tree_a: BoundingTree, tree_b: BoundingTree):

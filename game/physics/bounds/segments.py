@@ -162,7 +162,10 @@ def nearest_points(ax, ay, bx, by, cx, cy, dx, dy):
 
 
 def segment_distance(first: ArrayLike, second: ArrayLike) -> float:
-    """Distance of two segments, each (2, 2) m; a segment may be a point. 0 where they meet."""
+    """Distance of two segments, each (2, 2) m; a segment may be a point. 0 where they meet.
+
+    ValueError for other shapes, or numbers that are not finite.
+    """
     a, b = as_points(first, "first"), as_points(second, "second")
     if a.shape != (2, 2) or b.shape != (2, 2):
         raise ValueError("segments: two ends each are wanted, shape (2, 2)")
@@ -171,7 +174,10 @@ def segment_distance(first: ArrayLike, second: ArrayLike) -> float:
 
 
 def do_segments_meet(first: ArrayLike, second: ArrayLike) -> bool:
-    """Whether two closed segments, each (2, 2) m, have a point in common; exact."""
+    """Whether two closed segments, each (2, 2) m, have a point in common; exact.
+
+    ValueError for other shapes, or numbers that are not finite.
+    """
     a, b = as_points(first, "first"), as_points(second, "second")
     if a.shape != (2, 2) or b.shape != (2, 2):
         raise ValueError("segments: two ends each are wanted, shape (2, 2)")

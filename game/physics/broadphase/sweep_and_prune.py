@@ -86,6 +86,7 @@ class SweepAndPrune(BroadPhase):
     """Keeps the boxes' end points sorted on both axes, and the pairs in a pair manager.
 
     ``manager``: where pairs are kept and events are taken from; a new ``HashedPairs`` if none is given.
+    ValueError unless it is empty.
     ``resort``: whether a step with too many swaps is finished by sorting anew. ``swaps`` counts all swaps
     so far (those that sorting anew spared, too), ``resorts`` how often that was done.
     """
@@ -117,7 +118,7 @@ class SweepAndPrune(BroadPhase):
         return self._values[axis, : 2 * len(self)].copy(), (codes & ID).astype(np.int64), codes >= UPPER
 
     def update_boxes(self, ids: ArrayLike, lowers: ArrayLike, uppers: ArrayLike) -> None:
-        """As for every broad phase; when only few boxes move, each is moved by itself."""
+        """As for every broad phase, ValueError included; where few move, each is moved by itself."""
         chosen = id_array(ids)
         if FEW * len(chosen) >= len(self):
             super().update_boxes(chosen, lowers, uppers)

@@ -56,7 +56,10 @@ class Links:
         stiffness: ArrayLike = 1.0,
         compliance: ArrayLike = 0.0,
     ) -> Links:
-        """Links of particles at positions (n, 2) m; at rest as long as they are there, if nothing is said."""
+        """Links of particles at positions (n, 2) m; at rest as long as they are there, if nothing is said.
+
+        ValueError, naming the link, for ends that there are not, twice the same end, or numbers out of range.
+        """
         given = np.asarray(pairs)
         if given.size == 0:
             given = given.reshape(0, 2).astype(np.int64)
@@ -97,7 +100,11 @@ class Outlines:
         stiffness: ArrayLike = 1.0,
         compliance: ArrayLike = 0.0,
     ) -> Outlines:
-        """Outlines of particles at positions (n, 2) m; at rest they enclose what they enclose there."""
+        """Outlines of particles at positions (n, 2) m; at rest they enclose what they enclose there.
+
+        area: (k,) m², if something else. ValueError, naming the outline, for corners that there are not,
+        fewer than three, or twice the same.
+        """
         for j, outline in enumerate(outlines):
             if len(outline) < 3 or len(set(outline)) != len(outline):
                 raise ValueError(f"areas[{j}]: three or more different particles are wanted")

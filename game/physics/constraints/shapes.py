@@ -1,4 +1,7 @@
-"""Ropes, bridges, cloths, jellies and rings, as particles and links ready for a system."""
+"""Ropes, bridges, cloths, jellies and rings, as particles and links ready for a system.
+
+All raise ValueError, naming what it is, for a number of parts or a mass that makes no sense.
+"""
 
 from __future__ import annotations
 
@@ -23,10 +26,17 @@ class Shape(NamedTuple):
     distances: NDArray[np.float64] = np.zeros(0)  # (c,) m, between their centres
 
 
-def _side(name: str, count: int) -> int:
-    if isinstance(count, bool) or not isinstance(count, int) or not SMALLEST <= count <= LARGEST_SIDE:
-        raise ValueError(f"{name} = {count!r}: a whole number, {SMALLEST} to {LARGEST_SIDE}, is wanted")
+def _side(name: str, count: int, least: int = SMALLEST, most: int = LARGEST_SIDE) -> int:
+    if isinstance(count, bool) or not isinstance(count, int) or not least <= count <= most:
+        raise ValueError(f"{name} = {count!r}: a whole number, {least} to {most}, is wanted")
     return count
+
+
+def _inverse(name: str, mass: float) -> float:
+    """1/kg of a mass, kg."""
+    if not 0.0 < mass < math.inf:
+        raise ValueError(f"{name} = {mass!r}: a finite number above 0 kg is wanted")
+    return 1.0 / mass
 
 
 def _links(pairs: Pairs) -> NDArray[np.int64]:
@@ -40,9 +50,11 @@ def rope(
 
     pins: "first", "both" or "none": which ends are fixed.
     """
-    _side("links", links + 1)
+    _side("links", links, 1, LARGEST_SIDE - 1)
+    if pins not in ("first", "both", "none"):
+        raise ValueError(f"pins = {pins!r}: first, both or none is wanted")
     part = np.linspace(0.0, 1.0, links + 1)[:, None]
-    weights = np.full(links + 1, 1.0 / mass)
+    weights = np.full(links + 1, _inverse("mass", mass))
     if pins in ("first", "both"):
         weights[0] = 0.0
     if pins == "both":
@@ -76,7 +88,7 @@ def cloth(
     c, r = np.meshgrid(np.arange(columns), np.arange(rows))
     positions[index, 0] = corner[0] + spacing * c
     positions[index, 1] = corner[1] - spacing * r
-    weights = np.full(columns * rows, 1.0 / mass)
+    weights = np.full(columns * rows, _inverse("mass", mass))
     fixed = {
         "row": range(columns),
         "corners": (0, columns - 1),
@@ -124,9 +136,12 @@ def bridge(
 ) -> Shape:
     """A rope bridge: a deck of so many planks between two pins, a hand rope above it, posts between them.
 
-    lamps: so many weights (kg) on three links each, evenly below the deck.
+    start, end: of the deck; height: of the rope above it, m. mass: kg of a particle of the deck; one of the
+    rope has half of it. lamps: so many of ``lamp_mass`` (kg) on three links each, evenly below the deck.
     """
-    _side("planks", planks + 1)
+    _side("planks", planks, 1, LARGEST_SIDE - 1)
+    _side("lamps", lamps, 0)
+    light = _inverse("mass", mass)
     deck = rope(start, end, planks, mass, "both")
     rail = rope((start[0], start[1] + height), (end[0], end[1] + height), planks, mass, "both")
     n = planks + 1
@@ -139,22 +154,25 @@ def bridge(
         first = 2 * n + 3 * lamp
         below = np.arange(1, 4)[:, None] * np.array([[0.0, -0.3 * height]])
         positions.append(deck.positions[plank] + below)
-        weights.append(np.array([1.0 / mass, 1.0 / mass, 1.0 / lamp_mass]))
+        weights.append(np.array([light, light, _inverse("lamp_mass", lamp_mass)]))
         links.append(_links([(plank, first), (first, first + 1), (first + 1, first + 2)]))
     return Shape(np.concatenate(positions), np.concatenate(weights), np.concatenate(links), [])
 
 
 def ring(centre: tuple[float, float], radius: float, corners: int, mass: float = 1.0) -> Shape:
-    """A closed skin of so many links that keeps the area within; centre, radius m."""
-    _side("corners", corners)
+    """A closed skin of so many links, 3 at least, that keeps the area within; centre, radius m; mass kg."""
+    _side("corners", corners, 3)
     angle = 2.0 * math.pi * np.arange(corners) / corners
     positions = np.asarray(centre) + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     pairs = [(i, (i + 1) % corners) for i in range(corners)]
-    return Shape(positions, np.full(corners, 1.0 / mass), _links(pairs), [list(range(corners))])
+    return Shape(positions, np.full(corners, _inverse("mass", mass)), _links(pairs), [list(range(corners))])
 
 
 def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, swing: float) -> Shape:
-    """Balls that touch, side by side on links of ``length`` (m), the first drawn aside by ``swing`` (rad)."""
+    """Balls of 1 kg that touch, side by side on links of ``length`` (m), the first drawn aside by ``swing``.
+
+    top: the first pin, m; spacing: of pins, and diameter of the balls, m; swing: rad.
+    """
     _side("balls", balls)
     x = top[0] + spacing * np.arange(balls)
     pins = np.stack([x, np.full(balls, top[1])], axis=1)
@@ -171,7 +189,9 @@ def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, 
 
 
 def joined(shapes: list[Shape]) -> Shape:
-    """Several shapes as one, numbered one after the other."""
+    """Several shapes as one, numbered one after the other; ValueError if there is none."""
+    if not shapes:
+        raise ValueError("shapes: one or more are wanted")
     first = np.cumsum([0, *(len(shape.positions) for shape in shapes)])
     return Shape(
         np.concatenate([shape.positions for shape in shapes]),

@@ -209,7 +209,7 @@ class PositionBasedDynamics:
                 self.fields[VX : VX + 2, held] = 0.0
 
     def cut(self, link: int) -> None:
-        """Break a link (of the order given)."""
+        """Break a link (of the order given). ValueError for a number that no link has."""
         if not 0 <= link < len(self.torn):
             raise ValueError(f"link {link}: there are {len(self.torn)}")
         if not self.torn[link]:

@@ -63,7 +63,10 @@ class ConvexPolygon:
             array.flags.writeable = False
 
     def moved(self, x: float = 0.0, y: float = 0.0, angle: float = 0.0) -> ConvexPolygon:
-        """The polygon turned by ``angle`` (rad) about the origin, then shifted by (x, y) m."""
+        """The polygon turned by ``angle`` (rad) about the origin, then shifted by (x, y) m.
+
+        ValueError unless these are finite.
+        """
         if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(angle)):
             raise ValueError(f"moved: x, y, angle must be finite, not {x}, {y}, {angle}")
         c, s = (math.cos(angle), math.sin(angle)) if angle else (1.0, 0.0)

@@ -112,7 +112,10 @@ class Pool:
         return np.array(self.living(self.tags[0]))
 
     def add(self, positions: ArrayLike, velocities: ArrayLike) -> None:
-        """Put particles (n, 2) m, (n, 2) m/s that are born now; what has no place is dropped and counted."""
+        """Put particles (n, 2) m, (n, 2) m/s that are born now; what has no place is dropped and counted.
+
+        ValueError unless there are as many velocities, all finite and within the world.
+        """
         places = _pairs("positions", positions)
         speeds = _pairs("velocities", velocities)
         if places.shape != speeds.shape:

@@ -132,7 +132,7 @@ class Settings:
         return self._floor_restitution
 
     def set_ground(self, floor: float, restitution: float) -> None:
-        """Height of the floor (m) and its restitution, 0 to 1."""
+        """Height of the floor (m) and its restitution, 0 to 1. ValueError for what is out of range."""
         if not abs(floor) <= LARGEST:
             raise ValueError(f"floor = {floor!r}: a finite number up to {LARGEST:g} is wanted")
         if not 0.0 <= restitution <= 1.0:

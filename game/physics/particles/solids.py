@@ -123,7 +123,7 @@ class Discs:
         return self.count - 1
 
     def remove(self, index: int) -> None:
-        """Take one away; those after it move up."""
+        """Take one away; those after it move up. ValueError for a number that none has."""
         if not 0 <= index < self.count:
             raise ValueError(f"solid {index}: there are {self.count}")
         self._store[index : self.count - 1] = self._store[index + 1 : self.count]

@@ -105,7 +105,10 @@ class RigidBody(BodyState):
         row[INVERSES:] = inverse_moments(moments)
 
     def change_density(self, factor: float, keep: str = "momentum") -> None:
-        """Make the body so many times as dense; keep "momentum" (the state as it is) or "velocity"."""
+        """Make the body so many times as dense; keep "momentum" (the state as it is) or "velocity".
+
+        ValueError, and nothing changed, for another word, or a factor that leaves no finite inertia.
+        """
         if not (math.isfinite(factor) and factor > 0.0):
             raise ValueError(f"factor: must be above 0 and finite, got {factor!r}")
         if keep not in ("momentum", "velocity"):

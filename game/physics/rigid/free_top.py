@@ -216,7 +216,10 @@ def turn_freely(q, angular, i, t):
 
 
 class FreeTop:
-    """A free body: ascending principal moments (3,) kg m², and its spin (3,) rad/s about those axes."""
+    """A free body: ascending principal moments (3,) kg m², and its spin (3,) rad/s about those axes.
+
+    ValueError unless all are finite and the moments above 0 and ascending.
+    """
 
     def __init__(self, moments: ArrayLike, spin: ArrayLike):
         values = np.array(moments, dtype=np.float64), np.array(spin, dtype=np.float64)

@@ -19,7 +19,10 @@ MAX_SPHERES = 100_000
 
 
 def sphere_masses(radii: ArrayLike, density: ArrayLike) -> tuple[Array, Array]:
-    """Volumes (n,) m³ and masses (n,) kg of spheres of these radii (n,) m and density, kg/m³, one or (n,)."""
+    """Volumes (n,) m³ and masses (n,) kg of spheres of these radii (n,) m and density, kg/m³, one or (n,).
+
+    ValueError unless all are above 0 and finite, the masses too.
+    """
     radii = _checked("radii", radii, None)
     density = _checked("density", density, radii.size)
     with np.errstate(over="ignore", under="ignore"):

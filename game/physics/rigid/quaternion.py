@@ -145,7 +145,7 @@ def quaternion_rotate(q: ArrayLike, v: ArrayLike) -> Array:
 
 
 def quaternion_from_axis_angle(axis: ArrayLike, angle: float) -> Array:
-    """The turn by `angle` rad about `axis` (3,) of any length but 0."""
+    """The turn by `angle` rad about `axis` (3,) of any length but 0: ValueError for that."""
     x, y, z = _numbers("axis", axis, 3)
     largest = max(abs(x), abs(y), abs(z))
     if largest == 0.0:

@@ -167,7 +167,10 @@ class SphereBodies:
             offsets[s] = rotation.T @ offsets[s]
 
     def set_velocities(self, velocities: ArrayLike, turning: ArrayLike) -> None:
-        """Give all bodies velocities (n, 3) m/s and angular velocities (n, 3) rad/s."""
+        """Give all bodies velocities (n, 3) m/s and angular velocities (n, 3) rad/s.
+
+        ValueError for numbers that are not finite, or a velocity of a body that nothing moves.
+        """
         v = checked_vectors("velocities", velocities, self.count)
         w = checked_vectors("turning", turning, self.count)
         heavy = np.isinf(self.makeup.masses)

@@ -44,6 +44,8 @@ def test_points_inside_fill_the_area():
     assert len(points) * 0.05**2 * math.sqrt(0.75) == pytest.approx(area(outline), rel=0.02)
     assert not np.any((points[:, 0] > 1.0) & (points[:, 1] > 1.0))
     assert len(points_inside(SQUARE, 1e-9)) <= 250_000
+    flat = np.array([(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)])  # without area, but not without columns
+    assert len(points_inside(flat, 1e-9)) == 0
 
 
 @pytest.mark.parametrize("spacing", [0.0, -1.0, math.nan])
@@ -52,3 +54,8 @@ def test_a_spacing_must_be_positive(spacing):
         points_inside(SQUARE, spacing)
     with pytest.raises(WeightError, match="spacing"):
         rounded(SQUARE, spacing)
+
+
+def test_an_endless_spacing_is_refused():
+    with pytest.raises(WeightError, match="spacing"):
+        points_inside(SQUARE, math.inf)
