@@ -19,13 +19,26 @@ from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.scenes.boxes_arrays import LOWER, UPPER, ArraysOfBoxes
 from game.scenes.boxes_level import HEIGHT, WIDTH, BoxesContent
 from game.scenes.stopwatch import Stopwatch
-from game.stage import Choice, Frame, Hint, Knob, Param, SceneAction, Toggle, WarmUp
+from game.stage import (
+    Choice,
+    Frame,
+    Hint,
+    Knob,
+    Param,
+    Pointer,
+    SceneAction,
+    SetKnob,
+    StageEvent,
+    Toggle,
+    WarmUp,
+)
 from game.ui.painters.boxes import warm_up as warm_up_painter
 
 Array = NDArray[np.float64]
 RATIO, SHARE = 20.0, 0.01  # of the heavy tail, in scenes without knobs for them
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
 BATCH = 50  # boxes added or removed by one key
+MANY = 10_000  # boxes; to make all structures anew takes longer than a frame from here on
 
 
 class BoxesScene(ArraysOfBoxes):
@@ -258,6 +271,11 @@ class BoxesScene(ArraysOfBoxes):
         if name in ("more", "fewer"):
             wanted = len(self.ids) + (BATCH if name == "more" else -BATCH)
             self._set_count(min(max(wanted, 1), self.most))
+
+    def takes_long(self, event: StageEvent | None) -> bool:
+        """Where there are many boxes, or will be, all that makes the structures anew; and steps back."""
+        after = float(event.value) if isinstance(event, SetKnob) and event.name == "count" else 0.0
+        return not isinstance(event, Pointer) and max(len(self.ids), after) > MANY
 
     @property
     def most(self) -> int:

@@ -21,6 +21,7 @@ from game.stage.state import copy_state
 from game.stage.warming import Warming
 
 ROUNDS = 15  # pairs of measurements for one effect
+FEW_ROUNDS = 3  # of a scene that takes longer than a frame: in the thread, as its copies come to step
 MOST_STEPS = 64  # of one measurement, however cheap a step is
 BARE = ""  # name of the variant with every effect off
 
@@ -94,7 +95,10 @@ class EffectMeter:
 
 
 class _Comparison:
-    """Two copies of the scene, one with other effects; measured in turn, from the present state."""
+    """Two copies of the scene, one with other effects; measured in turn, from the present state.
+
+    Those of a scene that takes longer than a frame are measured from the state that it begins with.
+    """
 
     def __init__(self, name: str, stage: Stage, active: EffectSet, clock: Callable[[], float]):
         self.name = name
@@ -106,6 +110,7 @@ class _Comparison:
         self._builds = [lambda: stage.build_scene(values, before), lambda: stage.build_scene(values, active)]
         self._copies: list[Scene] = []
         self._steps = 0
+        self._complete = False  # measured in the thread already
         self._warming = Warming([WarmUp(name, self._make)])
 
     def _make(self) -> None:
@@ -114,6 +119,11 @@ class _Comparison:
             copy = build()
             copy.advance(self._dt)
             self._copies.append(copy)
+        if self._copies[0].takes_long(None):
+            for _ in range(FEW_ROUNDS):
+                now, other = (self._step(copy, 1) for copy in self._copies)
+                self._take(now, other)
+            self._complete = True
 
     @property
     def ready(self) -> bool:
@@ -122,8 +132,8 @@ class _Comparison:
 
     def measure(self, state: Any, budget_s: float) -> bool:
         """Take one pair of measurements; False when there are enough, or the scene will not be measured."""
-        if self._warming.errors:  # a scene that cannot do without an effect has no cost to show for it
-            return False
+        if self._complete or self._warming.errors:
+            return False  # enough; or it cannot do without an effect, which then has no cost to show
         present, changed = self._copies
         try:
             if not self._steps:
@@ -137,13 +147,20 @@ class _Comparison:
                 now = self._time(present, state, self._steps)
         except Exception:  # without an effect a scene may run into what it is not made for
             return False
+        self._take(now, other)
+        return len(self.differences) < ROUNDS
+
+    def _take(self, now: float, other: float) -> None:
         self.differences.append(other - now)
         self.others.append(other)
-        return len(self.differences) < ROUNDS
 
     def _time(self, scene: Scene, state: Any, steps: int) -> float:
         """Seconds of a step, from a state, on average over ``steps``."""
         scene.restore(copy_state(state))
+        return self._step(scene, steps)
+
+    def _step(self, scene: Scene, steps: int) -> float:
+        """Seconds of a step, on average over ``steps``."""
         began = self._clock()
         for _ in range(steps):
             scene.advance(self._dt)

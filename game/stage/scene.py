@@ -25,7 +25,7 @@ from game.stage.declarations import (
     Strip,
     WarmUp,
 )
-from game.stage.events import Decision, Pointer, Stamped
+from game.stage.events import Decision, Pointer, StageEvent, Stamped
 from game.stage.knobs import Knob, KnobError, knobs_of
 
 if TYPE_CHECKING:
@@ -205,6 +205,13 @@ class Scene:
 
     def knob_changed(self, name: str) -> None:
         """A knob without ``rebuild`` has a new value."""
+
+    def takes_long(self, event: StageEvent | None) -> bool:
+        """Whether an event (None: a step) may take longer than a frame, so that a window had better not wait.
+
+        What comes out is the same either way.
+        """
+        return False
 
     def effects_changed(self) -> None:
         """``active`` has changed."""

@@ -141,6 +141,11 @@ class Stage:
         return self._session.timer.median_s
 
     @property
+    def last_step_s(self) -> float:
+        """Measured time of a step now, s, a single hitch left out; 0 before the first."""
+        return self._session.timer.last_s
+
+    @property
     def first_step(self) -> int:
         """The earliest step that `step_back` can reach."""
         return self._session.first_step

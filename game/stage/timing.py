@@ -32,6 +32,13 @@ class StepTimer:
         return float(np.median(self._times[:count])) if count else math.nan
 
     @property
+    def last_s(self) -> float:
+        """The lesser of the last two measurements, as one alone may be a hitch, s; 0 before the first."""
+        if self._count < 2:
+            return self._times[0] if self._count else 0.0
+        return min(self._times[(self._count - 1) % KEPT], self._times[(self._count - 2) % KEPT])
+
+    @property
     def worst_s(self) -> float:
         """Largest of the last measurements, s; NaN before the first."""
         count = min(self._count, KEPT)

@@ -132,3 +132,16 @@ def test_a_level_opens_behind_the_window(start, tmp_path):
     play.errands.wait(LONG_S)
     driver.frames(1)
     assert play.shelf.present == saved.value and not play.errands.busy
+
+
+def test_work_inside_says_so_and_of_what_waits_under_one_name_the_last_counts():
+    errands, done, go_on = Errands(behind=True), [], Event()
+    errands.work_inside(lambda: done.append("first") if go_on.wait(LONG_S) else None, "knob")
+    for value in (1, 2):
+        errands.work_inside(lambda value=value: done.append(value), "knob")
+    assert errands.inside
+    go_on.set()
+    while errands.busy:
+        errands.wait(LONG_S)
+        errands.update(0.0)
+    assert done == ["first", 2] and not errands.inside

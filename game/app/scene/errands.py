@@ -15,11 +15,15 @@ Act = Callable[[], object]
 
 
 class _Errand(NamedTuple):
-    """``work`` gives what the window is then to do. ``quick``: no thread is needed for it."""
+    """``work`` gives what the window is then to do. ``quick``: no thread is needed for it.
 
-    work: Callable[[], Act]
+    ``inside``: it changes the scene itself.
+    """
+
+    work: Callable[[], Act | None]
     quick: bool = False
     kept: bool = False
+    inside: bool = False
     name: str = ""
 
 
@@ -39,8 +43,8 @@ class Errands:
         """Whether something is under way, so that the scene is to stand still."""
         return bool(self._waiting)
 
-    def work(self, work: Callable[[], Act], kept: bool = False) -> None:
-        """Let a thread do this, which must not change the scene, and then the window what it gives.
+    def work(self, work: Callable[[], Act | None], kept: bool = False) -> None:
+        """Let a thread do this, which must not change the scene, then the window what it gives, if anything.
 
         ``kept``: it is finished even if the scene is left before.
         """
@@ -51,9 +55,19 @@ class Errands:
 
         What waits under a ``name`` is given up for what is asked for right after it under the same one.
         """
-        if name and len(self._waiting) > 1 and self._waiting[-1].name == name:
-            self._waiting.pop()
         self._add(_Errand(lambda: act, quick=True, name=name))
+
+    def work_inside(self, work: Callable[[], Act | None], name: str = "") -> None:
+        """Let a thread do this to the scene itself, which nobody else may look at meanwhile; then as `work`.
+
+        ``name``: as in `act`.
+        """
+        self._add(_Errand(work, inside=True, name=name))
+
+    @property
+    def inside(self) -> bool:
+        """Whether a thread is at work in the scene itself."""
+        return self._thread is not None and self._waiting[0].inside
 
     def update(self, elapsed_s: float) -> None:
         """Let time pass, and go on as far as the thread has come."""
@@ -78,6 +92,8 @@ class Errands:
         self._thread = None
 
     def _add(self, errand: _Errand) -> None:
+        if errand.name and len(self._waiting) > 1 and self._waiting[-1].name == errand.name:
+            self._waiting.pop()
         self._waiting.append(errand)
         if self._thread is None:
             self._go_on()
@@ -93,7 +109,7 @@ class Errands:
                 self._call(work)
                 self._end()
 
-    def _call(self, work: Callable[[], Act]) -> None:
+    def _call(self, work: Callable[[], Act | None]) -> None:
         try:
             self._outcome = work()
         except Exception as error:  # raised again where the window waits for it

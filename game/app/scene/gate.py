@@ -1,6 +1,7 @@
 """The gate of a scene in play: what hand, panel, keys and players do comes in by it, each in its turn.
 
 An event that leads to a variant of the step that has not been compiled yet waits until a thread has done so.
+What the scene takes longer for than a frame may last is done by a thread as well.
 """
 
 from __future__ import annotations
@@ -23,17 +24,25 @@ class Gate:
     def post(self, event: StageEvent) -> bool:
         """Let an event act when it is its turn; False if it is refused at once."""
         play, taken = self._play, [True]
-        if play.errands.behind and play.variants.concerns(event):
-            play.errands.work(lambda: self._prepare(event))
+        errands, name = play.errands, event.name if isinstance(event, SetKnob) else ""
+        if errands.behind and play.variants.concerns(event):
+            errands.work(lambda: play.variants.prepare([event]))
+            name = ""
+        if errands.behind and play.stage.scene.takes_long(event):
+            errands.work_inside(lambda: self._let_in_behind(event), name)
         else:
-            name = event.name if isinstance(event, SetKnob) else ""
-            play.errands.act(lambda: taken.append(self._let_in(event)), name)
+            errands.act(lambda: taken.append(self._let_in(event)), name)
         return taken[-1]
 
-    def _prepare(self, event: StageEvent) -> Callable[[], object]:
-        """Compile what an event leads to; what is then to be done."""
-        self._play.variants.prepare([event])
-        return lambda: self._let_in(event)
+    def _let_in_behind(self, event: StageEvent) -> Callable[[], object] | None:
+        """Let an event act, in a thread; what is then to be told, if it is refused."""
+        self._play.try_steps()
+        try:
+            self._play.stage.post(event)
+        except KnobError as error:
+            refusal = error
+            return lambda: self._refuse(refusal)
+        return None
 
     def _let_in(self, event: StageEvent) -> bool:
         try:
@@ -69,10 +78,17 @@ class Gate:
 
     def command(self, name: str) -> bool:
         """A command that steps the scene, or lets it stand; False if it is none."""
-        act = {"pause": self._pause, "step": self._step, "step-back": self._step_back}.get(name)
-        if act is not None:
-            self._play.errands.act(act)
-        return act is not None
+        errands = self._play.errands
+        if name == "pause":
+            errands.act(self._pause)
+        elif name not in ("step", "step-back"):
+            return False
+        elif errands.behind and self._play.stage.scene.takes_long(None):
+            self.post_hand()
+            errands.work_inside(self._stepped if name == "step" else self._stepped_back)
+        else:
+            errands.act(self._step if name == "step" else self._step_back)
+        return True
 
     def reset(self) -> None:
         """Build the scene anew with its present knobs."""
@@ -89,9 +105,20 @@ class Gate:
     def _step(self) -> None:
         """One step, after what the hand has done before it."""
         self.post_hand()
-        self._play.stage.step()
+        self._stepped()
 
     def _step_back(self) -> None:
         """One step back."""
-        if not self._play.stage.step_back():
-            self._play.app.tell("No further back.", "This is the first step that is remembered.")
+        complaint = self._stepped_back()
+        if complaint is not None:
+            complaint()
+
+    def _stepped(self) -> None:
+        """One step; any thread may do it."""
+        self._play.stage.step()
+
+    def _stepped_back(self) -> Callable[[], object] | None:
+        """One step back; what is to be told if there is none. Any thread may do it."""
+        if self._play.stage.step_back():
+            return None
+        return lambda: self._play.app.tell("No further back.", "This is the first step that is remembered.")

@@ -40,6 +40,10 @@ SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
 ROOMY_MARGIN = 6.0  # design px
 METER_BUDGET_S = 0.0004  # s a frame for measuring what effects cost
+PATIENCE_S = 0.3  # before it is said that the scene is being worked at
+MOST_STEPS = 15  # in a frame
+TRIALS = 2
+STEPS_BUDGET_S = 0.05  # s a frame for steps; one that takes longer is made behind the window
 
 
 class ScenePlay:
@@ -59,6 +63,9 @@ class ScenePlay:
         self.banner = FaultBanner(app)
         self.meter = EffectMeter(stage)
         self.drawing_error = ""
+        self._still: pygame.Surface | None = None  # shown while a thread is at work in the scene
+        self._seen = True  # whether the present state has been drawn
+        self.untried = TRIALS  # steps to be made before it is known how long they take
         self.stars = StarKeeper()
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, files.level_rows(stage.scene_type))
@@ -198,6 +205,7 @@ class ScenePlay:
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
         self.drawing_error = ""
+        self.try_steps()
         self._place_view()
         self.view.camera.home(smooth=False)
         level = self.stage.level
@@ -211,6 +219,10 @@ class ScenePlay:
         self.errands.update(elapsed_s)
         if not self.errands.busy:
             self._go_on(elapsed_s)
+        if self.errands.inside:
+            self.app.sounds.follow(None)
+            self.shell.hints.update(elapsed_s)
+            return
         stage = self.stage
         still = stage.paused or self.errands.busy
         self.app.sounds.follow(None if still else stage.scene.hearing())
@@ -228,7 +240,8 @@ class ScenePlay:
             self.script.advance(elapsed_s)
         else:
             self.gate.listen()
-            self.stage.advance(elapsed_s)
+            if not self._make_steps(elapsed_s):
+                return
             if self.keeper is not None:
                 self.keeper.update(self.stage)
             if complaint := self.stars.update(self.stage):
@@ -238,6 +251,32 @@ class ScenePlay:
             # compiles variants of the step behind the window: only if wanted
             self.meter.slice(METER_BUDGET_S)
 
+    def _make_steps(self, elapsed_s: float) -> bool:
+        """Make the steps that are due, no more than a frame has time for; False if a thread makes them.
+
+        A thread makes one step at a time, and each is shown, if they take longer than that.
+        """
+        stage, cost_s = self.stage, self.stage.last_step_s
+        slow = False
+        if self.errands.behind and not stage.paused and stage.fault is None:
+            stage.clock.max_steps = min(max(int(STEPS_BUDGET_S / max(cost_s, 1e-9)), 1), MOST_STEPS)
+            slow = cost_s > STEPS_BUDGET_S or (self.untried > 0 and stage.scene.takes_long(None))
+        if not slow:
+            self._advance(elapsed_s)
+        elif self._seen:
+            self._seen = False
+            self.errands.work_inside(lambda: self._advance(elapsed_s))
+            return False
+        return True
+
+    def try_steps(self) -> None:
+        """Something has changed by which steps may have become slow."""
+        self.untried = TRIALS
+
+    def _advance(self, elapsed_s: float) -> None:
+        """Make the steps that are due; any thread may do it."""
+        self.untried = max(self.untried - self.stage.advance(elapsed_s), 0)
+
     @property
     def trouble(self) -> str:
         """Why the scene stands still, if something went wrong."""
@@ -246,8 +285,12 @@ class ScenePlay:
         return self.drawing_error
 
     def draw(self, surface: pygame.Surface) -> None:
-        """The scene and its shell."""
+        """The scene and its shell; as they were while a thread is at work in the scene."""
         layout = self.shell.layout
+        if self.errands.inside:
+            self._draw_still(surface)
+            return
+        self._still, self._seen = None, True
         if self.drawing_error or layout.free_stage != layout.stage:  # else the scene's picture covers it
             surface.fill(self.app.look.theme.stage, layout.stage)
         if not self.drawing_error:
@@ -259,3 +302,13 @@ class ScenePlay:
                 self.drawing_error = f"The picture cannot be drawn: {error}"
         self.shell.draw(surface, self.stage, self.stage.scene.legend())
         self.banner.draw(surface)
+
+    def _draw_still(self, surface: pygame.Surface) -> None:
+        """What was last seen of the scene, and from a moment on that it is being worked at."""
+        if self._still is None or self._still.get_size() != surface.get_size():
+            self._still = surface.copy()
+        surface.blit(self._still, (0, 0))
+        if self.errands.seconds > PATIENCE_S:
+            look, stage = self.app.look, self.shell.layout.free_stage
+            words = look.fonts.render_on_halo("Working…", 13, "semibold", look.theme.text1, look.theme.bg)
+            surface.blit(words, words.get_rect(midbottom=(stage.centerx, stage.bottom - look.px(16))))

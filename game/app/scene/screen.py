@@ -225,6 +225,7 @@ class SceneScreen(Screen):
             return
         from game.app.scene.accuracy_card import AccuracyCard
 
+        play.errands.wait()  # it looks into the scene
         self.app.push(AccuracyCard(self.app, play, study))
 
     # -- picture ------------------------------------------------------------------------------------

@@ -10,7 +10,6 @@ depends on nothing but the calls, and an id of a removed box is used again.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from game.physics.broadphase.door import (
     Corners,
     Ids,
     Pairs,
+    all_differ,
     corner,
     corners,
     first_bad_box,
@@ -107,7 +107,8 @@ class BroadPhase:
     def add_boxes(self, lowers: ArrayLike, uppers: ArrayLike, ids: ArrayLike | None = None) -> Ids:
         """Add many boxes, (n, 2) m each; returns their ids. All or none are added.
 
-        ``ids``: the ids to give, distinct and free; without it the smallest free ones in order.
+        ``ids``: the ids to give, distinct and free; without it the smallest free ones in order. ValueError,
+        naming the first, for boxes or ids that make no sense.
         """
         low, high = self._many(lowers, uppers)
         bad = first_bad_box(low, high)
@@ -127,9 +128,9 @@ class BroadPhase:
     def remove_boxes(self, ids: ArrayLike) -> None:
         """Remove many boxes and their pairs; ValueError if an id is unknown or comes twice."""
         chosen = id_array(ids)
-        for box in chosen:
+        for box in chosen.tolist():
             self._known(box)
-        if len(np.unique(chosen)) != len(chosen):
+        if not all_differ(chosen):
             raise ValueError("ids: a box cannot be removed twice")
         self._found = None
         self._removed_many(chosen)
@@ -265,24 +266,25 @@ class BroadPhase:
         self.top += fresh
         return taken
 
-    def _claim(self, ids: ArrayLike, count: int) -> Sequence[int]:
+    def _claim(self, ids: ArrayLike, count: int) -> Ids:
         """Take ids that the caller names."""
         wanted = id_array(ids)
         if len(wanted) != count:
             raise ValueError(f"ids: {len(wanted)} ids for {count} boxes")
         if count == 0:
-            return []
-        if wanted.min() < 0 or wanted.max() >= MAX_BOXES or len(np.unique(wanted)) != count:
+            return wanted
+        if wanted.min() < 0 or wanted.max() >= MAX_BOXES or not all_differ(wanted):
             raise ValueError(f"ids: distinct ids from 0 to {MAX_BOXES - 1} are wanted")
-        for box in wanted.tolist():
-            if box in self:
-                raise ValueError(f"ids: {box} is in use")
+        known = wanted[wanted < self.top]
+        used = known[self.alive[known] == 1]
+        if len(used):
+            raise ValueError(f"ids: {used[0]} is in use")
         self._make_room(int(wanted.max()) + 1)
         self.top = max(self.top, int(wanted.max()) + 1)
         unused = self.alive[: self.top] == 0
         unused[wanted] = False
         self._free = np.flatnonzero(unused).tolist()  # ascending, so it is a heap
-        return wanted.tolist()
+        return wanted
 
     def _make_room(self, needed: int) -> None:
         if needed > MAX_BOXES:

@@ -112,6 +112,12 @@ def id_array(values: ArrayLike) -> Ids:
     return given
 
 
+def all_differ(ids: Ids) -> bool:
+    """True if no id of an array (n,) comes twice."""
+    ascending = np.sort(ids)
+    return not (ascending[1:] == ascending[:-1]).any()
+
+
 def grown(array: NDArray[Any], capacity: int, fill: float = 0) -> NDArray[Any]:
     """A longer copy of an array along its first axis, the new part filled."""
     longer = np.full((capacity, *array.shape[1:]), fill, dtype=array.dtype)

@@ -1,0 +1,104 @@
+"""Scenes so large that a change or a step takes longer than a frame: a thread does it, all else is as ever."""
+
+from threading import current_thread, main_thread
+
+import pytest
+
+from game.app.scene import play as play_module
+from game.scenes import CATALOGUE
+from game.stage import Action, SetKnob, Stage
+
+LONG_S = 120.0
+STEPS = 24
+
+
+def settled(driver) -> None:
+    """Frames until nothing is under way."""
+    play = driver.top.play
+    while play.errands.busy:
+        play.errands.wait(LONG_S)
+        driver.frames(1)
+
+
+@pytest.fixture
+def opened(start):
+    """A scene of the catalogue as a person has it: what takes long is done behind the window."""
+
+    def open_scene(name: str):
+        driver = start(catalogue=CATALOGUE)
+        driver.app.background = True
+        driver.open(name)
+        settled(driver)
+        return driver
+
+    return open_scene
+
+
+@pytest.mark.parametrize("name", ("c05", "c06", "c07", "broad-phase-race"))
+def test_many_boxes_are_made_in_a_thread_and_are_the_same(opened, name, monkeypatch):
+    driver = opened(name)
+    play = driver.top.play
+    threads = []
+    post = play.stage.post
+    monkeypatch.setattr(play.stage, "post", lambda event: threads.append(current_thread()) or post(event))
+    play.command("pause")
+    settled(driver)
+    events = (SetKnob("count", 10_100), Action("fewer"), SetKnob("fill", 0.05), SetKnob("count", 60))
+    for event in events:
+        play.post(event)
+        assert play.errands.inside
+        driver.frames(1)
+        settled(driver)
+    assert len(threads) == len(events) and main_thread() not in threads
+    direct = Stage(type(play.stage.scene), level=play.stage.level)
+    direct.run(play.stage.step_number)
+    for event in events:
+        direct.post(event)
+    for stage in (play.stage, direct):
+        stage.run(STEPS)
+    assert play.stage.digest() == direct.digest()
+
+
+def test_a_refusal_in_the_thread_is_told_in_the_window(opened):
+    driver = opened("c06")
+    play = driver.top.play
+    play.post(SetKnob("count", 10_100))
+    play.post(SetKnob("fill", 0.04))
+    play.post(SetKnob("ratio", 1e9))
+    settled(driver)
+    assert play.stage.scene.fill == 0.04 and play.stage.scene.ratio != 1e9
+    assert any("ratio" in toast.consequence for toast in (driver.app.toasts.shown,) if toast)
+
+
+def test_slow_steps_are_made_in_a_thread_and_each_is_shown(opened, monkeypatch):
+    driver = opened("c06")
+    play = driver.top.play
+    monkeypatch.setattr(play_module, "STEPS_BUDGET_S", -1.0)  # no step is quick enough
+    drawn = []
+    draw = play.view.draw
+    monkeypatch.setattr(
+        play.view, "draw", lambda surface: drawn.append(play.stage.step_number) or draw(surface)
+    )
+    first = play.stage.step_number
+    while play.stage.step_number < first + STEPS:
+        driver.frames(1)
+        settled(driver)
+    assert drawn == sorted(drawn) and set(drawn) >= set(range(first + 1, play.stage.step_number))
+    direct = Stage(type(play.stage.scene), level=play.stage.level)
+    direct.run(play.stage.step_number)
+    assert play.stage.digest() == direct.digest()
+
+
+def test_step_back_goes_behind_the_window_as_well(opened):
+    driver = opened("c06")
+    play = driver.top.play
+    play.post(SetKnob("count", 10_100))
+    settled(driver)
+    play.command("step")
+    assert play.errands.inside
+    settled(driver)
+    step, digest = play.stage.step_number, play.stage.digest()
+    play.command("step")
+    play.command("step-back")
+    settled(driver)
+    assert (play.stage.step_number, play.stage.digest()) == (step, digest)
