@@ -299,14 +299,14 @@ class Stage:
         self._begin(self.build_scene(self.scene.values, self.scene.active))
 
     def scene_of(self, level: Level | None) -> Scene:
-        """A new scene of a level, not in play; any thread may build it. LevelError if the scene refuses it."""
+        """A new scene of a level, not in play; any thread may build it. LevelError if it refuses the level."""
         return self.scene_type(level, self._dt_parameter())
 
     def load_level(self, level: Level | None, scene: Scene | None = None) -> None:
         """Begin anew with a level, its knobs and its effects (None: the scene's defaults).
 
-        ``scene``: what `scene_of` has built for it, if it has. LevelError if the scene refuses the level; then
-        it goes on with what it had.
+        ``scene``: what `scene_of` has built for it, if it has. LevelError if the scene refuses the level;
+        then it goes on with what it had.
         """
         scene = self.scene_of(level) if scene is None else scene
         before = self.level, self._seed

@@ -1,4 +1,4 @@
-"""Scenes so large that a change or a step takes longer than a frame: a thread does it, all else is as ever."""
+"""Scenes so large that a change or a step takes longer than a frame: a thread does it, all is as ever."""
 
 from threading import current_thread, main_thread
 
