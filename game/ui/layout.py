@@ -19,6 +19,8 @@ DRAWER_BELOW = 1120  # design px of window width
 TWO_CHARTS_BELOW = 880  # design px of stage width
 VALUES_BELOW = 600  # design px of window height
 SMALLEST = (320, 240)  # design px that the regions need; below that the scale shrinks instead
+COMFORTABLE = (480, 360)  # design px that cards need; nobody's own scale makes a window smaller than that
+EDGES, SMALL_EDGES, SMALL_BELOW = (32, 48), (16, 16), 560  # design px about a card; of a window's side
 
 
 class Layout(NamedTuple):
@@ -53,7 +55,8 @@ def auto_scale(width: int, height: int, user: float = 1.0) -> float:
             automatic = k
             break
     user = user if math.isfinite(user) else 1.0
-    room = min(width / SMALLEST[0], height / SMALLEST[1])
+    room = min(1.0, width / SMALLEST[0], height / SMALLEST[1])
+    room = max(room, min(width / COMFORTABLE[0], height / COMFORTABLE[1]))
     return max(0.5, min(automatic * min(max(user, 0.75), 2.0), room, 4.0))
 
 
@@ -85,9 +88,13 @@ def arrange(width: int, height: int, k: float, *, panel: bool = True, strips: in
 
 
 def overlay_rect(window: Rect, k: float, height: float, width: float = 1056.0) -> Rect:
-    """A card in the middle: at most ``width`` wide, 32 free at its sides, 48 above and below (design px)."""
-    w = max(1, min(round(width * k), window.w - round(64 * k)))
-    h = max(1, min(round(height * k), window.h - round(96 * k)))
+    """A card in the middle: at most ``width`` wide, 32 free at its sides, 48 above and below (design px).
+
+    In a small window less is left free.
+    """
+    edges = SMALL_EDGES if min(window.w, window.h) < SMALL_BELOW * k else EDGES
+    w = max(1, min(round(width * k), window.w - round(2 * edges[0] * k)))
+    h = max(1, min(round(height * k), window.h - round(2 * edges[1] * k)))
     card = Rect(0, 0, w, h)
     card.center = window.center
     return card

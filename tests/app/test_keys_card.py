@@ -4,7 +4,7 @@ import pygame
 import pytest
 from tests_app import Driver
 
-from game.app.keys import Keys, parse_chord
+from game.app.keys import COMMANDS, Keys, parse_chord
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.settings_card import SettingsCard
 
@@ -75,3 +75,32 @@ def test_what_the_card_writes_is_what_the_settings_read():
     again = Keys(Keys(changed).changed_by("step", parse_chord("ctrl+p")))
     assert again.label("step") == "Ctrl+P" and again.label("pause") == "."
     assert Keys(Keys(changed).changed_by("pause", parse_chord("space"))).chords == Keys().chords
+
+
+@pytest.mark.parametrize(("size", "scale"), [((640, 480), 1.0), ((640, 480), 2.0), ((320, 240), 1.0)])
+def test_every_row_can_be_reached_in_a_small_window(start, size, scale):
+    driver = start(size=size, ui_scale=scale)
+    driver.key(pygame.K_F1)
+    driver.frames(20)
+    card, seen = driver.top, set()
+    for _ in range(40):
+        rows = [spot for spot in card.spots.spots if spot.name != "close"]
+        assert all(card.veil.card.contains(spot.rect) for spot in rows)
+        seen |= {spot.name for spot in rows}
+        driver.wheel(-1)
+    assert seen == {command.name for command in COMMANDS}
+    driver.key(pygame.K_PAGEUP)
+    driver.wheel(40)
+    assert card.spots.find("pause") is not None
+
+
+@pytest.mark.parametrize(("size", "scale"), [((640, 480), 1.0), ((640, 480), 2.0), ((1280, 720), 2.0)])
+def test_the_settings_fit_a_small_window(start, size, scale):
+    driver = start(size=size, ui_scale=scale)
+    driver.key(pygame.K_F10)
+    driver.frames(20)
+    spots = driver.top.spots.spots
+    assert {"theme-dark", "scale-2", "keys-shown"} <= {spot.name for spot in spots}
+    for i, spot in enumerate(spots):
+        assert driver.top.veil.card.contains(spot.rect)
+        assert spot.rect.collidelist([other.rect for other in spots[i + 1 :]]) == -1

@@ -48,7 +48,9 @@ def test_scale_follows_the_height(size, k):
 
 
 def test_scale_never_outgrows_the_window():
-    assert auto_scale(400, 300, 2.0) == pytest.approx(1.25)
+    assert auto_scale(640, 480, 2.0) == pytest.approx(4 / 3)
+    assert auto_scale(400, 300, 2.0) == 1.0
+    assert auto_scale(240, 240) == pytest.approx(0.75)
     assert auto_scale(1, 1, 2.0) == 0.5
     assert auto_scale(1280, 720, float("nan")) == 1.0
 
@@ -89,5 +91,5 @@ def test_any_size_and_scale_gives_regions_with_an_area(width, height, k, panel):
 def test_overlay_keeps_clear_of_the_edges():
     assert overlay_rect(pygame.Rect(0, 0, 1280, 720), 1.0, 624) == pygame.Rect(112, 48, 1056, 624)
     small = overlay_rect(pygame.Rect(0, 0, 500, 300), 1.0, 624)
-    assert small == pygame.Rect(32, 48, 436, 204)
+    assert small == pygame.Rect(16, 16, 468, 268)
     assert overlay_rect(pygame.Rect(0, 0, 1, 1), 1.0, 624).size == (1, 1)

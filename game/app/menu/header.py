@@ -104,7 +104,8 @@ class Header:
         if shown:
             end += look.text(surface, shown, (x, field.centery), 13, "medium", "text1").w
         else:
-            prompt = look.fonts.fit(self.prompt, 13, "medium", room)
+            whole = look.fonts.size(self.prompt, 13, "medium")[0] <= room
+            prompt = self.prompt if whole else look.fonts.fit("Search", 13, "medium", room)
             look.text(surface, prompt, (x + px(7), field.centery), 13, "medium", "text3")
         if look.less_motion or self._age_s % BLINK_S < 0.5 * BLINK_S:
             surface.fill(look.theme.accent, (end + px(1), field.centery - px(9), max(2, px(2)), px(18)))

@@ -20,8 +20,12 @@ GESTURES = (
     (("Middle drag",), "move the view"),
     (("Double click",), "a slider's default"),
 )
-ROW, FOOT = 32, 48  # design px
+ROW, LEAST_ROW, FOOT = 32, 24, 48  # design px
+WORDS, NARROW_WORDS = 104, 88  # design px from a row's left end to its words
+NARROW, ONE_COLUMN = 660, 560  # design px: cards narrower than that
 DEFAULTS = "defaults"
+ROWS = len(COMMANDS) + len(GESTURES)
+PAGES = {pygame.K_PAGEDOWN: 1, pygame.K_PAGEUP: -1}
 MODIFIERS = frozenset(
     (
         pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LSHIFT, pygame.K_RSHIFT, pygame.K_LALT, pygame.K_RALT,
@@ -36,8 +40,8 @@ class KeysCard(CardScreen):
     def __init__(self, app: App):
         super().__init__(app)
         self.waiting = ""  # the command whose key is awaited
-        self._half = (len(COMMANDS) + len(GESTURES) + 1) // 2
-        self.veil.size = (self.width, HEAD + ROW * self._half + 64)
+        self._first = 0  # of the rows that are seen, if not all are
+        self.veil.size = (self.width, HEAD + ROW * (ROWS + 1) // 2 + 64)
         self.restyle()
 
     @property
@@ -45,24 +49,59 @@ class KeysCard(CardScreen):
         return "Keys"
 
     def state(self) -> object:
-        return self.waiting, tuple(self.app.settings.keys.items())
+        return self.waiting, self._first, tuple(self.app.settings.keys.items())
 
     # -- places -------------------------------------------------------------------------------------
+
+    @property
+    def _columns(self) -> int:
+        return 1 if self.veil.card.w < self.app.look.px(ONE_COLUMN) else 2
+
+    @property
+    def _half(self) -> int:
+        """Rows of a column."""
+        return (ROWS + self._columns - 1) // self._columns
+
+    @property
+    def _height(self) -> int:
+        """Height of a row, window px: less in a low window."""
+        px = self.app.look.px
+        fits = (self.veil.card.h - px(HEAD - 4 + FOOT)) // self._half
+        return min(px(ROW), max(px(LEAST_ROW), fits))
+
+    @property
+    def _fits(self) -> int:
+        """Rows of a column that there is room for."""
+        px = self.app.look.px
+        return max(1, (self.veil.card.h - px(HEAD - 4 + FOOT)) // self._height)
 
     def _row(self, i: int) -> pygame.Rect:
         """The i-th row, on the card's own surface."""
         px = self.app.look.px
-        column = (self.veil.card.w - px(64)) // 2
-        x, y = px(24) + (i // self._half) * column, px(HEAD - 4) + (i % self._half) * px(ROW)
-        return pygame.Rect(x, y, column - px(8), px(ROW))
+        column = (self.veil.card.w - px(64)) // self._columns
+        down = (i % self._half - self._first) * self._height
+        return pygame.Rect(
+            px(24) + (i // self._half) * column, px(HEAD - 4) + down, column - px(8), self._height
+        )
 
-    def _inside(self, rect: pygame.Rect) -> bool:
-        return rect.bottom <= self.veil.card.h - self.app.look.px(FOOT)
+    def _inside(self, i: int) -> bool:
+        return self._first <= i % self._half < self._first + self._fits
+
+    def _scroll(self, rows: int) -> None:
+        """Show rows further down, if not all can be seen."""
+        first = min(max(self._first + rows, 0), max(0, self._half - self._fits))
+        if first != self._first:
+            self._first = first
+            self.refresh()
 
     def places(self) -> list[Hotspot]:
         px, card = self.app.look.px, self.veil.card
-        rows = ((command.name, self._row(i)) for i, command in enumerate(COMMANDS))
-        spots = [Hotspot(name, row.move(card.topleft)) for name, row in rows if self._inside(row)]
+        self._first = min(self._first, max(0, self._half - self._fits))
+        spots = [
+            Hotspot(command.name, self._row(i).move(card.topleft))
+            for i, command in enumerate(COMMANDS)
+            if self._inside(i)
+        ]
         if self.app.settings.keys:
             button = pygame.Rect(card.right - px(32 + 128), card.bottom - px(48), px(128), px(32))
             spots.append(Hotspot(DEFAULTS, button))
@@ -83,6 +122,10 @@ class KeysCard(CardScreen):
     def handle(self, event: pygame.Event) -> None:
         if event.type == pygame.KEYDOWN and self.waiting:
             self._take_key(event)
+        elif event.type == pygame.MOUSEWHEEL:
+            self._scroll(-2 * event.y)
+        elif event.type == pygame.KEYDOWN and event.key in PAGES:
+            self._scroll(PAGES[event.key] * self._fits)
         else:
             super().handle(event)
 
@@ -106,22 +149,26 @@ class KeysCard(CardScreen):
 
     def paint(self, picture: pygame.Surface) -> None:
         look, px = self.app.look, self.app.look.px
+        beside = px(NARROW_WORDS if self.veil.card.w < px(NARROW) else WORDS)
         rows = [((self.app.keys.label(c.name),), c.label, c.name) for c in COMMANDS]
         rows += [(keys, words, "") for keys, words in GESTURES]
         for i, (keys, words, name) in enumerate(rows):
-            row = self._row(i)
-            if not self._inside(row):
+            if not self._inside(i):
                 continue
+            row = self._row(i)
             self._paint_ground(picture, row.inflate(0, -px(4)), name)
             x, y = row.x + px(8), row.centery
             if name and name == self.waiting:
                 look.text(picture, "press a key", (x, y), 12, "semibold", "amber")
             else:
                 keycap.draw_keys(picture, look, x, y, keys)
-            words = look.fonts.fit(words, 13, "medium", row.w - px(8 + 104))
-            look.text(picture, words, (x + px(104), y), 13, "medium", "text2")
+            words = look.fonts.fit(words, 13, "medium", row.w - px(8) - beside)
+            look.text(picture, words, (x + beside, y), 13, "medium", "text2")
         y = picture.get_height() - px(32)
-        look.text(picture, "Click a row to give it another key", (px(32), y), 12, "medium", "text3")
+        words = "Click a row to give it another key"
+        if self._fits < self._half:
+            words += "; the wheel shows more"
+        look.text(picture, words, (px(32), y), 12, "medium", "text3")
         self.draw_button(picture, DEFAULTS, "All as before")
 
     def _paint_ground(self, picture: pygame.Surface, row: pygame.Rect, name: str) -> None:

@@ -14,7 +14,8 @@ from game.ui.shapes import draw_box
 if TYPE_CHECKING:
     from game.app.application import App
 
-ROW = 56  # design px
+ROW, LEAST_ROW, FOOT = 56, 36, 48  # design px
+LABELS, FEW_LABELS, ROOMY = 260, 116, 560  # design px: before the segments; with words; of a card's width
 VOLUMES = ((0.0, "Off"), (0.25, "Soft"), (0.7, "Normal"), (1.0, "Loud"))
 SCALES = (0.75, 0.9, 1.0, 1.25, 1.5, 2.0)
 
@@ -44,12 +45,24 @@ class SettingsCard(CardScreen):
 
     def __init__(self, app: App):
         super().__init__(app)
-        self.veil.size = (self.width, HEAD + ROW * len(LINES) + 64)
+        self.veil.size = (self.width, HEAD + ROW * len(LINES) + FOOT + 16)
         self.restyle()
 
     @property
     def heading(self) -> str:
         return "Settings"
+
+    @property
+    def _roomy(self) -> bool:
+        """Whether there is room for words about each line."""
+        return self.veil.card.w >= self.app.look.px(ROOMY)
+
+    @property
+    def _row(self) -> int:
+        """Height of a line, window px: less in a low window."""
+        px = self.app.look.px
+        fits = (self.veil.card.h - px(HEAD)) // len(LINES)
+        return min(px(ROW), max(px(LEAST_ROW), fits))
 
     def _chosen(self) -> set[str]:
         settings = self.app.settings
@@ -67,10 +80,10 @@ class SettingsCard(CardScreen):
     def places(self) -> list[Hotspot]:
         px, card = self.app.look.px, self.veil.card
         spots = []
-        left = card.x + px(260)
+        left = card.x + px(LABELS if self._roomy else FEW_LABELS)
         room = max(card.right - px(32) - left, 1)
         for i, line in enumerate(LINES):
-            y = card.y + px(HEAD) + i * px(ROW) + px(8)
+            y = card.y + px(HEAD) + i * self._row + (self._row - px(32)) // 2 - px(4)
             for j, (name, _) in enumerate(line.options):
                 x0, x1 = (left + room * n // len(line.options) for n in (j, j + 1))
                 spots.append(Hotspot(name, pygame.Rect(x0, y, max(x1 - x0, 1), px(32))))
@@ -100,9 +113,11 @@ class SettingsCard(CardScreen):
         look, px = self.app.look, self.app.look.px
         chosen = self._chosen()
         for i, line in enumerate(LINES):
-            y = px(HEAD) + i * px(ROW) + px(24)
-            look.text(picture, line.label, (px(32), y - px(9)), 13, "semibold", "text1")
-            look.text(picture, line.about, (px(32), y + px(9)), 12, "medium", "text3")
+            y = px(HEAD) + i * self._row + self._row // 2 - px(4)
+            up = px(9) if self._roomy else 0
+            look.text(picture, line.label, (px(32), y - up), 13, "semibold", "text1")
+            if self._roomy:
+                look.text(picture, line.about, (px(32), y + up), 12, "medium", "text3")
             rects = [self.inner(spot.rect) for name, _ in line.options if (spot := self.spots.find(name))]
             draw_box(picture, rects[0].unionall(rects[1:]), px(8), look.theme.inset)
             for (name, words), rect in zip(line.options, rects, strict=True):
@@ -111,6 +126,8 @@ class SettingsCard(CardScreen):
                     draw_box(
                         picture, rect.inflate(px(4), px(4)), px(10), None, look.theme.accent, max(2, px(2))
                     )
+        if picture.get_height() - px(HEAD) - self._row * len(LINES) < px(FOOT):
+            return
         where = f"Kept in {settings_path(self.app.folder)}"
         where = look.fonts.fit(where, 12, "medium", picture.get_width() - px(64))
         look.text(picture, where, (px(32), picture.get_height() - px(28)), 12, "medium", "text3")
