@@ -47,10 +47,15 @@ class Driver:
         self.app = App(
             self.window, catalogue, Settings(**settings), folder, self.clock, self._take, background=False
         )
-        pygame.event.clear()
+        self._take()
         self.app.open_menu()
 
     def _take(self) -> list[pygame.Event]:
+        """What was posted here; what the window system or pygame_gui posted is dropped, as a person never sees it.
+
+        By ``get``, for ``pygame.event.clear`` (2.5.8) never lets go of what a posted event refers to.
+        """
+        pygame.event.get()
         events, self.waiting = self.waiting, []
         return events
 
@@ -98,7 +103,6 @@ class Driver:
         """What a window system may do that knows no smallest size."""
         self.window.window.minimum_size = (1, 1)
         self.window.resize((width, height))
-        pygame.event.clear()
         self.post(pygame.Event(pygame.WINDOWSIZECHANGED, x=width, y=height))
 
     @property

@@ -5,6 +5,8 @@ from __future__ import annotations
 import gc
 import weakref
 
+import pygame
+import pygame_gui
 import pytest
 from tests_app import Driver
 
@@ -60,3 +62,16 @@ def test_a_long_time_in_a_scene_takes_what_snapshots_may_take_and_no_more(scene:
     digests = 20_000 / 120
     assert stage.snapshot_bytes <= 64 << 20
     assert _objects() - begun < SLACK + digests + 20 * snapshots
+
+
+def test_what_an_element_of_the_panel_posted_is_let_go(scene: Driver):
+    class Element:
+        pass
+
+    element = Element()
+    posted = weakref.ref(element)
+    pygame.event.post(pygame.Event(pygame_gui.UI_BUTTON_PRESSED, ui_element=element))
+    del element
+    scene.resize(1000, 700)
+    scene.frames(1)
+    assert posted() is None
