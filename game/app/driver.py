@@ -51,7 +51,7 @@ class Driver:
         self.app.open_menu()
 
     def _take(self) -> list[pygame.Event]:
-        """What was posted here; what the window system or pygame_gui posted is dropped, as a person never sees it.
+        """What was posted here; what the window system or pygame_gui posted beside it is dropped.
 
         By ``get``, for ``pygame.event.clear`` (2.5.8) never lets go of what a posted event refers to.
         """
