@@ -93,7 +93,7 @@ class SphereCollisions(Scene):
 
     Every collision is entered into a ledger: momentum and angular momentum must not change, and energy only
     by what restitution and friction take. For 200 spheres and more in one plane there is a quicker solver,
-    which enters where and how hard they met, but does not weigh what that has changed.
+    which enters the energy as well, but does not weigh the momenta of each pair.
     """
 
     name = "c13"

@@ -230,29 +230,29 @@ class CollisionView:
             scale = 1.0 / scene.push_strength
             canvas.arrow((x, y), push.force[:2], "amber", "F", scale)
         if scene.tool == "sphere" and not len(scene.pushes):
-            corner = (view.right, view.top)
-            canvas.label(
-                corner, "click to make a sphere", "text3", 12, anchor="topright", offset=(-12.0, 10.0)
-            )
+            middle = (0.5 * (view.left + view.right), view.bottom)
+            canvas.label(middle, "click to make a sphere", "text3", 12, offset=(0.0, -16.0))
 
     def _draw_ledger(self, scene: SphereCollisions, canvas: Canvas) -> None:
-        """The last collisions in figures, on a card at the lower left that lets spheres shine through."""
+        """The last collisions in figures, on a card at the upper right that lets spheres shine through."""
         entries = scene.world.ledger()[-ROWS:][::-1]
-        left, bottom = scene.world.surroundings.window[:2].tolist()
+        corner = scene.world.surroundings.window[2:].tolist()
         height = 16.0 * (len(entries) + 1)
-        top = -height - 14.0
-        look, (x, y) = canvas.look, canvas.place((left, bottom))
-        card = pygame.Rect(x + look.px(8), y + look.px(top - 4.0), look.px(CARD), look.px(height + 10.0))
+        left, top = -CARD - 22.0, 14.0
+        look, (x, y) = canvas.look, canvas.place(corner)
+        card = pygame.Rect(
+            x + look.px(left + 8.0), y + look.px(top - 6.0), look.px(CARD), look.px(height + 10.0)
+        )
         ground = pygame.Color(look.theme.panel)
         ground.a = 216
         draw_box(canvas.surface, card, look.px(8), ground, look.theme.line, look.border)
         for word, x in COLUMNS:
-            canvas.label((left, bottom), word, "text3", 11, anchor="topleft", offset=(14.0 + x, top))
+            canvas.label(corner, word, "text3", 11, anchor="topleft", offset=(left + 14.0 + x, top))
         for i, entry in enumerate(entries):
             for (_, x), words in zip(COLUMNS, _figures(entry), strict=True):
-                place = (14.0 + x, top + 16.0 * (i + 1))
+                place = (left + 14.0 + x, top + 16.0 * (i + 1))
                 tone = "text1" if i == 0 else "text3"
-                canvas.label((left, bottom), words, tone, 11, anchor="topleft", offset=place)
+                canvas.label(corner, words, tone, 11, anchor="topleft", offset=place)
 
 
 def _figures(entry: Array) -> tuple[str, ...]:

@@ -200,6 +200,17 @@ def test_materials_have_pairs():
     assert tables.restitution[2, 3] == 0.0 and tables.friction[0, 0] == 0.9
 
 
+def test_what_only_rests_or_rolls_does_not_divide_steps():
+    stage = opened("materials")
+    wait(stage, 4.0)
+    parts = []
+    for _ in range(120):
+        stage.run(1)
+        parts.append(stage.scene.world.parts)
+    assert len(stage.scene.world.touches[0]) > 45
+    assert np.median(parts) <= 4
+
+
 def test_beside_the_event_driven_run():
     stage = opened("bouncing")
     wait(stage, 4.0)

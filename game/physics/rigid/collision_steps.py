@@ -19,7 +19,23 @@ from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid import planar_impulses as flat_law
 from game.physics.rigid.bearing import harden_rows, keep_impulses, pass_over, start_warm, sweep_rows
 from game.physics.rigid.contacts import recall_impulses
-from game.physics.rigid.ledger import JX, JY, JZ, ONE, OTHER, REBOUND, TIME, X, Y, Z, spin_of
+from game.physics.rigid.ledger import (
+    AFTER,
+    BEFORE,
+    CHANGE,
+    EXPECTED,
+    JX,
+    JY,
+    JZ,
+    ONE,
+    OTHER,
+    REBOUND,
+    TIME,
+    X,
+    Y,
+    Z,
+    spin_of,
+)
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize
 from game.physics.rigid.sphere_effects import ROTATION_BIT, STRINGS_BIT
 from game.physics.rigid.spheres import VX, VY, VZ, WEIGHT, WX, WY, WZ, gather_velocities
@@ -193,8 +209,28 @@ def move_flat(state, makeup, mask, flat, h):
 
 
 @inner_kernel
-def note_flat(positions, radii, touches, who, ids, count, rows, ring, counters):
-    """Enter the collisions of a part into the ledger, without weighing them."""
+def speeds_before(state, flat, rows, m, a, b):
+    """Speeds along and across the normal of touch m (m/s) by the momenta, which do not know of the
+    collisions yet.
+    """
+    x = y = rim = 0.0
+    if b < state.momenta.shape[0]:
+        x, y = flat[b, flat_law.WEIGHT] * state.momenta[b, 0], flat[b, flat_law.WEIGHT] * state.momenta[b, 1]
+        rim = flat[b, flat_law.LEVER] * state.spins[b, 2]
+    x -= flat[a, flat_law.WEIGHT] * state.momenta[a, 0]
+    y -= flat[a, flat_law.WEIGHT] * state.momenta[a, 1]
+    rim += flat[a, flat_law.LEVER] * state.spins[a, 2]
+    nx, ny = rows[m, flat_law.PX], rows[m, flat_law.PY]
+    return x * nx + y * ny, y * nx - x * ny - rows[m, flat_law.ARMS] * rim
+
+
+@inner_kernel
+def note_flat(state, flat, radii, touches, who, ids, count, rows, ring, counters):
+    """Enter the collisions of a part into the ledger, with their shares of the energy that they took.
+
+    A share is J (u + u') / 2 by the speeds before and after all collisions of the part; in sum that is all
+    the energy. Whether momenta are kept is not weighed: bodies have several collisions at once.
+    """
     for m in range(count):
         j = rows[m, flat_law.HIT]
         if j > 0.0:
@@ -205,12 +241,16 @@ def note_flat(positions, radii, touches, who, ids, count, rows, ring, counters):
             entry[TIME] = counters[CLOCK]
             entry[ONE], entry[OTHER] = who[m, 0], max(who[m, 1], -1)
             entry[REBOUND] = rows[m, flat_law.REBOUND]
-            a = ids[m, 0]
+            a, b = ids[m, 0], ids[m, 1]
             reach = radii[a] * rows[m, flat_law.ARMS]
-            entry[X] = positions[a, 0] + nx * reach
-            entry[Y] = positions[a, 1] + ny * reach
-            entry[Z] = positions[a, 2]
+            entry[X] = state.positions[a, 0] + nx * reach
+            entry[Y] = state.positions[a, 1] + ny * reach
+            entry[Z] = state.positions[a, 2]
             entry[JX], entry[JY], entry[JZ] = j * nx - jt * ny, j * ny + jt * nx, 0.0
+            entry[BEFORE], across = speeds_before(state, flat, rows, m, a, b)
+            entry[AFTER], slip = flat_law.speeds_of(flat, rows, m, a, b)
+            entry[CHANGE] = 0.5 * (j * (entry[BEFORE] + entry[AFTER]) + jt * (across + slip))
+            entry[EXPECTED] = entry[CHANGE]
 
 
 @inner_kernel
@@ -258,7 +298,7 @@ def planar_part(
         turns, made = flat_law.collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers)
         counters[ROUNDS] = turns
         counters[BOUNCES] = made
-        note_flat(state.positions, makeup.radii, touches, who, ids, count, rows, ring, counters)
+        note_flat(state, flat, makeup.radii, touches, who, ids, count, rows, ring, counters)
     flat_law.pass_over_flat(flat, touches, ids, count, rows, numbers)
     force_flat(flat, pulls, numbers)
     flat_law.start_flat(flat, ids, count, rows)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,6 +35,7 @@ from game.physics.rigid.collision_steps import (
     planar_part,
     prepare_part,
 )
+from game.physics.rigid.impact_parts import divide_at_impacts
 from game.physics.rigid.impulses import collide_at_once, collide_in_turn
 from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
 from game.physics.rigid.planar_impulses import FLAT_COLUMNS, lies_in_plane
@@ -52,8 +54,6 @@ from game.physics.rigid.touch_room import TouchRoom
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
-MOMENT = 1e-9  # of a substep
-IMPACTS_PER_SPHERE, MOST_IMPACTS = 8, 400  # parts of a step, at most
 
 
 class CollisionState(NamedTuple):
@@ -130,40 +130,29 @@ class CollidingSpheres:
         settings = self.settings
         nominal = dt / settings.substeps
         self.parts = self._candidates.tests = 0
-        whole = IMPACT_TIMES in settings.effects
         for _ in range(settings.substeps):
-            self._parts(nominal, whole)
+            for h in self._divided(nominal):
+                self._part(h, nominal)
+                self.parts += 1
         self.pulls[:] = 0.0
 
-    def _parts(self, nominal: float, whole: bool) -> None:
-        """A substep of nominal length (s), divided at its impacts if the ``whole`` of them is wanted."""
-        left = nominal
-        most = min(IMPACTS_PER_SPHERE * len(self.bodies.makeup.radii), MOST_IMPACTS) if whole else 1
-        struck = False
-        for part in range(most):
-            if not whole or part == most - 1:
-                h = left
-            elif struck and self.settings.scheme != "explicit-euler":
-                h = MOMENT * nominal  # what has met collides, before anybody looks where it goes
-            else:
-                h = min(max(self._time_to_impact(left), MOMENT * nominal), left)
-            struck = not struck and h < left
-            self._part(h, nominal)
-            self.parts += 1
-            left -= h
-            if not left > 1e-15 * nominal:
-                return
+    def _divided(self, nominal: float) -> Iterable[float]:
+        """Lengths of the parts of a substep (s): one, or as its impacts come."""
+        if IMPACT_TIMES not in self.settings.effects:
+            return (nominal,)
+        spheres, pause = len(self.bodies.makeup.radii), self.settings.scheme != "explicit-euler"
+        return divide_at_impacts(nominal, spheres, pause, lambda left: self._time_to_impact(left, nominal))
 
-    def _time_to_impact(self, left: float) -> float:
-        """Seconds until the first impact, at most those left of a substep."""
+    def _time_to_impact(self, left: float, nominal: float) -> float:
+        """Seconds until the first impact that bounces, at most those left of a substep of nominal length."""
         bodies, settings = self.bodies, self.settings
         gather_velocities(bodies.state, bodies.makeup, self._work)
         self._place()
         pairs = self._candidates.that_could_meet(self._places, self._work, left)
-        gravity = settings.gravity if "gravity" in settings.effects.names else 0.0
+        numbers = settings.numbers(left, nominal, float(self.counters[LAST_H]), self.smallest)
         first: float = first_impact(
-            self._places, bodies.makeup, self._work, pairs, self.surroundings, settings.effects.mask, left,
-            float(gravity), LAGS[settings.scheme], float(settings.fast),
+            self._places, bodies.makeup, self._work, pairs, self.surroundings, self.tables,
+            settings.effects.mask, numbers, LAGS[settings.scheme], float(settings.fast),
         )  # fmt: skip
         return first
 

@@ -114,8 +114,8 @@ def collide_at_once(
 ):  # fmt: skip
     """Newton's law at all touches together: v_n' >= -e v_n, impulses push or are nought.
 
-    Accumulated impulses are swept until nothing changes. Returns sweeps and touches that bounced. In the
-    ledger each touch has its share of the joint collision, as if it came after those before it.
+    Accumulated impulses are swept until nothing changes. Returns sweeps and touches that bounced. Friction
+    follows, touch by touch.
     """
     made = 0
     for turn in range(numbers.rounds):
@@ -136,15 +136,47 @@ def collide_at_once(
             row[HIT] += j
         if change <= 1e-15 * fastest:
             break
+    enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums)
+    return turn + 1, made
+
+
+@inner_kernel
+def enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums):
+    """Friction of a joint collision whose impulses along the normals have acted, and the ledger of it.
+
+    The energy of the joint collision is shared out: each normal impulse has its work, j times the mean of
+    the speeds before and after, in sum all of it. What friction takes is measured, as it is made.
+    """
+    first = int(counters[2])
+    made = 0
+    for m in range(count):
+        row = rows[m]
+        if row[HIT] > 0.0:
+            entry = ring[(first + made) % ring.shape[0]]
+            entry[ledger.AFTER] = normal_speed(work, row, touches[m], ids[m, FIRST], ids[m, SECOND])
+            entry[ledger.CHANGE] = 0.5 * row[HIT] * (row[BEFORE] + entry[ledger.AFTER])
+            made += 1
+    skipped = made - ring.shape[0]
     for m in range(count):
         row = rows[m]
         j = row[HIT]
         if j > 0.0:
-            # taken back and made again, with its friction, so that it can be entered
-            a, b = ids[m, FIRST], ids[m, SECOND]
-            push_along(work, row, touches[m], a, b, -j)
+            touch, a, b = touches[m], ids[m, FIRST], ids[m, SECOND]
+            entry = ring[int(counters[2]) % ring.shape[0]]
+            if skipped > 0:  # more at once than the ledger has lines: the last of them are entered
+                skipped -= 1
+                push_along(work, row, touch, a, b, -j)
+                row[HIT] = 0.0
+                collide(work, row, touch, a, b, j)
+                counters[2] += 1.0
+                continue
+            after, share = entry[ledger.AFTER], entry[ledger.CHANGE]
+            # taken back and made again, with its friction, so that it can be weighed
+            speeds = normal_speed(work, row, touch, a, b)
+            push_along(work, row, touch, a, b, -j)
+            speeds += normal_speed(work, row, touch, a, b)
             row[HIT] = 0.0
-            collide_and_enter(
-                work, positions, row, touches[m], who[m], a, b, j, row[BEFORE], ring, counters, sums
-            )
-    return turn + 1, made
+            collide_and_enter(work, positions, row, touch, who[m], a, b, j, row[BEFORE], ring, counters, sums)
+            entry[ledger.AFTER] = after
+            entry[ledger.CHANGE] += share - 0.5 * j * speeds
+            entry[ledger.EXPECTED] += share - 0.5 * j * speeds

@@ -132,6 +132,15 @@ def push_flat(flat, rows, m, a, b, j, jt):
 
 
 @inner_kernel
+def speeds_of(flat, rows, m, a, b):
+    """Speeds along and across the normal of touch m, of b over a, m/s."""
+    x, y = flat[b, VX] - flat[a, VX], flat[b, VY] - flat[a, VY]
+    rim = flat[a, RADIUS] * flat[a, TURN] + flat[b, RADIUS] * flat[b, TURN]
+    nx, ny = rows[m, PX], rows[m, PY]
+    return x * nx + y * ny, y * nx - x * ny - rows[m, ARMS] * rim
+
+
+@inner_kernel
 def collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers):
     """Collisions one after the other, in rounds, until none approaches. Returns rounds and impulses made."""
     made = 0

@@ -3,6 +3,7 @@
 Two spheres fall alike, so they approach along a straight line and |d + v t| = r_a + r_b is a quadratic; its
 constant term is taken as (d - R)(d + R), which loses no digits for spheres that nearly touch. A wall is met
 where v t - c g t² uses up the gap; c says how the scheme falls: 0 explicit, 1 semi-implicit, 1/2 exact.
+What is too slow to bounce is not waited for: a heap at rest would divide each step by all of its touches.
 Source: Ericson, Real-Time Collision Detection (2005), 5.5.
 
 Arrays: places (s, 3) m; work (n + 1, WORK_COLUMNS), velocities; pairs (p, 2).
@@ -15,9 +16,10 @@ import math
 from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid.sphere_effects import COLLISIONS_BIT, LEDGES_BIT, WINDOW_BIT
 from game.physics.rigid.spheres import VX, VY, VZ
-from game.physics.rigid.touch_rows import TOUCHING
+from game.physics.rigid.touch_rows import TOUCHING, rest_speed
 
 NEVER = math.inf
+NEAR = 0.1  # of the radius: farther nothing may go in a step that is not watched
 
 
 @inner_kernel
@@ -51,18 +53,35 @@ def falling_time(gap, speed, bend, touching):
 
 
 @inner_kernel
-def window_time(places, radius, work, s, i, window, bend):
-    """When sphere s of body i meets the window, s."""
-    touching = TOUCHING * radius
-    x, y = places[s, 0], places[s, 1]
-    first = falling_time(x - radius - window[0], work[i, VX], 0.0, touching)
-    first = min(first, falling_time(window[2] - radius - x, -work[i, VX], 0.0, touching))
-    first = min(first, falling_time(y - radius - window[1], work[i, VY], bend, touching))
-    return min(first, falling_time(window[3] - radius - y, -work[i, VY], -bend, touching))
+def borne_speed(e, radius, numbers):
+    """Approach (m/s) that does not bounce: what is slower is borne when it touches, whenever that is.
+
+    In no case so fast that a sphere could go far in the meantime.
+    """
+    return min(rest_speed(e, numbers), NEAR * radius / numbers.h)
 
 
 @inner_kernel
-def ledge_time(x, y, radius, vx, vy, ledge):
+def wall_time(gap, speed, bend, touching, borne):
+    """`falling_time` of what is faster than ``borne`` (m/s) when it meets the wall."""
+    if speed * speed + 4.0 * bend * max(gap, 0.0) <= borne * borne:
+        return NEVER
+    return falling_time(gap, speed, bend, touching)
+
+
+@inner_kernel
+def window_time(places, radius, work, s, i, window, bend, borne):
+    """When sphere s of body i meets the window, s."""
+    touching = TOUCHING * radius
+    x, y = places[s, 0], places[s, 1]
+    first = wall_time(x - radius - window[0], work[i, VX], 0.0, touching, borne)
+    first = min(first, wall_time(window[2] - radius - x, -work[i, VX], 0.0, touching, borne))
+    first = min(first, wall_time(y - radius - window[1], work[i, VY], bend, touching, borne))
+    return min(first, wall_time(window[3] - radius - y, -work[i, VY], -bend, touching, borne))
+
+
+@inner_kernel
+def ledge_time(x, y, radius, vx, vy, ledge, borne):
     """When a sphere that goes straight on meets a ledge, s: its line, or else the nearer of its ends."""
     ex, ey = ledge[2] - ledge[0], ledge[3] - ledge[1]
     length = math.sqrt(ex * ex + ey * ey)
@@ -72,23 +91,26 @@ def ledge_time(x, y, radius, vx, vy, ledge):
     side = 1.0 if across >= 0.0 else -1.0
     gap = side * across - radius
     touching = TOUCHING * radius
-    if gap > touching and -side * speed > 0.0:
+    if gap > touching and -side * speed > borne:
         t = gap / (-side * speed)
         along = ((px + vx * t) * ex + (py + vy * t) * ey) / length
         if 0.0 <= along <= length:
             return t
+    if vx * vx + vy * vy <= borne * borne:
+        return NEVER
     first = meeting_time(-px, -py, 0.0, -vx, -vy, 0.0, radius, touching)
     return min(first, meeting_time(ex - px, ey - py, 0.0, -vx, -vy, 0.0, radius, touching))
 
 
 @lean_kernel
-def first_impact(places, makeup, work, pairs, surroundings, mask, h, fall, lag, fast):
-    """Seconds until the first new touch, or h if there is none before. Nothing is changed.
+def first_impact(places, makeup, work, pairs, surroundings, tables, mask, numbers, lag, fast):
+    """Seconds until the first new touch that bounces, or numbers.h if there is none before.
 
-    fall: m/s² downwards; lag: c of the scheme. fast: only what moves farther than this part of its radius
-    within h is looked at.
+    Nothing is changed. tables: restitution; numbers: of the step, see collision_settings; lag: c of the
+    scheme. fast: only what moves farther than this part of its radius within h is looked at.
     """
-    radii, owners = makeup.radii, makeup.owners
+    radii, owners, kinds, h = makeup.radii, makeup.owners, makeup.kinds, numbers.h
+    wall = tables.restitution.shape[0] - 1
     first = h
     if mask & COLLISIONS_BIT:
         for p in range(pairs.shape[0]):
@@ -100,6 +122,10 @@ def first_impact(places, makeup, work, pairs, surroundings, mask, h, fall, lag, 
                 continue
             dx, dy = places[b, 0] - places[a, 0], places[b, 1] - places[a, 1]
             dz = places[b, 2] - places[a, 2]
+            borne = borne_speed(tables.restitution[kinds[a], kinds[b]], min(radii[a], radii[b]), numbers)
+            closing = -(dx * vx + dy * vy + dz * vz)
+            if closing <= borne * math.sqrt(dx * dx + dy * dy + dz * dz):
+                continue
             touching = TOUCHING * radii[a]
             first = min(first, meeting_time(dx, dy, dz, vx, vy, vz, radii[a] + radii[b], touching))
     for s in range(radii.shape[0]):
@@ -107,12 +133,16 @@ def first_impact(places, makeup, work, pairs, surroundings, mask, h, fall, lag, 
         vx, vy = work[i, VX], work[i, VY]
         if (vx * vx + vy * vy) * h * h < fast * fast * radii[s] * radii[s]:
             continue
+        borne = borne_speed(tables.restitution[kinds[s], wall], radii[s], numbers)
+        fall = lag * numbers.gravity
         if mask & WINDOW_BIT:
-            first = min(first, window_time(places, radii[s], work, s, i, surroundings.window, lag * fall))
+            first = min(first, window_time(places, radii[s], work, s, i, surroundings.window, fall, borne))
         if mask & LEDGES_BIT:
             for k in range(surroundings.ledges.shape[0]):
-                x, y, down = places[s, 0], places[s, 1], lag * fall * h
-                first = min(first, ledge_time(x, y, radii[s], vx, vy - down, surroundings.ledges[k]))
+                ledge = surroundings.ledges[k]
+                first = min(
+                    first, ledge_time(places[s, 0], places[s, 1], radii[s], vx, vy - fall * h, ledge, borne)
+                )
     return first
 
 

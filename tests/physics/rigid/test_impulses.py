@@ -177,6 +177,37 @@ def test_h4_newtons_law_at_once():
     assert sums(world)[2] == pytest.approx(0.5, abs=1e-13)
 
 
+@pytest.mark.parametrize("how", [{}, {"law": "at-once"}, {"path": "planar"}])
+@pytest.mark.parametrize("mu", [0.0, 0.4])
+@pytest.mark.parametrize("e", [1.0, 0.6])
+def test_the_shares_of_the_ledger_make_up_all_of_the_energy(how, mu, e):
+    """One sphere onto two that touch, with spin, and a fourth behind them."""
+    root = math.sqrt(0.75)
+    places = [(0.0, 0.0), (root, 0.5), (root, -0.5), (root + 1.0, 0.5)]
+    turning = [(0.0, 0.0, 3.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 0.0)]
+    bodies = SphereBodies(places, np.full(4, 0.5), [(2.0, 0.1)] + [(0.0, 0.0)] * 3, turning)
+    world = world_of(bodies, restitution=e, friction=mu, effects=RUBBING, correction="none", **how)
+    before = sums(world)[2]
+    world.step(MOMENT)
+    entries = world.ledger()
+    assert len(entries) >= 3
+    assert entries[:, ledger.CHANGE].sum() == pytest.approx(sums(world)[2] - before, abs=1e-13)
+    assert np.allclose(entries[:, ledger.CHANGE], entries[:, ledger.EXPECTED], rtol=0, atol=1e-13)
+    if "law" in how and e == 1.0 and mu == 0.0:
+        assert entries[0, ledger.AFTER] == pytest.approx(-entries[0, ledger.BEFORE], abs=1e-13)
+
+
+def test_a_joint_collision_of_many_enters_the_last():
+    """More touches at once than the ledger has lines."""
+    n = 400
+    world = world_of(row_of([float(n - i) for i in range(n)]), law="at-once", rounds=3)
+    world.step(MOMENT)
+    assert world.collisions == n - 1 > len(world.ledger())
+    assert world.ledger()[-1, ledger.ONE] == n - 2
+    assert np.isfinite(world.ledger()).all()
+    assert (world.ledger()[:, ledger.LOST_MOMENTUM] < 1e-12).all()
+
+
 def test_h5_mass_ratio_and_infinite_mass():
     for heavy in (1e6, math.inf):
         world = world_of(row_of([1.0, 0.0], masses=[1.0, heavy]), restitution=0.5)
