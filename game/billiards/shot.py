@@ -106,26 +106,26 @@ class Shot:
         return batch_of([self])
 
     def struck(self, ball: int, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> Shot:
-        """The same shot with ball number `ball` sliding at velocity (2 or 3,) m/s, spin (3,) rad/s."""
-        motion = np.concatenate(
-            [np.asarray(velocity, dtype=np.float64)[:2], np.asarray(spin, dtype=np.float64)]
-        )
-        if motion.shape != (5,) or not np.isfinite(motion).all():
-            raise ShotError("struck: velocity must be 2 and spin 3 finite numbers")
+        """The same shot with the ball in row `ball` sliding at velocity (2 or 3,) m/s, spin (3,) rad/s.
+
+        The vertical part of the velocity is left out. ShotError for a row that there is not, or other shapes.
+        """
+        if not 0 <= ball < len(self.balls):
+            raise ShotError(f"struck: there are balls 0 to {len(self.balls) - 1}, not {ball!r}")
+        way, turn = np.asarray(velocity, dtype=np.float64), np.asarray(spin, dtype=np.float64)
+        if way.shape not in ((2,), (3,)) or turn.shape != (3,):
+            raise ShotError(f"struck: velocity 2 or 3, spin 3 numbers, not {way.shape} and {turn.shape}")
+        motion = np.concatenate([way[:2], turn])
+        if not np.isfinite(motion).all():
+            raise ShotError("struck: velocity and spin must be finite")
         balls = self.balls.copy()
         balls[ball, 2:7] = motion
         balls[ball, 9] = SLIDING
         balls.setflags(write=False)
         return Shot(
-            self.table,
-            self.physics,
-            balls,
-            self.ids,
-            self.cushion_ids,
-            self.jaw_ids,
-            self.pocket_ids,
+            self.table, self.physics, balls, self.ids, self.cushion_ids, self.jaw_ids, self.pocket_ids,
             self.layout,
-        )
+        )  # fmt: skip
 
 
 def batch_of(shots: list[Shot]) -> Batch:

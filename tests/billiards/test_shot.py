@@ -153,6 +153,15 @@ def test_a_strike_must_be_finite():
         make_shot(Table.pool(), [[0.5, 0.5]]).struck(0, (math.inf, 0.0))
 
 
+@pytest.mark.parametrize(
+    ("ball", "velocity", "spin"),
+    [(1, (1.0, 0.0), (0.0, 0.0, 0.0)), (-1, (1.0, 0.0), (0.0, 0.0, 0.0)), (0, (1.0,), (0.0,) * 4)],
+)
+def test_a_strike_of_no_ball_or_with_too_few_numbers_is_refused(ball, velocity, spin):
+    with pytest.raises(ShotError, match="struck"):
+        make_shot(Table.pool(), [[0.5, 0.5]]).struck(ball, velocity, spin)
+
+
 def test_integers_lists_and_views_are_as_good_as_float_arrays():
     numbers = np.array([[0.5, 0.5, 9.0], [0.8, 0.75, 9.0]], dtype=np.float32)
     shots = [

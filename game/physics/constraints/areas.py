@@ -40,7 +40,7 @@ def measure_areas(x, y, corners, starts, areas):
 
 @kernel
 def project_outline(x, y, inverse_mass, corners, correction):
-    """Move the corners along the gradient of the area by ``correction`` (kg^-1 scaled); x, y are written."""
+    """Move the corners along the gradient of the area by ``correction`` (kg, as λ); x, y are written."""
     count = corners.shape[0]
     first = corners[0]
     start_x = x[first]

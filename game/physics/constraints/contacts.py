@@ -14,6 +14,7 @@ import math
 from game.physics.constraints.links import TINY
 from game.physics.jit import kernel
 
+AT_REST = 1e-9  # m/s; an approach as slow as this is rounding
 MOST_PASSES = 64  # over all pairs; a shock runs through a row of so many balls in the worst order
 
 
@@ -32,7 +33,7 @@ def bounce_pairs(x, y, vx, vy, w, fresh, pairs, distances, restitution, h):
             if mobility == 0.0 or length <= TINY:
                 continue
             approach = -((vx[b] - vx[a]) * dx + (vy[b] - vy[a]) * dy) / length
-            if approach <= 1e-9 or length - h * approach > distances[j]:
+            if approach <= AT_REST or length - h * approach > distances[j]:
                 continue
             pull = (1.0 + restitution) * approach / (mobility * length)
             vx[a] -= w[a] * pull * dx

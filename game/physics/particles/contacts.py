@@ -239,7 +239,7 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
         x1, y1, ux, uy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, left)
         if stays:
             x, y, vx, vy, change, met = push_out(rules, law, solids, x1, y1, ux, uy, t + left, impulses)
-            return x, y, vx, vy, max(impulse, change), max(last, met), 0.0
+            return x, y, vx, vy, max(impulse, change), met if met >= 0 else last, 0.0
         which, when = first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left)
         if which < 0:
             return x1, y1, ux, uy, impulse, last, 0.0

@@ -124,18 +124,23 @@ class Discs:
 
     def remove(self, index: int) -> None:
         """Take one away; those after it move up. ValueError for a number that none has."""
-        if not 0 <= index < self.count:
-            raise ValueError(f"solid {index}: there are {self.count}")
+        self._known(index)
         self._store[index : self.count - 1] = self._store[index + 1 : self.count]
         self.count -= 1
 
     def place(self, index: int, centre: ArrayLike) -> None:
-        """Put one elsewhere at once; it has no velocity from that."""
+        """Put one elsewhere (2,) m at once, without a velocity from that. ValueError as `add`, `remove`."""
+        self._known(index)
         self._store[index, :2] = checked_point("centre", centre)
 
     def carry(self, index: int, velocity: ArrayLike) -> None:
-        """Let one move with a velocity (m/s) during the coming steps."""
+        """Let one move with a velocity (2,) m/s during the coming steps. ValueError as `place`."""
+        self._known(index)
         self._store[index, VELOCITY_X : VELOCITY_Y + 1] = checked_point("velocity", velocity)
+
+    def _known(self, index: int) -> None:
+        if not 0 <= index < self.count:
+            raise ValueError(f"solid {index}: there are {self.count}")
 
     def move(self, dt: float) -> None:
         """Centres go on by their velocities over dt (s)."""

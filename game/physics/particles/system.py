@@ -73,6 +73,8 @@ class ParticleSystem(Pool, Settings):
         )
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63:
             raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
+        if isinstance(report_lines, bool) or not isinstance(report_lines, int) or report_lines < 0:
+            raise ValueError(f"report_lines = {report_lines!r}: a whole number, 0 or more, is wanted")
         self.seed = seed
         self._clock = np.zeros(3)
         self._emitters = np.zeros((0, births.EMITTER_COLUMNS))
@@ -111,8 +113,10 @@ class ParticleSystem(Pool, Settings):
     def change_emitter(self, index: int, emitter: Emitter) -> None:
         """Let an emitter be another from now on. It moves to its new position during the next step.
 
-        With another rate, the fraction of a particle that is under way is kept: no burst, no gap.
+        With another rate, the fraction of a particle that is under way is kept: no burst, no gap. ValueError
+        for a number that no emitter has.
         """
+        self._known(index)
         old, now = self._emitters[index], self.time_s
         row = emitter.row(now)
         row[births.FROM_X], row[births.FROM_Y] = old[births.FROM_X], old[births.FROM_Y]
@@ -126,8 +130,13 @@ class ParticleSystem(Pool, Settings):
         self._emitters[index] = row
 
     def place_emitter(self, index: int, position: ArrayLike) -> None:
-        """Let an emitter move to a place (m) during the next step."""
+        """Let an emitter move to a place (2,) m during the next step. ValueError as `change_emitter`."""
+        self._known(index)
         self._emitters[index, : births.POSITION_Y + 1] = checked_point("position", position)
+
+    def _known(self, index: int) -> None:
+        if not 0 <= index < len(self._emitters):
+            raise ValueError(f"emitter {index}: there are {len(self._emitters)}")
 
     def fastest_birth(self) -> float:
         """The greatest speed (m/s) at which an emitter sends a particle out."""

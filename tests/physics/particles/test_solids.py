@@ -70,5 +70,10 @@ def test_places_are_limited_and_freed():
     assert discs.radii[0] == 2.0
     with pytest.raises(ValueError, match="there are 1"):
         discs.remove(1)
+    for index in (-1, 1):
+        with pytest.raises(ValueError, match="there are 1"):
+            discs.place(index, (0.0, 0.0))
+        with pytest.raises(ValueError, match="there are 1"):
+            discs.carry(index, (0.0, 0.0))
     with pytest.raises(ValueError, match="radii: 2 wanted"):
         Discs([(0, 0), (1, 1)], [1.0])

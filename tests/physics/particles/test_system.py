@@ -283,3 +283,18 @@ def test_no_instruction_that_rounds_otherwise_elsewhere():
     code = "".join(fresh.inspect_asm().values())
     assert "mulpd" in code
     assert "fmadd" not in code
+
+
+@pytest.mark.parametrize("index", [-1, 1])
+def test_an_emitter_that_is_not_there_cannot_be_moved(index):
+    system = ParticleSystem(10, emitters=[Emitter()])
+    with pytest.raises(ValueError, match="emitter"):
+        system.place_emitter(index, (0.0, 0.0))
+    with pytest.raises(ValueError, match="emitter"):
+        system.change_emitter(index, Emitter(rate=5.0))
+
+
+@pytest.mark.parametrize("lines", [-1, 2.5, True])
+def test_room_for_reports_is_a_whole_number(lines):
+    with pytest.raises(ValueError, match="report_lines"):
+        ParticleSystem(10, report_lines=lines)
