@@ -24,7 +24,9 @@ BALL_COLLISIONS = declare_effect(
 FRICTION = declare_effect(
     "billiards", "cloth-friction", 10, "Friction", "Speed shrinks by a factor each frame."
 )
-MINIMUM_SPEED = declare_effect("billiards", "minimum-speed", 11, "Minimum speed", "What is slower stops.")
+MINIMUM_SPEED = declare_effect(
+    "billiards", "minimum-speed", 11, "Stopping", "What is slower than a minimum rests."
+)
 POCKETS = declare_effect("billiards", "pockets", 12, "Pockets", "Cushions open, and the holes take balls.")
 ROLLING = declare_effect("billiards", "rolling", 13, "Rolling", "Numbers and stripes turn with the motion.")
 LECTURE_EFFECTS = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED | POCKETS | ROLLING
@@ -229,7 +231,10 @@ def checked_rows(name: str, value: ArrayLike, rows: int, columns: int, limit: fl
 
 
 def checked_column(name: str, value: ArrayLike, rows: int, low: float, high: float) -> Array:
-    """A (rows,) float64 copy of a column or a single number, each above `low` and at most `high`."""
+    """A (rows,) float64 copy of a column or a single number, each above `low` and at most `high`.
+
+    ValueError naming the field, and the row that is out of range.
+    """
     try:
         array = np.array(np.broadcast_to(np.asarray(value, dtype=np.float64), (rows,)))
     except (TypeError, ValueError):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from game.lab.studies.keyframing import keyframing_study
 from game.levels import Level
-from game.physics.animation import INTERPOLATIONS, CubicBezier, Easing, Keyframes
+from game.physics.animation import EASING, INTERPOLATIONS, CubicBezier, Easing, Keyframes
 from game.scenes import c01_editing as editing
 from game.scenes import c01_hand as hand
 from game.scenes.c01_clock import REPEATS, folded, frame_of, held, phase_of
@@ -138,7 +138,7 @@ class KeyFraming(MotionScene):
         Equation(
             "Catmull-Rom knots",
             r"k_{i+1} = k_i + \abs{P_{i+1} - P_i}^a,  a = 0, \frac{1}{2}, 1",
-            "Catmull and Rom 1974; Yuksel and others 2011",
+            "Yuksel and others 2011",
         ),
         Equation("Parabola's slope", r"m_i = \frac{h_i d_{i-1} + h_{i-1} d_i}{h_{i-1} + h_i}", "third order"),
         Equation(
@@ -172,6 +172,7 @@ class KeyFraming(MotionScene):
     def build(self, level: Level | None) -> None:
         content = level.content if level is not None and level.content is not None else Motion()
         self.begin_editing(content)
+        self.reason = ""  # told last, why a knob does nothing
         self.clock = np.array([self.values["time"], 0.0, self.dt, float(self.playing)])
         self.pose = np.zeros(3)
         self._timing = np.array(self.motion.timing)
@@ -239,9 +240,19 @@ class KeyFraming(MotionScene):
         elif name in SHAPING:
             self.note(Edit(self.motion, self.shaped))
             self.shaped = self.shaping()
+            if name == "easing" and EASING not in self.active:
+                self._tell_once("The timing curve counts while easing is on: see the effects.")
         elif name in CHOSEN and self.chosen >= 0:
             self.take_chosen(name)
+        elif name in CHOSEN:
+            self._tell_once("No key is chosen: click one first.")
         self.place_box()
+
+    def _tell_once(self, words: str) -> None:
+        """Say why a knob does nothing, but not again with each pixel of its slider."""
+        if words != self.reason:
+            self.reason = words
+            self.told.append(words)
 
     def effects_changed(self) -> None:
         self.place_box()
@@ -286,6 +297,8 @@ class KeyFraming(MotionScene):
         self.choose(max(i for i, key in enumerate(self.motion.keys) if key.time == target))
 
     def pointer(self, event: Pointer) -> None:
+        if event.kind == "down":
+            self.reason = ""
         hand.take_pointer(self, event)
         self.place_box()
 

@@ -15,6 +15,7 @@ from game.scenes.c01_document import SHORT
 from game.scenes.c01_hand import turning_handle
 from game.scenes.c01_timeline import Places, places_of, x_of
 from game.ui.canvas import PREDICTION_DASH, Canvas
+from game.ui.numerals import quantity
 
 if TYPE_CHECKING:
     from game.scenes.c01_key_framing import KeyFraming
@@ -229,7 +230,7 @@ class KeyFramingView:
             canvas.polygon(area, fill="chalk", fill_alpha=0.16)
             canvas.polyline(curve, "chalk", 1.6)
         words = (
-            f"Speed, {'beyond' if beyond else 'up to'} {most:.3g} m/s"
+            f"Speed, {'beyond' if beyond else 'up to'} {' '.join(quantity(most, 'm/s'))}"
             if most > 0.0
             else "Speed: nothing moves"
         )

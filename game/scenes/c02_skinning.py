@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -26,6 +27,7 @@ from game.scenes.figures.animation import draw_bend
 from game.stage import Equation, Hint, Readout, SceneAction, Strip, Toggle, WarmUp, blend_angles
 
 Array = NDArray[np.float64]
+ROUNDING = 1e-13  # of the farthest coordinate: blends that differ by less agree
 
 
 class SkinningState(NamedTuple):
@@ -82,7 +84,7 @@ class Skinning(FigureScene):
     )
     hints = (
         Hint(("Drag",), "turn a bone"),
-        Hint(("1", "2", "3"), "tools"),
+        Hint(("1", "2", "3"), "turn, bone, skin"),
         Hint(("W",), "weights"),
         Hint(("M",), "motion"),
         Hint(("Ctrl+Z",), "take back"),
@@ -137,7 +139,8 @@ class Skinning(FigureScene):
             if blend != self.blend:
                 last = rig.skinned.copy()
         off = rig.skinned - last
-        self.apart = float(np.sqrt((off * off).sum(axis=1).max())) if len(off) else 0.0
+        apart = math.sqrt(float((off * off).sum(axis=1).max(initial=0.0)))
+        self.apart = apart if apart > ROUNDING * float(np.abs(last).max(initial=0.0)) else 0.0
 
     # -- what there is to see -----------------------------------------------------------------------
 

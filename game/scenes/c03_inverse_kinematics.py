@@ -94,8 +94,8 @@ class InverseKinematics(FigureScene):
 
     strips = (
         Strip("Error", "m", NAMES),
-        Strip("Iterations", "", tuple(f"{name} n" for name in NAMES)),
-        Strip("Time", "s", tuple(f"{name} t" for name in NAMES)),
+        Strip("Iterations", "", tuple(f"{name} iterations" for name in NAMES)),
+        Strip("Time", "s", tuple(f"{name} time" for name in NAMES)),
     )
     figure = staticmethod(draw_ccd)
     equations = (
@@ -116,7 +116,7 @@ class InverseKinematics(FigureScene):
     )
     hints = (
         Hint(("Drag",), "pull the target"),
-        Hint(("1", "…", "5"), "tools"),
+        Hint(("1", "2", "3", "4", "5"), "pull, turn, bone, chain, skin"),
         Hint(("C",), "all or one"),
         Hint(("M",), "motion"),
         Hint(("Ctrl+Z",), "take back"),
@@ -303,8 +303,8 @@ class InverseKinematics(FigureScene):
         ]
         for k, name in enumerate(NAMES):
             rows.append(Readout(name, self.measured[k].error, "m"))
-            rows.append(Readout(f"{name} n", self.measured[k].iterations))
-            rows.append(Readout(f"{name} t", self.watch.median(SHOWN[k]), "s"))
+            rows.append(Readout(f"{name} iterations", self.measured[k].iterations))
+            rows.append(Readout(f"{name} time", self.watch.median(SHOWN[k]), "s"))
         return rows
 
     def draw(self, canvas: Any, alpha: float) -> None:

@@ -29,7 +29,7 @@ def has_exact(scene: Fountain) -> bool:
 
 def exact_envelope(scene: Fountain) -> NDArray[np.float64]:
     """Curve (n, 2) m from a nozzle that no particle can pass; empty if none is known."""
-    if not has_exact(scene) or scene.speed == 0.0:
+    if not has_exact(scene) or scene.speed == 0.0 or not scene.content.nozzles:
         return np.zeros((0, 2))
     return _envelope(scene.law(), scene.speed, scene.life)
 

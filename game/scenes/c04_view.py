@@ -17,8 +17,10 @@ from game.ui.canvas import EXACT_DASH, Canvas
 if TYPE_CHECKING:
     from game.scenes.c04_fountain import Fountain
 
+FEW = 30  # particles that are drawn large: each is looked at by itself
 MOST_STREAKS = 30_000  # with more particles than that there is no room for trails
 TRAIL = 0.017  # s, of the fading dots behind a particle
+THRICE_ROUND = (1.2, 1.5, 1.8, 2.4, 3.0, 4.5, 6.0, 7.5, 9.0, 12.0)
 SPREAD_ARM = 0.85  # m, of the two lines that show the spread
 
 
@@ -51,9 +53,9 @@ class FountainView:
             self._draw_wind(scene, canvas)
 
     def top_speed(self, scene: Fountain) -> float:
-        """m/s at the end of the colour scale."""
+        """m/s at the end of the colour scale, whose thirds are round as well."""
         fall = math.sqrt(2.0 * scene.gravity * max(scene.frame().top - scene.content.floor, 0.0))
-        return max(scene.speed, 0.5 * fall, 0.1)
+        return _round_up(max(scene.speed, 0.5 * fall, 0.1))
 
     def _draw_particles(self, scene: Fountain, canvas: Canvas, alpha: float) -> None:
         system = scene.system
@@ -73,7 +75,9 @@ class FountainView:
         places, speeds = self._places[:rows], self._speeds[:rows]
         self._shown_touching = self._touching[:found]
         colors = canvas.speed_colors(speeds, self.top_speed(scene))
-        if rows <= MOST_STREAKS:
+        if rows <= FEW:
+            canvas.streaks(places, self._trails[:rows], colors, 3.5, TRAIL)
+        elif rows <= MOST_STREAKS:
             canvas.streaks(places, self._trails[:rows], colors, seconds=TRAIL)
         else:
             canvas.particles(places, colors, 1.0)
@@ -151,3 +155,9 @@ class FountainView:
             canvas.arc((x, y), radius, start, start + turn * 4.6, "green", 1.4, alpha=0.9 - 0.2 * ring)
         canvas.handle((x, y))
         canvas.label((x, y), "whirl", "green", offset=(0.0, -16.0))
+
+
+def _round_up(speed: float) -> float:
+    """The next speed that is three times a round number."""
+    power = 10.0 ** math.floor(math.log10(speed))
+    return next(factor * power for factor in THRICE_ROUND if factor * power >= speed * (1.0 - 1e-9))

@@ -195,7 +195,9 @@ class UniformGridScene(BoxesScene):
             ("Full matrix", self.matrix if MATRIX_PAIRS in self.active else None, times[0], "chalk"),
             ("Hash table", self.hashed if HASHED_PAIRS in self.active else None, times[1], "green"),
         ):
-            pairs = f"{view.grouped(len(manager))} pairs" if manager is not None else "left out"
+            pairs = "left out"
+            if manager is not None:
+                pairs = f"{view.grouped(len(manager))} {'pair' if len(manager) == 1 else 'pairs'}"
             column.bar(
                 f"{words}, {pairs}", view.seconds_text(time), time / longest if time > 0.0 else 0.0, color
             )

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.ball import Ball, Overshoot
+from game.billiards import passing
+from game.billiards.ball import Ball
 from game.billiards.ball_collision import Collision
 from game.billiards.lecture_slips import SLIPS
 from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
@@ -42,12 +43,13 @@ METRES = 0.004  # m to a pixel, where the lecture's window is taken as a table
 REACH = 14.0  # px, how near to a ball's arrow head the pointer takes it
 ARROW = 4.0  # px of arrow for a pixel per frame
 NEXT_START_S = 2.5  # s at rest before the balls set off again
+BOTH = np.ones(2, dtype=np.bool_)
 
 
 class LectureBallsState(NamedTuple):
     """positions, velocities (2, 2) px and px/frame; last (36,), the record of the last collision.
 
-    walls (2, 3): depth of each ball's last overshoot in x and y, and its age in s.
+    walls (2, 5): each ball's last overshoot, see lecture_balls_record.
     """
 
     positions: Array
@@ -164,8 +166,10 @@ class LectureBalls(Scene):
         self.dragged = -1  # ball 0 or 1 held, 2 or 3 its arrow, -1 nothing
         self.told: deque[str] = deque(maxlen=8)
         self.last = np.zeros(record.WIDTH)
-        self.walls = np.zeros((2, 3))
-        self.walls[:, 2] = 9.0
+        self.walls = np.zeros((2, 5))
+        self.walls[:, record.AGE] = record.LONG_AGO
+        self.unseen = 0
+        self.passed: tuple[float, ...] = ()  # the frame, and both places, of the last contact not noticed
         self.balls = self._new_balls()
 
     def _new_balls(self) -> list[Ball]:
@@ -227,58 +231,51 @@ class LectureBalls(Scene):
     def warm_ups(cls) -> list[WarmUp]:
         return [
             WarmUp("two balls", lambda: cls().advance(cls.dt)),
+            WarmUp("unseen contacts", passing.warm_up),
             *(WarmUp(*row) for row in ball_painter.WARM_UPS),
         ]
 
     # -- one frame ----------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        self.walls[:, 2] = np.minimum(self.walls[:, 2] + dt, 9.0)
+        self.walls[:, record.AGE] = np.minimum(self.walls[:, record.AGE] + dt, record.LONG_AGO)
         if self.hold_s > 0.0:
             self.hold_s = max(self.hold_s - dt, 0.0)
             return
         self.frames += 1
+        before = [ball.position for ball in self.balls]
+        straight = True
         for index, ball in enumerate(self.balls):
             if self.dragged != index:
                 overshoot = ball.update()
-                if overshoot is not None:
-                    self._note_wall(index, ball, overshoot)
+                if overshoot is not None and record.write_overshoot(self.walls[index], ball, overshoot):
+                    straight = False
         if BALL_COLLISIONS in self.active:
             collision = self.balls[0].handle_collision(self.balls[1], self.rule, self.restitution)
             if collision is not None:
                 self._note_collision(collision)
+            elif straight:
+                self._note_passing(before)
         self._start_again(dt)
-
-    def _note_wall(self, index: int, ball: Ball, overshoot: Overshoot) -> None:
-        """Remember how deep the ball was beyond the wall, and which way it was put back."""
-        deep_x, deep_y = max(overshoot.left, overshoot.right, 0.0), max(overshoot.low, overshoot.high, 0.0)
-        if deep_x > 0.0 or deep_y > 0.0:
-            sign_x = -1.0 if overshoot.left > 0.0 else 1.0
-            sign_y = -1.0 if overshoot.low > 0.0 else 1.0
-            self.walls[index] = (sign_x * deep_x, sign_y * deep_y, 0.0)
 
     def _note_collision(self, c: Collision) -> None:
         """Keep the record of a collision, and hold the picture if asked to."""
         if c.exchanged:
             self.collisions += 1
-            lost = (c.momentum_after[0] - c.momentum_before[0], c.momentum_after[1] - c.momentum_before[1])
-            self.momentum_lost += math.sqrt(lost[0] * lost[0] + lost[1] * lost[1])
+            self.momentum_lost += record.momentum_lost((*c.momentum_before, *c.momentum_after))
             self.energy_lost += c.energy_before - c.energy_after
             self.hold_s = self.hold
-        if not c.exchanged and self.last[record.OVERLAP] > 0.0:
-            return
-        row = self.last
-        row[record.ANGLE], row[record.OVERLAP] = c.angle, c.overlap
-        row[record.RULE], row[record.EXCHANGED] = RULES.index(c.rule), c.exchanged
-        row[record.CONTACT] = c.contact
-        row[record.POSITIONS] = np.ravel(c.positions_before)
-        row[record.NEW_POSITIONS] = np.ravel(c.positions_after)
-        row[record.VELOCITIES] = np.ravel(c.velocities_before)
-        row[record.NEW_VELOCITIES] = np.ravel(c.velocities_after)
-        row[record.PARTS] = np.ravel(c.parts_before)
-        row[record.NEW_PARTS] = np.ravel(c.parts_after)
-        row[record.MOMENTA] = *c.momentum_before, *c.momentum_after
-        row[record.ENERGY], row[record.NEW_ENERGY] = c.energy_before, c.energy_after
+        if c.exchanged or self.last[record.OVERLAP] == 0.0:
+            record.write_collision(self.last, c)
+
+    def _note_passing(self, before: list[tuple[float, float]]) -> None:
+        """Count a contact that came and went between two frames, and keep where it was."""
+        now = [ball.position for ball in self.balls]
+        radii = np.array([ball.radius for ball in self.balls])
+        found = np.zeros((1, passing.COLUMNS))
+        if passing.find_passed(np.array(before), np.array(now), radii, BOTH, found):
+            self.unseen += 1
+            self.passed = (self.frames, *found[0, 2:].tolist())
 
     def _start_again(self, dt: float) -> None:
         """After a while at rest both balls set off once more, with other velocities."""
@@ -354,6 +351,7 @@ class LectureBalls(Scene):
             Readout("down", py * speed, momentum_unit),
             Readout("momentum lost", self.momentum_lost * speed, momentum_unit),
             Readout("energy lost", self.energy_lost * energy, energy_unit),
+            Readout("passed unseen", self.unseen),
         )
 
     def measures(self) -> tuple[str, str, str, float, float]:

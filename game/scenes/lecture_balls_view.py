@@ -26,7 +26,9 @@ LENS_RADIUS = 43.0  # px, of the larger ball in it
 LENS_ARROW = 62.0  # px, of the fastest velocity in it
 NUMBERS = np.array([3, 2], dtype=np.int64)
 COLORS = ("vermilion", "chalk")
+SUBSCRIPTS = "₀₁₂"
 WALL_S = 1.2  # s that an overshoot is shown
+PASSED_S = 3.0  # s that a contact is shown that was not noticed
 STEPS = (
     "1  They overlap",
     "2  Each is moved by half of it",
@@ -44,8 +46,9 @@ def draw(scene: LectureBalls, canvas: Canvas, alpha: float) -> None:
     canvas.polygon(corners, fill=FELT, outline="line2", width=1.5)
     canvas.halo = FELT
     places = _places(scene, alpha)
-    _draw_walls(scene, canvas)
     _draw_balls(scene, canvas, places)
+    _draw_walls(scene, canvas)
+    _draw_passed(scene, canvas)
     if scene.vectors:
         _draw_arrows(scene, canvas, places)
     canvas.halo = canvas.theme.stage
@@ -99,28 +102,46 @@ def _draw_arrows(scene: LectureBalls, canvas: Canvas, places: Array) -> None:
 
 
 def _draw_walls(scene: LectureBalls, canvas: Canvas) -> None:
-    """Overshoot: the outline of the ball where it was beyond the wall, and how deep."""
-    for ball, (deep_x, deep_y, age) in zip(scene.balls, scene.walls.tolist(), strict=True):
+    """Overshoot: how deep a ball was beyond the wall, beside where it was."""
+    for ball, row in zip(scene.balls, scene.walls.tolist(), strict=True):
+        deep_x, deep_y, age, x, y = row
         strength = 1.0 - age / WALL_S
         if strength <= 0.0:
             continue
-        x, y = ball.position
-        far_x = (WIDTH if deep_x > 0.0 else 0.0) + 0.0
-        far_y = (HEIGHT if deep_y > 0.0 else 0.0) + 0.0
+        aside = ball.radius + 14.0
         if deep_x != 0.0:
-            _draw_depth(canvas, (far_x, y), (far_x + deep_x, y), abs(deep_x), strength)
+            wall, inward = (WIDTH, -10.0) if deep_x > 0.0 else (0.0, 10.0)
+            place = (wall + inward, y + (aside if y < HEIGHT / 2 else -aside))
+            anchor = "right" if deep_x > 0.0 else "left"
+            _draw_depth(canvas, (wall, y), (wall + deep_x, y), place, anchor, abs(deep_x), strength)
         if deep_y != 0.0:
-            _draw_depth(canvas, (x, far_y), (x, far_y + deep_y), abs(deep_y), strength)
+            wall, inward = (HEIGHT, -12.0) if deep_y > 0.0 else (0.0, 12.0)
+            left = x < WIDTH / 2
+            place = (x + (aside if left else -aside), wall + inward)
+            anchor = "left" if left else "right"
+            _draw_depth(canvas, (x, wall), (x, wall + deep_y), place, anchor, abs(deep_y), strength)
 
 
 def _draw_depth(
-    canvas: Canvas, wall: tuple[float, float], end: tuple[float, float], depth: float, strength: float
-) -> None:
+    canvas: Canvas, wall: tuple[float, float], end: tuple[float, float], place: tuple[float, float],
+    anchor: str, depth: float, strength: float,
+) -> None:  # fmt: skip
     canvas.line(wall, end, FELT_WARM, 3.0, alpha=strength)
-    inward = (WIDTH / 2 - wall[0], HEIGHT / 2 - wall[1])
-    length = math.sqrt(inward[0] ** 2 + inward[1] ** 2) or 1.0
-    place = (wall[0] + 46.0 * inward[0] / length, wall[1] + 30.0 * inward[1] / length)
-    canvas.label(place, f"overshoot {depth:.1f}", FELT_WARM, alpha=strength)
+    canvas.label(place, f"overshoot {depth:.1f}", FELT_WARM, anchor=anchor, alpha=strength)
+
+
+def _draw_passed(scene: LectureBalls, canvas: Canvas) -> None:
+    """Where both balls were when they went through each other between two frames."""
+    if not scene.passed:
+        return
+    frame, x1, y1, x2, y2 = scene.passed
+    strength = 1.0 - (scene.frames - frame) * scene.dt / PASSED_S
+    if strength <= 0.0:
+        return
+    for ball, place in zip(scene.balls, ((x1, y1), (x2, y2)), strict=True):
+        canvas.circle(place, ball.radius, outline=FELT_WARM, width=1.6, dash=(4.0, 3.0), alpha=strength)
+    above = (0.5 * (x1 + x2), min(y1, y2) - max(ball.radius for ball in scene.balls) - 14.0)
+    canvas.label(above, "passed unseen", FELT_WARM, 13, "semibold", alpha=strength)
 
 
 # -- the last collision -------------------------------------------------------------------------------
@@ -131,7 +152,13 @@ def _draw_last_collision(scene: LectureBalls, canvas: Canvas) -> None:
     left = WIDTH + 26.0
     canvas.label((left, 6.0), "The last collision", "text1", 15, "semibold", anchor="topleft")
     if row[record.OVERLAP] <= 0.0:
-        canvas.label((left, 34.0), "None yet. Drag a ball or its arrow.", "text3", 13, anchor="topleft")
+        words = "None yet. Drag a ball or its arrow."
+        if scene.unseen:
+            words = f"None noticed; {scene.unseen} passed unseen."
+        canvas.label((left, 34.0), words, "text3", 13, anchor="topleft")
+        canvas.label((left, 84.0), "When they touch, five steps are shown:", "text3", 13, anchor="topleft")
+        for n, step in enumerate(STEPS):
+            canvas.label((left, 112.0 + 24.0 * n), step, "text3", 13, anchor="topleft")
         return
     phase = _phase(scene)
     canvas.label((left, 30.0), STEPS[phase], "amber" if scene.hold_s > 0.0 else "text3", 13, anchor="topleft")
@@ -179,32 +206,38 @@ def _draw_lens(scene: LectureBalls, canvas: Canvas, phase: int) -> None:
                 row[record.PARTS if phase == 2 else record.NEW_PARTS].reshape(2, 2)[index],
                 n,
                 scale,
+                phase == 2,
             )
-        canvas.arrow(
-            centres[index],
-            old[index],
-            COLORS[index],
-            f"v_{index + 1}",
-            scale=scale,
-            alpha=1.0 if phase < 4 else 0.35,
-        )
+        _draw_incoming(canvas, centres[index], scale * old[index], COLORS[index], phase < 4, index + 1)
         if phase == 4:
             canvas.arrow(centres[index], new[index], "green", f"v_{index + 1}'", scale=scale)
 
 
+def _draw_incoming(canvas: Canvas, centre: Array, way: Array, color: str, strong: bool, number: int) -> None:
+    """A velocity before the collision: it comes in, and ends at the centre."""
+    length = math.sqrt(float(way @ way))
+    if length < 1.0:
+        return
+    alpha = 1.0 if strong else 0.35
+    canvas.arrow(centre - way, way, color, alpha=alpha)
+    canvas.label(centre - (1.0 + 12.0 / length) * way, f"v{SUBSCRIPTS[number]}", color, alpha=alpha)
+
+
 def _draw_angle(canvas: Canvas, centre: Array, angle: float) -> None:
-    """The angle of the line of centres at ball 2, from the x axis."""
+    """The angle of the line of centres at ball 2, from the x axis; the number away from ball 1."""
     canvas.line(centre, centre + np.array((46.0, 0.0)), "text3", 1.0)
     canvas.arc(centre, 34.0, 0.0, angle, "amber", 1.6)
-    middle = 0.5 * angle
-    place = centre + 52.0 * np.array((math.cos(middle), math.sin(middle)))
+    place = centre + np.array((0.0, -math.copysign(LENS_RADIUS + 14.0, angle)))
     canvas.label(place, f"α {math.degrees(angle):.0f}°".replace("-", "−"), "amber")
 
 
-def _draw_parts(canvas: Canvas, centre: Array, parts: Array, n: Array, scale: float) -> None:
-    """A velocity's parts along the line of centres and across it."""
-    canvas.arrow(centre, n * parts[0], "amber", scale=scale)
-    canvas.arrow(centre, np.array((-n[1], n[0])) * parts[1], "text1", scale=scale, width=1.6)
+def _draw_parts(canvas: Canvas, centre: Array, parts: Array, n: Array, scale: float, incoming: bool) -> None:
+    """A velocity's parts along the line of centres and across it; those before come in."""
+    for way, color, width in (
+        (scale * parts[0] * n, "amber", 2.4),
+        (scale * parts[1] * np.array((-n[1], n[0])), "text1", 1.6),
+    ):
+        canvas.arrow(centre - way if incoming else centre, way, color, width=width)
 
 
 def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, left: float) -> None:
@@ -214,9 +247,7 @@ def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, left: float) 
     parts = row[record.PARTS].reshape(2, 2) * speed
     new = row[record.NEW_PARTS].reshape(2, 2) * speed
     px, py, qx, qy = row[record.MOMENTA] * speed
-    lost = math.sqrt((qx - px) ** 2 + (qy - py) ** 2)
-    size = math.sqrt(px * px + py * py) + math.sqrt(qx * qx + qy * qy)
-    kept = lost <= 1e-12 * size
+    lost = record.momentum_lost((px, py, qx, qy))
     gone = (
         1.0 - float(row[record.NEW_ENERGY]) / float(row[record.ENERGY]) if row[record.ENERGY] > 0.0 else 0.0
     )
@@ -239,8 +270,8 @@ def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, left: float) 
         shown = _number(now) if phase >= 3 else "–"
         canvas.label((x3, y), shown, color, 12, "semibold", anchor="right", offset=(20.0, 0.0))
     y += 26.0
-    verdict = "momentum kept to rounding" if kept else f"momentum lost: {lost:.3g} {momentum_unit}"
-    canvas.label((x1, y), verdict, "green" if kept else "vermilion", 13, "semibold", anchor="left")
+    verdict = f"momentum lost: {lost:.3g} {momentum_unit}" if lost else "momentum kept to rounding"
+    canvas.label((x1, y), verdict, "vermilion" if lost else "green", 13, "semibold", anchor="left")
     canvas.label(
         (x1, y + 19.0),
         f"energy {'lost' if gone >= 0 else 'gained'}: {abs(gone) * 100:.1f} %",
@@ -252,4 +283,5 @@ def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, left: float) 
 
 
 def _number(value: float) -> str:
-    return f"{value:.2f}".replace("-", "−")
+    text = f"{value:.2f}".replace("-", "−")
+    return text.removeprefix("−") if float(f"{value:.2f}") == 0.0 else text

@@ -12,22 +12,18 @@ from numpy.typing import NDArray
 from game.billiards.lecture import LectureTable as Table
 from game.billiards.lecture import warm_ups as table_warm_ups
 from game.billiards.lecture_state import (
-    BALL_BALL,
-    BALL_POCKET,
-    EVENT_X,
-    EVENT_Y,
-    FIRST,
+    BALL_COLLISIONS,
     FRICTION_LAWS,
-    IMPULSE,
-    KIND,
     LECTURE_EFFECTS,
     ORDERS,
     REPOSITIONINGS,
     RULES,
     LectureSettings,
 )
+from game.billiards.passing import warm_up as warm_passing
 from game.lab.studies.lecture_table import lecture_table_study
 from game.levels import Level
+from game.scenes import lecture_table_marks as marks
 from game.scenes import lecture_table_sounds, table_view
 from game.scenes import lecture_table_turns as turns
 from game.scenes.cue_control import STRIKING, CueControl
@@ -55,8 +51,6 @@ Array = NDArray[np.float64]
 TURN_ENDS_S = 0.4  # s of rest before the turn is over
 SUNK_S = 0.35  # s in which a pocketed ball drops out of sight
 LEAST_OVERLAP = 1e-12  # m; below that touching balls overlap by rounding only
-MARKS = 24  # contacts remembered for the picture
-MARK_S = 0.7  # s that a contact is shown
 
 
 class LectureTableState(NamedTuple):
@@ -183,7 +177,7 @@ class LectureTable(Scene):
         Equation("Friction", r"\v{v}_{n+1} = f^{60 \Delta t} \v{v}_n", "the lecture, per second"),
     )
     try_this = (
-        "Load the level of the tunnelling break: with one substep the white ball jumps through the rack.",
+        "Open the hard case through the ball: with one substep the white ball jumps over the 8.",
         "Set the order to pair by pair and break straight on: left and right no longer mirror each other.",
         "Set friction to per frame and change the step: the same stroke runs a different way.",
     )
@@ -207,9 +201,10 @@ class LectureTable(Scene):
         self.table.state.orientations[:] = scattered_orientations(len(layout.numbers), self.seed)
         self.cue = CueControl(0.5 * math.pi)
         self.sunk_s = np.full(len(layout.numbers), SUNK_S)
-        self.marks = np.zeros((MARKS, 4))
-        self.marks[:, 2] = MARK_S
+        self.marks = marks.no_marks()
         self.next_mark = 0
+        self.unseen = 0  # contacts that happened between two steps and were not noticed
+        self.passed: tuple[float, ...] = ()  # when (s played), and the row of billiards.passing
         self.strokes = 0
         self.played_s = 0.0
         self.struck_s = -math.inf  # when the cue last met the white ball, of the time played
@@ -260,7 +255,11 @@ class LectureTable(Scene):
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
-        return [*(WarmUp(*row) for row in table_warm_ups()), *table_view.warm_ups()]
+        return [
+            *(WarmUp(*row) for row in table_warm_ups()),
+            WarmUp("unseen contacts", warm_passing),
+            *table_view.warm_ups(),
+        ]
 
     def hearing(self) -> Hearing:
         return lecture_table_sounds.hearing_of(self)
@@ -274,12 +273,13 @@ class LectureTable(Scene):
             self.strokes += 1
             self.struck_s = self.played_s + dt
         self.played_s += dt
+        before = self.table.state.offsets.copy()
         self.table.step(dt)
         self.sunk_s += dt
         np.minimum(self.sunk_s, SUNK_S, out=self.sunk_s)
-        self.marks[:, 2] += dt
-        np.minimum(self.marks[:, 2], MARK_S, out=self.marks[:, 2])
-        self._take_events()
+        marks.take_events(self, dt)
+        if BALL_COLLISIONS in self.active and self.table.moving:
+            marks.take_passed(self, before)
         if self.table.moving or self.cue.phase == STRIKING:
             self.rest_s = 0.0
             self.turn_open = True
@@ -288,19 +288,6 @@ class LectureTable(Scene):
             if self.turn_open and self.rest_s > TURN_ENDS_S:
                 turns.end_turn(self)
             turns.play_by_itself(self)
-
-    def _take_events(self) -> None:
-        for row in self.table.event_rows.tolist():
-            if row[KIND] == BALL_POCKET:
-                self.sunk_s[int(row[FIRST])] = 0.0
-            elif row[IMPULSE] > 1e-3:
-                self.marks[self.next_mark] = (
-                    row[EVENT_X],
-                    row[EVENT_Y],
-                    0.0,
-                    row[IMPULSE] * (1.0 if row[KIND] == BALL_BALL else -1.0),
-                )
-                self.next_mark = (self.next_mark + 1) % MARKS
 
     # -- the hand -----------------------------------------------------------------------------------
 
@@ -360,6 +347,7 @@ class LectureTable(Scene):
             Readout("along", along, "kg m/s"),
             Readout("across", across, "kg m/s"),
             Readout("overlap", overlap if overlap > LEAST_OVERLAP else 0.0, "m"),
+            Readout("passed unseen", self.unseen),
             Readout("substeps", self.table.counters["substeps"]),
             Readout("strokes", self.strokes),
         )

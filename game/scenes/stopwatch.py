@@ -7,14 +7,17 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from time import perf_counter
 
+FIRST = 2  # measurements not counted: they find room, cold caches and machine code that is still being read
 SAMPLES = 31  # odd, so that the median is a sample
 
 
 class Stopwatch:
-    """Running medians of measured times, by name."""
+    """Running medians of measured times, by name. ``first``: how many of each are not counted."""
 
-    def __init__(self) -> None:
+    def __init__(self, first: int = FIRST) -> None:
+        self._first = first
         self._samples: dict[str, deque[float]] = {}
+        self._seen: dict[str, int] = {}
 
     @contextmanager
     def time(self, name: str) -> Iterator[None]:
@@ -25,11 +28,15 @@ class Stopwatch:
 
     def add(self, name: str, seconds: float) -> None:
         """Take a measured time, s."""
+        seen = self._seen[name] = self._seen.get(name, 0) + 1
+        if seen <= self._first:
+            return
         self._samples.setdefault(name, deque(maxlen=SAMPLES)).append(seconds)
 
     def forget(self, name: str) -> None:
         """Forget a part that is no longer done."""
         self._samples.pop(name, None)
+        self._seen.pop(name, None)
 
     def median(self, name: str) -> float:
         """Median of the last times, s; NaN if there are none."""

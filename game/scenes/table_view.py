@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from game.billiards.aim import FirstContact, first_contact
 from game.billiards.table import CUSHION_DEPTH, Table
 from game.scenes.cue_control import PULLING, STRIKING, CueControl
+from game.scenes.lecture_table_marks import MARK_S, PASSED_S
 from game.stage import Frame, WarmUp
 from game.ui.canvas import Canvas
 from game.ui.painters import ball as ball_painter
@@ -168,6 +169,7 @@ def draw_lecture_table(scene: LectureTable, canvas: Canvas, alpha: float) -> Non
     canvas.halo = FELT
     balls = _balls_of(scene, alpha)
     _draw_marks(scene, canvas)
+    _draw_passed(scene, canvas)
     aiming = scene.white_ready and not scene.plays_itself and scene.cue.phase != STRIKING
     if aiming and scene.aim_line:
         first = first_contact(
@@ -209,10 +211,27 @@ def _draw_marks(scene: LectureTable, canvas: Canvas) -> None:
     """Contacts of the last moments as amber rings that fade."""
     mx, my = scene.table.middle.tolist()
     for x, y, age, impulse in scene.marks.tolist():
-        strength = 1.0 - age / 0.7
+        strength = 1.0 - age / MARK_S
         if strength > 0.0:
             size = 3.0 + 9.0 * min(abs(impulse) / 0.8, 1.0) + 6.0 * (1.0 - strength)
             canvas.ring((x + mx, y + my), size, FELT_WARM, 1.5, alpha=0.8 * strength)
+
+
+def _draw_passed(scene: LectureTable, canvas: Canvas) -> None:
+    """Where two balls went through each other between two steps, and nobody noticed."""
+    if not scene.passed:
+        return
+    when, first, second, *places = scene.passed
+    strength = 1.0 - (scene.played_s - when) / PASSED_S
+    if not 0.0 < strength <= 1.0:
+        return
+    middle, radii = scene.table.middle, scene.table.state.radii
+    for ball, place in ((first, places[:2]), (second, places[2:])):
+        ring = (place[0] + middle[0], place[1] + middle[1])
+        canvas.circle(
+            ring, float(radii[int(ball)]), outline=FELT_WARM, width=1.6, dash=(4.0, 3.0), alpha=strength
+        )
+    canvas.label(ring, "passed unseen", FELT_WARM, 13, "semibold", offset=(0.0, -26.0), alpha=strength)
 
 
 def _draw_cue(scene: LectureTable, canvas: Canvas, balls: Balls) -> None:

@@ -69,7 +69,8 @@ def study_data(
 def _subtitle(study: Study) -> str:
     if study.axes == ACCURACY:
         return f"{_sentence_case(study.error)}; reference: {study.reference}"
-    return f"{_sentence_case(study.up_words()[0])}, against {study.across_words()[0]}. {study.reference}"
+    up, across = study.up_words()[0], study.across_words()[0]
+    return f"{_sentence_case(up)}, against {across}. {_sentence_case(study.reference)}"
 
 
 def _axes(study: Study) -> PlotAxes:

@@ -23,6 +23,7 @@ from game.ui.shapes import box, draw_box, draw_disc
 HEIGHT, HEAD, PADDING = 624, 72, 32  # design px
 COLUMNS = ((296, 0), (344, 336), (280, 712))  # width and left edge of the columns side by side
 LINE, WHEEL = 20, 48
+CAPS = {"left": "←", "right": "→", "up": "↑", "down": "↓", "leftbracket": "[", "rightbracket": "]"}
 KeyRow = tuple[Sequence[str], str]
 
 
@@ -316,5 +317,7 @@ def _written(section: Callable[[Column], None], column: Column) -> int:
 
 
 def _key_name(key: str) -> str:
-    """A key as it is printed on its cap: "Z", "Ctrl+Z", "Left"."""
+    """A key as it is printed on its cap: "Z", "Ctrl+Z", "←", "["."""
+    if key in CAPS:
+        return CAPS[key]
     return "+".join(part[:1].upper() + part[1:] for part in key.split("+")) if len(key) > 1 else key.upper()

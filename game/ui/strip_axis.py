@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from game.ui.numerals import MINUS, format_number, quantity
 
+TRACE = 1e-9  # of the axis' end: what is less is rounding, and may read zero
 _TOPS = (1.0, 1.2, 1.6, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)
 _FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
 
@@ -69,6 +70,16 @@ def unit_of(axis: Axis, unit: str) -> tuple[str, float]:
     shown = quantity(max(abs(axis.low), abs(axis.high)), unit).unit
     prefix = shown.removesuffix(unit) if unit and shown.endswith(unit) else ""
     return (shown, _FACTORS[prefix]) if prefix in _FACTORS and prefix else (unit, 1.0)
+
+
+def end_text(value: float, axis: Axis, unit: str) -> str:
+    """The last value of a series in the unit of its axis; one that would read zero there in its own."""
+    factor = unit_of(axis, unit)[1]
+    most = max(abs(axis.low), abs(axis.high))
+    text = value_text(value / factor, most / factor)
+    if unit and TRACE * most < abs(value) and not any(c in "123456789" for c in text):
+        return " ".join(quantity(value, unit))
+    return text
 
 
 def value_text(value: float, most: float) -> str:

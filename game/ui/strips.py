@@ -20,7 +20,7 @@ from game.ui.layout import Layout
 from game.ui.look import Look
 from game.ui.numerals import format_number, quantity
 from game.ui.raster import packed
-from game.ui.strip_axis import Axis, axis_for, rule_text, spread, unit_of, value_text
+from game.ui.strip_axis import Axis, axis_for, end_text, rule_text, spread, unit_of
 
 SPAN_S = 10.0
 REFRESH_S = 0.05
@@ -121,10 +121,11 @@ class Strips:
         taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
         look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
         series = [(name, values) for name, values in series if values.size]
-        most = max(abs(axis.low), abs(axis.high)) / factor
         last = [float(values[-1]) for _, values in series]
         numbers = [
-            format_number(int(value)) if counts and math.isfinite(value) else value_text(value / factor, most)
+            format_number(int(value))
+            if counts and math.isfinite(value)
+            else end_text(value, axis, strip.unit)
             for value in last
         ]
         labels = [_label(name, strip) for name, _ in series]
@@ -231,8 +232,11 @@ class Strips:
 
 
 def _label(name: str, strip: Strip) -> str:
-    """The name of a series at its line; the only one of its chart's name is simply now."""
-    return "now" if len(strip.series) == 1 and name.lower() == strip.title.lower() else name
+    """The name of a series at its line, without what the chart's title says; if nothing is left, now."""
+    title = strip.title.lower()
+    if len(strip.series) == 1 and name.lower() == title:
+        return "now"
+    return name.removesuffix(" " + title.split()[0])
 
 
 def _values(stage: Stage, name: str) -> np.ndarray:

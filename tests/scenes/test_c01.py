@@ -353,6 +353,19 @@ def test_from_key_to_key():
         assert stage.scene.motion.keys[stage.scene.chosen].time == time
 
 
+def test_knobs_that_do_nothing_say_why_once():
+    stage = open_level(KeyFraming, "default", playing=False)
+    for x in (1.0, 2.0, 3.0):
+        stage.post(SetKnob("key_x", x))
+    stage.post(SetKnob("easing", "swing"))
+    no_key, no_easing = stage.scene.messages()
+    assert "click" in no_key and "easing" in no_easing
+    stage.post(Pointer("down", *stage.scene.motion.keys[2].position, button=1))
+    stage.post(Pointer("up", *stage.scene.motion.keys[2].position, button=1))
+    stage.post(SetKnob("key_x", 1.5))
+    assert stage.scene.messages() == () and stage.scene.motion.keys[2].position[0] == 1.5
+
+
 def test_undo_and_redo_of_every_edit():
     """A hundred things done at random are taken back one by one, and done again."""
     rng = np.random.default_rng(7)
@@ -390,6 +403,7 @@ def test_undo_and_redo_of_every_edit():
     for then in reversed(story[:-1]):
         stage.post(Action("undo"))
         assert (scene.motion, scene.interpolation, scene.closed, scene.easing) == then
+    scene.messages()
     stage.post(Action("undo"))
     assert scene.messages() == ("There is nothing to undo.",)
     for then in story[1:]:

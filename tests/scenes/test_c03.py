@@ -42,8 +42,8 @@ def test_the_first_figure_has_fifteen_bones_and_all_methods_follow_its_target():
     values = readouts(stage)
     for name in NAMES:
         assert values[name] < 0.3
-        assert 0 <= values[f"{name} n"] <= 10
-        assert values[f"{name} t"] > 0.0
+        assert 0 <= values[f"{name} iterations"] <= 10
+        assert values[f"{name} time"] > 0.0
     assert values["damped"] < 1e-5
     assert len({tuple(row) for row in stage.scene.methods.round(3).tolist()}) > 1
 

@@ -196,16 +196,20 @@ def test_the_table_is_saved_and_loaded_as_it_lies(tmp_path: Path):
 
 def test_h1_one_substep_tunnels_and_automatic_substeps_do_not():
     through = seconds(open_level("hard-01-tunnelling"), 0.15)
+    assert through.scene.unseen == 1  # and the picture says so
     assert not through.scene.table.velocities[1].any()
     assert through.scene.table.positions[0, 1] > through.scene.table.positions[1, 1]
     held = seconds(open_level("hard-01-tunnelling", substeps=0), 0.15)
+    assert held.scene.unseen == 0
     assert held.scene.table.velocities[1, 1] > 7.0
 
 
 def test_h2_a_thin_hit_is_missed_with_one_substep_only():
     missed = seconds(open_level("hard-02-grazing"), 0.35)
+    assert missed.scene.unseen == 1
     assert not missed.scene.table.velocities[1].any()
     hit = seconds(open_level("hard-02-grazing", substeps=64), 0.35)
+    assert hit.scene.unseen == 0
     assert hit.scene.table.velocities[1].any()
 
 

@@ -11,11 +11,12 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from sample_scene import Sample
 
-from game.stage import Stage
+from game.stage import Stage, Strip
 from game.ui.layout import arrange
 from game.ui.look import Look
-from game.ui.strip_axis import Axis, axis_for, round_top, spread
-from game.ui.strips import Strips
+from game.ui.numerals import MINUS
+from game.ui.strip_axis import Axis, axis_for, end_text, round_top, spread
+from game.ui.strips import Strips, _label
 from game.ui.theme import DARK
 
 
@@ -52,6 +53,28 @@ def test_labels_are_apart_inside_and_in_order(places):
     assert all(y <= 72.0 for y in put)
     if all(b - a >= 15.0 for a, b in pairwise(sorted(places))):
         assert put == places
+
+
+def test_the_last_value_is_in_the_unit_of_its_axis_unless_it_would_read_zero():
+    axis = Axis(0.0, 0.6)
+    assert end_text(0.3, axis, "m") == "300" and end_text(0.0, axis, "m") == "0"
+    assert end_text(1.6e-7, axis, "m") == "160 nm"
+    assert end_text(-2e-5, axis, "m") == f"{MINUS}20.0 µm"
+    assert end_text(1e-17, axis, "m") == "0"  # rounding
+    assert end_text(1e-5, Axis(0.0, 100.0), "") == "0"  # without a unit there is none to change
+
+
+@pytest.mark.parametrize(
+    ("series", "name", "label"),
+    [
+        (("error",), "error", "now"),
+        (("CCD time", "FABRIK time"), "CCD time", "CCD"),
+        (("time",), "time of day", "time of day"),
+    ],
+)
+def test_a_label_leaves_out_what_the_title_says(series, name, label):
+    strip = Strip("Error" if series == ("error",) else "Time of it", "s", series)
+    assert _label(name, strip) == label
 
 
 @pytest.fixture(scope="module")

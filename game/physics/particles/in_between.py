@@ -14,9 +14,10 @@ def place_between(
 ):
     """Write places ``alpha`` of the way from the step before, and velocities, of particles low to high.
 
-    Who was not there before comes from the nozzle, backwards along its velocity. now: s, at the end of the
-    step. trails: velocities that lead back no farther than the nozzle in ``trail`` (s). positions,
-    velocities and trails (n, 2) are written from row ``first`` on; the next free row is returned.
+    Who was not there before comes from the nozzle, backwards along its velocity, and waits there to be born.
+    now: s, at the end of the step. trails: velocities that lead back no farther than the nozzle in ``trail``
+    (s). positions, velocities and trails (n, 2) are written from row ``first`` on; the next free row is
+    returned.
     """
     for i in range(low, high):
         x = fields[0, i]
@@ -27,8 +28,9 @@ def place_between(
             x = before[0, i] + alpha * (x - before[0, i])
             y = before[1, i] + alpha * (y - before[1, i])
         else:
-            x -= (1.0 - alpha) * dt * vx
-            y -= (1.0 - alpha) * dt * vy
+            back = min((1.0 - alpha) * dt, max(now - fields[4, i], 0.0))
+            x -= back * vx
+            y -= back * vy
         positions[first, 0] = x
         positions[first, 1] = y
         velocities[first, 0] = vx

@@ -109,8 +109,9 @@ def test_there_is_no_envelope_without_a_force_or_before_circles_overlap():
 
 
 def test_between_two_steps():
-    """Half way for those that were there; the new ones come out of the nozzle along their velocity."""
-    dt, alpha = 0.01, 0.25
+    """Part of the way for those that were there; the new ones come out of the nozzle along their velocity,
+    and wait in it until they are born."""
+    dt, alpha = 0.01, 0.4
     system = swarm(THROWN, GRAVITY | GRAVITY)
     system.step(dt)
     before, tags = system.fields.copy(), system.tags.copy()
@@ -128,7 +129,11 @@ def test_between_two_steps():
     now, then = system.positions, before[:2, :n].T
     assert positions[1 : old + 1] == pytest.approx(then[:old] + alpha * (now - then)[:old])
     back = (1.0 - alpha) * dt
-    assert positions[old + 1 :] == pytest.approx(now[old:] - back * system.velocities[old:])
+    lived = system.time_s - system.fields[4, old:n, None]
+    assert positions[old + 1 :] == pytest.approx(
+        now[old:] - np.minimum(back, lived) * system.velocities[old:]
+    )
+    assert (lived < back).any() and (lived > back).any()
     age = system.time_s - back - system.fields[4, :n]
     part = np.clip(age / 0.01, 0.0, 1.0)[:, None]
     assert trails[1:] == pytest.approx(part * system.velocities)
