@@ -17,7 +17,7 @@ from game.scenes.outline_level import array_of
 from game.scenes.outlines import Outline
 
 Array = NDArray[np.float64]
-ROUND = 9  # points of one end of a capsule's outline
+ROUND, FINE_ROUND = 9, 33  # points of one end of a capsule's outline, and where it is large
 MOST_CORNERS = 48  # of a hull whose least capsule is looked for: some 70 ms
 ROUGH = 0.1  # how near to the least capsule is proven; it is polished all the same
 
@@ -97,13 +97,13 @@ def least_area(kind: str, points: Array) -> float:
     return least_capsule(points, ROUGH)[0].area
 
 
-def rows_to_paths(kind: str, v: Array) -> Array:
-    """Outlines (m, p, 2) of volumes (m, 6) of a kind."""
+def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:
+    """Outlines (m, p, 2) of volumes (m, 6) of a kind; ``round_points``: of one end of a capsule."""
     if kind != "capsule":
         return corners_of(v)
     way = v[:, 2:4] - v[:, 0:2]
     turn = np.arctan2(way[:, 1], way[:, 0])[:, None]
-    bend = np.linspace(-0.5 * np.pi, 0.5 * np.pi, ROUND)[None, :]
+    bend = np.linspace(-0.5 * np.pi, 0.5 * np.pi, round_points)[None, :]
     radius = v[:, 4][:, None, None]
     far = v[:, None, 2:4] + radius * np.stack((np.cos(turn + bend), np.sin(turn + bend)), axis=-1)
     back = turn + np.pi

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.physics.bounds import traversal
 from game.physics.bounds.building import CHILD, middle_of
 from game.scenes import bounds_walk as walk
-from game.scenes.bounds_pair import Place, TreePair, rows_to_paths
+from game.scenes.bounds_pair import FINE_ROUND, Place, TreePair, rows_to_paths
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def draw_fit(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
     best = int(found.areas[: k + 1].argmin())
     for index, color, fill, dash in ((best, "green", 0.12, None), (k, "amber", 0.0, (7.0, 4.0))):
         row = walk.fit_row(found, float(found.angles[index]), kind)
-        path = place.to_world(rows_to_paths(kind, row)[0])
+        path = place.to_world(rows_to_paths(kind, row, FINE_ROUND)[0])
         canvas.polygon(
             path, fill=color if fill else None, fill_alpha=fill, outline=color, width=2.0, dash=dash
         )
@@ -114,13 +114,12 @@ def draw_build(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
     for i, tree in enumerate(pair.trees):
         done = len(tree) if i < index else node if i == index else 0
         if scene.cursor and done:
-            scene.view.draw_grey(canvas, places[i].to_world(pair.paths[i][:done]))
+            scene.view.volumes.draw_grey(canvas, pair, i, np.arange(done), places[i])
     if not scene.cursor:
         return
     tree, place = pair.trees[index], places[index]
-    canvas.polygon(
-        place.to_world(pair.paths[index][node]), fill="amber", fill_alpha=0.10, outline="amber", width=2.0
-    )
+    path = rows_to_paths(pair.options.kind, tree.volumes[node : node + 1], FINE_ROUND)[0]
+    canvas.polygon(place.to_world(path), fill="amber", fill_alpha=0.10, outline="amber", width=2.0)
     child = int(tree.links[node, CHILD])
     if child < 0:
         _draw_segments(canvas, tree.ends[tree.segments_of(node)], place, "amber")
@@ -149,7 +148,8 @@ def draw_pair(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
     k = min(scene.cursor, query.row_count) - 1
     a, b, verdict = query.rows[k, :3].tolist()
     for i, node in enumerate((a, b)):
-        path = places[i].to_world(scene.pair.paths[i][node])
+        row = scene.pair.trees[i].volumes[node : node + 1]
+        path = places[i].to_world(rows_to_paths(scene.pair.options.kind, row, FINE_ROUND)[0])
         canvas.polygon(path, fill="amber", fill_alpha=0.10, outline="amber", width=2.2)
     if verdict == traversal.APART:
         draw_separation(canvas, scene.pair, places, k, 1.0)

@@ -43,11 +43,12 @@ def draw(scene: VClip, canvas: Canvas) -> None:
         if len(shown) == len(trace):
             view.draw_parted(scene, canvas, shapes)
             view.draw_answer(scene, canvas, shapes)
-        if shown and (scene.shown >= 0 or len(trace) > 1):
+        if shown and (scene.shown >= 0 or len(trace) > 1) and scene.tool != "draw":
             step = shown[-1]
             words = f"step {len(shown)} of {len(trace)}: {step.feature_a} of A, {step.feature_b} of B · "
             view.caption(scene, canvas, words + WORDS[step.verdict])
     view.draw_hand(scene, canvas)
+    view.draw_invitation(scene, canvas)
 
 
 def draw_regions(scene: VClip, canvas: Canvas, shown: list[FeatureStep]) -> None:

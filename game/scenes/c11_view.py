@@ -88,10 +88,11 @@ def draw(scene: Gjk, canvas: Canvas) -> None:
             view.draw_answer(scene, canvas, shapes)
         if scene.minkowski:
             draw_difference(scene, canvas, shapes, trace[: index + 1], whole)
-        if trace and (scene.shown >= 0 or len(trace) > 1):
+        if trace and (scene.shown >= 0 or len(trace) > 1) and scene.tool != "draw":
             words = f"step {index + 1} of {len(trace)}: {words_of(trace[index])}"
             view.caption(scene, canvas, words)
     view.draw_hand(scene, canvas)
+    view.draw_invitation(scene, canvas)
 
 
 def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | PolytopeStep) -> None:

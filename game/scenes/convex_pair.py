@@ -300,7 +300,9 @@ class ConvexPairScene(Scene):
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        distance, steps = float(self.answer[0]), float(self.answer[7])
+        distance, steps = (
+            (float(self.answer[0]), float(self.answer[7])) if self.ready else (math.nan, math.nan)
+        )
         queries, total = (int(count) for count in self.counts)
         rows = [
             Readout("distance", distance, "m"),
@@ -340,7 +342,7 @@ class ConvexPairScene(Scene):
         """Time of a query as a batch has it, s: for the picture alone."""
         a, b = self.shape(0), self.shape(1)
         if len(self.board.outlines) < 2 or a is None or b is None:
-            return 0.0
+            return math.nan
         shapes = PolygonSet((a, b))
         pairs = np.tile(np.array((0, 1), dtype=np.int64), (REPEATS, 1))
         features = np.tile(self.begun, (REPEATS, 1))

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.narrowphase import Feature
+from game.scenes.drawn_lines import DrawnLines
 from game.scenes.outlines import handle_of, placed
 from game.ui.canvas import PREDICTION_DASH, Canvas
 from game.ui.numerals import format_si
@@ -74,7 +76,8 @@ def draw_names(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> N
     middles = [corners.mean(axis=0) for corners in shapes]
     crowded = len(shapes) == 2 and math.dist(*middles) < canvas.px(64.0)
     for k, corners in enumerate(shapes):
-        tall = (np.ptp(corners, axis=0).max()) * canvas.pixels_per_unit >= 70.0 * canvas.k
+        wide, high = (np.ptp(corners, axis=0) * canvas.pixels_per_unit / canvas.k).tolist()
+        tall = max(wide, high) >= 70.0 and high >= 44.0 and wide >= 30.0
         count = len(corners)
         noun = "point" if count == 1 else "segment" if count == 2 else f"{count} vertices"
         place, offset = tuple(middles[k].tolist()), -9.0
@@ -122,24 +125,35 @@ def draw_feature(canvas: Canvas, corners: Array, feature: Feature, color: str, a
         canvas.line(points[0], points[1], color, 4.0, alpha=alpha)
 
 
-def label_feature(
-    canvas: Canvas, place: Point, words: str, toward: Point, color: str = "green"
-) -> None:  # fmt: skip
+def label_beside(
+    lines: DrawnLines, place: Point, words: str, color: str, size: float, offsets: Sequence[Point]
+) -> None:
+    """Words at the first of several offsets (design px) from a place where the outlines leave them room."""
+    canvas = lines.canvas
+    width = canvas.fonts.size(words, size, "semibold")[0] / canvas.k
+    offset = offsets[lines.clearest(place, (width, size + 4.0), offsets)]
+    canvas.label(place, words, color, size, "semibold", offset=offset, clear=True)
+
+
+def label_feature(lines: DrawnLines, place: Point, words: str, toward: Point) -> None:
     """What a feature is called: on the side of its polygon, away from the other one."""
-    x, y = toward
-    canvas.label(place, words, color, 12, "semibold", offset=(-56.0 * x, 18.0 * y), clear=True)
+    x, y = -56.0 * toward[0], 18.0 * toward[1]
+    label_beside(
+        lines, place, words, "green", 12, [(x, y + rise) for rise in (0.0, -18.0, 18.0, -34.0, 34.0)]
+    )
 
 
 def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
     """Closest points, the line between them, the distance, and the features they lie on."""
     distance, ax, ay, bx, by, nx, ny, _ = scene.answer.tolist()
     features = [Feature.of(int(code)) for code in scene.features]
+    lines = DrawnLines(canvas, [(corners, True) for corners in shapes])
     p, q = (ax, ay), (bx, by)
     for k, toward in ((0, (nx, ny)), (1, (-nx, -ny))):
         draw_feature(canvas, shapes[k], features[k], "green")
         if len(shapes[k]) > 1:
             side = toward if distance > 0.0 else (-toward[0], -toward[1])
-            label_feature(canvas, (p, q)[k], f"{features[k]} of {'AB'[k]}", side)
+            label_feature(lines, (p, q)[k], f"{features[k]} of {'AB'[k]}", side)
     middle = (0.5 * (ax + bx), 0.5 * (ay + by))
     if distance > 0.0:
         canvas.line(p, q, "amber", 2.0)
@@ -153,9 +167,10 @@ def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> 
         words = f"{'depth' if distance < 0.0 else 'distance'} {format_si(abs(distance), 'm')}"
         color = "amber" if distance > 0.0 else "vermilion"
     sign = 1.0 if nx >= 0.0 else -1.0
-    canvas.label(
-        middle, words, color, 13, "semibold", offset=(-64.0 * sign * ny, -20.0 * sign * nx), clear=True
-    )  # fmt: skip
+    x, y = -64.0 * sign * ny, -20.0 * sign * nx
+    label_beside(
+        lines, middle, words, color, 13, [(x, y), (-x, -y), (1.4 * x, 1.9 * y), (-1.4 * x, -1.9 * y)]
+    )
 
 
 def draw_parted(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
@@ -186,6 +201,14 @@ def draw_hand(scene: ConvexPairScene, canvas: Canvas) -> None:
         canvas.label(
             board.drawn[0], "click here or press Enter to close", "accent", offset=(0.0, -16.0), clear=True
         )
+
+
+def draw_invitation(scene: ConvexPairScene, canvas: Canvas) -> None:
+    """What the pen is for, before its first click."""
+    if scene.tool == "draw" and not scene.board.drawn:
+        count = len(scene.board.outlines)
+        name = "AB"[count] if count < 2 else "a new polygon"
+        caption(scene, canvas, f"click the corners of {name}; a click at the first one, or Enter, closes it")
 
 
 def caption(scene: ConvexPairScene, canvas: Canvas, words: str, color: str = "text1") -> None:
