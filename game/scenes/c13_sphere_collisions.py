@@ -15,7 +15,8 @@ from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune,
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
-from game.physics.rigid.collisions import CollidingSpheres, CollisionState
+from game.physics.rigid.collision_state import CollisionState
+from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.makeup import Makeup
 from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
@@ -237,7 +238,7 @@ class SphereCollisions(Scene):
         self.take_bodies(bodies_of(makings, self.real, self.density), makings.surroundings)
         if self.content.exact:
             self.exact = self._exact_run()
-        self.view = CollisionView()
+        self.view = CollisionView(self)
 
     def take_bodies(self, bodies: SphereBodies, surroundings: Any) -> None:
         """Go on with these bodies and surroundings; what the world remembers of touches is lost."""

@@ -7,17 +7,16 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pygame
 from numpy.typing import NDArray
 
 from game.physics.rigid import ledger
 from game.physics.rigid.sphere_effects import LEDGES, STRINGS, WINDOW
 from game.scenes import c13_hand as hand
 from game.scenes.c13_discs import draw_rimmed_discs
+from game.scenes.c13_ledger import LedgerCard
 from game.scenes.c13_level import COLORS
 from game.scenes.mass_spring_threads import draw_threads
 from game.ui.canvas import EXACT_DASH, Canvas
-from game.ui.shapes import draw_box
 
 if TYPE_CHECKING:
     from game.scenes.c13_sphere_collisions import SphereCollisions
@@ -30,20 +29,13 @@ THREADED = 12.0  # window px of radius: up to it, lines of radii are threads
 THIN = 0.2  # of the greatest bearing force: below it, lines are threads
 SMALLEST_LINED = 3.0  # window px of radius: below, spheres are plain discs
 ARROW_SHARE = 0.12  # of the height in view: an arrow of the usual impulse
-ROWS = 6  # of the ledger
-MOST_LEDGER = 60  # spheres: with more, the ledger would say nothing
-COLUMNS = (
-    ("pair", 0.0), ("J, N s", 84.0), ("v before", 150.0), ("after, m/s", 216.0), ("ΔE, J", 292.0),
-    ("P lost", 358.0),
-)  # fmt: skip
-CARD = 408.0  # width of the ledger's card, design px
 
 
 class CollisionView:
-    """Draws the scene; keeps nothing that matters."""
+    """Draws a scene that has just been built; keeps nothing that matters."""
 
-    def __init__(self) -> None:
-        self._usual = 0.0  # kg m/s, impulse of an arrow of the usual length
+    def __init__(self, scene: SphereCollisions) -> None:
+        self._card = LedgerCard(scene)
 
     # -- words --------------------------------------------------------------------------------------
 
@@ -84,8 +76,8 @@ class CollisionView:
         if scene.shown_impulses:
             self._draw_impulses(scene, canvas)
         self._draw_hand(scene, canvas)
-        if scene.ledger and canvas.words and len(places) <= MOST_LEDGER and scene.world.collisions:
-            self._draw_ledger(scene, canvas)
+        if scene.ledger and canvas.words:
+            self._card.draw(scene, canvas)
 
     def _between(self, scene: SphereCollisions, alpha: float) -> tuple[Array, Array]:
         """Places (s, 2) and ends of the radius lines (s, 2), m, between the last two steps."""
@@ -230,45 +222,10 @@ class CollisionView:
             scale = 1.0 / scene.push_strength
             canvas.arrow((x, y), push.force[:2], "amber", "F", scale)
         if scene.tool == "sphere" and not len(scene.pushes):
-            middle = (0.5 * (view.left + view.right), view.bottom)
-            canvas.label(middle, "click to make a sphere", "text3", 12, offset=(0.0, -16.0))
-
-    def _draw_ledger(self, scene: SphereCollisions, canvas: Canvas) -> None:
-        """The last collisions in figures, on a card at the upper right that lets spheres shine through."""
-        entries = scene.world.ledger()[-ROWS:][::-1]
-        corner = scene.world.surroundings.window[2:].tolist()
-        height = 16.0 * (len(entries) + 1)
-        left, top = -CARD - 22.0, 14.0
-        look, (x, y) = canvas.look, canvas.place(corner)
-        card = pygame.Rect(
-            x + look.px(left + 8.0), y + look.px(top - 6.0), look.px(CARD), look.px(height + 10.0)
-        )
-        ground = pygame.Color(look.theme.panel)
-        ground.a = 216
-        draw_box(canvas.surface, card, look.px(8), ground, look.theme.line, look.border)
-        for word, x in COLUMNS:
-            canvas.label(corner, word, "text3", 11, anchor="topleft", offset=(left + 14.0 + x, top))
-        for i, entry in enumerate(entries):
-            for (_, x), words in zip(COLUMNS, _figures(entry), strict=True):
-                place = (left + 14.0 + x, top + 16.0 * (i + 1))
-                tone = "text1" if i == 0 else "text3"
-                canvas.label(corner, words, tone, 11, anchor="topleft", offset=place)
-
-
-def _figures(entry: Array) -> tuple[str, ...]:
-    """One entry of the ledger in words."""
-    other = int(entry[ledger.OTHER])
-    size = math.sqrt(float((entry[ledger.JX : ledger.JZ + 1] ** 2).sum()))
-    pair = f"{int(entry[ledger.ONE])} and {other if other >= 0 else 'wall'}"
-    figures = (
-        f"{size:.3g}", f"{entry[ledger.BEFORE]:.3g}", f"{entry[ledger.AFTER]:.3g}",
-        f"{entry[ledger.CHANGE]:.2g}", _small(float(entry[ledger.LOST_MOMENTUM])),
-    )  # fmt: skip
-    return pair, *(word.replace("-", "−") for word in figures)
-
-
-def _small(value: float) -> str:
-    return "0" if value == 0.0 else f"{value:.0e}"
+            corner = (view.right, view.bottom)
+            canvas.label(
+                corner, "click to make a sphere", "text3", 12, anchor="bottomright", offset=(-12.0, -10.0)
+            )
 
 
 def _places(state: Any, makeup: Any) -> tuple[Array, Array]:
