@@ -18,7 +18,8 @@ from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.fields import GRAVITY
 from game.physics.rigid.collision_settings import CORRECTIONS, material_tables, surroundings_of
-from game.physics.rigid.collisions import CollidingSpheres, CollisionState
+from game.physics.rigid.collision_state import CollisionState
+from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.effects import WINDOW
 from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, USUAL

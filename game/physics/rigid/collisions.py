@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,7 @@ from game.physics.rigid.collision_settings import (
     material_tables,
     surroundings_of,
 )
+from game.physics.rigid.collision_state import CollisionState, entries_in_order
 from game.physics.rigid.collision_steps import (
     BOUNCES,
     CLOCK,
@@ -31,14 +32,13 @@ from game.physics.rigid.collision_steps import (
     bear_part,
     finish_part,
     move_by_velocity,
-    move_flat,
-    planar_part,
     prepare_part,
 )
 from game.physics.rigid.impact_parts import divide_at_impacts
 from game.physics.rigid.impulses import collide_at_once, collide_in_turn
 from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
 from game.physics.rigid.planar_impulses import FLAT_COLUMNS, lies_in_plane
+from game.physics.rigid.planar_steps import move_flat, planar_part
 from game.physics.rigid.position_correction import project_apart, split_apart
 from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, STRINGS
 from game.physics.rigid.spheres import (
@@ -54,22 +54,6 @@ from game.physics.rigid.touch_room import TouchRoom
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
-
-
-class CollisionState(NamedTuple):
-    """All that later steps depend on. The arrays are the world's own, not copies."""
-
-    positions: Floats  # (n, 3) m
-    orientations: Floats  # (n, 4)
-    momenta: Floats  # (n, 3) kg m/s
-    spins: Floats  # (n, 3) kg m²/s
-    pairs: Ints  # (p, 2) candidates
-    found_at: Floats  # (s, 3) m, where spheres were when these were found
-    keys: Ints  # (m,) touches of the last step
-    held: Floats  # (m, 4) their impulses, kg m/s
-    pulls: Floats  # (n, 6) forces N and torques N m of the next step
-    ring: Floats  # (LEDGER_ROWS, LEDGER_COLUMNS) last collisions
-    counters: Floats  # (8,): see collision_steps
 
 
 class CollidingSpheres:
@@ -295,10 +279,7 @@ class CollidingSpheres:
 
     def ledger(self) -> Floats:
         """Last collisions (k, LEDGER_COLUMNS), oldest first; see ledger.py for the columns."""
-        made = self.collisions
-        if made <= LEDGER_ROWS:
-            return self.ring[:made].copy()
-        return np.roll(self.ring, -(made % LEDGER_ROWS), axis=0)
+        return entries_in_order(self.ring, self.collisions)
 
     # -- remembering --------------------------------------------------------------------------------
 
