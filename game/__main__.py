@@ -10,13 +10,16 @@ from collections.abc import Sequence
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; the exit status."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-    try:
-        from game.app.commands import run_command_line
-    except KeyboardInterrupt:  # an impatient hand, while modules are read
-        print("carom: stopped", file=sys.stderr)
-        return 130
+    from game.app.ending import ends_tidily, status_of
 
-    return run_command_line(sys.argv[1:] if arguments is None else arguments)
+    with ends_tidily():
+        try:
+            from game.app.commands import run_command_line
+        except KeyboardInterrupt as why:  # an impatient hand, while modules are read
+            print("carom: stopped", file=sys.stderr)
+            return status_of(why)
+
+        return run_command_line(sys.argv[1:] if arguments is None else arguments)
 
 
 if __name__ == "__main__":

@@ -34,5 +34,7 @@ def start(
         app.open_scene(scene_name, opening=opening)
     if complaint:
         app.tell("Settings not read.", complaint, kind="warning")
-    app.run()
-    app.save_settings()
+    try:
+        app.run()
+    finally:
+        app.save_settings()

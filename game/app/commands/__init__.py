@@ -14,6 +14,7 @@ from typing import NoReturn
 
 from game import __version__
 from game.app.commands import accuracy, bench, fuzz, listing, match, play, record, replay, run, selftest, shot
+from game.app.ending import status_of
 from game.app.mistake import MistakeError
 
 COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, match, record, fuzz, bench)
@@ -52,9 +53,9 @@ def run_command_line(arguments: Sequence[str]) -> int:
     except MistakeError as mistake:
         print(f"carom: {mistake}", file=sys.stderr)
         return mistake.status
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as why:
         print("carom: stopped", file=sys.stderr)
-        return 130
+        return status_of(why)
     except BrokenPipeError:
         # whoever read the output has enough; nothing must be flushed into the closed pipe at exit
         _drop_output()

@@ -118,7 +118,8 @@ class VideoWriter:
                 self._encode(*job)
             self._flush()
         except Exception as error:  # whatever the encoder finds: told where pictures are added
-            self._failure = " ".join(str(error).split()) or type(error).__name__
+            words = getattr(error, "strerror", None) or str(error)
+            self._failure = " ".join(words.split()) or type(error).__name__
             while self._jobs.get() is not None:
                 pass
 
