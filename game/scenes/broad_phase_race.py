@@ -266,7 +266,7 @@ class BroadPhaseRace(BoxesScene):
             table.row(
                 contestant,
                 seconds,
-                f"{self.begun} begun, {self.ended} ended",
+                f"{view.grouped(self.begun)} begun, {view.grouped(self.ended)} ended",
                 memory,
                 len(manager) == len(self.pairs),
                 seconds == fastest,

@@ -18,7 +18,7 @@ from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 from game.ui.numerals import format_si
 from game.ui.painters.boxes import BoxPainter
 
-LEVEL_COLORS = ("chalk", "green", "pink", "violet", "yellow")
+LEVEL_COLORS = ("violet", "pink", "yellow", "chalk")  # green is the naive way's
 MOST_CELLS = 4_000
 MOST_ROWS = 7  # levels listed
 _cells = BoxPainter(tuple((color, 0.07, color, 0.4) for color in LEVEL_COLORS))
@@ -144,7 +144,7 @@ class HierarchicalGridScene(ComparedScene):
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
         column = view.Column(canvas, 5.75)
-        self.draw_comparison(column, "hierarchical", f"Hierarchical, {self.grid.tests} tests", "chalk")
+        self.draw_comparison(column, "hierarchical", f"Hierarchical, {view.grouped(self.grid.tests)} tests", "chalk")
         column.space(6)
         self._draw_levels(column, canvas, counts, present)
 
@@ -169,6 +169,6 @@ class HierarchicalGridScene(ComparedScene):
             size = self.grid.cell_size(level)
             words = f"Cells of {format_si(size, 'm')}" if math.isfinite(size) else "One cell for the rest"
             length = math.log1p(int(counts[level])) / math.log1p(most)
-            column.bar(words, str(int(counts[level])), length, LEVEL_COLORS[self._color(present, level)])
+            column.bar(words, view.grouped(int(counts[level])), length, LEVEL_COLORS[self._color(present, level)])
         if len(present) > MOST_ROWS:
             column.row(f"and {len(present) - MOST_ROWS} levels more", "")

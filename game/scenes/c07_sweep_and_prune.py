@@ -152,7 +152,7 @@ class SweepAndPruneScene(ComparedScene):
             rows += [
                 ("line:chalk", "lower ends", ""),
                 ("line:pink", "upper ends", ""),
-                ("line:amber", "changed places", str(moved)),
+                ("line:amber", "changed places", view.grouped(moved)),
             ]
         return tuple(rows)
 
@@ -170,8 +170,8 @@ class SweepAndPruneScene(ComparedScene):
         top = max(self.swaps, mean, 1.0)
         column.bar("Made", view.grouped(self.swaps), self.swaps / top, "amber")
         column.bar("Mean for this speed", view.grouped(mean), mean / top, "text1", hollow=True)
-        column.row("Sorted anew so far", str(self.sap.resorts))
-        column.row("Begun, ended", f"{self.begun}, {self.ended}")
+        column.row("Sorted anew so far", view.grouped(self.sap.resorts))
+        column.row("Pairs begun, ended", f"{view.grouped(self.begun)}, {view.grouped(self.ended)}")
 
     def _draw_axis(self, canvas: Any, axis: int) -> None:
         """End points as ticks: lower ones towards the world, upper ones beyond; longer where they swapped."""

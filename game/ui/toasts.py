@@ -16,7 +16,8 @@ from game.ui.icons import icon
 from game.ui.look import Look
 from game.ui.shapes import box, draw_box
 
-HEIGHT, MOST_WIDTH, WAITING = 40, 496, 4
+HEIGHT, USUAL_WIDTH, WAITING = 40, 496, 4
+BESIDE_WORDS = 44 + 7 + 14  # design px: sign, gap, and the end
 KINDS = {"info": ("accent", "check"), "warning": ("vermilion", "warning"), "marker": ("amber", "warning")}
 
 
@@ -75,8 +76,12 @@ class Toasts:
             self._picture = None
 
     def width(self, room: int) -> int:
-        """Window px that the message on show will take of a row that wide."""
-        return min(room, self.look.px(MOST_WIDTH)) if self._queue else 0
+        """Window px that the message on show will take of a row that wide: more only for many words."""
+        if not self._queue:
+            return 0
+        toast, fonts, px = self._queue[0], self.look.fonts, self.look.px
+        words = fonts.size(toast.cause, 13, "semibold")[0] + fonts.size(toast.consequence, 13)[0]
+        return min(room, max(px(USUAL_WIDTH), px(BESIDE_WORDS) + words))
 
     def draw(self, surface: pygame.Surface, row: pygame.Rect) -> None:
         """Show the message at the right end of a row, its foot 4 design px above the row's."""

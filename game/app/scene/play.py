@@ -210,6 +210,7 @@ class ScenePlay:
         self.view.camera.home(smooth=False)
         level = self.stage.level
         if level is not None and level.about:
+            self.app.toasts.clear()  # what was to be told of the level before
             self.app.tell(level.title or "Level", level.about, "marker" if level.hard_case else "info")
 
     # -- time and picture ---------------------------------------------------------------------------
