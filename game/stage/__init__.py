@@ -28,9 +28,9 @@ from game.stage.series import StripSeries
 
 if TYPE_CHECKING:
     from game.stage.effect_costs import EffectMeter
+    from game.stage.fault import Fault
     from game.stage.interpolation import blend, blend_angles, blend_quaternions, jumped
     from game.stage.replaying import begin, replay, replay_scene
-    from game.stage.session import Fault
     from game.stage.stage import FASTEST, SLOWEST, Stage
     from game.stage.warming import Warming, WarmingProgress
 
@@ -82,7 +82,7 @@ __all__ = [
 _LATER = {
     "EffectMeter": "game.stage.effect_costs",
     "FASTEST": "game.stage.stage",
-    "Fault": "game.stage.session",
+    "Fault": "game.stage.fault",
     "SLOWEST": "game.stage.stage",
     "Stage": "game.stage.stage",
     "Warming": "game.stage.warming",

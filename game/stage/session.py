@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from time import perf_counter
-from typing import Any, NamedTuple
+from typing import Any
 
 from game.physics.effects import EffectSet
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent
+from game.stage.fault import Fault, fault_at
 from game.stage.knobs import KnobError
 from game.stage.memory import recall, remember
 from game.stage.recording import CHECK_INTERVAL, MAX_EVENTS, Check
@@ -27,18 +28,6 @@ from game.stage.watch import FiniteWatch
 STEP_LENGTH = "step_length"  # a knob of this name (s) is the length of a step
 
 Build = Callable[[Mapping[str, Any], EffectSet], Scene]
-
-
-class Fault(NamedTuple):
-    """Why a scene was stopped: the quantity that went wrong, the step that did it, and a line to show.
-
-    ``error`` is the exception, if the scene raised one; ``quantity`` is then its type's name.
-    """
-
-    quantity: str
-    step: int
-    message: str
-    error: Exception | None = None
 
 
 class Session:
@@ -261,12 +250,7 @@ class Session:
             with suppress(Exception):  # a scene that cannot even be restored stays as it is, stopped
                 self._put_back(self._ring.before(good_step))
             self._give_up_future()
-        if error is None:
-            message = f"{quantity} is not finite at step {step}"
-        else:
-            words = " ".join(str(error).split()) or "no reason given"
-            message = f"step {step} failed: {quantity}: {words[:300]}"
-        self.fault = Fault(quantity, step, message, error)
+        self.fault = fault_at(step, quantity, error)
 
     # -- remembering --------------------------------------------------------------------------------
 

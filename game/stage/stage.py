@@ -15,10 +15,12 @@ from game.stage.clock import FixedStep
 from game.stage.declarations import Readout
 from game.stage.door import checked_event
 from game.stage.events import StageEvent
+from game.stage.fault import Fault
+from game.stage.recipe import Recipe, checked_seed
 from game.stage.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
-from game.stage.session import STEP_LENGTH, Fault, Session
+from game.stage.session import Session
 from game.stage.state import copy_state
 
 SLOWEST = 1.0 / 16.0
@@ -52,22 +54,28 @@ class Stage:
         snapshot_bytes: int = 64 << 20,
         max_steps: int = 15,
     ):
-        self.scene_type = scene_type
-        self.level = level
+        self._recipe = Recipe(scene_type, level, checked_seed(seed), dt)
         self.series = StripSeries()
         self._record = record
         self._snapshot_bytes = snapshot_bytes
-        self._seed = _checked_seed(seed)
-        self._given_dt = dt
         self._speed = 1.0
         self._paused = False
         self._next_sample = 0
-        parameters = {**(parameters or {}), **self._dt_parameter()}
-        scene = scene_type(level, parameters, seed=self._seed, effects_off=effects_off, effects=effects)
-        self.clock = FixedStep(self._dt_of(scene), max_steps)
+        scene = self._recipe.first(parameters, effects_off=effects_off, effects=effects)
+        self.clock = FixedStep(self._recipe.dt_of(scene), max_steps)
         self._begin(scene)
 
     # -- what it is doing ---------------------------------------------------------------------------
+
+    @property
+    def scene_type(self) -> type[Scene]:
+        """The class of the scene."""
+        return self._recipe.scene_type
+
+    @property
+    def level(self) -> Level | None:
+        """The level that it began with; None for the scene's defaults."""
+        return self._recipe.level
 
     @property
     def scene(self) -> Scene:
@@ -299,8 +307,8 @@ class Stage:
         self._begin(self.build_scene(self.scene.values, self.scene.active))
 
     def scene_of(self, level: Level | None) -> Scene:
-        """A new scene of a level, not in play; any thread may build it. LevelError if it refuses the level."""
-        return self.scene_type(level, self._dt_parameter())
+        """A new scene of a level, not in play; any thread may build it. LevelError if it refuses that."""
+        return self._recipe.of_level(level)
 
     def load_level(self, level: Level | None, scene: Scene | None = None) -> None:
         """Begin anew with a level, its knobs and its effects (None: the scene's defaults).
@@ -309,19 +317,18 @@ class Stage:
         then it goes on with what it had.
         """
         scene = self.scene_of(level) if scene is None else scene
-        before = self.level, self._seed
-        self.level, self._seed = level, None
+        before, self._recipe = self._recipe, self._recipe.with_level(level)
         try:
             self._begin(scene)
         except ValueError as error:
-            self.level, self._seed = before
+            self._recipe = before
             if isinstance(error, LevelError):
                 raise
             raise LevelError(level.path if level else None, "content", str(error)) from None
 
     def build_scene(self, values: Mapping[str, Any], active: EffectSet) -> Scene:
         """A new scene of the same level and seed, with the given knobs and effects."""
-        return self.scene_type(self.level, values, seed=self._seed, effects=active)
+        return self._recipe.scene(values, active)
 
     def copy_scene(self, active: EffectSet | None = None) -> Scene:
         """A scene of its own in the present state, with other effects if given; for measurements."""
@@ -332,34 +339,15 @@ class Stage:
     def _begin(self, scene: Scene) -> None:
         """Step 0 of a new session; ValueError, and nothing changed, if the state is not finite."""
         self._session = Session(
-            scene, self.build_scene, self._dt_of(scene), self._record, self._snapshot_bytes
+            scene, self.build_scene, self._recipe.dt_of(scene), self._record, self._snapshot_bytes
         )
         self._follow_session()
         self.clock.hold()
         self.series.clear()
         self._sample()
 
-    def _dt_parameter(self) -> dict[str, float]:
-        """The step length that the caller gave, for a scene that has a knob for it."""
-        if self._given_dt is None or STEP_LENGTH not in self.scene_type.knobs():
-            return {}
-        return {STEP_LENGTH: self._given_dt}
-
-    def _dt_of(self, scene: Scene) -> float:
-        """Length of a step as the scene's knob, the caller or the scene's class says."""
-        if STEP_LENGTH in scene.values:
-            return float(scene.values[STEP_LENGTH])
-        return scene.dt if self._given_dt is None else self._given_dt
-
     def _sample(self) -> None:
         self.series.sample(self.step_number, self.time_s, self.scene.readouts())
         self._next_sample = self.step_number + max(
             1, round(min(1.0 / (self.series.rate_hz * self.dt), _MANY))
         )
-
-
-def _checked_seed(seed: int | None) -> int | None:
-    """The seed; ValueError unless it is None or a whole number, 0 or more, of 63 bits."""
-    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63):
-        raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
-    return seed

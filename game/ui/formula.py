@@ -6,12 +6,11 @@ measured. Spacing follows TeX's classes (Knuth 1984, The TeXbook, chapters 17 an
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import pygame
 
 from game.ui.fonts import FontBook
 from game.ui.formula_boxes import Box, Glyphs, Stroke, moved, paint_box
+from game.ui.formula_brackets import bracket
 from game.ui.markup import FormulaError, Node, parse
 from game.ui.shapes import SurfaceStore
 
@@ -260,34 +259,10 @@ def _fence(left: str, inside: Node, right: str, at: _Setter) -> Box:
             marks += moved(body.marks, x, 0.0)
             x += body.width + body.slant
         elif sign:
-            strokes, width = _bracket(sign, half, at)
+            strokes, width = bracket(sign, half, at.em, at.rule)
             marks += moved(strokes, x, -axis)
             x += width
     return Box(x, axis + half, half - axis, tuple(marks), "ordinary")
-
-
-def _bracket(sign: str, half: float, at: _Setter) -> tuple[tuple[Stroke, ...], float]:
-    """Strokes about y = 0 and the width they take."""
-    em, w = at.em, at.rule
-    if sign in "|‖":
-        lines = tuple(
-            Stroke(x * em, -half, x * em, half, w) for x in ((0.12,) if sign == "|" else (0.1, 0.24))
-        )
-        return lines, (0.24 if sign == "|" else 0.34) * em
-    near, far, width = 0.1 * em, 0.26 * em, 0.34 * em
-    if sign in "[]":
-        a, b = (near, far) if sign == "[" else (width - near, width - far)
-        return (
-            Stroke(b, -half, a, -half, w),
-            Stroke(a, -half - 0.5 * w, a, half + 0.5 * w, w),
-            Stroke(a, half, b, half, w),
-        ), width
-    if sign in "{}":
-        xs, ys = (0.30, 0.2, 0.2, 0.08, 0.2, 0.2, 0.30), (-1.0, -0.86, -0.14, 0.0, 0.14, 0.86, 1.0)
-    else:
-        xs, ys = (0.28, 0.16, 0.1, 0.09, 0.1, 0.16, 0.28), (-1.0, -0.72, -0.35, 0.0, 0.35, 0.72, 1.0)
-    points = [((x if sign in "({⟨" else 0.34 - x) * em, y * half) for x, y in zip(xs, ys, strict=True)]
-    return tuple(Stroke(*a, *b, 1.2 * w) for a, b in pairwise(points)), width
 
 
 def _matrix(rows: tuple[tuple[Node, ...], ...], at: _Setter) -> Box:

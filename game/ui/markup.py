@@ -24,90 +24,11 @@ A node is a plain tuple whose first member is its kind: ("symbol", text, face, c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-Node = tuple[Any, ...]
+from game.ui.markup_signs import ACCENTS, Node, named_sign, sign_of
 
 DEEPEST = 24  # nested braces; more is a mistake, and would only exhaust the stack
 LONGEST = 2000  # characters
-
-_GREEK = dict(
-    zip(
-        [
-            "alpha",
-            "beta",
-            "gamma",
-            "delta",
-            "epsilon",
-            "zeta",
-            "eta",
-            "theta",
-            "iota",
-            "kappa",
-            "lambda",
-            "mu",
-            "nu",
-            "xi",
-            "pi",
-            "rho",
-            "sigma",
-            "tau",
-            "upsilon",
-            "phi",
-            "chi",
-            "psi",
-            "omega",
-        ],
-        "αβγδεζηθικλμνξπρστυϕχψω",
-        strict=True,
-    )
-)
-_GREEK_CAPITALS = dict(
-    zip(
-        ["Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega"],
-        "ΓΔΘΛΞΠΣΦΨΩ",
-        strict=True,
-    )
-)
-_RELATIONS = {
-    "=": "=", "<": "<", ">": ">", "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "propto": "∝", "to": "→",
-    "gets": "←", "in": "∈", "equiv": "≡", "ll": "≪", "gg": "≫", "sim": "∼", "perp": "⊥", "parallel": "∥",
-    "Rightarrow": "⇒", ":": ":",
-}  # fmt: skip
-_OPERATORS = {
-    "+": "+", "-": "−", "−": "−", "cdot": "·", "times": "×", "pm": "±", "mp": "∓", "*": "∗", "otimes": "⊗",
-    "oplus": "⊕", "ominus": "⊖", "circ": "∘", "wedge": "∧",
-}  # fmt: skip
-_SIGNS = {
-    "partial": "∂", "nabla": "∇", "infty": "∞", "ldots": "…", "prime": "′", "degree": "°", "ell": "ℓ",
-    "dagger": "†", "T": "⊤", "half": "½", "percent": "%", "{": "{", "}": "}", "angle": "∠", "hbar": "ℏ",
-}  # fmt: skip
-_LARGE = {"sum": "∑", "prod": "∏", "int": "∫"}
-_FUNCTIONS = frozenset(
-    [
-        "sin",
-        "cos",
-        "tan",
-        "atan2",
-        "arctan",
-        "arccos",
-        "exp",
-        "log",
-        "ln",
-        "min",
-        "max",
-        "sign",
-        "det",
-        "tr",
-        "arg",
-        "floor",
-        "ceil",
-        "mod",
-    ]
-)
-_ACCENTS = frozenset(("dot", "ddot", "hat", "bar", "tilde"))
-_SPACES = {",": 1 / 6, ";": 5 / 18, "!": -1 / 6, " ": 0.25, "quad": 1.0}
-_OPEN, _CLOSE = frozenset("([{⟨"), frozenset(")]}⟩")
 
 
 class FormulaError(ValueError):
@@ -199,7 +120,7 @@ class _Reader:
             ):
                 self.i += 1
             return ("symbol", self.text[start : self.i], "formula", "ordinary")
-        return _plain(c)
+        return sign_of(c)
 
     def command(self) -> Node:
         """What follows a backslash."""
@@ -212,12 +133,9 @@ class _Reader:
         if self.i == start:
             self.i += 1
         name = self.text[start : self.i]
-        if (
-            name in ("v", "text", "frac", "sqrt", "matrix", "cases", "left", "abs", "norm")
-            or name in _ACCENTS
-        ):
+        if name in ("v", "text", "frac", "sqrt", "matrix", "cases", "left", "abs", "norm") or name in ACCENTS:
             return self.structure(name)
-        found = _named(name)
+        found = named_sign(name)
         if found is None:
             self.i = start
             raise self.fail(f"\\{name} is not known")
@@ -280,39 +198,6 @@ class _Reader:
         right = self.peek()
         self.i += 1
         return ("fence", left.replace(".", ""), inside, right.replace(".", ""))
-
-
-def _plain(c: str) -> Node:
-    if c in _RELATIONS:
-        return ("symbol", _RELATIONS[c], "formula", "relation")
-    if c in _OPERATORS:
-        return ("symbol", _OPERATORS[c], "formula", "operator")
-    if c == "'":
-        return ("symbol", "′", "formula", "ordinary")
-    if c in ",;":
-        return ("symbol", c, "formula", "punctuation")
-    if c in _OPEN:
-        return ("symbol", c, "formula", "open")
-    if c in _CLOSE:
-        return ("symbol", c, "formula", "close")
-    return ("symbol", c, "formula-italic" if c.isalpha() else "formula", "ordinary")
-
-
-def _named(name: str) -> Node | None:
-    """A sign, letter, function or space by its name."""
-    if name in _GREEK:
-        return ("symbol", _GREEK[name], "formula-italic", "ordinary")
-    if name in _FUNCTIONS:
-        return ("symbol", name, "formula", "function")
-    if name in _SPACES:
-        return ("space", _SPACES[name])
-    for table, kind in (
-        (_GREEK_CAPITALS, "ordinary"), (_RELATIONS, "relation"), (_OPERATORS, "operator"),
-        (_SIGNS, "ordinary"), (_LARGE, "large"),
-    ):  # fmt: skip
-        if name in table:
-            return ("symbol", table[name], "formula", kind)
-    return None
 
 
 def _bold(node: Node) -> Node:
