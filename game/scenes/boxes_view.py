@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pygame
 from numpy.typing import NDArray
 
 from game.scenes.boxes_level import HEIGHT, WIDTH
@@ -97,10 +98,23 @@ def draw_loads(
     height, width = (n * together * cell for n in shaded.shape)
     paint_raster(canvas, shades(canvas, 0.42 * shaded / full, color), (0.0, 0.0), (width, height))
     if together == 1 and cell * canvas.pixels_per_unit >= 9.0 * canvas.k:
-        x, y = np.arange(columns + 1) * cell, np.arange(rows + 1) * cell
-        ends_x, ends_y = np.stack([x, x * 0.0], 1), np.stack([y * 0.0, y], 1)
-        canvas.segments(ends_x, np.stack([x, x * 0.0 + rows * cell], 1), "grid2", 1.0)
-        canvas.segments(ends_y, np.stack([y * 0.0 + columns * cell, y], 1), "grid2", 1.0)
+        _draw_cells(canvas, rows, columns, cell)
+
+
+def _draw_cells(canvas: Canvas, rows: int, columns: int, cell: float) -> None:
+    """Borders of cells on whole pixels, as the grid of every stage has them: sharp, and quickly filled."""
+    to_screen, surface, color = canvas.camera.to_screen, canvas.surface, canvas.color("grid2")
+    (left, bottom), (right, top) = (to_screen(0.0, 0.0), to_screen(columns * cell, rows * cell))
+    area = pygame.Rect(int(left), int(top), int(right) - int(left) + 1, int(bottom) - int(top) + 1)
+    area = area.clip(canvas.rect)
+    for i in range(columns + 1):
+        x = int(left + i * (right - left) / columns)
+        if area.left <= x < area.right:
+            surface.fill(color, (x, area.top, 1, area.h))
+    for i in range(rows + 1):
+        y = int(bottom + i * (top - bottom) / rows)
+        if area.top <= y < area.bottom:
+            surface.fill(color, (area.left, y, area.w, 1))
 
 
 def grouped(number: float) -> str:
@@ -121,11 +135,14 @@ def bytes_text(count: float) -> str:
 class Column:
     """Writes findings down a column of the world, from the top; heights in design px."""
 
-    def __init__(self, canvas: Canvas, top: float = COLUMN_TOP, right: float = COLUMN_RIGHT):
+    def __init__(
+        self, canvas: Canvas, scene: BoxesScene, top: float = COLUMN_TOP, right: float = COLUMN_RIGHT
+    ):
         self.canvas = canvas
         edge = right + canvas.px(10)
-        ground = np.array([(-99.0, -99.0), (edge, -99.0), (edge, 99.0), (-99.0, 99.0)])
-        canvas.polygon(ground, fill="stage", fill_alpha=0.9)  # boxes that come so far are hardly seen
+        if scene.lowers[:, 0].min(initial=0.0) < edge:  # boxes that come so far are hardly seen
+            ground = np.array([(-99.0, -99.0), (edge, -99.0), (edge, 99.0), (-99.0, 99.0)])
+            canvas.polygon(ground, fill="stage", fill_alpha=0.9)
         self.y = top
         self.left, self.right = COLUMN_LEFT, right
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.lab.studies.broadphase import cell_size_study
 from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, UniformGrid
@@ -187,7 +189,7 @@ class UniformGridScene(BoxesScene):
 
     def _draw_managers(self, canvas: Any) -> None:
         """Matrix and hash table as they are filled, and what each costs."""
-        column = view.Column(canvas)
+        column = view.Column(canvas, self)
         times = [self.watch.median(name) for name in ("matrix", "hash")]
         longest = max((time for time in times if math.isfinite(time)), default=1.0)
         column.head("Pair managers", "same answers" if self.same else "answers differ")
@@ -217,8 +219,7 @@ class UniformGridScene(BoxesScene):
         if len(self.pairs):
             rows = (blocks // 2 - 1) - self.pairs[:, 0] * (blocks // 2) // n
             np.add.at(filled, (rows, self.pairs[:, 1] * blocks // n), 1.0)
-        row, place = np.indices(filled.shape)
-        beyond = place / blocks < 1.0 - (row + 1) / (blocks // 2)  # below the diagonal there is nothing
+        beyond = _beyond(*filled.shape)
         colors = view.shades(
             canvas, np.where(filled > 0, 0.35 + 0.65 * filled / max(filled.max(), 1), 0.0), "chalk", "inset"
         )
@@ -238,3 +239,10 @@ class UniformGridScene(BoxesScene):
             "Hash table", f"{view.bytes_text(self.hashed.memory())}, {self.hashed.probes():.2f} looks"
         )
         column.picture(view.shades(canvas, filled, "green", "inset"), 56)
+
+
+@lru_cache(maxsize=4)
+def _beyond(rows: int, columns: int) -> NDArray[np.bool_]:
+    """Which blocks of the picture of the matrix hold nothing: those below its diagonal."""
+    row, place = np.indices((rows, columns))
+    return place / columns < 1.0 - (row + 1) / rows

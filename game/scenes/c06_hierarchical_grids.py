@@ -143,8 +143,10 @@ class HierarchicalGridScene(ComparedScene):
             self._draw_cells(canvas, levels, corners, present)
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
-        column = view.Column(canvas, 5.75)
-        self.draw_comparison(column, "hierarchical", f"Hierarchical, {view.grouped(self.grid.tests)} tests", "chalk")
+        column = view.Column(canvas, self, 5.75)
+        self.draw_comparison(
+            column, "hierarchical", f"Hierarchical, {view.grouped(self.grid.tests)} tests", "chalk"
+        )
         column.space(6)
         self._draw_levels(column, canvas, counts, present)
 
@@ -169,6 +171,8 @@ class HierarchicalGridScene(ComparedScene):
             size = self.grid.cell_size(level)
             words = f"Cells of {format_si(size, 'm')}" if math.isfinite(size) else "One cell for the rest"
             length = math.log1p(int(counts[level])) / math.log1p(most)
-            column.bar(words, view.grouped(int(counts[level])), length, LEVEL_COLORS[self._color(present, level)])
+            column.bar(
+                words, view.grouped(int(counts[level])), length, LEVEL_COLORS[self._color(present, level)]
+            )
         if len(present) > MOST_ROWS:
             column.row(f"and {len(present) - MOST_ROWS} levels more", "")

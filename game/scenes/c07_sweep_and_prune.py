@@ -162,7 +162,7 @@ class SweepAndPruneScene(ComparedScene):
         if self.axes and len(self.ids) <= MOST_TICKS:
             for axis in range(2):
                 self._draw_axis(canvas, axis)
-        column = view.Column(canvas, 4.6, -0.75)
+        column = view.Column(canvas, self, 4.6, -0.75)
         self.draw_comparison(column, "sweep", "Sweep and prune", "chalk")
         column.space(6)
         mean = self.mean_swaps()

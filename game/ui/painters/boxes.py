@@ -7,6 +7,8 @@ way, unless it has leapt.
 
 from __future__ import annotations
 
+from functools import lru_cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -15,6 +17,8 @@ from numpy.typing import NDArray
 
 from game.physics.jit import kernel
 from game.ui.canvas import Canvas
+from game.ui.raster import pixels_of
+from game.ui.raster import pixels_of
 
 HIDDEN = 255  # kind of a box that is not drawn
 SMALLEST_OUTLINED = 5.0  # px
@@ -152,12 +156,18 @@ def _affine_of(canvas: Canvas) -> NDArray[np.float64]:
 
 def shades(canvas: Canvas, values: Any, color: str, ground: str = "stage") -> NDArray[np.uint32]:
     """Colours 0xRRGGBB from ``ground`` (value 0) to ``color`` (value 1), of the shape of ``values``."""
-    share = np.clip(np.asarray(values, dtype=np.float64), 0.0, 1.0)[..., None]
-    low, high = (
-        np.array([canvas.ink(token) >> shift & 255 for shift in (16, 8, 0)]) for token in (ground, color)
-    )
-    mixed = np.rint(low + share * (high - low)).astype(np.uint32)
-    return mixed[..., 0] << 16 | mixed[..., 1] << 8 | mixed[..., 2]
+    share = np.clip(np.asarray(values, dtype=np.float64), 0.0, 1.0)
+    ramp = _ramp(int(canvas.ink(ground)), int(canvas.ink(color)))
+    return ramp[np.rint(share * (len(ramp) - 1)).astype(np.intp)]
+
+
+@lru_cache(maxsize=32)
+def _ramp(low: int, high: int) -> NDArray[np.uint32]:
+    """Colours from one to the other, in as many steps as a channel has values."""
+    share = np.linspace(0.0, 1.0, 256)[:, None]
+    first, last = (np.array([ink >> shift & 255 for shift in (16, 8, 0)]) for ink in (low, high))
+    mixed = np.rint(first + share * (last - first)).astype(np.uint32)
+    return mixed[:, 0] << 16 | mixed[:, 1] << 8 | mixed[:, 2]
 
 
 def paint_raster(
@@ -167,8 +177,7 @@ def paint_raster(
     (left, bottom), (right, top) = canvas.place(lower), canvas.place(upper)
     if not (1.0 <= right - left <= 8192.0 and 1.0 <= bottom - top <= 8192.0) or colors.size == 0:
         return
-    size = colors.shape[1], colors.shape[0]
-    flipped = np.ascontiguousarray(colors[::-1] | np.uint32(0xFF000000))
-    picture = pygame.image.frombuffer(flipped.tobytes(), size, "BGRA")
+    picture = pygame.Surface((colors.shape[1], colors.shape[0]), 0, 32)  # without alpha: laid down as it is
+    pixels_of(picture)[:] = colors[::-1]
     width, height = max(round(right) - round(left), 1), max(round(bottom) - round(top), 1)
     canvas.blit(pygame.transform.scale(picture, (width, height)), (lower[0], upper[1]), anchor="topleft")
