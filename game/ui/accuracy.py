@@ -11,18 +11,17 @@ import math
 
 import pygame
 
-from game.ui.accuracy_data import AccuracyData, Progress, TableRow
+from game.ui.accuracy_data import AccuracyData, Progress
+from game.ui.accuracy_table import paint_table
 from game.ui.buttons import HEIGHT as BUTTON
 from game.ui.buttons import draw_button
 from game.ui.commands import Command
 from game.ui.hotspots import Hotspot, Hotspots
-from game.ui.legend import draw_mark
 from game.ui.loading import seconds_text
 from game.ui.look import Look
-from game.ui.numerals import NOTHING, format_si
+from game.ui.numerals import format_si
 from game.ui.overlay import Overlay, draw_close
 from game.ui.plot import WorkPrecisionPlot
-from game.ui.plot_data import PlotSeries
 from game.ui.shapes import draw_box
 
 TITLE = "What accuracy costs"
@@ -197,77 +196,16 @@ class AccuracyPage:
         )
         self.plot.draw(flat, self._plot_rect(), self._point)
         if self._has_table():
-            self._paint_table(flat)
+            target = self.plot.error_text(self.data.target, 1) if math.isfinite(self.data.target) else ""
+            area = pygame.Rect(flat.get_width() - px(TABLE), px(104), px(TABLE) - px(PADDING), 0)
+            area.h = flat.get_height() - px(FOOT) - area.y
+            paint_table(flat, look, area, self.data, target)
         self._paint_foot(flat)
         inside = card.get_rect().inflate(-2 * look.border, -2 * look.border)
         corner = px(PADDING) // 2
         for part in (inside.inflate(-2 * corner, 0), inside.inflate(0, -2 * corner)):
             card.blit(flat, part, part)
         return card
-
-    def _paint_table(self, flat: pygame.Surface) -> None:
-        """Methods with mark, order and cost, the present one on an amber ground; then the sentence."""
-        look, px, theme = self.look, self.look.px, self.look.theme
-        left, right = flat.get_width() - px(TABLE), flat.get_width() - px(PADDING)
-        y = px(104)
-        header = f"for {self.plot.error_text(self.data.target, 1)}" if math.isfinite(self.data.target) else ""
-        header = self.data.cost_words or header
-        look.text(flat, "Method", (left, y), 12, "medium", "text2")
-        taken = look.text(flat, header, (right, y), 12, "medium", "text2", "right").w if header else 0
-        edge = right - max(px(74), taken + px(12))
-        look.text(flat, self.data.slope_words, (edge, y), 12, "medium", "text2", "right")
-        flat.fill(theme.line, (left, y + px(14), right - left, look.border))
-        y += px(36)
-        present = self.data.present.series if self.data.present is not None else -1
-        limit = flat.get_height() - px(FOOT)
-        for i, (row, series) in enumerate(zip(self.data.rows, self.data.series, strict=False)):
-            if y + px(18) > limit:
-                return
-            self._paint_row(flat, left, right, y, row, series, i == present)
-            y += px(36)
-        flat.fill(theme.line, (left, y - px(8), right - left, look.border))
-        self._paint_sentence(flat, left, right, y + px(20), limit)
-
-    def _paint_row(
-        self,
-        flat: pygame.Surface,
-        left: int,
-        right: int,
-        y: int,
-        row: TableRow,
-        series: PlotSeries,
-        present: bool,
-    ) -> None:
-        look, px, theme = self.look, self.look.px, self.look.theme
-        if present:
-            ground = pygame.Rect(left - px(12), 0, right - left + 2 * px(12), px(36))
-            ground.centery = y
-            draw_box(flat, ground, px(8), theme.panel.lerp(look.color("amber"), 0.15))
-        draw_mark(flat, look, f"{series.marker}:{series.color}", (left + px(6), y), 0.92)
-        order = f"{row.order:.2f}" if math.isfinite(row.order) else NOTHING
-        expected = f"of {row.expected:g}" if math.isfinite(row.expected) else ""
-        x = right - px(74)
-        if expected:
-            x -= look.text(flat, expected, (x, y), 13, "medium", "text3", "right").w + px(4)
-        width = look.text(flat, order, (x, y), 13, "medium", "text1", "right").w
-        room = x - width - px(8) - (left + px(22))
-        look.text(flat, look.fonts.fit(row.name, 13, "medium", room), (left + px(22), y), 13)
-        cost = format_si(row.cost_s, "s") if math.isfinite(row.cost_s) else NOTHING
-        look.text(flat, cost, (right, y), 13, "semibold", "text1", "right")
-
-    def _paint_sentence(self, flat: pygame.Surface, left: int, right: int, y: int, limit: int) -> None:
-        look, px = self.look, self.look.px
-        for text, size, color, line in (
-            (self.data.sentence, 13, "text1", 20),
-            *((n, 12, "text3", 18) for n in self.data.notes),
-        ):
-            for words in look.fonts.wrap(text, size, "medium", right - left) if text else ():
-                if y + px(10) > limit:
-                    return
-                look.text(flat, words, (left, y), size, "medium", color)
-                y += px(line)
-            if size == 13 and text:
-                y += px(12)
 
     def _paint_foot(self, flat: pygame.Surface) -> None:
         """Progress at the left, buttons at the right."""
