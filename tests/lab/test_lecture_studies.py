@@ -10,7 +10,6 @@ from game.billiards.lecture_state import LectureSettings
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, measure_present, run_study
 from game.lab.studies.lecture_breaks import (
-    HIT_SHOTS,
     LONGEST,
     SHORTEST,
     missed_hits_study,
@@ -18,6 +17,7 @@ from game.lab.studies.lecture_breaks import (
     symmetry_study,
 )
 from game.lab.studies.lecture_table import lecture_table_study, two_ball_study
+from game.lab.studies.missed_hits import HIT_SHOTS
 from game.lab.study import Setting
 
 

@@ -10,15 +10,14 @@ import numpy as np
 
 from game.billiards.rack import BALL_RADIUS, eight_ball_rack
 from game.billiards.sampled import SAMPLE_VX, SAMPLE_VY, SampledTrajectory
-from game.billiards.shot import FRICTIONLESS, Physics, Shot, make_shot
+from game.billiards.shot import FRICTIONLESS, Physics, make_shot
 from game.billiards.simulation import simulate
 from game.billiards.table import Table
 from game.lab.references import missed_share
+from game.lab.studies.missed_hits import HIT_SHOTS, HIT_SPEED, HitShots, missed_hits_of
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 
 STEP = Knob("step", "step", "s")
-HIT_SPEED = 3.0  # m/s
-HIT_SHOTS = 400
 HIT_WAY = 0.6  # m from before the contact to behind it
 BREAK_SPEED = 8.0  # m/s
 BREAK_TIME = 0.4  # s; the rack is struck after 0.15 s
@@ -30,40 +29,26 @@ def scene_of(model: str, dt: float, passes: int = 4) -> dict[str, Any]:
     return {"stepped_step": dt, "passes": passes} if model == "stepped" else {"lecture_step": dt}
 
 
-class MissedHits:
-    """Shots at a resting ball, impact parameters even over [0, 2 R]; error: share of hits not noticed."""
+class MissedHits(HitShots):
+    """Shots on one of the scene's stepped tables."""
 
     def __init__(self, model: str, dt: float) -> None:
+        super().__init__(dt, HIT_WAY)
         self.model = model
-        self.dt = dt
-        self.until = (math.ceil(HIT_WAY / (HIT_SPEED * dt)) + 1) * dt
-        self.simulated_s = HIT_SHOTS * self.until
-        rng = np.random.default_rng(1)
-        places = np.arange(HIT_SHOTS)
-        across = 2.0 * BALL_RADIUS * (places + rng.random(HIT_SHOTS)) / HIT_SHOTS
-        phases = rng.random(HIT_SHOTS)
-        self.shots = [self._shot(*numbers) for numbers in zip(across.tolist(), phases.tolist(), strict=True)]
-        self.missed = 0
-        self.tests = 0
-
-    def _shot(self, across: float, phase: float) -> Shot:
-        places = [[0.0, phase * HIT_SPEED * self.dt], [across, 0.5 * HIT_WAY]]
-        return make_shot(Table.open(), places, [[0.0, HIT_SPEED], [0.0, 0.0]], physics=FRICTIONLESS)
-
-    def reset(self) -> None:
-        self.missed = 0
-        self.tests = 0
+        self.shots = [
+            make_shot(
+                Table.open(), [[0.0, start], [across, 0.5 * HIT_WAY]], [[0.0, HIT_SPEED], [0.0, 0.0]],
+                physics=FRICTIONLESS,
+            )
+            for across, start in self.places
+        ]  # fmt: skip
 
     def run(self) -> None:
         for shot in self.shots:
-            played = simulate(shot, self.model, dt=self.dt, until=self.until)
+            played = simulate(shot, self.model, dt=self.dt, until=self.steps * self.dt)
             assert isinstance(played, SampledTrajectory)
             self.missed += not played.end[1, 2:4].any()
             self.tests += played.counts["pair_tests"]
-
-    def outcome(self) -> Outcome:
-        share = self.missed / HIT_SHOTS
-        return Outcome(share, self.tests, "misses every other hit" if share >= 0.5 else "")
 
 
 def _hit_settings() -> Sequence[Setting]:
@@ -76,25 +61,17 @@ def _hit_settings() -> Sequence[Setting]:
     return points
 
 
-missed_hits_study = Study(
-    name="three-tables-missed-hits",
-    title="Three tables: hits missed at 3 m/s",
-    error="share of hits not noticed",
-    error_unit="",
-    counter="pair tests",
-    knob=STEP,
+missed_hits_study = missed_hits_of(
+    "three-tables-missed-hits",
+    "Three tables",
+    STEP,
+    (("stepped", "stepped, full physics"), ("lecture", "as in the lecture")),
+    _hit_settings,
+    lambda setting: MissedHits(setting.method, setting.knob),
+    lambda parameters: Setting("stepped", float(parameters["stepped_step"])),
+    "Whatever physics a contact has, a test once a step overlooks grazing hits: a share that falls with the "
+    "square of the step. Event by event none is missed.",
     floor=2.0 / HIT_SHOTS,
-    methods=(
-        Method("stepped", "stepped, full physics", 2.0),
-        Method("lecture", "as in the lecture", 2.0),
-    ),
-    settings=_hit_settings,
-    short="Missed hits",
-    trial=lambda setting: MissedHits(setting.method, setting.knob),
-    present=lambda parameters: Setting("stepped", float(parameters["stepped_step"])),
-    reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0^2 = D^2 - c^2; column formula.",
-    expectation="Whatever physics a contact has, a test once a step overlooks grazing hits: a share that "
-    "falls with the square of the step. Event by event none is missed.",
 )
 
 

@@ -13,6 +13,7 @@ from game.billiards.lecture_state import LECTURE_EFFECTS, POCKETS, LectureSettin
 from game.billiards.rack import BALL_RADIUS, eight_ball_rack
 from game.billiards.table import Table
 from game.lab.references import missed_share
+from game.lab.studies.missed_hits import HIT_SPEED, HitShots, missed_hits_of
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 
 LOSSLESS: dict[str, Any] = {"bounce": 1.0, "restitution": 1.0, "friction": 1.0, "minimum_speed": 0.0}
@@ -42,44 +43,26 @@ def present_step(parameters: Mapping[str, Any]) -> Setting:
 
 # -- hits missed
 
-HIT_SPEED = 3.0  # m/s
-HIT_SHOTS = 400
 HIT_WAY = 0.4  # m from before the contact to behind it
 
 
-class MissedHits:
-    """Shots at a resting ball, impact parameters even over [0, 2 R]; error: share of hits not noticed."""
+class MissedHits(HitShots):
+    """Shots on an open table of the lecture."""
 
     def __init__(self, dt: float, settings: LectureSettings) -> None:
-        self.dt = dt
-        self.steps = math.ceil(HIT_WAY / (HIT_SPEED * dt)) + 1
-        self.simulated_s = HIT_SHOTS * self.steps * dt
+        super().__init__(dt, HIT_WAY)
         self.table = LectureTable(Table.open(), [[0.0, 0.0], [0.0, 1.0]], settings=settings)
-        rng = np.random.default_rng(1)
-        places = np.arange(HIT_SHOTS)
-        self.across = 2.0 * BALL_RADIUS * (places + rng.random(HIT_SHOTS)) / HIT_SHOTS
-        self.phases = rng.random(HIT_SHOTS)
-        self.missed = 0
-        self.tests = 0
-
-    def reset(self) -> None:
-        self.missed = 0
-        self.tests = 0
 
     def run(self) -> None:
         state = self.table.state
-        for across, phase in zip(self.across.tolist(), self.phases.tolist(), strict=True):
-            state.offsets[0] = 0.0, phase * HIT_SPEED * self.dt
+        for across, start in self.places:
+            state.offsets[0] = 0.0, start
             state.offsets[1] = across, 0.5 * HIT_WAY
             state.velocities[0] = 0.0, HIT_SPEED
             state.velocities[1] = 0.0
             self.table.step(self.dt, self.steps)
             self.missed += not state.velocities[1].any()
             self.tests += self.table.counters["pair_tests"]
-
-    def outcome(self) -> Outcome:
-        share = self.missed / HIT_SHOTS
-        return Outcome(share, self.tests, "misses every other hit" if share >= 0.5 else "")
 
 
 HIT_SETTINGS: dict[str, dict[str, Any]] = {
@@ -101,28 +84,23 @@ def _hit_settings() -> Sequence[Setting]:
     return points
 
 
-missed_hits_study = Study(
-    name="lecture-missed-hits",
-    title="Lecture table: hits missed at 3 m/s",
-    error="share of hits not noticed",
-    error_unit="",
-    counter="pair tests",
-    knob=STEP,
-    short="Missed hits",
-    order_over="counter",
-    methods=(
-        Method("lecture", "as in the lecture", 2.0),
-        Method("substeps", "four substeps", 2.0),
-        Method("automatic", "automatic substeps, joint", 2.0),
+missed_hits_study = missed_hits_of(
+    "lecture-missed-hits",
+    "Lecture table",
+    STEP,
+    (
+        ("lecture", "as in the lecture"),
+        ("substeps", "four substeps"),
+        ("automatic", "automatic substeps, joint"),
     ),
-    settings=_hit_settings,
-    trial=lambda setting: MissedHits(
+    _hit_settings,
+    lambda setting: MissedHits(
         setting.knob, LectureSettings(**LOSSLESS, **HIT_SETTINGS.get(setting.method, setting.scene))
     ),
-    present=present_step,
-    reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0^2 = D^2 - c^2; column formula.",
-    expectation="A test once a step overlooks grazing hits: a share that falls with the square of the step, "
-    "and passes one half where a step is longer than three radii.",
+    present_step,
+    "A test once a step overlooks grazing hits: a share that falls with the square of the step, and passes "
+    "one half where a step is longer than three radii.",
+    order_over="counter",
 )
 
 # -- a rack pressed together
@@ -191,24 +169,13 @@ BREAK_SPEED = 8.0  # m/s
 BREAK_TIME = 1.0  # s
 
 
-class MirroredBreak:
-    """A straight break of a symmetric rack; error: farthest ball from its partner's mirror image."""
+class LectureRun:
+    """So many steps of a table, again and again from the same start."""
 
-    simulated_s = BREAK_TIME
-
-    def __init__(self, dt: float, settings: LectureSettings) -> None:
-        table = Table.pool()
-        self.table = LectureTable(
-            table, eight_ball_rack(table), effects=LECTURE_EFFECTS.without(POCKETS), settings=settings
-        )
-        offsets = self.table.state.offsets
-        mirrored = offsets * [-1.0, 1.0]
-        apart = np.abs(offsets[:, None, :] - mirrored[None, :, :]).sum(axis=2)
-        self.partner = apart.argmin(axis=1)
-        self.table.strike(0, (0.0, BREAK_SPEED))
-        self.start = [array.copy() for array in self.table.state]
-        self.steps = round(BREAK_TIME / dt)
-        self.dt = BREAK_TIME / self.steps
+    def __init__(self, table: LectureTable, seconds: float, steps: int) -> None:
+        self.table, self.simulated_s = table, seconds
+        self.start = [array.copy() for array in table.state]
+        self.dt, self.steps = seconds / steps, steps
 
     def reset(self) -> None:
         for array, then in zip(self.table.state, self.start, strict=True):
@@ -216,6 +183,22 @@ class MirroredBreak:
 
     def run(self) -> None:
         self.table.step(self.dt, self.steps)
+
+
+class MirroredBreak(LectureRun):
+    """A straight break of a symmetric rack; error: farthest ball from its partner's mirror image."""
+
+    def __init__(self, dt: float, settings: LectureSettings) -> None:
+        pool = Table.pool()
+        table = LectureTable(
+            pool, eight_ball_rack(pool), effects=LECTURE_EFFECTS.without(POCKETS), settings=settings
+        )
+        offsets = table.state.offsets
+        mirrored = offsets * [-1.0, 1.0]
+        apart = np.abs(offsets[:, None, :] - mirrored[None, :, :]).sum(axis=2)
+        self.partner = apart.argmin(axis=1)
+        table.strike(0, (0.0, BREAK_SPEED))
+        super().__init__(table, BREAK_TIME, round(BREAK_TIME / dt))
 
     def outcome(self) -> Outcome:
         offsets = self.table.state.offsets

@@ -20,7 +20,13 @@ from game.billiards.lecture_state import BALL_COLLISIONS, WALLS, LectureSettings
 from game.billiards.table import Table
 from game.lab.ranges import counts_between
 from game.lab.references import CAROM, Array, two_balls
-from game.lab.studies.lecture_breaks import missed_hits_study, rack_study, step_in_scene, symmetry_study
+from game.lab.studies.lecture_breaks import (
+    LectureRun,
+    missed_hits_study,
+    rack_study,
+    step_in_scene,
+    symmetry_study,
+)
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial
 
 LOSSLESS: dict[str, Any] = {
@@ -49,7 +55,7 @@ LECTURE_FRAME = 1.0 / 30.0  # s, of the lecture's main loop
 FEWEST = 8  # steps to the end of a shot
 
 
-class SteppedShot:
+class SteppedShot(LectureRun):
     """A shot on a bare table, stepped `steps` times to its end; error: farthest ball from its exact place."""
 
     def __init__(
@@ -62,21 +68,9 @@ class SteppedShot:
         steps: int,
         settings: LectureSettings,
     ) -> None:
-        self.simulated_s = time
-        self.table = LectureTable(
-            table, start, CAROM.radius, 1.0, velocities, WALLS | BALL_COLLISIONS, settings
-        )
-        self.start = [array.copy() for array in self.table.state]
+        balls = LectureTable(table, start, CAROM.radius, 1.0, velocities, WALLS | BALL_COLLISIONS, settings)
+        super().__init__(balls, time, steps)
         self.end = end
-        self.dt = time / steps
-        self.steps = steps
-
-    def reset(self) -> None:
-        for array, then in zip(self.table.state, self.start, strict=True):
-            array[...] = then
-
-    def run(self) -> None:
-        self.table.step(self.dt, self.steps)
 
     def outcome(self) -> Outcome:
         off = self.table.positions - self.end
