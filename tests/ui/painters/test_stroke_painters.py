@@ -67,30 +67,54 @@ def test_the_tip_is_chalked_and_the_shadow_can_be_kept_on_the_table():
 
 
 odd = st.one_of(st.floats(allow_nan=True, allow_infinity=True), st.floats(-50, 350))
+nowhere = st.sampled_from([math.nan, math.inf, -math.inf, 1e300])
+CLIP = pygame.Rect(7, 5, 40, 26)
+
+
+def draw_all(surface, v):
+    """Cue, aim, gauges, marks and bodies from eight numbers."""
+    pixels, clip = pixels_of(surface), clip_of(surface)
+    draw_cue(pixels, clip, (v[0], v[1]), (v[2], v[3]), v[4], v[5], (v[6], v[7]))
+    way = np.array(v).reshape(4, 2)
+    ends = (v[0], v[1]), (v[2], v[3])
+    draw_aim(surface, Aim(*ends, v[4], (v[5], v[6]), v[7], way, way, way, (v[0], v[2]), "a"), BOOK)
+    draw_power(surface, pygame.Rect(0, 0, 60, 40), v[0], v[1], DARK, BOOK)
+    draw_spin(surface, (20.0, 20.0), v[0], v[1], DARK, BOOK)
+    draw_elevation(surface, (20.0, 20.0), v[0], DARK, BOOK)
+    draw_handle(pixels, clip, v[0], v[1], DARK, 1.0)
+    draw_contacts(pixels, clip, way, DARK, 1.0, 2)
+    for shape in MARKERS:
+        draw_marker(pixels, clip, shape, v[0], v[1], abs(v[2]), FELT_COOL)
+    four, colors = np.array(v[:4]), np.zeros(4, np.uint32)
+    paint_bodies(pixels, clip, way, four, np.array(v[4:]), colors, colors, four, 2.0, 1.6)
 
 
 @given(st.lists(odd, min_size=8, max_size=8))
 @settings(max_examples=80, deadline=None)
-def test_nothing_breaks_cue_aim_or_gauges(v):
+def test_whatever_the_numbers_are_nothing_is_drawn_outside_of_the_clip(v):
+    surface = felt((60, 40))
+    surface.set_clip(CLIP)
+    with np.errstate(all="ignore"):
+        draw_all(surface, v)
+    outside = changed(surface)
+    outside[CLIP.left : CLIP.right, CLIP.top : CLIP.bottom] = False
+    assert not outside.any()
+
+
+@given(nowhere, st.floats(0, 60), st.booleans())
+@settings(max_examples=40, deadline=None)
+def test_what_has_no_place_is_not_drawn(far, near, swap):
     surface = felt((60, 40))
     pixels, clip = pixels_of(surface), clip_of(surface)
-    with np.errstate(all="ignore"):
-        draw_cue(pixels, clip, (v[0], v[1]), (v[2], v[3]), v[4], v[5], (v[6], v[7]))
-        way = np.array(v).reshape(4, 2)
-        draw_aim(
-            surface,
-            Aim((v[0], v[1]), (v[2], v[3]), v[4], (v[5], v[6]), v[7], way, way, way, (v[0], v[2]), "a"),
-            BOOK,
-        )
-        draw_power(surface, pygame.Rect(0, 0, 60, 40), v[0], v[1], DARK, BOOK)
-        draw_spin(surface, (20.0, 20.0), v[0], v[1], DARK, BOOK)
-        draw_elevation(surface, (20.0, 20.0), v[0], DARK, BOOK)
-        draw_handle(pixels, clip, v[0], v[1], DARK, 1.0)
-        draw_contacts(pixels, clip, way, DARK, 1.0, 2)
-        for shape in MARKERS:
-            draw_marker(pixels, clip, shape, v[0], v[1], abs(v[2]), FELT_COOL)
-        four, colors = np.array(v[:4]), np.zeros(4, np.uint32)
-        paint_bodies(pixels, clip, way, four, np.array(v[4:]), colors, colors, four, 2.0, 1.6)
+    x, y = (near, far) if swap else (far, near)
+    draw_cue(pixels, clip, (x, y), (-1.0, 0.0), 150.0, 0.0)
+    draw_handle(pixels, clip, x, y, DARK, 1.0)
+    draw_contacts(pixels, clip, np.array(((x, y), (x, y))), DARK, 1.0, 1)
+    for shape in MARKERS:
+        draw_marker(pixels, clip, shape, x, y, 5.0, FELT_COOL)
+    one, colors = np.array((6.0,)), np.zeros(1, np.uint32)
+    paint_bodies(pixels, clip, np.array(((x, y),)), one, one, colors, colors, one, 2.0, 1.6)
+    assert not changed(surface).any()
 
 
 def test_the_aim_line_runs_from_ball_to_ghost():
