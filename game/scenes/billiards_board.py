@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 COLORS = ("amber", "accent")  # of the two players
 GAME_TITLES = {
-    EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination match", Practice: "Practice",
+    EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination", Practice: "Practice",
     Drill: "Drill",
 }  # fmt: skip
 MOST_CHIPS = 9

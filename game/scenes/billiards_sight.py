@@ -165,8 +165,10 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         )
 
 
-def draw_label(canvas: Canvas, sight: Sight, places: Places, radius: float, foul: str) -> None:
-    """The cut, or why the stroke is a foul, on a plate beside the ghost ball where no ball is covered."""
+def draw_label(canvas: Canvas, sight: Sight, places: Places, table: Table, radius: float, foul: str) -> None:
+    """The cut, or why the stroke is a foul, on a plate on the cloth beside the ghost ball where no ball is
+    covered.
+    """
     if sight.ghost is None:
         return
     gx, gy = sight.ghost
@@ -174,14 +176,14 @@ def draw_label(canvas: Canvas, sight: Sight, places: Places, radius: float, foul
     apart = math.sqrt((tx - gx) ** 2 + (ty - gy) ** 2) or 1.0
     ux, uy = (tx - gx) / apart, (ty - gy) / apart
     best = (-1.0, gx, gy)
+    high, wide = canvas.px(20.0), canvas.px(46.0)  # the plate is wide along y
     for ring in range(1, 4):
         side = (1.6 * radius + canvas.px(34.0)) * (0.6 + 0.4 * ring)
         for ax, ay in ((-uy, ux), (uy, -ux), (-ux, -uy)):
             x, y = gx + side * ax, gy + side * ay
-            # the plate is about three times as wide, along y, as it is high
-            clear = min(
-                max(abs(bx - x) / canvas.px(20.0), abs(by - y) / canvas.px(46.0)) for _, bx, by in places
-            )
+            if not (high < x < table.width - high and wide < y < table.length - wide):
+                continue
+            clear = min(max(abs(bx - x) / high, abs(by - y) / wide) for _, bx, by in places)
             if min(clear, 1.0) > best[0]:
                 best = (min(clear, 1.0), x, y)
     words = foul or f"cut {math.degrees(sight.cut):.0f}°"

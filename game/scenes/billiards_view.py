@@ -66,8 +66,9 @@ def draw(scene: Billiards, canvas: Canvas, alpha: float) -> None:
     draw_balls(canvas, balls, table)
     if sight is not None:
         draw_label(
-            canvas, sight, scene.round.places, scene.round.conditions.radii[0], foul_of(scene, sight.target)
-        )
+            canvas, sight, scene.round.places, table, scene.round.conditions.radii[0],
+            foul_of(scene, sight.target),
+        )  # fmt: skip
     if scene.considered and scene.phase == STRIKING and not scene.person_plays:
         draw_considered(canvas, scene.kept.considered, scene.round.places, table, played=False)
     _draw_cue(scene, canvas, time, aimed)

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 INKS = {"ivory": 0xE9E0CF, "stone": 0xA79C8E}  # beside the colours of the theme
 VELOCITY_M, ACCELERATION_M, SPIN_M = 0.22, 0.04, 0.22  # m for each m/s, m/s², rad/s
+LONGEST_M = 2.2  # of an arrow in the picture
 APART_PX = 18.0  # at least, of the tips of two arrows with labels
 FORCE_M = 0.0005  # m for each N of a push that acts
 MOST_OUTLINES = 60  # spheres; of more, the exact outline is their hull
@@ -161,25 +162,34 @@ class RigidView:
         body = scene.bodies.all[pane]
         center = (view @ row[X:Q])[:2] + shift
 
-        def arrow(vector: Array, scale: float, color: str, label: str, width: float = 2.4) -> None:
-            canvas.arrow(center, scale * (view @ vector)[:2], color, label, width=width)
+        def arrow(vector: Array, scale: float, color: str, label: str, unit: str, width: float = 2.4) -> None:
+            """One that would leave the picture is cut short, and says how much it is."""
+            way = scale * (view @ vector)[:2]
+            length = math.sqrt(float(way @ way))
+            if length > LONGEST_M:
+                way *= LONGEST_M / length
+                if unit:  # not for L, which may lie on ω
+                    words = f"{math.sqrt(float(vector @ vector)):.3g} {unit}"
+                    canvas.label(center + way, words, color, 12, anchor="topleft", offset=(12.0, 4.0))
+            canvas.arrow(center, way, color, label, width=width)
 
         if ROTATION in scene.active:
             middle = float(body.moments[1])
             if middle > 0.0:
-                arrow(body.angular_momentum / middle, SPIN_M, "green", "L")
-            arrow(body.angular_velocity, SPIN_M, "pink", "ω")
+                arrow(body.angular_momentum, SPIN_M / middle, "green", "L", "")
+            arrow(body.angular_velocity, SPIN_M, "pink", "ω", "rad/s")
         # P beside v: a half longer, were it not for a density other than 700 kg/m³
         longer = 1.5 * scene.density / 700.0
         flat = VELOCITY_M * float(np.abs(view[:2] @ body.velocity).max())
         apart = abs(longer - 1.0) * flat > canvas.px(APART_PX)
-        arrow(longer * body.velocity, VELOCITY_M, "chalk", "P" if apart else "", 1.2)
-        arrow(body.velocity, VELOCITY_M, "chalk", "v")
+        thin = "P" if apart else ""
+        arrow(body.momentum, longer * VELOCITY_M / body.mass, "chalk", thin, "kg m/s", 1.2)
+        arrow(body.velocity, VELOCITY_M, "chalk", "v", "m/s")
         force, point = self._force(scene, pane)
         acceleration = force / body.mass
         if GRAVITY in scene.active:
             acceleration = acceleration - (0.0, scene.gravity, 0.0)
-        arrow(acceleration, ACCELERATION_M, "violet", "a")
+        arrow(acceleration, ACCELERATION_M, "violet", "a", "m/s²")
         if point is not None:
             tail = (view @ point)[:2] + shift
             canvas.arrow(tail, FORCE_M * (view @ force)[:2], "amber", "f")
