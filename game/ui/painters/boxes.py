@@ -8,7 +8,6 @@ way, unless it has leapt.
 from __future__ import annotations
 
 from functools import lru_cache
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,6 @@ from numpy.typing import NDArray
 
 from game.physics.jit import kernel
 from game.ui.canvas import Canvas
-from game.ui.raster import pixels_of
 from game.ui.raster import pixels_of
 
 HIDDEN = 255  # kind of a box that is not drawn
