@@ -13,6 +13,7 @@ from game.physics.particles.in_between import gather_touching, place_between
 from game.scenes.c04_findings import exact_envelope
 from game.scenes.c04_hand import rim_handle
 from game.ui.canvas import EXACT_DASH, Canvas
+from game.ui.curves import thinned
 
 if TYPE_CHECKING:
     from game.scenes.c04_fountain import Fountain
@@ -97,7 +98,8 @@ class FountainView:
         for row in scene.system.state().emitters.tolist():
             points = curve + row[:2]
             points = points[points[:, 1] >= scene.content.floor - 0.2]
-            canvas.polyline(points, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
+            line = thinned(points, canvas.px(0.1))
+            canvas.polyline(line, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
             frame = scene.frame()
             right = points[(points[:, 0] > row[0] + 1.6) & (points[:, 0] < frame.right - 1.0)]
             if len(right) and not named and len(scene.content.nozzles) == 1:

@@ -79,6 +79,7 @@ class Discs:
         self.capacity = capacity
         self._store = np.zeros((capacity, COLUMNS))
         self._impulses = np.zeros((capacity, 2))
+        self._rows, self._given = self._store[:0], self._impulses[:0]  # the same arrays as long as they fit
         self.count = 0
         for place, size, e in zip(places, sizes, bounce, strict=True):
             self.add(place, float(size), float(e))
@@ -89,12 +90,16 @@ class Discs:
     @property
     def rows(self) -> NDArray[np.float64]:
         """The rows that kernels read, (n, columns); a view."""
-        return self._store[: self.count]
+        if len(self._rows) != self.count:
+            self._rows = self._store[: self.count]
+        return self._rows
 
     @property
     def impulses(self) -> NDArray[np.float64]:
         """What each disc was given, (n, 2) N s for particles of 1 kg; a view."""
-        return self._impulses[: self.count]
+        if len(self._given) != self.count:
+            self._given = self._impulses[: self.count]
+        return self._given
 
     @property
     def centres(self) -> NDArray[np.float64]:
