@@ -15,13 +15,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from game.billiards.lecture_events import TableEvent, table_events
 from game.billiards.lecture_state import (
-    EVENT_NAMES,
     EVENTS,
     LECTURE_EFFECTS,
     MAX_BALLS,
@@ -43,22 +43,6 @@ from game.billiards.lecture_step import step_kernel
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table import Table
 from game.physics.effects import Effect, EffectSet
-
-
-class TableEvent(NamedTuple):
-    """One thing that happened in the last step.
-
-    kind: ball-ball, cushion, jaw or pocket. ball; other: ball, or row of the cushion, jaw or pocket. time: s
-    since the step began. speed: m/s at which they closed. impulse: N s. position: x, y in m.
-    """
-
-    kind: str
-    ball: int
-    other: int
-    time: float
-    speed: float
-    impulse: float
-    position: tuple[float, float]
 
 
 class LectureTable:
@@ -244,19 +228,7 @@ class LectureTable:
     @property
     def events(self) -> list[TableEvent]:
         """Events of the last step, in order."""
-        mx, my = self.middle.tolist()
-        return [
-            TableEvent(
-                EVENT_NAMES[int(row[0])],
-                int(row[1]),
-                int(row[2]),
-                row[3],
-                row[4],
-                row[5],
-                (row[6] + mx, row[7] + my),
-            )
-            for row in self.event_rows.tolist()
-        ]
+        return table_events(self.event_rows, self.middle)
 
     # -- what is measured
 
