@@ -299,7 +299,7 @@ class App:
         """Save what the window shows into the pictures folder and say where."""
         self._draw(0.0)
         try:
-            self.pictures.save(self.window.surface, self.screens.top.title or "menu")
+            self.pictures.save(self.window.surface, self.screens.visible()[0].title or "menu")
         except OSError as error:
             self.tell("No picture.", str(error.strerror or error), "warning")
 

@@ -6,6 +6,7 @@ import pygame
 import pytest
 from tests_app import Driver
 
+from game.app.scene.screen import TOUR_AFTER_S
 from game.app.scene.tour import STOPS, TourScreen
 from game.app.settings import load_settings
 
@@ -14,6 +15,7 @@ from game.app.settings import load_settings
 def touring(driver: Driver) -> Driver:
     driver.app.tour_due = True
     driver.open()
+    driver.frames(int(60 * TOUR_AFTER_S) + 2)
     return driver
 
 
@@ -26,6 +28,19 @@ def test_it_comes_with_the_first_scene_and_not_again(touring: Driver):
     assert not isinstance(touring.top, TourScreen)
     touring.key(pygame.K_F3)
     assert isinstance(touring.top, TourScreen)
+
+
+def test_it_waits_until_there_is_something_to_be_seen(driver: Driver):
+    driver.app.tour_due = True
+    driver.open()
+    assert not isinstance(driver.top, TourScreen) and driver.app.tour_due
+    driver.move(*driver.top.shell.layout.stage.center)
+    driver.button(True, *driver.top.shell.layout.stage.center)
+    driver.frames(int(60 * TOUR_AFTER_S) + 2)
+    assert not isinstance(driver.top, TourScreen)  # not while something is being dragged
+    driver.button(False, *driver.top.shell.layout.stage.center)
+    driver.frames(2)
+    assert isinstance(driver.top, TourScreen)
 
 
 def test_keys_go_through_all_parts_and_back(touring: Driver):

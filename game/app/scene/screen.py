@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from game.stage.catalogue import Entry
 
 
+TOUR_AFTER_S = 1.5  # s in which a scene comes to something worth showing
 PAUSE_ROWS = (
     ("", "Go on"),
     ("reset", "Begin anew"),
@@ -51,6 +52,7 @@ class SceneScreen(Screen):
         self.loader: Loader | None = self._load()
         self.play: ScenePlay | None = None
         self._waiting = ""
+        self._age_s = 0.0  # since the scene was there
 
     def _load(self) -> Loader:
         return Loader(
@@ -83,6 +85,9 @@ class SceneScreen(Screen):
                 self._open(self.loader)
         if self.play is not None:
             self.play.update(elapsed_s)
+            self._age_s += elapsed_s
+            if self.app.tour_due and self._age_s >= TOUR_AFTER_S and not self.play.hand.held:
+                self._open_tour()
         else:
             self.shell.update(elapsed_s, None, None)
 
@@ -103,8 +108,6 @@ class SceneScreen(Screen):
         self.play = ScenePlay(self.app, self.shell, loader.stage, self.opening)
         if self.goes_on:
             self.app.tell("Your game goes on.", "N begins a new one.")
-        if self.app.tour_due:
-            self._open_tour()
 
     def closed(self) -> None:
         if self.loader is not None:
