@@ -128,7 +128,7 @@ class BroadPhaseRace(BoxesScene):
         Equation("Full matrix", r"\frac{n(n-1)}{2}", "places of memory"),
     )
     try_this = (
-        "Begin with 30 boxes: the naive way wins. Draw the number up and watch it fall behind.",
+        "Begin with 30 boxes: the naive way keeps up. Draw the number up and watch it fall behind.",
         "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
         "Put all boxes on one line, or let all leap: sweep and prune sorts anew in every step.",
         "Switch off all but the uniform grid and draw the number to 100 000.",
