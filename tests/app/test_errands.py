@@ -2,10 +2,14 @@
 
 from threading import Event, current_thread, main_thread
 
+import pygame
 import pytest
 
 from game.app.scene.errands import Errands
+from game.app.scene.standstill import PATIENCE_S, Standstill
 from game.stage import SetEffect, SetKnob
+from game.ui.look import Look
+from game.ui.theme import DARK
 
 LONG_S = 60.0
 
@@ -145,3 +149,26 @@ def test_work_inside_says_so_and_of_what_waits_under_one_name_the_last_counts():
         errands.wait(LONG_S)
         errands.update(0.0)
     assert done == ["first", 2] and not errands.inside
+
+
+def test_after_a_moment_it_is_said_that_the_scene_is_being_worked_at():
+    look, stage = Look(DARK), pygame.Rect(0, 0, 300, 200)
+    surface = pygame.Surface((300, 200), 0, 32)
+    Standstill.tell(surface, look, stage, PATIENCE_S)
+    assert not pygame.surfarray.array3d(surface).any()
+    Standstill.tell(surface, look, stage, PATIENCE_S + 0.1)
+    rows = pygame.surfarray.array3d(surface).any(axis=(0, 2)).nonzero()[0]
+    assert rows.min() > 150 and rows.max() < 200
+
+
+def test_while_nobody_may_look_the_last_picture_stays():
+    standstill, surface = Standstill(), pygame.Surface((4, 4), 0, 32)
+    surface.fill("red")
+    standstill.show(surface)
+    surface.fill("blue")
+    standstill.show(surface)
+    assert surface.get_at((1, 1)) == pygame.Color("red")
+    standstill.end()
+    surface.fill("blue")
+    standstill.show(surface)
+    assert surface.get_at((1, 1)) == pygame.Color("blue")

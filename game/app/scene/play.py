@@ -18,6 +18,7 @@ from game.app.scene.keeping import Keeper
 from game.app.scene.opening import Opening
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
+from game.app.scene.standstill import Standstill
 from game.app.scene.variants import Variants
 from game.app.script import Script
 from game.app.stars import StarKeeper
@@ -40,7 +41,6 @@ SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)
 ROOMY_MARGIN = 6.0  # design px
 METER_BUDGET_S = 0.0004  # s a frame for measuring what effects cost
-PATIENCE_S = 0.3  # before it is said that the scene is being worked at
 MOST_STEPS = 15  # in a frame
 TRIALS = 2
 STEPS_BUDGET_S = 0.05  # s a frame for steps; one that takes longer is made behind the window
@@ -63,7 +63,7 @@ class ScenePlay:
         self.banner = FaultBanner(app)
         self.meter = EffectMeter(stage)
         self.drawing_error = ""
-        self._still: pygame.Surface | None = None  # shown while a thread is at work in the scene
+        self.standstill = Standstill()
         self._seen = True  # whether the present state has been drawn
         self.untried = TRIALS  # steps to be made before it is known how long they take
         self.stars = StarKeeper()
@@ -289,9 +289,15 @@ class ScenePlay:
         """The scene and its shell; as they were while a thread is at work in the scene."""
         layout = self.shell.layout
         if self.errands.inside:
-            self._draw_still(surface)
-            return
-        self._still, self._seen = None, True
+            self.standstill.show(surface)
+        else:
+            self.standstill.end()
+            self._draw(surface)
+        self.standstill.tell(surface, self.app.look, layout.free_stage, self.errands.seconds)
+
+    def _draw(self, surface: pygame.Surface) -> None:
+        self._seen = True
+        layout = self.shell.layout
         if self.drawing_error or layout.free_stage != layout.stage:  # else the scene's picture covers it
             surface.fill(self.app.look.theme.stage, layout.stage)
         if not self.drawing_error:
@@ -303,13 +309,3 @@ class ScenePlay:
                 self.drawing_error = f"The picture cannot be drawn: {error}"
         self.shell.draw(surface, self.stage, self.stage.scene.legend())
         self.banner.draw(surface)
-
-    def _draw_still(self, surface: pygame.Surface) -> None:
-        """What was last seen of the scene, and from a moment on that it is being worked at."""
-        if self._still is None or self._still.get_size() != surface.get_size():
-            self._still = surface.copy()
-        surface.blit(self._still, (0, 0))
-        if self.errands.seconds > PATIENCE_S:
-            look, stage = self.app.look, self.shell.layout.free_stage
-            words = look.fonts.render_on_halo("Working…", 13, "semibold", look.theme.text1, look.theme.bg)
-            surface.blit(words, words.get_rect(midbottom=(stage.centerx, stage.bottom - look.px(16))))

@@ -1,0 +1,34 @@
+"""A scene that is being worked at: its last picture, and from a moment on words that say so."""
+
+from __future__ import annotations
+
+import pygame
+
+from game.ui.look import Look
+
+PATIENCE_S = 0.3  # before anything is said
+WORDS = "Working…"
+
+
+class Standstill:
+    """Keeps the picture for as long as nobody may look into the scene."""
+
+    def __init__(self) -> None:
+        self._picture: pygame.Surface | None = None
+
+    def show(self, surface: pygame.Surface) -> None:
+        """What was last seen of the scene; the first time that is what the surface shows now."""
+        if self._picture is None or self._picture.get_size() != surface.get_size():
+            self._picture = surface.copy()
+        surface.blit(self._picture, (0, 0))
+
+    def end(self) -> None:
+        """The scene is seen again."""
+        self._picture = None
+
+    @staticmethod
+    def tell(surface: pygame.Surface, look: Look, stage: pygame.Rect, seconds: float) -> None:
+        """Say at the foot of the stage that the scene is being worked at, once it has been for a moment."""
+        if seconds > PATIENCE_S:
+            words = look.fonts.render_on_halo(WORDS, 13, "semibold", look.theme.text1, look.theme.bg)
+            surface.blit(words, words.get_rect(midbottom=(stage.centerx, stage.bottom - look.px(16))))
