@@ -20,7 +20,7 @@ from game.scenes import bounds_walk as walk
 from game.scenes import outline_editor as editor
 from game.scenes.bounds_pair import Pane, TreeOptions, TreePair
 from game.scenes.bounds_state import NO_RECORD, BoundsState, PackedShapes
-from game.scenes.outline_editor import Board, Rules
+from game.scenes.outline_board import Board, Rules, places_of, with_outlines, with_places
 from game.scenes.outline_level import (
     MOST_POINTS,
     CoastEntry,
@@ -193,7 +193,7 @@ class BoundsScene(Scene):
 
     def state(self) -> BoundsState:
         record = self.pair.query.record() if self.pair.query is not None else NO_RECORD
-        places, packed = editor.places_of(self.board), self.packed.of(self.outlines)
+        places, packed = places_of(self.board), self.packed.of(self.outlines)
         rows, gaps, crossings, counts = record
         return BoundsState(places, self.clock, *packed, rows, gaps, crossings, counts)
 
@@ -206,7 +206,7 @@ class BoundsScene(Scene):
             if i < len(self.outlines) and self.outlines[i].points == own:
                 own = self.outlines[i].points
             outlines.append(Outline(own, closed, (x, y), angle))
-        self.board = editor.with_outlines(self.board, tuple(outlines), remember=False)
+        self.board = with_outlines(self.board, tuple(outlines), remember=False)
         self.clock[:] = state.clock
         self.pair.take(self.outlines)
         self.pair.put_back(QueryRecord(*state[5:]))
@@ -229,13 +229,13 @@ class BoundsScene(Scene):
         before = 2.0 * math.pi * float(self.clock[0]) / self.period
         self.clock[0] += dt
         after = 2.0 * math.pi * float(self.clock[0]) / self.period
-        places = editor.places_of(self.board)
+        places = places_of(self.board)
         for i, rate in zip(range(len(places)), (self.turn_a, self.turn_b), strict=False):
             places[i, 2] = math.remainder(places[i, 2] + math.radians(rate) * dt, 2.0 * math.pi)
         if len(places) == 2:
             places[1, 0] += self.sway * (math.cos(after) - math.cos(before))
             places[1, 1] += 0.4 * self.sway * (math.sin(GOLDEN * after) - math.sin(GOLDEN * before))
-        self.board = editor.with_places(self.board, places)
+        self.board = with_places(self.board, places)
 
     # -- the hand -----------------------------------------------------------------------------------
 

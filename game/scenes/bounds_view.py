@@ -18,7 +18,7 @@ from game.scenes.bounds_findings import Findings
 from game.scenes.bounds_pair import Pane, Place, TreePair
 from game.scenes.bounds_volumes import Shown, VolumePainter
 from game.scenes.drawn_lines import DrawnLines
-from game.scenes.outline_editor import NOBODY
+from game.scenes.outline_board import NOBODY
 from game.scenes.outlines import handle_of
 from game.ui.canvas import Canvas
 

@@ -18,6 +18,7 @@ from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes import convex_pair_hand as hand
 from game.scenes import outline_editor as editor
 from game.scenes.convex_pair_level import MOST_CORNERS, PairContent, ShapeEntry, board_of, entry_of
+from game.scenes.outline_board import places_of, with_places
 from game.scenes.outlines import Outline, placed
 from game.scenes.stopwatch import Stopwatch
 from game.stage import (
@@ -220,14 +221,14 @@ class ConvexPairScene(Scene):
     # -- remembering --------------------------------------------------------------------------------
 
     def state(self) -> PairState:
-        places = editor.places_of(self.board)
+        places = places_of(self.board)
         if len(places) < 2:
             places = np.vstack((places, np.zeros((2 - len(places), 3))))
         return PairState(places, self.rates, self.features, self.begun, self.answer, self.counts)
 
     def restore(self, state: PairState) -> None:
         count = len(self.board.outlines)
-        self.board = editor.with_places(self.board, state.places[:count])
+        self.board = with_places(self.board, state.places[:count])
         for array, then in (
             (self.rates, state.rates),
             (self.features, state.features),
@@ -258,7 +259,7 @@ class ConvexPairScene(Scene):
 
     def _drift(self, dt: float) -> None:
         """Shapes that nobody holds go on; at the border of the view they turn back."""
-        places = editor.places_of(self.board)
+        places = places_of(self.board)
         view = self.content.view
         for k in range(len(places)):
             if self.board.held and self.board.chosen == k:
@@ -269,7 +270,7 @@ class ConvexPairScene(Scene):
                 outward = places[k, axis] < low if self.rates[k, axis] < 0.0 else places[k, axis] > high
                 if outward:
                     self.rates[k, axis] = -self.rates[k, axis]
-        self.board = editor.with_places(self.board, places)
+        self.board = with_places(self.board, places)
 
     def pointer(self, event: Pointer) -> None:
         hand.take_pointer(self, event)

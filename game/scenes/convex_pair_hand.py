@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from game.scenes import outline_editor as editor
 from game.scenes.convex_pair_level import MOST_CORNERS
+from game.scenes.outline_board import Board, Rules, with_outlines
 from game.scenes.outlines import Outline
 from game.stage import Pointer
 
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     from game.scenes.convex_pair import ConvexPairScene
 
 REACH = 0.022  # of the height in view: how near to a thing the pointer takes it
-RULES = editor.Rules(most_outlines=2, most_points=MOST_CORNERS, may_be_open=False)
+RULES = Rules(most_outlines=2, most_points=MOST_CORNERS, may_be_open=False)
 WHOLE = -1  # steps shown: all
 ALL_CONVEX = "Both outlines are convex."
 
@@ -45,7 +46,7 @@ def act(scene: ConvexPairScene, name: str) -> None:
     after_edit(scene, before)
 
 
-def after_edit(scene: ConvexPairScene, before: editor.Board) -> None:
+def after_edit(scene: ConvexPairScene, before: Board) -> None:
     """Tell what the editor says, name a refusal, and measure again if something has changed."""
     board = scene.board
     if board.told:
@@ -72,7 +73,7 @@ def accept_hulls(scene: ConvexPairScene) -> None:
     if tuple(outlines) == scene.board.outlines:
         scene.told.append(ALL_CONVEX)
         return
-    scene.board = editor.with_outlines(scene.board, tuple(outlines))
+    scene.board = with_outlines(scene.board, tuple(outlines))
 
 
 def next_start(scene: ConvexPairScene) -> None:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import msgspec
 
-from game.scenes.outline_editor import Board
+from game.scenes.outline_board import Board
 from game.scenes.outlines import Outline, Point
 
 Unit = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]

@@ -215,4 +215,5 @@ def caption(scene: ConvexPairScene, canvas: Canvas, words: str, color: str = "te
     """A line at the foot of the stage."""
     seen = canvas.camera.visible()
     place = (0.5 * (seen.left + seen.right), seen.bottom)
+    words = words[:1].upper() + words[1:]
     canvas.label(place, words, color, 13, "semibold", anchor="bottom", offset=(0.0, -14.0))

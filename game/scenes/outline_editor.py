@@ -1,124 +1,33 @@
 """Outlines drawn by clicking, dragged, turned, corrected and taken back: the hand of the geometry scenes.
 
-A board holds everything that the hand knows: outlines, what is chosen and held, the line being drawn, what
-can be undone. It is frozen; each event gives another board, so a scene keeps it as a plain attribute and the
-stage remembers it with the step. A scene calls ``take_pointer`` and ``act``, and reads ``board.outlines``.
+A scene calls ``take_pointer`` and ``act`` with its board, and goes on with the board that comes back.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import NamedTuple
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
 
-from game.scenes.outlines import (
-    Outline,
-    Point,
-    handle_of,
-    is_inside,
-    nearest_edge,
-    outline_through,
-    placed,
+from game.scenes.outline_board import (
+    NOBODY,
+    Board,
+    Rules,
+    outline_at,
+    redo,
+    telling,
+    undo,
+    with_another,
+    with_fields,
+    with_outlines,
 )
+from game.scenes.outlines import Outline, Point, handle_of, nearest_edge, outline_through, placed
 from game.stage import Pointer
 
-Past = tuple[tuple[Outline, ...], ...]
 TOOLS = ("move", "draw", "points")
-NOBODY = -1
-HISTORY = 64  # edits that can be taken back
 FARTHEST = 1e9  # m, from the origin, that the hand may go
 NOTCH = math.radians(5.0)  # turn of one notch of a wheel
-
-
-class Rules(NamedTuple):
-    """What a scene admits. accept: points (n, 2) m and closed to a reason against it, or ""."""
-
-    most_outlines: int = 2
-    most_points: int = 1024
-    may_be_open: bool = True
-    accept: Callable[[NDArray[np.float64], bool], str] = lambda points, closed: ""
-
-
-class Board(msgspec.Struct, frozen=True):
-    """Outlines and the hand in them. drawn: corners of the line being drawn, m; pointer: where the hand is.
-
-    held: "" or what is dragged ("body", "turn", "point"); grip: where it was taken; corner: the chosen corner
-    of the chosen outline; told: what the last event has to say, or "".
-    """
-
-    outlines: tuple[Outline, ...] = ()
-    chosen: int = NOBODY
-    corner: int = NOBODY
-    drawn: tuple[Point, ...] = ()
-    pointer: Point = (0.0, 0.0)
-    held: str = ""
-    grip: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    past: Past = ()
-    future: Past = ()
-    told: str = ""
-
-
-def outline_at(board: Board, point: Point, reach: float) -> int:
-    """The outline at a point, the chosen one first, or NOBODY."""
-    order = sorted(range(len(board.outlines)), key=lambda i: (i != board.chosen, -i))
-    for i in order:
-        outline = board.outlines[i]
-        corners = placed(outline)
-        if nearest_edge(point, corners, outline.closed)[1] <= reach:
-            return i
-        if outline.closed and is_inside(point, corners):
-            return i
-    return NOBODY
-
-
-# -- changes ------------------------------------------------------------------------------------------
-
-
-def with_outlines(board: Board, outlines: tuple[Outline, ...], remember: bool = True) -> Board:
-    """The board with other outlines; what they were can be undone if ``remember``.
-
-    The hand lets go of what is there no more.
-    """
-    past, future = board.past, board.future
-    if remember:
-        past, future = (*past, board.outlines)[-HISTORY:], ()
-    chosen = board.chosen if board.chosen < len(outlines) else NOBODY
-    held, corner = board.held, board.corner
-    if chosen == NOBODY or corner >= len(outlines[chosen].points):
-        held, corner = "", NOBODY
-    return msgspec.structs.replace(
-        board, outlines=outlines, past=past, future=future, chosen=chosen, held=held, corner=corner
-    )
-
-
-def with_places(board: Board, places: NDArray[np.float64]) -> Board:
-    """The board with its outlines moved to places (k, 3) m, m, rad; not to be undone."""
-    moved = tuple(
-        outline
-        if (outline.position[0], outline.position[1], outline.angle) == (x, y, angle)
-        else Outline(outline.points, outline.closed, (x, y), angle)
-        for outline, (x, y, angle) in zip(board.outlines, places.tolist(), strict=True)
-    )
-    return msgspec.structs.replace(board, outlines=moved)
-
-
-def places_of(board: Board) -> NDArray[np.float64]:
-    """Places (k, 3) of the outlines: m, m, rad."""
-    return np.array([(*outline.position, outline.angle) for outline in board.outlines]).reshape(-1, 3)
-
-
-def _changed(board: Board, index: int, **fields: object) -> Board:
-    outline = msgspec.structs.replace(board.outlines[index], **fields)
-    outlines = (*board.outlines[:index], outline, *board.outlines[index + 1 :])
-    return msgspec.structs.replace(board, outlines=outlines)
-
-
-def _told(board: Board, words: str) -> Board:
-    return msgspec.structs.replace(board, told=words)
 
 
 # -- the pointer --------------------------------------------------------------------------------------
@@ -178,7 +87,7 @@ def _take_corner(board: Board, index: int, point: Point, rules: Rules, reach: fl
         return _hold(board, index, "body", point)
     board = _hold(board, index, "point", point, edge + 1)
     points = (*outline.points[: edge + 1], _own(outline, point), *outline.points[edge + 1 :])
-    return _changed(board, index, points=points)
+    return with_fields(board, index, points=points)
 
 
 def _own(outline: Outline, point: Point) -> Point:
@@ -193,13 +102,13 @@ def _drag(board: Board, point: Point) -> Board:
     outline = board.outlines[index]
     x, y = outline.position
     if board.held == "body":
-        return _changed(board, index, position=(point[0] - board.grip[0], point[1] - board.grip[1]))
+        return with_fields(board, index, position=(point[0] - board.grip[0], point[1] - board.grip[1]))
     if board.held == "turn":
         angle = math.remainder(math.atan2(point[1] - y, point[0] - x) + board.grip[2], 2.0 * math.pi)
-        return _changed(board, index, angle=angle)
+        return with_fields(board, index, angle=angle)
     points = list(outline.points)
     points[board.corner] = _own(outline, point)
-    return _changed(board, index, points=tuple(points))
+    return with_fields(board, index, points=tuple(points))
 
 
 def _let_go(board: Board, rules: Rules) -> Board:
@@ -212,7 +121,7 @@ def _let_go(board: Board, rules: Rules) -> Board:
         outline = board.outlines[board.chosen]
         reason = rules.accept(np.array(outline.points), outline.closed)
         if reason:
-            return _told(_take_back(board), reason)
+            return telling(_take_back(board), reason)
     return let_go
 
 
@@ -234,7 +143,7 @@ def _draw(board: Board, point: Point, rules: Rules, reach: float) -> Board:
     if drawn and math.dist(point, drawn[-1]) <= 0.5 * reach:
         return finish(board, rules, not rules.may_be_open)
     if len(drawn) >= rules.most_points:
-        return _told(board, f"An outline has {rules.most_points} points at most.")
+        return telling(board, f"An outline has {rules.most_points} points at most.")
     return msgspec.structs.replace(board, drawn=(*drawn, point))
 
 
@@ -242,21 +151,12 @@ def finish(board: Board, rules: Rules, closed: bool) -> Board:
     """End the line being drawn. It takes the place of the chosen outline if there is no room for more."""
     least = 3 if closed else 2
     if len(board.drawn) < least:
-        return _told(board, f"A{' closed' if closed else 'n open'} line needs {least} points.")
+        return telling(board, f"A{' closed' if closed else 'n open'} line needs {least} points.")
     reason = rules.accept(np.array(board.drawn), closed)
     if reason:
-        return _told(board, reason)
+        return telling(board, reason)
     made = outline_through(board.drawn, closed)
     return with_another(msgspec.structs.replace(board, drawn=()), made, rules)
-
-
-def with_another(board: Board, made: Outline, rules: Rules) -> Board:
-    """The board with one more outline, which is chosen; in place of the chosen one if there is no room."""
-    count = len(board.outlines)
-    index = count if count < rules.most_outlines else board.chosen if board.chosen != NOBODY else count - 1
-    outlines = (*board.outlines[:index], made, *board.outlines[index + 1 :])
-    board = with_outlines(board, outlines)
-    return msgspec.structs.replace(board, held="", chosen=index, corner=NOBODY)
 
 
 # -- named actions ------------------------------------------------------------------------------------
@@ -268,7 +168,7 @@ def turn(board: Board, angle: float) -> Board:
         return board
     now = board.outlines[board.chosen].angle
     board = with_outlines(board, board.outlines)
-    return _changed(board, board.chosen, angle=math.remainder(now + angle, 2.0 * math.pi))
+    return with_fields(board, board.chosen, angle=math.remainder(now + angle, 2.0 * math.pi))
 
 
 def delete(board: Board, rules: Rules) -> Board:
@@ -277,45 +177,23 @@ def delete(board: Board, rules: Rules) -> Board:
         return msgspec.structs.replace(board, drawn=board.drawn[:-1])
     index, corner = board.chosen, board.corner
     if index == NOBODY:
-        return _told(board, "Choose an outline first.")
+        return telling(board, "Choose an outline first.")
     outline = board.outlines[index]
     least = 3 if outline.closed else 2
     if corner != NOBODY and len(outline.points) > least:
         points = (*outline.points[:corner], *outline.points[corner + 1 :])
         reason = rules.accept(np.array(points), outline.closed)
         if reason:
-            return _told(board, reason)
-        board = _changed(with_outlines(board, board.outlines), index, points=points)
+            return telling(board, reason)
+        board = with_fields(with_outlines(board, board.outlines), index, points=points)
         return msgspec.structs.replace(board, held="", corner=NOBODY)
     rest = (*board.outlines[:index], *board.outlines[index + 1 :])
     return msgspec.structs.replace(with_outlines(board, rest), held="", chosen=NOBODY, corner=NOBODY)
 
 
-def undo(board: Board) -> Board:
-    """Take the last edit back."""
-    if board.drawn:
-        return msgspec.structs.replace(board, drawn=board.drawn[:-1])
-    if not board.past:
-        return _told(board, "Nothing to take back.")
-    future = (*board.future, board.outlines)[-HISTORY:]
-    return _as_it_was(board, board.past[-1], board.past[:-1], future)
-
-
-def redo(board: Board) -> Board:
-    """Do again what was taken back last."""
-    if not board.future:
-        return _told(board, "Nothing to do again.")
-    past = (*board.past, board.outlines)[-HISTORY:]
-    return _as_it_was(board, board.future[-1], past, board.future[:-1])
-
-
-def _as_it_was(board: Board, outlines: tuple[Outline, ...], past: Past, future: Past) -> Board:
-    return Board(outlines, past=past, future=future, pointer=board.pointer)
-
-
 def act(board: Board, name: str, rules: Rules) -> Board:
     """One of the named actions undo, redo, delete, close, finish (open) and cancel."""
-    board = _told(board, "")
+    board = telling(board, "")
     if name == "undo":
         return undo(board)
     if name == "redo":

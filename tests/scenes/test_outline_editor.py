@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.scenes import outline_editor as editor
-from game.scenes.outline_editor import Board, Rules
+from game.scenes.outline_board import NOBODY, Board, Rules, outline_at, places_of, with_outlines, with_places
 from game.scenes.outlines import Outline, handle_of, placed
 from game.stage import Pointer
 from game.stage.memory import remember
@@ -76,7 +76,7 @@ def test_corners_are_moved_made_and_deleted():
     board = editor.act(board, "delete", RULES)
     assert len(board.outlines[0].points) == 4
     board = editor.act(board, "delete", RULES)
-    assert board.outlines == () and board.chosen == editor.NOBODY
+    assert board.outlines == () and board.chosen == NOBODY
     assert editor.act(board, "delete", RULES).told
 
 
@@ -130,23 +130,23 @@ def test_few_points_are_no_line_and_too_many_are_told():
 
 def test_what_is_at_a_point():
     board = Board((SQUARE, Outline(((0.0, 0.0), (4.0, 0.0)), closed=False, position=(0.0, 0.5))))
-    assert editor.outline_at(board, (0.0, 0.0), 0.1) == 0
-    assert editor.outline_at(board, (3.0, 0.55), 0.1) == 1
-    assert editor.outline_at(board, (3.0, 0.8), 0.1) == editor.NOBODY
-    assert editor.outline_at(board, (0.5, 0.5), 0.1) == 1
+    assert outline_at(board, (0.0, 0.0), 0.1) == 0
+    assert outline_at(board, (3.0, 0.55), 0.1) == 1
+    assert outline_at(board, (3.0, 0.8), 0.1) == NOBODY
+    assert outline_at(board, (0.5, 0.5), 0.1) == 1
     chosen = Board(board.outlines, chosen=0)
-    assert editor.outline_at(chosen, (0.5, 0.5), 0.1) == 0
+    assert outline_at(chosen, (0.5, 0.5), 0.1) == 0
     point = Board((Outline(((0.0, 0.0),), closed=False),))
-    assert editor.outline_at(point, (0.05, 0.0), 0.1) == 0
+    assert outline_at(point, (0.05, 0.0), 0.1) == 0
 
 
 def test_places_are_set_without_history():
     board = Board((SQUARE, SQUARE))
-    places = editor.places_of(board)
+    places = places_of(board)
     places[1] = 3.0, 4.0, 0.5
-    moved = editor.with_places(board, places)
+    moved = with_places(board, places)
     assert moved.outlines[0] is board.outlines[0] and moved.outlines[1].position == (3.0, 4.0)
-    assert moved.past == () and np.array_equal(editor.places_of(moved), places)
+    assert moved.past == () and np.array_equal(places_of(moved), places)
 
 
 def test_a_board_is_plain_for_the_stage():
@@ -186,7 +186,7 @@ def test_any_hand_leaves_as_many_outlines_as_there_may_be():
             board = editor.act(board, str(hand.choice(names)), RULES)
         else:
             kept = board.outlines[: hand.integers(3)]
-            board = editor.with_outlines(board, kept, remember=False)
+            board = with_outlines(board, kept, remember=False)
         assert len(board.outlines) <= RULES.most_outlines
         assert -1 <= board.chosen < len(board.outlines)
         if board.held:
