@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -27,12 +27,14 @@ from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
 from game.scenes import billiards_view as view
 from game.scenes.billiards_cue import warm_ups as cue_warm_ups
+from game.scenes.billiards_kept import Kept
 from game.scenes.billiards_layout import FRAME
 from game.scenes.billiards_level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
+from game.scenes.billiards_moves import AIMING, PHASE_S, REPLAY, ROLLING, STRIKING
 from game.scenes.billiards_opponent import Thinker
 from game.scenes.billiards_players import GRADE_LABELS, GRADES, think, warm_up
-from game.scenes.billiards_round import Conditions, Played, Round, Struck, begin, play
-from game.scenes.billiards_sounds import hearing_of, sounds_of
+from game.scenes.billiards_round import Conditions, Played, Round, begin
+from game.scenes.billiards_sounds import hearing_of
 from game.scenes.cue_control import CueControl
 from game.scenes.demo_shots import scattered_orientations
 from game.scenes.figures.balls import draw_aim
@@ -57,13 +59,7 @@ from game.stage import (
     WarmUp,
 )
 
-if TYPE_CHECKING:
-    from game.billiards.search.finding import FoundShot
-
 Array = NDArray[np.float64]
-
-AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
-PHASE_S, REPLAY_S = range(2)  # columns of the clock
 
 
 class BilliardsState(NamedTuple):
@@ -79,21 +75,6 @@ class BilliardsState(NamedTuple):
     turns_before: Array
     cue: Array
     word: str
-
-
-class Kept:
-    """What is computed from the round and kept as long as that holds; no part of the state."""
-
-    def __init__(self) -> None:
-        self.word_of: Round | None = None
-        self.word = ""
-        self.played_of: Struck | None = None
-        self.played: Played | None = None
-        self.sounds_of: Struck | None = None
-        self.sounds: tuple[Sound, ...] = ()
-        self.sight: Any = None  # see billiards_sight
-        self.hint: Any = None
-        self.considered: tuple[FoundShot, ...] = ()  # by a computer player before its last stroke
 
 
 class Billiards(Scene):
@@ -264,10 +245,7 @@ class Billiards(Scene):
     @property
     def word(self) -> str:
         """A word that stands for the round, for the digest: equal rounds, equal words."""
-        kept = self.kept
-        if kept.word_of is not self.round:
-            kept.word_of, kept.word = self.round, moves.word_of(self.round)
-        return f"{self.phase} {kept.word}"
+        return f"{self.phase} {self.kept.word(self.round)}"
 
     def knob_changed(self, name: str) -> None:
         if name in ("sliding", "rolling", "ball_restitution", "cushion_restitution"):
@@ -304,21 +282,12 @@ class Billiards(Scene):
     @property
     def played(self) -> Played | None:
         """What comes, or came, of the last stroke; None before the first."""
-        kept, last = self.kept, self.round.last
-        if kept.played_of is not last:
-            kept.played = play(self.round) if last is not None else None
-            kept.played_of = last
-        return kept.played
+        return self.kept.played(self.round)
 
     @property
     def sounds(self) -> tuple[Sound, ...]:
         """What is to be heard of the last stroke."""
-        kept, last = self.kept, self.round.last
-        if kept.sounds_of is not last:
-            played = self.played
-            kept.sounds = sounds_of(played.trajectory, last.stroke.cue_speed) if last and played else ()
-            kept.sounds_of = last
-        return kept.sounds
+        return self.kept.sounds(self.round)
 
     @property
     def person_plays(self) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from game.scenes import billiards_calling as calling
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
@@ -107,7 +108,7 @@ def action(scene: Billiards, name: str) -> None:
         scene.prediction = not scene.prediction
     elif name == "safety":
         if scene.person_plays:
-            moves.announce(scene)
+            calling.announce(scene)
     elif name == "demo":
         scene.plays_itself = not scene.plays_itself
         scene.cue.let_go()
@@ -141,4 +142,4 @@ def strike_or_skip(scene: Billiards) -> None:
         moves.rack(scene)
     elif scene.phase == AIMING and scene.person_plays and scene.round.playable:
         stroke = moves.aimed_stroke(scene)
-        moves.begin_stroke(scene, stroke, moves.call_for(scene, stroke), practised=False)
+        moves.begin_stroke(scene, stroke, calling.call_for(scene, stroke), practised=False)

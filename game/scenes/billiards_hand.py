@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from game.billiards.rack import BALL_RADIUS
 from game.billiards.rules import CUE_BALL
 from game.scenes import billiards_buttons as buttons
+from game.scenes import billiards_calling as calling
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
@@ -136,7 +137,7 @@ def release_cue(scene: Billiards, event: Pointer) -> None:
     scene.power = min(max(scene.cue.speed, 0.1), MAX_SPEED)
     scene.cue.data[2] = 0.0
     stroke = moves.aimed_stroke(scene)
-    moves.begin_stroke(scene, stroke, moves.call_for(scene, stroke), practised=False)
+    moves.begin_stroke(scene, stroke, calling.call_for(scene, stroke), practised=False)
     scene.pulled = scene.power
 
 

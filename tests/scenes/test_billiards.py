@@ -22,6 +22,7 @@ from scenes.billiards_stages import (
 from game.billiards.rack import BALL_RADIUS, HEAD_SPOT
 from game.billiards.rules import Call
 from game.levels import LevelError
+from game.scenes import billiards_calling as calling
 from game.scenes import billiards_hand as hand
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_moves as moves
@@ -359,7 +360,7 @@ def test_pockets_are_called_by_hand_or_by_the_line_of_aim():
     )
     scene = stage.scene
     aim(stage, AT_THE_CORNER)
-    assert moves.call_for(scene, moves.aimed_stroke(scene)) == (3, 0, False, False)
+    assert calling.call_for(scene, moves.aimed_stroke(scene)) == (3, 0, False, False)
     x, y, _ = scene.round.conditions.table.pockets[5].tolist()
     point(stage, "down", x, y, button=1)
     point(stage, "up", x, y, button=1)
