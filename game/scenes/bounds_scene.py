@@ -7,7 +7,6 @@ from collections import deque
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,14 +14,14 @@ from game.levels import Level
 from game.physics.bounds import FITS, KINDS, SPLITS, Nearest
 from game.physics.bounds.query import OVERLAPPING, QueryRecord
 from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
+from game.scenes import bounds_hand as hand
 from game.scenes import bounds_view as view
 from game.scenes import bounds_walk as walk
 from game.scenes import outline_editor as editor
 from game.scenes.bounds_pair import Pane, TreeOptions, TreePair
-from game.scenes.bounds_state import NO_RECORD, BoundsState, PackedShapes
-from game.scenes.outline_board import Board, Rules, places_of, with_outlines, with_places
+from game.scenes.bounds_state import NO_RECORD, BoundsState, PackedShapes, outlines_of
+from game.scenes.outline_board import Board, places_of, with_outlines, with_places
 from game.scenes.outline_level import (
-    MOST_POINTS,
     CoastEntry,
     OutlinesContent,
     array_of,
@@ -45,11 +44,9 @@ from game.stage import (
 )
 
 Array = NDArray[np.float64]
-REACH = 0.022  # of the height in view: how near to a thing the pointer takes it
 GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that it does not repeat soon
 BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "upright"}  # tests of the other trees
 TREE_KNOBS = ("volume", "fit", "angle_step", "leaf_size", "split")
-RULES = Rules(most_outlines=2, most_points=MOST_POINTS)
 
 
 class BoundsScene(Scene):
@@ -198,15 +195,7 @@ class BoundsScene(Scene):
         return BoundsState(places, self.clock, *packed, rows, gaps, crossings, counts)
 
     def restore(self, state: BoundsState) -> None:
-        outlines = []
-        for i, (x, y, angle) in enumerate(state.places.tolist()):
-            points = state.points[state.starts[i] : state.starts[i + 1]]
-            closed = bool(state.closed[i])
-            own: Any = tuple(map(tuple, points.tolist()))
-            if i < len(self.outlines) and self.outlines[i].points == own:
-                own = self.outlines[i].points
-            outlines.append(Outline(own, closed, (x, y), angle))
-        self.board = with_outlines(self.board, tuple(outlines), remember=False)
+        self.board = with_outlines(self.board, outlines_of(state, self.outlines), remember=False)
         self.clock[:] = state.clock
         self.pair.take(self.outlines)
         self.pair.put_back(QueryRecord(*state[5:]))
@@ -239,43 +228,11 @@ class BoundsScene(Scene):
 
     # -- the hand -----------------------------------------------------------------------------------
 
-    def _take_board(self, board: Board) -> None:
-        """Go on with a board, and say what it has to say."""
-        outlines = self.outlines
-        self.board = board
-        if board.told:
-            self.told.append(board.told)
-        if board.outlines is not outlines:
-            self.cursor = min(self.cursor, walk.length_of(self))
-            self.ask(self.coherent)
-
     def pointer(self, event: Pointer) -> None:
-        seen = self.frame()
-        reach = REACH * (seen.top - seen.bottom)
-        panes = self.panes()
-        if len(panes) == 2:
-            pane = panes[0] if event.x < 0.5 * (seen.left + seen.right) else panes[1]
-            x, y = pane.world((event.x, event.y))
-            event, reach = msgspec.structs.replace(event, x=x, y=y), reach / pane.scale
-        self._take_board(editor.take_pointer(self.board, event, RULES, self.tool, reach))
+        hand.take_pointer(self, event)
 
     def action(self, name: str) -> None:
-        if name in editor.TOOLS:
-            self.values["tool"] = name
-            self.knob_changed("tool")
-        elif name == "hierarchy":
-            self.values["hierarchy"] = not self.hierarchy
-        elif name in ("level-up", "level-down"):
-            self.values["deepest"] = min(max(int(self.deepest) + (1 if name == "level-down" else -1), 0), 24)
-        elif name == "walk":
-            following = walk.WALKS[(walk.WALKS.index(self.walked) + 1) % len(walk.WALKS)]
-            self.values["walked"] = following
-            self.knob_changed("walked")
-        elif name in ("walk-on", "walk-back"):
-            way = 1 if name == "walk-on" else -1
-            self.cursor = min(max(self.cursor + way, 0), walk.length_of(self))
-        else:
-            self._take_board(editor.act(self.board, name, RULES))
+        hand.act(self, name)
 
     def knob_changed(self, name: str) -> None:
         if name in TREE_KNOBS:
@@ -286,7 +243,7 @@ class BoundsScene(Scene):
             self.cursor = 0
             self.ask(self.coherent)
         elif name == "tool":
-            self._take_board(editor.act(self.board, "cancel", RULES))
+            hand.act(self, "cancel")
         elif name == "compare":
             self.compare_trees()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,3 +57,15 @@ class PackedShapes:
             self._arrays = (np.concatenate(arrays) if arrays else np.zeros((0, 2)), starts, closed)
             self._points = points
         return self._arrays
+
+
+def outlines_of(state: BoundsState, before: Sequence[Outline]) -> tuple[Outline, ...]:
+    """The outlines of a state; those that are as ``before`` share its points, so that trees are kept."""
+    outlines = []
+    for i, (x, y, angle) in enumerate(state.places.tolist()):
+        points = state.points[state.starts[i] : state.starts[i + 1]]
+        own: Any = tuple(map(tuple, points.tolist()))
+        if i < len(before) and before[i].points == own:
+            own = before[i].points
+        outlines.append(Outline(own, bool(state.closed[i]), (x, y), angle))
+    return tuple(outlines)

@@ -6,7 +6,7 @@ import math
 from collections import deque
 from collections.abc import Sequence
 from time import perf_counter
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +18,8 @@ from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes import convex_pair_hand as hand
 from game.scenes import outline_editor as editor
 from game.scenes.convex_pair_level import MOST_CORNERS, PairContent, ShapeEntry, board_of, entry_of
+from game.scenes.convex_pair_polygons import KeptPolygons, drifted
 from game.scenes.outline_board import places_of, with_places
-from game.scenes.outlines import Outline, placed
 from game.scenes.stopwatch import Stopwatch
 from game.stage import (
     Choice,
@@ -36,7 +36,6 @@ from game.stage import (
 )
 
 Array = NDArray[np.float64]
-MOST_KEPT = 64  # outlines whose polygons are kept
 REPEATS = 64  # queries that are timed together
 
 
@@ -131,56 +130,23 @@ class ConvexPairScene(Scene):
         self.shown = hand.WHOLE
         self.told: deque[str] = deque(maxlen=8)
         self.watch = Stopwatch()
-        self._shapes: dict[int, tuple[Any, ConvexPolygon | NonConvexError]] = {}
-        self._worlds: dict[int, tuple[Outline, ConvexPolygon]] = {}
+        self.polygons = KeptPolygons(self.content.scale, self.content.origin)
         self.query(fresh=True)
 
     def shape(self, index: int) -> ConvexPolygon | None:
         """A polygon in the world, m; None if its outline is refused, or was deleted."""
         if index >= len(self.board.outlines):
             return None
-        outline = self.board.outlines[index]
-        kept = self._worlds.get(index)
-        if kept is not None and kept[0] is outline:
-            return kept[1]
-        found = self._cleaned(outline)
-        if not isinstance(found, ConvexPolygon):
-            return None
-        moved = found.moved(*outline.position, outline.angle)
-        scale, origin = self.content.scale, self.content.origin
-        if scale != 1.0 or origin != (0.0, 0.0):
-            moved = ConvexPolygon((moved.vertices + origin) * scale)
-        self._worlds[index] = (outline, moved)
-        return moved
+        return self.polygons.in_world(index, self.board.outlines[index])
 
     def drawn_corners(self, index: int) -> Array:
         """Corners (n, 2) of an outline in the level's unit: those that count, or all if it is refused."""
-        outline = self.board.outlines[index]
-        found = self._cleaned(outline)
-        if isinstance(found, ConvexPolygon):
-            return found.moved(*outline.position, outline.angle).vertices
-        return placed(outline)
+        return self.polygons.corners(self.board.outlines[index])
 
     def refusal(self, index: int) -> NonConvexError | None:
         """Why an outline is refused; None if it is convex."""
-        found = self._cleaned(self.board.outlines[index])
+        found = self.polygons.found(self.board.outlines[index])
         return found if isinstance(found, NonConvexError) else None
-
-    def _cleaned(self, outline: Outline) -> ConvexPolygon | NonConvexError:
-        """The polygon of an outline in its own place, or why there is none; found once for each outline."""
-        key = id(outline.points)
-        kept = self._shapes.get(key)
-        if kept is not None and kept[0] is outline.points:
-            return kept[1]
-        found: ConvexPolygon | NonConvexError
-        try:
-            found = ConvexPolygon(outline.points)
-        except NonConvexError as error:
-            found = error
-        if len(self._shapes) > MOST_KEPT:
-            self._shapes.clear()
-        self._shapes[key] = (outline.points, found)
-        return found
 
     # -- the query ----------------------------------------------------------------------------------
 
@@ -254,23 +220,8 @@ class ConvexPairScene(Scene):
 
     def advance(self, dt: float) -> None:
         if SHAPE_MOTION in self.active:
-            self._drift(dt)
+            self.board = drifted(self.board, self.rates, self.content.view, dt)
         self.query()
-
-    def _drift(self, dt: float) -> None:
-        """Shapes that nobody holds go on; at the border of the view they turn back."""
-        places = places_of(self.board)
-        view = self.content.view
-        for k in range(len(places)):
-            if self.board.held and self.board.chosen == k:
-                continue
-            places[k] += self.rates[k] * dt
-            places[k, 2] = math.remainder(places[k, 2], 2.0 * math.pi)
-            for axis, low, high in ((0, view.left, view.right), (1, view.bottom, view.top)):
-                outward = places[k, axis] < low if self.rates[k, axis] < 0.0 else places[k, axis] > high
-                if outward:
-                    self.rates[k, axis] = -self.rates[k, axis]
-        self.board = with_places(self.board, places)
 
     def pointer(self, event: Pointer) -> None:
         hand.take_pointer(self, event)
