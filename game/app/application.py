@@ -9,9 +9,11 @@ from pathlib import Path
 import pygame
 
 from game.app.canvas_warming import CanvasWarming
+from game.app.composition import Composition
 from game.app.frames import Clock, FrameMeter, SystemClock
 from game.app.gamepad import Gamepads
 from game.app.keys import Keys
+from game.app.looks import Looks
 from game.app.menu.screen import MenuScreen
 from game.app.pictures import PictureSaver
 from game.app.scene.opening import Opening
@@ -20,18 +22,15 @@ from game.app.screens.keys_card import KeysCard
 from game.app.screens.screen import Screen, ScreenStack
 from game.app.screens.settings_card import SettingsCard
 from game.app.settings import Settings, save_settings
-from game.app.transition import OVERLAY_S, SCENE_S, CrossFade
+from game.app.transition import OVERLAY_S, SCENE_S
 from game.app.window import Window
 from game.stage.catalogue import Catalogue
 from game.ui.layout import auto_scale
 from game.ui.look import Look
-from game.ui.shapes import draw_disc
 from game.ui.sound import SoundPlayer
-from game.ui.theme import theme_named
 from game.ui.toasts import Toasts
 
 REPEATED = ("step", "step-back", "slower", "faster")  # commands that a held key gives again and again
-LOOKS_KEPT = 3  # dark and light, a window as it is and as it was
 HIDDEN_HZ = 10.0  # a window that nobody sees asks for events only now and then
 LONGEST_FRAME_S = 1.0  # what is longer is a machine that slept; the scene's clock drops more than that itself
 
@@ -68,10 +67,9 @@ class App:
         self._events = events
         self._hidden = False
         self._held: set[int] = set()
-        self._fade = CrossFade()
-        self._backdrop: pygame.Surface | None = None
+        self.composition = Composition()
         self._last = self.clock.now()
-        self._looks: dict[tuple[str, float, bool], Look] = {}  # the one used last at the end
+        self._looks = Looks()
         self.look = self._style()
         self.toasts = Toasts(self.look)
 
@@ -80,14 +78,7 @@ class App:
     def _style(self) -> Look:
         """Theme, fonts and scale for the present window and settings."""
         scale = auto_scale(*self.window.size, self.settings.ui_scale)
-        key = self.settings.theme, scale, self.settings.less_motion
-        look = self._looks.pop(key, None) or Look(
-            theme_named(self.settings.theme), scale, less_motion=self.settings.less_motion
-        )
-        self._looks[key] = look  # with all the words that it has drawn
-        while len(self._looks) > LOOKS_KEPT:
-            del self._looks[next(iter(self._looks))]
-        return look
+        return self._looks.get(self.settings.theme, scale, self.settings.less_motion)
 
     def restyle(self) -> None:
         """Lay all screens out anew for another size, scale or theme."""
@@ -95,7 +86,7 @@ class App:
         if (look.theme, look.k, look.less_motion) != (old.theme, old.k, old.less_motion):
             self.look = look
             self.toasts.place(look)
-        self._backdrop = None
+        self.composition.forget()
         for screen in self.screens:
             screen.restyle()
 
@@ -150,10 +141,10 @@ class App:
         self._changed()
 
     def _begin_change(self, length_s: float) -> None:
-        self._fade.begin(self.window.surface, 0.0 if self.settings.less_motion else length_s)
+        self.composition.begin_change(self.window.surface, 0.0 if self.settings.less_motion else length_s)
 
     def _changed(self) -> None:
-        self._backdrop = None
+        self.composition.forget()
         self.meter.clear()
         self.window.set_title(self.screens.top.title)
 
@@ -191,33 +182,8 @@ class App:
         self.meter.add(self.clock.now() - began)
 
     def _draw(self, elapsed_s: float) -> None:
-        surface = self.window.surface
-        self._draw_below(surface)
-        self.screens.top.draw(surface)
-        self._draw_gamepad_pointer(surface)
-        self.toasts.draw(surface, self.screens.visible()[0].message_row())
-        self._fade.update(elapsed_s)
-        self._fade.draw(surface)
+        self.composition.draw(self, elapsed_s)
         self.window.flip()
-
-    def _draw_gamepad_pointer(self, surface: pygame.Surface) -> None:
-        """The place that a gamepad's stick has moved to: there is no mouse arrow there."""
-        place = self.gamepads.pointer
-        if place is not None and self.screens.top.gamepad == "pointer":
-            px = self.look.px
-            draw_disc(surface, place, px(9), None, self.look.theme.bg, max(3, px(4)))
-            draw_disc(surface, place, px(8), None, self.look.theme.accent, max(1, px(2)))
-
-    def _draw_below(self, surface: pygame.Surface) -> None:
-        """What is under an overlay stands still, so it is drawn once and kept."""
-        below = self.screens.visible()[:-1]
-        if not below:
-            return
-        if self._backdrop is None or self._backdrop.get_size() != surface.get_size():
-            for screen in below:
-                screen.draw(surface)
-            self._backdrop = surface.copy()
-        surface.blit(self._backdrop, (0, 0))
 
     # -- events -------------------------------------------------------------------------------------
 
