@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+import pygame
 from numpy.typing import NDArray
 
 from game.physics.animation import JOINT_LIMITS, SKINNING
@@ -17,6 +18,7 @@ from game.stage import Frame, blend_angles
 from game.ui.canvas import EXACT_DASH, Canvas
 from game.ui.curves import thinned
 from game.ui.numerals import quantity
+from game.ui.shapes import draw_disc
 
 if TYPE_CHECKING:
     from game.scenes.c03_inverse_kinematics import InverseKinematics
@@ -26,6 +28,8 @@ COLUMNS, ROWS = 3, 2
 TITLES = ("Gradient", "Buss step", "Armijo", "Damped least squares", "CCD", "FABRIK")
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")  # as the charts have them
 DECADES = 8.0  # of the small chart, below the reach
+TRAIL_DOWN, TRAIL_WIDE, TRAIL_HIGH = 72.0, 84.0, 30.0  # design px: where the small chart is, its size
+CARD_WIDE, CARD_HIGH, MOST_CARDS = 180.0, 124.0, 64
 
 
 def cells_of(figure: FigureContent, compare: bool, chosen: int) -> list[Cell]:
@@ -53,14 +57,16 @@ class Words(NamedTuple):
 
     error: str
     work: str
+    seconds: str
 
 
 class ChainView:
     """Draws the figures of all methods."""
 
     def __init__(self) -> None:
-        self._words: list[Words] = []
-        self._quarter = -1
+        self._words = [Words("", "", "")] * len(TITLES)
+        self._quarters = [-1] * len(TITLES)
+        self._cards: dict[tuple[Any, ...], pygame.Surface] = {}
         self._curves: tuple[Array, float] = (np.zeros((len(TITLES), 1, 2)), 0.0)
 
     def draw(self, scene: InverseKinematics, canvas: Canvas, alpha: float) -> None:
@@ -160,40 +166,46 @@ class ChainView:
     # -- words --------------------------------------------------------------------------------------
 
     def _refresh(self, scene: InverseKinematics) -> None:
-        """Numbers anew, four times a second: quicker ones cannot be read."""
-        quarter = math.floor(4.0 * scene.time)
-        if quarter == self._quarter and self._words:
-            return
-        self._quarter, self._words = quarter, []
+        """Numbers anew, four times a second, one method after the other: quicker ones cannot be read."""
         for k, found in enumerate(scene.measured):
-            error = " ".join(quantity(found.error, "m"))
+            quarter = math.floor(4.0 * scene.time + k / len(TITLES))
+            if quarter == self._quarters[k]:
+                continue
+            self._quarters[k] = quarter
             seconds = " ".join(quantity(scene.watch.median(scene.shown_methods[k]), "s"))
             times = "iteration" if found.iterations == 1 else "iterations"
-            self._words.append(Words(error, f"{found.iterations} {times}, {seconds}"))
+            error = " ".join(quantity(found.error, "m"))
+            self._words[k] = Words(error, f"{found.iterations} {times}", seconds)
 
     def _draw_words(self, scene: InverseKinematics, canvas: Canvas, k: int, frame: Frame) -> None:
         """Name, what it took, and the errors of the last steps, at the top left of a figure's place."""
+        if not canvas.words:
+            return
         column, row = (k % COLUMNS, k // COLUMNS) if scene.compare else (0, 0)
         x = frame.right * column / COLUMNS + canvas.px(10.0)
         y = frame.top * (ROWS - row) / ROWS - canvas.px(8.0)
         mine = k == scene.master
         title = TITLES[k] if scene.adaptive or k != 3 else "Damped, fixed"
-        canvas.dot((x + canvas.px(4.0), y - canvas.px(8.0)), 4.0, COLORS[k])
-        canvas.label(
-            (x + canvas.px(14.0), y), title, "accent" if mine else "text1", 13, "semibold", "topleft"
-        )
-        if scene.solver is None:
-            canvas.label((x, y - canvas.px(20.0)), "pick a chain", "text3", 12, anchor="topleft")
-            return
-        words = self._words[k]
-        canvas.label((x, y - canvas.px(20.0)), words.error, "text1", 12, "semibold", "topleft")
-        canvas.label((x, y - canvas.px(36.0)), words.work, "text2", 11, anchor="topleft")
-        self._draw_trail(canvas, k, (x, y - canvas.px(56.0)))
+        words = self._words[k] if scene.solver is not None else None
+        canvas.blit(self._card(canvas, k, title, mine, words), (x, y), "topleft")
+        if words is not None:
+            self._draw_trail(canvas, k, (x, y - canvas.px(TRAIL_DOWN)))
+
+    def _card(self, canvas: Canvas, k: int, title: str, mine: bool, words: Words | None) -> pygame.Surface:
+        """A picture of the words, and of the tolerance under the errors; kept while it holds."""
+        level = self._curves[1] / canvas.px(1.0) if words is not None else 0.0
+        key = (canvas.theme.name, canvas.k, k, title, mine, words, round(level, 3))
+        found = self._cards.get(key)
+        if found is None:
+            if len(self._cards) >= MOST_CARDS:
+                self._cards.clear()
+            found = self._cards[key] = _paint_card(canvas, COLORS[k], title, mine, words, level)
+        return found
 
     def _trails(self, scene: InverseKinematics, canvas: Canvas) -> tuple[Array, float]:
         """Errors of the last steps (6, TRAIL, 2), logarithmic from the reach down, and the tolerance."""
         assert scene.solver is not None
-        wide, high = canvas.px(104.0), canvas.px(30.0)
+        wide, high = canvas.px(TRAIL_WIDE), canvas.px(TRAIL_HIGH)
         share = 1.0 / scene.solver.chain.reach
         places = np.empty((*scene.trail.shape, 2))
         places[:, :, 0] = np.linspace(0.0, wide, scene.trail.shape[1])
@@ -203,11 +215,36 @@ class ChainView:
         return places, level
 
     def _draw_trail(self, canvas: Canvas, k: int, corner: tuple[float, float]) -> None:
-        """Recent errors of a method; the tolerance dashed."""
-        places, level = self._curves
-        x, y = corner
-        right = x + float(places[k, -1, 0])
-        canvas.line((x, y + level), (right, y + level), "text3", 1.0, dash=(3.0, 3.0), alpha=0.7)
-        line = thinned(places[k] + corner, canvas.px(0.2))
+        """Recent errors of a method."""
+        line = thinned(self._curves[0][k] + corner, canvas.px(0.2))
         canvas.polyline(line, COLORS[k], 1.5)
         canvas.dot(line[-1], 2.2, COLORS[k])
+
+
+def _paint_card(
+    canvas: Canvas, color: str, title: str, mine: bool, words: Words | None, level: float
+) -> pygame.Surface:
+    """Name, error, work and time below each other; the tolerance dashed, ``level`` design px from the top of
+    the errors, and named beside the chosen figure."""
+    fonts, k = canvas.fonts, canvas.k
+    card = pygame.Surface((round(CARD_WIDE * k), round(CARD_HIGH * k)), pygame.SRCALPHA, 32)
+    card.fill((*canvas.halo[:3], 0))
+    draw_disc(card, (4.0 * k, 8.0 * k), 4.0 * k, canvas.color(color))
+    rows = [(14.0, 0.0, title, 13, "semibold", "accent" if mine else "text1")]
+    if words is None:
+        rows.append((0.0, 20.0, "pick a chain", 12, "medium", "text3"))
+    else:
+        rows.append((0.0, 20.0, words.error, 12, "semibold", "text1"))
+        rows.append((0.0, 36.0, words.work, 11, "medium", "text2"))
+        rows.append((0.0, 50.0, words.seconds, 11, "medium", "text2"))
+        at = TRAIL_DOWN - level
+        if mine:
+            rows.append((0.0, TRAIL_DOWN + TRAIL_HIGH + 2.0, "dashed: tolerance", 11, "medium", "text3"))
+        for dash in range(0, int(TRAIL_WIDE), 6):
+            card.fill(
+                canvas.color("text3"), (round(dash * k), round(at * k), round(3.0 * k), max(round(k), 1))
+            )
+    for x, y, text, size, weight, token in rows:
+        ink = canvas.look.color(token, words=True)
+        card.blit(fonts.render_on_halo(text, size, weight, ink, canvas.halo), (round(x * k), round(y * k)))
+    return card
