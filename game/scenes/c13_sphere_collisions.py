@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,17 +15,17 @@ from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune,
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
-from game.physics.rigid.collision_state import CollisionState
 from game.physics.rigid.collisions import CollidingSpheres
-from game.physics.rigid.makeup import Makeup
 from game.physics.rigid.smooth_spheres import SmoothSpheres
 from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
-from game.physics.rigid.spheres import MotionState, SphereBodies
+from game.physics.rigid.spheres import SphereBodies
 from game.scenes import c13_findings as findings
 from game.scenes import c13_hand as hand
 from game.scenes import c13_sounds
-from game.scenes.c13_level import CollisionContent, SphereEntry, bodies_of, makings_of, tables_of
+from game.scenes.c13_level import CollisionContent, SphereEntry
+from game.scenes.c13_makings import bodies_of, makings_of, tables_of
 from game.scenes.c13_saving import content_of
+from game.scenes.c13_state import SphereState, restore, state_of
 from game.scenes.c13_view import CollisionView
 from game.scenes.figures.rigid import draw_friction_cone
 from game.stage import (
@@ -52,35 +52,7 @@ BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
 NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
 TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
 MOST_EXACT = 2_000  # impacts in a step of the event-driven run
-NOTHING = np.zeros((0, 3))
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
-
-
-class SphereState(NamedTuple):
-    """All that moves (see `CollisionState`), and what spheres there are (see `Makeup`)."""
-
-    positions: Array
-    orientations: Array
-    momenta: Array
-    spins: Array
-    pairs: NDArray[np.int64]
-    found_at: Array
-    keys: NDArray[np.int64]
-    held: Array
-    pulls: Array
-    ring: Array
-    counters: Array
-    masses: Array
-    inverse_inertias: Array
-    round_bodies: NDArray[np.uint8]
-    radii: Array
-    owners: NDArray[np.int64]
-    offsets: Array
-    kinds: NDArray[np.int64]
-    hung: NDArray[np.int64]
-    strings: Array
-    exact_places: Array  # (s, 3) m of the event-driven run; empty without one
-    exact_speeds: Array  # (s, 3) m/s
 
 
 class SphereCollisions(Scene):
@@ -237,7 +209,7 @@ class SphereCollisions(Scene):
         self.exact: SmoothSpheres | None = None
         self.take_bodies(bodies_of(makings, self.real, self.density), makings.surroundings)
         if self.content.exact:
-            self.exact = self._exact_run()
+            self.begin_exact()
         self.view = CollisionView(self)
 
     def take_bodies(self, bodies: SphereBodies, surroundings: Any) -> None:
@@ -250,10 +222,10 @@ class SphereCollisions(Scene):
             np.copyto(self.world.counters, before.counters)
         self._configure()
 
-    def _exact_run(self) -> SmoothSpheres:
+    def begin_exact(self) -> SmoothSpheres:
         """The event-driven run of the spheres as they are, without friction or drag."""
         bodies = self.world.bodies
-        return SmoothSpheres(
+        self.exact = SmoothSpheres(
             bodies.state.positions,
             bodies.velocities,
             bodies.makeup.radii,
@@ -263,6 +235,7 @@ class SphereCollisions(Scene):
             gravity=self.gravity if GRAVITY in self.active else 0.0,
             window=self.world.surroundings.window,
         )
+        return self.exact
 
     def end_exact(self, why: str) -> None:
         """The exact run is no run of these spheres any more."""
@@ -343,30 +316,10 @@ class SphereCollisions(Scene):
     # -- remembering --------------------------------------------------------------------------------
 
     def state(self) -> SphereState:
-        around = self.world.surroundings
-        exact = (
-            (self.exact.positions, self.exact.velocities) if self.exact is not None else (NOTHING, NOTHING)
-        )
-        return SphereState(
-            *self.world.state(), *self.world.bodies.makeup, around.hung, around.strings, *exact
-        )
+        return state_of(self)
 
     def restore(self, state: SphereState) -> None:
-        makeup = Makeup(
-            state.masses.copy(), state.inverse_inertias.copy(), state.round_bodies.copy(), state.radii.copy(),
-            state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
-        )  # fmt: skip
-        mine = self.world.bodies.makeup
-        same = len(mine.radii) == len(makeup.radii) and np.array_equal(mine.radii, makeup.radii)
-        if not same or not np.array_equal(mine.masses, makeup.masses):
-            motion = MotionState(*(part.copy() for part in state[:4]))
-            around = self.world.surroundings._replace(hung=state.hung.copy(), strings=state.strings.copy())
-            self.take_bodies(SphereBodies.of_parts(makeup, motion), around)
-        self.world.restore(CollisionState(*state[:11]))
-        self.exact = self._exact_run() if len(state.exact_places) else None
-        if self.exact is not None:
-            np.copyto(self.exact.positions, state.exact_places)
-            np.copyto(self.exact.velocities, state.exact_speeds)
+        restore(self, state)
 
     def save_content(self) -> CollisionContent:
         return content_of(self)
