@@ -115,7 +115,9 @@ class BoundsView:
         canvas.label(at, pane.title, "text1", 15, "semibold", offset=(0.0, 14.0))
         query = pane.pair.query
         if query is not None:
-            words = f"{query.volume_tests} tests, {query.leaves_met} pairs of leaves"
+            tests = "1 test" if query.volume_tests == 1 else f"{query.volume_tests} tests"
+            pairs = "1 pair" if query.leaves_met == 1 else f"{query.leaves_met} pairs"
+            words = f"{tests}, {pairs} of leaves"
             canvas.label(at, words, "text2", 12, offset=(0.0, 34.0))
 
     def places(self, scene: BoundsScene, alpha: float) -> list[Place]:

@@ -154,6 +154,21 @@ class TestEffectMeter:
         measured(stage)
         assert len(builders) == 6 and threading.get_ident() not in builders
 
+    def test_a_scene_that_takes_long_is_measured_in_the_thread_alone(self) -> None:
+        steps: list[bool] = []
+
+        class Large(Costly):
+            def takes_long(self, event: object) -> bool:
+                return True
+
+            def advance(self, dt: float) -> None:
+                steps.append(threading.current_thread() is threading.main_thread())
+                super().advance(dt)
+
+        meter = measured(Stage(Large))
+        assert steps and not any(steps)
+        assert meter.costs == pytest.approx({"test-gravity": 1e-6, "test-ground": 5e-6})
+
     def test_the_scene_is_only_read(self) -> None:
         stage, twin = Stage(Costly), Stage(Costly)
         stage.run(10)

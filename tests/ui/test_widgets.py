@@ -243,6 +243,17 @@ def test_messages_wait_their_turn_and_never_pile_up(look):
     assert len(seen) == 4 and seen[-1] == "Message 49"
 
 
+def test_a_message_is_as_wide_as_its_words_but_no_wider_than_its_row(look: Look):
+    toasts = Toasts(look)
+    assert toasts.width(4000) == 0
+    toasts.add("Saved.")
+    usual = toasts.width(4000)
+    toasts.clear()
+    toasts.add("Saved.", "a word and " * 20)
+    words = look.fonts.size("Saved.", 13, "semibold")[0] + look.fonts.size("a word and " * 20, 13)[0]
+    assert toasts.width(4000) > max(words, usual) and toasts.width(300) == 300
+
+
 def test_a_tip_shows_after_half_a_second_inside_the_window(look):
     tip, surface = ToolTip(look), pygame.Surface((200, 100), 0, 32)
     about = ("A long explanation of the thing that is under the pointer now", pygame.Rect(190, 90, 10, 10))
