@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.effects import EffectSet
+from game.physics.rigid.makeup import whole_numbers
 from game.physics.rigid.sphere_effects import DRAG_BIT, FRICTION_BIT, GRAVITY_BIT, KNOWN, USUAL
 
 SCHEMES = ("explicit-euler", "semi-implicit", "exact-flight")
@@ -19,6 +20,7 @@ CORRECTIONS = ("none", "baumgarte", "soft", "split", "projection")
 PATHS = ("auto", "general", "planar")
 BAUMGARTE = 0.2  # part of an overlap that becomes speed in one step
 SOFT_HERTZ, SOFT_DAMPING, SOFT_PUSH = 30.0, 10.0, 3.0  # Hz, of critical, m/s: as Box2D 3 has them
+WARMEST = 4.0  # most that a long part may make of the impulses of a short one before it
 SHARES = {"projection": 0.4, "split": 0.3}  # of an overlap: taken away by a sweep, or by a step
 MOST_SHIFT = 0.3  # of the smallest radius: no sweep corrects more
 MOST_TURNS = 10_000
@@ -133,7 +135,7 @@ class CollisionSettings:
             float(self.gravity) if mask & GRAVITY_BIT else 0.0,
             float(self.drag) if mask & DRAG_BIT else 0.0,
             float(self.rest), 1.0 if mask & FRICTION_BIT else 0.0,
-            min(h / before, 4.0) if self.warm and before > 0.0 else 0.0,
+            min(h / before, WARMEST) if self.warm and before > 0.0 else 0.0,
             push, push_limit, softness, self.slop * radius,
             SHARES.get(self.correction, 0.0), MOST_SHIFT * radius, self.rounds, self.iterations,
             self.passes if self.correction in ("split", "projection") else 0,
@@ -148,7 +150,10 @@ def material_tables(restitution: ArrayLike, friction: ArrayLike, count: int = 1)
     """
     tables = []
     for name, values, most in (("restitution", restitution, 1.0), ("friction", friction, 100.0)):
-        table = np.array(np.broadcast_to(np.asarray(values, dtype=np.float64), (count + 1, count + 1)))
+        given = np.asarray(values, dtype=np.float64)
+        if given.shape not in ((), (count + 1, count + 1)):
+            raise ValueError(f"{name}: one number, or {count + 1} rows of {count + 1}, is wanted")
+        table = np.array(np.broadcast_to(given, (count + 1, count + 1)))
         if not ((table >= 0.0) & (table <= most)).all():
             raise ValueError(f"{name}: 0 to {most:g} is wanted")
         if not np.array_equal(table, table.T):
@@ -174,7 +179,7 @@ def surroundings_of(
     if not (length > 1e-9).all():
         raise ValueError("ledges: two different ends are wanted")
     ties = np.array(strings, dtype=np.float64).reshape(-1, 4)
-    spheres = np.array(hung, dtype=np.int64).reshape(-1)
+    spheres = whole_numbers("hung", hung).reshape(-1)
     if len(spheres) != len(ties) or not np.isfinite(ties).all() or not (ties[:, 3] > 0.0).all():
         raise ValueError("strings: a place and a length above 0 m for each sphere that hangs are wanted")
     return Surroundings(box, lines, spheres, ties)

@@ -13,6 +13,7 @@ Ints = NDArray[np.int64]
 MAX_SPHERES = 1_000_000
 LARGEST = 1e6  # m and m/s: far enough for any window, near enough for squares
 SOLID = 0.4  # of m r², inertia of a solid ball about its centre
+SKEW = 1e-9  # of the largest entry: how far an inertia tensor may be from symmetric
 INERTIAS = ("unit", "solid")
 
 
@@ -84,7 +85,8 @@ def invert_inertias(
         raise ValueError(f"inertias: one number or finite tensor for each of {n} bodies is wanted")
     six = np.zeros((n, 6))
     for i in range(n):
-        if not np.allclose(given[i], given[i].T, rtol=1e-9) or np.linalg.eigvalsh(given[i])[0] <= 0.0:
+        off = float(np.abs(given[i] - given[i].T).max())
+        if off > SKEW * float(np.abs(given[i]).max()) or np.linalg.eigvalsh(given[i])[0] <= 0.0:
             raise ValueError(f"inertias[{i}]: must be symmetric and positive definite")
         inverse = np.linalg.inv(given[i])
         six[i] = inverse[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
@@ -103,7 +105,7 @@ def _inertias_by_offsets(offsets: Floats, radii: Floats, weights: Floats, owners
 
 def checked_owners(owners: ArrayLike, s: int) -> Ints:
     """(s,) a body for each sphere, numbered without gaps, or ValueError."""
-    who = np.array(owners, dtype=np.int64).reshape(-1)
+    who = whole_numbers("owners", owners).reshape(-1)
     if who.shape != (s,) or not np.array_equal(np.unique(who), np.arange(who.max(initial=-1) + 1)):
         raise ValueError(f"owners: a body 0, 1, ... for each of {s} spheres is wanted, none left out")
     return who
@@ -111,10 +113,19 @@ def checked_owners(owners: ArrayLike, s: int) -> Ints:
 
 def checked_kinds(kinds: ArrayLike, s: int) -> Ints:
     """(s,) materials from one number or (s,), or ValueError."""
-    array = np.array(np.broadcast_to(np.asarray(kinds, dtype=np.int64), (s,)))
-    if (array < 0).any():
-        raise ValueError("kinds: whole numbers from 0 are wanted")
-    return array
+    given = whole_numbers("kinds", kinds)
+    if given.shape not in ((), (1,), (s,)) or (given < 0).any():
+        raise ValueError(f"kinds: whole numbers from 0 are wanted, one for all or for each of {s}")
+    return np.array(np.broadcast_to(given, (s,)))
+
+
+def whole_numbers(name: str, values: ArrayLike) -> Ints:
+    """Whole numbers as an array of the same shape, or ValueError: none is rounded."""
+    given = np.array(values)
+    whole = given.astype(np.int64) if given.dtype.kind in "iuf" and np.isfinite(given).all() else None
+    if whole is None or not np.array_equal(whole, given):
+        raise ValueError(f"{name}: whole numbers are wanted")
+    return whole
 
 
 def checked_turns(orientations: ArrayLike | None, n: int) -> Floats:

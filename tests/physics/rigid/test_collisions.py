@@ -408,6 +408,7 @@ def test_momentum_of_any_crowd(places, seed):
         lambda: surroundings_of((1, 0, 0, 1)),
         lambda: surroundings_of(ledges=[(0, 0, 0, 0)]),
         lambda: surroundings_of(hung=[0], strings=[(0, 0, 0, 0)]),
+        lambda: surroundings_of(hung=[0.5], strings=[(0, 0, 0, 1)]),
         lambda: CollidingSpheres(
             SphereBodies([(0, 0)], [1]), surroundings_of(hung=[1], strings=[(0, 0, 0, 1)])
         ),

@@ -268,3 +268,5 @@ def test_restitution_and_friction_of_each_pair():
         assert bodies.velocities[1, 0] == after
     with pytest.raises(ValueError, match="as b with a"):
         material_tables([[0.5, 0.1], [0.2, 0.5]], 0.0)
+    with pytest.raises(ValueError, match="friction: one number, or 3 rows of 3"):
+        material_tables(0.5, [0.1, 0.2], 2)
