@@ -19,6 +19,8 @@ from game.lab.studies.impulses import (
 )
 from game.lab.study import Row
 
+LATE = ("explicit", "semi-implicit", "parabola")  # collisions by overlap
+
 
 def few(study, wanted):
     return replace(study, settings=lambda: [s for s in study.settings() if wanted(s)])
@@ -40,7 +42,7 @@ def test_the_run_has_impacts_between_spheres_and_with_walls():
     assert 5 <= exact_flight().impacts <= 30
 
 
-@pytest.mark.parametrize("method", ["explicit", "semi-implicit", "parabola", "explicit-impacts"])
+@pytest.mark.parametrize("method", [*LATE, "explicit-impacts", "semi-implicit-impacts"])
 def test_late_collisions_and_eulers_flight_are_of_first_order(impacts, method):
     rows = [row for row in impacts if row.method == method]
     assert fit_order(rows, envelope=True) == pytest.approx(1.0, abs=0.15)
@@ -54,7 +56,7 @@ def test_parabolas_with_impact_times_are_exact(impacts):
 def test_only_both_together_keep_energy():
     table = run_study(few(energy_study, lambda s: s.knob > 1 / 60), repeats=1)
     assert max(row.error for row in table.of("parabola-impacts")) < 1e-11
-    for method in ("explicit", "semi-implicit", "parabola", "explicit-impacts"):
+    for method in (*LATE, "explicit-impacts", "semi-implicit-impacts"):
         assert max(row.error for row in table.of(method)) > 1e-6
 
 

@@ -77,6 +77,7 @@ IMPACTS: dict[str, tuple[str, bool]] = {
     "semi-implicit": ("semi-implicit", False),
     "parabola": ("exact-flight", False),
     "explicit-impacts": ("explicit-euler", True),
+    "semi-implicit-impacts": ("semi-implicit", True),
     "parabola-impacts": ("exact-flight", True),
 }
 
@@ -213,6 +214,7 @@ _METHODS = (
     Method(
         "explicit-impacts", "explicit Euler, impact times", 1.0, "collisions in time, flight is not exact"
     ),
+    Method("semi-implicit-impacts", "semi-implicit, impact times", 1.0),
     Method("parabola-impacts", "parabola, impact times", None, "exact, at any step"),
 )
 
