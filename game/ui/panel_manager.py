@@ -30,6 +30,7 @@ QUEUED = (
 )  # fmt: skip
 CORNERS = 6  # px
 MOST_ROUNDS = 6  # of events that answer events
+LOCALE = "en"
 MOST_THEMES = 4  # kept: dark and light, a window as it is and as it was
 
 _themes: dict[tuple[str, float], UIAppearanceTheme] = {}  # the one used last at the end
@@ -91,6 +92,20 @@ class PanelTheme(UIAppearanceTheme):
         return found
 
 
+def prepared_theme(look: Look) -> UIAppearanceTheme:
+    """The theme of a look, read and checked once; any thread may ask for it beforehand."""
+    key = look.theme.name, look.k
+    theme = _themes.pop(key, None)
+    if theme is None:
+        theme = PanelTheme(_loader(), LOCALE)
+        theme.get_font_dictionary().add_font_path("carom_sans", *_font_files())
+        theme.load_theme(gui_theme(look.theme, look.k))
+    _themes[key] = theme
+    for old in list(_themes)[:-MOST_THEMES]:
+        _themes.pop(old, None)
+    return theme
+
+
 class PanelManager(UIManager):
     """A manager for a sheet of so many window px."""
 
@@ -103,18 +118,9 @@ class PanelManager(UIManager):
         self.mouse_position = (-1, -1)
 
     def create_new_theme(self, theme_path: Any = None) -> UIAppearanceTheme:
-        """The theme of the look, read and checked once, with no pictures of another manager's."""
-        look = self._look
-        key = look.theme.name, look.k
-        theme = _themes.pop(key, None)
-        if theme is None:
-            theme = PanelTheme(self.resource_loader, self._locale)
-            theme.get_font_dictionary().add_font_path("carom_sans", *_font_files())
-            theme.load_theme(gui_theme(look.theme, look.k))
+        """The theme of the look, with no pictures of another manager's."""
+        theme = prepared_theme(self._look)
         theme._shape_cache = ShapeStore()
-        _themes[key] = theme
-        while len(_themes) > MOST_THEMES:
-            del _themes[next(iter(_themes))]
         return theme
 
     def _update_mouse_position(self) -> None:

@@ -90,9 +90,11 @@ class Loader:
         import game.app.scene.play
         import game.ui.panel  # noqa: F401
         from game.app.scene.rehearsal import rehearse
+        from game.ui.panel_manager import prepared_theme
 
         stage = self._opening.make_stage(scene_type)
         with contextlib.suppress(Exception):
+            prepared_theme(self._look)
             rehearse(stage, Look(self._look.theme, self._look.k), self._rect)
 
     def _warm_up(self, scene_type: type[Scene]) -> None:
