@@ -15,9 +15,10 @@ from game.levels import Level
 from game.physics.animation import EASING, INTERPOLATIONS, CubicBezier, Easing, Keyframes
 from game.scenes import c01_editing as editing
 from game.scenes import c01_hand as hand
-from game.scenes.c01_clock import REPEATS, folded, frame_of, held, phase_of
-from game.scenes.c01_document import CHOSEN, LABELS, NOTHING, SHAPING, Edit, MotionScene
+from game.scenes.c01_clock import frame_of
+from game.scenes.c01_document import CHOSEN, LABELS, SHAPING, Edit
 from game.scenes.c01_level import Motion
+from game.scenes.c01_playing import PlayedScene
 from game.scenes.c01_view import KeyFramingView
 from game.scenes.figures.animation import draw_casteljau
 from game.stage import (
@@ -47,7 +48,7 @@ class KeyFrameState(NamedTuple):
     timing: Array
 
 
-class KeyFraming(MotionScene):
+class KeyFraming(PlayedScene):
     """Key-frames say where the box is and how it is turned at a few times; an interpolation says the rest.
     Nearest neighbour jumps, lines have corners, cubics differ only in how steep they are at the keys: that
     alone decides between overshoot, loops, jolts and accuracy.
@@ -65,21 +66,6 @@ class KeyFraming(MotionScene):
     study = keyframing_study
     takes = frozenset(("right", "wheel"))
 
-    time = Param(
-        0.0, 0.0, 1.0, unit="s", step=0.001, group="Time", help="where in the second the box is shown"
-    )
-    fps = Param(
-        60, 1, 240, unit="1/s", whole=True, group="Time", label="Frames per second",
-        help="how often playback looks at the curve",
-    )  # fmt: skip
-    duration = Param(
-        3.0, 0.25, 30.0, unit="s", log=True, group="Time", label="The second lasts", help="1 s is real time"
-    )
-    repeat = Choice(
-        "loop", REPEATS, labels=("Again", "Once", "Back"), group="Time",
-        label="At the end",
-    )  # fmt: skip
-    playing = Toggle(True, group="Time", label="Play")
     onion = Param(
         16, 0, 120, whole=True, group="Shown", label="Onion skin", help="boxes at as many equal steps of time"
     )
@@ -177,50 +163,6 @@ class KeyFraming(MotionScene):
         self.pose = np.zeros(3)
         self._timing = np.array(self.motion.timing)
         self.view = KeyFramingView()
-        self.place_box()
-
-    # -- time ---------------------------------------------------------------------------------------
-
-    def phase(self) -> float:
-        """Where in the second playback is; more than 1 on the way back."""
-        return phase_of(self.clock, self.repeat, self.duration)
-
-    def present(self) -> float:
-        """Time (s) on the slider."""
-        return folded(self.phase())
-
-    def shown_part(self) -> float:
-        """The part of the second at which the box is shown: that of the frame while it plays."""
-        if not self.playing:
-            return self.present()
-        return held(self.phase(), self.fps * self.duration)
-
-    def place_box(self) -> None:
-        """Put the box where it is at the present time, or where the key in the hand is."""
-        what, index = self.hand
-        if what in ("key", "turn") and 0 <= index < len(self.motion.keys):
-            key = self.motion.keys[index]
-            self.pose[:] = (*key.position, math.radians(key.angle))
-        else:
-            self.pose[:] = self.animation().pose(self.shown_part())
-
-    def set_time(self, time: float) -> None:
-        """Go to a time of the slider."""
-        self.clock[:2] = time, 0.0
-        self.clock[3] = float(self.playing)
-        self.values["time"] = min(max(time, 0.0), 1.0)
-
-    def advance(self, dt: float) -> None:
-        if not self.playing or self.hand != NOTHING:
-            return
-        if dt != self.clock[2]:
-            self.clock[:3] = self.phase(), 0.0, dt
-        self.clock[1] += 1.0
-        if self.repeat == "once" and self.phase() >= 1.0:
-            self.clock[:2] = 1.0, 0.0
-            self.values["playing"] = False
-            self.clock[3] = 0.0
-        self.values["time"] = self.present()
         self.place_box()
 
     # -- knobs and actions --------------------------------------------------------------------------

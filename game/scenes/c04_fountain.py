@@ -11,33 +11,33 @@ import numpy as np
 
 from game.lab.studies.particles import bounce_study
 from game.levels import Level
-from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.particles import CALM, CONTACTS, METHODS, OBSTACLES, Discs, Emitter, Forces, ParticleSystem
+from game.physics.fields import DRAG, GRAVITY, WIND
+from game.physics.particles import CALM, OBSTACLES, Discs, Emitter, Forces, ParticleSystem
 from game.physics.particles.encounters import STEP
 from game.scenes import c04_findings as findings
 from game.scenes import c04_hand as hand
+from game.scenes.c04_knobs import FountainKnobs
 from game.scenes.c04_level import MOST_STONES, FountainContent, Stone
 from game.scenes.c04_view import FountainView
 from game.scenes.figures.fountain import draw_impact
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hint,
-    Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
+    SetKnob,
+    StageEvent,
     Strip,
-    Toggle,
 )
 
 HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
+MANY_PLACES = 200_000
 TOUCH_TIME = 1.0 / 60.0  # s for which a particle counts as touching
 
 
-class Fountain(Scene):
+class Fountain(FountainKnobs):
     """Each particle is a point of 1 kg. It leaves the nozzle at its own instant within a step, in a random
     direction inside the spread, falls, is slowed by the air, and bounces off the stone and the ground by
     Newton's law of impact.
@@ -53,63 +53,9 @@ class Fountain(Scene):
     name = "c04"
     task = "C04"
     title = "Particle fountain"
-    effects = GRAVITY | OBSTACLES | GROUND | DRAG | WIND | QUADRATIC_DRAG | WHIRL
     content_type = FountainContent
     study = bounce_study
     takes = frozenset(("right",))
-
-    rate = Param(
-        8_000.0, 0.0, 100_000.0, unit="1/s", step=100.0, group="Emitter", label="Emit rate",
-        help="particles a second from all nozzles, evenly in time, also within a step",
-    )  # fmt: skip
-    speed = Param(9.0, 0.0, 25.0, unit="m/s", group="Emitter", help="with which each particle starts")
-    spread = Param(
-        16.0, 0.0, 180.0, unit="°", group="Emitter", help="directions are random within ± this of the axis"
-    )
-    life = Param(2.4, 0.01, 30.0, unit="s", log=True, group="Emitter", help="how long each particle lives")
-    method = Choice(
-        "verlet",
-        METHODS,
-        labels=(
-            "Explicit Euler", "Semi-implicit Euler", "Midpoint", "Verlet", "Störmer-Verlet", "Runge-Kutta 4",
-            "Exponential",
-        ),
-        group="Method",
-        label="Integrator",
-        help="how position and velocity go on by a step",
-    )  # fmt: skip
-    contact = Choice(
-        "chord",
-        CONTACTS,
-        labels=("Step end", "Chord", "Root"),
-        group="Method",
-        label="Impact",
-        help="found at the end of the step, where its chord crosses, or by solving for the instant",
-    )
-    step_length = Param(
-        1.0 / 240.0, 1.0 / 2000.0, 0.5, unit="s", log=True, group="Method", label="Time step",
-        help="of the fixed-step clock",
-    )  # fmt: skip
-    smooth = Toggle(
-        True, group="Method", label="Substeps for stiff drag", help="as many as drag needs to be stable"
-    )
-    restitution = Param(0.5, 0.0, 1.0, group="World", help="part of the normal speed that a stone gives back")
-    ground_restitution = Param(
-        0.2, 0.0, 1.0, group="World", label="Ground restitution", help="the same of the ground"
-    )
-    gravity = Param(9.81, 0.0, 30.0, unit="m/s²", group="World", help="downwards")
-    drag = Param(
-        0.4, 0.001, 500.0, unit="1/s", log=True, group="Air", label="Air drag", help="k in a = −k (v − w)"
-    )
-    wind = Param(2.5, -30.0, 30.0, unit="m/s", group="Air", help="w, to the right; felt by way of drag")
-    fast_drag = Param(
-        0.05, 0.001, 10.0, unit="1/m", log=True, group="Air", help="q in a = −q |v − w| (v − w)"
-    )
-    whirl = Param(5.0, -50.0, 50.0, unit="m²/s", group="Air", help="strength of the whirl; drag its centre")
-    places = Param(
-        40_000, 1, 1_000_000, whole=True, log=True, group="Pool", rebuild=True,
-        help="particles that can live at a time; further births are dropped and counted",
-    )  # fmt: skip
 
     strips = (
         Strip("Energy", "J", ("potential", "kinetic")),
@@ -148,7 +94,7 @@ class Fountain(Scene):
         "Choose explicit Euler and a long time step: the spray rises above the dashed curve.",
         "Set the restitution to 1 and watch the energy strip stay level; then choose step end as impact.",
         "Switch drag and wind on: the bars show what each costs; the dashed curve is still exact.",
-        "Raise the emit rate to 40 000: a hundred thousand particles, and what a step costs.",
+        "Raise the places to 100 000 and the emit rate to 40 000: see what a step costs then.",
     )
 
     # -- building -----------------------------------------------------------------------------------
@@ -226,6 +172,10 @@ class Fountain(Scene):
         for index in range(len(self.content.nozzles)):
             row = self.system.state().emitters[index]
             self.system.change_emitter(index, self._emitter(index, (float(row[0]), float(row[1]))))
+
+    def takes_long(self, event: StageEvent | None) -> bool:
+        """Very many places, which are all laid out anew."""
+        return isinstance(event, SetKnob) and event.name == "places" and float(event.value) > MANY_PLACES
 
     def knob_changed(self, name: str) -> None:
         if name in ("rate", "speed", "spread"):

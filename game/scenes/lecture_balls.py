@@ -13,25 +13,23 @@ from game.billiards import passing
 from game.billiards.ball import Ball
 from game.billiards.ball_collision import Collision
 from game.billiards.lecture_slips import SLIPS
-from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
+from game.billiards.lecture_state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, WALLS
 from game.lab.studies.lecture_table import one_collision_study
 from game.levels import Level
+from game.scenes import lecture_balls_hand as hand
 from game.scenes import lecture_balls_record as record
 from game.scenes import lecture_balls_view as view
 from game.scenes.figures.balls import draw_exchange
+from game.scenes.lecture_balls_knobs import LectureBallsKnobs
 from game.scenes.lecture_balls_level import HEIGHT, WIDTH, BallEntry, LectureBallsContent
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hint,
-    Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Strip,
-    Toggle,
     WarmUp,
 )
 from game.ui.painters import ball as ball_painter
@@ -40,8 +38,6 @@ Array = NDArray[np.float64]
 
 FRAME_RATE = 30.0  # 1/s, of the lecture's main loop
 METRES = 0.004  # m to a pixel, where the lecture's window is taken as a table
-REACH = 14.0  # px, how near to a ball's arrow head the pointer takes it
-ARROW = 4.0  # px of arrow for a pixel per frame
 NEXT_START_S = 2.5  # s at rest before the balls set off again
 BOTH = np.ones(2, dtype=np.bool_)
 
@@ -58,7 +54,7 @@ class LectureBallsState(NamedTuple):
     walls: Array
 
 
-class LectureBalls(Scene):
+class LectureBalls(LectureBallsKnobs):
     """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the
     position in every frame. A ball beyond a wall is put back by its overshoot and turned round. When the
     circles overlap, the program finds the angle of the line of centres, moves both balls by half of the
@@ -75,47 +71,11 @@ class LectureBalls(Scene):
     name = "lecture-balls"
     task = "L"
     title = "Two balls"
-    effects = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED
     study = one_collision_study
     dt = 1.0 / FRAME_RATE
     unit = "px"
     y_up = False
     content_type = LectureBallsContent
-
-    rule = Choice(
-        "conserving",
-        RULES,
-        labels=("Conserving", "Scaled", "As printed"),
-        group="Collision",
-        help="restitution on the normal part; both velocities scaled; or the printed listing",
-    )
-    restitution = Param(
-        0.9, 0.0, 1.0, group="Collision", help="kept when two balls part (bounce_loss in the listing)"
-    )
-    hold = Param(
-        2.5,
-        0.0,
-        10.0,
-        unit="s",
-        group="Collision",
-        label="Hold",
-        help="how long a collision is held to be looked at",
-    )
-    radius_1 = Param(34.0, 5.0, 90.0, unit="px", group="Balls", label="Radius of 1", rebuild=True)
-    radius_2 = Param(34.0, 5.0, 90.0, unit="px", group="Balls", label="Radius of 2", rebuild=True)
-    mass_ratio = Param(
-        1.0, 0.01, 100.0, log=True, group="Balls", rebuild=True, help="mass of ball 2 over mass of ball 1"
-    )
-    bounce = Param(0.9, 0.0, 1.0, group="Window", label="Bounce factor", help="speed kept at a wall")
-    friction = Param(
-        0.996, 0.8, 1.0, group="Window", label="Friction factor", help="speed kept from frame to frame"
-    )
-    minimum_speed = Param(0.15, 0.0, 5.0, unit="px/frame", group="Window", help="what is slower stops")
-    units = Choice(
-        "pixels", ("pixels", "metres"), group="Shown", help="pixels per frame as in the lecture, or SI"
-    )
-    vectors = Toggle(True, group="Shown", label="Velocities", help="arrows; drag their heads")
-    again = Toggle(True, group="Shown", label="Start again", help="set off again when both balls rest")
 
     strips = (
         Strip("Momentum", "", ("right", "down")),
@@ -163,7 +123,7 @@ class LectureBalls(Scene):
         self.rest_s = 0.0
         self.momentum_lost = 0.0
         self.energy_lost = 0.0
-        self.dragged = -1  # ball 0 or 1 held, 2 or 3 its arrow, -1 nothing
+        self.dragged = hand.NOTHING
         self.told: deque[str] = deque(maxlen=8)
         self.last = np.zeros(record.WIDTH)
         self.walls = np.zeros((2, 5))
@@ -287,35 +247,7 @@ class LectureBalls(Scene):
     # -- the hand -----------------------------------------------------------------------------------
 
     def pointer(self, event: Pointer) -> None:
-        if event.kind == "down" and event.button == 1:
-            self.dragged = self._what_is_at(event.x, event.y)
-        elif event.kind in ("up", "cancel"):
-            self.dragged = -1
-        elif event.kind == "move" and self.dragged >= 0:
-            ball = self.balls[self.dragged % 2]
-            if self.dragged < 2:
-                r = ball.radius
-                ball.position = (min(max(event.x, r), WIDTH - r), min(max(event.y, r), HEIGHT - r))
-            else:
-                x, y = ball.position
-                ball.velocity = (self._limited(event.x - x), self._limited(event.y - y))
-
-    def _limited(self, way: float) -> float:
-        return min(max(way / ARROW, -60.0), 60.0)
-
-    def _what_is_at(self, x: float, y: float) -> int:
-        for index, ball in enumerate(self.balls):
-            head = (ball.position[0] + ARROW * ball.velocity[0], ball.position[1] + ARROW * ball.velocity[1])
-            if (
-                self.vectors
-                and math.dist(head, (x, y)) < REACH
-                and math.dist(head, ball.position) > 0.5 * ball.radius
-            ):
-                return index + 2
-        for index, ball in enumerate(self.balls):
-            if math.dist(ball.position, (x, y)) <= ball.radius:
-                return index
-        return -1
+        hand.take_pointer(self, event)
 
     def action(self, name: str) -> None:
         if name == "release":

@@ -13,11 +13,7 @@ from game.billiards.lecture import LectureTable as Table
 from game.billiards.lecture import warm_ups as table_warm_ups
 from game.billiards.lecture_state import (
     BALL_COLLISIONS,
-    FRICTION_LAWS,
     LECTURE_EFFECTS,
-    ORDERS,
-    REPOSITIONINGS,
-    RULES,
     LectureSettings,
 )
 from game.billiards.passing import warm_up as warm_passing
@@ -30,16 +26,14 @@ from game.scenes.cue_control import STRIKING, CueControl
 from game.scenes.demo_shots import scattered_orientations
 from game.scenes.figures.tables import draw_tunnelling
 from game.scenes.lecture_table_level import LectureTableContent, content_of, layout_of
+from game.scenes.lecture_table_model import LectureTableModel
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hearing,
     Hint,
-    Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Strip,
     Toggle,
@@ -69,7 +63,7 @@ class LectureTableState(NamedTuple):
     marks: Array
 
 
-class LectureTable(Scene):
+class LectureTable(LectureTableModel):
     """The billiard table as the lecture builds it. In each step a ball's velocity is added to its position;
     what has gone wrong by then is repaired: a ball beyond a cushion is put back and turned round, two balls
     that overlap are moved apart and exchange the parts of their velocities along the line of centres, every
@@ -90,60 +84,6 @@ class LectureTable(Scene):
     content_type = LectureTableContent
     study = lecture_table_study
 
-    rule = Choice(
-        "conserving",
-        RULES,
-        labels=("Conserving", "Scaled", "As printed"),
-        group="Collision",
-        help="restitution on the normal part; both velocities scaled; the printed listing",
-    )
-    order = Choice(
-        "joint",
-        ORDERS,
-        labels=("Jointly", "Pair by pair"),
-        group="Collision",
-        help="contacts of one moment solved together, or one pair after the other by number",
-    )
-    restitution = Param(0.95, 0.0, 1.0, group="Collision", help="normal speed kept when two balls part")
-    passes = Param(4, 1, 50, whole=True, group="Collision", help="rounds of moving overlapping balls apart")
-
-    bounce = Param(0.8, 0.0, 1.0, group="Cushions", label="Bounce factor", help="speed kept at a cushion")
-    repositioning = Choice(
-        "exact",
-        REPOSITIONINGS,
-        group="Cushions",
-        help="where a ball is put that overshot: where it would be, mirrored, or at the wall",
-    )
-
-    friction = Param(
-        0.992,
-        0.9,
-        1.0,
-        group="Cloth",
-        label="Friction factor",
-        help="speed kept from frame to frame, at 60 frames a second",
-    )
-    friction_law = Choice(
-        "consistent",
-        FRICTION_LAWS,
-        labels=("Per second", "Per frame"),
-        group="Cloth",
-        help="the same slowing at any step length, or the factor once each step as printed",
-    )
-    minimum_speed = Param(0.02, 0.0, 0.5, unit="m/s", group="Cloth", help="what is slower stops")
-
-    step_length = Param(1 / 120, 1 / 2000, 1 / 20, unit="s", log=True, group="Time", label="Step")
-    substeps = Param(
-        0,
-        0,
-        64,
-        whole=True,
-        group="Time",
-        help="parts of a step; 0: as many as keep a ball from moving over half its radius in one",
-    )
-
-    radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much the radii differ")
-    mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
     aim_line = Toggle(
         True, group="Balls", label="Aim line", help="ghost ball and the straight lines after it"
     )
@@ -196,7 +136,7 @@ class LectureTable(Scene):
             layout.masses,
             layout.velocities,
             self.active,
-            self._settings(),
+            self.settings(),
         )
         self.table.state.orientations[:] = scattered_orientations(len(layout.numbers), self.seed)
         self.cue = CueControl(0.5 * math.pi)
@@ -216,25 +156,10 @@ class LectureTable(Scene):
         self.stroke = content.stroke
         self.told: deque[str] = deque(maxlen=8)
 
-    def _settings(self) -> LectureSettings:
-        return LectureSettings(
-            bounce=self.bounce,
-            restitution=self.restitution,
-            friction=self.friction,
-            minimum_speed=self.minimum_speed,
-            substeps=int(self.substeps),
-            passes=int(self.passes),
-            rule=self.rule,
-            # a joint solution is one of impulses, which only the conserving rule knows
-            order=self.order if self.rule == "conserving" else "pairwise",
-            repositioning=self.repositioning,
-            friction_law=self.friction_law,
-        )
-
     def knob_changed(self, name: str) -> None:
         if name not in ("step_length", "aim_line"):
             self.table.configure(
-                **{field: getattr(self._settings(), field) for field in LectureSettings.__dataclass_fields__}
+                **{field: getattr(self.settings(), field) for field in LectureSettings.__dataclass_fields__}
             )
 
     def effects_changed(self) -> None:
