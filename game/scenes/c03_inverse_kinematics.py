@@ -14,6 +14,7 @@ from game.lab.studies.inverse_kinematics import reaching_study
 from game.levels import Level
 from game.physics.animation import JOINT_LIMITS, SKINNING, Solution, Solver
 from game.physics.animation.ik_solver import METHODS
+from game.scenes import skeleton_bench
 from game.scenes import skeleton_editor as editor
 from game.scenes.c03_view import ChainView, cell_at, cells_of
 from game.scenes.figure_level import BoneEntry, ChainEntry, FigureContent, PathEntry, View, bone_named
@@ -266,7 +267,7 @@ class InverseKinematics(FigureScene):
 
     def _pull(self, event: Pointer) -> None:
         if event.kind == "down" and event.button == 1:
-            self.bench = editor.remembered(self.bench, self.rig.now)
+            self.bench = skeleton_bench.remembered(self.bench, self.rig.now)
             self.values["motion"] = False
             self.pulling = True
         elif event.kind in ("up", "cancel"):

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
+from game.scenes import skeleton_bench
 from game.scenes import skeleton_editor as editor
 from game.scenes.figure_level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.figure_rig import Rig, WeightRules
@@ -84,7 +85,7 @@ class FigureScene(Scene):
         self.content: FigureContent = (
             level.content if level is not None and level.content is not None else self.default_content
         )
-        self.bench = editor.Bench(self.content)
+        self.bench = skeleton_bench.Bench(self.content)
         self.time = 0.0
         self.told: deque[str] = deque(maxlen=8)
         self.watch = Stopwatch()
@@ -113,7 +114,7 @@ class FigureScene(Scene):
         """Let the figure stand so (n + 2,)."""
         self.rig.pose(pose)
 
-    def take(self, turn: editor.Turn) -> None:
+    def take(self, turn: skeleton_bench.Turn) -> None:
         """Go on with what came of an event."""
         bench, pose = turn
         if bench.figure is not self.bench.figure:
@@ -142,7 +143,7 @@ class FigureScene(Scene):
         if self.tool in ("bone", "skin", "chain"):
             self.values["motion"] = False
         if self.tool == "skin":
-            self.bench = editor.remembered(self.bench, self.rig.now)
+            self.bench = skeleton_bench.remembered(self.bench, self.rig.now)
             self.take_pose(self.rig.bound)
 
     # -- remembering --------------------------------------------------------------------------------
@@ -198,7 +199,8 @@ class FigureScene(Scene):
             self.take_tool()
         elif name in ("undo", "redo"):
             self.values["motion"] = False
-            self.take(getattr(editor, name)(self.bench, self.rig))
+            go = skeleton_bench.undo if name == "undo" else skeleton_bench.redo
+            self.take(go(self.bench, self.rig))
         elif name == "move":
             self.values["motion"] = not self.motion
         elif name == "delete":
@@ -210,7 +212,7 @@ class FigureScene(Scene):
             self.take(editor.rebind(self.bench, self.rig, self.blend))
         elif name == "stand":
             self.values["motion"] = False
-            self.bench = editor.remembered(self.bench, self.rig.now)
+            self.bench = skeleton_bench.remembered(self.bench, self.rig.now)
             self.take_pose(self.rig.bound)
 
     def messages(self) -> Sequence[str]:

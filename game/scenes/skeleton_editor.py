@@ -1,14 +1,11 @@
-"""The hand of the skeleton scenes: bones made and turned, skins drawn, chains picked, and all of it undone.
+"""The hand of the skeleton scenes: bones made and turned, skins drawn, chains picked.
 
-A bench holds what the hand knows; it is frozen, and each event gives another one, so a scene keeps it as a
-plain attribute and the stage remembers it with the step. The pose itself is not on the bench: it moves, and
-belongs to the scene's state. `take_pointer` and `act` give the new bench and the pose that the hand wants.
+Each event gives another bench, and the pose that the hand wants: see skeleton_bench.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -26,62 +23,12 @@ from game.scenes.figure_level import (
     fresh_name,
 )
 from game.scenes.figure_rig import Rig
+from game.scenes.skeleton_bench import Bench, Turn, reach_of, remembered, told
 from game.stage import Pointer
 
 Array = NDArray[np.float64]
-HISTORY = 64  # edits that can be taken back
-REACH = 0.03  # of the height in view: how near to a thing the pointer takes it
 FARTHEST = 5_000.0  # m
 DRAWN_FILL = "chalk"
-
-
-class Memo(msgspec.Struct, frozen=True):
-    """A figure and its pose (n + 2,), to go back to."""
-
-    figure: FigureContent
-    pose: tuple[float, ...]
-
-
-class Bench(msgspec.Struct, frozen=True):
-    """The figure and the hand on it. drawn: points of the skin being drawn, m. pointer: where the hand is.
-
-    held: "" or what is dragged ("bone", "root"); grip: how it was taken. picked: first bone of a chain being
-    picked, or NOWHERE. told: what the last event has to say, or "".
-    """
-
-    figure: FigureContent
-    chosen: int = NOWHERE
-    picked: int = NOWHERE
-    drawn: tuple[Point, ...] = ()
-    pointer: Point = (0.0, 0.0)
-    held: str = ""
-    grip: tuple[float, float] = (0.0, 0.0)
-    past: tuple[Memo, ...] = ()
-    future: tuple[Memo, ...] = ()
-    told: str = ""
-
-
-class Turn(NamedTuple):
-    """What came of an event: the bench, and the pose (n + 2,) that the figure is to take, or None."""
-
-    bench: Bench
-    pose: Array | None = None
-
-
-def reach_of(figure: FigureContent) -> float:
-    """How near to a thing the pointer takes it, m."""
-    return REACH * (figure.view.top - figure.view.bottom)
-
-
-def told(bench: Bench, words: str) -> Bench:
-    """The bench with something to say."""
-    return msgspec.structs.replace(bench, told=words)
-
-
-def remembered(bench: Bench, pose: Array) -> Bench:
-    """The bench with its present figure and pose to go back to."""
-    memo = Memo(bench.figure, tuple(pose.tolist()))
-    return msgspec.structs.replace(bench, past=(*bench.past, memo)[-HISTORY:], future=())
 
 
 # -- the pointer ----------------------------------------------------------------------------------------
@@ -333,30 +280,3 @@ def _chained(bench: Bench, rig: Rig, start: int, end: int) -> Turn:
     chain = ChainEntry(start=figure.bones[start].name, end=figure.bones[end].name, target=(x, y))
     bench = remembered(bench, rig.now)
     return Turn(msgspec.structs.replace(bench, figure=msgspec.structs.replace(figure, chain=chain)), rig.now)
-
-
-# -- back and forth -------------------------------------------------------------------------------------
-
-
-def undo(bench: Bench, rig: Rig) -> Turn:
-    """Take the last edit back, or the last point drawn."""
-    if bench.drawn:
-        return Turn(msgspec.structs.replace(bench, drawn=bench.drawn[:-1]))
-    if not bench.past:
-        return Turn(told(bench, "Nothing to take back."))
-    future = (*bench.future, Memo(bench.figure, tuple(rig.now.tolist())))[-HISTORY:]
-    return _as_it_was(bench, bench.past[-1], bench.past[:-1], future)
-
-
-def redo(bench: Bench, rig: Rig) -> Turn:
-    """Do again what was taken back last."""
-    if not bench.future:
-        return Turn(told(bench, "Nothing to do again."))
-    past = (*bench.past, Memo(bench.figure, tuple(rig.now.tolist())))[-HISTORY:]
-    return _as_it_was(bench, bench.future[-1], past, bench.future[:-1])
-
-
-def _as_it_was(bench: Bench, memo: Memo, past: tuple[Memo, ...], future: tuple[Memo, ...]) -> Turn:
-    chosen = bench.chosen if bench.chosen < len(memo.figure.bones) else NOWHERE
-    bench = Bench(memo.figure, chosen, pointer=bench.pointer, past=past, future=future)
-    return Turn(bench, np.array(memo.pose))
