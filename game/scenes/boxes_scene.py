@@ -238,6 +238,8 @@ class BoxesScene(ArraysOfBoxes):
         if count == before:
             return
         self.forget_sweep()
+        if max(count, before) > 1.2 * min(count, before):
+            self.watch.clear()  # times of so many other boxes say nothing of these
         if before and not self.listed:
             factor = math.sqrt(before / count)
             centers, halves = (self.lowers + self.uppers) / 2.0, (self.uppers - self.lowers) / 2.0

@@ -33,6 +33,11 @@ class Stopwatch:
             return
         self._samples.setdefault(name, deque(maxlen=SAMPLES)).append(seconds)
 
+    def clear(self) -> None:
+        """Forget all: what is measured has become something else."""
+        self._samples.clear()
+        self._seen.clear()
+
     def forget(self, name: str) -> None:
         """Forget a part that is no longer done."""
         self._samples.pop(name, None)

@@ -38,6 +38,10 @@ class Legend:
         self._picture = None
         self._width = 0
 
+    def pass_frame(self) -> None:
+        """A frame has gone by in which nothing of the scene could be looked at."""
+        self._age += 1
+
     def draw(self, surface: pygame.Surface, stage: pygame.Rect, rows: Sequence[Row]) -> None:
         """Show the rows at the top left of the stage; nothing without rows or without room."""
         rows = tuple(rows)

@@ -102,3 +102,24 @@ def test_step_back_goes_behind_the_window_as_well(opened):
     play.command("step-back")
     settled(driver)
     assert (play.stage.step_number, play.stage.digest()) == (step, digest)
+
+
+def test_figures_go_on_while_steps_are_made_in_a_thread(opened, monkeypatch):
+    driver = opened("c06")
+    play = driver.top.play
+    monkeypatch.setattr(play_module, "STEPS_BUDGET_S", -1.0)
+    passed, elapsed = [], []
+    update, wait = play.shell.update, play.shell.legend.pass_frame
+    monkeypatch.setattr(play.shell, "update", lambda s, *rest: elapsed.append(s) or update(s, *rest))
+    monkeypatch.setattr(play.shell.legend, "pass_frame", lambda: passed.append(1) or wait())
+    frames = 0
+    first = play.stage.step_number
+    while play.stage.step_number < first + 5:
+        driver.frames(1)
+        frames += 1
+        play.errands.wait(LONG_S)
+    driver.frames(1)
+    frames += 1
+    settled(driver)
+    assert passed
+    assert sum(elapsed) == pytest.approx(frames / 60.0, abs=3.0 / 60.0)

@@ -302,3 +302,15 @@ def test_so_many_boxes_that_all_of_them_overlap_are_refused_at_once(name: str):
         stage.post(SetKnob("count", 2000))
     assert stage.digest() == before and stage.fault is None
     assert stage.run(2) == 2
+
+
+@pytest.mark.parametrize("scene_type", SCENES)
+def test_times_of_many_other_boxes_are_forgotten(scene_type):
+    stage = small(scene_type)
+    stage.run(10)
+    measured = {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
+    assert measured
+    stage.post(SetKnob("count", SMALL["count"] + 1))
+    assert measured <= {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
+    stage.post(SetKnob("count", 3 * SMALL["count"]))
+    assert not any(np.isfinite(r.value) for r in stage.readouts() if r.name in measured)

@@ -65,6 +65,7 @@ class ScenePlay:
         self.drawing_error = ""
         self.standstill = Standstill()
         self._seen = True  # whether the present state has been drawn
+        self._unseen_s = 0.0  # that a thread has been at work in the scene
         self.untried = TRIALS  # steps to be made before it is known how long they take
         self.stars = StarKeeper()
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
@@ -223,6 +224,7 @@ class ScenePlay:
         if self.errands.inside:
             self.app.sounds.follow(None)
             self.shell.hints.update(elapsed_s)
+            self._unseen_s += elapsed_s
             return
         stage = self.stage
         still = stage.paused or self.errands.busy
@@ -231,7 +233,8 @@ class ScenePlay:
         for message in stage.scene.messages():
             cause, _, consequence = message.partition(". ")
             self.app.tell(cause + ("." if consequence else ""), consequence)
-        self.shell.update(elapsed_s, stage, self.meter)
+        self.shell.update(elapsed_s + self._unseen_s, stage, self.meter)
+        self._unseen_s = 0.0
         self.banner.update(elapsed_s, self.trouble)
 
     def _go_on(self, elapsed_s: float) -> None:
@@ -289,6 +292,7 @@ class ScenePlay:
         """The scene and its shell; as they were while a thread is at work in the scene."""
         layout = self.shell.layout
         if self.errands.inside:
+            self.shell.legend.pass_frame()
             self.standstill.show(surface)
         else:
             self.standstill.end()
