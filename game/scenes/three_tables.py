@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.cue import strike
-from game.billiards.rack import BALL_RADIUS, HEAD_SPOT, eight_ball_rack
 from game.billiards.shot import Shot, make_shot
 from game.billiards.shot_effects import EXACT_EFFECTS, physics_of, table_of
 from game.billiards.table import Table
@@ -21,9 +20,10 @@ from game.levels import Level
 from game.scenes import table_view
 from game.scenes import three_tables_view as view
 from game.scenes.cue_control import AIMING, CueControl
-from game.scenes.demo_shots import choose_stroke, free_head_spot
+from game.scenes.demo_shots import choose_stroke
 from game.scenes.figures.tables import draw_chaos
 from game.scenes.lecture_table_level import BallEntry
+from game.scenes.three_tables_lie import free_spot, laid_out
 from game.scenes.three_tables_shot import MODELS, PlayedShot, ShotShelf, Steps
 from game.stage import (
     Choice,
@@ -157,19 +157,7 @@ class ThreeTables(Scene):
             self._strike(math.radians(self.content.angle_deg), self.content.speed)
 
     def _lay_balls(self) -> None:
-        rows = sorted(self.content.balls, key=lambda row: row.number != 0)
-        if rows:
-            self.numbers = np.array([row.number for row in rows])
-            self.start = np.array([row.position for row in rows], dtype=np.float64)
-            self.radii = np.array([row.radius for row in rows])
-            self.masses = np.array([row.mass for row in rows])
-        else:
-            self.numbers = np.arange(16)
-            self.start = eight_ball_rack(self.bed)
-            self.radii = np.full(16, BALL_RADIUS)
-            self.masses = np.full(16, 0.170097)
-        if self.numbers[0] != 0:
-            raise ValueError("balls: the white one (number 0) is wanted")
+        self.numbers, self.start, self.radii, self.masses = laid_out(self.content.balls, self.bed)
         self.in_play = np.ones(len(self.numbers), dtype=np.bool_)
         self.places = np.repeat(self.start[None], 3, axis=0)
 
@@ -262,24 +250,13 @@ class ThreeTables(Scene):
         self.start[rows] = final.positions
         self.in_play[rows] = ~pocketed
         if not self.in_play[0]:
-            self.start[0] = self._free_spot()
+            self.start[0] = free_spot(self.bed, self.start[1:][self.in_play[1:]], float(self.radii.max()))
             self.in_play[0] = True
         self.shot[PLAYING] = 0.0
         self.wait_s = 0.0
         if self.in_play.sum() == 1 and len(self.numbers) > 1:
             self._lay_balls()
         self._play()
-
-    def _free_spot(self) -> Array:
-        """Where the white ball comes back to; the head spot itself if all is full."""
-        others = self.start[1:][self.in_play[1:]]
-        reach = 2.1 * self.radii.max()
-
-        def is_free(place: Array) -> bool:
-            return not len(others) or bool(np.sqrt(((others - place) ** 2).sum(axis=1)).min() > reach)
-
-        spot = free_head_spot(self.bed, BALL_RADIUS, is_free)
-        return np.array([0.5 * self.bed.width, HEAD_SPOT * self.bed.length]) if spot is None else spot
 
     # -- stepping -----------------------------------------------------------------------------------
 
