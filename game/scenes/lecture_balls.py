@@ -104,9 +104,14 @@ class LectureBalls(LectureBallsKnobs):
             r"v_x = p_x \cos\alpha - p_y \sin\alpha,  v_y = p_y \cos\alpha + p_x \sin\alpha",
             "rotation by α",
         ),
+        Equation("Slip 1 of the listing", r"p_y = v_x \cos\alpha - v_y \sin\alpha", "x, y not swapped"),
+        Equation("Slip 2", r"p_{1y}' = p_{2y},  p_{2y}' = p_{1y}", "exchanged, should stay"),
+        Equation("Slip 3", r"v_y = p_x \cos\alpha + p_y \sin\alpha", "x, y not swapped"),
     )
     try_this = (
         "Choose as printed and watch the momentum: " + SLIPS[0].effect,
+        "Slip 2: " + SLIPS[1].effect,
+        "Slip 3: " + SLIPS[2].effect,
         "Drag an arrow's head to aim one ball past the other: the thinner the hit, the less is exchanged.",
         "Make ball 2 a hundred times heavier: the light ball bounces off, the sum of momenta stays.",
     )
