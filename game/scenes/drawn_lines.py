@@ -45,7 +45,7 @@ class DrawnLines:
     def under(self, point: Sequence[float], size: Offset, offset: Offset) -> int:
         """How many points lie under words of a size, whose middle is ``offset`` off a world point."""
         k, rect = self.canvas.k, self.canvas.rect
-        x, y = self.canvas.place(point)  # type: ignore[arg-type]
+        x, y = self.canvas.place(point)
         x, y = x + offset[0] * k, y + offset[1] * k
         wide, high = 0.5 * size[0] * k, 0.5 * size[1] * k
         inside = (np.abs(self.points[:, 0] - x) < wide) & (np.abs(self.points[:, 1] - y) < high)
