@@ -7,7 +7,6 @@ least needed parts go first: measured values, the speed, the title, then single 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import pygame
@@ -16,10 +15,11 @@ from game.ui.commands import Command
 from game.ui.hotspots import Hotspot, Hotspots
 from game.ui.icons import icon
 from game.ui.look import Look
-from game.ui.numerals import NOTHING, quantity
+from game.ui.numerals import NOTHING, format_si
 from game.ui.shapes import draw_box, draw_disc
 
 READOUT_S = 0.25  # s between changes of the shown numbers
+COLUMN = 76  # design px, width of a readout whose words are no longer than that
 TIPS = {
     "back": "Back to the menu", "reset": "Reset", "step-back": "One step back", "play": "Pause or go on",
     "step": "One step", "slower": "Slower", "faster": "Faster", "speed": "Normal speed",
@@ -141,13 +141,31 @@ class TopBar:
         self.spots.place(spots)
 
     def _readout_room(self) -> tuple[int, int]:
-        """Right edge of the readouts and how many columns fit left of it."""
+        """Right edge of the readouts and the room left of it, both px; no room where they are not shown."""
         px = self.look.px
         picture, faster = self.spots.find("picture"), self.spots.find("faster")
         if picture is None or faster is None:
             return 0, 0
         right = picture.rect.x - px(20)
-        return right, min(4, max(0, right - faster.rect.right - px(8)) // px(76))
+        return right, max(0, right - faster.rect.right - px(8))
+
+    def columns(self) -> list[tuple[int, str, str]]:
+        """The readouts that have room, from the right: right edge (px in the bar), caption, words.
+
+        A column is as wide as its words need, in halves of the usual width so that it seldom changes.
+        """
+        px = self.look.px
+        right, room = self._readout_room()
+        x, found = right - self.rect.x, []
+        for caption, value, unit in reversed(self._shown[:4]):
+            words = format_si(value, unit) if self.state.ready else NOTHING
+            wide = self.look.fonts.size(words, 13, "semibold")[0] + px(8)
+            width = px(COLUMN) if wide <= px(COLUMN) else -(-wide // px(COLUMN / 2)) * px(COLUMN / 2)
+            if width > room:
+                break
+            found.append((x, caption, words))
+            x, room = x - width, room - width
+        return found
 
     # -- picture ------------------------------------------------------------------------------------
 
@@ -235,16 +253,11 @@ class TopBar:
 
     def _paint_readouts(self, surface: pygame.Surface) -> None:
         look, px = self.look, self.look.px
-        right, fits = self._readout_room()
-        if not fits:
+        right, room = self._readout_room()
+        if room < px(COLUMN):
             return
-        right -= self.rect.x
-        surface.fill(look.theme.line, (right + px(12), px(12), look.border, px(24)))
-        shown: Sequence[tuple[str, float, str]] = self._shown[:4]
-        for i, (caption, value, unit) in enumerate(reversed(shown[-fits:] if len(shown) > fits else shown)):
-            x = right - i * px(76)
-            number, suffix = quantity(value, unit) if self.state.ready else (NOTHING, "")
-            words = number if not suffix else number + ("" if suffix == "°" else " ") + suffix
+        surface.fill(look.theme.line, (right - self.rect.x + px(12), px(12), look.border, px(24)))
+        for x, caption, words in self.columns():
             look.text(surface, words, (x, px(17)), 13, "semibold", "text1", "right")
-            caption = look.fonts.fit(caption, 11, "medium", px(72))
+            caption = look.fonts.fit(caption, 11, "medium", px(COLUMN - 4))
             look.text(surface, caption, (x, px(34)), 11, "medium", "text3", "right")

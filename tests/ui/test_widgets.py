@@ -185,6 +185,33 @@ def test_numbers_change_four_times_a_second_and_only_then_is_it_painted(look):
     assert picture(surface) != first
 
 
+@pytest.mark.parametrize("width", [700, 960, 1100, 1280, 1920])
+@pytest.mark.parametrize("value", [1.85e-11, -4.5e-13, 123456789.0, 3.0, math.nan])
+def test_no_number_runs_into_its_neighbour(any_look, width, value):
+    readouts = (("time", 2.05, "s"), ("off", value, "°"), ("L", value, "kg m²/s"), ("frame", 0.0, "s"))
+    bar = bar_at(any_look, (width, 720), STATE._replace(readouts=readouts))
+    faster, picture_button = bar.spots.find("faster"), bar.spots.find("picture")
+    left_of_it = picture_button.rect.x if picture_button else 0
+    for x, _, words in bar.columns():
+        assert x < left_of_it
+        left_of_it = x - any_look.fonts.size(words, 13, "semibold")[0]
+        assert left_of_it > faster.rect.right
+
+
+def test_a_long_number_takes_room_from_the_left_and_the_first_readout_goes_if_there_is_none(look):
+    usual = [(x, caption) for x, caption, _ in bar_at(look, (1280, 720)).columns()]
+    assert [caption for _, caption in usual] == ["frame", "step", "particles", "time"]
+    long = STATE._replace(readouts=(READOUTS[0], ("off", 1.85e-11, "°"), *READOUTS[2:]))
+    wide = [(x, caption) for x, caption, _ in bar_at(look, (1280, 720), long).columns()]
+    assert wide[:2] == usual[:2] and wide[2][0] == usual[2][0] and wide[3][0] < usual[3][0]
+    narrow = next(w for w in range(1280, 640, -1) if len(bar_at(look, (w, 720)).columns()) < 4) + 1
+    assert [caption for _, caption, _ in bar_at(look, (narrow, 720), long).columns()] == [
+        "frame",
+        "step",
+        "off",
+    ]
+
+
 @pytest.mark.parametrize(
     ("speed", "text"),
     [(1.0, "1×"), (0.0625, "1/16×"), (4.0, "4×"), (0.3, "0.3×"), (math.nan, "–"), (0.0, "–")],
