@@ -20,7 +20,8 @@ _PREFIXES = (
     (1e-12, "p"),
 )
 _PREFIXED = frozenset({"m", "s", "g", "N", "J", "W", "Hz", "Pa", "B", "V", "A"})
-_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_SUPERSCRIPT = str.maketrans("-0123456789", _RAISED)
 
 
 class Quantity(NamedTuple):
@@ -76,9 +77,10 @@ def quantity(value: float, unit: str, digits: int = 3) -> Quantity:
 
 
 def format_si(value: float, unit: str, digits: int = 3) -> str:
-    """``quantity`` as one text: "18.4 µs"; angles and empty units stand close."""
+    """``quantity`` as one text: "18.4 µs"; angles and empty units stand close, but never at an exponent."""
     number, shown = quantity(value, unit, digits)
-    return number + shown if shown in ("", "°") else f"{number} {shown}"
+    close = shown == "" or (shown == "°" and number[-1] not in _RAISED)
+    return number + shown if close else f"{number} {shown}"
 
 
 def _group(text: str, negative: bool) -> str:

@@ -116,6 +116,7 @@ def test_numbers(value, text):
         (0.5, "kg", "500 g"),
         (2.0, "1/s", "2.00 1/s"),
         (16.0, "°", "16.0°"),
+        (1.85e-11, "°", "1.85\u202f×\u202f10⁻¹¹ °"),  # close to its exponent it would be one digit more
         (2.5e-4, "m²", "0.000250 m²"),
         (0.0, "s", "0 s"),
         (5e-3, "m/s", "5.00 mm/s"),
