@@ -23,6 +23,10 @@ class RigidLinks(MassSpringScene):
     be solved as a whole.
 
     A particle with inverse mass 0 is fixed in space. Build, pin, cut and drag while it runs.
+
+    Links far from their length would shoot off: the speed limit slows each particle by itself, and what it
+    takes of the momentum nobody gets. The catenary meets it in its first step, and so does what is
+    overstretched.
     """
 
     name = "c14"

@@ -26,6 +26,9 @@ class Springs(MassSpringScene):
     a step of 1/60 s on a bead of 1 kg; change the step and watch them part.
 
     Jellies keep the area of their meshes, rings the area within: switch areas off to see why.
+
+    The speed limit slows each particle by itself: where springs far from their length meet it, momentum is
+    lost.
     """
 
     name = "c15"

@@ -151,7 +151,11 @@ def settle_bdf2(x, y, vx, vy, ox, oy, ux, uy, fresh, px, py, h):
 
 @kernel
 def limit_speeds(vx, vy, fresh, limit):
-    """Slow down whoever is faster than ``limit`` (m/s)."""
+    """Slow down whoever is faster than ``limit`` (m/s), each particle by itself.
+
+    A safety net, no physics: what a particle loses here nobody gets, so linear and angular momentum and
+    energy of a free network do not stay as they were in a substep in which the limit is met.
+    """
     for i in range(vx.shape[0]):
         square = vx[i] * vx[i] + vy[i] * vy[i]
         if square > limit * limit:

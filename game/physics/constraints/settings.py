@@ -45,8 +45,9 @@ class Settings:
 
     effects: of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
     iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m.
-    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity.
-    stretch_limit: strain at which a link tears. restitution: of contacts.
+    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it slows
+    each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link tears.
+    restitution: of contacts.
     """
 
     effects: EffectSet = GRAVITY | GROUND | LINKS | DAMPING

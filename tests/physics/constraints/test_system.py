@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from game.physics.constraints import ATTACHMENTS, CONTACTS, TEARING, PositionBasedDynamics, shapes
+from game.physics.constraints import ATTACHMENTS, CONTACTS, LINKS, TEARING, PositionBasedDynamics, shapes
 from game.physics.constraints.editing import speeds_of
 from game.physics.fields import GRAVITY, GROUND
 
@@ -100,6 +100,20 @@ def test_what_is_held_follows_the_hand_and_flies_on(scheme):
     system.step(DT)
     assert system.velocities[0] == pytest.approx([0.1 / DT, 0.0], rel=1e-9)
     assert system.positions[1].tolist() == [5.0, 0.0]
+
+
+def test_the_speed_limit_keeps_momentum_only_where_it_is_not_met():
+    def momentum(limit):
+        system = PositionBasedDynamics(
+            [(0.0, 0.0), (3.0, 0.0)], [1.0, 0.1], [(0, 1)], rest_lengths=[1.0], effects=LINKS,
+            speed_limit=limit,
+        )  # fmt: skip
+        system.step(0.1)
+        return system.momentum()[0]
+
+    assert momentum(100.0) == pytest.approx(0.0, abs=1e-12)
+    light, heavy = 2.0 * 10 / 11 / 0.1, -2.0 * 1 / 11 / 0.1  # m/s, of the whole overlength in one step
+    assert momentum(10.0) == pytest.approx(1.0 * min(light, 10.0) + 10.0 * heavy, rel=1e-9)
 
 
 def test_the_hand_is_no_faster_than_the_speed_limit():
