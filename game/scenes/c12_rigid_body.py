@@ -4,66 +4,45 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.rotation import rotation_study
 from game.levels import Level
-from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW
+from game.physics.rigid import METHODS
 from game.physics.rigid.free_top import turn_freely
 from game.physics.rigid.motion import INVERSES, MOMENTS, P
 from game.physics.rigid.turning import measure
-from game.physics.rigid.window import WALLS
 from game.scenes import c12_hand as hand
 from game.scenes.c12_bodies import EXACT, FLIPS, A, B, Bodies
 from game.scenes.c12_camera import box_edges, camera_matrix
 from game.scenes.c12_findings import readouts_of
-from game.scenes.c12_level import RigidContent, SphereEntry, design_of, entries_of
+from game.scenes.c12_knobs import HOME, LABELS, SHOWN_ONLY, RigidBodyKnobs
+from game.scenes.c12_level import RigidContent, SphereEntry, design_of
+from game.scenes.c12_state import TRAIL, RigidState, content_of, restore, state_of
 from game.scenes.c12_view import RigidView
 from game.scenes.figures.rigid import draw_momentum_sphere
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hint,
-    Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Stamped,
     Strip,
-    Toggle,
     WarmUp,
 )
 from game.ui.painters.spheres import WARM_UPS
 
 Array = NDArray[np.float64]
-LABELS = (
-    "Explicit Euler", "Semi-implicit Euler", "Exponential map", "Midpoint", "Runge-Kutta 4",
-    "Implicit gyroscopic", "Splitting", "Exact (Jacobi)", "Euler of ω, body frame", "Euler of ω, world frame",
-)  # fmt: skip
-HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 TITLE_ROOM = 0.25  # m
-TRAIL = 400  # steps that the trail of L on its sphere goes back
 GAP = 0.12  # m, between the panes of the twin view
-SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "tool", "pushing", "new_density")
 
 
-class RigidState(NamedTuple):
-    """What moves, of what it is made, and what is remembered of it."""
-
-    rows: Array  # (3, 13)
-    accounts: Array  # (3, 4)
-    design: Array  # (n, 6)
-    density: float  # kg/m³
-    trail: Array  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
-
-
-class RigidBodyScene(Scene):
+class RigidBodyScene(RigidBodyKnobs):
     """Spheres are joined to one body. Its mass, centre and inertia tensor follow from theirs by the offset
     theorem; its state is place, quaternion, momentum and angular momentum, and velocity and spin follow from
     those.
@@ -82,69 +61,10 @@ class RigidBodyScene(Scene):
     name = "c12"
     task = "C12"
     title = "Rigid body"
-    effects = ROTATION | WINDOW | PUSHES | GRAVITY | DRAG
     dt = 1.0 / 60.0
     content_type = RigidContent
     study = rotation_study
     takes = frozenset(("right",))
-
-    method = Choice(
-        METHODS[0], METHODS, labels=LABELS, group="Method", label="Integrator",
-        help="how place, quaternion and momenta go on by a step",
-    )  # fmt: skip
-    step_length = Param(1.0 / 60.0, 1.0 / 2000.0, 0.1, unit="s", log=True, group="Method", label="Time step")
-    normalizing = Toggle(
-        True, group="Method", label="Normalize q", help="bring |q| back to 1 after each step"
-    )
-    twin = Toggle(False, group="Method", label="Twin view", rebuild=True, help="two methods side by side")
-    second = Choice(
-        "splitting", METHODS, labels=LABELS, group="Method", label="Integrator of B", help="in the twin view"
-    )
-    density = Param(
-        700.0,
-        1.0,
-        20_000.0,
-        unit="kg/m³",
-        log=True,
-        group="Body",
-        help="of the material; mass and inertia follow",
-    )
-    keep = Choice(
-        "momentum", ("momentum", "velocity"), labels=("Momenta", "Velocities"), group="Body",
-        label="New density keeps", help="what goes on as it was when the density is changed",
-    )  # fmt: skip
-    tool = Choice(
-        "push", hand.TOOLS, labels=("Push", "New sphere", "Take off"), group="Hand",
-        help="what the left button does",
-    )  # fmt: skip
-    pushing = Choice(
-        "release", ("release", "hold"), labels=("Let go", "While held"), group="Hand", label="Push when",
-        help="a force that is drawn and then let go, or a pull as long as the button is down",
-    )  # fmt: skip
-    strength = Param(
-        2_000.0, 1.0, 1e6, unit="N/m", log=True, group="Hand", help="force for each metre of the arrow drawn"
-    )
-    push_time = Param(0.1, 0.001, 2.0, unit="s", log=True, group="Hand", help="how long a drawn force acts")
-    new_density = Param(
-        1.0, 0.01, 100.0, log=True, group="Hand", label="New sphere", help="density over that of the material"
-    )
-    wall = Choice(
-        "mirror", WALLS, labels=("Mirror", "Strike"), group="World", label="Window",
-        help="mirrors the velocity; or strikes the point that touches, so that the spin changes",
-    )  # fmt: skip
-    restitution = Param(1.0, 0.0, 1.0, group="World", help="speed after the window over speed before")
-    gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
-    damping = Param(0.2, 0.0, 20.0, unit="1/s", group="World", help="share of both momenta lost to the air")
-    turn = Param(
-        HOME[0], -180.0, 180.0, unit="°", group="View", label="Turned", help="camera about the vertical"
-    )
-    tilt = Param(
-        HOME[1], -90.0, 90.0, unit="°", group="View", label="Tilted", help="camera, from above if above 0"
-    )
-    ghost = Toggle(True, group="View", label="Exact body", help="outline of the exact solution")
-    vectors = Toggle(True, group="View", label="Vectors", help="f, v, a, P, and ω, L of the turning")
-    axes = Toggle(False, group="View", label="Principal axes", help="1, 2, 3 by ascending moment")
-    momentum_sphere = Toggle(True, group="View", label="Sphere of L", help="L as the body sees it")
 
     hints = (
         Hint(("Drag",), "a force on the body; beside it: turn the view"),
@@ -247,7 +167,7 @@ class RigidBodyScene(Scene):
         self.bodies.start(content.place, content.orientation, content.velocity, content.spin)
         self.bodies.meet()
         self.view = RigidView()
-        self._configure()
+        self.configure()
         self._note()
 
     def half_sides(self) -> Array:
@@ -269,7 +189,7 @@ class RigidBodyScene(Scene):
         """Words for the method of a body."""
         return LABELS[METHODS.index(self.second if pane == B else self.method)]
 
-    def _configure(self) -> None:
+    def configure(self) -> None:
         """Hand the knobs to the bodies."""
         half = self.half_sides()
         for index, body in enumerate(self.bodies.all):
@@ -289,34 +209,21 @@ class RigidBodyScene(Scene):
         if name == "density":
             self.bodies.change_density(self.density, self.keep)
         if name not in SHOWN_ONLY:
-            self._configure()
+            self.configure()
 
     def effects_changed(self) -> None:
-        self._configure()
+        self.configure()
 
     # -- remembering --------------------------------------------------------------------------------
 
     def state(self) -> RigidState:
-        bodies = self.bodies
-        return RigidState(bodies.rows, bodies.accounts, bodies.design, bodies.density, self.trail)
+        return state_of(self)
 
     def restore(self, state: RigidState) -> None:
-        self.bodies.take(state.rows, state.design, float(state.density))
-        np.copyto(self.bodies.accounts, state.accounts)
-        np.copyto(self.trail, state.trail)
-        self._configure()
+        restore(self, state)
 
     def save_content(self) -> RigidContent:
-        """The spheres as they are now, in their own frame, with the motion that the body has."""
-        body = self.bodies.all[A]
-        return RigidContent(
-            spheres=entries_of(self.bodies.design),
-            place=tuple(body.position.tolist()),
-            orientation=tuple(body.orientation.tolist()),
-            velocity=tuple(body.velocity.tolist()),
-            spin=tuple(body.angular_velocity.tolist()),
-            window=self.content.window,
-        )
+        return content_of(self)
 
     # -- a step -------------------------------------------------------------------------------------
 
@@ -354,7 +261,7 @@ class RigidBodyScene(Scene):
 
     def pointer(self, event: Pointer) -> None:
         hand.take_pointer(self, event)
-        self._configure()
+        self.configure()
 
     def action(self, name: str) -> None:
         if name == "undo":
@@ -370,7 +277,7 @@ class RigidBodyScene(Scene):
             self.bodies.meet()
         else:
             self.values["tool"] = name
-        self._configure()
+        self.configure()
 
     def messages(self) -> Sequence[str]:
         new = tuple(self.told)

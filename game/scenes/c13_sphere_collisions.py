@@ -12,16 +12,14 @@ from numpy.typing import NDArray
 from game.lab.studies.impulses import impact_study
 from game.levels import Level
 from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
-from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid import PUSHES, ROTATION, WINDOW
-from game.physics.rigid.collision_settings import CORRECTIONS, LAWS, SCHEMES
+from game.physics.fields import GRAVITY
 from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.smooth_spheres import SmoothSpheres
-from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.rigid.spheres import SphereBodies
 from game.scenes import c13_findings as findings
 from game.scenes import c13_hand as hand
 from game.scenes import c13_sounds
+from game.scenes.c13_knobs import NOT_SETTINGS, TABLE_KNOBS, CollisionKnobs
 from game.scenes.c13_level import CollisionContent, SphereEntry
 from game.scenes.c13_makings import bodies_of, makings_of, tables_of
 from game.scenes.c13_saving import content_of
@@ -29,33 +27,25 @@ from game.scenes.c13_state import SphereState, restore, state_of
 from game.scenes.c13_view import CollisionView
 from game.scenes.figures.rigid import draw_friction_cone
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hearing,
     Hint,
-    Knob,
     KnobError,
-    Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Stamped,
     Strip,
-    Toggle,
     WarmUp,
 )
 
 Array = NDArray[np.float64]
-BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
-NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
-TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
 MOST_EXACT = 2_000  # impacts in a step of the event-driven run
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
 
 
-class SphereCollisions(Scene):
+class SphereCollisions(CollisionKnobs):
     """Spheres fly, hit each other and the walls of the window, slide, roll and pile up. Each is a rigid body
     in space, with position, orientation, momentum and angular momentum; the picture shows the plane, and the
     line of a radius shows how each has turned.
@@ -73,74 +63,10 @@ class SphereCollisions(Scene):
     task = "C13"
     title = "Sphere collisions"
     study = impact_study
-    effects = (
-        GRAVITY | DRAG | ROTATION | WINDOW | PUSHES | COLLISIONS | FRICTION | IMPACT_TIMES | STRINGS | LEDGES
-    )
     dt = 1.0 / 120.0
     may_be_infinite = frozenset(("masses",))
     content_type = CollisionContent
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
-
-    restitution = Param(0.8, 0.0, 1.0, group="Collisions", label="Restitution e", help="between spheres")
-    friction = Param(0.2, 0.0, 2.0, group="Collisions", label="Friction μ", help="between spheres")
-    wall_restitution = Param(
-        1.0,
-        0.0,
-        1.0,
-        group="Collisions",
-        label="e at walls",
-        help="1 mirrors the velocity",
-    )
-    wall_friction = Param(0.0, 0.0, 2.0, group="Collisions", label="μ at walls")
-    law = Choice(
-        "in-turn", LAWS, labels=("In turn", "At once"), group="Collisions",
-        help="touches one after the other until none approaches, or Newton's law at all together",
-    )  # fmt: skip
-    rest = Param(
-        4.0, 0.0, 20.0, group="Collisions", label="Resting speed", unit="g h",
-        help="approach over g h / (1 − e²) below which nothing bounces",
-    )  # fmt: skip
-    step_length = Param(1.0 / 120.0, 1.0 / 2000.0, 0.1, unit="s", log=True, group="Motion", label="Time step")
-    substeps = Param(1, 1, 50, whole=True, log=True, group="Motion", help="parts of a step")
-    scheme = Choice(
-        "explicit-euler", SCHEMES, labels=("Explicit", "Semi-impl.", "Parabola"), group="Motion",
-        help="explicit Euler as the course says, semi-implicit, or exact free flight",
-    )  # fmt: skip
-    correction = Choice(
-        "split", CORRECTIONS, labels=("None", "Baumgarte", "Soft", "Split impulses", "Projection"),
-        group="Bearing", help="how overlap is taken away; Baumgarte and soft contacts add speed",
-    )  # fmt: skip
-    iterations = Param(
-        10, 1, 200, whole=True, log=True, group="Bearing", help="sweeps of the impulses that bear what rests"
-    )
-    passes = Param(3, 0, 50, whole=True, group="Bearing", help="sweeps of position correction")
-    slop = Param(
-        0.01, 0.0, 0.2, group="Bearing", label="Overlap left", unit="r", help="of the smallest radius"
-    )
-    warm = Toggle(True, group="Bearing", label="Warm start", help="begin with the last step's impulses")
-    broad_phase = Choice(
-        "brute-force", BROAD_PHASES, labels=("Brute force", "Grid", "Hierarchical grid", "Sweep and prune"),
-        group="Bearing", rebuild=True, help="how pairs are found that may touch",
-    )  # fmt: skip
-    gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
-    drag = Param(0.1, 0.0, 20.0, unit="N s/m", group="World", help="of the air, in proportion to velocity")
-    real = Toggle(
-        False, group="World", label="Real masses", rebuild=True,
-        help="mass from density and 2/5 m r²; else mass 1 and inertia 1, as the course has it",
-    )  # fmt: skip
-    density = Param(
-        1.0, 1e-3, 1e5, unit="kg/m³", log=True, group="World", rebuild=True, help="for real masses"
-    )
-    tool = Choice(
-        "push", hand.TOOLS, labels=("Push", "New sphere", "Take away"), group="Tools",
-        help="a force from where you press to where you let go; click a sphere into being, or away",
-    )  # fmt: skip
-    push_strength = Param(40.0, 0.1, 1e4, unit="N/m", log=True, group="Tools", help="force to drawn length")
-    push_time = Param(0.1, 0.001, 1.0, unit="s", log=True, group="Tools", help="how long a force acts")
-    radius = Param(0.25, 0.01, 5.0, unit="m", log=True, group="Tools", help="of new spheres")
-    shown_impulses = Toggle(True, group="Shown", label="Impulses", help="of collisions of the last 0.5 s")
-    shown_bearing = Toggle(False, group="Shown", label="Bearing forces", help="lines as wide as their force")
-    ledger = Toggle(True, group="Shown", label="Ledger", help="the last collisions in figures")
 
     hints = (
         Hint(("Drag",), "push a sphere"),
@@ -193,8 +119,6 @@ class SphereCollisions(Scene):
         Stamped(435, Pointer("move", 0.6, 2.6, button=1)),
         Stamped(450, Pointer("up", 1.9, 2.2, button=1)),
     )
-
-    groups: ClassVar[tuple[str, ...]] = ("Collisions", "Motion", "Bearing", "World", "Tools", "Shown")
 
     # -- building -----------------------------------------------------------------------------------
 
@@ -358,9 +282,3 @@ class SphereCollisions(Scene):
             WarmUp("impact times", lambda: world(effects=cls.effects).step(cls.dt)),
             WarmUp("impulses in the plane", lambda: world(path="planar").step(cls.dt)),
         )
-
-    @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, group by group."""
-        order = {group: i for i, group in enumerate(cls.groups)}
-        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 99)))

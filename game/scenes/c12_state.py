@@ -1,0 +1,54 @@
+"""The rigid body scene's state: what is remembered of it, how it is put back, and what a level file keeps."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.scenes.c12_bodies import A
+from game.scenes.c12_level import RigidContent, entries_of
+
+if TYPE_CHECKING:
+    from game.scenes.c12_rigid_body import RigidBodyScene
+
+Array = NDArray[np.float64]
+TRAIL = 400  # steps that the trail of L on its sphere goes back
+
+
+class RigidState(NamedTuple):
+    """What moves, of what it is made, and what is remembered of it."""
+
+    rows: Array  # (3, 13)
+    accounts: Array  # (3, 4)
+    design: Array  # (n, 6)
+    density: float  # kg/m³
+    trail: Array  # (2, TRAIL, 3): direction of L in the body's frame, by step number modulo TRAIL
+
+
+def state_of(scene: RigidBodyScene) -> RigidState:
+    """The scene's own arrays, not copies."""
+    bodies = scene.bodies
+    return RigidState(bodies.rows, bodies.accounts, bodies.design, bodies.density, scene.trail)
+
+
+def restore(scene: RigidBodyScene, state: RigidState) -> None:
+    """Put a state back; bodies of another design are made anew."""
+    scene.bodies.take(state.rows, state.design, float(state.density))
+    np.copyto(scene.bodies.accounts, state.accounts)
+    np.copyto(scene.trail, state.trail)
+    scene.configure()
+
+
+def content_of(scene: RigidBodyScene) -> RigidContent:
+    """The spheres as they are now, in their own frame, with the motion that the body has."""
+    body = scene.bodies.all[A]
+    return RigidContent(
+        spheres=entries_of(scene.bodies.design),
+        place=tuple(body.position.tolist()),
+        orientation=tuple(body.orientation.tolist()),
+        velocity=tuple(body.velocity.tolist()),
+        spin=tuple(body.angular_velocity.tolist()),
+        window=scene.content.window,
+    )
