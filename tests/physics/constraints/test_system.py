@@ -105,7 +105,7 @@ def test_what_is_held_follows_the_hand_and_flies_on(scheme):
 def test_the_speed_limit_keeps_momentum_only_where_it_is_not_met():
     def momentum(limit):
         system = PositionBasedDynamics(
-            [(0.0, 0.0), (3.0, 0.0)], [1.0, 0.1], [(0, 1)], rest_lengths=[1.0], effects=LINKS,
+            [(0.0, 0.0), (3.0, 0.0)], [1.0, 0.1], [(0, 1)], rest_lengths=[1.0], effects=LINKS | CONTACTS,
             speed_limit=limit,
         )  # fmt: skip
         system.step(0.1)
