@@ -16,7 +16,7 @@ from game.billiards.games import Drill
 from game.billiards.lecture_state import POCKETS
 from game.billiards.rules import CUE_BALL, Call
 from game.billiards.shot import Physics
-from game.billiards.shot_effects import EXACT_EFFECTS, physics_of
+from game.billiards.shot_effects import physics_of
 from game.billiards.trajectory import rotation_matrices
 from game.lab.studies.billiards_effects import effects_study
 from game.levels import Level
@@ -26,13 +26,15 @@ from game.scenes import billiards_hand as hand
 from game.scenes import billiards_modes as modes
 from game.scenes import billiards_moves as moves
 from game.scenes import billiards_view as view
+from game.scenes.billiards_actions import ACTIONS, HINTS
 from game.scenes.billiards_cue import warm_ups as cue_warm_ups
 from game.scenes.billiards_kept import Kept
+from game.scenes.billiards_knobs import BilliardsKnobs
 from game.scenes.billiards_layout import FRAME
 from game.scenes.billiards_level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
 from game.scenes.billiards_moves import AIMING, PHASE_S, REPLAY, ROLLING, STRIKING
 from game.scenes.billiards_opponent import Thinker
-from game.scenes.billiards_players import GRADE_LABELS, GRADES, think, warm_up
+from game.scenes.billiards_players import think, warm_up
 from game.scenes.billiards_round import Conditions, Played, Round, begin
 from game.scenes.billiards_sounds import hearing_of
 from game.scenes.cue_control import CueControl
@@ -41,21 +43,15 @@ from game.scenes.figures.balls import draw_aim
 from game.scenes.table_view import warm_ups as table_warm_ups
 from game.stage import (
     Action,
-    Choice,
     Decision,
     Equation,
     Frame,
     Hearing,
-    Hint,
-    Param,
     Pointer,
     Readout,
-    Scene,
-    SceneAction,
     Sound,
     Stamped,
     Strip,
-    Toggle,
     WarmUp,
 )
 
@@ -77,7 +73,7 @@ class BilliardsState(NamedTuple):
     word: str
 
 
-class Billiards(Scene):
+class Billiards(BilliardsKnobs):
     """A pool table to play on. Every stroke is computed to its end at the moment when the tip meets the ball,
     from one event to the next: ball meets ball, cushion, jaw or pocket, sliding turns into rolling. What you
     see afterwards is that computation looked at in its time, and so is the line before you strike: it is no
@@ -91,86 +87,19 @@ class Billiards(Scene):
     name = "billiards"
     task = "L.10"
     title = "Billiards"
-    effects = EXACT_EFFECTS
     study = effects_study
     covers = True
     quarter_turns = 1
     takes = frozenset(("wheel", "middle", "right"))
     content_type = BilliardsContent
 
-    game = Choice(
-        "level",
-        ("level", "eight-ball", "nine-ball", "combination", "practice"),
-        labels=("As the level says", "8-ball", "9-ball", "Combination match", "Practice"),
-        group="Game", rebuild=True,
-    )  # fmt: skip
-    first_player = Choice(
-        "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
-        group="Game", label="First player", help="you, or a computer player",
-    )  # fmt: skip
-    second_player = Choice(
-        "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
-        group="Game", label="Second player", help="you, or a computer player",
-    )  # fmt: skip
-    considered = Toggle(
-        False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
-    )
-    power = Param(
-        4.0, 0.1, 10.0, unit="m/s", group="Stroke", help="speed of a ball that is struck in its middle"
-    )
-    tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
-    tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
-    elevation = Param(0.0, 0.0, 80.0, unit="°", group="Stroke", help="of the butt of the cue")
-    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the ways after it")
-    events = Param(
-        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
-    )
-    sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
-    rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")
-    ball_restitution = Param(0.95, 0.5, 1.0, group="Table", label="Ball restitution")
-    cushion_restitution = Param(0.85, 0.3, 1.0, group="Table", label="Cushion restitution")
-    radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much smaller some balls are")
-    mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
-
     strips = (
         Strip("Energy", "J", ("energy",)),
         Strip("White ball", "m/s", ("white ball",)),
         Strip("Events", "", ("events",)),
     )
-    hints = (
-        Hint(("Move",), "aim"),
-        Hint(("Drag",), "pull back, let go"),
-        Hint(("Shift",), "fine aim"),
-        Hint(("Wheel",), "turn by 0.05°"),
-        Hint(("Enter",), "strike"),
-        Hint(("V",), "aim line"),
-        Hint(("U",), "undo"),
-        Hint(("R",), "replay"),
-        Hint(("Click a name",), "computer player"),
-        Hint(("E",), "set up"),
-        Hint(("N",), "new rack"),
-        Hint(("D",), "plays itself"),
-    )
-    actions = (
-        SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),
-        SceneAction("undo", "undo the last stroke, aim as before", "U"),
-        SceneAction("replay", "replay of the last stroke", "R"),
-        SceneAction("view", "aim line on or off", "V"),
-        SceneAction("set-up", "place the balls freely", "E"),
-        SceneAction("rack", "next rack, or the same anew", "N"),
-        SceneAction("demo", "plays itself", "D"),
-        SceneAction("centre", "strike the middle of the ball", "C"),
-        SceneAction("safety", "announce a safety or a push-out", "B"),
-        SceneAction("hint", "show how a puzzle is solved", "H"),
-        SceneAction("left", "turn the cue left", "left"),
-        SceneAction("right", "turn the cue right", "right"),
-        SceneAction("harder", "more power", "up"),
-        SceneAction("softer", "less power", "down"),
-        SceneAction("first", "take the first option", "1"),
-        SceneAction("second", "take the second option", "2"),
-        SceneAction("third", "take the third option", "3"),
-        SceneAction("fourth", "take the fourth option", "4"),
-    )  # fmt: skip
+    hints = HINTS
+    actions = ACTIONS
     figure = staticmethod(draw_aim)
     equations = (
         Equation(

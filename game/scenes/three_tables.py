@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from functools import lru_cache
-from typing import Annotated, Any, NamedTuple
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from game.billiards.cue import strike
 from game.billiards.shot import Shot, make_shot
-from game.billiards.shot_effects import EXACT_EFFECTS, physics_of, table_of
+from game.billiards.shot_effects import physics_of, table_of
 from game.billiards.table import Table
 from game.lab.studies.billiards import billiards_study
 from game.levels import Level
@@ -22,59 +22,39 @@ from game.scenes import three_tables_view as view
 from game.scenes.cue_control import AIMING, CueControl
 from game.scenes.demo_shots import choose_stroke
 from game.scenes.figures.tables import draw_chaos
-from game.scenes.lecture_table_level import BallEntry
+from game.scenes.three_tables_findings import readouts_of
+from game.scenes.three_tables_knobs import ThreeTablesKnobs
+from game.scenes.three_tables_level import ThreeTablesContent
 from game.scenes.three_tables_lie import free_spot, laid_out
 from game.scenes.three_tables_shot import MODELS, PlayedShot, ShotShelf, Steps
+from game.scenes.three_tables_state import (
+    AIM,
+    ELEVATION,
+    LEFT,
+    PLAYING,
+    SPEED,
+    STROKES,
+    TIME,
+    UP,
+    ThreeTablesState,
+)
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hint,
-    Param,
     Pointer,
     Readout,
-    Scene,
     SceneAction,
     Strip,
-    Toggle,
     WarmUp,
 )
 
 Array = NDArray[np.float64]
 
-PERTURBATIONS = ("none", "1e-15", "1e-12", "1e-9", "1e-6", "1e-3")  # m, of the white ball
 NEXT_STROKE_S = 1.5  # s between the end of a shot and the next stroke that the table plays itself
-LEAST = 1e-17  # m; what the logarithm of no difference at all is taken from
 
 
-class ThreeTablesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """[content] of a level: balls (else a rack), and the stroke that it begins with."""
-
-    balls: Annotated[list[BallEntry], msgspec.Meta(max_length=22)] = []
-    speed: Annotated[float, msgspec.Meta(ge=0.0, le=15.0)] = 0.0  # m/s of the cue ball; 0: nobody strikes
-    angle_deg: Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)] = 90.0
-    bare: bool = False
-    plays_itself: bool = False
-
-
-class ThreeTablesState(NamedTuple):
-    """What is played, and where the balls are.
-
-    start (n, 2) m and in_play (n,) of the shot; shot (8,): playing, time s, speed m/s, aim, offsets of the
-    tip, elevation, strokes; cue (7,); places (3, n, 2) m on the three tables.
-    """
-
-    start: Array
-    in_play: NDArray[np.bool_]
-    shot: Array
-    cue: Array
-    places: Array
-
-
-PLAYING, TIME, SPEED, AIM, LEFT, UP, ELEVATION, STROKES = range(8)
-
-
-class ThreeTables(Scene):
+class ThreeTables(ThreeTablesKnobs):
     """The same stroke on three tables. The first is the lecture's: a velocity added to the position in every
     step, no spin. The second steps too, but with all of the physics: balls slide, roll and spin, throw each
     other, and rebound as Han's cushion has it. The third does not step at all. It computes the times of the
@@ -88,28 +68,10 @@ class ThreeTables(Scene):
     name = "three-tables"
     task = "L"
     title = "Three tables"
-    effects = EXACT_EFFECTS
     quarter_turns = 1
     takes = frozenset(("right",))
     content_type = ThreeTablesContent
     study = billiards_study
-
-    tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
-    tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
-    elevation = Param(0.0, 0.0, 60.0, unit="°", group="Stroke", help="of the butt of the cue")
-    lecture_step = Param(1 / 60, 1 / 2000, 1 / 20, unit="s", log=True, group="Steps", label="Lecture's step")
-    stepped_step = Param(
-        1 / 240, 1 / 20000, 1 / 20, unit="s", log=True, group="Steps", label="Stepped table's"
-    )
-    passes = Param(4, 1, 50, whole=True, group="Steps", help="rounds of moving overlapping balls apart")
-    perturbation = Choice(
-        "none",
-        PERTURBATIONS,
-        labels=("None", "1 fm", "1 pm", "1 nm", "1 µm", "1 mm"),
-        group="Chaos",
-        help="a second exact table, the white ball moved",
-    )
-    prediction = Toggle(True, group="Shown", label="Aim line")
 
     strips = (
         Strip("Difference", "log10 m", ("lecture", "stepped", "perturbed")),
@@ -326,30 +288,8 @@ class ThreeTables(Scene):
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw(self, canvas, alpha)
 
-    def difference_now(self, name: str) -> float:
-        """Largest distance of a ball to its place on the exact table at this moment, m."""
-        if name not in self.played.tables or not self.shot[PLAYING]:
-            return 0.0
-        return self.differences_until(self.shown_s)[name][-1]
-
     def readouts(self) -> tuple[Readout, ...]:
-        time = self.shown_s
-        moving = self.played.tables["exact"].state_at(time).velocities
-        masses = self.masses[self.in_play]
-        energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum()) if self.shot[PLAYING] else 0.0
-        done = int(np.searchsorted(self.played.event_times, time, side="right")) if self.shot[PLAYING] else 0
-        logs = {
-            name: math.log10(max(self.difference_now(name), LEAST))
-            for name in ("lecture", "stepped", "perturbed")
-        }
-        return (
-            Readout("events", done),
-            Readout("difference", self.difference_now("stepped"), "m"),
-            Readout("shot", time, "s"),
-            Readout("energy", energy, "J"),
-            *(Readout(name, value, "log10 m") for name, value in logs.items()),
-            Readout("strokes", self.shot[STROKES]),
-        )
+        return readouts_of(self)
 
     def messages(self) -> list[str]:
         told = list(self.told)

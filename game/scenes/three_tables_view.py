@@ -12,6 +12,7 @@ from game.billiards.state import BALL_POCKET
 from game.scenes import table_view
 from game.scenes.cue_control import PULLING, STRIKING
 from game.scenes.table_view import Balls
+from game.scenes.three_tables_findings import difference_now
 from game.stage import Frame
 from game.ui.canvas import Canvas
 from game.ui.theme import FELT, FELT_WARM
@@ -49,7 +50,7 @@ def draw(scene: ThreeTables, canvas: Canvas, alpha: float) -> None:
         words = (
             TITLES[k]
             if k == 2 or not scene.shot[0]
-            else f"{TITLES[k]}: {_length(scene.difference_now(name))} off"
+            else f"{TITLES[k]}: {_length(difference_now(scene, name))} off"
         )
         canvas.label((origin[0] - 0.19, origin[1] - 0.1), words, "text1", 13, "semibold", anchor="left")
         canvas.halo = FELT

@@ -1,0 +1,38 @@
+"""What the billiard game can be told by a key, and the hints that say so."""
+
+from game.stage import Hint, SceneAction
+
+HINTS = (
+    Hint(("Move",), "aim"),
+    Hint(("Drag",), "pull back, let go"),
+    Hint(("Shift",), "fine aim"),
+    Hint(("Wheel",), "turn by 0.05°"),
+    Hint(("Enter",), "strike"),
+    Hint(("V",), "aim line"),
+    Hint(("U",), "undo"),
+    Hint(("R",), "replay"),
+    Hint(("Click a name",), "computer player"),
+    Hint(("E",), "set up"),
+    Hint(("N",), "new rack"),
+    Hint(("D",), "plays itself"),
+)
+ACTIONS = (
+    SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),
+    SceneAction("undo", "undo the last stroke, aim as before", "U"),
+    SceneAction("replay", "replay of the last stroke", "R"),
+    SceneAction("view", "aim line on or off", "V"),
+    SceneAction("set-up", "place the balls freely", "E"),
+    SceneAction("rack", "next rack, or the same anew", "N"),
+    SceneAction("demo", "plays itself", "D"),
+    SceneAction("centre", "strike the middle of the ball", "C"),
+    SceneAction("safety", "announce a safety or a push-out", "B"),
+    SceneAction("hint", "show how a puzzle is solved", "H"),
+    SceneAction("left", "turn the cue left", "left"),
+    SceneAction("right", "turn the cue right", "right"),
+    SceneAction("harder", "more power", "up"),
+    SceneAction("softer", "less power", "down"),
+    SceneAction("first", "take the first option", "1"),
+    SceneAction("second", "take the second option", "2"),
+    SceneAction("third", "take the third option", "3"),
+    SceneAction("fourth", "take the fourth option", "4"),
+)  # fmt: skip
