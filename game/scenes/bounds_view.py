@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -86,7 +87,8 @@ class BoundsView:
             drawn = []
             for i, outline in enumerate(scene.outlines):
                 points = places[i].to_world(scene.local_points(i))
-                self._draw_outline(canvas, points, outline.closed, COLORS[i])
+                aside = scene.walked == "fit" and i != scene.chosen  # the walk is through the other one
+                self._draw_outline(canvas, points, outline.closed, "ghost" if aside else COLORS[i])
                 drawn.append((points, outline.closed))
             lines = DrawnLines(canvas, drawn)
             tree_places = self._tree_places(pane.pair, places)
@@ -96,8 +98,8 @@ class BoundsView:
                 walk_view.draw_build(scene, canvas, tree_places)
             else:
                 self._draw_query(scene, canvas, lines, pane, tree_places)
-            shown = [i for i in range(len(tree_places)) if scene.walked != "fit" or i != scene.chosen]
-            self._draw_names(canvas, lines, pane.pair, tree_places, shown)
+            named = () if scene.walked == "fit" else range(len(tree_places))
+            self._draw_names(canvas, lines, pane.pair, tree_places, named)
             self._draw_hand(scene, canvas, pane, places)
             if pane.title:
                 self._draw_title(scene, canvas, pane)
@@ -150,7 +152,7 @@ class BoundsView:
         canvas.polyline(points, color, 2.2, closed=closed and len(points) > 2)
 
     def _draw_names(
-        self, canvas: Canvas, lines: DrawnLines, pair: TreePair, places: list[Place], shown: list[int]
+        self, canvas: Canvas, lines: DrawnLines, pair: TreePair, places: list[Place], named: Sequence[int]
     ) -> None:
         """A and B in the middle of their outlines, or beside thin ones; side by side if these coincide."""
         middles = []
@@ -160,7 +162,7 @@ class BoundsView:
         apart = 0.0
         if len(middles) == 2 and math.dist(*middles) < canvas.px(90.0):
             apart = 52.0
-        for i in shown:
+        for i in named:
             at, tree = middles[i], pair.trees[i]
             words = f"{tree.segments:,} segments".replace(",", "\u202f")
             if tree.segments == 1:
