@@ -123,3 +123,13 @@ def test_figures_go_on_while_steps_are_made_in_a_thread(opened, monkeypatch):
     settled(driver)
     assert passed
     assert sum(elapsed) == pytest.approx(frames / 60.0, abs=3.0 / 60.0)
+
+
+@pytest.mark.parametrize(("name", "knob"), (("c05", "count"), ("c04", "places")))
+@pytest.mark.parametrize("value", (None, (1, 2), "many", float("nan"), -1.0))
+def test_what_is_no_value_of_a_knob_is_refused_at_once(opened, name, knob, value):
+    play = opened(name).top.play
+    before = play.stage.scene.values[knob]
+    assert not play.post(SetKnob(knob, value))
+    assert not play.errands.busy
+    assert play.stage.scene.values[knob] == before

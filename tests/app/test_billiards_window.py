@@ -127,6 +127,34 @@ def test_strokes_are_heard_and_the_state_knows_nothing_of_it(driver, monkeypatch
     player._ready = False
 
 
+@pytest.mark.parametrize(("key", "phase"), [(pygame.K_r, "replay"), (pygame.K_e, "set-up")])
+def test_escape_ends_a_replay_or_the_set_up_and_only_then_leaves_for_the_menu(driver, key, phase):
+    driver.open("billiards")
+    break_off(driver)
+    assert driver.stage.scene.phase == "aiming"
+    before = driver.stage.scene.round.places
+    driver.key(key)
+    driver.frames(2)
+    assert driver.stage.scene.phase == phase
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(2)
+    assert driver.top.play is not None and driver.stage.scene.phase == "aiming"
+    assert driver.stage.scene.round.places == before
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(2)
+    assert getattr(driver.top, "play", None) is None
+
+
+def test_the_arrow_of_the_bar_leaves_for_the_menu_at_once(driver):
+    driver.open("billiards")
+    driver.stage.post(Action("set-up"))
+    driver.frames(2)
+    assert driver.stage.scene.phase == "set-up"
+    driver.click(*driver.top.shell.bar.spots.find("back").rect.center)
+    driver.frames(2)
+    assert getattr(driver.top, "play", None) is None
+
+
 def test_the_volume_is_a_setting(driver, tmp_path):
     from game.app.settings import load_settings
 

@@ -101,8 +101,10 @@ class FuzzSession:
         if screen.loader is not None:
             screen.loader.wait(300.0)
         driver.frames(2)
-        if not isinstance(driver.top, SceneScreen):
+        play = getattr(driver.top, "play", None)
+        if play is None:
             raise RuntimeError(f"{self.scene} could not be opened")
+        play.errands.behind = True  # as in a window; the hand waits for it, to do the same again
         self.events += 1
 
     def _close_cards(self) -> None:
@@ -152,9 +154,18 @@ class FuzzSession:
         act()
         self.driver.frames(1, seconds, shown)
         took = thread_time() - begin
+        self._wait_for_errands()
         if seconds == 0.0 and compiling().done == compiled:
             self.longest_s = max(self.longest_s, took)
             self.slow += took > SLOW_S
+
+    def _wait_for_errands(self) -> None:
+        """Wait until nothing is done behind the window any more."""
+        for screen in self.driver.app.screens:
+            play = getattr(screen, "play", None)
+            while play is not None and play.errands.busy:
+                play.errands.wait()
+                play.errands.update(0.0)
 
     def _set_something(self, play: Any) -> None:
         """A knob to any value, or an effect on or off."""

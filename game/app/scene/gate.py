@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from game.stage import KnobError, SetKnob, StageEvent
+from game.stage.door import checked_event
 
 if TYPE_CHECKING:
     from game.app.scene.play import ScenePlay
@@ -24,6 +25,11 @@ class Gate:
     def post(self, event: StageEvent) -> bool:
         """Let an event act when it is its turn; False if it is refused at once."""
         play, taken = self._play, [True]
+        try:
+            event = checked_event(event, play.stage.scene_type)
+        except KnobError as error:
+            self._refuse(error)
+            return False
         errands, name = play.errands, event.name if isinstance(event, SetKnob) else ""
         if errands.behind and play.variants.concerns(event):
             errands.work(lambda: play.variants.prepare([event]))

@@ -150,6 +150,15 @@ class ScenePlay:
         self.gate.post_hand()
         return begun
 
+    def step_out(self) -> bool:
+        """Take back a drag, or else leave the part of the scene that one is in; False if there is neither."""
+        if self.cancel():
+            return True
+        name = self.stage.scene.way_out
+        if name:
+            self.act(name)
+        return bool(name)
+
     # -- commands -----------------------------------------------------------------------------------
 
     def command(self, name: str) -> bool:

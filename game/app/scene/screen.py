@@ -147,7 +147,9 @@ class SceneScreen(Screen):
         play = self.play
         if play is None:
             return
-        if wish.name == "speed":
+        if wish.name == "back":
+            self.app.open_menu(self.entry.name)
+        elif wish.name == "speed":
             play.change_speed(wish.value)
         elif wish.name == "level":
             play.open_file(wish.value)
@@ -163,7 +165,7 @@ class SceneScreen(Screen):
 
     def command(self, name: str) -> bool:
         if name == "back":
-            if self.play is None or not self.play.cancel():
+            if self.play is None or not self.play.step_out():
                 self.app.open_menu(self.entry.name)
         elif name in ("next", "previous"):
             self.app.open_scene(
