@@ -32,7 +32,7 @@ from game.scenes.billiards_kept import Kept
 from game.scenes.billiards_knobs import BilliardsKnobs
 from game.scenes.billiards_layout import FRAME
 from game.scenes.billiards_level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
-from game.scenes.billiards_moves import AIMING, PHASE_S, REPLAY, ROLLING, STRIKING
+from game.scenes.billiards_moves import AIMING, PHASE_S, REPLAY, ROLLING, SET_UP, STRIKING
 from game.scenes.billiards_opponent import Thinker
 from game.scenes.billiards_players import think, warm_up
 from game.scenes.billiards_round import Conditions, Played, Round, begin
@@ -234,6 +234,10 @@ class Billiards(BilliardsKnobs):
 
     def action(self, name: str) -> None:
         buttons.action(self, name)
+
+    @property
+    def way_out(self) -> str:
+        return {REPLAY: "replay", SET_UP: "set-up"}.get(self.phase, "")
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
         return deciding.decisions(self, at_once)

@@ -186,6 +186,11 @@ class Scene:
     def action(self, name: str) -> None:
         """One of ``actions``."""
 
+    @property
+    def way_out(self) -> str:
+        """The action that leads out of a part of the scene, such as a replay, before one leaves it; or ""."""
+        return ""
+
     def decisions(self, at_once: bool = False) -> Sequence[Decision]:
         """What the scene's own players have decided since the last call; each is to be posted as an event.
 
