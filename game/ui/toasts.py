@@ -57,7 +57,15 @@ class Toasts:
     def clear(self) -> None:
         """Forget all messages."""
         self._queue.clear()
+        self._age_s = 0.0
         self._picture = None
+
+    def withdraw(self, consequence: str) -> None:
+        """Forget a message, shown or waiting."""
+        if self._queue and self._queue[0].consequence == consequence:
+            self._age_s = 0.0
+            self._picture = None
+        self._queue = deque(toast for toast in self._queue if toast.consequence != consequence)
 
     @property
     def shown(self) -> Toast | None:

@@ -5,6 +5,7 @@ from threading import current_thread, main_thread
 import pytest
 
 from game.app.scene import play as play_module
+from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.stage import Action, SetKnob, Stage
 
@@ -68,6 +69,16 @@ def test_a_refusal_in_the_thread_is_told_in_the_window(opened):
     settled(driver)
     assert play.stage.scene.fill == 0.04 and play.stage.scene.ratio != 1e9
     assert any("ratio" in toast.consequence for toast in (driver.app.toasts.shown,) if toast)
+
+
+def test_what_is_said_of_a_level_goes_with_its_scene(opened):
+    driver = opened("c06")
+    play = driver.top.play
+    play.open_file(level_files("c06")[1])
+    settled(driver)
+    assert driver.app.toasts.shown.consequence == play.stage.level.about
+    driver.open("c04")
+    assert driver.app.toasts.shown is None
 
 
 def test_slow_steps_are_made_in_a_thread_and_each_is_shown(opened, monkeypatch):

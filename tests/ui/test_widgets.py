@@ -270,6 +270,20 @@ def test_messages_wait_their_turn_and_never_pile_up(look):
     assert len(seen) == 4 and seen[-1] == "Message 49"
 
 
+def test_a_message_is_withdrawn_and_the_next_one_stays_its_whole_time(look):
+    toasts = Toasts(look)
+    for name in ("first", "second", "third"):
+        toasts.add(name, f"What is said of the {name}.")
+    toasts.update(1.0)
+    toasts.withdraw("What is said of the first.")
+    toasts.withdraw("What is said of the third.")
+    toasts.withdraw("What was never said.")
+    toasts.update(3.9)
+    assert toasts.shown.cause == "second"
+    toasts.update(0.5)
+    assert toasts.shown is None
+
+
 def test_a_message_is_as_wide_as_its_words_but_no_wider_than_its_row(look: Look):
     toasts = Toasts(look)
     assert toasts.width(4000) == 0

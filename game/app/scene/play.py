@@ -103,6 +103,8 @@ class ScenePlay:
 
     def close(self) -> None:
         """The scene is left."""
+        if self.stage.level is not None:
+            self.app.toasts.withdraw(self.stage.level.about)
         self.errands.close()
         self.app.sounds.follow(None)
         if self.keeper is not None:
