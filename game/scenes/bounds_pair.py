@@ -111,6 +111,23 @@ def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:
     return np.concatenate((far, near), axis=1)
 
 
+class FinePaths:
+    """Outlines of a tree's volumes in its frame, with finer round ends; each is made when first wanted."""
+
+    def __init__(self, tree: BoundingTree) -> None:
+        self._tree = tree
+        self._paths = np.empty((len(tree.volumes), 2 * FINE_ROUND, 2))
+        self._made = np.zeros(len(tree.volumes), dtype=np.bool_)
+
+    def of(self, nodes: NDArray[np.int64]) -> Array:
+        """Outlines (m, p, 2) of capsules by their nodes (m,)."""
+        new = nodes[~self._made[nodes]]
+        if len(new):
+            self._paths[new] = rows_to_paths(self._tree.kind, self._tree.volumes[new], FINE_ROUND)
+            self._made[new] = True
+        return self._paths[nodes]
+
+
 class TreePair:
     """Trees of two outlines, and the query. Upright boxes are built anew when an outline has turned."""
 
@@ -118,6 +135,7 @@ class TreePair:
         self.options = options
         self.trees: list[BoundingTree] = []
         self.paths: list[Array] = []
+        self.fine: list[FinePaths] = []
         self.query: Query | None = None
         self._shapes: list[tuple[object, bool, float]] = []
         self._asked: object = None
@@ -158,6 +176,7 @@ class TreePair:
             tree = self.trees[i] if kept[i] else tree_of(outline, self.options)
             trees.append(tree if kept[i] or turns[i] == 0.0 else tree.turned(turns[i]))
         self.paths = [self.paths[i] if kept[i] else paths_of(tree) for i, tree in enumerate(trees)]
+        self.fine = [self.fine[i] if kept[i] else FinePaths(tree) for i, tree in enumerate(trees)]
         self._shapes = [
             (outline.points, outline.closed, turn) for outline, turn in zip(outlines, turns, strict=True)
         ]

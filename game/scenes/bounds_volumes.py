@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from game.physics.bounds.building import DEPTH
 from game.physics.bounds.query import ANCESTOR, OVERLAPPING, REST
-from game.scenes.bounds_pair import FINE_ROUND, Place, TreePair, rows_to_paths
+from game.scenes.bounds_pair import Place, TreePair
 from game.scenes.mass_spring_threads import draw_threads
 from game.ui.canvas import Canvas
 
@@ -60,7 +60,7 @@ class VolumePainter:
     def _outlines(self, canvas: Canvas, pair: TreePair, i: int, nodes: Any, place: Place) -> list[Array]:
         """Outlines (p, 2) of volumes in the world, in the order of their nodes."""
         large = _are_large(canvas, pair, i, nodes, place)
-        fine = iter(_fine(pair, i, nodes[large], place))
+        fine = iter(place.to_world(pair.fine[i].of(nodes[large])))
         rough = iter(place.to_world(pair.paths[i][nodes[~large]]))
         return [next(fine) if is_large else next(rough) for is_large in large.tolist()]
 
@@ -68,7 +68,7 @@ class VolumePainter:
         """Volumes of a tree as hairlines."""
         large = _are_large(canvas, pair, i, nodes, place)
         self._draw_hairlines(canvas, place.to_world(pair.paths[i][nodes[~large]]))
-        self._draw_hairlines(canvas, _fine(pair, i, nodes[large], place))
+        self._draw_hairlines(canvas, place.to_world(pair.fine[i].of(nodes[large])))
 
     def _draw_hairlines(self, canvas: Canvas, paths: Array) -> None:
         """Many closed paths (m, p, 2) as hairlines."""
@@ -96,11 +96,6 @@ def _are_large(canvas: Canvas, pair: TreePair, i: int, nodes: Any, place: Place)
     if pair.options.kind != "capsule":
         return np.zeros(len(nodes), dtype=bool)
     return pair.trees[i].sizes[nodes] * place.scale * canvas.pixels_per_unit > LARGE * canvas.k
-
-
-def _fine(pair: TreePair, i: int, nodes: Any, place: Place) -> Array:
-    """Outlines (m, p, 2) of volumes in the world, with finer round ends."""
-    return place.to_world(rows_to_paths(pair.options.kind, pair.trees[i].volumes[nodes], FINE_ROUND))
 
 
 def warm_up() -> None:
