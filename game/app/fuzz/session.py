@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import traceback
 from collections.abc import Callable
+from itertools import chain
 from pathlib import Path
 from random import Random
 from time import thread_time
@@ -29,7 +30,8 @@ SLOW_S = 0.1  # s of the drawing thread; an event whose frame takes more is felt
 SHOWN = 8  # one frame in so many is drawn: the others take their events and pass their time alone
 FRAME_LENGTHS = (0.0, 0.0, 0.004, 0.016, 0.016, 0.1)  # s of simulated time
 CARD = 30  # events after which, on average, a card that covers the scene is taken away
-AGAIN = 400  # events after which the scene is opened anew, so that what broke it does not hide the rest
+BURSTS = (1, 1, 2, 4, 8, 16)  # events in a frame: a mouse may tell of itself a thousand times a second
+AGAIN = 1000  # events after which the scene is opened anew, so that what broke it does not hide the rest
 
 
 class FuzzReport(NamedTuple):
@@ -120,11 +122,11 @@ class FuzzSession:
         play = getattr(driver.top, "play", None)
         kind = hand.random()
         if play is None or kind < 0.7:
-            chords = self._chords(play)
-            self._frame(any_event(hand, driver.window.size, chords))
+            chords, size = self._chords(play), driver.window.size
+            self._frame([any_event(hand, size, chords) for _ in range(hand.choice(BURSTS))])
         elif kind < 0.8:
             for events in any_drag(hand, driver.window.size):
-                self._frame(events)
+                self._frame([events])
         elif kind < 0.93:
             self._set_something(play)
         elif kind < 0.97:
@@ -140,10 +142,10 @@ class FuzzSession:
         actions = play.stage.scene.actions if play is not None else ()
         return [parse_chord(action.key) for action in actions]
 
-    def _frame(self, events: list[pygame.Event]) -> None:
-        """Post events in a frame; one in which no time passes is measured."""
-        self.driver.waiting += events
-        self.events += 1
+    def _frame(self, things: list[list[pygame.Event]]) -> None:
+        """Post what was done in a frame; one in which no time passes is measured."""
+        self.driver.waiting += chain.from_iterable(things)
+        self.events += len(things)
         self._measured(lambda: None)
 
     def _measured(self, act: Callable[[], Any]) -> None:
