@@ -47,7 +47,8 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
         lines += [study.expectation, ""]
     if not table.complete:
         lines += ["The run was stopped before all points were measured.", ""]
-    targets = TARGETS if study.axes == ACCURACY else ()
+    buys_accuracy = study.axes == ACCURACY  # else what costs more may well be more of what is counted
+    targets = TARGETS if buys_accuracy else ()
     cheapest = ["least cost", f"at {study.knob.label}"] if study.axes.up == "cpu" else []
     heads = [
         "method",
@@ -57,7 +58,7 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
         *cheapest,
         "points",
         "failed",
-        "out of order",
+        *(["out of order"] if buys_accuracy else []),
     ]
     lines += ["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads)]
     for line in summarise(table):
@@ -66,7 +67,7 @@ def write_markdown(table: StudyTable, path: Path, picture: str = "") -> Path:
         if cheapest:
             least = min(table.of(line.method), key=lambda row: row.cpu_s, default=None)
             cells += ["", ""] if least is None else [_number(least.cpu_s), _number(least.knob)]
-        cells += [str(line.points), str(line.failed), str(line.out_of_order)]
+        cells += [str(line.points), str(line.failed)] + ([str(line.out_of_order)] if buys_accuracy else [])
         lines.append("| " + " | ".join(cells) + " |")
     failed = failure_lines(table)
     if failed:

@@ -58,6 +58,7 @@ def test_csv_holds_every_row(tmp_path):
 def test_markdown_tells_orders_costs_and_failures(tmp_path):
     text = write_report(made_up(), tmp_path)[2].read_text(encoding="utf-8")
     assert "# Made up" in text
+    assert "| points | failed | out of order |" in text
     assert "![Made up](made-up.png)" in text
     assert "| Euler | 1 | 1 | " in text
     assert "- Euler: diverged (2 points, step 0.5 to 0.9 s)" in text
@@ -94,5 +95,6 @@ def test_a_study_of_cost_tells_where_it_is_least(tmp_path):
     files = write_report(StudyTable(study, rows, True), tmp_path)
     text = files[2].read_text(encoding="utf-8")
     assert "| least cost | at step |" in text and "cost of" not in text
+    assert "out of order" not in text
     assert "| Euler |" in text and "| 0.01 | 0.3 |" in text
     assert files[1].stat().st_size > 1000
