@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scenes.box_stages import (
@@ -18,6 +20,7 @@ from scenes.box_stages import (
 
 from game.levels import LevelError, parse_level
 from game.scenes import CATALOGUE
+from game.scenes.boxes_arrays import ArraysOfBoxes
 from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
 
 HARD = {"c05": range(1, 13), "c06": range(1, 9), "c07": range(1, 10), "broad-phase-race": range(0)}
@@ -314,3 +317,13 @@ def test_times_of_many_other_boxes_are_forgotten(scene_type):
     assert measured <= {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
     stage.post(SetKnob("count", 3 * SMALL["count"]))
     assert not any(np.isfinite(r.value) for r in stage.readouts() if r.name in measured)
+
+
+@pytest.mark.parametrize(
+    "sizes", ([1.7e308, 1.6e308], [5e-324, 5e-324], [0.2, 0.1, 0.4], [3.0], [0.1, 0.7, 0.3, 0.2])
+)
+def test_the_typical_size_is_the_median_even_of_the_largest_and_least(sizes):
+    uppers = np.repeat(np.array(sizes)[:, None], 2, axis=1)
+    boxes = SimpleNamespace(lowers=np.zeros_like(uppers), uppers=uppers, alive=np.ones(len(sizes), np.uint8))
+    wanted = float(np.median(np.array(sizes, dtype=np.longdouble)))
+    assert ArraysOfBoxes.typical_size(boxes) == wanted

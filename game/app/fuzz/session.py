@@ -96,6 +96,7 @@ class FuzzSession:
         driver = self.driver
         driver.resize(1280, 720)
         driver.app.running = True  # the hand may have chosen to leave
+        driver.post(pygame.Event(pygame.WINDOWRESTORED))  # nothing goes on in a window that is hidden
         self._close_cards()
         files = level_files(self.scene)
         driver.app.open_scene(self.scene, level=self.hand.choice(files) if files else None)
