@@ -54,8 +54,8 @@ def separatrix(moments: Array) -> list[Array]:
     i1, i2, i3 = moments.tolist()
     if not 0.0 < i1 < i2 < i3:
         return []
-    # l1² (1/I1 - 1/I2) = l3² (1/I2 - 1/I3)
-    steep = math.atan(math.sqrt((1.0 / i1 - 1.0 / i2) / (1.0 / i2 - 1.0 / i3)))
+    # l1² (1/I1 - 1/I2) = l3² (1/I2 - 1/I3), where either side may round to nothing
+    steep = math.atan2(math.sqrt(1.0 / i1 - 1.0 / i2), math.sqrt(1.0 / i2 - 1.0 / i3))
     c, s = math.cos(steep), math.sin(steep)
     cos, sin = np.cos(TURNS), np.sin(TURNS)
     return [np.column_stack((c * sin, cos, sign * s * sin)) for sign in (1.0, -1.0)]

@@ -357,3 +357,10 @@ def test_a_hull_touches_each_disc_from_without():
     off = np.sqrt(((hull[:, None] - centers) ** 2).sum(axis=2)) - radii
     assert np.all(off > -1e-12)
     assert np.all(off[:, 2] > 0.1)
+
+
+def test_a_separatrix_of_moments_that_differ_by_rounding_alone_is_drawn():
+    apart = np.nextafter(3.0, 4.0)
+    for moments in ((1.0, 3.0, apart), (3.0, apart, 4.0), (1e300, 2e300, 3e300), (1.0, 2.0, 4.0)):
+        for curve in separatrix(np.array(moments)):
+            assert np.allclose(np.linalg.norm(curve, axis=1), 1.0, atol=1e-12)
