@@ -13,6 +13,7 @@ from time import perf_counter
 from typing import Any
 
 from game.physics.effects import EffectSet
+from game.physics.limits import LimitError
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent
 from game.stage.fault import Fault, fault_at
 from game.stage.knobs import KnobError
@@ -230,7 +231,8 @@ class Session:
         else:
             scene.values.update(snapshot.values)
             for name in changed:
-                scene.knob_changed(name)
+                with suppress(LimitError):  # what knobs alone would lead to may be too much; the state is not
+                    scene.knob_changed(name)
         if scene.active != snapshot.active:
             scene.active = snapshot.active
             scene.effects_changed()
