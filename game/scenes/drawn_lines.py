@@ -56,8 +56,9 @@ class DrawnLines:
 
     def clearest(self, point: Sequence[float], size: Offset, offsets: Sequence[Offset], kept: int = 0) -> int:
         """Which of several offsets to take: the one ``kept`` before while it will do, else the clearest."""
+        crossed = self.under(point, size, offsets[kept])
+        if crossed <= SLIGHT:  # nearly always, so the others are not looked at
+            return kept
         counts = [self.under(point, size, offset) for offset in offsets]
         least = min(counts)
-        if counts[kept] <= max(SLIGHT, 2 * least):
-            return kept
-        return counts.index(least)
+        return kept if crossed <= 2 * least else counts.index(least)
