@@ -8,6 +8,7 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
+from game.physics.limits import LimitError
 from game.stage import Action, Param, Pointer, Readout, Scene, SceneAction
 
 
@@ -139,6 +140,39 @@ class Fragile(Scene):
     def pointer(self, event):
         self.height[0] = 77.0
         raise RuntimeError("touched")
+
+
+class CrowdState(NamedTuple):
+    """Breadths (n,) m, and where each stands, (n,) m."""
+
+    breadths: np.ndarray
+    places: np.ndarray
+
+
+class Crowd(Scene):
+    """Newcomers are as broad as the knob says; those who are there stay as they are. Room is limited."""
+
+    name, task, title = "crowd", "X03", "Crowd"
+    room = 100.0  # m
+    count = Param(20, 1, 50, whole=True)
+    breadth = Param(2.0, 0.5, 10.0, unit="m")
+
+    def build(self, level):
+        self.breadths, self.places = np.empty(0), np.empty(0)
+        self.knob_changed("count")
+
+    def knob_changed(self, name):
+        if name == "count":
+            if self.count * self.breadth > self.room:
+                raise LimitError(f"no room for {self.count} of {self.breadth} m")
+            self.breadths = np.full(self.count, self.breadth)
+            self.places = np.arange(self.count) * self.breadth
+
+    def advance(self, dt):
+        self.places += dt * self.breadths
+
+    def state(self):
+        return CrowdState(self.breadths, self.places)
 
 
 BURST = Action("burst")

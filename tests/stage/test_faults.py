@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from stage.odd_scenes import BURST, Fragile
+from stage.odd_scenes import BURST, Crowd, Fragile
 
 from game.stage import Action, KnobError, Pointer, SetKnob, Stage
 
@@ -133,6 +133,21 @@ class TestEvents:
         assert stage.scene.size == 4
         stage.post(SetKnob("size", 5))
         assert stage.scene.field.shape == (5, 5)
+
+    def test_a_state_comes_back_that_its_knobs_alone_would_not_allow(self) -> None:
+        """Twenty who are slim have room; twenty as broad as the knob now says would not."""
+        stage, twin = Stage(Crowd), Stage(Crowd)
+        for one in (stage, twin):
+            one.post(SetKnob("breadth", 10.0))
+            one.run(200)
+        with pytest.raises(KnobError, match="no room for 30"):
+            stage.post(SetKnob("count", 30))
+        assert stage.fault is None
+        assert (stage.scene.values, stage.digest()) == (twin.scene.values, twin.digest())
+        stage.run(50)
+        assert stage.step_back()
+        twin.run(49)
+        assert stage.digest() == twin.digest()
 
 
 class TestBeginning:
