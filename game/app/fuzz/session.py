@@ -95,9 +95,9 @@ class FuzzSession:
         """The scene anew, with any of its levels."""
         driver = self.driver
         driver.resize(1280, 720)
-        driver.app.running = True  # the hand may have chosen to leave
         driver.post(pygame.Event(pygame.WINDOWRESTORED))  # nothing goes on in a window that is hidden
         self._close_cards()
+        driver.app.running = True  # the hand may have chosen to leave, or a card that closed now
         files = level_files(self.scene)
         driver.app.open_scene(self.scene, level=self.hand.choice(files) if files else None)
         screen = driver.top
