@@ -22,6 +22,7 @@ HIDDEN = 255  # kind of a box that is not drawn
 SMALLEST_OUTLINED = 5.0  # px
 LEAST_SIDE = 1.0  # px; a thinner box is drawn so wide
 VERY_MANY = 20_000  # boxes; small ones are then drawn by whole pixels
+MOST_LAYERS = 64  # of fills, as if they lay evenly; lower ones are left out, for through so many none is seen
 
 
 @kernel(inline="always", _nrt=False)
@@ -117,7 +118,8 @@ class BoxPainter:
     """Paints boxes by kind on a canvas. ``styles``: for each kind, (fill, its share, outline, its share)."""
 
     def __init__(self, styles: tuple[tuple[str, float, str, float], ...]):
-        self._styles = styles
+        self._kinds = len(styles)
+        self._styles = styles + tuple((fill, 0.0, line, share) for fill, _, line, share in styles)
 
     def paint(
         self,
@@ -136,12 +138,28 @@ class BoxPainter:
         inks = np.array([(canvas.ink(fill), canvas.ink(line)) for fill, _, line, _ in self._styles])
         weights = np.array([(round(256 * a), round(256 * b)) for _, a, _, b in self._styles])
         pixels, clip = canvas.raster_target
+        affine = _affine_of(canvas)
+        buried = _first_seen(affine, clip, lowers, uppers)
+        if buried:
+            kinds = kinds.copy()
+            kinds[:buried][kinds[:buried] != HIDDEN] += self._kinds
         old_lowers, old_uppers = before if before is not None else (lowers, uppers)
         paint_boxes(
-            pixels, clip, _affine_of(canvas), lowers, uppers, old_lowers, old_uppers,
+            pixels, clip, affine, lowers, uppers, old_lowers, old_uppers,
             float(share) if before is not None else 1.0, float(leap), kinds,
             inks.astype(np.int64), weights.astype(np.int64), max(round(canvas.k), 1),
         )  # fmt: skip
+
+
+def _first_seen(affine: Any, clip: Any, lowers: Any, uppers: Any) -> int:
+    """The first box whose fill is to be seen: those before it lie under as many as may be painted."""
+    wide, high = float(clip[2] - clip[0]), float(clip[3] - clip[1])
+    with np.errstate(invalid="ignore", over="ignore"):
+        sizes = (uppers - lowers) @ np.abs(affine[:4].reshape(2, 2).T)
+    areas = np.fmin(sizes[:, 0], wide) * np.fmin(sizes[:, 1], high)
+    above = np.cumsum(areas[::-1])
+    seen = int(np.searchsorted(above, MOST_LAYERS * wide * high, side="right"))
+    return len(areas) - seen
 
 
 def _affine_of(canvas: Canvas) -> NDArray[np.float64]:

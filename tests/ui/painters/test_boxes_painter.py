@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.ui.painters.boxes import HIDDEN, VERY_MANY, paint_boxes, shades
+from game.ui.painters import boxes as painter
+from game.ui.painters.boxes import HIDDEN, MOST_LAYERS, VERY_MANY, BoxPainter, paint_boxes, shades
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 1.0, 0.0, 0.0])
 FILL, LINE = 0x102030, 0xFF8000
@@ -102,6 +103,56 @@ def test_very_many_small_boxes_are_whole_pixels():
     picture = paint(boxes)
     assert np.argwhere(picture).tolist() == [[3, 3], [20, 20]]
     assert picture[20, 20] == LINE
+
+
+class Sheet:
+    """As much of a canvas as the painter asks for; a unit is a pixel."""
+
+    k = 1.0
+
+    def __init__(self):
+        self.pixels = np.zeros((60, 80), dtype=np.uint32)
+        self.raster_target = self.pixels, np.array((0, 0, 80, 60), dtype=np.int64)
+
+    def ink(self, color):
+        return int(color, 16)
+
+    def place(self, point):
+        return point
+
+
+def painted_in_layers(lowers, uppers, kinds):
+    sheet = Sheet()
+    styles = (("3060c0", 0.34, "ff8000", 1.0), ("40c060", 0.4, "ffffff", 1.0))
+    BoxPainter(styles).paint(sheet, lowers, uppers, kinds)
+    return (sheet.pixels[..., None] >> np.array([16, 8, 0])).astype(np.int64) & 255
+
+
+def test_fills_that_lie_under_very_many_others_are_left_out_unseen(monkeypatch):
+    random = np.random.default_rng(1)
+    lowers = random.random((400, 2)) * (30.0, 20.0)
+    uppers = lowers + np.array((50.0, 40.0))
+    kinds = random.integers(0, 2, 400).astype(np.uint8)
+    kinds[::50] = HIDDEN
+    given = kinds.copy()
+    limited = painted_in_layers(lowers, uppers, kinds)
+    assert (kinds == given).all()
+    monkeypatch.setattr(painter, "MOST_LAYERS", 1e9)
+    whole = painted_in_layers(lowers, uppers, kinds)
+    assert np.abs(limited - whole)[20:40, 30:50].max() <= 1  # where all of them lie
+    monkeypatch.setattr(painter, "MOST_LAYERS", 2)
+    assert np.abs(painted_in_layers(lowers, uppers, kinds) - whole).max() > 20
+
+
+def test_what_covers_the_picture_less_often_is_painted_whole(monkeypatch):
+    boxes = np.tile([0.0, 0.0, 80.0, 60.0], (MOST_LAYERS, 1))
+    boxes[3] = -np.inf, 0.0, np.inf, np.inf
+    drawn = []
+    monkeypatch.setattr(painter, "paint_boxes", lambda *given: drawn.append(given[9]))
+    for count in (MOST_LAYERS, MOST_LAYERS - 1, 1, 0):
+        given = boxes[:count]
+        painted_in_layers(given[:, :2], given[:, 2:], np.zeros(count, dtype=np.uint8))
+    assert [kinds.max(initial=0) for kinds in drawn] == [0, 0, 0, 0]
 
 
 def test_shades_run_from_ground_to_colour():
