@@ -35,6 +35,13 @@ def _mix(below, color, weight):
     return (red_blue & 0xFF00FF) | (alpha_green & 0xFF00FF00)
 
 
+@kernel(inline="always", _nrt=False)
+def _mix_run(row, begin, end, color, weight):
+    """The same over the pixels of a row from ``begin`` to before ``end``."""
+    for column in range(begin, end):
+        row[column] = _mix(int(row[column]), color, weight)
+
+
 @kernel(_nrt=False)
 def paint_boxes(
     pixels, clip, affine, lowers, uppers, old_lowers, old_uppers, share, leap, kinds, inks, weights, edge
@@ -78,21 +85,25 @@ def paint_boxes(
         if right - left >= SMALLEST_OUTLINED and bottom - top >= SMALLEST_OUTLINED:
             c0, c1 = int(left + 10.5) - 10, int(right + 10.5) - 10
             r0, r1 = int(top + 10.5) - 10, int(bottom + 10.5) - 10
+            first, last = max(c0, left_end), min(c1, right_end)
+            begin, end = min(max(c0 + edge, first), last), max(min(c1 - edge, last), first)  # of the fill
             for row in range(max(r0, top_end), min(r1, bottom_end)):
-                rim = row < r0 + edge or row >= r1 - edge
-                for column in range(max(c0, left_end), min(c1, right_end)):
-                    below = int(pixels[row, column])
-                    if rim or column < c0 + edge or column >= c1 - edge:
-                        pixels[row, column] = _mix(below, line, line_weight)
-                    elif fill_weight > 0:
-                        pixels[row, column] = _mix(below, fill, fill_weight)
+                if row < r0 + edge or row >= r1 - edge or begin >= end:
+                    _mix_run(pixels[row], first, last, line, line_weight)
+                    continue
+                _mix_run(pixels[row], first, begin, line, line_weight)
+                if fill_weight > 0:
+                    _mix_run(pixels[row], begin, end, fill, fill_weight)
+                _mix_run(pixels[row], end, last, line, line_weight)
             continue
         if len(kinds) > VERY_MANY:
             c0, r0 = int(0.5 * (left + right) + 10.0) - 10, int(0.5 * (top + bottom) + 10.0) - 10
             half_width, half_height = int(0.5 * (right - left)), int(0.5 * (bottom - top))
             for row in range(max(r0 - half_height, top_end), min(r0 + half_height + 1, bottom_end)):
-                for column in range(max(c0 - half_width, left_end), min(c0 + half_width + 1, right_end)):
-                    pixels[row, column] = _mix(int(pixels[row, column]), line, line_weight)
+                _mix_run(
+                    pixels[row], max(c0 - half_width, left_end), min(c0 + half_width + 1, right_end),
+                    line, line_weight,
+                )  # fmt: skip
             continue
         if right - left < LEAST_SIDE:
             left, right = 0.5 * (left + right - LEAST_SIDE), 0.5 * (left + right + LEAST_SIDE)
