@@ -87,6 +87,19 @@ def insertion_sort(boxes, values, codes, count, start, limit, changes, changed):
 
 
 @kernel(_nrt=False)
+def find_end_point(values, codes, count, value, code):
+    """Index of the first end point that does not come before the one given (bisection)."""
+    low, high = 0, count
+    while low < high:
+        middle = (low + high) // 2
+        if comes_after(value, code, values[middle], codes[middle]):
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@kernel(_nrt=False)
 def insert_runs(values, codes, count):
     """Sort every run of RUN end points by insertion; returns the inversions."""
     inversions = 0
@@ -104,57 +117,53 @@ def insert_runs(values, codes, count):
 
 
 @kernel(_nrt=False)
-def merge_runs(values, codes, begin, middle, end, into_values, into_codes):
-    """Merge two sorted neighbours into another array; returns the inversions between them."""
-    i, j = begin, middle
+def merge_runs(values, codes, begin, middle, end, spare_values, spare_codes):
+    """Merge two sorted neighbours in their place; returns the inversions between them.
+
+    Of ``spare_values``, ``spare_codes`` as many are overwritten as stand before ``middle`` and must move:
+    what is in order already is not touched, so runs of end points that moved a little cost little.
+    """
+    value, code = values[middle], codes[middle]
+    if not comes_after(values[middle - 1], codes[middle - 1], value, code):
+        return 0
+    begin += find_end_point(values[begin:middle], codes[begin:middle], middle - begin, value, code)
+    moving = middle - begin
+    for i in range(moving):
+        spare_values[i], spare_codes[i] = values[begin + i], codes[begin + i]
     inversions = 0
-    for k in range(begin, end):
-        if j < end and (i >= middle or comes_after(values[i], codes[i], values[j], codes[j])):
-            into_values[k], into_codes[k] = values[j], codes[j]
-            inversions += middle - i
+    i, j, k = 0, middle, begin
+    while i < moving and j < end:
+        if comes_after(spare_values[i], spare_codes[i], values[j], codes[j]):
+            values[k], codes[k] = values[j], codes[j]
+            inversions += moving - i
             j += 1
         else:
-            into_values[k], into_codes[k] = values[i], codes[i]
+            values[k], codes[k] = spare_values[i], spare_codes[i]
             i += 1
+        k += 1
+    while i < moving:
+        values[k], codes[k] = spare_values[i], spare_codes[i]
+        i += 1
+        k += 1
     return inversions
 
 
 @kernel(_nrt=False)
 def merge_sort(values, codes, count, spare_values, spare_codes):
-    """Sort end points whatever their order, 2 n log n; returns the inversions that insertion would swap.
+    """Sort end points whatever their order; returns the inversions that insertion would swap.
 
-    ``values``, ``codes``: (>= count,) sorted in place. ``spare_values``, ``spare_codes``: overwritten.
-    Source: Knuth, TAOCP 3, 5.2.4.
+    Costs n log n where the order is lost, and n times the logarithm of how far they moved where they moved
+    a little. ``values``, ``codes``: (>= count,) sorted in place. ``spare_values``, ``spare_codes``:
+    (>= count,) overwritten. Source: Knuth, TAOCP 3, 5.2.4.
     """
     inversions = insert_runs(values, codes, count)
     width = RUN
-    at_home = True
     while width < count:
-        for begin in range(0, count, 2 * width):
-            middle, end = min(begin + width, count), min(begin + 2 * width, count)
-            if at_home:
-                inversions += merge_runs(values, codes, begin, middle, end, spare_values, spare_codes)
-            else:
-                inversions += merge_runs(spare_values, spare_codes, begin, middle, end, values, codes)
-        at_home = not at_home
+        for begin in range(0, count - width, 2 * width):
+            middle, end = begin + width, min(begin + 2 * width, count)
+            inversions += merge_runs(values, codes, begin, middle, end, spare_values, spare_codes)
         width *= 2
-    if not at_home:
-        for i in range(count):
-            values[i], codes[i] = spare_values[i], spare_codes[i]
     return inversions
-
-
-@kernel(_nrt=False)
-def find_end_point(values, codes, count, value, code):
-    """Index of the first end point that does not come before the one given (bisection)."""
-    low, high = 0, count
-    while low < high:
-        middle = (low + high) // 2
-        if comes_after(value, code, values[middle], codes[middle]):
-            low = middle + 1
-        else:
-            high = middle
-    return low
 
 
 @kernel(_nrt=False)
@@ -211,6 +220,20 @@ def keep_alive(values, codes, count, alive):
 
 
 @kernel(_nrt=False)
+def scan_end_points(boxes, codes, begin, end, last_is_upper, x0, y0, x1, y1, ids):
+    """Boxes that overlap the box given, m, among end points of one kind in a run; returns their number."""
+    found = 0
+    for i in range(begin, end):
+        if (codes[i] & UPPER > 0) != last_is_upper:
+            continue
+        box = codes[i] & ID
+        if boxes[box, 0] <= x1 and x0 <= boxes[box, 2] and boxes[box, 1] <= y1 and y0 <= boxes[box, 3]:
+            ids[found] = box
+            found += 1
+    return found
+
+
+@kernel(_nrt=False)
 def overlaps_on_axis(codes, count):
     """Number of pairs of boxes whose intervals on this axis overlap: the tests that a sweep makes."""
     within = 0
@@ -225,11 +248,13 @@ def overlaps_on_axis(codes, count):
 
 
 @kernel(_nrt=False)
-def sweep(boxes, codes, count, active, places, keys):
-    """All pairs by one sweep along sorted end points (Shamos and Hoey 1976; Baraff 1992).
+def sweep(boxes, axis, codes, count, active, places, extents, keys):
+    """All pairs by one sweep along sorted end points of ``axis`` (Shamos and Hoey 1976; Baraff 1992).
 
-    ``active``: (boxes,) and ``places``: (capacity,) overwritten: boxes that the sweep is within.
-    ``keys``: written, ``a << 32 | b``. Returns the number of pairs, or -1 if ``keys`` is too short.
+    Boxes that the sweep is within overlap on this axis, so the other one alone is tested; their extents on
+    it lie side by side, which is what the sweep's time hangs on. ``active``: (boxes,), ``places``:
+    (capacity,) and ``extents``: (boxes, 2) m, overwritten. ``keys``: written, ``a << 32 | b``. Returns the
+    number of pairs, or -1 if ``keys`` is too short.
     """
     within = 0
     found = 0
@@ -237,23 +262,20 @@ def sweep(boxes, codes, count, active, places, keys):
         box = codes[i] & ID
         if codes[i] & UPPER:
             within -= 1
-            last = active[within]
-            active[places[box]] = last
-            places[last] = places[box]
+            place, last = places[box], active[within]
+            active[place] = last
+            places[last] = place
+            extents[place, 0], extents[place, 1] = extents[within, 0], extents[within, 1]
             continue
         if found + within >= len(keys):
             return -1
-        x0, y0, x1, y1 = boxes[box, 0], boxes[box, 1], boxes[box, 2], boxes[box, 3]
+        low, high = boxes[box, 1 - axis], boxes[box, 3 - axis]
         for k in range(within):
-            other = active[k]
-            keys[found] = pair_key(box, other)
-            found += (
-                (boxes[other, 0] <= x1)
-                & (x0 <= boxes[other, 2])
-                & (boxes[other, 1] <= y1)
-                & (y0 <= boxes[other, 3])
-            )
+            if (extents[k, 0] <= high) & (low <= extents[k, 1]):
+                keys[found] = pair_key(box, active[k])
+                found += 1
         active[within] = box
         places[box] = within
+        extents[within, 0], extents[within, 1] = low, high
         within += 1
     return found

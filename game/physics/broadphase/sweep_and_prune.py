@@ -3,7 +3,8 @@
 Boxes that moved a little are put in order by few swaps, and a pair can only begin or end where two end
 points swap. So the cost follows the motion: nearly nothing for boxes at rest, n^2 for boxes that all jump.
 When the swaps of a step grow dearer than sorting anew, the rest is left: both axes are merge sorted and
-one sweep along the axis with fewer overlaps finds all pairs.
+one sweep along the axis with fewer overlaps finds all pairs. The step after such a one is sorted at once,
+without swaps being tried, until the swaps that this spares are few again.
 
 Sources: Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies (1992); Cohen, Lin, Manocha and
 Ponamgi, I-COLLIDE (1995); Ericson, Real-Time Collision Detection (2005), 7.5.
@@ -29,6 +30,7 @@ from game.physics.broadphase.endpoints import (
     open_gap,
     overlaps_on_axis,
     read_axis,
+    scan_end_points,
     shift_end_point,
     sweep,
 )
@@ -40,21 +42,7 @@ FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
 NEVER = 1 << 62  # swaps
 MOST_CHANGES = 1 << 20  # noted before they are handed to the pair manager
 # Relative costs, measured: one swap of insertion, one comparison of merge sort, one test of a sweep.
-SWAP_COST, MERGE_COST, TEST_COST = 12.0, 8.0, 3.0
-
-
-@kernel(_nrt=False)
-def scan_end_points(boxes, codes, begin, end, last_is_upper, x0, y0, x1, y1, ids):
-    """Boxes that overlap the box given, m, among end points of one kind in a run; returns their number."""
-    found = 0
-    for i in range(begin, end):
-        if (codes[i] & UPPER > 0) != last_is_upper:
-            continue
-        box = codes[i] & ID
-        if boxes[box, 0] <= x1 and x0 <= boxes[box, 2] and boxes[box, 1] <= y1 and y0 <= boxes[box, 3]:
-            ids[found] = box
-            found += 1
-    return found
+SWAP_COST, MERGE_COST, TEST_COST = 8.0, 3.0, 1.0
 
 
 @kernel(_nrt=False)
@@ -82,6 +70,11 @@ def sort_axes(boxes, values, codes, count, progress, limit, changes):
     return SORTED
 
 
+def comparisons(count: int) -> int:
+    """What merge sort takes at most to put so many end points in order."""
+    return count * max(count.bit_length(), 1)
+
+
 class SweepAndPrune(BroadPhase):
     """Keeps the boxes' end points sorted on both axes, and the pairs in a pair manager.
 
@@ -99,6 +92,7 @@ class SweepAndPrune(BroadPhase):
         self.resort = resort
         self.swaps = 0
         self.resorts = 0
+        self._leaping = False  # the last step would have been dearer by swaps: the next one is sorted at once
         self._values: NDArray[np.float64] = np.zeros((2, 2 * self.capacity))
         self._codes: NDArray[np.int32] = np.zeros((2, 2 * self.capacity), dtype=np.int32)
         self._progress = np.zeros(4, dtype=np.int64)
@@ -198,10 +192,17 @@ class SweepAndPrune(BroadPhase):
         self.manager.change_pairs(self._changes, changed)
 
     def _moved_many(self, ids: Ids) -> None:
-        count = 2 * len(self)
+        if self._leaping or not self._sort_by_swaps():
+            self.resorts += 1
+            swaps = self._sort_anew()
+            self.swaps += swaps
+            self._leaping = self.resort and swaps > self._dear(self.tests)
+
+    def _sort_by_swaps(self) -> bool:
+        """Put both axes in order by swaps while they are cheaper than sorting anew; whether they were."""
         self._progress[:] = 0
-        comparisons = count * max(count.bit_length(), 1)
-        limit = comparisons if self.resort else NEVER
+        count = 2 * len(self)
+        limit = comparisons(count) if self.resort else NEVER
         estimated = False
         while True:
             ended = sort_axes(
@@ -212,15 +213,17 @@ class SweepAndPrune(BroadPhase):
             if ended == FULL:
                 self._reserve(2 * len(self._changes))
             elif ended == TOO_MANY and not estimated:
-                tests = min(overlaps_on_axis(self._codes[0], count), overlaps_on_axis(self._codes[1], count))
-                limit = int((2 * MERGE_COST * comparisons + TEST_COST * max(tests, 0)) / SWAP_COST)
+                limit = self._dear(min(overlaps_on_axis(codes, count) for codes in self._codes))
                 estimated = True
             else:
                 break
         self.swaps += int(self._progress[2])
-        if ended == TOO_MANY:
-            self.resorts += 1
-            self.swaps += self._sort_anew()
+        return bool(ended == SORTED)
+
+    def _dear(self, tests: int) -> int:
+        """Swaps that cost as much as sorting anew and a sweep with so many tests."""
+        merging = 2 * MERGE_COST * comparisons(2 * len(self))
+        return int((merging + TEST_COST * max(tests, 0)) / SWAP_COST)
 
     def _reserve(self, room: int) -> None:
         """Make room to note changes; beyond MOST_CHANGES they are rather handed on more often."""
@@ -236,9 +239,14 @@ class SweepAndPrune(BroadPhase):
             read_axis(self.boxes, axis, self._values[axis], self._codes[axis], count)
             inversions += merge_sort(self._values[axis], self._codes[axis], count, spare_values, spare_codes)
         tests = [overlaps_on_axis(codes, count) for codes in self._codes]
-        codes = self._codes[0 if tests[0] <= tests[1] else 1]
+        axis = 0 if tests[0] <= tests[1] else 1
         active, places = np.empty(len(self), dtype=np.int64), np.empty(self.capacity, dtype=np.int64)
-        while (found := sweep(self.boxes, codes, count, active, places, self._sorter.keys)) < 0:
+        extents = spare_values.reshape(-1, 2)
+        while (
+            found := sweep(
+                self.boxes, axis, self._codes[axis], count, active, places, extents, self._sorter.keys
+            )
+        ) < 0:
             self._sorter.grow(4 * len(self))
         self.tests = min(tests)
         self.manager.set_pairs(self._sorter.sorted(found, self.top))

@@ -21,6 +21,15 @@ def inversions(values) -> int:
 
 @given(st.lists(st.one_of(st.integers(-3, 3).map(float), st.floats(-1e9, 1e9)), max_size=120))
 def test_merge_sort_counts_the_inversions(numbers):
+    check_merge_sort(numbers)
+
+
+@given(st.lists(st.integers(0, 9).map(float), max_size=90))
+def test_merge_sort_counts_the_inversions_of_an_order_that_is_nearly_right(shifts):
+    check_merge_sort([i + shift for i, shift in enumerate(shifts)])
+
+
+def check_merge_sort(numbers) -> None:
     values, codes = np.array(numbers, dtype=float), np.arange(len(numbers), dtype=np.int32)
     spare = values.copy(), codes.copy()
     assert merge_sort(values, codes, len(numbers), *spare) == inversions(numbers)
@@ -49,6 +58,26 @@ def test_swaps_of_a_step_are_the_inversions_of_the_order_before(resort):
         assert sap.swaps - before == expected
         sap.check()
     assert (sap.resorts > 0) == resort
+
+
+def test_the_step_after_a_leap_is_sorted_at_once_until_boxes_are_calm_again():
+    generator = np.random.default_rng(8)
+    n = 400
+    sap, swapping = SweepAndPrune(), SweepAndPrune(resort=False)
+    lowers = generator.random((n, 2))
+    for phase in (sap, swapping):
+        ids = phase.add_boxes(lowers, lowers + 0.02)
+    for spread, anew in ((3.0, 1), (3.0, 2), (1e-5, 3), (1e-5, 3), (3.0, 4)):
+        lowers = lowers + generator.standard_normal((n, 2)) * spread
+        for phase in (sap, swapping):
+            phase.update_boxes(ids, lowers, lowers + 0.02)
+        assert sap.resorts == anew
+        assert sap.swaps == swapping.swaps
+        assert np.array_equal(sap.pairs(), swapping.pairs())
+        events = [phase.manager.take_events() for phase in (sap, swapping)]
+        assert all(np.array_equal(mine, other) for mine, other in zip(*events, strict=True))
+        sap.check()
+    assert swapping.resorts == 0
 
 
 def test_one_box_moved_by_itself_swaps_as_often_as_in_a_bulk_update():
