@@ -156,10 +156,14 @@ class SphereCollisions(CollisionKnobs):
             bodies.makeup.masses,
             restitution=self.restitution,
             wall_restitution=self.wall_restitution,
-            gravity=self.gravity if GRAVITY in self.active else 0.0,
+            gravity=self._pull(),
             window=self.world.surroundings.window,
         )
         return self.exact
+
+    def _pull(self) -> float:
+        """Gravity that acts, m/s²."""
+        return self.gravity if GRAVITY in self.active else 0.0
 
     def end_exact(self, why: str) -> None:
         """The exact run is no run of these spheres any more."""
@@ -201,6 +205,8 @@ class SphereCollisions(CollisionKnobs):
             )
         except ValueError as error:
             raise KnobError(str(error)) from None
+        if self.exact is not None and self.exact.gravity != self._pull():
+            self.end_exact("gravity is another")
 
     def knob_changed(self, name: str) -> None:
         if name in TABLE_KNOBS:

@@ -59,11 +59,12 @@ def restore(scene: SphereCollisions, state: SphereState) -> None:
         state.masses.copy(), state.inverse_inertias.copy(), state.round_bodies.copy(), state.radii.copy(),
         state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
     )  # fmt: skip
-    mine = scene.world.bodies.makeup
-    same = len(mine.radii) == len(makeup.radii) and np.array_equal(mine.radii, makeup.radii)
-    if not same or not np.array_equal(mine.masses, makeup.masses):
+    around = scene.world.surroundings
+    mine = *scene.world.bodies.makeup, around.hung, around.strings
+    theirs = *makeup, state.hung, state.strings
+    if not all(np.array_equal(a, b) for a, b in zip(mine, theirs, strict=True)):
         motion = MotionState(*(part.copy() for part in state[:4]))
-        around = scene.world.surroundings._replace(hung=state.hung.copy(), strings=state.strings.copy())
+        around = around._replace(hung=state.hung.copy(), strings=state.strings.copy())
         scene.take_bodies(SphereBodies.of_parts(makeup, motion), around)
     scene.world.restore(CollisionState(**{name: getattr(state, name) for name in CollisionState._fields}))
     scene.exact = None

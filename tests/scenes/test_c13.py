@@ -14,6 +14,7 @@ from game.physics.rigid import ledger
 from game.scenes.c13_level import CollisionContent
 from game.scenes.c13_sphere_collisions import SphereCollisions
 from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
+from game.stage.state import copy_state
 
 HARD = [path.stem for path in level_files("c13") if path.stem.startswith("hard")]
 
@@ -221,6 +222,34 @@ def test_beside_the_event_driven_run():
     assert readouts(stage)["beside exact"] > 1e-3
     stage.post(SetKnob("restitution", 0.5))
     assert stage.scene.exact is None
+
+
+@pytest.mark.parametrize("event", [SetKnob("gravity", 3.0), SetEffect("gravity", False)])
+def test_the_exact_run_ends_with_its_gravity(event):
+    """Else it would go on with the old one, but with the new one after a step back."""
+    stage = opened("bouncing")
+    wait(stage, 1.0)
+    stage.post(event)
+    stage.run(2)
+    assert stage.scene.exact is None and "exact run ends" in stage.scene.told[-1]
+    later = stage.digest()
+    assert stage.step_back() and stage.step_back()
+    stage.run(2)
+    assert stage.digest() == later
+
+
+def test_a_state_of_other_spheres_of_the_same_sizes_is_put_back_whole():
+    stage = opened("cradle", radius=0.3)
+    before, digest = copy_state(stage.scene.state()), stage.digest()
+    last = bodies_of(stage).places()[-1]
+    click(stage, (float(last[0]), float(last[1])), button=3)
+    stage.post(Action("sphere"))
+    click(stage, (0.3, 3.2))
+    assert np.array_equal(bodies_of(stage).makeup.radii, before.radii)
+    assert len(stage.scene.world.surroundings.hung) == len(before.hung) - 1
+    stage.scene.restore(before)
+    assert stage.digest() == digest
+    stage.scene.world.check()
 
 
 # -- hard cases -----------------------------------------------------------------------------------------

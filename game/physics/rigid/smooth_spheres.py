@@ -160,6 +160,11 @@ class SmoothSpheres:
         self.impacts += made
         return made
 
+    @property
+    def gravity(self) -> float:
+        """m/s² downwards."""
+        return float(self._numbers[0])
+
     def energy(self) -> float:
         """J; height counts from y = 0."""
         free = np.isfinite(self.masses)
