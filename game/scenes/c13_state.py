@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,8 +60,8 @@ def restore(scene: SphereCollisions, state: SphereState) -> None:
         state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
     )  # fmt: skip
     around = scene.world.surroundings
-    mine = *scene.world.bodies.makeup, around.hung, around.strings
-    theirs = *makeup, state.hung, state.strings
+    mine: tuple[Any, ...] = (*scene.world.bodies.makeup, around.hung, around.strings)
+    theirs: tuple[Any, ...] = (*makeup, state.hung, state.strings)
     if not all(np.array_equal(a, b) for a, b in zip(mine, theirs, strict=True)):
         motion = MotionState(*(part.copy() for part in state[:4]))
         around = around._replace(hung=state.hung.copy(), strings=state.strings.copy())
