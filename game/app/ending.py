@@ -1,13 +1,20 @@
-"""The system's wish that the program end (SIGTERM) is obeyed as Ctrl+C is: whole files or none are left."""
+"""Ctrl+C, and the system's wish that the program end (SIGTERM): both leave whole files or none.
+
+Either raises an exception in the main thread. One that is raised while a compiler calls back into Python
+never comes out of it (ctypes reports and drops it), so it is raised again until somebody deals with it.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import signal
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 STOPPED, ENDED = 128 + signal.SIGINT, 128 + signal.SIGTERM  # exit status
+PATIENCE_S = 0.2  # after which an exception that has got lost is raised again
 
 
 class Ended(KeyboardInterrupt):
@@ -16,18 +23,27 @@ class Ended(KeyboardInterrupt):
 
 @contextmanager
 def ends_tidily() -> Iterator[None]:
-    """While this goes on SIGTERM raises Ended in the main thread, unless somebody else listens to it."""
+    """While this goes on SIGINT raises KeyboardInterrupt and SIGTERM raises Ended in the main thread.
+
+    A signal that somebody else listens to, or that is ignored, is left to them.
+    """
+    usual: dict[signal.Signals, Any] = {
+        signal.SIGINT: signal.default_int_handler,
+        signal.SIGTERM: signal.SIG_DFL,
+    }
+    insistence = _Insistence()
+    mine = [number for number, handler in usual.items() if signal.getsignal(number) is handler]
     try:
-        listened = signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL
-        if not listened:
-            signal.signal(signal.SIGTERM, _end)
+        for number in mine:
+            signal.signal(number, insistence.hear)
     except ValueError:  # not the main thread
-        listened = True
+        mine = []
     try:
-        yield
+        with insistence.goes_on() if mine else contextlib.nullcontext():
+            yield
     finally:
-        if not listened:
-            signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        for number in mine:
+            signal.signal(number, usual[number])
 
 
 def status_of(why: KeyboardInterrupt) -> int:
@@ -35,5 +51,59 @@ def status_of(why: KeyboardInterrupt) -> int:
     return ENDED if isinstance(why, Ended) else STOPPED
 
 
-def _end(number: int, frame: Any) -> None:
-    raise Ended
+class _Insistence:
+    """Raises an exception for a signal, and again if it was swallowed on its way."""
+
+    def __init__(self) -> None:
+        self._raised: KeyboardInterrupt | None = None
+
+    @contextmanager
+    def goes_on(self) -> Iterator[None]:
+        """While this goes on, the alarm clock is taken, and nothing is reported of what was swallowed."""
+        report = sys.unraisablehook
+        sys.unraisablehook = _without_interrupts(report)
+        clock = getattr(signal, "SIGALRM", None)  # Windows has none, and nothing is raised again there
+        before = signal.signal(clock, self._insist) if clock is not None else None
+        try:
+            yield
+        finally:
+            if clock is not None:
+                signal.setitimer(signal.ITIMER_REAL, 0.0)
+                signal.signal(clock, before)
+            sys.unraisablehook = report
+
+    def hear(self, number: int, frame: Any) -> None:
+        """What a signal does."""
+        self._raise(Ended() if number == signal.SIGTERM else KeyboardInterrupt())
+
+    def _insist(self, number: int, frame: Any) -> None:
+        """What the alarm clock does: somebody who is tidying up is not disturbed."""
+        if self._raised is None:
+            return
+        if self._is_being_dealt_with():
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE_S)
+        else:
+            self._raise(type(self._raised)())
+
+    def _raise(self, error: KeyboardInterrupt) -> None:
+        self._raised = error
+        if hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_REAL, PATIENCE_S)
+        raise error
+
+    def _is_being_dealt_with(self) -> bool:
+        """True within a ``finally`` or ``except`` that it has come to."""
+        error = sys.exc_info()[1]
+        while error is not None and error is not self._raised:
+            error = error.__context__
+        return error is not None
+
+
+def _without_interrupts(report: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """The hook for exceptions that nobody can catch, but for interruptions."""
+
+    def tell(unraisable: Any) -> None:
+        if not issubclass(unraisable.exc_type, KeyboardInterrupt):
+            report(unraisable)
+
+    return tell

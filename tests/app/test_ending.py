@@ -1,12 +1,15 @@
 """SIGTERM ends a command as Ctrl+C does: one line, and a status that says so."""
 
+import contextlib
+import ctypes
 import signal
+import time
 
 import pytest
 
 from game.__main__ import main
 from game.app.commands import listing
-from game.app.ending import ENDED, STOPPED, Ended, ends_tidily, status_of
+from game.app.ending import ENDED, PATIENCE_S, STOPPED, Ended, ends_tidily, status_of
 
 
 def test_sigterm_is_raised_where_the_program_is_and_then_is_the_systems_again():
@@ -43,3 +46,67 @@ def test_a_command_that_is_stopped_says_so_in_one_line(why, status, monkeypatch,
 
 def test_statuses_are_those_of_a_shell():
     assert (status_of(KeyboardInterrupt()), status_of(Ended())) == (STOPPED, ENDED) == (130, 143)
+
+
+BOTH = pytest.mark.parametrize(
+    ("number", "error"), [(signal.SIGINT, KeyboardInterrupt), (signal.SIGTERM, Ended)]
+)
+insists = pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="no alarm clock")
+
+
+@pytest.fixture(autouse=True)
+def _usual_signals():
+    """Nobody listens to either signal, as in a program of its own."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    yield
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+@insists
+@BOTH
+def test_a_signal_that_a_callback_from_c_swallowed_is_raised_again(number, error, capsys):
+    """As happens in the compiler, which asks Python for what it keeps; nothing is reported of it either."""
+    called = ctypes.CFUNCTYPE(None)(lambda: signal.raise_signal(number))
+    with pytest.raises(error), ends_tidily():
+        called()
+        wait_long()
+    assert capsys.readouterr().err == ""
+
+
+@insists
+def test_it_is_raised_again_as_often_as_it_is_swallowed():
+    with pytest.raises(KeyboardInterrupt), ends_tidily():
+        with contextlib.suppress(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        with contextlib.suppress(KeyboardInterrupt):
+            wait_long()
+        wait_long()
+
+
+@insists
+def test_who_tidies_up_is_not_disturbed():
+    done = []
+    with pytest.raises(KeyboardInterrupt) as caught, ends_tidily():
+        try:
+            signal.raise_signal(signal.SIGINT)
+        finally:
+            with contextlib.suppress(OSError):  # something else may go wrong meanwhile
+                try:
+                    raise OSError
+                finally:
+                    time.sleep(1.5 * PATIENCE_S)
+            time.sleep(1.5 * PATIENCE_S)
+            done.append("tidied up")
+    assert done and caught.value.__context__ is None
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+
+
+def wait_long():
+    """What goes on for as long as nobody stops it, but not for ever."""
+    until = time.monotonic() + 60.0
+    while time.monotonic() < until:
+        time.sleep(0.01)
