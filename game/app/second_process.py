@@ -6,8 +6,11 @@ import contextlib
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Sequence
 from typing import Any
+
+PATIENCE_S = 1.0
 
 
 def start_quietly(command: Sequence[str], **options: Any) -> subprocess.Popen[Any] | None:
@@ -25,10 +28,15 @@ def start_quietly(command: Sequence[str], **options: Any) -> subprocess.Popen[An
 
 
 def end(process: subprocess.Popen[Any] | None) -> None:
-    """End it, wherever it is: what it keeps on disk it writes whole or not at all."""
+    """End it, wherever it is: what it keeps on disk it writes whole or not at all.
+
+    One that a busy machine is slow to end is waited for in a thread, so that nothing is left of it.
+    """
     if process is None:
         return
     with contextlib.suppress(OSError):
         process.kill()
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        process.wait(1.0)
+    try:
+        process.wait(PATIENCE_S)
+    except subprocess.TimeoutExpired:
+        threading.Thread(target=process.wait, name="ending", daemon=True).start()

@@ -8,13 +8,13 @@ HINTS = (
     Hint(("Shift",), "fine aim"),
     Hint(("Wheel",), "turn by 0.05°"),
     Hint(("Enter",), "strike"),
-    Hint(("V",), "aim line"),
-    Hint(("U",), "undo"),
-    Hint(("R",), "replay"),
     Hint(("Click a name",), "computer player"),
-    Hint(("E",), "set up"),
     Hint(("N",), "new rack"),
     Hint(("D",), "plays itself"),
+    Hint(("U",), "undo"),  # from here on there are buttons too; a narrow bar drops them
+    Hint(("R",), "replay"),
+    Hint(("E",), "set up"),
+    Hint(("V",), "aim line"),
 )
 ACTIONS = (
     SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),

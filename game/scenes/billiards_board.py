@@ -92,7 +92,8 @@ def _card(scene: Billiards, player: int) -> Card:
     if isinstance(game, EightBall) and game.groups[player]:
         group = GROUPS[game.groups[player]]
         left = game.balls_of(player)
-        parts.append(f"{game.groups[player]}, {len(left)} left" if left else "on the 8")
+        count = "" if doing else f", {len(left)} left"  # at the turn the chips alone tell it: room is scarce
+        parts.append(f"{game.groups[player]}{count}" if left else "on the 8")
         chips = tuple((ball, ball not in left) for ball in group)
     elif isinstance(game, NineBall) and active and not game.options:
         parts.append(f"on {listed(game.legal_first())}")
@@ -136,7 +137,8 @@ def _single(scene: Billiards) -> Card:
         title = scene.level.title if scene.level is not None and scene.level.title else game.players[0]
         return Card(title, f"{stars}   {tries}", True)
     if isinstance(game, Practice):
-        status = f"{game.potted} potted with {game.strokes} strokes, run of {game.run}"
+        strokes = f"{game.strokes} stroke{'s' * (game.strokes != 1)}"
+        status = f"{game.potted} potted with {strokes}, run of {game.run}"
         return Card(
             game.players[0], status, True, tuple((ball, False) for ball in game.on_table[:MOST_CHIPS])
         )

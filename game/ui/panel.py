@@ -73,6 +73,11 @@ class Panel:
         return self._sheet is not None and self._sheet.has_keys
 
     @property
+    def has_open_list(self) -> bool:
+        """Whether a drop-down shows its list, so that Esc closes it."""
+        return self._sheet is not None and self._sheet.has_open_list
+
+    @property
     def shows_effects(self) -> bool:
         """Whether the row of an effect is in view, so that what it costs is wanted."""
         if self._sheet is None or not (self.rect.w and self.view.h):

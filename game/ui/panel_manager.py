@@ -201,6 +201,17 @@ class DropDown(UIDropDownMenu):
         )  # fmt: skip
         self.join_focus_sets(rows)
 
+    def process_event(self, event: pygame.event.Event) -> bool:
+        """As ever; the value that stands, clicked again, closes the list as any other does."""
+        opened: Any = self.menu_states["expanded"]
+        if (
+            self.is_open
+            and event.type == pygame_gui.UI_SELECTION_LIST_DROPPED_SELECTION
+            and event.ui_element is opened.options_selection_list
+        ):
+            opened.should_transition = True
+        return bool(super().process_event(event))
+
     def taken(self) -> str | None:
         """The value chosen since the last look, if there is a new one."""
         value = str(self.selected_option[1])

@@ -71,6 +71,11 @@ class PanelSheet:
         return any(row.has_keys for row in self.rows)
 
     @property
+    def has_open_list(self) -> bool:
+        """Whether some drop-down shows its list."""
+        return any(menu.is_open for menu in self.menus.values())
+
+    @property
     def is_held(self) -> bool:
         """Whether some row holds the pointer."""
         return any(row.held for row in self.rows)
@@ -83,7 +88,7 @@ class PanelSheet:
             self.drop_keys()
             if self._field is not None and not self._field[1].rect.collidepoint(event.pos):
                 self.commit()
-            if not inside and any(menu.is_open for menu in self.menus.values()):
+            if not inside and self.has_open_list:
                 self.manager.set_focus_set(None)  # closes the list
         self.manager.point(event.pos if inside else NOWHERE)
         if inside or self.is_held:
@@ -98,8 +103,10 @@ class PanelSheet:
             row.cancel()
 
     def key(self, event: pygame.event.Event) -> tuple[int, int] | None:
-        """A key for the text field, or for the row that has the focus."""
-        if self._field is None:
+        """A key for an open list, the text field, or the row that has the focus."""
+        if event.key == pygame.K_ESCAPE and self.has_open_list:
+            self.manager.set_focus_set(None)
+        elif self._field is None:
             for row in self.rows:
                 if row.has_keys:
                     row.key(event.key)
@@ -219,9 +226,7 @@ class PanelSheet:
     @property
     def is_quiet(self) -> bool:
         """Whether nobody is at it: then rows follow the scene without pygame_gui's turn."""
-        return not (
-            self.typing or self.is_held or self.has_keys or any(menu.is_open for menu in self.menus.values())
-        )
+        return not (self.typing or self.is_held or self.has_keys or self.has_open_list)
 
     def follow(self, dt_s: float) -> None:
         """Repaint the rows that are stale or move, and draw those alone; for a quiet sheet."""
@@ -249,7 +254,7 @@ class PanelSheet:
 
     def tip_at(self, position: tuple[int, int]) -> tuple[str, pygame.Rect] | None:
         """What the thing at a place is, and where it lies on the sheet."""
-        if any(menu.is_open for menu in self.menus.values()):
+        if self.has_open_list:
             return None
         things: tuple[DropDown | Row, ...] = (*self.menus.values(), *self.rows)
         for thing in things:

@@ -53,6 +53,24 @@ def test_the_table_has_all_of_the_window_until_the_panel_is_asked_for(driver):
     assert lay.panel.w > 0 and lay.strips.h > 0 and driver.app.settings.panel_in_games
 
 
+def test_escape_closes_an_open_list_before_it_leaves(driver):
+    driver.open("billiards")
+    driver.top.command("panel")
+    driver.frames(3)
+    panel = driver.top.shell.panel
+    box = panel._sheet.menus["second_player"].rect.move(panel.view.topleft).move(0, -panel.scroll)
+    driver.click(*box.center)
+    driver.frames(3)
+    assert panel.has_open_list
+    scene = driver.top
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(3)
+    assert driver.top is scene and not panel.has_open_list
+    driver.key(pygame.K_ESCAPE)
+    driver.frames(3)
+    assert driver.top is not scene
+
+
 @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (700, 500), (400, 900)])
 def test_every_phase_is_drawn_at_every_size(driver, size):
     driver.open("billiards")

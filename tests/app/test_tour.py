@@ -7,7 +7,7 @@ import pytest
 from tests_app import Driver
 
 from game.app.scene.screen import TOUR_AFTER_S
-from game.app.scene.tour import STOPS, TourScreen
+from game.app.scene.tour import PANEL_OFF, STOPS, TourScreen
 from game.app.settings import load_settings
 
 
@@ -55,6 +55,15 @@ def test_keys_go_through_all_parts_and_back(touring: Driver):
     touring.key(pygame.K_LEFT)
     touring.key(pygame.K_LEFT)
     assert touring.top.at == 0
+
+
+def test_a_panel_that_is_off_is_named_by_its_key(touring: Driver):
+    touring.key(pygame.K_ESCAPE)
+    assert not any(PANEL_OFF in stop.keys for stop in TourScreen(touring.app, touring.top.shell).stops)
+    touring.key(pygame.K_TAB)
+    touring.key(pygame.K_F3)
+    assert not any(stop.part == "panel" for stop in touring.top.stops)
+    assert touring.top.stops[-1].keys[0] == PANEL_OFF
 
 
 def test_the_hand_can_press_next_and_skip(touring: Driver):

@@ -204,6 +204,28 @@ def test_a_long_choice_is_a_list_and_opens_within_reach(desk):
     assert click(desk.panel, row) == [SetKnob("order", "as-printed")]
 
 
+def test_the_value_that_stands_closes_the_list_too(desk):
+    menu = desk.panel._sheet.menus[""]
+    before = menu.selected_option
+    click(desk.panel, (RECT.x + 100, RECT.y + 30))
+    desk.frame()
+    rows = menu.menu_states["expanded"].options_selection_list
+    at = next(i for i, row in enumerate(rows.item_list) if row["selected"])
+    assert click(desk.panel, (RECT.x + 100, RECT.y + 16 + 32 + 16 + 32 * at)) == []
+    desk.frame()
+    assert not menu.is_open and menu.selected_option == before
+
+
+def test_escape_closes_an_open_list(desk):
+    menu = desk.panel._sheet.menus[""]
+    click(desk.panel, (RECT.x + 100, RECT.y + 30))
+    desk.frame()
+    assert menu.is_open and desk.panel.has_open_list
+    assert desk.panel.handle(pygame.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE)) == []
+    desk.frame()
+    assert not desk.panel.has_open_list
+
+
 def test_values_from_elsewhere_show(desk):
     before = desk.picture()
     desk.stage.post(SetKnob("restitution", 0.9))

@@ -41,7 +41,8 @@ class Behind:
         """How many scenes there are, and how many of them open at once while others are being prepared."""
         number = len(self._app.catalogue)
         count = f"{number} scenes" if number != 1 else "1 scene"
-        return f"{len(self.preparation.ready)} of {count} prepared" if self.preparation.going_on else count
+        ready = len(self.preparation.ready)  # none at first: the process has yet to look what there is
+        return f"{ready} of {count} prepared" if ready and self.preparation.going_on else count
 
     def close(self) -> None:
         """End the work, wherever it is."""

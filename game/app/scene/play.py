@@ -89,6 +89,8 @@ class ScenePlay:
             return False
         if event.key == pygame.K_TAB and event.mod & pygame.KMOD_SHIFT:
             return True
+        if event.key == pygame.K_ESCAPE and panel.has_open_list:
+            return True
         return panel.typing or (panel.has_keys and event.key in FOCUS_KEYS)
 
     def restyle(self) -> None:

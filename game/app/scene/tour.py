@@ -57,6 +57,8 @@ STOPS = (
     ),
 )  # fmt: skip
 
+PANEL_OFF = (("panel",), "all that can be chosen and set")
+
 
 class TourScreen(Screen):
     """Shown over a scene, which stands still; any way out of it counts as seen."""
@@ -72,9 +74,12 @@ class TourScreen(Screen):
 
     @property
     def stops(self) -> list[Stop]:
-        """The parts that there are in this window."""
+        """The parts that there are in this window; a panel that is off is named last by its key."""
         layout = self.shell.layout
-        return [stop for stop in STOPS if not stop.part or self._place(layout, stop.part).w > 0]
+        stops = [stop for stop in STOPS if not stop.part or self._place(layout, stop.part).w > 0]
+        if not layout.panel.w:
+            stops[-1] = stops[-1]._replace(keys=(PANEL_OFF, *stops[-1].keys))
+        return stops
 
     @staticmethod
     def _place(layout: Layout, part: str) -> pygame.Rect:

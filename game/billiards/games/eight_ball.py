@@ -112,7 +112,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
             options += [] if lawful else [RACK_AND_BREAK, RACK_FOR_OTHER]
             return self._ask(after, self.other, tuple(options), fouls, words, back)
         if shot.pocketed:
-            words.append(f"The table is open. {self.shooter} plays on.")
+            words.append(f"The table is open: any ball but the 8. {self.shooter} plays on.")
             return Verdict(after, fouls, shot.balls_down, tuple(words))
         after = msgspec.structs.replace(after, turn=self.other)
         words.append(f"Nothing went down. {after.shooter} plays; the table is open.")
