@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
@@ -24,6 +23,7 @@ from game.app.screens.settings_card import SettingsCard
 from game.app.settings import Settings, save_settings
 from game.app.transition import OVERLAY_S, SCENE_S
 from game.app.window import Window
+from game.files import FileProblem
 from game.stage.catalogue import Catalogue
 from game.ui.layout import auto_scale
 from game.ui.look import Look
@@ -91,9 +91,11 @@ class App:
             screen.restyle()
 
     def save_settings(self) -> None:
-        """Keep the settings; what cannot be written is only lost."""
-        with contextlib.suppress(OSError):
+        """Keep the settings; what cannot be written holds until the program ends, and that is told."""
+        try:
             save_settings(self.settings, self.folder)
+        except FileProblem as problem:
+            self.tell("Settings not kept.", str(problem), "warning")
 
     def tell(self, cause: str, consequence: str = "", kind: str = "info") -> None:
         """A message that fades: kind is "info", "warning" or "marker"."""

@@ -58,3 +58,15 @@ def test_folder_in_place_of_the_file(tmp_path: Path):
     loaded = load_settings(tmp_path)
     assert loaded.settings == Settings()
     assert loaded.complaint
+
+
+def test_settings_that_cannot_be_kept_are_told_and_hold(start):
+    driver = start()
+    settings_path(driver.app.folder).unlink(missing_ok=True)
+    settings_path(driver.app.folder).mkdir(parents=True)
+    before = driver.app.settings.theme
+    driver.app.toggle_theme()
+    driver.frames(1)
+    assert driver.app.settings.theme != before and driver.app.look.theme.name == driver.app.settings.theme
+    assert driver.app.toasts.shown.cause == "Settings not kept."
+    assert "not a regular file" in driver.app.toasts.shown.consequence
