@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-FRAME = Frame(-14.0, -14.0, 1000.0, 424.0)
-LENS = (826.0, 148.0)  # px, middle of the magnified collision
+FRAME = Frame(-14.0, -52.0, 1000.0, 448.0)
+HEADING = -44.0  # px, top of the words over the magnified collision; its step stands 24 below
+LENS = (826.0, 128.0)  # px, middle of the magnified collision
+ROWS = 262.0  # px, of the head of what was computed in it
 LENS_RADIUS = 43.0  # px, of the larger ball in it
 LENS_ARROW = 62.0  # px, of the fastest velocity in it
 NUMBERS = np.array([3, 2], dtype=np.int64)
@@ -150,18 +152,20 @@ def _draw_passed(scene: LectureBalls, canvas: Canvas) -> None:
 def _draw_last_collision(scene: LectureBalls, canvas: Canvas) -> None:
     row = scene.last
     left = WIDTH + 26.0
-    canvas.label((left, 6.0), "The last collision", "text1", 15, "semibold", anchor="topleft")
+    canvas.label((left, HEADING), "The last collision", "text1", 15, "semibold", anchor="topleft")
     if row[record.OVERLAP] <= 0.0:
         words = "None yet. Drag a ball or its arrow."
         if scene.unseen:
             words = f"None noticed; {scene.unseen} passed unseen."
-        canvas.label((left, 34.0), words, "text3", 13, anchor="topleft")
-        canvas.label((left, 84.0), "When they touch, five steps are shown:", "text3", 13, anchor="topleft")
+        canvas.label((left, HEADING + 28.0), words, "text3", 13, anchor="topleft")
+        y = HEADING + 78.0
+        canvas.label((left, y), "When they touch, five steps are shown:", "text3", 13, anchor="topleft")
         for n, step in enumerate(STEPS):
-            canvas.label((left, 112.0 + 24.0 * n), step, "text3", 13, anchor="topleft")
+            canvas.label((left, y + 28.0 + 24.0 * n), step, "text3", 13, anchor="topleft")
         return
     phase = _phase(scene)
-    canvas.label((left, 30.0), STEPS[phase], "amber" if scene.hold_s > 0.0 else "text3", 13, anchor="topleft")
+    color = "amber" if scene.hold_s > 0.0 else "text3"
+    canvas.label((left, HEADING + 24.0), STEPS[phase], color, 13, anchor="topleft")
     _draw_lens(scene, canvas, phase)
     _draw_numbers(scene, canvas, phase, left)
 
@@ -252,7 +256,7 @@ def _draw_numbers(scene: LectureBalls, canvas: Canvas, phase: int, left: float) 
         1.0 - float(row[record.NEW_ENERGY]) / float(row[record.ENERGY]) if row[record.ENERGY] > 0.0 else 0.0
     )
     x1, x2, x3 = left, left + 190.0, left + 268.0
-    y = 250.0
+    y = ROWS
     canvas.label((x2, y), "before", "text3", 11, anchor="right", offset=(20.0, 0.0))
     canvas.label((x3, y), "after", "text3", 11, anchor="right", offset=(20.0, 0.0))
     lines = [

@@ -174,3 +174,38 @@ def test_h1_the_lectures_program_does_not_see_fast_balls():
     first, second = stage.scene.balls
     assert stage.scene.collisions == 0
     assert first.position[0] > second.position[0]
+
+
+@pytest.mark.parametrize("way", (9.0, -9.0))
+def test_the_magnified_collision_keeps_clear_of_the_words_around_it(way, monkeypatch):
+    """Straight up and down its arrows and its angle reach farthest."""
+    from game.app.headless import picture_of_stage
+    from game.ui.canvas import Canvas
+
+    stage = open_level("head-on", hold=0.0)
+    for ball, y, speed in zip(stage.scene.balls, (150.0, 250.0), (abs(way), -abs(way)), strict=True):
+        ball.position, ball.velocity = (
+            (320.0, y if way > 0.0 else 400.0 - y),
+            (0.0, math.copysign(speed, speed * way)),
+        )
+    until_collision(stage)
+    heights: dict[str, tuple[float, float]] = {}
+    label = Canvas.label
+
+    def note(canvas, position, text, color="text2", size=12, weight="medium", anchor="center", **rest):
+        y = canvas._place(position)[1]
+        high = canvas.look.fonts.size(text, size, weight)[1]
+        heights[text] = (y, y + high) if anchor == "topleft" else (y - 0.5 * high, y + 0.5 * high)
+        label(canvas, position, text, color, size, weight, anchor, **rest)
+
+    monkeypatch.setattr(Canvas, "label", note)
+    for size in ((960, 512), (1520, 820)):
+        heights.clear()
+        picture_of_stage(stage, size, "dark")
+        step = next(words for words in heights if words.startswith("5 "))
+        inside = [words for words in heights if words.startswith(("α", "v₁", "v₂"))]
+        assert len(inside) == 3
+        assert all(heights[words][0] >= heights[step][1] for words in inside)
+        assert all(heights[words][1] <= heights["before"][0] for words in inside)
+        assert max(foot for _, foot in heights.values()) <= size[1]
+        assert min(top for top, _ in heights.values()) >= 0.0
