@@ -144,3 +144,11 @@ def test_match_and_scene_are_filmed(tmp_path, monkeypatch):
     seen = [pygame.image.tobytes(film.picture(time), "RGB") for time in times]
     assert len(set(seen)) == 4
     assert film.potted_at(film.length) == ((5,), (3,))
+
+
+def test_a_film_of_a_recording_is_as_long_as_that(tmp_path, capsys):
+    recording, film = tmp_path / "r.json", tmp_path / "a.gif"
+    assert run_command_line(["run", "example", "--seconds", "0.5", "--record", str(recording)]) == 0
+    words = ["record", "example", "--out", str(film), "--size", "160x120", "--fps", "10"]
+    assert run_command_line([*words, "--replay", str(recording)]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == f"{film}: 0.5 s, 5 pictures"

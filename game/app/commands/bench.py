@@ -35,7 +35,8 @@ def execute(options: argparse.Namespace) -> int:
         output.check_writable(word, option)
     scenarios = [s for s in all_scenarios() if not options.names or s.name.startswith(tuple(options.names))]
     if not scenarios:
-        raise MistakeError(f"no scenario begins with {' or '.join(options.names)}")
+        names = ", ".join(scenario.name for scenario in all_scenarios())
+        raise MistakeError(f"no scenario begins with {' or '.join(options.names)}; there are {names}")
     quiet = output.STANDARD_OUTPUT in (options.json, options.markdown)
     measured = []
     for scenario in scenarios:

@@ -9,13 +9,19 @@ from typing import Any
 from game.app.commands import given
 from game.app.mistake import MistakeError
 
+USUAL_S = 20.0
+
 
 def add(commands: Any) -> None:
     """Declare the command."""
     parser = commands.add_parser("record", help="film a scene, as MP4 or GIF", allow_abbrev=False)
     given.add_scene_options(parser)
     parser.add_argument("--out", metavar="FILE", help="film to write, .mp4 or .gif (SCENE.mp4)")
-    parser.add_argument("--seconds", default="20", metavar="S", help="length (20)")
+    parser.add_argument(
+        "--seconds",
+        metavar="S",
+        help=f"length ({USUAL_S:g}, or that of the recording)",
+    )
     parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the film (1280x720)")
     parser.add_argument("--fps", default="30", metavar="N", help="pictures a second (30)")
     parser.add_argument("--theme", default="dark", metavar="NAME", help="dark or light")
@@ -25,7 +31,7 @@ def add(commands: Any) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Film it and say where; status 1 if the scene had to be stopped."""
-    seconds = given.read_seconds(options.seconds)
+    seconds = given.read_seconds(options.seconds) if options.seconds is not None else USUAL_S
     if options.theme not in ("dark", "light"):
         raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
     scene_type = given.scene_type_named(options.scene)
@@ -41,6 +47,8 @@ def execute(options: argparse.Namespace) -> int:
             stage, events = begin(recording, scene_type), recording.events
         except RecordingError as error:
             raise MistakeError(str(error)) from None
+        if options.seconds is None:
+            seconds = recording.steps * recording.dt
     else:
         stage = given.make_stage(options)
         events = [] if stage.scene.plays_alone else list(demo_of(scene_type))
