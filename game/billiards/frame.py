@@ -56,7 +56,7 @@ class Frame(NamedTuple):
         return self.follow(self.game.choose(name), self.lie, seed)
 
     def next_rack(self, seed: int | None = None) -> Frame:
-        """The next rack."""
+        """The next rack. ValueError if the game has none."""
         return self.follow(self.game.next_rack(), self.lie, seed)
 
     def follow(self, verdict: Verdict, lie: Arrangement, seed: int | None = None) -> Frame:

@@ -146,7 +146,10 @@ class LectureTable:
             return 1.0 / self.state.inverse_masses
 
     def place(self, ball: int, position: ArrayLike) -> None:
-        """Put a ball down at rest, in play again if it was not. ValueError if it is not on the bed."""
+        """Put a ball down at a position (2,) m at rest, in play again if it was not.
+
+        ValueError for a ball that there is not, or if it would not lie on the bed.
+        """
         row = self._row(ball)
         x, y = checked_rows("position", np.reshape(position, (1, -1)), 1, 2, MAX_COORDINATE)[0]
         r = self.state.radii[row]
@@ -174,7 +177,10 @@ class LectureTable:
         self.state.pocketed_by[row] = -1
 
     def is_clear(self, ball: int, position: ArrayLike) -> bool:
-        """True if the ball could lie there: on the bed, touching no other ball in play."""
+        """True if the ball could lie at a position (2,) m: on the bed, touching no other ball in play.
+
+        ValueError for a ball that there is not, or what is no position.
+        """
         row = self._row(ball)
         wish = checked_rows("position", np.reshape(position, (1, -1)), 1, 2, MAX_COORDINATE)[0]
         r = self.state.radii[row]

@@ -129,7 +129,7 @@ def _ranked(
 
 
 def is_clean(outcomes: Outcomes, chain: int, once: bool = True) -> NDArray[np.bool_]:
-    """Which strokes pot exactly one ball, and not the white one, by a chain of at least so many.
+    """Which strokes (m,) pot exactly one ball, and not the white one, by a chain of at least so many.
 
     once: only one ball touched the one that falls, so that there is no doubt by way of what it fell.
     """

@@ -243,7 +243,10 @@ def check_physics(physics: Physics) -> None:
 
 
 def check_balls(balls: Array, table: Table, physics: Physics) -> None:
-    """ShotError if a ball's numbers are absurd, or contradict each other or the table. balls as in a file."""
+    """ShotError if a ball's numbers are absurd, or contradict each other or the table.
+
+    balls (n, 11): columns as in `Shot`, places from a corner of the table as in a file.
+    """
     for i, row in enumerate(balls.tolist()):
         fields = {
             "position": row[0:2],

@@ -72,7 +72,10 @@ class Table(NamedTuple):
 def checked_table(
     width: float, length: float, cushion_height: float, cushions: Array, jaws: Array, pockets: Array
 ) -> Table:
-    """Table from any array-likes, contiguous float64, frozen. ValueError names the field and the reason."""
+    """Table from any array-likes, contiguous float64, frozen. ValueError names the field and the reason.
+
+    Lengths m; cushions (c, 6), jaws (j, 3) and pockets (p, 3) as in `Table`.
+    """
     for name, value in (("width", width), ("length", length)):
         if not (math.isfinite(value) and value > 0.0):
             raise ValueError(f"table {name}: must be positive and finite, got {value!r}")

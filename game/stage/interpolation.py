@@ -21,7 +21,9 @@ def jumped(before: np.ndarray, now: np.ndarray, limit: float) -> np.ndarray:
 
 
 def blend(before: np.ndarray, now: np.ndarray, alpha: float, jumps: np.ndarray | None = None) -> np.ndarray:
-    """Positions or plain numbers between two states, of their shape; rows in ``jumps`` are the newer ones."""
+    """Positions (n, ...) or plain numbers between two states, of their shape; rows in ``jumps`` (n,) are the
+    newer ones.
+    """
     if np.shape(before) != np.shape(now):
         return np.array(now, dtype=np.float64)
     result = before + alpha * np.subtract(now, before)

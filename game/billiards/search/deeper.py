@@ -67,7 +67,7 @@ def worth_after(
 
 
 def aims_left(aims: Aims, kept: NDArray[np.intp]) -> Aims:
-    """The aims when only some rows are left, which are numbered anew."""
+    """The aims when only the rows ``kept`` (k,) are left, which are numbered anew."""
 
     def squeezed(bits: int) -> int:
         return sum(1 << new for new, old in enumerate(kept.tolist()) if bits >> old & 1)

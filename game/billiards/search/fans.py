@@ -87,5 +87,5 @@ def make_styles(
 
 
 def chance_of_run(half: Array, sigma: float) -> Array:
-    """Chance that an azimuth of deviation sigma (rad) stays within `half` (rad) of where it was meant."""
+    """Chances (n,) that an azimuth of deviation sigma (rad) stays within `half` (n,) rad of its aim."""
     return np.array([math.erf(value / (math.sqrt(2.0) * sigma)) for value in half.tolist()])

@@ -72,7 +72,7 @@ class Looked(NamedTuple):
     outcomes: Outcomes
 
     def taken(self, order: NDArray[np.intp]) -> Looked:
-        """Some of them, in an order."""
+        """Some of them, in an order (k,) of their rows."""
         k = self.kinds.shape[1]
         rows = (order[:, None] * k + np.arange(k)).ravel()
         return Looked(

@@ -57,7 +57,7 @@ class Outcomes(NamedTuple):
         return cls(np.empty((m, FACTS), np.int64), np.empty((m, n, WAYS), np.int64), np.empty((m, n, 2)))
 
     def rows(self, chosen: NDArray[np.intp] | slice) -> Outcomes:
-        """Some of the strokes."""
+        """Some of the strokes, by their rows (k,) or a slice."""
         return Outcomes(self.facts[chosen], self.ways[chosen], self.places[chosen])
 
 

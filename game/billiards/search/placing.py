@@ -139,6 +139,7 @@ def place_white(
     """Arrangements with the white ball at its best places, the best first: at least one, at most `keep`.
 
     effort: how hard to look at each of `most` places; when time is out, the likelier ones have been.
+    draws: random deviations of strokes, as `look` takes them.
     """
     without = lie.without(CUE_BALL)
     places = places_for_white(without, table, physics, hand, aims, noise, most)

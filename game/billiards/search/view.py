@@ -36,7 +36,10 @@ UNLIMITED = Clock()
 
 
 class View:
-    """A board with what geometry needs of it. sight: unsteadiness of the white ball's direction, rad."""
+    """A board with what geometry needs of it. sight: unsteadiness of the white ball's direction, rad.
+
+    places (n, 2) m and radii (n,) m of the balls; gates (p, 11) and bed: of `gates_of`, `bed_for`, if known.
+    """
 
     def __init__(self, board: Board, noise: Noise, gates: Array | None = None, bed: Array | None = None):
         self.board = board
@@ -67,7 +70,7 @@ class View:
     def worth(
         self, outcomes: Outcomes, aims: Aims, kinds: NDArray[np.int64], pool: ThreadPoolExecutor | None = None
     ) -> Array:
-        """Estimated chance to win after each stroke."""
+        """Estimated chance (m,) to win after each of m strokes; kinds (m,): their classes."""
         worth = np.empty(len(kinds))
         part = max(1, min(256, (len(kinds) + 1) // 2))
 

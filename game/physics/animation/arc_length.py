@@ -253,14 +253,20 @@ class ArcLength:
         return float(self.table[-1])
 
     def to(self, parameters: ArrayLike) -> Array:
-        """Length from the beginning up to each parameter; beyond the ends that of the end."""
+        """Length (...,) from the beginning up to parameters (...,); beyond the ends that of the end.
+
+        In the unit of the controls. ValueError for what is not finite.
+        """
         at = _finite("parameters", parameters)
         out = np.empty(at.size)
         lengths_to(self.controls, self.breaks, self.table, at.reshape(-1), out)
         return out.reshape(at.shape)
 
     def parameter(self, ways: ArrayLike) -> Array:
-        """Parameter at each length from the beginning; beyond the ends that of the end."""
+        """Parameters (...,) at lengths (...,) from the beginning; beyond the ends that of the end.
+
+        ValueError for what is not finite.
+        """
         at = _finite("lengths", ways)
         out = np.empty(at.size)
         parameters_at(self.controls, self.breaks, self.table, at.reshape(-1), out)

@@ -107,7 +107,10 @@ class Easing:
         return self._eased(parts, False)
 
     def slope(self, parts: ArrayLike) -> Array:
-        """Pace dy/dx there, cut to a million where the curve is vertical."""
+        """Pace dy/dx (...,) at parts (...,), cut to a million where the curve is vertical.
+
+        ValueError for what is not finite.
+        """
         return self._eased(parts, True)
 
     def _eased(self, parts: ArrayLike, steep: bool) -> Array:

@@ -73,7 +73,7 @@ class PiecewiseCubic:
         return len(self.controls)
 
     def point(self, parameters: ArrayLike) -> Array:
-        """Points (..., d)."""
+        """Points (..., d) at parameters (...,)."""
         piece, u, v = self._places(parameters)
         p = self.controls[piece]
         u, v = u[..., None], v[..., None]
@@ -111,11 +111,11 @@ class PiecewiseCubic:
         return self.arc.total
 
     def length_to(self, parameters: ArrayLike) -> Array:
-        """Length from the beginning to each parameter."""
+        """Length (...,) from the beginning to parameters (...,), in the unit of the controls."""
         return self.arc.to(parameters)
 
     def parameter_at(self, lengths: ArrayLike) -> Array:
-        """Parameter at each length from the beginning."""
+        """Parameters (...,) at lengths (...,) from the beginning."""
         return self.arc.parameter(lengths)
 
     # -- lines --------------------------------------------------------------------------------------

@@ -62,7 +62,7 @@ class Playback:
         return np.asarray(times[piece] + (at - piece) * (times[piece + 1] - times[piece]))
 
     def sample(self, parts: ArrayLike) -> Array:
-        """Values at parts of the duration, as of `Keyframes.sample`."""
+        """Values (..., m) at parts (...,) of the duration, as of `Keyframes.sample`."""
         return self.track.sample(self.key_times(parts))
 
     def speed(self, parts: ArrayLike) -> Array:
@@ -75,7 +75,7 @@ class Playback:
         return np.asarray(pace * (self.end - self.begin) * np.sqrt((rates * rates).sum(axis=-1)))
 
     def heading(self, parts: ArrayLike) -> Array:
-        """Angle (rad) of the way at parts of the duration, also where it stands still for a moment."""
+        """Angle (...,) rad of the way at parts (...,) of the duration, also while it stands still."""
         return self.heading_at(self.key_times(parts))
 
     def heading_at(self, times: ArrayLike) -> Array:

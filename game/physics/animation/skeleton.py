@@ -236,6 +236,9 @@ def _limits(name: str, values: ArrayLike, count: int) -> Array:
 
 
 def chain_skeleton(lengths: ArrayLike, angles: ArrayLike | None = None) -> Skeleton:
-    """A single row of bones, each at the end of the one before; the first at the origin."""
+    """A single row of bones, each at the end of the one before; the first at the origin.
+
+    lengths (n,) m; angles (n,) rad against the bone before, else 0. SkeletonError as of `Skeleton`.
+    """
     lengths = np.atleast_1d(np.asarray(lengths, dtype=np.float64))
     return Skeleton(np.arange(len(lengths)) - 1, lengths, angles)

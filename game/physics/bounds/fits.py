@@ -88,13 +88,13 @@ def fit_row(points: Array, kind: int, fit: int, step_degrees: float) -> NDArray[
 
 
 def box_of(row: ArrayLike) -> Box:
-    """A row of six numbers as a box."""
+    """A row (6,) as a box: middle m, unit vector along it, half sides m."""
     x, y, c, s, a, b = np.asarray(row).tolist()
     return Box((x, y), (c, s), (a, b))
 
 
 def capsule_of(row: ArrayLike) -> Capsule:
-    """A row of six numbers as a capsule."""
+    """A row (6,) as a capsule: both ends of its core and its radius, m; the last number is not used."""
     ax, ay, bx, by, radius, _ = np.asarray(row).tolist()
     return Capsule((ax, ay), (bx, by), radius)
 

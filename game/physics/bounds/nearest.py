@@ -85,7 +85,7 @@ def search_nearest(
 def nearest(
     tree_a: BoundingTree, tree_b: BoundingTree, offset_b: ArrayLike = (0.0, 0.0), turn_b: float = 0.0
 ) -> Nearest:
-    """The least distance of two polylines and where it is; the second one turned (rad) and moved (m).
+    """The least distance of two polylines and where it is; the second one turned (rad), then moved (2,) m.
 
     ValueError for trees of different kinds, or what is no place.
     """

@@ -106,7 +106,7 @@ class Query:
         coherent: bool = False,
         patience: int = traversal.PATIENCE,
     ) -> None:
-        """Ask with the second tree turned by ``turn_b`` (rad) and moved by ``offset_b`` (m).
+        """Ask with the second tree turned by ``turn_b`` (rad) and moved by ``offset_b`` (2,) m.
 
         exact: test the segments of leaves that overlap. coherent: begin with the front of the last query.
         Upright boxes cannot be turned here: turn their tree. ValueError for what is no place.
@@ -170,12 +170,12 @@ class Query:
 
     @property
     def rows(self) -> NDArray[np.int32]:
-        """Rows of the last query, as in `Tandem`; good until the next one."""
+        """Rows (n, 5) of the last query, as in `Tandem`; good until the next one."""
         return self._rows[: self.row_count]
 
     @property
     def gaps(self) -> Array:
-        """Gaps and axes of the last query; good until the next one."""
+        """Gaps and axes (n, 3) of the last query, as in `Tandem`; good until the next one."""
         return self._gaps[: self.row_count]
 
     @property
@@ -206,7 +206,7 @@ class Query:
         self._counts[:] = record.counts
 
     def marks(self, count: int | None = None) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-        """Marks of both trees' nodes after ``count`` rows (None: all): REST, ANCESTOR, OVERLAPPING."""
+        """Marks (m,) of both trees' nodes after ``count`` rows (None: all): REST, ANCESTOR, OVERLAPPING."""
         n = self.row_count if count is None else min(max(count, 0), self.row_count)
         mark_nodes(self._rows, n, *self._parents, *self._marks)
         return self._marks
@@ -253,7 +253,7 @@ def tandem(
 ) -> Tandem:
     """Which leaves of two trees overlap, which of their segments meet, and how that was found.
 
-    The second tree is turned by ``turn_b`` (rad) about its origin and moved by ``offset_b`` (m). Touching
+    The second tree is turned by ``turn_b`` (rad) about its origin and moved by ``offset_b`` (2,) m. Touching
     counts. ValueError for trees of different kinds, or what is no place.
     """
     if tree_a.kind == "aabb" and turn_b != 0.0:

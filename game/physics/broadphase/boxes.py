@@ -78,7 +78,7 @@ class BroadPhase:
     # -- single calls -------------------------------------------------------------------------------
 
     def add_box(self, lower: ArrayLike, upper: ArrayLike) -> int:
-        """Add a box, m; returns its id. ValueError if lower is above upper or not a number."""
+        """Add a box, corners (2,) m; returns its id. ValueError if lower is above upper or not a number."""
         x0, y0, x1, y1 = self._corners(lower, upper)
         box = self._take_ids(1)[0]
         self.boxes[box] = x0, y0, x1, y1
@@ -96,7 +96,7 @@ class BroadPhase:
         self._release(int(box))
 
     def update_box(self, box: int, lower: ArrayLike, upper: ArrayLike) -> None:
-        """Move or resize a box, m; ValueError if there is none of that id or the corners are bad."""
+        """Give a box other corners (2,) m; ValueError if there is none of that id or the corners are bad."""
         self._known(box)
         x0, y0, x1, y1 = self._corners(lower, upper)
         self._found = None
@@ -126,7 +126,7 @@ class BroadPhase:
         return chosen
 
     def remove_boxes(self, ids: ArrayLike) -> None:
-        """Remove many boxes and their pairs; ValueError if an id is unknown or comes twice."""
+        """Remove many boxes, ids (n,), and their pairs; ValueError if an id is unknown or comes twice."""
         chosen = id_array(ids)
         for box in chosen.tolist():
             self._known(box)
@@ -162,18 +162,21 @@ class BroadPhase:
         return self._found.copy()
 
     def query_box(self, lower: ArrayLike, upper: ArrayLike) -> Ids:
-        """Ids of the boxes that overlap the closed box, ascending; ValueError if the corners are bad."""
+        """Ids (k,) of the boxes that overlap a closed box, ascending; its corners (2,) m.
+
+        ValueError if the corners are bad.
+        """
         return self._find_in_box(*self._corners(lower, upper))
 
     def query_point(self, point: ArrayLike) -> Ids:
-        """Ids of the boxes that hold the point, ascending; ValueError if it is no finite point."""
+        """Ids (k,) of the boxes that hold a point (2,) m, ascending; ValueError if it is no finite point."""
         x, y = corner(point, "point")
         if not (np.isfinite(x) and np.isfinite(y)):
             raise ValueError(f"point: finite numbers are wanted, not ({x}, {y})")
         return self._find_in_box(x, y, x, y)
 
     def partners(self, box: int) -> Ids:
-        """Ids of the boxes that overlap this one, ascending; ValueError if there is none of that id."""
+        """Ids (k,) of the boxes that overlap this one, ascending; ValueError if there is none of that id."""
         self._known(box)
         x0, y0, x1, y1 = self.boxes[box].tolist()
         found = self._find_in_box(x0, y0, x1, y1)

@@ -91,7 +91,7 @@ def corners(values: ArrayLike, name: str) -> Corners:
 
 
 def corner(values: ArrayLike, name: str) -> tuple[float, float]:
-    """One corner point; ValueError if it is none."""
+    """A corner (2,) m as two numbers; ValueError, by its name, if it is none."""
     try:
         x, y = values  # type: ignore[misc,str-unpack,unused-ignore]
         return float(x), float(y)  # type: ignore[arg-type]
@@ -100,7 +100,7 @@ def corner(values: ArrayLike, name: str) -> tuple[float, float]:
 
 
 def id_array(values: ArrayLike) -> Ids:
-    """Ids as an array that kernels take; ValueError if they are no integers."""
+    """Ids (n,) as an array that kernels take; ValueError if they are no integers."""
     given = values
     if not (type(given) is np.ndarray and given.dtype == np.int64 and given.flags.carray and given.ndim == 1):
         given = np.array(given, order="C")

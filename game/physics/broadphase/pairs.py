@@ -64,7 +64,8 @@ class PairEvents(NamedTuple):
 class PairManager:
     """Base of both managers: pairs in a dense list, found through an index.
 
-    ``table`` holds the arrays, for kernels. Ids run from ``least`` to ``greatest``.
+    ``table`` holds the arrays, for kernels; ``where`` (slots,) is its empty index, ``rows`` the side of a
+    matrix or 0. Ids run from ``least`` to ``greatest``.
     """
 
     def __init__(self, where: NDArray[np.int32], rows: int, least: int, greatest: int):
@@ -112,7 +113,10 @@ class PairManager:
         sweep_unkept(*self.table)
 
     def change_pairs(self, changes: NDArray[np.int64], count: int) -> None:
-        """Add and remove pairs as the kernel ``change_pairs`` has it; the caller vouches for the ids."""
+        """Add and remove the first ``count`` pairs of changes (k,), as the kernel ``change_pairs`` has them.
+
+        The caller vouches for the ids.
+        """
         done = 0
         while (done := change_pairs(*self.table, changes, count, done)) < count:
             self.make_room()

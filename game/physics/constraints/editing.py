@@ -53,7 +53,7 @@ def topology_of(system: PositionBasedDynamics) -> Topology:
 
 
 def outlines_of(topology: Topology) -> list[Ints]:
-    """The corners of each outline."""
+    """The corners (k,) of each outline."""
     return [topology.corners[a:b] for a, b in pairwise(topology.starts.tolist())]
 
 

@@ -128,7 +128,7 @@ class Outlines:
 
 
 def checked(name: str, values: ArrayLike, count: int, least: float, most: float) -> Floats:
-    """``count`` finite numbers in a range, from one or so many; ValueError naming the first bad one."""
+    """(count,) finite numbers in a range, from one or so many; ValueError naming the first bad one."""
     given = np.asarray(values, dtype=np.float64)
     if given.shape not in ((), (count,)):
         raise ValueError(f"{name}: {count} numbers are wanted, got shape {given.shape}")

@@ -195,7 +195,10 @@ class PositionBasedDynamics:
         self.fields[INVERSE_MASS, index] = 0.0
 
     def drag(self, target: ArrayLike) -> None:
-        """Where the held particle is to be after the next step (m); no faster than the speed limit."""
+        """Where the held particle is to be after the next step, (2,) m; no faster than the speed limit.
+
+        ValueError for what is no place within the world.
+        """
         self.hand[2:4] = checked_pairs("target", target, 1)[0]
 
     def release(self) -> None:

@@ -48,7 +48,7 @@ class Emitter:
                 raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")
 
     def row(self, since: float) -> NDArray[np.float64]:
-        """The row that kernels read, for an emitter that begins at an instant (s)."""
+        """The row (EMITTER_COLUMNS,) that kernels read, for an emitter that begins at an instant (s)."""
         row = np.empty(EMITTER_COLUMNS)
         row[:] = (
             *self.position,

@@ -112,7 +112,10 @@ class Discs:
         return self._store[: self.count, RADIUS]
 
     def add(self, centre: ArrayLike, radius: float, restitution: float = 0.5) -> int:
-        """Put one more; returns its index. ValueError if there is no room or a number is absurd."""
+        """Put one more, its centre (2,) m, its radius m; returns its index.
+
+        ValueError if there is no room or a number is absurd.
+        """
         if self.count == self.capacity:
             raise ValueError(f"solids: there is room for {self.capacity}")
         row = np.zeros(COLUMNS)
@@ -152,7 +155,7 @@ class Discs:
         self.rows[:, :2] += dt * self.rows[:, VELOCITY_X : VELOCITY_Y + 1]
 
     def restore(self, rows: NDArray[np.float64], impulses: NDArray[np.float64]) -> None:
-        """Be the discs of these rows again."""
+        """Be the discs of these rows (n, COLUMNS) and impulses (n, 2) again."""
         self.count = len(rows)
         self.rows[:] = rows
         self.impulses[:] = impulses
@@ -173,7 +176,7 @@ class Discs:
 
 
 def checked_point(name: str, point: ArrayLike) -> NDArray[np.float64]:
-    """Two finite numbers within the world, or ValueError."""
+    """Two finite numbers (2,) within the world, or ValueError."""
     pair = np.asarray(point, dtype=np.float64)
     if pair.shape != (2,) or not np.all(np.abs(pair) <= LARGEST):
         raise ValueError(f"{name} = {point!r}: two numbers up to {LARGEST:g} are wanted")

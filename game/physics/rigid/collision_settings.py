@@ -168,7 +168,11 @@ def surroundings_of(
     hung: ArrayLike = (),
     strings: ArrayLike = (),
 ) -> Surroundings:
-    """Window, ledges and strings, checked; ValueError, naming what is wrong."""
+    """Window, ledges and strings, checked; ValueError, naming what is wrong.
+
+    window (4,): left, bottom, right, top, m; ledges (k, 4): both ends, m; hung (c,): spheres that hang from
+    strings (c, 4): x, y, z where they are tied, and length, m.
+    """
     box = np.array(window, dtype=np.float64)
     if box.shape != (4,) or not np.isfinite(box).all() or not (box[0] < box[2] and box[1] < box[3]):
         raise ValueError("window: left, bottom, right and top are wanted, left of right and below top")
