@@ -179,7 +179,7 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
         raise NotImplementedError
 
     def next_rack(self) -> Verdict:
-        """The next rack of the same players, who break in turns. ValueError if a game has none, as drills."""
+        """The next rack of the same players, who break in turns. ValueError if a game has none."""
         raise NotImplementedError
 
     def check_playable(self) -> None:
