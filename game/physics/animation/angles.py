@@ -28,7 +28,7 @@ def rotation(angle: ArrayLike) -> Array:
 
 
 def mix_rotations(first: float, second: float, share: ArrayLike) -> Array:
-    """Rotation matrices (..., 2, 2) of two angles (rad), their entries mixed by shares (...,): what not to do.
+    """Rotation matrices (..., 2, 2) of two angles (rad), entries mixed by shares (...,): what not to do.
 
     The mix is a rotation only at its ends. Between, all lengths shrink by the cosine of the half angle or
     more, and for angles half a turn apart the matrix halfway is singular: the thing collapses to a point.
