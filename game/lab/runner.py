@@ -63,14 +63,18 @@ def measure(
 
 
 def measure_present(
-    study: Study, parameters: dict[str, object], repeats: int = REPEATS, seconds: float = 0.0
+    study: Study,
+    parameters: dict[str, object],
+    repeats: int = REPEATS,
+    seconds: float = 0.0,
+    stop: Callable[[], bool] | None = None,
 ) -> Row | None:
     """The point at which a scene with these parameters, effects and standing is; None if it has no place.
 
-    `Study.no_place` says why it has none.
+    `Study.no_place` says why it has none. stop, StoppedError: see `measure`.
     """
     setting = study.present(parameters) if study.present is not None else None
-    return None if setting is None else measure(study, setting, repeats=repeats, seconds=seconds)
+    return None if setting is None else measure(study, setting, stop, repeats, seconds)
 
 
 def run_study(

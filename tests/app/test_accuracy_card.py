@@ -68,6 +68,7 @@ def make_study(trial=Fake) -> Study:
 @pytest.fixture(autouse=True)
 def no_tables(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr(accuracy_card, "_tables", {})
+    monkeypatch.setattr(accuracy_card, "_latest", [])
 
 
 @pytest.fixture
@@ -133,6 +134,34 @@ def test_page_opens_over_the_scene_and_closes(scene: Driver):
     scene.key(pygame.K_a)
     scene.frames(30)
     assert not isinstance(scene.top, AccuracyCard)
+
+
+def test_a_page_that_is_opened_again_waits_for_the_run_of_the_one_before(driver: Driver, monkeypatch):
+    """Two at a time would spoil each other's times, and the first would put its own rows in place of all."""
+    import example_scene
+
+    begun, gate, inside = threading.Event(), threading.Event(), []
+
+    def trial(setting: Setting) -> Fake:
+        inside.append(threading.current_thread())
+        begun.set()
+        return Fake(setting, gate)
+
+    monkeypatch.setattr(example_scene.BouncingBall, "study", make_study(trial))
+    driver.open()
+    driver.key(pygame.K_a)
+    first = driver.top.run
+    assert begun.wait(60.0)
+    driver.key(pygame.K_a)
+    driver.frames(30)
+    driver.key(pygame.K_a)
+    second = driver.top.run
+    assert second is not first and second.table is first.table
+    gate.set()
+    second.wait(60.0)
+    assert inside[0] is first._thread and {*inside[1:]} == {second._thread}
+    assert first.error == second.error == ""
+    assert len(second.table) == 2 * len(STEPS)
 
 
 def test_click_on_a_point_sets_the_scene(scene: Driver):

@@ -25,6 +25,7 @@ REFRESH_S = 0.25  # s between looks at what has been measured
 
 
 _tables: dict[str, StudyTable] = {}  # by study: what was measured is gone on with as long as the program runs
+_latest: list[StudyRun] = []  # the run that was begun last, of any card: it may still be in its last repeat
 
 
 class AccuracyCard(PageScreen):
@@ -35,19 +36,21 @@ class AccuracyCard(PageScreen):
     def __init__(self, app: App, play: ScenePlay, study: Study):
         self.play = play
         self._studies = study.family
-        self._start(study, None)
+        self._start(study)
         self._since_s = 0.0
         self._shown = -1
         self._tip = ToolTip(app.look)
         super().__init__(app, AccuracyPage(app.look, self._data()))
 
-    def _start(self, study: Study, before: StudyRun | None) -> None:
-        """Measure a study, once the one before it has stopped."""
+    def _start(self, study: Study) -> None:
+        """Measure a study, once the run before it, of this card or of one that was closed, has stopped."""
         scene = self.play.stage.scene
         effects = {effect.name: effect in scene.active for effect in scene.effects}
         present = {**scene.standing(), **scene.values, **effects}
-        self.run = StudyRun(study, present, _tables.get(study.name), before)
-        _tables[study.name] = self.run.table
+        for before in _latest:
+            before.stop()
+        self.run = StudyRun(study, present, _tables.get(study.name), *_latest)
+        _tables[study.name], _latest[:] = self.run.table, [self.run]
 
     def _data(self) -> AccuracyData:
         study, level = self.run.study, self.play.stage.level
@@ -58,8 +61,7 @@ class AccuracyCard(PageScreen):
     def _choose(self, number: int) -> None:
         """Show and measure another study."""
         if self._studies[number] is not self.run.study:
-            self.run.stop()
-            self._start(self._studies[number], self.run)
+            self._start(self._studies[number])
             self._shown = -1
             self._refresh()
 

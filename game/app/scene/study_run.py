@@ -6,7 +6,7 @@ import threading
 from collections.abc import Mapping
 from typing import Any
 
-from game.lab import Row, Study, StudyTable, measure_present, run_study
+from game.lab import Row, StoppedError, Study, StudyTable, measure_present, run_study
 from game.ui.accuracy_data import AccuracyData, Progress
 from game.ui.accuracy_study import study_data
 
@@ -53,9 +53,13 @@ class StudyRun:
             if self._stop.is_set():
                 self.progress = self.progress._replace(running=False)
                 return
-            self.present = measure_present(self.study, self._parameters, seconds=ENOUGH_S)
+            self.present = measure_present(
+                self.study, self._parameters, seconds=ENOUGH_S, stop=self._stop.is_set
+            )
             self.no_place = self.study.no_place if self.present is None else ""
             run_study(self.study, self._report, self._stop.is_set, self.table, seconds=ENOUGH_S)
+        except StoppedError:
+            pass
         except Exception as error:  # a study's own code; the page says so and the scene goes on
             self.error = " ".join(str(error).split()) or type(error).__name__
         self.progress = self.progress._replace(done=len(self.table), running=False)
