@@ -137,7 +137,8 @@ def described(goal: Goal, pockets: tuple[str, ...] = ()) -> tuple[str, ...]:
     if goal.cue_touches:
         lines.append(f"The white ball touches {', then '.join(f'the {b}' for b in goal.cue_touches)}.")
     if goal.cushions_first:
-        lines.append(f"It touches {_counted(goal.cushions_first, 'cushion')} before any ball.")
+        count = _counted(goal.cushions_first, "cushion")
+        lines.append(f"The {named(CUE_BALL)} touches {count} before any ball.")
     if goal.cushions_between:
         lines.append(f"It touches {_counted(goal.cushions_between, 'cushion')} before the last of them.")
     if goal.untouched:

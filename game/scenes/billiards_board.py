@@ -274,13 +274,12 @@ def line_of(scene: Billiards) -> tuple[str, bool]:
         return " ".join(described(game.goal, layout.POCKETS)), False
     if scene.phase != AIMING or scene.plays_itself or not scene.person_plays:
         return "", False
+    alone = len(game.players) == 1
     if game.in_hand:
         where = " behind the line" if game.in_hand == "behind the line" else ""
-        return (
-            f"{game.shooter} has the white ball in hand: drag it{where}, then pull the cue back and let go.",
-            False,
-        )
-    return f"{game.shooter} plays.", False
+        who = "The white ball is" if alone else f"{game.shooter} has the white ball"
+        return f"{who} in hand: drag it{where}, then pull the cue back and let go.", False
+    return "Aim, pull the cue back and let go." if alone else f"{game.shooter} plays.", False
 
 
 def _announced(scene: Billiards) -> str:

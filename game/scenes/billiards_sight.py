@@ -17,6 +17,7 @@ from game.billiards.state import (
 )
 from game.scenes.billiards_round import Places, Struck, trajectory_of
 from game.scenes.billiards_ways import Ways
+from game.scenes.table_view import cut_words
 from game.ui.canvas import Canvas
 from game.ui.painters.aim import draw_cloth_label
 from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
@@ -186,7 +187,7 @@ def draw_label(canvas: Canvas, sight: Sight, places: Places, table: Table, radiu
             clear = min(max(abs(bx - x) / high, abs(by - y) / wide) for _, bx, by in places)
             if min(clear, 1.0) > best[0]:
                 best = (min(clear, 1.0), x, y)
-    words = foul or f"cut {math.degrees(sight.cut):.0f}°"
+    words = foul or cut_words(sight.cut)
     draw_cloth_label(canvas.surface, canvas.fonts, words, canvas.camera.to_screen(*best[1:]))
 
 

@@ -14,6 +14,7 @@ from game.billiards.games import Drill
 from game.billiards.rack import HEAD_SPOT
 from game.billiards.rules import CUE_BALL, listed
 from game.billiards.state import BALL_POCKET
+from game.billiards.table import Table
 from game.scenes import billiards_board as board
 from game.scenes import billiards_instruments as instruments
 from game.scenes import billiards_layout as layout
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 FALL_S = 0.35  # s in which a ball drops out of sight
+STAR = "★"
 BANDS = ("amber", "chalk")  # of the two players' cues
 BAND, BAND_RADIUS = (0.80, 0.845), 0.0088  # m from the tip, m
 
@@ -122,11 +124,9 @@ def _draw_marks(scene: Billiards, canvas: Canvas) -> None:
         y = HEAD_SPOT * table.length
         canvas.line((0.0, y), (table.width, y), FELT_LINE, 1.25, dash=(6.0, 6.0), alpha=0.6)
     if isinstance(game, Drill) and scene.phase != SET_UP:
-        goal = game.goal
-        for zone in [zone for one in (goal, *game.more) for zone in one.zones]:
-            canvas.circle((zone.x, zone.y), zone.radius, fill=FELT_WARM, fill_alpha=0.08, outline=FELT_WARM,
-                          width=1.5, dash=(5.0, 4.0))  # fmt: skip
-        for pot in goal.pots:
+        with canvas.within((0.0, 0.0), (table.width, table.length)):
+            _draw_rings(game, table, canvas)
+        for pot in game.goal.pots:
             if pot.pocket is not None and pot.pocket < len(table.pockets):
                 x, y, radius = table.pockets[pot.pocket].tolist()
                 canvas.circle((x, y), radius + canvas.px(3.0), outline=FELT_WARM, width=2.0)
@@ -140,6 +140,18 @@ def _draw_marks(scene: Billiards, canvas: Canvas) -> None:
     if game.in_hand and scene.phase == AIMING and scene.round.white is not None and scene.person_plays:
         canvas.circle(scene.round.white, 1.7 * scene.round.conditions.radii[0], outline=FELT_WARM, width=1.5,
                       dash=(4.0, 3.0))  # fmt: skip
+
+
+def _draw_rings(game: Drill, table: Table, canvas: Canvas) -> None:
+    """Where a ball must stop, each ring with the stars that it brings at its end towards the middle."""
+    middle = 0.5 * table.width
+    for stars, goal in enumerate((game.goal, *game.more), 1):
+        for zone in goal.zones:
+            inward = 1.0 if zone.x < middle else -1.0
+            canvas.circle((zone.x, zone.y), zone.radius, fill=FELT_WARM, fill_alpha=0.08, outline=FELT_WARM,
+                          width=1.5, dash=(5.0, 4.0))  # fmt: skip
+            end = (zone.x + inward * zone.radius, zone.y)
+            canvas.label(end, STAR * stars, FELT_WARM, 11, offset=(0.0, -9.0 * inward), halo=False)
 
 
 def foul_of(scene: Billiards, first: int | None) -> str:

@@ -146,7 +146,13 @@ def draw_split(canvas: Canvas, table: Table, first: FirstContact, balls: Balls, 
         _dashed_way(canvas, first.ghost, across / length, 0.5 * length, FELT_LINE)
     side = 1.0 if way[0] * n[1] - way[1] * n[0] > 0.0 else -1.0
     place = np.array(first.ghost) + side * np.array((n[1], -n[0])) * 0.13
-    canvas.label(place, f"cut {math.degrees(first.cut):.0f}°", FELT_LINE)
+    canvas.label(place, cut_words(first.cut), FELT_LINE)
+
+
+def cut_words(cut: float) -> str:
+    """The angle of a cut, rad, in degrees; to a tenth where whole ones would say that the ball is missed."""
+    degrees = math.degrees(cut)
+    return f"cut {degrees:.0f}°" if degrees < 89.5 else f"cut {degrees:.1f}°"
 
 
 def _dashed_way(

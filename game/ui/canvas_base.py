@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -63,6 +64,21 @@ class CanvasBase:
     def end(self) -> None:
         """Give the surface back as it was."""
         self.surface.set_clip(self._old_clip)
+
+    @contextmanager
+    def within(self, corner: Point, opposite: Point) -> Iterator[None]:
+        """What is drawn meanwhile stays within a box between two corners in the world."""
+        before = self.surface.get_clip()
+        (ax, ay), (bx, by) = (self.camera.to_screen(*point) for point in (corner, opposite))
+        left, top, right, bottom = min(ax, bx), min(ay, by), max(ax, bx), max(ay, by)
+        box = pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))
+        self.surface.set_clip(box.clip(before))
+        self._clip = raster.clip_of(self.surface)
+        try:
+            yield
+        finally:
+            self.surface.set_clip(before)
+            self._clip = raster.clip_of(self.surface)
 
     def fill(self, color: Token = "stage") -> None:
         """Fill the whole part with one colour, in the array: three times as quick as the surface does it."""

@@ -68,6 +68,9 @@ def test_in_words():
         "One ball goes down.",
         "Nothing touches the 4 or the 5.",
     )
+    assert described(Goal(pots=(Pot(1),), cushions_first=1)) == (
+        "Pot the 1.", "The white ball touches one cushion before any ball.",
+    )  # fmt: skip
 
 
 def test_stars_come_in_their_order():

@@ -194,3 +194,15 @@ def test_grid_spacing_is_round_and_just_large_enough(least):
     assert least * (1 - 1e-6) <= spacing <= 2.5 * least * (1 + 1e-6)
     mantissa = spacing / 10 ** math.floor(math.log10(spacing) + 1e-9)
     assert min(abs(mantissa - m) for m in (1.0, 2.0, 5.0, 10.0)) < 1e-6
+
+
+def test_what_is_drawn_within_a_box_stays_in_it():
+    canvas = begun()
+    with canvas.within((-0.5, -0.5), (0.5, 0.2)):
+        canvas.circle((0.0, 0.0), 0.9, fill="amber")
+    amber = canvas.look.color("amber")
+    painted = pygame.mask.from_threshold(canvas.surface, amber, (1, 1, 1, 255))
+    (x0, y0), (x1, y1) = canvas.camera.to_screen(-0.5, 0.2), canvas.camera.to_screen(0.5, -0.5)
+    assert painted.get_bounding_rects() == [pygame.Rect(round(x0), round(y0), round(x1 - x0), round(y1 - y0))]
+    canvas.circle((1.5, 0.0), 0.2, fill="amber")
+    assert at(canvas, 1.5, 0.0) == amber
