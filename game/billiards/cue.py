@@ -15,7 +15,6 @@ from game.billiards.rack import BALL_MASS, BALL_RADIUS
 
 CUE_MASS = 0.567  # kg; 20 ounces
 CUE_END_MASS = BALL_MASS / 30.0  # kg; what the end of the cue moves aside, a usual cue
-MISCUE_OFFSET = 0.5  # ball radii; beyond about this a chalked tip slips
 
 
 class Strike(NamedTuple):

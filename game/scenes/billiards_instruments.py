@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.billiards.arrangement import Stroke
 from game.scenes import billiards_buttons as buttons
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_moves as moves
-from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
+from game.scenes.billiards_moves import AIMING, REPLAY, SET_UP, STRIKING
 from game.scenes.cue_control import MAX_SPEED
 from game.ui.canvas import Canvas
 from game.ui.look import Look
@@ -22,15 +21,6 @@ from game.ui.shapes import draw_box, draw_disc, draw_line, draw_polygon
 
 if TYPE_CHECKING:
     from game.scenes.billiards import Billiards
-
-
-def shown_stroke(scene: Billiards) -> Stroke:
-    """The stroke that the instruments show: the one that is played, or the one that is set."""
-    if scene.phase == STRIKING and scene.pending is not None:
-        return scene.pending
-    if scene.phase in (ROLLING, REPLAY) and scene.round.last is not None:
-        return scene.round.last.stroke
-    return moves.aimed_stroke(scene)
 
 
 def draw_instruments(scene: Billiards, canvas: Canvas, look: Look) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-HOVER_S, LIFT_S, SEGMENT_S, PANEL_S, OVERLAY_S, SCENE_S = 0.08, 0.12, 0.12, 0.18, 0.2, 0.22
+HOVER_S, LIFT_S, SEGMENT_S, OVERLAY_S, SCENE_S = 0.08, 0.12, 0.12, 0.2, 0.22
 TOAST_IN_S, TOAST_STAY_S, TOAST_OUT_S = 0.16, 4.0, 0.24
 
 

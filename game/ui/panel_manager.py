@@ -12,7 +12,6 @@ from typing import Any
 import pygame
 import pygame_gui
 from pygame_gui import UIManager, ui_manager
-from pygame_gui.core.interfaces import IUIElementInterface
 from pygame_gui.core.resource_loaders import BlockingThreadedResourceLoader
 from pygame_gui.core.surface_cache import SurfaceCache
 from pygame_gui.core.ui_appearance_theme import UIAppearanceTheme
@@ -146,14 +145,6 @@ class PanelManager(UIManager):
     def pictures(self) -> list[tuple[object, tuple[int, ...]]]:
         """The picture and place of every visible element: if they are the same, so is the sheet."""
         return [(data[0], tuple(data[1])) for data in self.ui_group.visible]
-
-    def element_under(self, position: tuple[int, int]) -> IUIElementInterface | None:
-        """The topmost element at a place, without the root."""
-        found = None
-        for element in self.ui_group.sprites():
-            if element is not self.root_container and element.visible and element.rect.collidepoint(position):
-                found = element
-        return found
 
 
 class DropDown(UIDropDownMenu):

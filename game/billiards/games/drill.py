@@ -7,8 +7,6 @@ import msgspec
 from game.billiards.goals import Goal, missed
 from game.billiards.rules import Call, Game, Hand, ShotSummary, Verdict
 
-MOST_STARS = 3
-
 
 class Drill(Game, frozen=True, kw_only=True, tag="drill"):
     """A drill, or a trick shot. After every stroke the set-up is to be put back (`Verdict.reset`).

@@ -1,4 +1,4 @@
-"""Cue, aim, gauges, bodies and markers: right places and colours, nothing for absurd input."""
+"""Cue, aim and gauges: right places and colours, nothing for absurd input."""
 
 import math
 
@@ -11,11 +11,9 @@ from hypothesis import strategies as st
 from game.ui.fonts import FontBook
 from game.ui.painters.aim import Aim, draw_aim, draw_cloth_label
 from game.ui.painters.cue import BUTT_RADIUS, LENGTH, TIP_RADIUS, draw_cue, paint_cue
-from game.ui.painters.discs import MARKERS, draw_contacts, draw_handle, draw_marker, paint_bodies
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 from game.ui.raster import clip_of, pixels_of
-from game.ui.theme import DARK, FELT, FELT_COOL
-from tests.ui.paper import Paper
+from game.ui.theme import DARK, FELT
 
 BOOK = FontBook(1.0)
 
@@ -72,7 +70,7 @@ CLIP = pygame.Rect(7, 5, 40, 26)
 
 
 def draw_all(surface, v):
-    """Cue, aim, gauges, marks and bodies from eight numbers."""
+    """Cue, aim and gauges from eight numbers."""
     pixels, clip = pixels_of(surface), clip_of(surface)
     draw_cue(pixels, clip, (v[0], v[1]), (v[2], v[3]), v[4], v[5], (v[6], v[7]))
     way = np.array(v).reshape(4, 2)
@@ -81,12 +79,6 @@ def draw_all(surface, v):
     draw_power(surface, pygame.Rect(0, 0, 60, 40), v[0], v[1], DARK, BOOK)
     draw_spin(surface, (20.0, 20.0), v[0], v[1], DARK, BOOK)
     draw_elevation(surface, (20.0, 20.0), v[0], DARK, BOOK)
-    draw_handle(pixels, clip, v[0], v[1], DARK, 1.0)
-    draw_contacts(pixels, clip, way, DARK, 1.0, 2)
-    for shape in MARKERS:
-        draw_marker(pixels, clip, shape, v[0], v[1], abs(v[2]), FELT_COOL)
-    four, colors = np.array(v[:4]), np.zeros(4, np.uint32)
-    paint_bodies(pixels, clip, way, four, np.array(v[4:]), colors, colors, four, 2.0, 1.6)
 
 
 @given(st.lists(odd, min_size=8, max_size=8))
@@ -108,12 +100,6 @@ def test_what_has_no_place_is_not_drawn(far, near, swap):
     pixels, clip = pixels_of(surface), clip_of(surface)
     x, y = (near, far) if swap else (far, near)
     draw_cue(pixels, clip, (x, y), (-1.0, 0.0), 150.0, 0.0)
-    draw_handle(pixels, clip, x, y, DARK, 1.0)
-    draw_contacts(pixels, clip, np.array(((x, y), (x, y))), DARK, 1.0, 1)
-    for shape in MARKERS:
-        draw_marker(pixels, clip, shape, x, y, 5.0, FELT_COOL)
-    one, colors = np.array((6.0,)), np.zeros(1, np.uint32)
-    paint_bodies(pixels, clip, np.array(((x, y),)), one, one, colors, colors, one, 2.0, 1.6)
     assert not changed(surface).any()
 
 
@@ -173,33 +159,3 @@ def test_the_tips_mark_lies_where_it_strikes():
     draw_spin(surface, (45.0, 45.0), 0.5, 0.5, DARK, BOOK)
     red, _, blue, _ = surface.get_at((60, 30))
     assert blue > red + 60
-
-
-def test_bodies_show_fill_outline_and_turn():
-    paper = Paper(40, 40)
-    paint_bodies(
-        paper.pixels, paper.clip, np.array(((20.0, 20.0),)), np.array((15.0,)), np.array((0.0,)),
-        np.array((0x404040,), np.uint32), np.array((0xFFFFFF,), np.uint32), np.ones(1), 2.0, 2.0,
-    )  # fmt: skip
-    drawn = paper.coverage
-    assert drawn[20, 30] == 1.0
-    assert drawn[20, 10] == pytest.approx(0x40 / 255, abs=0.01)
-    assert drawn[20, 5] == pytest.approx(1.0, abs=0.2)
-    assert drawn[20, 3] == 0.0
-
-
-@pytest.mark.parametrize("shape", MARKERS)
-@pytest.mark.parametrize("hollow", [False, True])
-def test_markers_are_alike_in_weight(shape, hollow):
-    paper = Paper(40, 40)
-    draw_marker(paper.pixels, paper.clip, shape, 20.0, 20.0, 9.0, pygame.Color("white"), hollow)
-    share = paper.coverage.sum() / (math.pi * 81.0)
-    assert 0.2 < share < 1.4
-    y, x = np.average(np.mgrid[0:40, 0:40] + 0.5, axis=(1, 2), weights=paper.coverage)
-    assert (x, y) == pytest.approx((20.0, 20.0), abs=1.6)
-
-
-def test_an_unknown_marker_is_named():
-    paper = Paper()
-    with pytest.raises(ValueError, match="marker 'heart'"):
-        draw_marker(paper.pixels, paper.clip, "heart", 5.0, 5.0, 4.0, FELT_COOL)
