@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.fields import DRAG, QUADRATIC_DRAG, WHIRL
-from game.physics.particles import Forces
+from game.physics.particles import OBSTACLES, Forces
 from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
 from game.stage import Readout
 
@@ -28,10 +28,20 @@ def has_exact(scene: Fountain) -> bool:
 
 
 def exact_envelope(scene: Fountain) -> NDArray[np.float64]:
-    """Curve (n, 2) m from a nozzle that no particle can pass; empty if none is known."""
-    if not has_exact(scene) or scene.speed == 0.0 or not scene.content.nozzles:
+    """Curve (n, 2) m from a nozzle that no particle in free flight can pass; empty if none is known."""
+    if not has_exact(scene) or scene.speed == 0.0 or not open_nozzles(scene):
         return np.zeros((0, 2))
     return _envelope(scene.law(), scene.speed, scene.life)
+
+
+def open_nozzles(scene: Fountain) -> list[list[float]]:
+    """Rows of the emitters that do not stand in a stone: who is born within begins on its surface."""
+    stones = scene.system.solids.rows[:, :3].tolist() if OBSTACLES in scene.active else []
+    return [
+        row
+        for row in scene.system.state().emitters.tolist()
+        if all((row[0] - x) ** 2 + (row[1] - y) ** 2 >= radius * radius for x, y, radius in stones)
+    ]
 
 
 @lru_cache(maxsize=8)
@@ -68,7 +78,7 @@ def readouts(scene: Fountain) -> list[Readout]:
         touching += count_touching(system.tags, low, high, scene.touching_since())
     worst, outside, looked = deviation(scene) if has_exact(scene) else (math.nan, 0, 0)
     curve = exact_envelope(scene)
-    top = max((row[1] for row in system.state().emitters.tolist()), default=0.0)
+    top = max((row[1] for row in open_nozzles(scene)), default=0.0)
     return [
         Readout("particles", len(system)),
         Readout("highest", highest if len(system) else scene.content.floor, "m"),

@@ -10,7 +10,7 @@ import numpy as np
 from game.physics.fields import DRAG, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import OBSTACLES
 from game.physics.particles.in_between import gather_touching, place_between
-from game.scenes.c04_findings import exact_envelope
+from game.scenes.c04_findings import exact_envelope, open_nozzles
 from game.scenes.c04_hand import rim_handle
 from game.ui.canvas import EXACT_DASH, Canvas
 from game.ui.curves import thinned
@@ -95,7 +95,7 @@ class FountainView:
         if not len(curve):
             return
         named = False
-        for row in scene.system.state().emitters.tolist():
+        for row in open_nozzles(scene):
             points = curve + row[:2]
             points = points[points[:, 1] >= scene.content.floor - 0.2]
             line = thinned(points, canvas.px(0.1))
@@ -104,7 +104,7 @@ class FountainView:
             right = points[(points[:, 0] > row[0] + 1.6) & (points[:, 0] < frame.right - 1.0)]
             if len(right) and not named and len(scene.content.nozzles) == 1:
                 place = right[0]
-                words = "exact envelope: no particle can pass"
+                words = "exact envelope of free flight"
                 canvas.label(tuple(place), words, "text1", anchor="left", offset=(14.0, -10.0))
                 named = True
 

@@ -18,7 +18,7 @@ from game.physics.rigid.turning import measure
 from game.scenes import c12_hand as hand
 from game.scenes.c12_bodies import EXACT, FLIPS, A, B, Bodies
 from game.scenes.c12_camera import box_edges, camera_matrix
-from game.scenes.c12_findings import readouts_of
+from game.scenes.c12_findings import can_turn_over, readouts_of
 from game.scenes.c12_knobs import HOME, LABELS, SHOWN_ONLY, RigidBodyKnobs
 from game.scenes.c12_level import RigidContent, SphereEntry, design_of
 from game.scenes.c12_state import TRAIL, RigidState, content_of, restore, state_of
@@ -228,12 +228,14 @@ class RigidBodyScene(RigidBodyKnobs):
     # -- a step -------------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        flips = self.bodies.accounts[A, FLIPS]
+        body, flips = self.bodies.all[A], self.bodies.accounts[A, FLIPS]
+        bounces = body.bounces
         self.bodies.step(dt, self.twin, self._push_now(dt))
         self.steps += 1
         self._note()
-        if flips == 0.0 < self.bodies.accounts[A, FLIPS]:
-            self.told.append("The body has turned over, with no force on it.")
+        first = flips == 0.0 < self.bodies.accounts[A, FLIPS] and body.bounces == bounces
+        if first and can_turn_over(body):
+            self.told.append("The body has turned over, with no torque on it.")
 
     def _push_now(self, dt: float) -> tuple[float, ...] | None:
         """Force and arm of this step; of a push that ends within it, the share that is left."""

@@ -41,10 +41,8 @@ def readouts_of(scene: SphereCollisions) -> list[Readout]:
 
 
 def _weighed(scene: SphereCollisions) -> list[Readout]:
-    """The most momentum that a collision of the ledger made or lost, where they are weighed."""
+    """The most momentum that a collision of the ledger made or lost."""
     world = scene.world
-    if world.planar():
-        return []
     entries = world.ring[: min(world.collisions, len(world.ring))]
     return [Readout("momentum lost", float(entries[:, LOST_MOMENTUM].max(initial=0.0)), "kg m/s")]
 

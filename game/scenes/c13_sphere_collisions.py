@@ -56,7 +56,7 @@ class SphereCollisions(CollisionKnobs):
 
     Every collision is entered into a ledger: momentum and angular momentum must not change, and energy only
     by what restitution and friction take. For 200 spheres and more in one plane there is a quicker solver,
-    which enters the energy as well, but does not weigh the momenta of each pair.
+    which enters the energy of each collision and the momentum that all of one moment have lost together.
     """
 
     name = "c13"

@@ -69,7 +69,7 @@ class RigidLinks(MassSpringScene):
     )
     try_this = (
         "Open the long rope: 20 iterations in one substep, then 20 substeps of one: a tenth of the stretch.",
-        "Choose BDF2 and let the pendulum swing: its energy stays; with Euler it is gone in ten seconds.",
+        "Choose BDF2, let the pendulum swing: its energy stays; Euler loses three quarters in ten seconds.",
         "Take the cloth with the mouse and pull until it tears; cut it with the right button.",
         "Choose the direct solver for the rope with the heavy end: no stretch, at the price of two sweeps.",
     )

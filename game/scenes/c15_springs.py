@@ -48,7 +48,7 @@ class Springs(MassSpringScene):
     )
 
     strips = (
-        Strip("Stretch", "", ("worst", "as a whole")),
+        Strip("Stretch", "", ("worst", "in all")),
         Strip("Energy", "J", ("kinetic", "elastic", "sum")),
         Strip("Area", "", ("area kept",)),
     )

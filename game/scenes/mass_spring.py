@@ -77,7 +77,7 @@ class MassSpringScene(MassSpringKnobs):
         SceneAction("delete", "delete what is chosen", "delete"),
     )
     strips = (
-        Strip("Stretch", "", ("worst", "as a whole")),
+        Strip("Stretch", "", ("worst", "in all")),
         Strip("Energy", "J", ("kinetic", "potential", "sum")),
         Strip("Constraint error", "m", ("residual",)),
     )
@@ -241,7 +241,7 @@ class MassSpringScene(MassSpringKnobs):
             Readout("particles", system.count),
             Readout("links", int(len(system.torn) - system.torn.sum())),
             Readout("worst", _above_rounding(links.worst_strain)),
-            Readout("as a whole", _above_rounding(links.length_ratio - 1.0)),
+            Readout("in all", _above_rounding(links.length_ratio - 1.0)),
             Readout("residual", _above_rounding(links.mean_excess), "m"),
             Readout("kinetic", kinetic, "J"),
             Readout("potential", potential, "J"),

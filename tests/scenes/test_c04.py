@@ -301,3 +301,17 @@ def test_without_a_level_all_effects_are_on():
     for _ in range(5):
         scene.advance(scene.step_length)
     assert len(scene.legend()) >= 2
+
+
+def test_no_envelope_is_claimed_for_a_nozzle_within_a_stone():
+    """Who is born there begins on the surface, and may rise above the curve of the nozzle."""
+    stage = open_level(Fountain, "hard-01-born-inside", **FAST)
+    stage.run(60)
+    values = readouts(stage)
+    assert len(exact_envelope(stage.scene)) == 0 and math.isnan(values["exact"])
+    assert all(label != "exact envelope" for _, label, _ in stage.scene.legend())
+    stage.post(SetEffect("obstacles", False))
+    stage.run(1)
+    curve = exact_envelope(stage.scene)
+    nozzle = stage.scene.system.state().emitters[0, 1]
+    assert readouts(stage)["exact"] == pytest.approx(nozzle + curve[:, 1].max())

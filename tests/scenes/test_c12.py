@@ -10,8 +10,9 @@ from scenes.particle_stages import click, drag, move, open_level, press, readout
 
 from game.levels import Level, LevelError, format_level, level_files, parse_level
 from game.physics.rigid import mass_properties
-from game.scenes.c12_bodies import EXACT, A, B
+from game.scenes.c12_bodies import EXACT, FLIPS, A, B
 from game.scenes.c12_camera import camera_matrix
+from game.scenes.c12_findings import turns_over
 from game.scenes.c12_level import RigidContent
 from game.scenes.c12_momentum_sphere import separatrix, trail_of
 from game.scenes.c12_rigid_body import TRAIL, RigidBodyScene
@@ -196,6 +197,32 @@ def test_the_hammer_flips_about_its_middle_axis():
     assert accounts[A, 2] == accounts[EXACT, 2]
     assert any("turned over" in words for words in told)
     assert readouts(stage)["off A"] < 10.0
+
+
+@pytest.mark.parametrize("name", ["bouncing", "hard-08-symmetric", "thousand-spheres"])
+def test_what_goes_round_another_axis_has_not_turned_over(name):
+    """The part of the spin about the middle axis changes its sign there as well."""
+    stage = open_level(RigidBodyScene, name)
+    told = []
+    for _ in range(60):
+        stage.run(10)
+        told += stage.scene.messages()
+    assert stage.scene.bodies.accounts[A, FLIPS] > 0
+    assert not any("turned over" in words for words in told)
+
+
+def test_near_the_middle_axis_is_told_from_energy_and_momentum():
+    """Moments 1, 2, 3: L along the middle axis, 29° and 31° from it towards either side."""
+    moments = (1.0, 2.0, 3.0)
+    for degrees, near in ((0.0, True), (29.0, True), (31.0, False), (90.0, False)):
+        middle, side = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+        for end in (1.0, 3.0):
+            energy = 0.5 * (middle * middle / 2.0 + side * side / end)
+            assert turns_over(moments, energy, 1.0) is near
+    assert not turns_over((1.0, 1.0, 2.0), 0.5, 1.0)
+    assert not turns_over((1.0, 2.0, 2.0), 0.3, 1.0)
+    assert not turns_over((0.0, 2.0, 2.0), 0.25, 1.0)
+    assert not turns_over(moments, 0.0, 0.0)
 
 
 def test_twin_view_and_accounts():

@@ -10,7 +10,7 @@ AREAS = declare_effect(
     "constraints", "areas", 37, "Areas", "Closed outlines keep the area that they enclose."
 )
 ATTACHMENTS = declare_effect(
-    "constraints", "attachments", 38, "Long attachments", "Nobody is farther from a pin than the links reach."
+    "constraints", "attachments", 38, "Attachments", "Nobody is farther from a pin than the links reach."
 )
 TEARING = declare_effect("constraints", "tearing", 39, "Tearing", "A link that is stretched too far breaks.")
 DAMPING = declare_effect("constraints", "damping", 40, "Damping", "A force -k v against each motion.")

@@ -13,6 +13,7 @@ from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid import ledger
 from game.physics.rigid.contacts import FIRST, GAP, NX, NY, NZ, SECOND
 from game.physics.rigid.ledger import weigh_pair
+from game.physics.rigid.spheres import WEIGHT
 from game.physics.rigid.touch_rows import (
     BEFORE,
     HIT,
@@ -75,7 +76,7 @@ def collide_and_enter(work, positions, row, touch, who, a, b, j, speed, ring, co
     entry[ledger.AFTER] = wx * touch[NX] + wy * touch[NY] + wz * touch[NZ]
     entry[ledger.REBOUND] = row[REBOUND]
     entry[ledger.EXPECTED] = 0.5 * (jx * (ux + wx) + jy * (uy + wy) + jz * (uz + wz))
-    ledger.enter(entry, sums, 1.0 if who[SECOND] < 0 else 0.0)
+    ledger.enter(entry, sums, ledger.taken_by_fixed(work[a, WEIGHT], work[b, WEIGHT]))
     counters[2] += 1.0
 
 

@@ -1,7 +1,8 @@
 """A ledger of collisions: what each one did to momentum, angular momentum and energy, and what it should do.
 
-Nothing may be lost of momentum and angular momentum (walls take what they are given); the energy must change
-by J · (u + u') / 2, the impulse times the mean of the contact points' relative velocities before and after.
+Nothing may be lost of momentum and angular momentum (walls and fixed bodies take what they are given); the
+energy must change by J · (u + u') / 2, the impulse times the mean of the contact points' relative velocities
+before and after.
 For smooth spheres that is -(1 - e²) m_eff v_n² / 2.
 """
 
@@ -87,12 +88,19 @@ def weigh_pair(work, positions, a, b, sums):
 
 
 @inner_kernel
-def enter(entry, sums, walled):
+def taken_by_fixed(weight_a, weight_b):
+    """Share of the impulse on b that what nothing moves takes: 1 as b, -1 as a, 0 if both move."""
+    return 1.0 if weight_b <= 0.0 else -1.0 if weight_a <= 0.0 else 0.0
+
+
+@inner_kernel
+def enter(entry, sums, taken):
     """Change of energy, and momentum and angular momentum that are missing: from sums (2, 7), then and now.
 
-    entry holds contact point and impulse already; a wall takes what it is given.
+    entry holds contact point and impulse already. taken: 1 if nothing moves the second one, which takes the
+    impulse, -1 if nothing moves the first one, 0 else.
     """
-    jx, jy, jz = entry[JX] * walled, entry[JY] * walled, entry[JZ] * walled
+    jx, jy, jz = entry[JX] * taken, entry[JY] * taken, entry[JZ] * taken
     lost_x = sums[1, 0] - sums[0, 0] + jx
     lost_y = sums[1, 1] - sums[0, 1] + jy
     lost_z = sums[1, 2] - sums[0, 2] + jz

@@ -6,6 +6,8 @@ counters (COUNTERS,), see collision_steps.
 
 from __future__ import annotations
 
+import math
+
 from game.physics.lean import inner_kernel, lean_kernel
 from game.physics.rigid import planar_impulses as flat_law
 from game.physics.rigid.collision_steps import (
@@ -28,6 +30,7 @@ from game.physics.rigid.ledger import (
     JX,
     JY,
     JZ,
+    LOST_MOMENTUM,
     ONE,
     OTHER,
     REBOUND,
@@ -35,6 +38,7 @@ from game.physics.rigid.ledger import (
     X,
     Y,
     Z,
+    taken_by_fixed,
 )
 from game.physics.rigid.sphere_effects import ROTATION_BIT
 
@@ -67,12 +71,27 @@ def speeds_before(state, flat, rows, m, a, b):
 
 
 @inner_kernel
+def lost_momentum(state, flat, taken_x, taken_y):
+    """Momentum (kg m/s) that the collisions of a part have made or lost, but for what fixed things took."""
+    x, y = taken_x, taken_y
+    for i in range(state.momenta.shape[0]):
+        weight = flat[i, flat_law.WEIGHT]
+        if weight > 0.0:
+            x += flat[i, flat_law.VX] / weight - state.momenta[i, 0]
+            y += flat[i, flat_law.VY] / weight - state.momenta[i, 1]
+    return math.sqrt(x * x + y * y)
+
+
+@inner_kernel
 def note_flat(state, flat, radii, touches, who, ids, count, rows, ring, counters):
     """Enter the collisions of a part into the ledger, with their shares of the energy that they took.
 
     A share is J (u + u') / 2 by the speeds before and after all collisions of the part; in sum that is all
-    the energy. Whether momenta are kept is not weighed: bodies have several collisions at once.
+    the energy. Bodies have several collisions at once, so momentum is weighed for all of them together: each
+    entry has what the part has lost.
     """
+    first = counters[MADE]
+    taken_x = taken_y = 0.0
     for m in range(count):
         j = rows[m, flat_law.HIT]
         if j > 0.0:
@@ -93,6 +112,12 @@ def note_flat(state, flat, radii, touches, who, ids, count, rows, ring, counters
             entry[AFTER], slip = flat_law.speeds_of(flat, rows, m, a, b)
             entry[CHANGE] = 0.5 * (j * (entry[BEFORE] + entry[AFTER]) + jt * (across + slip))
             entry[EXPECTED] = entry[CHANGE]
+            taken = taken_by_fixed(flat[a, flat_law.WEIGHT], flat[b, flat_law.WEIGHT])
+            taken_x += taken * entry[JX]
+            taken_y += taken * entry[JY]
+    lost = lost_momentum(state, flat, taken_x, taken_y)
+    for k in range(max(int(first), int(counters[MADE]) - ring.shape[0]), int(counters[MADE])):
+        ring[k % ring.shape[0], LOST_MOMENTUM] = lost
 
 
 @inner_kernel
