@@ -63,7 +63,8 @@ class InverseKinematics(FigureScene):
     pulls points along the chain.
 
     A target out of reach is met by a straight chain, without shaking. A straight chain with its target on
-    its axis is a dead point, where every gradient is nought: it is kicked.
+    its axis is a dead point, where every gradient is nought: it is kicked. With joint limits all six may stop
+    short of a target that another pose would reach: turn the joints by hand, and they begin from there.
     """
 
     name = "c03"

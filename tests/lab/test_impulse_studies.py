@@ -78,3 +78,13 @@ def test_present_settings_can_be_placed():
         assert setting.knob > 0
         trial = study.trial(setting)
         trial.reset()
+
+
+@pytest.mark.parametrize("study", [impact_study, energy_study])
+def test_a_point_is_taken_whole(study):
+    """A scene of several substeps that takes a point stands on that point, and not beside it."""
+    for setting in study.settings():
+        taken = {"substeps": 5, "scheme": "explicit-euler", "impact-times": True, **setting.scene}
+        place = study.present(taken)
+        assert place.knob == pytest.approx(setting.knob, rel=1e-12)
+        assert place.scene == {name: setting.scene[name] for name in ("scheme", "impact-times")}
