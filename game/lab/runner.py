@@ -89,8 +89,8 @@ def run_study(
 
     progress(done, total, label, seconds_left) is called before each point and at the end (seconds_left nan
     while nothing is known). stop() true ends the run; the table holds what was measured, and handed back as
-    `table` it is gone on with. Rows are added one by one, and in the end stand in the order of the settings.
-    repeats, seconds: see `measure`.
+    `table` it is gone on with; ValueError if it is one of another study. Rows are added one by one, and in
+    the end stand in the order of the settings. repeats, seconds: see `measure`.
     """
     table = StudyTable(study) if table is None else table
     if table.study is not study:

@@ -24,7 +24,7 @@ class Entry(NamedTuple):
     roomy: bool = False  # a game: all of the window is its stage until the panel is asked for
 
     def load(self) -> type[Scene]:
-        """Import the scene's class and check that it says the same of itself as this row."""
+        """Import the scene's class; ValueError unless it says the same of itself as this row."""
         scene_type: type[Scene] = getattr(import_module(self.module), self.class_name)
         if (scene_type.name, scene_type.task, scene_type.title) != (self.name, self.task, self.title):
             raise ValueError(f"catalogue row {self.name} differs from {self.module}.{self.class_name}")
@@ -32,7 +32,7 @@ class Entry(NamedTuple):
 
 
 class Catalogue:
-    """Scenes in the order of the menu, by category."""
+    """Scenes in the order of the menu, by category. ValueError for two of one name."""
 
     def __init__(self, entries: tuple[Entry, ...]):
         names = [entry.name for entry in entries]

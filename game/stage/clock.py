@@ -19,7 +19,8 @@ def checked_dt(dt: float) -> float:
 class FixedStep:
     """Accumulates elapsed time and hands out steps of ``dt``.
 
-    ``dt``: s, above 0. ``max_steps``: the most that one frame may ask for, at least 1.
+    ``dt``: s, above 0. ``max_steps``: the most that one frame may ask for, at least 1. ValueError for other
+    numbers.
     """
 
     def __init__(self, dt: float, max_steps: int = 15):

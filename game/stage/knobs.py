@@ -67,6 +67,7 @@ class Param(Knob[float]):
     """A number in a closed range, with its unit.
 
     ``log`` spreads the slider over decades, ``whole`` admits integers only, ``step`` is the slider's grain.
+    ValueError for a range that is empty, not finite, or logarithmic without being above 0.
     """
 
     def __init__(
@@ -127,7 +128,7 @@ class Param(Knob[float]):
 
 
 class Choice(Knob[str]):
-    """One of a few named options."""
+    """One of a few named options. ValueError for more or fewer labels than options."""
 
     def __init__(
         self,

@@ -26,7 +26,7 @@ def replay(recording: Recording, catalogue: Catalogue, *, check: bool = True, re
 def replay_scene(
     recording: Recording, scene_type: type[Scene], *, check: bool = True, record: bool = True
 ) -> Stage:
-    """The same for a scene class at hand."""
+    """The same, RecordingError included, for a scene class at hand."""
     stage = begin(recording, scene_type, record=record)
     checks = {item.step: item.digest for item in recording.checks} if check else {}
     events = iter(recording.events)

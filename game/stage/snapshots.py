@@ -41,7 +41,8 @@ class Snapshot(NamedTuple):
 class SnapshotRing:
     """Snapshots in the order of their steps, the oldest given up first.
 
-    ``budget``: bytes for all of them, at least 0; `bytes` never exceeds it unless a single one does.
+    ``budget``: bytes for all of them, at least 0 (else ValueError); `bytes` never exceeds it unless a single
+    one does.
     """
 
     def __init__(self, budget: int):

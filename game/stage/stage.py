@@ -211,6 +211,8 @@ class Stage:
     ) -> int:
         """Make so many steps as fast as it goes; returns how many were made (fewer after a fault).
 
+        ValueError unless it is a whole number from 0 on.
+
         ``progress(done, total)`` is called about a hundred times; if it returns False the run stops.
         ``players``: before each step the scene's own players are listened to. Simulated time stands still
         while they think, so that what they do does not depend on the machine.

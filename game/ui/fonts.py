@@ -38,7 +38,8 @@ KEPT_PIXELS = 6_000_000  # about 24 MB
 class FontBook:
     """The faces at interface scale ``k``; ``render`` keeps what it made (least recently used goes first).
 
-    ``weight`` is a key of ``FACES``. Text may hold several lines.
+    ``weight`` is a key of ``FACES``. Text may hold several lines. ValueError for an absurd scale or a weight
+    that there is not.
     """
 
     def __init__(self, k: float = 1.0) -> None:

@@ -221,7 +221,10 @@ class CollidingSpheres:
     # -- the hand -----------------------------------------------------------------------------------
 
     def apply_force(self, body: int, force: ArrayLike, point: ArrayLike) -> None:
-        """A force (3,) N at a point (3,) m of the world, during the next step; it also turns the body."""
+        """A force (3,) N at a point (3,) m of the world, during the next step; it also turns the body.
+
+        ValueError for a body that there is not, or numbers that are not finite.
+        """
         if not 0 <= body < self.bodies.count:
             raise ValueError(f"body {body}: there are 0 to {self.bodies.count - 1}")
         pull, place = np.array(force, dtype=np.float64), np.array(point, dtype=np.float64)
