@@ -130,7 +130,7 @@ class BroadPhaseRace(BoxesScene):
     try_this = (
         "Begin with 30 boxes: the naive way keeps up. Draw the number up and watch it fall behind.",
         "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
-        "Put all boxes on one line, or let all leap: sweep and prune sorts anew in every step.",
+        "Let all leap: sweep and prune sorts anew in every step. On one line it does so only at first.",
         "Switch off all but the uniform grid and draw the number to 100 000.",
     )
 
@@ -211,6 +211,8 @@ class BroadPhaseRace(BoxesScene):
             counts = self.begun, self.ended
             self.begin_anew()
             self.begun, self.ended = counts
+            if not any(self.values[contestant.name] for contestant in PHASES):
+                self.told.append("All are left out. Hierarchical grids stay: one must know the pairs.")
 
     # -- what is shown ------------------------------------------------------------------------------
 

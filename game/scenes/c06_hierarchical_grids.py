@@ -87,9 +87,9 @@ class HierarchicalGridScene(ComparedScene):
     )
     try_this = (
         "Draw large to small from 1 to 1000: levels appear, and the tests hardly change.",
-        "Set the share of large ones to a half: when all boxes are large, one grid would do as well.",
+        "Set the share of large ones to a half: one grid for the large ones would make fewer tests.",
         "Let cells grow by 16 from level to level: fewer levels, more tests in each.",
-        "Let single boxes grow over the levels: the hard case H4 does it in every step.",
+        "Open the hard case of boxes that grow: they pass from level to level, and no pair is lost.",
     )
 
     # -- structures ---------------------------------------------------------------------------------

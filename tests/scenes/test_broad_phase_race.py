@@ -38,6 +38,8 @@ def test_contestants_are_switched_off_and_one_always_stays():
     stage.run(2)
     for name in ("naive", "uniform", "covering", "sweep", "hierarchical"):
         stage.post(SetKnob(name, False))
+        stage.run(1)
+        assert bool(stage.scene.messages()) == (name == "hierarchical")  # all switches are off, one stays
     assert list(stage.scene.phases) == ["hierarchical"]
     stage.run(2)
     assert math.isnan(readouts(stage)["naive"])
@@ -45,6 +47,20 @@ def test_contestants_are_switched_off_and_one_always_stays():
     stage.run(2)
     assert list(stage.scene.phases) == ["sweep"]
     assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+
+
+def test_all_leaping_is_sorted_anew_in_every_step_and_one_line_only_at_first():
+    def sorted_anew(workload: str) -> list[int]:
+        stage = Stage(BroadPhaseRace, parameters={"count": 400, "workload": workload, "naive": False})
+        counts = []
+        for _ in range(30):
+            stage.run(1)
+            counts.append(stage.scene.phases["sweep"].resorts)
+        return counts
+
+    assert sorted_anew("teleport") == list(range(1, 31))
+    on_one_line = sorted_anew("line")
+    assert on_one_line[0] == 1 and on_one_line[-1] == on_one_line[2]
 
 
 def test_what_is_too_dear_is_left_out():

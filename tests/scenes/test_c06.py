@@ -7,8 +7,9 @@ import math
 import numpy as np
 from scenes.box_stages import brute_pairs, click, open_level, readouts
 
-from game.physics.broadphase import HashedPairs, HierarchicalGrid, MatrixPairs, NaiveBroadPhase
+from game.physics.broadphase import HashedPairs, HierarchicalGrid, MatrixPairs, NaiveBroadPhase, UniformGrid
 from game.scenes.boxes_compare import MOST_NAIVE
+from game.scenes.boxes_level import HEIGHT, WIDTH
 from game.scenes.c06_hierarchical_grids import HierarchicalGridScene
 from game.stage import SetEffect, SetKnob, Stage
 
@@ -24,6 +25,15 @@ def test_naive_and_hierarchical_find_the_same_and_are_timed():
     assert scene.naive.tests == 500 * 499 // 2 > scene.grid.tests
     values = readouts(stage)
     assert values["hierarchical"] > 0.0 and values["naive"] > 0.0
+
+
+def test_with_half_of_the_boxes_large_one_grid_for_these_makes_fewer_tests():
+    scene = open_level(HierarchicalGridScene, "half-large").scene
+    sizes = scene.uppers - scene.lowers
+    one = UniformGrid((0.0, 0.0), (WIDTH, HEIGHT), float(sizes.max()))
+    one.add_boxes(scene.lowers, scene.uppers)
+    assert one.pairs().tolist() == scene.pairs.tolist()
+    assert one.tests < scene.grid.tests
 
 
 def test_levels_follow_the_sizes():

@@ -48,7 +48,7 @@ cell_cost_study = Study(
     short="Cell size",
     cost=PER_STEP,
     reference="Pairs are the same at every cell size: errors are none. The curve is cost.",
-    expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)^2 where all "
+    expectation="Time against cell size is a U: small cells cost entries, (1 + size/cell)² where all "
     "covered cells are entered, large ones cost tests, as the square of the cell. Covered cells are best at "
     "2 to 6 sizes, one cell for each box at 1 to 1.5.",
 )

@@ -83,7 +83,7 @@ count_study = replace(
     axes=Axes("knob", "cpu"),
     short="Number",
     expectation="Time grows with the square of the number for testing all pairs, in proportion to it for "
-    "grids. That of sweep and prune comes near the power 1.5 of its swaps as far as swaps, and not sorting "
-    "and listing, are what it is spent on.",
+    "grids. Sweep and prune lies between: its swaps grow with the power 1.5, the rest of its work in "
+    "proportion.",
     related=(work_study,),
 )

@@ -137,7 +137,7 @@ def missed_pairs_study(
         ),
         settings=settings,
         trial=lambda setting: PairsOverTime(make, setting.method, setting.knob),
-        reference="Straight motion: intervals of time in which a pair overlaps on each axis, in closed form.",
+        reference="straight motion: intervals of time in which a pair overlaps on each axis, in closed form.",
         expectation="Tested at the end of a step, boxes that only cut a corner are missed, in proportion to "
         "the step. Swept boxes miss none and name some that do not touch. Testing times of overlap of the "
         "few swept pairs is exact at any step: that is what a swept test costs.",

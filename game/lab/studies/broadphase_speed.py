@@ -82,7 +82,7 @@ swaps_study = Study(
     axes=Axes("knob", "error"),
     short="Swaps",
     cost=PER_STEP,
-    reference="Column formula: 2 n (8/pi^2) v dt (1/W + 1/H), swaps for each box, for slow isotropic motion.",
+    reference="Column formula: 2 n (8/π²) v Δt (1/W + 1/H), swaps for each box, for slow isotropic motion.",
     expectation="Swaps grow in proportion to the way in a step. A grid does not mind the speed.",
 )
 speed_study = replace(
