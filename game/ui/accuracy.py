@@ -188,12 +188,7 @@ class AccuracyPage:
         card = self.overlay.background()
         flat = pygame.Surface(card.get_size(), 0, 32)  # the plot's kernels want an opaque ground
         flat.fill(look.theme.panel)
-        room = card.get_width() - px(PADDING) - px(64)
-        look.text(flat, TITLE, (px(PADDING), px(36)), 22, "display")
-        words = ". ".join(part for part in (self.data.title, self.data.subtitle) if part)
-        look.text(
-            flat, look.fonts.fit(words, 13, "medium", room), (px(PADDING), px(62)), 13, "medium", "text2"
-        )
+        self._paint_heading(flat)
         self.plot.draw(flat, self._plot_rect(), self._point)
         if self._has_table():
             target = self.plot.error_text(self.data.target, 1) if math.isfinite(self.data.target) else ""
@@ -206,6 +201,22 @@ class AccuracyPage:
         for part in (inside.inflate(-2 * corner, 0), inside.inflate(0, -2 * corner)):
             card.blit(flat, part, part)
         return card
+
+    def _paint_heading(self, flat: pygame.Surface) -> None:
+        """What the card is, and what was measured against what: in one line if it fits, else in two,
+        smaller if need be.
+        """
+        look, px = self.look, self.look.px
+        room = flat.get_width() - px(PADDING) - px(64)
+        parts = [part for part in (self.data.title, self.data.subtitle) if part]
+        whole = ". ".join(parts)
+        lines = [whole] if look.fonts.size(whole, 13, "medium")[0] <= room else parts
+        size = 13 if all(look.fonts.size(words, 13, "medium")[0] <= room for words in lines) else 12
+        raised = px(7) * (len(lines) - 1)
+        look.text(flat, TITLE, (px(PADDING), px(36) - raised), 22, "display")
+        for at, words in enumerate(lines):
+            place = (px(PADDING), px(62) - raised + px(18) * at)
+            look.text(flat, look.fonts.fit(words, size, "medium", room), place, size, "medium", "text2")
 
     def _paint_foot(self, flat: pygame.Surface) -> None:
         """Progress at the left, buttons at the right."""

@@ -57,9 +57,22 @@ def _paint_row(
         x -= look.text(flat, expected, (x, y), 13, "medium", "text3", "right").w + px(4)
     width = look.text(flat, order, (x, y), 13, "medium", "text1", "right").w
     room = x - width - px(8) - (left + px(22))
-    look.text(flat, look.fonts.fit(row.name, 13, "medium", room), (left + px(22), y), 13)
+    _paint_name(flat, look, row.name, (left + px(22), y), room)
     cost = format_si(row.cost_s, "s") if math.isfinite(row.cost_s) else NOTHING
     look.text(flat, cost, (right, y), 13, "semibold", "text1", "right")
+
+
+def _paint_name(flat: pygame.Surface, look: Look, name: str, place: tuple[int, int], room: int) -> None:
+    """A method's name; one that is too long for its line stands in two smaller ones."""
+    x, y = place
+    if look.fonts.size(name, 13, "medium")[0] <= room:
+        look.text(flat, name, place, 13)
+        return
+    first, *rest = look.fonts.wrap(name, 12, "medium", max(room, 1))
+    lines = [first, " ".join(rest)] if rest else [first]
+    for at, words in enumerate(lines):
+        line = y + look.px(14) * at - look.px(7) * (len(lines) - 1)
+        look.text(flat, look.fonts.fit(words, 12, "medium", room), (x, line), 12)
 
 
 def _paint_words(flat: pygame.Surface, look: Look, area: pygame.Rect, data: AccuracyData) -> None:
