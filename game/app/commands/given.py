@@ -149,6 +149,20 @@ def read_recording(word: str, scene_name: str = "") -> Recording:
     return recording
 
 
+def read_replay(options: argparse.Namespace, scene_name: str) -> Recording | None:
+    """The recording that --replay names, if any; MistakeError beside an option that it says itself."""
+    if not options.replay:
+        return None
+    said = {
+        "--set": options.parameters, "--level": options.level, "--effects-off": options.effects_off,
+        "--seed": options.seed,
+    }  # fmt: skip
+    for option, value in said.items():
+        if value:
+            raise MistakeError(f"{option}: goes not with --replay; the recording says how it begins")
+    return read_recording(options.replay, scene_name)
+
+
 def read_seconds(text: str, name: str = "--seconds") -> float:
     """A time that is finite and not negative, s."""
     try:

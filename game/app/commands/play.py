@@ -40,12 +40,13 @@ def execute(options: argparse.Namespace) -> int:
     from game.app.scene.opening import Opening
 
     scene_type = given.scene_type_named(options.scene)
+    recording = given.read_replay(options, scene_type.name)
     opening = Opening(
         level=given.read_level(scene_type, options.level).path if options.level else None,
         parameters=given.read_parameters(scene_type, options.parameters),
         effects_off=given.read_effects(scene_type, options.effects_off),
         seed=given.read_seed(options.seed),
-        recording=given.read_recording(options.replay, scene_type.name) if options.replay else None,
+        recording=recording,
     )
     reason = display_missing()
     if reason:

@@ -41,8 +41,8 @@ def execute(options: argparse.Namespace) -> int:
     from game.app.script import demo_of
     from game.stage import RecordingError, begin
 
-    if options.replay:
-        recording = given.read_recording(options.replay, scene_type.name)
+    recording = given.read_replay(options, scene_type.name)
+    if recording is not None:
         try:
             stage, events = begin(recording, scene_type), recording.events
         except RecordingError as error:
