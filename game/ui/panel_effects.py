@@ -19,6 +19,7 @@ from game.ui.panel_switch import SwitchRow
 from game.ui.shapes import draw_box
 
 COLORS = ("chalk", "pink", "violet", "green", "yellow", "vermilion")
+BAR = 150  # design px from the left to the bar; the name has the room between switch and bar
 
 
 class EffectCosts:
@@ -71,7 +72,7 @@ class EffectRow(SwitchRow):
         look, px, on = self.look, self.look.px, self.is_on()
         middle = self.rect.h / 2
         words = _text(self.costs.of(self.effect.name), on)
-        left = self.left + px(136)
+        left = self.left + px(BAR)
         surface.fill(look.theme.panel, (left - px(4), 0, self.right - left + px(4), self.rect.h))
         bar = pygame.Rect(left, round(middle) - px(2), self._width(), px(4))
         if bar.w:
