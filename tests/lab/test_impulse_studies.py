@@ -86,5 +86,6 @@ def test_a_point_is_taken_whole(study):
     for setting in study.settings():
         taken = {"substeps": 5, "scheme": "explicit-euler", "impact-times": True, **setting.scene}
         place = study.present(taken)
+        assert place.method == setting.method
         assert place.knob == pytest.approx(setting.knob, rel=1e-12)
         assert place.scene == {name: setting.scene[name] for name in ("scheme", "impact-times")}

@@ -57,3 +57,10 @@ def test_present_settings_can_be_placed_and_points_set():
         for point in study.settings():
             for name, value in point.scene.items():
                 RigidBodyScene.knob(name).check(value)
+
+
+def test_the_scene_stands_on_the_line_of_its_method():
+    """Not on that which passes nearest: two methods may lie close together."""
+    for study in (rotation_study, *rotation_study.related):
+        for setting in study.settings():
+            assert study.present(setting.scene).method == setting.method

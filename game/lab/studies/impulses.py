@@ -117,10 +117,7 @@ def energy_error(world: CollidingSpheres) -> float:
 
 def impact_trial(setting: Setting) -> Run:
     """Four spheres for FLIGHT_S at the setting's step."""
-    if setting.method == "present":
-        scheme, whole = str(setting.scene["scheme"]), bool(setting.scene["impact-times"])
-    else:
-        scheme, whole = IMPACTS[setting.method]
+    scheme, whole = IMPACTS[setting.method]
     steps = max(1, round(FLIGHT_S / setting.knob))
     pairs = len(RADII) * (len(RADII) - 1) // 2
     return Run(falling_spheres(scheme, whole), FLIGHT_S / steps, steps, place_error, lambda world: pairs)
@@ -149,8 +146,10 @@ def impact_settings() -> list[Setting]:
 def present_impacts(parameters: Mapping[str, Any]) -> Setting:
     """Where a scene with these parameters stands."""
     h = float(parameters["step_length"]) / float(parameters["substeps"])
-    scene = {"scheme": str(parameters["scheme"]), "impact-times": bool(parameters["impact-times"])}
-    return Setting("present", min(max(h, FASTEST_STEP), SLOWEST_STEP), {}, scene)
+    way = str(parameters["scheme"]), bool(parameters["impact-times"])
+    method = next(name for name, taken in IMPACTS.items() if taken == way)
+    scene = {"scheme": way[0], "impact-times": way[1]}
+    return Setting(method, min(max(h, FASTEST_STEP), SLOWEST_STEP), {}, scene)
 
 
 # -- piles ----------------------------------------------------------------------------------------------
@@ -202,9 +201,8 @@ def pile_settings() -> list[Setting]:
 
 def present_pile(parameters: Mapping[str, Any]) -> Setting:
     """Where a scene with these parameters stands."""
-    return Setting(
-        "present", float(parameters["iterations"]), {}, {"correction": str(parameters["correction"])}
-    )
+    correction = str(parameters["correction"])
+    return Setting(correction, float(parameters["iterations"]), {}, {"correction": correction})
 
 
 _METHODS = (

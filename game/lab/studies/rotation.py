@@ -80,19 +80,14 @@ class SpinRun(Run):
         return math.sqrt(float(off @ off)) if np.isfinite(off).all() else math.inf
 
 
-def method_of(setting: Setting) -> str:
-    """The integrator of a point."""
-    return str(setting.scene["method"]) if setting.method == "present" else setting.method
-
-
 def spin_trial(setting: Setting) -> Run:
     """Ten seconds, one look at the end."""
-    return SpinRun(method_of(setting), GENERIC, setting.knob, SPIN_S, 1)
+    return SpinRun(setting.method, GENERIC, setting.knob, SPIN_S, 1)
 
 
 def energy_trial(setting: Setting) -> Run:
     """A hundred seconds."""
-    return Run(method_of(setting), FLIPPING, setting.knob, ENERGY_S, LOOKS)
+    return Run(setting.method, FLIPPING, setting.knob, ENERGY_S, LOOKS)
 
 
 def settings_for(
@@ -121,7 +116,8 @@ def present_in(seconds: float) -> Callable[[Mapping[str, Any]], Setting]:
 
     def present(parameters: Mapping[str, Any]) -> Setting:
         n = max(1, round(seconds / float(parameters["step_length"])))
-        return Setting("present", seconds / n, {}, {"method": parameters["method"]})
+        method = str(parameters["method"])
+        return Setting(method, seconds / n, {}, {"method": method})
 
     return present
 
