@@ -149,7 +149,7 @@ class KeyFramingView:
             if chosen:
                 canvas.ring(key.position, 9.0, "amber", 1.8)
             if len(keys) <= MOST_TIMES:
-                canvas.label(key.position, f"{key.time:.2f} s", "text2", 11, offset=(0.0, 15.0))
+                canvas.label(key.position, f"{key.time:.2f} s", "text2", 11, offset=(0.0, 15.0), clear=True)
 
     def _draw_box(self, scene: KeyFraming, canvas: Canvas, animation: Animation) -> None:
         x, y, angle = pose = scene.pose.tolist()
