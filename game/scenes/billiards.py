@@ -135,7 +135,7 @@ class Billiards(BilliardsKnobs):
         self.places = np.zeros((16, 2))
         self.turns = rotation_matrices(scattered_orientations(16, self.seed))
         self.turns_before = self.turns.copy()
-        self.cue = CueControl(0.5 * math.pi)
+        self.cue = CueControl(moves.AT_THE_RACK)
         self.pending: Stroke | None = None  # while the cue swings
         self.practised = False
         self.grip = ""  # what the pointer holds

@@ -33,11 +33,11 @@ KEY = (("white ball", FELT_LINE, False), ("after the hit", FELT_LINE, True), ("o
 
 
 class Card(NamedTuple):
-    """What the card of a player says. chips: balls; those gone are ticked."""
+    """What the card of a player says. lit: at turn, or the winner. chips: balls; those gone are ticked."""
 
     name: str
     status: str
-    active: bool
+    lit: bool
     chips: tuple[tuple[int, bool], ...] = ()
 
 
@@ -86,15 +86,17 @@ def _card(scene: Billiards, player: int) -> Card:
     """The card of one of two players."""
     game = scene.round.game
     active = game.turn == player and not game.over
-    doing = _doing(scene) if active else "won the rack" if game.winner == player else ""
+    won = game.over and game.winner == player
+    doing = _doing(scene) if active else "won the rack" if won else ""
     parts = []
     chips: tuple[tuple[int, bool], ...] = ()
     if isinstance(game, EightBall) and game.groups[player]:
         group = GROUPS[game.groups[player]]
         left = game.balls_of(player)
-        count = "" if doing else f", {len(left)} left"  # at the turn the chips alone tell it: room is scarce
-        parts.append(f"{game.groups[player]}{count}" if left else "on the 8")
         chips = tuple((ball, ball not in left) for ball in group)
+        count = "" if doing else f", {len(left)} left"  # at the turn the chips alone tell it: room is scarce
+        if not won:
+            parts.append(f"{game.groups[player]}{count}" if left else "on the 8")
     elif isinstance(game, NineBall) and active and not game.options:
         parts.append(f"on {listed(game.legal_first())}")
     if game.fouls_in_row[player] and isinstance(game, NineBall):
@@ -103,7 +105,7 @@ def _card(scene: Billiards, player: int) -> Card:
         parts.append(doing)
     grade = scene.grade_of(player)
     name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
-    return Card(name, " · ".join(parts), active, chips)
+    return Card(name, " · ".join(parts), active or won, chips)
 
 
 def _doing(scene: Billiards) -> str:
@@ -186,8 +188,8 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
 def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: int, look: Look) -> None:
     """One card; the second player's is mirrored."""
     theme, px = look.theme, look.px
-    fill, line = (theme.accent_soft, theme.accent) if card.active else (theme.panel, theme.line)
-    draw_box(picture, box, px(8), fill, line, max(2, px(2)) if card.active else look.border)
+    fill, line = (theme.accent_soft, theme.accent) if card.lit else (theme.panel, theme.line)
+    draw_box(picture, box, px(8), fill, line, max(2, px(2)) if card.lit else look.border)
     side = 1 if player == 0 else -1
     edge = box.left if player == 0 else box.right
     align = "left" if player == 0 else "right"

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from game.scenes.billiards import Billiards
 
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
+AT_THE_RACK = 0.5 * math.pi  # azimuth of a cue that points along the table, rad
 PHASE_S, REPLAY_S = range(2)
 
 
@@ -221,6 +222,8 @@ def rack(scene: Billiards) -> None:
         lie = lie_of(content, game, round_.conditions.table, round_.conditions.balls, seed)
         frame = round_.frame._replace(game=game, lie=lie)
         scene.round = rounds.begin(frame, round_.conditions)
+    if not isinstance(round_.game, Drill):  # a shot that is tried again is aimed as it was
+        scene.cue.point_to(AT_THE_RACK)
     scene.pending, scene.call, scene.grip = None, Call(), ""
     scene.cue.let_go()
     lay_out(scene)

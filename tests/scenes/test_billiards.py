@@ -26,6 +26,7 @@ from game.scenes import billiards_calling as calling
 from game.scenes import billiards_hand as hand
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_moves as moves
+from game.scenes.billiards_board import standing_of
 from game.scenes.billiards_cue import pull_of, stroke_motion
 from game.scenes.billiards_round import Struck, trajectory_of
 from game.scenes.billiards_sight import foresee
@@ -413,8 +414,12 @@ def test_next_rack_after_the_game_is_won():
     aim_before = scene.cue.aim
     point(stage, "move", 0.9, 1.0)
     assert scene.cue.aim == aim_before
+    won, lost = standing_of(scene).cards
+    assert (won.status, won.lit) == ("won the rack", True) and (lost.status, lost.lit) == ("", False)
     stage.post(Action("strike"))
     assert scene.round.game.opening and scene.round.game.breaker == 1 and scene.round.game.won == (1, 0)
+    assert scene.cue.aim == moves.AT_THE_RACK
+    assert not standing_of(scene).cards[0].lit and standing_of(scene).cards[1].lit
     check_balls(stage)
 
 
