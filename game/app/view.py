@@ -33,8 +33,12 @@ class StageView:
         self.rect = pygame.Rect(rect)
         self.camera.fit(self.stage.scene.frame(), self.rect, MARGIN * look.k if margin is None else margin)
 
-    def draw(self, surface: pygame.Surface) -> None:
-        """Draw the scene inside its rectangle. Whatever the scene raises passes through."""
+    def draw(self, surface: pygame.Surface, fresh: bool = True) -> None:
+        """Draw the scene inside its rectangle, with ``fresh`` numbers or those of the last picture.
+
+        Whatever the scene raises passes through.
+        """
+        self._canvas.fresh = fresh
         self._canvas.begin(surface, self.rect, self.camera)
         try:
             self.stage.scene.draw(self._canvas, self.stage.alpha)

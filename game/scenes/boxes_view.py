@@ -139,6 +139,7 @@ class Column:
         self, canvas: Canvas, scene: BoxesScene, top: float = COLUMN_TOP, right: float = COLUMN_RIGHT
     ):
         self.canvas = canvas
+        self._written = 0
         edge = right + canvas.px(10)
         if scene.lowers[:, 0].min(initial=0.0) < edge:  # boxes that come so far are hardly seen
             ground = np.array([(-99.0, -99.0), (edge, -99.0), (edge, 99.0), (-99.0, 99.0)])
@@ -150,8 +151,14 @@ class Column:
         """Leave room."""
         self.y -= self.canvas.px(height_px)
 
+    def _figure(self, words: str) -> str:
+        """Words whose number changes together with all other numbers in the window."""
+        self._written += 1
+        return self.canvas.figure((self._written, "".join(filter(str.isalpha, words))), words)
+
     def head(self, words: str, remark: str = "") -> None:
         """A section's head, with a remark at its right."""
+        words, remark = self._figure(words), self._figure(remark)
         self.canvas.label((self.left, self.y), words, "text1", 12, "semibold", "left", halo=False)
         if remark:
             self.canvas.label((self.right, self.y), remark, "text3", 11, "medium", "right", halo=False)
@@ -159,6 +166,7 @@ class Column:
 
     def row(self, words: str, value: str, color: str = "text2") -> None:
         """Words on the left, a value on the right."""
+        words, value = self._figure(words), self._figure(value)
         self.canvas.label((self.left, self.y), words, color, 12, "medium", "left", halo=False)
         self.canvas.label((self.right, self.y), value, "text1", 12, "semibold", "right", halo=False)
         self.space(19)

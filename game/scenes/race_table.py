@@ -26,6 +26,7 @@ class RaceTable:
     def __init__(self, canvas: Any):
         self.canvas = canvas
         self.y = TABLE_TOP
+        self._written = 0
 
     def space(self, height_px: float) -> None:
         self.y -= self.canvas.px(height_px)
@@ -33,6 +34,9 @@ class RaceTable:
     def _words(
         self, x: float, text: str, color: str, weight: str = "medium", anchor: str = "left", size: int = 12
     ) -> None:
+        """Words at this height; a number in them changes together with all other numbers in the window."""
+        self._written += 1
+        text = self.canvas.figure((self._written, "".join(filter(str.isalpha, text))), text)
         self.canvas.label((TABLE_LEFT + x, self.y), text, color, size, weight, anchor, halo=False)
 
     def head(self, words: str) -> None:

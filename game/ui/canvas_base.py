@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -34,6 +34,8 @@ class CanvasBase:
         self.unit = "m"
         self.words = True  # whether labels and formulas are drawn; a small picture has no room for them
         self.covered = False  # what is drawn covers all, so that no ground is laid
+        self.fresh = True  # measured numbers are those of now; else those of the last picture stay
+        self._figures: dict[Hashable, str] = {}
         self.halo: pygame.Color = look.theme.stage  # behind labels
         self.insets = (0, 0, 0, 0)  # px covered at left, top, right, bottom, for labels that keep clear of it
         self._inks: dict[Token, tuple[int, float]] = {}
@@ -50,6 +52,8 @@ class CanvasBase:
         surface.set_clip(self.rect)
         self.halo = self.theme.stage
         self._labels.clear()
+        if self.fresh:
+            self._figures.clear()
         self._pixels = raster.pixels_of(surface)
         self._clip = raster.clip_of(surface)
         if not self.covered:
@@ -64,6 +68,10 @@ class CanvasBase:
     def end(self) -> None:
         """Give the surface back as it was."""
         self.surface.set_clip(self._old_clip)
+
+    def figure(self, place: Hashable, words: str) -> str:
+        """Words with a measured number: those written at this place when numbers last were taken anew."""
+        return self._figures.setdefault(place, words)
 
     @contextmanager
     def within(self, corner: Point, opposite: Point) -> Iterator[None]:

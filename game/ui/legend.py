@@ -17,12 +17,11 @@ from game.ui.shapes import draw_box, draw_disc, draw_gradient, draw_line, draw_p
 
 Row = tuple[str, str, str]
 PADDING, NARROWEST, OPACITY = 12, 168, 0.96
-SETTLED = 6  # pictures for which a count stands; quicker ones cannot be read
 TALL_MARKS = frozenset(("box", "dashed-box"))
 
 
 class Legend:
-    """Draws rows; its picture is made anew only when they change, for a count after `SETTLED` pictures."""
+    """Draws rows; its picture is made anew only when they change, for a count alone only if it is fresh."""
 
     def __init__(self, look: Look) -> None:
         self.look = look
@@ -30,7 +29,6 @@ class Legend:
         self._rows: tuple[Row, ...] = ()
         self._picture: pygame.Surface | None = None
         self._width = 0
-        self._age = 0
 
     def place(self, look: Look) -> None:
         """Take another appearance."""
@@ -38,19 +36,19 @@ class Legend:
         self._picture = None
         self._width = 0
 
-    def pass_frame(self) -> None:
-        """A frame has gone by in which nothing of the scene could be looked at."""
-        self._age += 1
+    def draw(
+        self, surface: pygame.Surface, stage: pygame.Rect, rows: Sequence[Row], fresh: bool = True
+    ) -> None:
+        """Show the rows at the top left of the stage; nothing without rows or without room.
 
-    def draw(self, surface: pygame.Surface, stage: pygame.Rect, rows: Sequence[Row]) -> None:
-        """Show the rows at the top left of the stage; nothing without rows or without room."""
+        Counts change if they are ``fresh``, marks and words at once.
+        """
         rows = tuple(rows)
-        self._age += 1
         others = [row[:2] for row in rows] != [row[:2] for row in self._rows]
-        if others or self._picture is None or (rows != self._rows and self._age >= SETTLED):
+        if others or self._picture is None or (fresh and rows != self._rows):
             if [row[1] for row in rows] != [row[1] for row in self._rows]:
                 self._width = 0
-            self._rows, self._age = rows, 0
+            self._rows = rows
             self._picture = self._paint() if rows else None
         margin = self.look.px(16)
         self.rect = pygame.Rect(stage.x + margin, stage.y + margin, 0, 0)

@@ -22,7 +22,6 @@ from game.ui.shapes import draw_box
 
 FOOT, WHEEL = 64, 40  # design px
 READOUTS_IN_BAR = 1  # of a scene's readouts, those that the top bar shows
-REFRESH_S = 0.25  # s between changes of measured numbers
 UNREST_S = 0.2  # s that controls go on moving after a change
 _POINTER = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 
@@ -45,7 +44,7 @@ class Panel:
         self._pointer = NOWHERE
         self._thumb_grip: int | None = None
         self._seen: tuple[dict[str, Any], int] | None = None  # values of the knobs, effects that are on
-        self._since_s = REFRESH_S
+        self._unmeasured = True
         self._unrest_s = UNREST_S  # time left until all that moves has come to rest
 
     def place(self, rect: pygame.Rect, look: Look) -> None:
@@ -54,6 +53,15 @@ class Panel:
         self.look, self.rect = look, pygame.Rect(rect)
         self.foot.place(pygame.Rect(rect.x, rect.bottom - look.px(FOOT), rect.w, look.px(FOOT)), look)
         if anew:
+            self._build()
+
+    def offer(self, levels: Sequence[Any]) -> None:
+        """The levels that there are to choose from now."""
+        if tuple(levels) == self.levels:
+            return
+        self.levels = tuple(levels)
+        if self._contents is not None:
+            self._contents = self._contents._replace(levels=self.levels)
             self._build()
 
     def close(self) -> None:
@@ -97,7 +105,7 @@ class Panel:
             return
         self._sheet = PanelSheet(self.look, self.rect.w, self.view.h, self._contents, self._wishes.append)
         self._unrest_s = UNREST_S
-        self._since_s = REFRESH_S
+        self._unmeasured = True
         self._scroll_to(self.scroll)
 
     # -- events -------------------------------------------------------------------------------------
@@ -166,25 +174,23 @@ class Panel:
 
     # -- time ---------------------------------------------------------------------------------------
 
-    def update(self, dt_s: float, stage: Stage, meter: Any = None) -> None:
-        """Follow the scene: its values at once, measured numbers four times a second."""
+    def update(self, dt_s: float, stage: Stage, meter: Any = None, fresh: bool = True) -> None:
+        """Follow the scene: its values at once, measured numbers if they are ``fresh``."""
         self.foot.update(dt_s)
-        self._since_s += dt_s
         if self._contents is None:
             self._contents = Contents(Source(stage.scene), self.levels, _measures(stage), EffectCosts())
             self._build()
         contents = self._contents
         contents.source.scene = stage.scene
-        refresh = self._since_s >= REFRESH_S
-        if refresh and _measures(stage) != contents.measures:
+        if fresh and _measures(stage) != contents.measures:
             self._contents = contents = contents._replace(measures=_measures(stage))
             self._build()
         elif self._sheet is not None and self._sheet.is_behind():
             self._build()
         if self._sheet is None:
             return
-        if refresh:
-            self._since_s = 0.0
+        if fresh or self._unmeasured:
+            self._unmeasured = False
             if meter is not None:
                 contents.costs.costs, contents.costs.bare = dict(meter.costs), meter.bare
             self._sheet.refresh(stage.readouts())

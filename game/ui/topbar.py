@@ -18,7 +18,6 @@ from game.ui.look import Look
 from game.ui.numerals import NOTHING, format_si
 from game.ui.shapes import draw_box, draw_disc
 
-READOUT_S = 0.25  # s between changes of the shown numbers
 COLUMN = 76  # design px, width of a readout whose words are no longer than that
 TIPS = {
     "back": "Back to the menu", "reset": "Reset", "step-back": "One step back", "play": "Pause or go on",
@@ -63,7 +62,6 @@ class TopBar:
         self.spots = Hotspots()
         self.state = BarState("", "")
         self._shown: tuple[tuple[str, float, str], ...] = ()
-        self._since_s = math.inf
         self._picture: pygame.Surface | None = None
         self._drawn: tuple[object, ...] = ()
 
@@ -78,21 +76,14 @@ class TopBar:
         name = self.spots.handle(event)
         return None if name is None else COMMANDS.get(name, Command(name))
 
-    def is_due(self, dt_s: float) -> bool:
-        """Whether after so many seconds more the numbers change, so that new ones are wanted."""
-        return self._since_s + dt_s >= READOUT_S
-
-    def update(self, dt_s: float, state: BarState) -> None:
-        """Let time pass; numbers change four times a second, everything else at once."""
+    def update(self, dt_s: float, state: BarState, fresh: bool = True) -> None:
+        """Let time pass; numbers change if they are ``fresh``, everything else at once."""
         self.spots.update(dt_s, self.look)
-        if state.ready != self.state.ready or state.task != self.state.task:
-            self._since_s = math.inf
+        fresh = fresh or state.ready != self.state.ready or state.task != self.state.task
         placed_anew = len(state.readouts) != len(self.state.readouts) or state.ready != self.state.ready
         self.state = state
-        self._since_s += dt_s
-        if self._since_s >= READOUT_S:
+        if fresh:
             self._shown = state.readouts
-            self._since_s = 0.0
         if placed_anew:
             self._place_spots()
 

@@ -43,10 +43,10 @@ def parts():
     surface = pygame.Surface(SIZE, 0, 32)
     state = BarState("C04", "Bouncing ball", readouts=(("time", 1.0, "s"),))
     yield {
-        "panel": lambda: (panel.update(1e-4, stage, gallery.METER), panel.draw(surface)),
+        "panel": lambda: (panel.update(1e-4, stage, gallery.METER, False), panel.draw(surface)),
         "strips": lambda: (strips.update(1 / 60, stage), strips.draw(surface)),
         "charts": lambda: (stage.step(), strips.update(1 / 60, stage), strips.draw(surface)),
-        "bar": lambda: (bar.update(1e-4, state), bar.draw(surface)),
+        "bar": lambda: (bar.update(1e-4, state, False), bar.draw(surface)),
         "hints": lambda: (hints.update(1e-4), hints.draw(surface)),
     }
     panel.close()

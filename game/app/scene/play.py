@@ -216,12 +216,18 @@ class ScenePlay:
         self.script = None
         self._opened()
 
+    def offer_levels(self) -> None:
+        """The panel's list shows the levels that there are now, those just saved among them."""
+        if self.shell.panel is not None:
+            self.shell.panel.offer(self.shelf.levels())
+
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
         self.drawing_error = ""
         self.try_steps()
         self._place_view()
         self.view.camera.home(smooth=False)
+        self.offer_levels()
         level = self.stage.level
         if level is not None and level.about:
             self.app.toasts.clear()  # what was to be told of the level before
@@ -305,7 +311,6 @@ class ScenePlay:
         """The scene and its shell; as they were while a thread is at work in the scene."""
         layout = self.shell.layout
         if self.errands.inside:
-            self.shell.legend.pass_frame()
             self.standstill.show(surface)
         else:
             self.standstill.end()
@@ -319,7 +324,7 @@ class ScenePlay:
             surface.fill(self.app.look.theme.stage, layout.stage)
         if not self.drawing_error:
             try:
-                self.view.draw(surface)
+                self.view.draw(surface, self.shell.beat.fresh)
             except Exception as error:  # a scene's slip must not take the program with it
                 traceback.print_exc(file=sys.stderr)
                 surface.set_clip(None)

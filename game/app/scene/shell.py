@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pygame
 
+from game.ui.beat import Beat
 from game.ui.hintbar import HintBar
 from game.ui.layout import arrange
 from game.ui.legend import Legend
@@ -37,6 +38,7 @@ class Shell:
         self.hints = HintBar(look)
         self.legend = Legend(look)
         self.tip = ToolTip(look)
+        self.beat = Beat()
         self.loading = LoadingCard(look)
         self.strips: Strips | None = None
         self.panel: Panel | None = None
@@ -114,10 +116,12 @@ class Shell:
 
     def update(self, elapsed_s: float, stage: Stage | None, costs: Any) -> None:
         """Let time pass and show what the stage is like now."""
-        self.bar.update(elapsed_s, self._bar_state(stage, self.bar.is_due(elapsed_s)))
+        step, still = (stage.step_number, stage.paused) if stage is not None else (0, True)
+        fresh = self.beat.pass_time(elapsed_s, step, still)
+        self.bar.update(elapsed_s, self._bar_state(stage, fresh), fresh)
         self.hints.update(elapsed_s)
         if stage is not None and self.panel is not None and self.strips is not None:
-            self.panel.update(elapsed_s, stage, costs)
+            self.panel.update(elapsed_s, stage, costs, fresh)
             self.strips.update(elapsed_s, stage)
         about = self.bar.tip()
         if about is None and self.panel is not None:
@@ -139,7 +143,7 @@ class Shell:
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
         """Draw the widgets round and over the picture of the scene."""
-        self.legend.draw(surface, self.layout.free_stage, tuple(legend))
+        self.legend.draw(surface, self.layout.free_stage, tuple(legend), self.beat.fresh)
         if self.strips is not None:
             self.strips.draw(surface)
         self.draw_foot(surface)
