@@ -27,6 +27,7 @@ from game.ui.panel_switch import toggle_row
 
 UNGROUPED = "Parameters"
 LEVEL = ""  # name of the drop-down of levels
+UNTITLED = "No level"
 
 
 class Contents(NamedTuple):
@@ -41,6 +42,14 @@ class Contents(NamedTuple):
         """Path of the level that the scene was made from, as the drop-down knows it."""
         level = self.source.scene.level
         return str(level.path or "") if level is not None else ""
+
+    def level_options(self) -> list[tuple[str, str]]:
+        """Title and path of each level; first the present one, if it is none of them."""
+        options = [(row.title, str(row.value)) for row in self.levels]
+        present, level = self.present_level(), self.source.scene.level
+        if any(value == present for _, value in options):
+            return options
+        return [((level.title if level is not None else "") or UNTITLED, present), *options]
 
 
 class Flow:
@@ -57,8 +66,7 @@ class Flow:
         source = contents.source
         if contents.levels:
             self.space(16)
-            options = [(row.title, str(row.value)) for row in contents.levels]
-            self._menu(LEVEL, options, contents.present_level(), "Level")
+            self._menu(LEVEL, contents.level_options(), contents.present_level(), "Level")
             self.space(8)
         for title, knobs in grouped(source.scene.knobs().values()):
             self._row(Heading, title)

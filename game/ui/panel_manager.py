@@ -213,4 +213,4 @@ class DropDown(UIDropDownMenu):
 
     def follow(self, value: str) -> bool:
         """True if a value was set elsewhere, so that the box must be made anew."""
-        return value != self._known and any(option[1] == value for option in self.options)
+        return value != self._known

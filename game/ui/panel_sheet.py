@@ -148,7 +148,7 @@ class PanelSheet:
         for name, menu in self.menus.items():
             taken = menu.taken()
             if taken is not None:
-                self._send(SetKnob(name, taken) if name != LEVEL else self._level_wish(taken))
+                self._send_choice(name, taken)
             if menu.is_open:
                 shown = menu.rect.top, menu.foot
         for row in self.rows:
@@ -157,9 +157,14 @@ class PanelSheet:
                 self._open_field(row)
         return shown
 
-    def _level_wish(self, value: str) -> Command:
-        row = next(row for row in self.contents.levels if str(row.value) == value)
-        return Command("level", row.value)
+    def _send_choice(self, name: str, value: str) -> None:
+        """Wish what was chosen of a list; the present level, if it is none of the scene's, stays as it is."""
+        if name != LEVEL:
+            self._send(SetKnob(name, value))
+            return
+        row = next((row for row in self.contents.levels if str(row.value) == value), None)
+        if row is not None:
+            self._send(Command("level", row.value))
 
     # -- typing -------------------------------------------------------------------------------------
 

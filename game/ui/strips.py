@@ -1,7 +1,8 @@
 """Strip charts: measured values over the last ten seconds, below the stage.
 
-Three rules, a line for each series with its last point, the first one over a fading ground, exact values
-dashed; name and value stand at the line's end, pushed apart. In a low window only the last values are shown.
+Three rules with their numbers at the left, a line for each series with its last point, the first one over a
+fading ground, exact values dashed; name and value stand at the line's end, pushed apart. In a low window only
+the last values are shown.
 Each chart is drawn anew twenty times a second, which is one pixel of its way, and never two in one frame.
 """
 
@@ -28,6 +29,7 @@ COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
 EXACT = "text1"
 APART = 15  # design px between value labels
 LABELS, WIDEST_LABELS = 84, 124  # design px right of the curves
+NUMBERS = 14  # design px left of the curves, at least
 
 
 class Strips:
@@ -39,6 +41,7 @@ class Strips:
         self.layout: Layout | None = None
         self._axes: dict[int, Axis] = {}
         self._labels: dict[int, int] = {}  # by chart, window px of its labels; they only grow
+        self._numbers: dict[int, int] = {}  # the same, of the numbers at its rules
         self._picture: pygame.Surface | None = None
         self._since_s = 0.0
         self._next = 0  # chart whose turn it is
@@ -48,13 +51,14 @@ class Strips:
     def place(self, layout: Layout, look: Look) -> None:
         """Take a place in the window and an appearance."""
         self.layout, self.look = layout, look
-        self._picture, self._labels = None, {}
+        self._picture, self._labels, self._numbers = None, {}, {}
 
     def update(self, dt_s: float, stage: Stage) -> None:
         """Look at the stage."""
         self._since_s += dt_s
         if stage is not self._stage:
-            self._stage, self._axes, self._labels, self._picture = stage, {}, {}, None
+            self._stage, self._axes, self._picture = stage, {}, None
+            self._labels, self._numbers = {}, {}
 
     def draw(self, surface: pygame.Surface) -> None:
         """Show the charts."""
@@ -130,8 +134,10 @@ class Strips:
         ]
         labels = [_label(name, strip) for name, _ in series]
         room = self._label_room(i, labels, numbers)
-        box = pygame.Rect(place.x, place.y + px(32), max(place.w - room, px(24)), px(72))
-        self._paint_rules(picture, box, axis, factor)
+        rules = [rule_text(value / factor) for value in (axis.high, 0.5 * (axis.low + axis.high), axis.low)]
+        left = self._number_room(i, rules)
+        box = pygame.Rect(place.x + left, place.y + px(32), max(place.w - left - room, px(24)), px(72))
+        self._paint_rules(picture, box, rules)
         curves = [(name, _curve(stage.series.times, values, box, axis)) for name, values in series]
         self._paint_curves(picture, box, strip, curves)
         heights = [_height(float(values[-1]), box, axis) for _, values in series]
@@ -148,28 +154,25 @@ class Strips:
         self._labels[i] = max(room, self._labels.get(i, 0))
         return self._labels[i]
 
+    def _number_room(self, i: int, numbers: Sequence[str]) -> int:
+        """Window px left of the curves: for the widest number at a rule, never less than before."""
+        wanted = max(self.look.fonts.size(number, 11)[0] for number in numbers) + self.look.px(6)
+        self._numbers[i] = max(wanted, self.look.px(NUMBERS), self._numbers.get(i, 0))
+        return self._numbers[i]
+
     def _axis(self, i: int, ends: Sequence[tuple[float, float, bool]]) -> Axis:
         if not any(low <= high for low, high, _ in ends):
             return self._axes.get(i, Axis(0.0, 1.0))
         low, high = min(low for low, _, _ in ends), max(high for _, high, _ in ends)
         return axis_for(low, high, self._axes.get(i))
 
-    def _paint_rules(self, picture: pygame.Surface, box: pygame.Rect, axis: Axis, factor: float) -> None:
+    def _paint_rules(self, picture: pygame.Surface, box: pygame.Rect, numbers: Sequence[str]) -> None:
+        """Rules with their numbers, from the top, left of where the curves are."""
         look, px, theme = self.look, self.look.px, self.look.theme
-        for share, color in ((0.0, theme.inset), (0.5, theme.inset), (1.0, theme.hover)):
-            picture.fill(color, (box.x, box.y + round(share * box.h), box.w, 1))
-        middle = 0.5 * (axis.low + axis.high)
-        for value, y in ((axis.high, box.y + px(8)), (middle, box.centery - px(7))):
-            look.text(picture, rule_text(value / factor), (box.x + px(3), y), 11, "medium", "text3")
-        if axis.low < 0.0:
-            look.text(
-                picture,
-                rule_text(axis.low / factor),
-                (box.x + px(3), box.bottom - px(7)),
-                11,
-                "medium",
-                "text3",
-            )
+        for i, color in enumerate((theme.inset, theme.inset, theme.hover)):
+            y = box.y + round(0.5 * i * box.h)
+            picture.fill(color, (box.x, y, box.w, 1))
+            look.text(picture, numbers[i], (box.x - px(6), y), 11, "medium", "text3", "right")
         y = box.bottom + px(11)
         look.text(picture, "−10 s", (box.x, y), 11, "medium", "text3")
         look.text(picture, "now", (box.right, y), 11, "medium", "text3", "right")

@@ -14,6 +14,7 @@ from game.folders import pictures_folder
 from game.levels import Level, save_level
 from game.stage import Pointer, SetEffect, SetKnob
 from game.stage.catalogue import Catalogue
+from game.ui.panel_flow import LEVEL
 
 
 @pytest.fixture
@@ -263,6 +264,30 @@ def test_levels_are_opened_from_the_gallery(scene: Driver, tmp_path: Path, monke
     scene.frames(400)
     messages = [toast.cause for toast in scene.app.toasts._queue]
     assert messages == [] or "Not opened." in messages
+
+
+def level_in_panel(scene: Driver) -> str:
+    """The level that the panel's list shows."""
+    scene.frames(2)
+    return scene.top.shell.panel._sheet.menus[LEVEL].selected_option[0]
+
+
+def test_the_panel_shows_the_saved_level_that_was_opened(scene: Driver):
+    scene.key(pygame.K_s, pygame.KMOD_LCTRL)
+    (saved,) = (row for row in scene.top.play.shelf.saved() if row.chip == "level")
+    assert level_in_panel(scene) != saved.title
+    scene.key(pygame.K_o, pygame.KMOD_LCTRL)
+    scene.top.pressed(f"row-{[row.value for row in scene.top.rows].index(saved.value)}")
+    scene.frames(20)
+    assert scene.stage.level.path == saved.value
+    assert level_in_panel(scene) == saved.title
+
+
+def test_the_panel_shows_the_level_of_a_file_from_elsewhere(scene: Driver, tmp_path: Path):
+    save_level(Level(scene="example", title="High up"), tmp_path / "high.toml")
+    scene.key(pygame.K_s, pygame.KMOD_LCTRL)  # without any level there is no list of them
+    scene.top.play.open_file(tmp_path / "high.toml")
+    assert level_in_panel(scene) == "High up"
 
 
 def test_broken_level_is_told_with_file_field_and_reason(scene: Driver, tmp_path: Path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from pointing import click, down, event, move, press, up
 from sample_scene import Sample
 
+from game.levels import Level
 from game.stage import KnobError, Param, SetEffect, SetKnob, Stage
 from game.ui.commands import Command
 from game.ui.look import Look
@@ -188,8 +190,45 @@ def test_a_level_is_chosen_from_the_list(desk):
     click(desk.panel, (RECT.x + 100, RECT.y + 30))
     desk.frame()
     assert menu.is_open
-    wishes = click(desk.panel, (RECT.x + 100, RECT.y + 16 + 32 + 48))
+    wishes = click(desk.panel, (RECT.x + 100, RECT.y + 16 + 32 + 80))  # below "No level" and "First"
     assert wishes == [Command("level", "b")]
+
+
+def shown_level(desk):
+    """Title in the box of the levels, and the titles of the list."""
+    desk.frame()
+    menu = desk.panel._sheet.menus[""]
+    return menu.selected_option[0], [title for title, _ in menu.options]
+
+
+def test_the_list_shows_the_level_in_play_also_when_it_is_none_of_the_scene(desk):
+    assert shown_level(desk) == ("No level", ["No level", "First", "Second"])
+    for path, title, shown in (
+        ("b", "Second", ("Second", ["First", "Second"])),
+        ("elsewhere", "Mine", ("Mine", ["Mine", "First", "Second"])),
+        (None, "As recorded", ("As recorded", ["As recorded", "First", "Second"])),
+        ("a", "First", ("First", ["First", "Second"])),
+    ):
+        desk.stage.load_level(Level(scene=Sample.name, title=title, path=path and Path(path)))
+        assert shown_level(desk) == shown
+        sheet = desk.panel._sheet
+        desk.frame()
+        assert desk.panel._sheet is sheet  # made anew once
+
+
+def test_levels_that_come_later_are_offered(desk):
+    desk.stage.load_level(Level(scene=Sample.name, title="Mine", path=Path("c")))
+    assert shown_level(desk) == ("Mine", ["Mine", "First", "Second"])
+    desk.panel.offer([*LEVELS, SimpleNamespace(title="Mine", value=Path("c"))])
+    assert shown_level(desk) == ("Mine", ["First", "Second", "Mine"])
+    sheet = desk.panel._sheet
+    desk.panel.offer(desk.panel.levels)
+    assert desk.panel._sheet is sheet
+
+
+def test_the_level_in_play_chosen_again_is_no_wish(desk):
+    desk.panel._sheet._send_choice("", "")
+    assert desk.panel._wishes == []
 
 
 def test_a_long_choice_is_a_list_and_opens_within_reach(desk):

@@ -16,7 +16,7 @@ from game.ui.layout import arrange
 from game.ui.look import Look
 from game.ui.numerals import MINUS
 from game.ui.strip_axis import Axis, axis_for, end_text, round_top, spread
-from game.ui.strips import Strips, _label
+from game.ui.strips import COLORS, Strips, _label
 from game.ui.theme import DARK
 
 
@@ -111,6 +111,32 @@ def test_a_curve_ends_at_its_last_value(stage):
     height = stage.readouts()[3].value
     x, y = column.x + column.w - strips._labels[1], column.y + 32 + 72.5 - height / axis.high * 72
     assert surface.get_at((x, round(y - 0.5)))[:3] == DARK.chalk.mark[:3]
+
+
+def test_a_full_chart_leaves_its_numbers_alone(any_look, stage):
+    """Ten seconds and more of a curve: it begins right of the numbers at the rules."""
+    full = Stage(Sample)
+    for _ in range(11 * 60):
+        full.advance(1 / 60)
+    for one in (stage, full):  # as the chart fills, and when it is full
+        strips, surface = painted(any_look, (any_look.px(1280), any_look.px(720)), one)
+        for i, column in enumerate(strips.layout.charts):
+            left = strips._numbers[i]
+            px = any_look.px
+            room = pygame.Rect(column.x, column.y + px(24), left - px(5), px(72 + 14))
+            tones = {tuple(surface.get_at((x, y))[:3]) for x in range(room.x, room.right)
+                     for y in range(room.y, room.bottom)}  # fmt: skip
+            marks = {tuple(any_look.color(name)[:3]) for name in COLORS}
+            assert len(tones) > 3 and not tones & marks
+
+
+def test_the_room_of_the_numbers_only_grows(stage):
+    strips, _ = painted(Look(DARK), (1280, 720), stage)
+    narrow = strips._number_room(0, ["1", "0.5", "0"])
+    wide = strips._number_room(0, ["0.0016", "0.0008", "0"])
+    assert narrow <= wide == strips._number_room(0, ["1", "0.5", "0"])
+    strips.place(strips.layout, Look(DARK))
+    assert strips._number_room(0, ["1", "0.5", "0"]) < wide
 
 
 def test_a_frame_draws_one_chart_anew_and_only_for_new_steps(stage):

@@ -89,12 +89,15 @@ class Shelf:
 
     def _write(self) -> Act:
         """Write the scene as it stands; what is then to be told."""
-        tell = self._play.app.tell
         try:
             path = files.save_all(self._play.stage)
         except PROBLEMS as error:
             return self._refusal("Not saved.", str(error))
-        return lambda: tell("Saved", f"{path.stem} in {path.parent}")
+        return lambda: self._have_saved(path)
+
+    def _have_saved(self, path: Path) -> None:
+        self._play.offer_levels()
+        self._play.app.tell("Saved", f"{path.stem} in {path.parent}")
 
     def _refusal(self, cause: str, why: str) -> Act:
         return lambda: self._play.app.tell(cause, why, "warning")
