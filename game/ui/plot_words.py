@@ -1,12 +1,13 @@
 """The words in the plot of a study: slopes, the amber figures on the axes, "you are here".
 
-Each stands where the fewest marks and words lie under it, tried in a fixed order of places.
+Each stands where the fewest marks, lines and words lie under it, tried in a fixed order of places.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pygame
@@ -21,7 +22,14 @@ if TYPE_CHECKING:
 
 # Where a slope may stand from a point, in its own widths and heights; where the leader ends, design px.
 BESIDE = ((0.6, -1.1), (-0.6, 1.3), (0.9, -0.2), (-0.9, 0.3))
-AROUND = ((-36, 92, "right"), (36, -70, "left"), (-36, -70, "right"), (36, 92, "left"), (-36, 140, "right"))
+NEAR = ((-36, 92, "right"), (36, -70, "left"), (-36, -70, "right"), (36, 92, "left"), (-36, 140, "right"))
+FURTHER = tuple(
+    (aside * way, down, side)
+    for aside in (36, 90, 160, 240)
+    for down in (48, -44, 92, -70, 140, -118, 188, -166, 236, -214)
+    for way, side in ((1, "left"), (-1, "right"))
+)
+WORD_UNDER, MARK_UNDER, LINE_UNDER = 20, 2, 1  # what these cost under words
 
 
 class PlotWords:
@@ -30,7 +38,13 @@ class PlotWords:
     def __init__(self, plot: WorkPrecisionPlot, surface: pygame.Surface, brush: Brush) -> None:
         self.plot, self.look, self.surface, self.brush = plot, plot.look, surface, brush
         self._busy = [plot.place(i, p) for i, one in enumerate(plot.series) for p in one.points]
+        self._ways = [way for i, one in enumerate(plot.series) for way in self._lines(i, one)]
         self._taken: list[pygame.Rect] = []
+
+    def _lines(self, i: int, one: PlotSeries) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+        """The lines between the runs of a method, ends in px."""
+        places = [self.plot.place(i, point) for point in one.points if not point.diverged]
+        return list(pairwise([(x, y) for x, y in places if math.isfinite(x) and math.isfinite(y)]))
 
     def draw(self) -> None:
         """Draw all words, the present setting first."""
@@ -63,7 +77,7 @@ class PlotWords:
             )
 
     def _freest(self, wanted: Sequence[pygame.Rect]) -> pygame.Rect | None:
-        """Of the places inside the plot the first with the fewest marks and words under it; it is taken."""
+        """Of the places inside the plot the first with the least under it; it is taken."""
         area = self.plot.area.inflate(-self.look.px(8), -self.look.px(8))
         best = math.inf
         found: pygame.Rect | None = None
@@ -71,8 +85,10 @@ class PlotWords:
             if not area.contains(box):
                 continue
             near = box.inflate(self.look.px(10), self.look.px(8))
-            cost = sum(near.collidepoint(x, y) for x, y in self._busy if math.isfinite(x + y))
-            cost += 10 * len(near.collidelistall(self._taken))
+            marks = sum(near.collidepoint(x, y) for x, y in self._busy if math.isfinite(x + y))
+            lines = sum(bool(near.clipline(start, end)) for start, end in self._ways)
+            words = len(near.collidelistall(self._taken))
+            cost = WORD_UNDER * words + MARK_UNDER * marks + LINE_UNDER * lines
             if cost < best:
                 best, found = cost, box
         if found is not None:
@@ -100,7 +116,7 @@ class PlotWords:
         look, px, fonts = self.look, self.look.px, self.look.fonts
         width = max(fonts.size("you are here", 12, "semibold")[0], fonts.size(present.words, 12)[0])
         wanted = []
-        for dx, dy, side in AROUND:
+        for dx, dy, side in NEAR + FURTHER:
             place = pygame.Rect(0, 0, width, px(36))
             corner = (_whole(x + dx * look.k), _whole(y + dy * look.k))
             if side == "right":
