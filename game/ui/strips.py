@@ -3,7 +3,8 @@
 Three rules with their numbers at the left, a line for each series with its last point, the first one over a
 fading ground, exact values dashed; name and value stand at the line's end, pushed apart. In a low window only
 the last values are shown.
-Each chart is drawn anew twenty times a second, which is one pixel of its way, and never two in one frame.
+Each chart is drawn anew twenty times a second, which is one pixel of its way, and never two in one frame;
+values are those of the moment at which all numbers in the window change.
 """
 
 from __future__ import annotations
@@ -45,7 +46,9 @@ class Strips:
         self._picture: pygame.Surface | None = None
         self._since_s = 0.0
         self._next = 0  # chart whose turn it is
-        self._steps: dict[int, int] = {}  # by chart, the step that it shows
+        self._steps: dict[int, tuple[int, int]] = {}  # by chart, the steps of its curves and values
+        self._last: dict[str, float] = {}  # by series, the value that is written
+        self._measured = -1  # step of these values
         self._stage: Stage | None = None
 
     def place(self, layout: Layout, look: Look) -> None:
@@ -53,12 +56,17 @@ class Strips:
         self.layout, self.look = layout, look
         self._picture, self._labels, self._numbers = None, {}, {}
 
-    def update(self, dt_s: float, stage: Stage) -> None:
-        """Look at the stage."""
+    def update(self, dt_s: float, stage: Stage, fresh: bool = True) -> None:
+        """Look at the stage; written values change if they are ``fresh``, curves at once."""
         self._since_s += dt_s
         if stage is not self._stage:
             self._stage, self._axes, self._picture = stage, {}, None
             self._labels, self._numbers = {}, {}
+            fresh = True
+        if fresh:
+            series = {name: _values(stage, name) for strip in self.strips for name in strip.series}
+            self._last = {name: float(values[-1]) for name, values in series.items() if values.size}
+            self._measured = stage.step_number
 
     def draw(self, surface: pygame.Surface) -> None:
         """Show the charts."""
@@ -72,7 +80,7 @@ class Strips:
                 self._paint_column(self._picture, layout, i, self._stage)
         elif count and self._since_s * count >= REFRESH_S:  # one chart at a time: no frame pays for all
             self._next = (self._next + 1) % count
-            if self._steps.get(self._next) != self._stage.step_number:
+            if self._steps.get(self._next) != (self._stage.step_number, self._measured):
                 self._paint_column(self._picture, layout, self._next, self._stage)
         surface.blit(self._picture, layout.strips)
 
@@ -99,15 +107,15 @@ class Strips:
         else:
             self._paint_chart(picture, place, i, stage)
         picture.set_clip(None)
-        self._since_s, self._steps[i] = 0.0, stage.step_number
+        self._since_s, self._steps[i] = 0.0, (stage.step_number, self._measured)
 
     def _paint_values(self, picture: pygame.Surface, place: pygame.Rect, strip: Strip, stage: Stage) -> None:
         """Only title and last values, in one row."""
         look, y = self.look, place.h / 2
         x = place.x + look.text(picture, strip.title, (place.x, y), 12, "semibold").w + look.px(8)
         for i, name in enumerate(strip.series):
-            values = _values(stage, name)
-            number, unit = quantity(float(values[-1]), strip.unit) if values.size else ("–", "")
+            known = name in self._last
+            number, unit = quantity(self._last[name], strip.unit) if known else ("–", "")
             color = EXACT if name in strip.exact else COLORS[i % len(COLORS)]
             words = f"{name} "
             if x + look.fonts.size(words + number + unit, 12)[0] > place.right:
@@ -125,7 +133,7 @@ class Strips:
         taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
         look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
         series = [(name, values) for name, values in series if values.size]
-        last = [float(values[-1]) for _, values in series]
+        last = [self._last.get(name, float(values[-1])) for name, values in series]
         numbers = [
             format_number(int(value))
             if counts and math.isfinite(value)
@@ -150,7 +158,7 @@ class Strips:
             fonts.size(name + " ", 12)[0] + fonts.size(number, 12, "semibold")[0]
             for name, number in zip(names, numbers, strict=True)
         ]
-        room = min(max([px(LABELS), *(width + px(12) for width in wanted)]), px(WIDEST_LABELS))
+        room = min(max([px(LABELS), *(width + px(16) for width in wanted)]), px(WIDEST_LABELS))
         self._labels[i] = max(room, self._labels.get(i, 0))
         return self._labels[i]
 

@@ -169,3 +169,25 @@ def test_no_samples_yet_and_names_that_are_not_given():
 
     _, surface = painted(Look(DARK), (1280, 720), Stage(Quiet))
     assert pygame.surfarray.array3d(surface).any()  # titles and rules stand without a curve
+
+
+def test_a_written_value_stands_until_it_is_fresh(monkeypatch):
+    """The curve goes on; the values at its end change when all numbers in the window do."""
+    stage = Stage(Sample)
+    stage.advance(1 / 60)
+    written = []
+    paint = Strips._paint_labels
+    monkeypatch.setattr(
+        Strips, "_paint_labels", lambda self, *rest: written.append(list(rest[5])) or paint(self, *rest)
+    )
+    strips, surface = painted(Look(DARK), (1280, 720), stage, 1)
+    (first,), before = written, pygame.image.tobytes(surface, "RGB")
+    for _ in range(6):
+        stage.advance(1 / 60)
+        strips.update(1 / 60, stage, fresh=False)
+        strips.draw(surface)
+    assert len(written) > 1 and all(one == first for one in written)
+    assert pygame.image.tobytes(surface, "RGB") != before
+    strips.update(1.0, stage, fresh=True)
+    strips.draw(surface)
+    assert written[-1] != first

@@ -122,7 +122,7 @@ class Shell:
         self.hints.update(elapsed_s)
         if stage is not None and self.panel is not None and self.strips is not None:
             self.panel.update(elapsed_s, stage, costs, fresh)
-            self.strips.update(elapsed_s, stage)
+            self.strips.update(elapsed_s, stage, fresh)
         about = self.bar.tip()
         if about is None and self.panel is not None:
             about = self.panel.tip()
