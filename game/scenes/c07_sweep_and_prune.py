@@ -149,10 +149,11 @@ class SweepAndPruneScene(ComparedScene):
         rows = self.legend_rows()
         if self.axes and len(self.ids) <= MOST_TICKS:
             moved = sum(int(mask.sum()) for mask in self.swapped)
+            known = moved > 0 or self.swaps == 0  # a step that was gone back to has its number, not its marks
             rows += [
                 ("line:chalk", "lower ends", ""),
                 ("line:pink", "upper ends", ""),
-                ("line:amber", "changed places", view.grouped(moved)),
+                ("line:amber", "changed places", view.grouped(moved) if known else "–"),
             ]
         return tuple(rows)
 

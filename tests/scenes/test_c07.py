@@ -77,3 +77,14 @@ def test_a_box_that_jumps_over_another_makes_no_event():
         events += stage.scene.begun + stage.scene.ended
         assert stage.scene.same
     assert readouts(stage)["swaps"] >= 0.0 and events < 200
+
+
+def test_the_legend_does_not_say_that_nothing_swapped_where_marks_are_not_kept():
+    stage = open_level(SweepAndPruneScene, "default")
+    stage.run(40)
+    shown = []
+    for _ in range(4):
+        shown.append((readouts(stage)["swaps"], stage.scene.legend()[-1][2]))
+        assert stage.step_back()
+    assert all(swaps > 0 and count != "0" for swaps, count in shown)
+    assert shown[0][1] != "–" and shown[-1][1] == "–"
