@@ -177,6 +177,20 @@ class InverseKinematics(FigureScene):
         if self.rig.figure.chain is not None:
             self.target[:] = self.rig.figure.chain.target
 
+    def note_target(self) -> None:
+        """Let the figure have its target where it is now, so that both are remembered and taken back."""
+        figure = self.save_target(self.bench.figure)
+        if figure != self.bench.figure:
+            self.bench = msgspec.structs.replace(self.bench, figure=figure)
+            self.rig.figure = figure
+
+    def save_target(self, figure: FigureContent) -> FigureContent:
+        """A figure, whose chain has the present target if it has a chain."""
+        if figure.chain is None:
+            return figure
+        x, y = self.target.tolist()
+        return msgspec.structs.replace(figure, chain=msgspec.structs.replace(figure.chain, target=(x, y)))
+
     def take_pose(self, pose: Array) -> None:
         super().take_pose(pose)
         self.methods[:] = pose
@@ -204,11 +218,7 @@ class InverseKinematics(FigureScene):
         self.trail[:] = state.trail
 
     def save_content(self) -> FigureContent:
-        content = super().save_content()
-        if content.chain is None:
-            return content
-        x, y = self.target.tolist()
-        return msgspec.structs.replace(content, chain=msgspec.structs.replace(content.chain, target=(x, y)))
+        return self.save_target(super().save_content())
 
     # -- a step -------------------------------------------------------------------------------------
 
@@ -261,6 +271,8 @@ class InverseKinematics(FigureScene):
             k = self.master  # a drag stays in the figure where it began
         x, y = cells_of(self.bench.figure, self.compare, self.master)[k].into(event.x, event.y)
         event = msgspec.structs.replace(event, x=x, y=y)
+        if event.kind == "down":
+            self.note_target()
         if self.tool == "pull":
             self._pull(event)
         else:
@@ -281,6 +293,7 @@ class InverseKinematics(FigureScene):
         if name == "compare-all":
             self.values["compare"] = not self.compare
         else:
+            self.note_target()
             super().action(name)
 
     def knob_changed(self, name: str) -> None:

@@ -164,12 +164,20 @@ def test_the_dead_point_is_seen_and_left():
 
 def test_pulls_and_picks_are_undone():
     stage = still()
-    before = stage.scene.rig.now
+    stage.run(60)  # until the chain has its target
+    before, target = stage.scene.rig.now, stage.scene.target.copy()
     drag(stage, outside(stage, (0.6, 1.4)), outside(stage, (0.3, 0.9)), steps=5)
     stage.run(30)
     assert np.abs(stage.scene.rig.now - before).max() > 0.05
+    pulled = stage.scene.target.copy()
     stage.post(Action("undo"))
     assert np.allclose(stage.scene.rig.now, before, rtol=0, atol=1e-12)
+    assert (stage.scene.target == target).all()  # else the chain would run back at once
+    stage.run(30)
+    assert np.abs(stage.scene.rig.now - before).max() < 0.02
+    stage.post(Action("redo"))
+    assert (stage.scene.target == pulled).all()
+    stage.post(Action("undo"))
     stage.post(SetKnob("tool", "chain"))
     chain = stage.scene.rig.figure.chain
     click(stage, outside(stage, middle_of(stage, "left thigh")))

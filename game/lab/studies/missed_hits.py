@@ -65,7 +65,7 @@ def missed_hits_of(
         settings=settings,
         trial=trial,
         present=present,
-        reference="P = 1 - b0/(2 D) - D/(2 c) acos(b0/D), D = 2 R, c = v h, b0² = D² - c²; column formula.",
+        reference="P = 1 − b₀/(2 D) − D/(2 c) acos(b₀/D), where D = 2 R, c = v h, b₀² = D² − c².",
         expectation=expectation,
         short="Missed hits",
         **more,
