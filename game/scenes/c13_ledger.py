@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from game.physics.fields import GRAVITY
 from game.physics.rigid import ledger
 from game.ui.canvas import Canvas
+from game.ui.numerals import format_si
 from game.ui.shapes import draw_box
 
 if TYPE_CHECKING:
@@ -21,10 +22,10 @@ Array = NDArray[np.float64]
 ROWS = 6
 MOST_SPHERES = 60  # with more, the ledger would say nothing
 COLUMNS = (
-    ("pair", 0.0), ("J, N s", 84.0), ("v before", 150.0), ("after, m/s", 216.0), ("ΔE, J", 292.0),
-    ("P lost", 358.0),
+    ("pair", 0.0), ("J", 84.0), ("v before", 156.0), ("after", 228.0), ("ΔE", 300.0), ("P lost", 362.0),
 )  # fmt: skip
-WIDTH, LINE, MARGIN = 408.0, 16.0, 8.0  # design px
+WIDTH, LINE, MARGIN = 424.0, 16.0, 8.0  # design px
+ROUNDING = 1e-12  # of an impulse: momentum of which no more is lost is kept
 SHARE = np.array((0.5, 0.3))  # of the window that the card takes, about
 LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT = (0, 0), (1, 0), (1, 1)  # the upper left corner is the legend's
 
@@ -83,12 +84,9 @@ def _figures(entry: Array) -> tuple[str, ...]:
     other = int(entry[ledger.OTHER])
     size = math.sqrt(float((entry[ledger.JX : ledger.JZ + 1] ** 2).sum()))
     pair = f"{int(entry[ledger.ONE])} and {other if other >= 0 else 'wall'}"
-    figures = (
-        f"{size:.3g}", f"{entry[ledger.BEFORE]:.3g}", f"{entry[ledger.AFTER]:.3g}",
-        f"{entry[ledger.CHANGE]:.2g}", _small(float(entry[ledger.LOST_MOMENTUM])),
+    lost = float(entry[ledger.LOST_MOMENTUM])
+    return (
+        pair, format_si(size, "N s"), format_si(float(entry[ledger.BEFORE]), "m/s"),
+        format_si(float(entry[ledger.AFTER]), "m/s"), format_si(float(entry[ledger.CHANGE]), "J", 2),
+        "rounding" if 0.0 < lost <= ROUNDING * size else format_si(lost, "N s", 2),
     )  # fmt: skip
-    return pair, *(word.replace("-", "−") for word in figures)
-
-
-def _small(value: float) -> str:
-    return "0" if value == 0.0 else f"{value:.0e}"

@@ -46,7 +46,11 @@ class MassSpringKnobs(Scene):
     )  # fmt: skip
     order = Choice("coloured", ORDERS, group="Solver", rebuild=True, help="in which links are solved")
     relaxation = Param(
-        1.0, 0.1, 1.95, group="Solver", help="above 1: each correction goes further than it should"
+        1.0,
+        0.1,
+        1.95,
+        group="Solver",
+        help="above 1 each correction goes further than it should; far above, the net shakes itself apart",
     )
     damping = Param(0.4, 0.0, 50.0, unit="N s/m", group="World", help="k_d in the force −k_d v")
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
