@@ -147,6 +147,7 @@ def test_match_and_scene_are_filmed(tmp_path, monkeypatch):
 
 
 def test_a_film_of_a_recording_is_as_long_as_that(tmp_path, capsys):
+    pytest.importorskip("av")
     recording, film = tmp_path / "r.json", tmp_path / "a.gif"
     assert run_command_line(["run", "example", "--seconds", "0.5", "--record", str(recording)]) == 0
     words = ["record", "example", "--out", str(film), "--size", "160x120", "--fps", "10"]

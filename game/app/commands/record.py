@@ -35,13 +35,13 @@ def execute(options: argparse.Namespace) -> int:
     if options.theme not in ("dark", "light"):
         raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
     scene_type = given.scene_type_named(options.scene)
+    recording = given.read_replay(options, scene_type.name)
     film = given.read_film(options.out or f"{scene_type.name}.mp4", options.size, options.fps, "--out")
     from game.app.film.scene_film import write_scene_film
     from game.app.film.video import VideoError
     from game.app.script import demo_of
     from game.stage import RecordingError, begin
 
-    recording = given.read_replay(options, scene_type.name)
     if recording is not None:
         try:
             stage, events = begin(recording, scene_type), recording.events
