@@ -43,6 +43,24 @@ def _mix_run(row, begin, end, color, weight):
 
 
 @kernel(_nrt=False)
+def _place_box(affine, lower, upper, old_lower, old_upper, share, leap):
+    """Left, top, right and bottom (px) of a box on its way, or where it is now if it has leapt."""
+    x0, y0, x1, y1 = float(lower[0]), float(lower[1]), float(upper[0]), float(upper[1])
+    a0, b0, a1, b1 = float(old_lower[0]), float(old_lower[1]), float(old_upper[0]), float(old_upper[1])
+    near = abs(x0 - a0) <= leap and abs(y0 - b0) <= leap  # an infinite corner is not near itself
+    if near and abs(x1 - a1) <= leap and abs(y1 - b1) <= leap:
+        x0, y0 = a0 + share * (x0 - a0), b0 + share * (y0 - b0)
+        x1, y1 = a1 + share * (x1 - a1), b1 + share * (y1 - b1)
+    x0, y0 = min(max(x0, -1e6), 1e6), min(max(y0, -1e6), 1e6)
+    x1, y1 = min(max(x1, -1e6), 1e6), min(max(y1, -1e6), 1e6)
+    u0 = affine[0] * x0 + affine[1] * y0 + affine[4]
+    v0 = affine[2] * x0 + affine[3] * y0 + affine[5]
+    u1 = affine[0] * x1 + affine[1] * y1 + affine[4]
+    v1 = affine[2] * x1 + affine[3] * y1 + affine[5]
+    return min(u0, u1), min(v0, v1), max(u0, u1), max(v0, v1)
+
+
+@kernel(_nrt=False)
 def paint_boxes(
     pixels, clip, affine, lowers, uppers, old_lowers, old_uppers, share, leap, kinds, inks, weights, edge
 ):
@@ -58,22 +76,9 @@ def paint_boxes(
         kind = kinds[box]
         if kind == HIDDEN:
             continue
-        x0, y0 = float(lowers[box, 0]), float(lowers[box, 1])
-        x1, y1 = float(uppers[box, 0]), float(uppers[box, 1])
-        a0, b0 = float(old_lowers[box, 0]), float(old_lowers[box, 1])
-        a1, b1 = float(old_uppers[box, 0]), float(old_uppers[box, 1])
-        near = abs(x0 - a0) <= leap and abs(y0 - b0) <= leap  # an infinite corner is not near itself
-        if near and abs(x1 - a1) <= leap and abs(y1 - b1) <= leap:
-            x0, y0 = a0 + share * (x0 - a0), b0 + share * (y0 - b0)
-            x1, y1 = a1 + share * (x1 - a1), b1 + share * (y1 - b1)
-        x0, y0 = min(max(x0, -1e6), 1e6), min(max(y0, -1e6), 1e6)
-        x1, y1 = min(max(x1, -1e6), 1e6), min(max(y1, -1e6), 1e6)
-        u0 = affine[0] * x0 + affine[1] * y0 + affine[4]
-        v0 = affine[2] * x0 + affine[3] * y0 + affine[5]
-        u1 = affine[0] * x1 + affine[1] * y1 + affine[4]
-        v1 = affine[2] * x1 + affine[3] * y1 + affine[5]
-        left, right = min(u0, u1), max(u0, u1)
-        top, bottom = min(v0, v1), max(v0, v1)
+        left, top, right, bottom = _place_box(
+            affine, lowers[box], uppers[box], old_lowers[box], old_uppers[box], share, leap
+        )
         if not (
             right >= left_end - 1.0 and left <= right_end and bottom >= top_end - 1.0 and top <= bottom_end
         ):
