@@ -42,7 +42,7 @@ def _mix_run(row, begin, end, color, weight):
         row[column] = _mix(int(row[column]), color, weight)
 
 
-@kernel(_nrt=False)
+@kernel(inline="always", _nrt=False)
 def _place_box(affine, lower, upper, old_lower, old_upper, share, leap):
     """Left, top, right and bottom (px) of a box on its way, or where it is now if it has leapt."""
     x0, y0, x1, y1 = float(lower[0]), float(lower[1]), float(upper[0]), float(upper[1])
