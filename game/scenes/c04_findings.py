@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.fields import DRAG, QUADRATIC_DRAG, WHIRL
+from game.physics.fields import DRAG, GROUND, QUADRATIC_DRAG, WHIRL
 from game.physics.particles import OBSTACLES, Forces
 from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
 from game.stage import Readout
@@ -35,12 +35,15 @@ def exact_envelope(scene: Fountain) -> NDArray[np.float64]:
 
 
 def open_nozzles(scene: Fountain) -> list[list[float]]:
-    """Rows of the emitters that do not stand in a stone: who is born within begins on its surface."""
+    """Rows of the emitters that stand in no stone and not in the ground: who is born within begins on its
+    surface."""
+    lowest = scene.content.floor if GROUND in scene.active else -math.inf
     stones = scene.system.solids.rows[:, :3].tolist() if OBSTACLES in scene.active else []
     return [
         row
         for row in scene.system.state().emitters.tolist()
-        if all((row[0] - x) ** 2 + (row[1] - y) ** 2 >= radius * radius for x, y, radius in stones)
+        if row[1] >= lowest
+        and all((row[0] - x) ** 2 + (row[1] - y) ** 2 >= radius * radius for x, y, radius in stones)
     ]
 
 
@@ -66,22 +69,30 @@ def deviation(scene: Fountain) -> tuple[float, int, int]:
     return worst, outside, looked
 
 
+def begin_of_claims(scene: Fountain) -> float:
+    """Instant (s) from which on one must be born for the exact envelope to hold: others knew another law, or
+    another nozzle. From the beginning of time where no envelope is known."""
+    return scene.since if len(exact_envelope(scene)) else -math.inf
+
+
 def readouts(scene: Fountain) -> list[Readout]:
-    """All that is measured."""
+    """All that is measured. The highest particle is one of those for which the exact height holds."""
     system = scene.system
     kinetic = potential = 0.0
     highest = -math.inf
-    touching = 0
+    touching, since = 0, begin_of_claims(scene)
     for low, high in system.segments():
-        k, p, top = measure_swarm(system.fields, low, high, scene.law().gravity, scene.content.floor)
+        k, p, top = measure_swarm(system.fields, low, high, scene.law().gravity, scene.content.floor, since)
         kinetic, potential, highest = kinetic + k, potential + p, max(highest, top)
         touching += count_touching(system.tags, low, high, scene.touching_since())
     worst, outside, looked = deviation(scene) if has_exact(scene) else (math.nan, 0, 0)
     curve = exact_envelope(scene)
     top = max((row[1] for row in open_nozzles(scene)), default=0.0)
+    if highest == -math.inf:
+        highest = math.nan if len(system) else scene.content.floor
     return [
         Readout("particles", len(system)),
-        Readout("highest", highest if len(system) else scene.content.floor, "m"),
+        Readout("highest", highest, "m"),
         Readout("exact", float(curve[:, 1].max()) + top if len(curve) else math.nan, "m"),
         Readout("error", worst if looked else math.nan, "m"),
         Readout("outside the curve", int(outside)),

@@ -222,8 +222,10 @@ class Fountain(FountainKnobs):
             way = np.array(self.target) - system.solids.centres[index]
             pace = math.sqrt(float(way @ way)) / dt
             system.solids.carry(index, way / dt * min(1.0, HAND_SPEED / pace if pace > 0.0 else 1.0))
-        dropped = system.dropped
+        dropped, moving = system.dropped, system.has_moving_emitters
         system.step(dt)
+        if moving:  # who was born on the way did not leave the nozzle where it is now
+            self.since = system.time_s
         if what == "stone":
             system.solids.carry(index, (0.0, 0.0))
         full = system.dropped > dropped
@@ -277,7 +279,8 @@ class Fountain(FountainKnobs):
                 ("disc:amber", "touching the stone" if len(self.own) == 1 else "touching a stone", "")
             )
         if len(findings.exact_envelope(self)):
-            rows.append(("dash:text1", "exact envelope", ""))
+            older = 0.0 < self.since > self.system.time_s - self.life
+            rows.append(("dash:text1", "exact for those born since" if older else "exact envelope", ""))
         return rows
 
     def frame(self) -> Frame:

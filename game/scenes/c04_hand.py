@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from game.physics.fields import WHIRL
+from game.physics.fields import GROUND, WHIRL
 from game.physics.particles import OBSTACLES
 from game.scenes.c04_level import MOST_STONES
 from game.stage import Pointer
@@ -31,7 +31,7 @@ def rim_handle(x: float, y: float, radius: float) -> Point:
 
 def take_pointer(scene: Fountain, event: Pointer) -> None:
     """A pointer event in world coordinates."""
-    point = (min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST))
+    point = _within_reach(event.x, event.y)
     if event.kind == "down" and event.button == 1:
         _press(scene, point, event.shift)
     elif event.kind == "down" and event.button == 3:
@@ -40,6 +40,11 @@ def take_pointer(scene: Fountain, event: Pointer) -> None:
         _drag(scene, point)
     elif event.kind in ("up", "cancel"):
         scene.hand = NOTHING
+
+
+def _within_reach(x: float, y: float) -> Point:
+    """The nearest place (m) that a level file can name."""
+    return min(max(x, -FARTHEST), FARTHEST), min(max(y, -FARTHEST), FARTHEST)
 
 
 def thing_at(scene: Fountain, point: Point) -> tuple[str, int]:
@@ -62,27 +67,40 @@ def thing_at(scene: Fountain, point: Point) -> tuple[str, int]:
 
 def _press(scene: Fountain, point: Point, new: bool) -> None:
     scene.hand = thing_at(scene, point)
-    what, index = scene.hand
-    if what == "" and new:
-        _add_stone(scene, point)
-    elif what == "stone":
-        x, y = scene.system.solids.centres[index].tolist()
+    if scene.hand != NOTHING:
+        x, y = _place_of(scene)
         scene.target = (x, y)
         scene.grip = (x - point[0], y - point[1])
+    elif new:
+        _add_stone(scene, point)
+
+
+def _place_of(scene: Fountain) -> Point:
+    """Where the point (m) is that follows the hand: of what is held, its centre or the handle on its rim."""
+    what, index = scene.hand
+    if what == "whirl":
+        return scene.whirl_centre
+    if what == "nozzle":
+        x, y = scene.system.state().emitters[index, :2].tolist()
+        return x, y
+    x, y, radius = scene.system.solids.rows[index, :3].tolist()
+    return rim_handle(x, y, radius) if what == "rim" else (x, y)
 
 
 def _drag(scene: Fountain, point: Point) -> None:
     what, index = scene.hand
+    place = _within_reach(point[0] + scene.grip[0], point[1] + scene.grip[1])
     if what == "stone":
-        scene.target = (point[0] + scene.grip[0], point[1] + scene.grip[1])
+        scene.target = place
     elif what == "rim":
         row = scene.system.solids.rows[index]
-        row[2] = min(max(math.dist(point, row[:2].tolist()), LEAST_RADIUS), MOST_RADIUS)
+        row[2] = min(max(math.dist(place, row[:2].tolist()), LEAST_RADIUS), MOST_RADIUS)
     elif what == "nozzle":
-        scene.system.place_emitter(index, point)
+        lowest = scene.content.floor if GROUND in scene.active else -FARTHEST
+        scene.system.place_emitter(index, (place[0], max(place[1], lowest)))
         scene.since = scene.system.time_s
     elif what == "whirl":
-        scene.whirl_centre = point
+        scene.whirl_centre = place
         scene.configure()
 
 

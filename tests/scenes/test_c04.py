@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from scenes.particle_stages import click, drag, open_level, press, readouts, stage_of
+from scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 from game.levels import LevelError, format_level, level_files, parse_level
 from game.physics.fields import DRAG, WIND
@@ -147,6 +147,57 @@ def test_nozzle_and_whirl_are_dragged():
     drag(stage, stage.scene.whirl_centre, (2.0, 3.0))
     assert stage.scene.whirl_centre == (2.0, 3.0)
     assert stage.scene.system.forces.whirl_x == 2.0
+
+
+def test_what_is_dragged_keeps_its_distance_from_the_pointer():
+    stage = open_level(Fountain, "whirlwind", **FAST)
+    drag(stage, (-1.15, -0.1), (0.85, 0.9))
+    assert stage.scene.system.state().emitters[0, :2] == pytest.approx((0.8, 1.0), abs=1e-12)
+    x, y = stage.scene.whirl_centre
+    drag(stage, (x + 0.1, y - 0.2), (2.1, 2.8))
+    assert stage.scene.whirl_centre == pytest.approx((2.0, 3.0), abs=1e-12)
+    press(stage, (30.0, 30.0), shift=True)
+    release(stage, (30.0, 30.0))
+    x, y, radius = stage.scene.system.solids.rows[-1, :3].tolist()
+    handle = rim_handle(x, y, radius)
+    press(stage, (handle[0] + 0.08, handle[1] + 0.02))
+    move(stage, (handle[0] + 0.08, handle[1] + 0.02))
+    assert stage.scene.system.solids.rows[-1, 2] == pytest.approx(radius, rel=1e-6)
+
+
+def test_the_nozzle_stays_above_the_ground():
+    """Taken by its body, which is drawn below the point where particles are born, and pulled down."""
+    stage = open_level(Fountain, "default", **FAST)
+    drag(stage, (0.0, -0.1), (1.5, -0.4))
+    assert stage.scene.system.state().emitters[0, :2] == pytest.approx((1.5, 0.0), abs=1e-12)
+    stage.post(SetEffect("ground", False))
+    drag(stage, (1.5, -0.1), (1.5, -0.4))
+    assert stage.scene.system.state().emitters[0, 1] == pytest.approx(-0.3, abs=1e-12)
+    stage.run(30)
+    assert readouts(stage)["error"] < 1e-9
+    stage.post(SetEffect("ground", True))  # it stands in the ground now: nothing is claimed
+    stage.run(1)
+    assert math.isnan(readouts(stage)["exact"])
+
+
+@pytest.mark.parametrize("to", [(1.0, 1.0), (-0.5, -0.4)])
+def test_the_exact_height_and_the_error_hold_again_at_once_where_the_nozzle_was_dragged(to):
+    """For those born since it came to rest; others left it on its way, or higher up."""
+    stage = open_level(
+        Fountain, "default", rate=4000.0, step_length=1 / 60, method="exponential", spread=60.0
+    )
+    drag(stage, (0.0, 0.0), (-2.0, 2.0))
+    stage.run(120)
+    drag(stage, (-2.0, 2.0), to)
+    assert any("born since" in words for _, words, _ in stage.scene.legend())
+    for _ in range(100):
+        stage.run(2)
+        values = readouts(stage)
+        assert values["error"] < 1e-11
+        assert values["outside the curve"] == 0
+        assert values["highest"] <= values["exact"] + 1e-9
+    assert values["highest"] > values["exact"] - 0.1
+    assert not any("born since" in words for _, words, _ in stage.scene.legend())
 
 
 @pytest.mark.parametrize("drag_on", [False, True])

@@ -25,8 +25,9 @@ from game.physics.particles.forces import Forces
 
 
 @kernel
-def measure_swarm(fields, low, high, gravity, base):
-    """Kinetic and potential energy (J for 1 kg each, above the height ``base``), greatest height (m)."""
+def measure_swarm(fields, low, high, gravity, base, since):
+    """Kinetic and potential energy (J for 1 kg each, above the height ``base``), and the greatest height (m)
+    of those born at ``since`` (s) or later."""
     kinetic = 0.0
     potential = 0.0
     highest = -math.inf
@@ -35,7 +36,8 @@ def measure_swarm(fields, low, high, gravity, base):
         vy = fields[3, i]
         kinetic += 0.5 * (vx * vx + vy * vy)
         potential += gravity * (fields[1, i] - base)
-        highest = max(highest, fields[1, i])
+        if fields[4, i] >= since:
+            highest = max(highest, fields[1, i])
     return kinetic, potential, highest
 
 

@@ -134,6 +134,13 @@ class ParticleSystem(Pool, Settings):
         self._known(index)
         self._emitters[index, : births.POSITION_Y + 1] = checked_point("position", position)
 
+    @property
+    def has_moving_emitters(self) -> bool:
+        """Whether an emitter moves to another place during the next step."""
+        return not np.array_equal(
+            self._emitters[:, : births.POSITION_Y + 1], self._emitters[:, births.FROM_X : births.FROM_Y + 1]
+        )
+
     def _known(self, index: int) -> None:
         if not 0 <= index < len(self._emitters):
             raise ValueError(f"emitter {index}: there are {len(self._emitters)}")

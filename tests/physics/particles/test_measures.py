@@ -42,10 +42,14 @@ def test_energy_and_height_are_sums():
     for _ in range(20):
         system.step(0.03)
     (x, y), v = system.positions.T, system.velocities
-    kinetic, potential, highest = measure_swarm(system.fields, 0, len(system), G, -2.0)
+    kinetic, potential, highest = measure_swarm(system.fields, 0, len(system), G, -2.0, -math.inf)
     assert kinetic == pytest.approx(0.5 * (v * v).sum(), rel=1e-12)
     assert potential == pytest.approx(G * (y + 2.0).sum(), rel=1e-12)
     assert highest == y.max() and len(x) == len(system) > 200
+    births = system.fields[4, : len(system)]
+    lately = np.median(births)
+    assert measure_swarm(system.fields, 0, len(system), G, -2.0, lately)[2] == y[births >= lately].max()
+    assert measure_swarm(system.fields, 0, len(system), G, -2.0, system.time_s + 1.0)[2] == -math.inf
 
 
 @pytest.mark.parametrize(("law", "effects"), [(THROWN, GRAVITY | GRAVITY), (BLOWN, GRAVITY | DRAG | WIND)])
