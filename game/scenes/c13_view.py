@@ -16,6 +16,7 @@ from game.scenes.c13_discs import draw_rimmed_discs
 from game.scenes.c13_ledger import LedgerCard
 from game.scenes.c13_level import COLORS
 from game.scenes.mass_spring_threads import draw_threads
+from game.stage import blend
 from game.ui.canvas import EXACT_DASH, Canvas
 
 if TYPE_CHECKING:
@@ -68,9 +69,7 @@ class CollisionView:
         places, tips = self._between(scene, alpha)
         self._draw_strings(scene, canvas, places)
         self._draw_spheres(scene, canvas, places, tips)
-        if scene.exact is not None:
-            for place, radius in zip(scene.exact.positions, scene.exact.radii, strict=True):
-                canvas.circle(place, float(radius), None, 1.0, "text1", 1.4, EXACT_DASH, alpha=0.75)
+        self._draw_exact(scene, canvas, alpha)
         if scene.shown_bearing:
             self._draw_bearing(scene, canvas, places)
         if scene.shown_impulses:
@@ -90,6 +89,16 @@ class CollisionView:
             return now
         then = _places(before, before)
         return then[0] + alpha * (now[0] - then[0]), then[1] + alpha * (now[1] - then[1])
+
+    def _draw_exact(self, scene: SphereCollisions, canvas: Canvas, alpha: float) -> None:
+        """Spheres of the event-driven run, dashed, at the same instant as the others."""
+        if scene.exact is None:
+            return
+        places, before = scene.exact.positions, scene.previous
+        if before is not None:
+            places = blend(before.exact_places, places, alpha)
+        for place, radius in zip(places, scene.exact.radii, strict=True):
+            canvas.circle(place, float(radius), None, 1.0, "text1", 1.4, EXACT_DASH, alpha=0.75)
 
     def _draw_walls(self, scene: SphereCollisions, canvas: Canvas) -> None:
         left, bottom, right, top = scene.world.surroundings.window.tolist()

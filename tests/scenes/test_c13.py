@@ -6,15 +6,21 @@ import math
 
 import msgspec
 import numpy as np
+import pygame
 import pytest
 from scenes.particle_stages import click, drag, move, open_level, press, readouts, release
 
 from game.levels import LevelError, level_files, load_level, save_level
 from game.physics.rigid import ledger
+from game.scenes import c13_view
 from game.scenes.c13_level import CollisionContent
 from game.scenes.c13_sphere_collisions import SphereCollisions
 from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
 from game.stage.state import copy_state
+from game.ui.camera import Camera
+from game.ui.canvas import Canvas
+from game.ui.look import Look
+from game.ui.theme import theme_named
 
 HARD = [path.stem for path in level_files("c13") if path.stem.startswith("hard")]
 
@@ -29,6 +35,16 @@ def bodies_of(stage):
 
 def beside(place, x, y):
     return place[0] + x, place[1] + y
+
+
+def blank_canvas(stage, size=(1000, 600)):
+    """A canvas on an empty picture that shows the scene's frame."""
+    pygame.font.init()
+    surface, camera = pygame.Surface(size, 0, 32), Camera()
+    camera.fit(stage.scene.frame(), surface.get_rect(), 0)
+    canvas = Canvas(Look(theme_named("dark"), 1.0))
+    canvas.begin(surface, surface.get_rect(), camera)
+    return canvas
 
 
 def wait(stage, seconds):
@@ -222,6 +238,26 @@ def test_beside_the_event_driven_run():
     assert readouts(stage)["beside exact"] > 1e-3
     stage.post(SetKnob("restitution", 0.5))
     assert stage.scene.exact is None
+
+
+@pytest.mark.parametrize("alpha", [0.0, 0.4, 0.99])
+def test_the_event_driven_run_is_drawn_at_the_instant_of_the_spheres(monkeypatch, alpha):
+    """Two runs that agree to rounding must cover each other in every picture, also between two steps."""
+    stage = opened("bouncing")
+    stage.run(20)
+    canvas, dashed, discs = blank_canvas(stage), [], []
+
+    def note_discs(pixels, clip, points, *rest):
+        discs.extend(points.tolist())
+
+    def note_circle(_, centre, *rest, **more):
+        dashed.append(canvas.place(centre))
+
+    monkeypatch.setattr(c13_view, "draw_rimmed_discs", note_discs)
+    monkeypatch.setattr(Canvas, "circle", note_circle)
+    stage.scene.draw(canvas, alpha)
+    assert len(discs) == 3
+    assert np.allclose(discs, dashed, rtol=0, atol=1e-6)
 
 
 @pytest.mark.parametrize("event", [SetKnob("gravity", 3.0), SetEffect("gravity", False)])
