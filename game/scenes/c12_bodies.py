@@ -1,11 +1,12 @@
 """The bodies of the rigid body scene: A, its twin B by another method, and the exact one, pushed alike.
 
 Each has an account: the energy and angular momentum that its method alone has made, in steps without
-torque and without a wall, and how often its middle axis has flipped.
+torque and without a wall, and how often it has turned over.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -19,6 +20,9 @@ from game.scenes.c12_level import RADIUS, SHARE
 Array = NDArray[np.float64]
 A, B, EXACT = range(3)
 MADE_ENERGY, MADE_MOMENTUM, FLIPS, SIDE, ACCOUNT = 0, 1, 2, 3, 4  # columns of an account
+ALIKE = 1e-9  # of a moment: others that differ by less are the same
+NEAR = 0.75  # cos² of 30°
+ON_A_SIDE = 0.5  # part of L along the middle axis from which on a body is on that side
 FINE = 8  # steps of the exact body in one of the others while something turns it
 
 
@@ -62,7 +66,7 @@ class Bodies:
         """Let the others be as A is, and begin new accounts."""
         self.rows[1:] = self.rows[A]
         self.accounts[:] = 0.0
-        self.accounts[:, SIDE] = self.all[A].spin[1]
+        self.accounts[:, SIDE] = side_of(self.all[A])
 
     def change_density(self, density: float, keep: str) -> None:
         """Make all of it of another density; keep "momentum" or "velocity"."""
@@ -83,6 +87,7 @@ class Bodies:
             new.velocity, new.angular_velocity = old.velocity + np.cross(spin, way), spin
         self.accounts[:] = accounts
         self.accounts[:, :FLIPS] = 0.0
+        self.accounts[:, SIDE] = [side_of(body) for body in self.all]  # of another middle axis
 
     def point_of(self, index: int, arm: Sequence[float]) -> Array:
         """Where (3,) m a point of the design's frame is on a body; arm (3,) m from the centre of mass."""
@@ -111,7 +116,44 @@ class Bodies:
             if free and body.bounces == bounces:
                 account[MADE_ENERGY] += after[1] - before[1]
                 account[MADE_MOMENTUM] += after[2] - before[2]
-            if after[5] * account[SIDE] < 0.0:
-                account[FLIPS] += 1.0
-            if after[5] != 0.0:
-                account[SIDE] = after[5]
+            self._count_flips(body, account)
+
+    def _count_flips(self, body: RigidBody, account: Array) -> None:
+        """Count a flip where L has come from one side of the middle axis to the other.
+
+        A sign that changes is not enough: about another axis the body wobbles, and its spin about the middle
+        one changes sign twice in each turn.
+        """
+        side = side_of(body)
+        if side == 0.0:
+            return
+        if side == -account[SIDE] and is_about_middle_axis(body):
+            account[FLIPS] += 1.0
+        account[SIDE] = side
+
+
+def side_of(body: RigidBody) -> float:
+    """On which side of the middle axis L is, seen from the body: 1, -1, or 0 where it is on neither."""
+    _, _, momentum, _, _, spin, _ = measure(body.state, body.constants[0])
+    along = body.moments[1] * spin
+    return math.copysign(1.0, along) if abs(along) > ON_A_SIDE * momentum else 0.0
+
+
+def is_about_middle_axis(body: RigidBody) -> bool:
+    """Whether a body turns about its middle axis, near enough to turn over."""
+    _, rotation, momentum, *_ = measure(body.state, body.constants[0])
+    return turns_over(body.moments.tolist(), rotation, momentum)
+
+
+def turns_over(moments: Sequence[float], rotation: float, momentum: float) -> bool:
+    """Whether free motion brings L within 30° of the middle axis, so that a change of sides turns it over.
+
+    moments: kg m², ascending. rotation: energy, J. momentum: |L|, kg m²/s. On its way L is nearest to that
+    axis where its part along the first or the third is 0. A body of two equal moments has no middle axis.
+    """
+    first, middle, third = moments
+    if not 0.0 < first < middle * (1.0 - ALIKE) or not middle < third * (1.0 - ALIKE) or momentum <= 0.0:
+        return False
+    inverse = 2.0 * rotation / (momentum * momentum)  # 1 / moment about the axis of L
+    end = third if inverse < 1.0 / middle else first
+    return (inverse - 1.0 / end) / (1.0 / middle - 1.0 / end) > NEAR

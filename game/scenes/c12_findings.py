@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from game.physics.rigid.body import RigidBody
 from game.physics.rigid.motion import P, Q
 from game.physics.rigid.quaternion import angle_between
 from game.physics.rigid.turning import measure
@@ -16,8 +14,6 @@ from game.stage import Readout
 if TYPE_CHECKING:
     from game.scenes.c12_rigid_body import RigidBodyScene
 
-ALIKE = 1e-9  # of a moment: others that differ by less are the same
-NEAR = 0.75  # cos² of 30°
 ROUNDING = 1e-12  # shares up to this are shown as none
 
 
@@ -29,7 +25,9 @@ def readouts_of(scene: RigidBodyScene) -> list[Readout]:
     found = [
         Readout("off", angle_off(scene, A), "°"),
         Readout("spin", math.sqrt(sum(w * w for w in spin)), "rad/s"),
-        Readout("flips", int(bodies.accounts[A, FLIPS])),
+        Readout("flips of A", int(bodies.accounts[A, FLIPS])),
+        *([Readout("flips of B", int(bodies.accounts[B, FLIPS]))] if scene.twin else []),
+        Readout("flips, exact", int(bodies.accounts[EXACT, FLIPS])),
         Readout("mass", body.mass, "kg"),
         Readout("exact", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
         Readout("bound", body.largest_rotation_energy, "J"),
@@ -56,26 +54,6 @@ def account_of(scene: RigidBodyScene, index: int, name: str) -> list[Readout]:
         Readout(f"q of {name}", _above_rounding(size - 1.0)),
         Readout(f"off {name}", angle_off(scene, index), "°"),
     ]
-
-
-def can_turn_over(body: RigidBody) -> bool:
-    """Whether a body turns freely and about its middle axis, near enough."""
-    _, rotation, momentum, *_ = measure(body.state, body.constants[0])
-    return body.is_free and turns_over(body.moments.tolist(), rotation, momentum)
-
-
-def turns_over(moments: Sequence[float], rotation: float, momentum: float) -> bool:
-    """Whether free motion brings L within 30° of the middle axis, so that a change of sides turns it over.
-
-    moments: kg m², ascending. rotation: energy, J. momentum: |L|, kg m²/s. On its way L is nearest to that
-    axis where its part along the first or the third is 0. A body of two equal moments has no middle axis.
-    """
-    first, middle, third = moments
-    if not 0.0 < first < middle * (1.0 - ALIKE) or not middle < third * (1.0 - ALIKE) or momentum <= 0.0:
-        return False
-    inverse = 2.0 * rotation / (momentum * momentum)  # 1 / moment about the axis of L
-    end = third if inverse < 1.0 / middle else first
-    return (inverse - 1.0 / end) / (1.0 / middle - 1.0 / end) > NEAR
 
 
 def angle_off(scene: RigidBodyScene, index: int) -> float:

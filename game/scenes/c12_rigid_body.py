@@ -16,9 +16,9 @@ from game.physics.rigid.free_top import turn_freely
 from game.physics.rigid.motion import INVERSES, MOMENTS, P
 from game.physics.rigid.turning import measure
 from game.scenes import c12_hand as hand
-from game.scenes.c12_bodies import EXACT, FLIPS, A, B, Bodies
+from game.scenes.c12_bodies import EXACT, FLIPS, A, B, Bodies, is_about_middle_axis
 from game.scenes.c12_camera import box_edges, camera_matrix
-from game.scenes.c12_findings import can_turn_over, readouts_of
+from game.scenes.c12_findings import readouts_of
 from game.scenes.c12_knobs import HOME, LABELS, SHOWN_ONLY, RigidBodyKnobs
 from game.scenes.c12_level import RigidContent, SphereEntry, design_of
 from game.scenes.c12_state import TRAIL, RigidState, content_of, restore, state_of
@@ -47,12 +47,12 @@ class RigidBodyScene(RigidBodyKnobs):
     theorem; its state is place, quaternion, momentum and angular momentum, and velocity and spin follow from
     those.
 
-    No force turns the hammer that the scene begins with, and yet it turns over, again and again: a spin
-    about the middle axis of inertia is not stable.
+    No force turns the two hammers that the scene begins with, and yet they turn over: a spin about the middle
+    axis of inertia is not stable. B, by the splitting, turns over again and again, as often as the exact
+    solution by Jacobi's elliptic functions, which goes along as an outline.
 
-    Explicit Euler keeps L to the bit, but not the energy: that rises until the body turns about its axis of
-    least inertia, and can rise no more. The exact solution, by Jacobi's elliptic functions, goes along as an
-    outline.
+    A, by explicit Euler, does so no more after five seconds. It keeps L to the bit, but not the energy: that
+    rises until the body turns about its axis of least inertia, and can rise no more.
 
     The small sphere shows L as the body sees it. A free body's L stays on a curve of its own energy; a method
     that makes energy spirals outwards to an end of axis 1.
@@ -114,7 +114,7 @@ class RigidBodyScene(RigidBodyKnobs):
         ),
     )
     try_this = (
-        "Wait until the hammer flips; then switch the twin view on and compare two integrators.",
+        "Count the flips of A and B beside the exact ones; then give A another integrator, and begin again.",
         "Set a time step of 1/10 s: explicit Euler is lost at once, the splitting only jitters.",
         "Take Implicit gyroscopic: what most engines use. It loses energy and angular momentum.",
         "Push the head, then the handle, with the same force. Double the density and do it again.",
@@ -128,10 +128,10 @@ class RigidBodyScene(RigidBodyKnobs):
         spin=(0.3, 2.0, 0.5),
     )
 
-    demo = (
-        Stamped(150, Pointer("down", 0.25, 0.75, button=1)),
-        Stamped(160, Pointer("move", 0.0, 1.1, button=1)),
-        Stamped(170, Pointer("up", -0.3, 1.35, button=1)),
+    demo = (  # the head of A is pulled up, and B is pulled alike
+        Stamped(150, Pointer("down", -2.39, 0.62, button=1)),
+        Stamped(160, Pointer("move", -2.6, 1.0, button=1)),
+        Stamped(170, Pointer("up", -2.9, 1.25, button=1)),
     )
 
     @classmethod
@@ -234,7 +234,7 @@ class RigidBodyScene(RigidBodyKnobs):
         self.steps += 1
         self._note()
         first = flips == 0.0 < self.bodies.accounts[A, FLIPS] and body.bounces == bounces
-        if first and can_turn_over(body):
+        if first and body.is_free and is_about_middle_axis(body):
             self.told.append("The body has turned over, with no torque on it.")
 
     def _push_now(self, dt: float) -> tuple[float, ...] | None:

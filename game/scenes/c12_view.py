@@ -13,7 +13,7 @@ from game.physics.fields import GRAVITY
 from game.physics.rigid import ROTATION, WINDOW, quaternion_to_matrix
 from game.physics.rigid.motion import P, Q, X
 from game.scenes import c12_hand as hand
-from game.scenes.c12_bodies import EXACT, A, B
+from game.scenes.c12_bodies import EXACT, FLIPS, A, B
 from game.scenes.c12_camera import camera_matrix
 from game.scenes.c12_level import COLOR, COLORS, RADIUS
 from game.scenes.c12_momentum_sphere import draw_momentum_sphere
@@ -226,12 +226,16 @@ class RigidView:
         canvas.label(target, words, "amber", 12, "semibold", offset=(0.0, -18.0))
 
     def _draw_titles(self, scene: RigidBodyScene, canvas: Canvas, panes: Sequence[int]) -> None:
-        """Letter and method above each box."""
-        top = scene.frame().top
+        """Letter and method above each box, and how often the body in it has turned over."""
+        top, exact = scene.frame().top, int(scene.bodies.accounts[EXACT, FLIPS])
         for pane in panes:
             words = f"{'AB'[pane]}  {scene.method_label(pane)}"
             color = "green" if pane == B else "chalk"
-            canvas.label((scene.pane_shift(pane), top), words, color, 13, "semibold", "top")
+            place, flips = (scene.pane_shift(pane), top), int(scene.bodies.accounts[pane, FLIPS])
+            canvas.label(place, words, color, 13, "semibold", "top")
+            if flips or exact:
+                words = f"{flips} flip{'s' if flips != 1 else ''}, exact {exact}"
+                canvas.label(place, words, "text2", 12, "medium", "top", offset=(0.0, 18.0))
 
 
 def _units(q: Array) -> Array:

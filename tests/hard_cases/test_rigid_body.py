@@ -66,7 +66,7 @@ def test_h3_flips_at_the_instants_of_jacobis_solution():
             side = -side
     assert len(seen) == len(expected)
     assert np.allclose(seen, expected, rtol=0, atol=0.03)
-    assert readouts(stage)["flips"] == len(expected)
+    assert readouts(stage)["flips of A"] == len(expected)
 
 
 def test_h4_energy_rises_to_its_bound_or_falls():
