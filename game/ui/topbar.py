@@ -24,6 +24,7 @@ TIPS = {
     "step": "One step", "slower": "Slower", "faster": "Faster", "speed": "Normal speed",
     "picture": "Save a picture", "help": "Help", "panel": "Panel on or off",
 }  # fmt: skip
+TOO_SLOW = "Steps or pictures take too long for the speed that is set. Click for normal speed"
 COMMANDS = {
     "slower": Command("speed", -1),
     "faster": Command("speed", 1),
@@ -32,7 +33,10 @@ COMMANDS = {
 
 
 class BarState(NamedTuple):
-    """What the bar shows. ``readouts``: at most four (caption, value, unit); not ``ready`` greys it out."""
+    """What the bar shows. ``readouts``: at most four (caption, value, unit); not ``ready`` greys it out.
+
+    ``reached``: the speed at which the scene really runs, where that is less than ``speed``.
+    """
 
     task: str
     title: str
@@ -41,6 +45,7 @@ class BarState(NamedTuple):
     panel: bool = True
     readouts: tuple[tuple[str, float, str], ...] = ()
     ready: bool = True
+    reached: float | None = None
 
 
 def speed_text(speed: float) -> str:
@@ -81,6 +86,7 @@ class TopBar:
         self.spots.update(dt_s, self.look)
         fresh = fresh or state.ready != self.state.ready or state.task != self.state.task
         placed_anew = len(state.readouts) != len(self.state.readouts) or state.ready != self.state.ready
+        placed_anew = placed_anew or state.reached != self.state.reached
         self.state = state
         if fresh:
             self._shown = state.readouts
@@ -113,7 +119,8 @@ class TopBar:
         def add(name: str, center_x: float, width: int, height: int, enabled: bool = True) -> None:
             place = pygame.Rect(0, 0, px(width), px(height))
             place.center = (round(center_x), rect.centery)
-            spots.append(Hotspot(name, place, enabled, TIPS[name]))
+            slow = name == "speed" and self.state.reached is not None
+            spots.append(Hotspot(name, place, enabled, TOO_SLOW if slow else TIPS[name]))
 
         k, width, ready = self.look.k, self.rect.w / self.look.k, self.state.ready
         add("back", rect.x + px(24), 32, 32)
@@ -203,7 +210,13 @@ class TopBar:
             return
         tray = self._inner(slower.rect.union(faster.rect))
         draw_box(surface, tray, self.look.px(8), self.look.theme.inset)
-        self.look.text(surface, speed_text(self.state.speed), tray.center, 13, "semibold", "text1", "center")
+        words, (x, y) = speed_text(self.state.speed), tray.center
+        if self.state.reached is None:
+            self.look.text(surface, words, (x, y), 13, "semibold", "text1", "center")
+        else:
+            px, reached = self.look.px, f"{self.state.reached:.2g}"
+            self.look.text(surface, reached, (x, y - px(6)), 13, "semibold", "amber", "center")
+            self.look.text(surface, f"of {words}", (x, y + px(8)), 11, "medium", "amber", "center")
 
     def _paint_play(self, surface: pygame.Surface, spot: Hotspot) -> None:
         look, theme = self.look, self.look.theme

@@ -80,6 +80,28 @@ def test_speed(scene: Driver):
     assert scene.stage.speed == 1.0
 
 
+def test_slow_running_is_told(scene: Driver):
+    """Ten frames a second leave time for 15 steps each, 1.25 times real time, and no more."""
+    bar = scene.top.shell.bar
+    scene.frames(180)
+    assert bar.state.reached is None
+    usual = bar.spots.find("speed").tip
+    scene.stage.speed = 4.0
+    scene.frames(180)
+    assert bar.state.reached is None, "it holds 4 times"
+    scene.frames(30, seconds=0.1)
+    assert bar.state.reached == pytest.approx(1.25, rel=0.02)
+    assert bar.spots.find("speed").tip != usual
+    scene.stage.speed = 1.0
+    scene.frames(30, seconds=0.1)
+    assert bar.state.reached is None
+    assert bar.spots.find("speed").tip == usual
+    scene.stage.speed = 4.0
+    scene.frames(30, seconds=0.1)
+    scene.key(pygame.K_SPACE)
+    assert bar.state.reached is None, "what stands still is not slow"
+
+
 def test_held_key_repeats_steps_but_not_pause(scene: Driver):
     def held(code: int, scancode: int) -> pygame.Event:
         return pygame.Event(pygame.KEYDOWN, key=code, scancode=scancode, mod=0, unicode="")

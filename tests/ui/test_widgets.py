@@ -171,6 +171,25 @@ def test_buttons_never_overlap_and_stay_inside(any_look, size):
     assert all(rect.collidelist(rects[i + 1 :]) == -1 for i, rect in enumerate(rects))
 
 
+def test_the_speed_that_is_reached_stands_in_amber_where_it_falls_short(look):
+    """In the tray between the two buttons, and nowhere else."""
+    bar = bar_at(look, (1280, 720))
+    pictures = []
+    for reached in (None, 1.5):
+        surface = pygame.Surface((1280, 720), 0, 32)
+        bar.update(0.3, STATE._replace(speed=4.0, reached=reached))
+        bar.draw(surface)
+        pictures.append(pygame.surfarray.array3d(surface).astype(int))
+    tray = bar.spots.find("speed").rect.inflate(look.px(8), look.px(6))
+    changed = np.abs(pictures[1] - pictures[0]).any(axis=2)
+    assert changed.any()
+    changed[tray.left : tray.right, tray.top : tray.bottom] = False
+    assert not changed.any()
+    inside = pictures[1][tray.left : tray.right, tray.top : tray.bottom]
+    amber = np.array(look.color("amber")[:3])
+    assert (np.abs(inside - amber).sum(axis=2) < 40).any()
+
+
 def test_numbers_change_when_they_are_fresh_and_only_then_is_it_painted(look):
     bar = bar_at(look, (1280, 720))
     surface = pygame.Surface((1280, 720), 0, 32)

@@ -12,6 +12,7 @@ from game.ui.hintbar import HintBar
 from game.ui.layout import arrange
 from game.ui.legend import Legend
 from game.ui.loading import LoadingCard, draw_shell
+from game.ui.pace import Pace
 from game.ui.tooltips import ToolTip
 from game.ui.topbar import BarState, TopBar
 
@@ -39,6 +40,7 @@ class Shell:
         self.legend = Legend(look)
         self.tip = ToolTip(look)
         self.beat = Beat()
+        self.pace = Pace()
         self.loading = LoadingCard(look)
         self.strips: Strips | None = None
         self.panel: Panel | None = None
@@ -118,6 +120,8 @@ class Shell:
         """Let time pass and show what the stage is like now."""
         step, still = (stage.step_number, stage.paused) if stage is not None else (0, True)
         fresh = self.beat.pass_time(elapsed_s, step, still)
+        if stage is not None:
+            self.pace.pass_time(elapsed_s, stage)
         self.bar.update(elapsed_s, self._bar_state(stage, fresh), fresh)
         self.hints.update(elapsed_s)
         if stage is not None and self.panel is not None and self.strips is not None:
@@ -139,7 +143,10 @@ class Shell:
         if measured or not self.bar.state.ready:
             own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
             readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
-        return BarState(self.entry.task, self.entry.title, stage.paused, stage.speed, panel, readouts)
+        return BarState(
+            self.entry.task, self.entry.title, stage.paused, stage.speed, panel, readouts,
+            reached=self.pace.speed,
+        )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
         """Draw the widgets round and over the picture of the scene."""
