@@ -20,6 +20,7 @@ from game.scenes import c13_findings as findings
 from game.scenes import c13_hand as hand
 from game.scenes import c13_sounds
 from game.scenes.c13_knobs import NOT_SETTINGS, TABLE_KNOBS, CollisionKnobs
+from game.scenes.c13_ledger import ledger_table
 from game.scenes.c13_level import CollisionContent, SphereEntry
 from game.scenes.c13_makings import bodies_of, makings_of, tables_of
 from game.scenes.c13_saving import content_of
@@ -37,6 +38,7 @@ from game.stage import (
     SceneAction,
     Stamped,
     Strip,
+    Table,
     WarmUp,
 )
 
@@ -66,6 +68,7 @@ class SphereCollisions(CollisionKnobs):
     dt = 1.0 / 120.0
     may_be_infinite = frozenset(("masses",))
     content_type = CollisionContent
+    legend_in_panel = True
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
 
     hints = (
@@ -134,7 +137,7 @@ class SphereCollisions(CollisionKnobs):
         self.take_bodies(bodies_of(makings, self.real, self.density), makings.surroundings)
         if self.content.exact:
             self.begin_exact()
-        self.view = CollisionView(self)
+        self.view = CollisionView()
 
     def take_bodies(self, bodies: SphereBodies, surroundings: Any) -> None:
         """Go on with these bodies and surroundings; what the world remembers of touches is lost."""
@@ -264,6 +267,12 @@ class SphereCollisions(CollisionKnobs):
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)
+
+    def table(self) -> Table | None:
+        return ledger_table(self)
+
+    def point_at(self, key: int | None) -> None:
+        self.view.lit = key
 
     def frame(self) -> Frame:
         view = self.content.view

@@ -13,7 +13,7 @@ from game.physics.rigid import ledger
 from game.physics.rigid.sphere_effects import LEDGES, STRINGS, WINDOW
 from game.scenes import c13_hand as hand
 from game.scenes.c13_discs import draw_rimmed_discs
-from game.scenes.c13_ledger import LedgerCard
+from game.scenes.c13_ledger import entry_of, has_ledger
 from game.scenes.c13_level import COLORS
 from game.scenes.mass_spring_threads import draw_threads
 from game.stage import blend
@@ -29,14 +29,15 @@ MOST_LINES = 6_000  # of radii
 THREADED = 12.0  # window px of radius: up to it, lines of radii are threads
 THIN = 0.2  # of the greatest bearing force: below it, lines are threads
 SMALLEST_LINED = 3.0  # window px of radius: below, spheres are plain discs
+NUMBERED = 13.0  # design px of radius from which on a sphere has room for its number
 ARROW_SHARE = 0.12  # of the height in view: an arrow of the usual impulse
 
 
 class CollisionView:
-    """Draws a scene that has just been built; keeps nothing that matters."""
+    """Draws the scene; keeps nothing that matters."""
 
-    def __init__(self, scene: SphereCollisions) -> None:
-        self._card = LedgerCard(scene)
+    def __init__(self) -> None:
+        self.lit: int | None = None  # number of the collision whose row of the ledger is under the pointer
 
     # -- words --------------------------------------------------------------------------------------
 
@@ -52,9 +53,9 @@ class CollisionView:
             ]
         else:
             rows = [("disc:text1", "spheres", count)]
-        if scene.shown_impulses and world.collisions:
+        if scene.shown_impulses:
             rows.append(("arrow:amber", "impulses", f"{world.collisions:,}".replace(",", " ")))
-        if scene.shown_bearing and len(world.touches[0]):
+        if scene.shown_bearing:
             rows.append(("line:green", "bearing", str(len(world.touches[0]))))
         if scene.exact is not None:
             rows.append(("dash:text1", "event-driven", ""))
@@ -75,8 +76,27 @@ class CollisionView:
         if scene.shown_impulses:
             self._draw_impulses(scene, canvas)
         self._draw_hand(scene, canvas)
-        if scene.ledger and canvas.words:
-            self._card.draw(scene, canvas)
+        if has_ledger(scene) and canvas.words:
+            self._draw_numbers(scene, canvas, places, tips)
+            self._light_collision(scene, canvas, places)
+
+    def _draw_numbers(self, scene: SphereCollisions, canvas: Canvas, places: Array, tips: Array) -> None:
+        """The numbers by which the ledger names spheres, beside the radius lines; none on small spheres."""
+        radii = scene.world.bodies.makeup.radii
+        for s in np.flatnonzero(radii > canvas.px(NUMBERED)).tolist():
+            at = places[s] - 0.45 * (tips[s] - places[s])
+            canvas.label((float(at[0]), float(at[1])), str(s), "text2", 11, "medium", halo=False)
+
+    def _light_collision(self, scene: SphereCollisions, canvas: Canvas, places: Array) -> None:
+        """The spheres of the collision that is pointed at in the ledger, and where they met."""
+        entry = entry_of(scene, self.lit) if self.lit is not None else None
+        if entry is None:
+            return
+        radii = scene.world.bodies.makeup.radii
+        for s in (int(entry[ledger.ONE]), int(entry[ledger.OTHER])):
+            if 0 <= s < len(places):
+                canvas.circle(places[s], float(radii[s]), None, 1.0, "amber", 4.0)
+        canvas.ring((float(entry[ledger.X]), float(entry[ledger.Y])), 6.0, "amber", 1.8)
 
     def _between(self, scene: SphereCollisions, alpha: float) -> tuple[Array, Array]:
         """Places (s, 2) and ends of the radius lines (s, 2), m, between the last two steps."""

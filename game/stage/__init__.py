@@ -18,6 +18,7 @@ from game.stage.declarations import (
     SceneAction,
     Sound,
     Strip,
+    Table,
     WarmUp,
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent, Stamped
@@ -66,6 +67,7 @@ __all__ = [
     "Stamped",
     "Strip",
     "StripSeries",
+    "Table",
     "Toggle",
     "WarmUp",
     "Warming",

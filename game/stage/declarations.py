@@ -14,6 +14,21 @@ class Readout(NamedTuple):
     unit: str = ""
 
 
+class Table(NamedTuple):
+    """Figures of single things, such as the last collisions, in rows of words.
+
+    ``keys``: by which the scene knows each row again. ``room``: rows that there may be. ``help``: what the
+    columns are.
+    """
+
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    keys: tuple[int, ...]
+    room: int
+    help: str = ""
+
+
 class Strip(NamedTuple):
     """A strip chart over the last ten seconds: title, unit, and the readouts (by name) that it draws."""
 

@@ -23,6 +23,7 @@ from game.stage.declarations import (
     Readout,
     SceneAction,
     Strip,
+    Table,
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent, Stamped
@@ -48,6 +49,7 @@ class Scene:
     may_be_infinite: ClassVar[frozenset[str]] = frozenset()  # fields of the state where inf or NaN is meant
     unit: ClassVar[str] = "m"
     y_up: ClassVar[bool] = True
+    legend_in_panel: ClassVar[bool] = False  # it would hide too much of the picture
     covers: ClassVar[bool] = False  # its picture covers the whole canvas, so that no ground is laid
     quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
     content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files
@@ -239,6 +241,13 @@ class Scene:
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """Rows of the legend: (mark, words, live count or ""); mark is "shape:colour", e.g. "disc:chalk"."""
         return ()
+
+    def table(self) -> Table | None:
+        """Figures of single things, for the panel; None: there are none to show."""
+        return None
+
+    def point_at(self, key: int | None) -> None:
+        """A row of ``table`` is under the pointer (None: none is): to be lit in the picture, nothing more."""
 
     def messages(self) -> Sequence[str]:
         """New things worth telling since the last call (fouls, limits reached); shown as fading messages."""

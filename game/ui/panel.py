@@ -178,16 +178,21 @@ class Panel:
         """Follow the scene: its values at once, measured numbers if they are ``fresh``."""
         self.foot.update(dt_s)
         if self._contents is None:
-            self._contents = Contents(Source(stage.scene), self.levels, _measures(stage), EffectCosts())
+            self._contents = Contents(
+                Source(stage.scene), self.levels, _measures(stage), EffectCosts(), *_beside(stage.scene)
+            )
             self._build()
         contents = self._contents
         contents.source.scene = stage.scene
-        if fresh and _measures(stage) != contents.measures:
-            self._contents = contents = contents._replace(measures=_measures(stage))
+        shown = (_measures(stage), *_beside(stage.scene)) if fresh else None
+        if shown is not None and shown != (contents.measures, contents.legend, contents.table):
+            measures, legend, table = shown
+            self._contents = contents = contents._replace(measures=measures, legend=legend, table=table)
             self._build()
         elif self._sheet is not None and self._sheet.is_behind():
             self._build()
         if self._sheet is None:
+            stage.scene.point_at(None)
             return
         if fresh or self._unmeasured:
             self._unmeasured = False
@@ -195,6 +200,7 @@ class Panel:
                 contents.costs.costs, contents.costs.bare = dict(meter.costs), meter.bare
             self._sheet.refresh(stage.readouts())
         self._see(self._sheet, stage.scene)
+        stage.scene.point_at(self._sheet.pointed)
         if self._unrest_s > 0.0 or not self._sheet.is_quiet:
             self._sheet.update(dt_s)
         else:
@@ -262,6 +268,13 @@ class Panel:
                 draw_box(surface, thumb, thumb.w / 2, lit)
         self.foot.draw(surface, self._reach() > view.h + self.scroll)
         surface.fill(theme.line, (self.rect.x, self.rect.y, self.look.border, self.rect.h))
+
+
+def _beside(scene: Scene) -> tuple[tuple[str, ...], tuple[str, int] | None]:
+    """Words of the legend's rows, if it stands in the panel, and title and room of the table."""
+    table = scene.table()
+    legend = tuple(words for _, words, _ in scene.legend()) if scene.legend_in_panel else ()
+    return legend, (table.title, table.room) if table is not None else None
 
 
 def _measures(stage: Stage) -> tuple[str, ...]:

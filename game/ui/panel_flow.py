@@ -24,6 +24,7 @@ from game.ui.panel_rows import (
 )
 from game.ui.panel_slider import SliderRow
 from game.ui.panel_switch import toggle_row
+from game.ui.panel_table import HEADER, LegendRow, TableLine
 
 UNGROUPED = "Parameters"
 LEVEL = ""  # name of the drop-down of levels
@@ -31,12 +32,15 @@ UNTITLED = "No level"
 
 
 class Contents(NamedTuple):
-    """What a panel shows: scene, levels (rows with ``title`` and ``value``), names of measures, costs."""
+    """What a panel shows: scene, levels (rows with ``title`` and ``value``), names of measures, costs, and
+    what stands of legend and table."""
 
     source: Source
     levels: tuple[Any, ...]
     measures: tuple[str, ...]
     costs: EffectCosts
+    legend: tuple[str, ...] = ()  # words of the rows, for a scene that has its legend here
+    table: tuple[str, int] | None = None  # title and room of the scene's table
 
     def present_level(self) -> str:
         """Path of the level that the scene was made from, as the drop-down knows it."""
@@ -68,6 +72,13 @@ class Flow:
             self.space(16)
             self._menu(LEVEL, contents.level_options(), contents.present_level(), "Level")
             self.space(8)
+        for index in range(len(contents.legend)):
+            self._row(LegendRow, source, index)
+        if contents.table is not None:
+            title, room = contents.table
+            self._row(Heading, title)
+            for index in range(HEADER, room):
+                self._row(TableLine, index)
         for title, knobs in grouped(source.scene.knobs().values()):
             self._row(Heading, title)
             for knob in knobs:

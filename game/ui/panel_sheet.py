@@ -13,7 +13,7 @@ from typing import Any
 import pygame
 from pygame_gui.elements import UITextEntryLine
 
-from game.stage import SetKnob, StageEvent
+from game.stage import Scene, SetKnob, StageEvent
 from game.ui.commands import Command
 from game.ui.look import Look
 from game.ui.numerals import NARROW_SPACE, NOTHING, format_si
@@ -22,10 +22,12 @@ from game.ui.panel_flow import LEVEL, Contents, Flow
 from game.ui.panel_manager import DropDown, PanelManager
 from game.ui.panel_rows import Caption, Context, Heading, Measure, Row
 from game.ui.panel_slider import SliderRow, shown_value
+from game.ui.panel_table import HEADER, LegendRow, TableLine
 
 Wish = StageEvent | Command
 LIST_ROOM = 8 * 32  # design px below the last row, for an open list
 NOWHERE = (-1, -1)
+STILL = (Heading, Caption, Measure, CostBar, LegendRow, TableLine)  # rows without a control
 
 
 class PanelSheet:
@@ -126,7 +128,7 @@ class PanelSheet:
 
     def focus_next(self, backward: bool) -> tuple[int, int] | None:
         """Move the keyboard focus to the next control; its top and bottom, or None after the last."""
-        rows = [row for row in self.rows if not isinstance(row, (Heading, Caption, Measure, CostBar))]
+        rows = [row for row in self.rows if not isinstance(row, STILL)]
         if backward:
             rows.reverse()
         index = next((i for i, row in enumerate(rows) if row.has_keys), -1) + 1
@@ -220,7 +222,27 @@ class PanelSheet:
                 row.scale_to(most)
             elif isinstance(row, Heading) and row.title == "Effects":
                 row.note = f"{format_si(total, 's')} a step" if math.isfinite(total) else NOTHING
+        self._fill_table(scene)
         self.mark_stale()
+
+    def _fill_table(self, scene: Scene) -> None:
+        """Take over the scene's table."""
+        lines = [row for row in self.rows if isinstance(row, TableLine)]
+        table = scene.table() if lines else None
+        if table is None:
+            return
+        for line in lines:
+            there = HEADER < line.index < len(table.rows)
+            line.key = table.keys[line.index] if there else None
+            if line.index == HEADER:
+                line.cells, line.tip = table.columns, table.help
+            else:
+                line.cells = table.rows[line.index] if there else ()
+
+    @property
+    def pointed(self) -> int | None:
+        """Key of the table's row that is under the pointer, if there is one."""
+        return next((row.key for row in self.rows if isinstance(row, TableLine) and row.hovered), None)
 
     def mark_stale(self, names: Collection[str] | None = None) -> None:
         """What rows show may have changed: those of the knobs named, or all."""

@@ -10,9 +10,10 @@ import pygame
 import pytest
 from scenes.particle_stages import click, drag, move, open_level, press, readouts, release
 
-from game.levels import LevelError, level_files, load_level, save_level
+from game.levels import Level, LevelError, level_files, load_level, save_level
 from game.physics.rigid import ledger
 from game.scenes import c13_view
+from game.scenes.c13_ledger import entry_of, momentum_lost
 from game.scenes.c13_level import CollisionContent
 from game.scenes.c13_sphere_collisions import SphereCollisions
 from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
@@ -126,6 +127,86 @@ def test_impulses_and_ledger():
     assert entries[:, ledger.LOST_SPIN].max() < 1e-13
     assert np.allclose(entries[:, ledger.CHANGE], entries[:, ledger.EXPECTED], rtol=0, atol=1e-13)
     assert np.allclose(entries[:, ledger.AFTER], -0.95 * entries[:, ledger.BEFORE], rtol=0, atol=1e-13)
+
+
+def test_the_ledger_says_what_a_wall_takes():
+    """Between two spheres no momentum is lost; at a wall the spheres lose the impulse."""
+    stage = opened("default")
+    wait(stage, 2.5)
+    table = stage.scene.table()
+    entries = stage.scene.world.ledger()[-table.room :][::-1]
+    assert len(table.rows) == len(entries) == table.room
+    assert {bool(entry[ledger.OTHER] < 0.0) for entry in entries} == {True, False}
+    for row, key, entry in zip(table.rows, table.keys, entries, strict=True):
+        pair, impulse, *_, lost = row
+        assert len(row) == len(table.columns)
+        if entry[ledger.OTHER] < 0.0:
+            assert pair == f"{entry[ledger.ONE]:.0f}, wall"
+            assert lost == impulse
+        else:
+            assert pair == f"{entry[ledger.ONE]:.0f}, {entry[ledger.OTHER]:.0f}"
+            assert lost == "0"
+        assert np.array_equal(entry_of(stage.scene, key), entry)
+    assert entry_of(stage.scene, 0) is None or stage.scene.world.collisions <= len(stage.scene.world.ring)
+    assert entry_of(stage.scene, stage.scene.world.collisions + 1) is None
+
+
+def test_the_momentum_lost_is_what_the_total_lost():
+    """Of spheres that met nothing else since: what walls took is the change of P."""
+    stage = opened("bouncing")
+    stage.post(SetEffect("gravity", False))
+    before, seen = readouts(stage), 0
+    for _ in range(600):
+        stage.run(1)
+        after = readouts(stage)
+        jump = math.hypot(after["P x"] - before["P x"], after["P y"] - before["P y"])
+        if after["collisions"] == before["collisions"] + 1:
+            lost = momentum_lost(stage.scene, stage.scene.world.ledger()[-1])
+            assert lost == pytest.approx(jump, abs=1e-12)
+            seen += lost > 0.0
+        before = after
+    assert seen > 3
+
+
+def test_a_sphere_that_nothing_moves_takes_momentum_like_a_wall():
+    stage = opened("hourglass")
+    assert stage.scene.table() is None, "5,000 spheres have no ledger"
+    content = msgspec.json.decode(
+        b'{"spheres": [{"position": [0.0, 0.0], "velocity": [2.0, 0.0]}, {"position": [1.5, 0.0],'
+        b' "fixed": true}]}',
+        type=CollisionContent,
+    )
+    stage = Stage(SphereCollisions, level=Level(scene="c13", content=content))
+    stage.post(SetEffect("gravity", False))
+    wait(stage, 1.0)
+    (entry,) = stage.scene.world.ledger()
+    assert momentum_lost(stage.scene, entry) == pytest.approx(math.hypot(*entry[ledger.JX : ledger.JZ + 1]))
+
+
+def test_pointing_at_a_row_lights_its_pair(monkeypatch):
+    """In the picture alone: the state does not know of it. Spheres carry the numbers of the ledger."""
+    stage = opened("default")
+    wait(stage, 2.5)
+    canvas, rings, words = blank_canvas(stage), [], []
+    monkeypatch.setattr(Canvas, "circle", lambda _, centre, *rest, **more: rings.append(tuple(centre)))
+    monkeypatch.setattr(Canvas, "label", lambda _, at, text, *rest, **more: words.append(text))
+    stage.scene.draw(canvas, 1.0)
+    assert words == [str(s) for s in range(16)]
+    assert not rings
+    digest = stage.digest()
+    table = stage.scene.table()
+    for row, key in zip(table.rows, table.keys, strict=True):
+        rings.clear()
+        stage.scene.point_at(key)
+        stage.scene.draw(canvas, 1.0)
+        named = [int(word) for word in row[0].split(", ") if word != "wall"]
+        assert rings == [tuple(place[:2]) for place in bodies_of(stage).places()[named].tolist()]
+    assert stage.digest() == digest
+    stage.post(SetKnob("ledger", False))
+    words.clear(), rings.clear()
+    stage.scene.draw(canvas, 1.0)
+    assert not words and not rings
+    assert stage.scene.table() is None
 
 
 def test_a_force_by_click_and_drag_moves_and_turns():

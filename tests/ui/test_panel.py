@@ -14,14 +14,15 @@ from pointing import click, down, event, move, press, up
 from sample_scene import Sample
 
 from game.levels import Level
-from game.stage import KnobError, Param, SetEffect, SetKnob, Stage
+from game.stage import KnobError, Param, SetEffect, SetKnob, Stage, Table
 from game.ui.commands import Command
 from game.ui.look import Look
 from game.ui.panel import Panel
 from game.ui.panel_effects import EffectRow
-from game.ui.panel_rows import Measure, SegmentsRow
+from game.ui.panel_rows import Heading, Measure, SegmentsRow
 from game.ui.panel_slider import SliderRow, read_value, share_of, shown_value, value_at
 from game.ui.panel_switch import SwitchRow
+from game.ui.panel_table import LegendRow, TableLine
 from game.ui.theme import DARK
 
 RECT = pygame.Rect(960, 48, 320, 672)
@@ -448,3 +449,62 @@ def test_what_is_shown_can_be_typed_back(knob, share):
             assert abs(value - knob.minimum) < 1e-6  # three digits of it may lie below the range
             continue
         assert abs(back - value) <= 6e-3 * abs(value) + 1e-12
+
+
+class Listed(Sample):
+    """A scene with its legend in the panel, and a table."""
+
+    name = "listed"
+    legend_in_panel = True
+    count, pointed = 2, None
+
+    def legend(self):
+        return [("disc:chalk", "spheres", str(self.count)), ("line:green", "walls", "")]
+
+    def table(self):
+        if not self.count:
+            return None
+        rows = tuple((f"row {i}", f"{0.5 * i}") for i in range(self.count))
+        return Table(
+            "Figures", ("name", "length m"), rows, tuple(range(70, 70 + self.count)), 3, "what it is"
+        )
+
+    def point_at(self, key):
+        self.pointed = key
+
+
+def listed_panel():
+    look = Look(DARK)
+    stage, panel = Stage(Listed), Panel(look, Listed, LEVELS)
+    panel.place(RECT, look)
+    panel.update(0.3, stage)
+    return stage, panel
+
+
+def test_a_table_and_a_legend_stand_below_the_levels():
+    stage, panel = listed_panel()
+    kinds = [type(row) for row in panel._sheet.rows[:7]]
+    assert kinds == [LegendRow, LegendRow, Heading, TableLine, TableLine, TableLine, TableLine]
+    lines = panel._sheet.rows[3:7]
+    assert [line.cells for line in lines] == [("name", "length m"), ("row 0", "0.0"), ("row 1", "0.5"), ()]
+    assert lines[0].tip == "what it is"
+    assert [row.shows()[1:] for row in panel._sheet.rows[:2]] == [("spheres", "2"), ("walls", "")]
+    stage.scene.count = 0
+    panel.update(0.3, stage)
+    assert not any(isinstance(row, TableLine) for row in panel._sheet.rows)
+
+
+def test_the_row_under_the_pointer_is_told_to_the_scene():
+    stage, panel = listed_panel()
+    for line, key in zip(panel._sheet.rows[3:7], (None, 70, 71, None), strict=True):
+        panel.handle(move(RECT.x + 50, RECT.y + line.rect.centery))
+        panel.update(1 / 60, stage)
+        panel.update(1 / 60, stage)
+        assert stage.scene.pointed == key
+    panel.handle(move(RECT.x + 50, RECT.y + panel._sheet.rows[5].rect.centery))
+    panel.update(1 / 60, stage)
+    panel.update(1 / 60, stage)
+    assert stage.scene.pointed == 71
+    panel.place(pygame.Rect(RECT.right, RECT.y, 0, RECT.h), panel.look)
+    panel.update(1 / 60, stage)
+    assert stage.scene.pointed is None, "a panel that is shut points at nothing"

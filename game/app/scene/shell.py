@@ -150,7 +150,8 @@ class Shell:
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
         """Draw the widgets round and over the picture of the scene."""
-        self.legend.draw(surface, self.layout.free_stage, tuple(legend), self.beat.fresh)
+        if not (stage.scene.legend_in_panel and self.layout.panel.w):
+            self.legend.draw(surface, self.layout.free_stage, tuple(legend), self.beat.fresh)
         if self.strips is not None:
             self.strips.draw(surface)
         self.draw_foot(surface)
