@@ -268,7 +268,7 @@ class SphereCollisions(CollisionKnobs):
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)
 
-    def table(self) -> Table | None:
+    def panel_table(self) -> Table | None:
         return ledger_table(self)
 
     def point_at(self, key: int | None) -> None:

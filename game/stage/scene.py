@@ -242,12 +242,12 @@ class Scene:
         """Rows of the legend: (mark, words, live count or ""); mark is "shape:colour", e.g. "disc:chalk"."""
         return ()
 
-    def table(self) -> Table | None:
+    def panel_table(self) -> Table | None:
         """Figures of single things, for the panel; None: there are none to show."""
         return None
 
     def point_at(self, key: int | None) -> None:
-        """A row of ``table`` is under the pointer (None: none is): to be lit in the picture, nothing more."""
+        """A row of ``panel_table`` is under the pointer (None: none is): to be lit, and nothing more."""
 
     def messages(self) -> Sequence[str]:
         """New things worth telling since the last call (fouls, limits reached); shown as fading messages."""

@@ -272,7 +272,7 @@ class Panel:
 
 def _beside(scene: Scene) -> tuple[tuple[str, ...], tuple[str, int] | None]:
     """Words of the legend's rows, if it stands in the panel, and title and room of the table."""
-    table = scene.table()
+    table = scene.panel_table()
     legend = tuple(words for _, words, _ in scene.legend()) if scene.legend_in_panel else ()
     return legend, (table.title, table.room) if table is not None else None
 

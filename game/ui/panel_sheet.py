@@ -228,12 +228,12 @@ class PanelSheet:
     def _fill_table(self, scene: Scene) -> None:
         """Take over the scene's table."""
         lines = [row for row in self.rows if isinstance(row, TableLine)]
-        table = scene.table() if lines else None
+        table = scene.panel_table() if lines else None
         if table is None:
             return
         for line in lines:
             there = HEADER < line.index < len(table.rows)
-            line.key = table.keys[line.index] if there else None
+            line.row_key = table.keys[line.index] if there else None
             if line.index == HEADER:
                 line.cells, line.tip = table.columns, table.help
             else:
@@ -242,7 +242,7 @@ class PanelSheet:
     @property
     def pointed(self) -> int | None:
         """Key of the table's row that is under the pointer, if there is one."""
-        return next((row.key for row in self.rows if isinstance(row, TableLine) and row.hovered), None)
+        return next((row.row_key for row in self.rows if isinstance(row, TableLine) and row.hovered), None)
 
     def mark_stale(self, names: Collection[str] | None = None) -> None:
         """What rows show may have changed: those of the knobs named, or all."""

@@ -43,7 +43,7 @@ class TableLine(Row):
     def __init__(self, context: Context, top: int, index: int) -> None:
         self.index = index
         self.cells: tuple[str, ...] = ()
-        self.key: int | None = None  # by which the scene knows it
+        self.row_key: int | None = None  # by which the scene knows it
         super().__init__(context, top)
 
     def shows(self) -> tuple[object, ...]:
@@ -52,7 +52,7 @@ class TableLine(Row):
     def paint(self, surface: pygame.Surface) -> None:
         look, (first, *others) = self.look, self.cells or ("",)
         y, left = self.rect.h // 2, self.left + look.px(FIRST)
-        if self.hovered and self.key is not None:
+        if self.hovered and self.row_key is not None:
             surface.fill(look.theme.hover)
         head = self.index == HEADER
         tone, weight = ("text3", "medium") if head else ("text1" if self.hovered else "text2", "medium")

@@ -133,7 +133,7 @@ def test_the_ledger_says_what_a_wall_takes():
     """Between two spheres no momentum is lost; at a wall the spheres lose the impulse."""
     stage = opened("default")
     wait(stage, 2.5)
-    table = stage.scene.table()
+    table = stage.scene.panel_table()
     entries = stage.scene.world.ledger()[-table.room :][::-1]
     assert len(table.rows) == len(entries) == table.room
     assert {bool(entry[ledger.OTHER] < 0.0) for entry in entries} == {True, False}
@@ -170,7 +170,7 @@ def test_the_momentum_lost_is_what_the_total_lost():
 
 def test_a_sphere_that_nothing_moves_takes_momentum_like_a_wall():
     stage = opened("hourglass")
-    assert stage.scene.table() is None, "5,000 spheres have no ledger"
+    assert stage.scene.panel_table() is None, "5,000 spheres have no ledger"
     content = msgspec.json.decode(
         b'{"spheres": [{"position": [0.0, 0.0], "velocity": [2.0, 0.0]}, {"position": [1.5, 0.0],'
         b' "fixed": true}]}',
@@ -194,7 +194,7 @@ def test_pointing_at_a_row_lights_its_pair(monkeypatch):
     assert words == [str(s) for s in range(16)]
     assert not rings
     digest = stage.digest()
-    table = stage.scene.table()
+    table = stage.scene.panel_table()
     for row, key in zip(table.rows, table.keys, strict=True):
         rings.clear()
         stage.scene.point_at(key)
@@ -206,7 +206,7 @@ def test_pointing_at_a_row_lights_its_pair(monkeypatch):
     words.clear(), rings.clear()
     stage.scene.draw(canvas, 1.0)
     assert not words and not rings
-    assert stage.scene.table() is None
+    assert stage.scene.panel_table() is None
 
 
 def test_a_force_by_click_and_drag_moves_and_turns():

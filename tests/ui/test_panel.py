@@ -461,7 +461,7 @@ class Listed(Sample):
     def legend(self):
         return [("disc:chalk", "spheres", str(self.count)), ("line:green", "walls", "")]
 
-    def table(self):
+    def panel_table(self):
         if not self.count:
             return None
         rows = tuple((f"row {i}", f"{0.5 * i}") for i in range(self.count))
