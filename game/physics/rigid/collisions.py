@@ -35,7 +35,8 @@ from game.physics.rigid.collision_steps import (
     prepare_part,
 )
 from game.physics.rigid.impact_parts import divide_at_impacts
-from game.physics.rigid.impulses import collide_at_once, collide_in_turn
+from game.physics.rigid.impulses import collide_in_turn
+from game.physics.rigid.joint_impulses import collide_at_once
 from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
 from game.physics.rigid.planar_impulses import FLAT_COLUMNS, lies_in_plane
 from game.physics.rigid.planar_steps import move_flat, planar_part
