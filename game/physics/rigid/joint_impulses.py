@@ -29,7 +29,6 @@ from game.physics.rigid.touch_rows import (
     rest_speed,
 )  # fmt: skip
 
-SPARE_ROUNDS = 16  # beyond two for each touch; then every touch stops approaching without rebound
 LEAST_SWEEPS = 200  # of a round, at most; with fewer touches more, as a light sphere between heavy ones needs
 SWEPT = 40_000  # touches swept in a round, in all
 SETTLED = 1e-15  # of the fastest approach: a sweep that changes speeds by less is the last
@@ -46,12 +45,11 @@ def collide_at_once(
     takes the approach from every touch.
     """
     before = counters[2]
-    limit = min(numbers.rounds, 2 * count + SPARE_ROUNDS)
-    for turn in range(limit):
+    for turn in range(numbers.rounds):
         rebound = measure_round(work, radii, touches, who, ids, count, rows, fastest, numbers)
         if rebound < 0.0:
             return turn, int(counters[2] - before)
-        ends = rebound == 0.0 or turn == limit - 1
+        ends = rebound == 0.0 or turn == numbers.rounds - 1
         if ends:
             join_all(count, rows)
         for _ in range(max(LEAST_SWEEPS, SWEPT // count)):

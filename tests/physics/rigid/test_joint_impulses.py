@@ -120,13 +120,13 @@ def test_without_rebound_one_round_ends_all_approach():
 @pytest.mark.parametrize("e", [0.5, 0.9])
 def test_bounces_without_end_are_ended(e):
     """A light sphere to and fro between two heavy ones: more rounds than there are, then no rebound."""
-    world = world_of(row_of([3.0, 0.0, 0.5], masses=[50.0, 0.1, 70.0]), law="at-once", restitution=e)
+    world = world_of(row_of([3.0, 0.0, 0.5], masses=[50.0, 0.1, 70.0]), law="at-once", restitution=e, rounds=20)
     momentum, _, energy = sums(world)
     world.step(MOMENT)
-    assert world.rounds == 2 * 2 + 16
+    assert world.rounds == 20
     assert np.diff(world.bodies.velocities[:, 0]).min() >= -1e-12
     after = sums(world)
-    assert after[0] == pytest.approx(momentum, abs=1e-12) and after[2] < energy
+    assert after[0] == pytest.approx(momentum, abs=1e-11) and after[2] < energy
 
 
 @pytest.mark.parametrize("e", [1.0, 0.5, 0.0])
@@ -151,15 +151,19 @@ def test_a_full_box_gains_nothing_in_ten_seconds(e):
     assert world.collisions > 300
 
 
-@pytest.mark.parametrize("e", [1.0, 0.6])
-def test_a_long_row_gains_nothing_where_its_sweeps_do_not_suffice(e):
-    """400 in a row, all approaching: far more touches than a round can settle. Impulses are held back."""
-    random = np.random.default_rng(4)
-    speeds = np.linspace(4.0, -4.0, 400) + random.uniform(-0.005, 0.005, 400)
-    for rounds in (1, 2, 200):
-        world = world_of(row_of(speeds), law="at-once", restitution=e, rounds=rounds)
-        momentum, _, energy = sums(world)
-        world.step(MOMENT)
-        after = sums(world)
-        assert after[2] <= energy * (1.0 + 1e-12)
-        assert after[0] == pytest.approx(momentum, abs=1e-11)
+def test_too_few_sweeps_gain_nothing():
+    """Spheres within each other, masses from 1e-6 to 1e6 kg: sweeps end before the impulses fit together.
+
+    As the sweeps leave them, they would raise the energy by 2e-7 of it.
+    """
+    random = np.random.default_rng(2089)
+    count = int(random.integers(3, 14))
+    places, radii = random.normal(0.0, 0.3, (count, 3)), random.uniform(0.3, 1.0, count)
+    velocities, masses = random.normal(0.0, 2.0, (count, 3)), 10.0 ** random.uniform(-6.0, 6.0, count)
+    bodies = SphereBodies(places, radii, velocities, masses=masses)
+    world = world_of(bodies, law="at-once", restitution=1.0, correction="none", warm=False)
+    momentum, _, energy = sums(world)
+    world.step(MOMENT)
+    after = sums(world)
+    assert after[2] <= energy * (1.0 + 1e-12)
+    assert after[0] == pytest.approx(momentum, rel=1e-12)
