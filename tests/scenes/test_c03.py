@@ -230,3 +230,16 @@ def test_all_levels_but_the_hard_ones_run():
             stage.run(30)
             assert stage.fault is None
             assert math.isfinite(readouts(stage)["error"])
+
+
+def test_time_is_steps_times_their_length():
+    """Not a sum of as many roundings; also after a state was put back."""
+    stage = still(compare=False)
+    dt = stage.scene.dt
+    stage.run(1_000)
+    assert stage.scene.time == 1_000 * dt != sum([dt] * 1_000)
+    kept = stage.scene.state()
+    stage.run(7)
+    stage.scene.restore(kept)
+    stage.scene.advance(dt)
+    assert stage.scene.time == 1_001 * dt
