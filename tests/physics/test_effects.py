@@ -108,7 +108,7 @@ def test_what_is_asked_for_is_one_or_several_or_names():
     assert effects_of(RAIN, known, "clouds know") == effects_of("test-gravity", known, "clouds know")
     assert effects_of([SNOW, "test-gravity"], known, "clouds know") == known
     assert effects_of((), known, "clouds know") == EffectSet()
-    with pytest.raises(ValueError, match="^effects: clouds know nothing of test-drag, only of test-gravity, "):
+    with pytest.raises(ValueError, match=r"^effects: clouds know nothing of test-drag, only of test-gr"):
         effects_of(RAIN | HAIL, known, "clouds know")
     for nonsense in (3, None, [3]):
         with pytest.raises(ValueError, match="an effect or several are wanted"):
@@ -140,5 +140,5 @@ def test_every_class_takes_one_effect_or_a_set_and_refuses_what_it_does_not_know
     for foreign in (HAIL, one | HAIL, "test-drag"):
         with pytest.raises(ValueError, match=r"^effects: .* nothing of test-drag, only of [^\n]+$"):
             make(foreign)
-    with pytest.raises(ValueError, match="^effects = 3: an effect or several"):
+    with pytest.raises(ValueError, match=r"^effects = 3: an effect or several"):
         make(3)

@@ -43,11 +43,11 @@ MOST_TURNS = 10_000  # substeps of a step, sweeps of a substep
 class Settings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
-    effects: one or several of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
-    iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m.
-    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it slows
-    each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link tears.
-    restitution: of contacts.
+    effects: one or several of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a
+    step and iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d,
+    N s/m. floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it
+    slows each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link
+    tears. restitution: of contacts.
     """
 
     effects: EffectSet = GRAVITY | GROUND | LINKS | DAMPING

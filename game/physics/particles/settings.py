@@ -23,8 +23,9 @@ MAX_SUBSTEPS = 64
 class Settings:
     """What a step does with particles. Every setter raises ValueError, naming the field, for nonsense.
 
-    effects: one or several of KNOWN. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`. floor: m.
-    floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and smooth.
+    effects: one or several of KNOWN. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`.
+    floor: m. floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and
+    smooth.
     """
 
     def __init__(

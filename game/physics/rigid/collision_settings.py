@@ -75,9 +75,9 @@ class CollisionSettings:
 
     effects: one or several of KNOWN. scheme: of SCHEMES, for the motion. law: of LAWS, for collisions.
     correction: of CORRECTIONS, of overlap. iterations: sweeps of bearing impulses; passes: sweeps of position
-    correction; rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop: of
-    the smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path: of
-    PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
+    correction; rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop:
+    of the smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path:
+    of PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
     """
 
     effects: EffectSet = USUAL

@@ -41,8 +41,8 @@ def collide_at_once(
 ):  # fmt: skip
     """Newton's law at all touches together, in rounds. Returns rounds and impulses made.
 
-    Friction follows each round, touch by touch. If collisions go on without end (e < 1 between spheres that touch), or nothing that approaches rebounds, a last round
-    takes the approach from every touch.
+    Friction follows each round, touch by touch. If collisions go on without end (e < 1 between spheres that
+    touch), or nothing that approaches rebounds, a last round takes the approach from every touch.
     """
     before = counters[2]
     for turn in range(numbers.rounds):

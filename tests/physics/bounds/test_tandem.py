@@ -317,3 +317,19 @@ def test_pairs_are_of_leaves_that_the_caller_has():
         assert set(answer.leaf_pairs[:, 1].tolist()) <= set(b.leaves.tolist())
         for i, j in answer.crossings.tolist():
             assert any(i in a.segments_of(m) and j in b.segments_of(n) for m, n in answer.leaf_pairs.tolist())
+
+
+@kinds
+def test_the_reach_of_a_tree_holds_its_volumes(kind):
+    """Corners of a slanting box lie farther out than any point; what counts as rounding goes by the reach."""
+    points = turned(np.array([(-1.0, 0.0), (1.0, 0.0), (0.0, 0.9)]), math.pi / 4, 0.0)
+    tree = build_tree(points, kind, 3, closed=True)
+    row = tree.volumes[0]
+    if kind == "capsule":
+        outermost = np.abs(row[:4]).max() + row[4]
+    else:
+        along, across = row[2:4] * row[4], np.array([-row[3], row[2]]) * row[5]
+        outermost = max(np.abs(row[:2] + a * along + b * across).max() for a in (-1, 1) for b in (-1, 1))
+    if kind == "obb":
+        assert outermost > np.abs(points).max() + 0.3
+    assert tree.reach >= outermost

@@ -1,4 +1,4 @@
-"""Both laws for spheres that touch each other: momentum is kept and no energy is made, whatever the cluster."""
+"""Both laws for spheres that touch each other: momentum is kept, no energy is made."""
 
 from __future__ import annotations
 
@@ -120,7 +120,9 @@ def test_without_rebound_one_round_ends_all_approach():
 @pytest.mark.parametrize("e", [0.5, 0.9])
 def test_bounces_without_end_are_ended(e):
     """A light sphere to and fro between two heavy ones: more rounds than there are, then no rebound."""
-    world = world_of(row_of([3.0, 0.0, 0.5], masses=[50.0, 0.1, 70.0]), law="at-once", restitution=e, rounds=20)
+    world = world_of(
+        row_of([3.0, 0.0, 0.5], masses=[50.0, 0.1, 70.0]), law="at-once", restitution=e, rounds=20
+    )
     momentum, _, energy = sums(world)
     world.step(MOMENT)
     assert world.rounds == 20
