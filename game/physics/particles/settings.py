@@ -41,7 +41,7 @@ class Settings:
         substeps: int,
     ):
         self.solids = solids
-        self.effects = effects  # type: ignore[assignment]  # the setter makes a set of one
+        self.effects = effects
         self.method = method
         self.contact = contact
         self.life = life
