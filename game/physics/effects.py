@@ -177,6 +177,21 @@ class EffectSet:
         return f"EffectSet({', '.join(self.names)})"
 
 
+def effects_of(effects: Effect | str | Iterable[Effect | str], known: EffectSet, who: str) -> EffectSet:
+    """The effects that something is asked to compute, as a set: one, or several, or their names.
+
+    known: all that it can compute. ValueError, in the name of ``who``, for others, and for what is no effect.
+    """
+    try:
+        wanted = EffectSet([effects] if isinstance(effects, Effect | str) else effects)
+    except (TypeError, AttributeError):
+        raise ValueError(f"effects = {effects!r}: an effect or several are wanted") from None
+    foreign = [effect.name for effect in wanted if effect not in known]
+    if foreign:
+        raise ValueError(f"effects: {who} nothing of {', '.join(foreign)}, only of {', '.join(known.names)}")
+    return wanted
+
+
 def _declared(effect: Effect | str) -> Effect:
     """The effect itself, if it was declared."""
     if isinstance(effect, str):

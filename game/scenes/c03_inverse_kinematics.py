@@ -223,7 +223,7 @@ class InverseKinematics(FigureScene):
     # -- a step -------------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        self.time += dt
+        self.time = (round(self.time / dt) + 1) * dt  # whole steps: a running sum would drift
         chain = self.rig.figure.chain
         if self.motion:
             swung = self.rig.swung(self.time)

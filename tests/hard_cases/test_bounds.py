@@ -114,7 +114,7 @@ def test_c08_h6_touching_and_parallel(kind):
         assert len(tandem(a, b, offset).crossings) > 0
         apart = 1.0 + 1e-9
         assert len(tandem(a, b, (apart * offset[0], apart * offset[1])).crossings) == 0
-    assert len(tandem(a, b, (2.0, 0.0), math.pi / 2).crossings) > 0
+    assert len(tandem(a, b.turned(math.pi / 2), (2.0, 0.0)).crossings) > 0
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.lab import run_study
-from game.lab.studies.rotation import energy_study, rotation_study
+from game.lab.studies.rotation import Run, energy_study, rotation_study
 from game.scenes.c12_rigid_body import RigidBodyScene
 
 
@@ -64,3 +64,21 @@ def test_the_scene_stands_on_the_line_of_its_method():
     for study in (rotation_study, *rotation_study.related):
         for setting in study.settings():
             assert study.present(setting.scene).method == setting.method
+
+
+@pytest.mark.parametrize("study", rotation_study.family)
+def test_nothing_but_steps_is_timed(study, monkeypatch):
+    """One call for all steps; the energy is looked at only afterwards, along the same steps."""
+    trial = study.trial(next(iter(study.settings())))
+    calls = []
+    plain = trial.body.step
+    monkeypatch.setattr(trial.body, "step", lambda dt, steps: (calls.append(steps), plain(dt, steps)))
+    monkeypatch.setattr(Run, "energy", property(lambda _: pytest.fail("the energy is read while time runs")))
+    trial.reset()
+    trial.run()
+    assert calls == [trial.steps]
+    monkeypatch.undo()
+    stood = trial.body.state.copy()
+    error = trial.outcome().error
+    assert error > 0.0 and np.array_equal(trial.body.state, stood)
+    assert trial.outcome().error == error

@@ -7,7 +7,25 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.physics.effects import ROOMS, Effect, EffectError, EffectSet, declare_effect, effect_named
+from game.physics.animation.easing import Easing
+from game.physics.animation.effects import EASING
+from game.physics.animation.keyframes import Keyframes
+from game.physics.animation.playback import Playback
+from game.physics.constraints import PositionBasedDynamics
+from game.physics.effects import (
+    ROOMS,
+    Effect,
+    EffectError,
+    EffectSet,
+    declare_effect,
+    effect_named,
+    effects_of,
+)
+from game.physics.fields import GRAVITY
+from game.physics.particles import ParticleSystem
+from game.physics.rigid import RigidBody
+from game.physics.rigid.collisions import CollidingSpheres
+from game.physics.rigid.spheres import SphereBodies
 
 RAIN = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
 SNOW = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")
@@ -83,3 +101,44 @@ def test_sets_survive_copying():
     weather = RAIN | SNOW
     assert copy.deepcopy(weather) == weather
     assert pickle.loads(pickle.dumps(weather)) == weather
+
+
+def test_what_is_asked_for_is_one_or_several_or_names():
+    known = RAIN | SNOW
+    assert effects_of(RAIN, known, "clouds know") == effects_of("test-gravity", known, "clouds know")
+    assert effects_of([SNOW, "test-gravity"], known, "clouds know") == known
+    assert effects_of((), known, "clouds know") == EffectSet()
+    with pytest.raises(ValueError, match=r"^effects: clouds know nothing of test-drag, only of test-gr"):
+        effects_of(RAIN | HAIL, known, "clouds know")
+    for nonsense in (3, None, [3]):
+        with pytest.raises(ValueError, match="an effect or several are wanted"):
+            effects_of(nonsense, known, "clouds know")
+    with pytest.raises(ValueError, match="test-fog"):
+        effects_of("test-fog", known, "clouds know")
+
+
+def key_frames(effects):
+    return Playback(Keyframes([0.0, 1.0], [(0.0, 0.0), (1.0, 0.0)]), easing=Easing("ease"), effects=effects)
+
+
+@pytest.mark.parametrize(
+    ("make", "one"),
+    [
+        (lambda effects: RigidBody(effects=effects), GRAVITY),
+        (lambda effects: CollidingSpheres(SphereBodies([(0, 0)], [1]), effects=effects), GRAVITY),
+        (lambda effects: PositionBasedDynamics([(0, 0)], effects=effects), GRAVITY),
+        (lambda effects: ParticleSystem(4, effects=effects), GRAVITY),
+        (key_frames, EASING),
+    ],
+)
+def test_every_class_takes_one_effect_or_a_set_and_refuses_what_it_does_not_know(make, one):
+    for given_effects in (one, EffectSet([one]), one.name):
+        made = make(given_effects)
+        holder = getattr(made, "settings", made)
+        if hasattr(holder, "effects"):
+            assert holder.effects == EffectSet([one])
+    for foreign in (HAIL, one | HAIL, "test-drag"):
+        with pytest.raises(ValueError, match=r"^effects: .* nothing of test-drag, only of [^\n]+$"):
+            make(foreign)
+    with pytest.raises(ValueError, match=r"^effects = 3: an effect or several"):
+        make(3)

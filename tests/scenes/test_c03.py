@@ -271,3 +271,16 @@ def test_the_solve_that_is_not_timed_leaves_nothing_behind():
         first.scene._solve_all(first=k % len(SHOWN))
         second.scene._solve_all(first=0)
     assert first.digest() == second.digest()
+
+
+def test_time_is_steps_times_their_length():
+    """Not a sum of as many roundings; also after a state was put back."""
+    stage = still(compare=False)
+    dt = stage.scene.dt
+    stage.run(1_000)
+    assert stage.scene.time == 1_000 * dt != sum([dt] * 1_000)
+    kept = stage.scene.state()
+    stage.run(7)
+    stage.scene.restore(kept)
+    stage.scene.advance(dt)
+    assert stage.scene.time == 1_001 * dt

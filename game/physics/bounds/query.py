@@ -254,10 +254,9 @@ def tandem(
     """Which leaves of two trees overlap, which of their segments meet, and how that was found.
 
     The second tree is turned by ``turn_b`` (rad) about its origin and moved by ``offset_b`` (2,) m. Touching
-    counts. ValueError for trees of different kinds, or what is no place.
+    counts. Upright boxes cannot be turned here: give ``tree_b.turned(angle)``, whose leaves are others.
+    ValueError for that, for trees of different kinds, or what is no place.
     """
-    if tree_a.kind == "aabb" and turn_b != 0.0:
-        tree_b, turn_b = tree_b.turned(turn_b), 0.0
     query = Query(tree_a, tree_b)
     query.run(offset_b, turn_b, exact=exact)
     return query.answer()

@@ -46,8 +46,10 @@ def arrange_links(
     """The order of solving, (m,) indices into links, and the runs (r, 3): start, length, whether together.
 
     links: (m, 2) with each pair ascending. count: of particles. order: of ORDERS. Links that are not in a run
-    that is solved together are solved one after the other.
+    that is solved together are solved one after the other. ValueError for an order that there is not.
     """
+    if order not in ORDERS:
+        raise ValueError(f"order = {order!r}: one of {', '.join(ORDERS)} is wanted")
     m = len(links)
     if order != "coloured":
         places = np.arange(m) if order == "natural" else np.arange(m)[::-1].copy()

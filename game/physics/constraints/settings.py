@@ -21,7 +21,7 @@ from game.physics.constraints.effects import (
 )
 from game.physics.constraints.links import MODELS
 from game.physics.constraints.motion import SCHEMES
-from game.physics.effects import EffectSet
+from game.physics.effects import EffectSet, effects_of
 from game.physics.fields import GRAVITY, GROUND
 
 KNOWN = EffectSet.from_mask(
@@ -43,11 +43,11 @@ MOST_TURNS = 10_000  # substeps of a step, sweeps of a substep
 class Settings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
-    effects: of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
-    iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m.
-    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it slows
-    each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link tears.
-    restitution: of contacts.
+    effects: one or several of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a
+    step and iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d,
+    N s/m. floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it
+    slows each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link
+    tears. restitution: of contacts.
     """
 
     effects: EffectSet = GRAVITY | GROUND | LINKS | DAMPING
@@ -65,9 +65,7 @@ class Settings:
     restitution: float = 1.0
 
     def __post_init__(self) -> None:
-        unknown = [effect.name for effect in self.effects if effect not in KNOWN]
-        if unknown:
-            raise ValueError(f"effects: linked particles know nothing of {', '.join(unknown)}")
+        object.__setattr__(self, "effects", effects_of(self.effects, KNOWN, "linked particles know"))
         for name, options in (("model", MODELS), ("scheme", SCHEMES), ("solver", SOLVERS)):
             if getattr(self, name) not in options:
                 raise ValueError(f"{name} = {getattr(self, name)!r}: one of {', '.join(options)} is wanted")

@@ -95,11 +95,8 @@ def expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace)
         i = support_hc(va, fa, na, corners[best, 0], nx, ny)
         j = support_hc(vb, fb, nb, corners[best, 1], -(c * nx + s * ny), s * nx - c * ny)
         ax, ay = local_edge(va, fa, vb, fb, c, s, corners[best, 0], corners[best, 1], i, j)
-        farther = nx * ax + ny * ay > 0.0
-        known = (i == corners[best, 0] and j == corners[best, 1]) or (
-            i == corners[m, 0] and j == corners[m, 1]
-        )
-        done = known or not farther or count >= corners.shape[0]
+        farther = nx * ax + ny * ay > 0.0  # exactly 0 for the edge's own ends
+        done = not farther or count >= corners.shape[0]
         if steps < trace.shape[0]:
             trace[steps, 0], trace[steps, 1] = best, height
             trace[steps, 2], trace[steps, 3], trace[steps, 4] = i, j, not done

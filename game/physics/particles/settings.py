@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from game.physics.effects import EffectSet
+from game.physics.effects import Effect, EffectSet, effects_of
 from game.physics.fields import DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles.contacts import CONTACTS
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT, REPORTS_BIT
@@ -23,14 +23,15 @@ MAX_SUBSTEPS = 64
 class Settings:
     """What a step does with particles. Every setter raises ValueError, naming the field, for nonsense.
 
-    effects: of KNOWN. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`. floor: m.
-    floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and smooth.
+    effects: one or several of KNOWN. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`.
+    floor: m. floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and
+    smooth.
     """
 
     def __init__(
         self,
         solids: Discs,
-        effects: EffectSet,
+        effects: EffectSet | Effect,
         method: str,
         contact: str,
         life: float,
@@ -54,12 +55,9 @@ class Settings:
         return self._effects
 
     @effects.setter
-    def effects(self, effects: EffectSet) -> None:
-        unknown = [effect.name for effect in effects if effect not in KNOWN]
-        if unknown:
-            raise ValueError(f"effects: particles know nothing of {', '.join(unknown)}")
-        self._effects = effects
-        self.mask = effects.mask
+    def effects(self, effects: EffectSet | Effect) -> None:
+        self._effects = effects_of(effects, KNOWN, "particles know")
+        self.mask = self._effects.mask
 
     @property
     def method(self) -> str:

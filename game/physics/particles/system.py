@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.effects import EffectSet
+from game.physics.effects import Effect, EffectSet
 from game.physics.fields import GRAVITY
 from game.physics.particles import births, encounters
 from game.physics.particles.advance import BLOCK, make_advance
@@ -55,7 +55,7 @@ class ParticleSystem(Pool, Settings):
         *,
         emitters: Iterable[Emitter] = (),
         solids: Discs | None = None,
-        effects: EffectSet = GRAVITY | OBSTACLES,
+        effects: EffectSet | Effect = GRAVITY | OBSTACLES,
         method: str = "verlet",
         contact: str = "chord",
         life: float = 2.0,

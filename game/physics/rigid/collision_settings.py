@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.effects import EffectSet
+from game.physics.effects import EffectSet, effects_of
 from game.physics.rigid.makeup import whole_numbers
 from game.physics.rigid.sphere_effects import DRAG_BIT, FRICTION_BIT, GRAVITY_BIT, KNOWN, USUAL
 
@@ -73,11 +73,11 @@ class Numbers(NamedTuple):
 class CollisionSettings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
-    effects: of KNOWN. scheme: of SCHEMES, for the motion. law: of LAWS, for collisions. correction: of
-    CORRECTIONS, of overlap. iterations: sweeps of bearing impulses; passes: sweeps of position correction;
-    rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop: of the
-    smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path: of
-    PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
+    effects: one or several of KNOWN. scheme: of SCHEMES, for the motion. law: of LAWS, for collisions.
+    correction: of CORRECTIONS, of overlap. iterations: sweeps of bearing impulses; passes: sweeps of position
+    correction; rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop:
+    of the smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path:
+    of PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
     """
 
     effects: EffectSet = USUAL
@@ -97,9 +97,8 @@ class CollisionSettings:
     fast: float = 0.0
 
     def __post_init__(self) -> None:
-        unknown = [effect.name for effect in self.effects if effect not in KNOWN]
-        if unknown:
-            raise ValueError(f"effects: colliding spheres know nothing of {', '.join(unknown)}")
+        effects = effects_of(self.effects, KNOWN, "colliding spheres know")
+        object.__setattr__(self, "effects", effects)
         options = {"scheme": SCHEMES, "law": LAWS, "correction": CORRECTIONS, "path": PATHS}
         for name, allowed in options.items():
             if getattr(self, name) not in allowed:

@@ -35,12 +35,13 @@ from game.physics.rigid.collision_steps import (
     prepare_part,
 )
 from game.physics.rigid.impact_parts import divide_at_impacts
-from game.physics.rigid.impulses import collide_at_once, collide_in_turn
+from game.physics.rigid.impulses import collide_in_turn
+from game.physics.rigid.joint_impulses import collide_at_once
 from game.physics.rigid.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
 from game.physics.rigid.planar_impulses import FLAT_COLUMNS, lies_in_plane
 from game.physics.rigid.planar_steps import move_flat, planar_part
 from game.physics.rigid.position_correction import project_apart, split_apart
-from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, STRINGS
+from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, PUSHES, STRINGS
 from game.physics.rigid.spheres import (
     WORK_COLUMNS,
     MotionState,
@@ -114,6 +115,8 @@ class CollidingSpheres:
         settings = self.settings
         nominal = dt / settings.substeps
         self.parts = self._candidates.tests = 0
+        if PUSHES not in settings.effects:
+            self.pulls[:] = 0.0
         for _ in range(settings.substeps):
             for h in self._divided(nominal):
                 self._part(h, nominal)

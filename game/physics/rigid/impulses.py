@@ -1,10 +1,10 @@
-"""Collisions between bodies in space: impulses at touches that approach.
+"""Collisions between bodies in space, one after the other: impulses at touches that approach.
 
 An impulse along the normal turns the approach v_n of the contact points into -e v_n,
     j = -(1 + e) v_n m_eff,
 and Coulomb's friction stops the slip or takes mu j (Hahn 1988; Mirtich 1996). One touch after the other,
-again until none approaches: what happens in Newton's cradle. Or all at once, by accumulated impulses that
-only push: Newton's law at every touch. Arrays as in touch_rows.
+again until none approaches: what happens in Newton's cradle. All of them at once: see joint_impulses.
+Arrays as in touch_rows.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from game.physics.rigid.contacts import FIRST, GAP, NX, NY, NZ, SECOND
 from game.physics.rigid.ledger import weigh_pair
 from game.physics.rigid.spheres import WEIGHT
 from game.physics.rigid.touch_rows import (
-    BEFORE,
     HIT,
     HITX,
     HITY,
@@ -107,77 +106,3 @@ def collide_in_turn(
         if not changed:
             return turn, made
     return numbers.rounds, made
-
-
-@lean_kernel
-def collide_at_once(
-    work, positions, radii, touches, who, ids, count, rows, fastest, numbers, ring, counters, sums
-):  # fmt: skip
-    """Newton's law at all touches together: v_n' >= -e v_n, impulses push or are nought.
-
-    Accumulated impulses are swept until nothing changes. Returns sweeps and touches that bounced. Friction
-    follows, touch by touch.
-    """
-    made = 0
-    for turn in range(numbers.rounds):
-        change = 0.0
-        for m in range(count):
-            touch, row = touches[m], rows[m]
-            a, b = ids[m, FIRST], ids[m, SECOND]
-            if touch[GAP] > TOUCHING * radii[who[m, FIRST]]:
-                continue
-            bounces = row[BEFORE] < -rest_speed(row[REBOUND], numbers)
-            made += int(bounces and turn == 0)
-            wanted = -row[REBOUND] * row[BEFORE] if bounces else min(row[BEFORE], 0.0)
-            speed = normal_speed(work, row, touch, a, b)
-            mass = row[MASS] / (1.0 - row[SOFT])
-            j = max(row[HIT] - (speed - wanted) * mass, 0.0) - row[HIT]
-            change = max(change, abs(speed - wanted) if j != 0.0 else 0.0)
-            push_along(work, row, touch, a, b, j)
-            row[HIT] += j
-        if change <= 1e-15 * fastest:
-            break
-    enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums)
-    return turn + 1, made
-
-
-@inner_kernel
-def enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums):
-    """Friction of a joint collision whose impulses along the normals have acted, and the ledger of it.
-
-    The energy of the joint collision is shared out: each normal impulse has its work, j times the mean of
-    the speeds before and after, in sum all of it. What friction takes is measured, as it is made.
-    """
-    first = int(counters[2])
-    made = 0
-    for m in range(count):
-        row = rows[m]
-        if row[HIT] > 0.0:
-            entry = ring[(first + made) % ring.shape[0]]
-            entry[ledger.AFTER] = normal_speed(work, row, touches[m], ids[m, FIRST], ids[m, SECOND])
-            entry[ledger.CHANGE] = 0.5 * row[HIT] * (row[BEFORE] + entry[ledger.AFTER])
-            made += 1
-    skipped = made - ring.shape[0]
-    for m in range(count):
-        row = rows[m]
-        j = row[HIT]
-        if j > 0.0:
-            touch, a, b = touches[m], ids[m, FIRST], ids[m, SECOND]
-            entry = ring[int(counters[2]) % ring.shape[0]]
-            if skipped > 0:  # more at once than the ledger has lines: the last of them are entered
-                skipped -= 1
-                push_along(work, row, touch, a, b, -j)
-                row[HIT] = 0.0
-                collide(work, row, touch, a, b, j)
-                counters[2] += 1.0
-                continue
-            after, share = entry[ledger.AFTER], entry[ledger.CHANGE]
-            # taken back and made again, with its friction, so that it can be weighed
-            speeds = normal_speed(work, row, touch, a, b)
-            push_along(work, row, touch, a, b, -j)
-            speeds += normal_speed(work, row, touch, a, b)
-            row[HIT] = 0.0
-            collide_and_enter(work, positions, row, touch, who[m], a, b, j, row[BEFORE], ring, counters, sums)
-            entry[ledger.AFTER] = after
-            entry[ledger.CHANGE] += share - 0.5 * j * speeds
-            entry[ledger.EXPECTED] += share - 0.5 * j * speeds

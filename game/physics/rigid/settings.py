@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.effects import EffectSet
+from game.physics.effects import effects_of
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.motion import METHODS
@@ -36,11 +36,7 @@ def checked_setting(name: str, value: Any) -> Any:
         return bool(value)
     if name != "effects":
         raise ValueError(f"{name}: a rigid body has no such setting")
-    effects = value if isinstance(value, EffectSet) else EffectSet([value])
-    unknown = [effect.name for effect in effects if effect not in KNOWN]
-    if unknown:
-        raise ValueError(f"effects: a rigid body knows nothing of {', '.join(unknown)}")
-    return effects
+    return effects_of(value, KNOWN, "a rigid body knows")
 
 
 def vector(name: str, value: ArrayLike) -> NDArray[np.float64]:

@@ -31,12 +31,14 @@ from game.physics.rigid.spheres import (
 )  # fmt: skip
 
 # columns of a row: least separating speed wanted, effective mass, softness, friction, restitution, impulse
-# along the normal, of friction (3), arms (3 each), arms x normal (3 each), impulse of collisions (4)
+# along the normal, of friction (3), arms (3 each), arms x normal (3 each), impulse of collisions (4),
+# separating speed before it, and of a joint round: impulse so far, least separating speed wanted
 (
     BIAS, MASS, SOFT, MU, REBOUND, JN, JTX, JTY, JTZ, RAX, RAY, RAZ, RBX, RBY, RBZ,
     TAX, TAY, TAZ, TBX, TBY, TBZ, HIT, HITX, HITY, HITZ, BEFORE,
-) = range(26)  # fmt: skip
-ROW_COLUMNS = 26
+    JOINT, WANTED,
+) = range(28)  # fmt: skip
+ROW_COLUMNS = 28
 TOUCHING = 1e-9  # of the radius: a gap up to this is none
 STILL = 1e-12  # of the fastest approach: slower ones are rounding
 STRING = -2  # in place of a second sphere
@@ -205,7 +207,6 @@ def prepare_rows(state, makeup, places, work, touches, who, ids, held, count, ta
         speed = normal_speed(work, row, touch, a, b)
         touching = touch[GAP] <= TOUCHING * makeup.radii[who[m, FIRST]]
         least = rest_speed(row[REBOUND], numbers)
-        row[BEFORE] = speed
         row[SOFT] = 0.0
         row[HIT] = row[HITX] = row[HITY] = row[HITZ] = 0.0
         row[JN] = held[m, 0] * numbers.carry

@@ -185,3 +185,18 @@ def test_targets_and_settings_that_make_no_sense_are_refused():
     with pytest.raises(SkeletonError, match="links"):
         two_link_angles(0.0, 1.0, (1.0, 0.0))
     assert np.array_equal(skeleton.angles, [0.3, 0.4, 0.5])
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_joint_at_its_limit_and_pulled_beyond_takes_no_part(side):
+    """The other joint turns by j·e / (λ² + j·j), as if it were alone; pulled back, both turn."""
+    for bent, alone in ((0.5, True), (0.5 - 1e-9, False)):
+        skeleton = Skeleton(
+            [-1, 0], [1.0, 0.8], [0.2 * side, bent * side], lower=[-3.0, -0.5], upper=[3.0, 0.5]
+        )
+        end, target = skeleton.ends[1].copy(), np.array([0.9, 1.3 * side])
+        e, j = target - end, np.array([-end[1], end[0]])
+        solve_ik(skeleton, (0, 1), target, METHODS[-1], 1e-12, 1, damping=0.4)
+        turn = float(j @ e) / ((0.4 * 1.8) ** 2 + float(j @ j))  # the damping is over the reach
+        assert skeleton.angles[1] == 0.5 * side
+        assert (abs(skeleton.angles[0] - 0.2 * side - turn) < 1e-12) == alone

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from game.physics.animation import INTERPOLATIONS, Keyframes
-from game.physics.animation.tangents import RULES
+from game.physics.animation.tangents import RULES, piece_slopes
 
 EPS = 2.0**-52
 SMOOTH = tuple(name for name in INTERPOLATIONS if name not in ("nearest", "linear", "flat", "bezier"))
@@ -265,3 +265,15 @@ def test_every_key_is_met_in_any_order(times, name, order):
         last = max(i for i, other in enumerate(times) if other == t)
         assert tuple(track.sample(t)) == values[last] or name == "nearest" or t != max(times)
         assert tuple(track.sample(t)) == values[last]
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize(("second", "slope"), [(-1.0, 2.0), (-2.6, 2.8), (-3.4, 3.0), (-9.0, 3.0)])
+def test_the_ends_of_a_monotone_curve_are_at_most_three_chords_steep(sign, second, slope):
+    """The parabola's slope, (3 d - e) / 2 for equal pieces, up to 3 d where the chords differ in sign."""
+    steps = sign * np.array([[1.0], [second]])
+    begins, ends = piece_slopes("monotone", np.array([0.0, 1.0, 2.0]), steps)
+    assert begins[0, 0] == pytest.approx(sign * slope, rel=1e-15)
+    assert ends[0, 0] == begins[1, 0] == 0.0
+    backwards = piece_slopes("monotone", np.array([0.0, 1.0, 2.0]), -steps[::-1])[1]
+    assert backwards[-1, 0] == pytest.approx(-sign * slope, rel=1e-15)

@@ -127,3 +127,15 @@ def test_frames_are_inverted(at, angle, wide, high):
     c, s = math.cos(angle), math.sin(angle)
     frame = np.array([[[c * wide, -s * high, at[0]], [s * wide, c * high, at[1]], [0.0, 0.0, 1.0]]])
     assert np.allclose(invert_frames(frame)[0] @ frame[0], np.eye(3), rtol=0, atol=1e-12)
+
+
+def test_of_equal_weights_the_first_bones_are_kept():
+    """In their order; and what follows nobody else names the first bone."""
+    skeleton = chain_skeleton([1.0] * 4)
+    for given_weights, influences, bones in (
+        ([1.0, 1.0, 1.0, 1.0], 2, [0, 1]),
+        ([1.0, 2.0, 1.0, 2.0], 3, [1, 3, 0]),
+        ([0.0, 0.0, 5.0, 0.0], 3, [2, 0, 0]),
+    ):
+        binding = bind_given(skeleton, [(0.0, 0.0)], [given_weights], influences=influences)
+        assert binding.bones.tolist() == [bones]

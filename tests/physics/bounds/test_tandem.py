@@ -102,9 +102,9 @@ def test_a_tree_turned_is_the_tree_of_the_turned_line(kind):
 )  # fmt: skip
 def test_the_pairs_are_those_of_brute_force(kind, seed, n, m, leaf_size, x, y, angle):
     a, b = build_tree(walk(seed, n), kind, leaf_size), build_tree(walk(seed + 1, m), kind, leaf_size)
-    answer = tandem(a, b, (x, y), angle)
     if kind == "aabb":
         b, angle = b.turned(angle), 0.0
+    answer = tandem(a, b, (x, y), angle)
     assert [tuple(row) for row in answer.crossings.tolist()] == brute(a, b, (x, y), angle)
     query = Query(a, b)
     query.run((x, y), angle)
@@ -301,6 +301,35 @@ def test_what_is_no_query_is_refused():
             call(box, box, (math.nan, 0.0))
         with pytest.raises(ValueError, match="turn_b"):
             call(box, box, (0.0, 0.0), math.inf)
-    with pytest.raises(ValueError, match="do not turn"):
-        Query(upright, upright).run((0, 0), 0.5)
-    assert len(tandem(upright, upright, (0, 0), math.pi / 2).crossings) == 1
+    for ask in (Query(upright, upright).run, lambda *place: tandem(upright, upright, *place)):
+        with pytest.raises(ValueError, match="do not turn"):
+            ask((0, 0), 0.5)
+    assert len(tandem(upright, upright.turned(math.pi / 2)).crossings) == 1
+
+
+def test_pairs_are_of_leaves_that_the_caller_has():
+    """Every pair names a leaf of each tree that was given, also where the tree had to be turned before."""
+    for kind in KINDS:
+        a, b = build_tree(walk(1, 40), kind, 3), build_tree(walk(2, 40), kind, 3).turned(0.7)
+        answer = tandem(a, b)
+        assert len(answer.leaf_pairs) > 0
+        assert set(answer.leaf_pairs[:, 0].tolist()) <= set(a.leaves.tolist())
+        assert set(answer.leaf_pairs[:, 1].tolist()) <= set(b.leaves.tolist())
+        for i, j in answer.crossings.tolist():
+            assert any(i in a.segments_of(m) and j in b.segments_of(n) for m, n in answer.leaf_pairs.tolist())
+
+
+@kinds
+def test_the_reach_of_a_tree_holds_its_volumes(kind):
+    """Corners of a slanting box lie farther out than any point; what counts as rounding goes by the reach."""
+    points = turned(np.array([(-1.0, 0.0), (1.0, 0.0), (0.0, 0.9)]), math.pi / 4, 0.0)
+    tree = build_tree(points, kind, 3, closed=True)
+    row = tree.volumes[0]
+    if kind == "capsule":
+        outermost = np.abs(row[:4]).max() + row[4]
+    else:
+        along, across = row[2:4] * row[4], np.array([-row[3], row[2]]) * row[5]
+        outermost = max(np.abs(row[:2] + a * along + b * across).max() for a in (-1, 1) for b in (-1, 1))
+    if kind == "obb":
+        assert outermost > np.abs(points).max() + 0.3
+    assert tree.reach >= outermost

@@ -444,3 +444,68 @@ def test_usual_effects_are_those_that_the_arguments_are_for():
     run(system, 1 / 60, 240)
     assert system.positions[:, 1].min() == 0.0
     assert system.energy()[0] < 1e-3
+
+
+@pytest.mark.parametrize("order", ["natural", "reversed", "coloured"])
+@pytest.mark.parametrize("model", ["pbd", "xpbd"])
+def test_each_link_has_its_own_numbers_in_any_order(order, model):
+    """Beads on springs of their own: a stretch of α m g, or g dt² (1 - k) / k, whichever is solved first."""
+    compliances, stiffness = np.array([1e-3, 4e-3, 2e-2]), np.array([0.9, 0.5, 0.2])
+    tops = [(float(i), 0.0) for i in range(3)]
+    system = PositionBasedDynamics(
+        [*tops, *((x, -1.0) for x, _ in tops)], [0.0] * 3 + [1.0] * 3, [(i, i + 3) for i in range(3)],
+        stiffness, compliances=compliances, model=model, order=order, iterations=1, damping=5.0,
+        effects=GRAVITY | LINKS | DAMPING,
+    )  # fmt: skip
+    run(system, 1 / 60, 2_000)
+    expected = compliances * G if model == "xpbd" else G / 3600 * (1 - stiffness) / stiffness
+    assert np.allclose(-1.0 - system.positions[3:, 1], expected, rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("scheme", ["euler", "bdf2"])
+def test_no_step_leaves_anything_but_its_state(scheme):
+    """A system built anew and given the state goes on by the same bits: multipliers begin at 0 each time."""
+
+    def jelly():
+        ring = shapes.ring((0.0, 0.0), 0.5, 8)
+        return PositionBasedDynamics(
+            ring.positions, 1.0, ring.links, areas=[list(range(8))], compliances=1e-4, area_compliance=1e-3,
+            model="xpbd", scheme=scheme, iterations=4, floor=-0.6, effects=GRAVITY | LINKS | AREAS | GROUND,
+        )  # fmt: skip
+
+    system, fresh = jelly(), jelly()
+    run(system, 1 / 60, 25)
+    fresh.restore(type(system.state())(*(part.copy() for part in system.state())))
+    run(system, 1 / 60, 3)
+    run(fresh, 1 / 60, 3)
+    assert np.array_equal(system.fields, fresh.fields)
+
+
+def test_what_is_let_go_begins_bdf2_anew():
+    """The hand led it, no force did: its first step falls g h², one of Euler, and not 4/9 g h²."""
+    h = 1 / 60
+    system = PositionBasedDynamics([(0.0, 0.0)], scheme="bdf2", effects=GRAVITY | LINKS)
+    system.grab(0)
+    run(system, h, 5)
+    assert system.positions.tolist() == [[0.0, 0.0]]
+    system.release()
+    run(system, h, 1)
+    assert system.positions[0, 1] == pytest.approx(-G * h * h, rel=1e-14)
+
+
+def test_a_change_of_scheme_begins_bdf2_anew():
+    """Euler keeps no step before; what stands there is older, and does not count."""
+    h = 1 / 60
+
+    def falling(**more):
+        return PositionBasedDynamics([(0.0, 0.0)], velocities=[(1.0, 2.0)], effects=GRAVITY | LINKS, **more)
+
+    system = falling(scheme="bdf2")
+    run(system, h, 4)
+    system.change(scheme="euler")
+    run(system, h, 4)
+    system.change(scheme="bdf2")
+    start, speed = system.positions, system.velocities
+    run(system, h, 1)
+    assert system.velocities[0] == pytest.approx(speed[0] - (0.0, G * h), abs=1e-13)
+    assert system.positions[0] == pytest.approx(start[0] + h * (speed[0] - (0.0, G * h)), abs=1e-14)

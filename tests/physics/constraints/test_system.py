@@ -275,3 +275,10 @@ def test_refusals_change_nothing():
     assert system.settings.solver == "gauss-seidel"
     system.step(DT)
     system.check()
+
+
+@pytest.mark.parametrize("order", ["nonsense", "", None, 3])
+def test_an_order_that_there_is_not_is_refused(order):
+    for links in ((), [(0, 1)]):
+        with pytest.raises(ValueError, match=r"^order = .*: one of coloured, natural, reversed is wanted$"):
+            PositionBasedDynamics([(0.0, 0.0), (1.0, 0.0)], links=links, order=order)

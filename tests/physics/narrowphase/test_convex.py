@@ -135,3 +135,12 @@ def test_hull_holds_all_points_and_is_convex(points):
     again = ConvexPolygon(hull.vertices)
     assert np.array_equal(again.vertices, hull.vertices)
     assert np.array_equal(np.array(points, dtype=float)[hull.source], hull.vertices)
+
+
+@pytest.mark.parametrize("size", [1.0, 2.0**-200, 2.0**200])
+@pytest.mark.parametrize(("apart", "count"), [(2.0**-42, 4), (2.0**-41, 4), (2.0**-39, 5), (2.0**-38, 5)])
+def test_vertices_nearer_than_two_to_the_minus_forty_are_one(apart, count, size):
+    """Of the extent; farther apart they are two, though both stand out far beyond what counts as flat."""
+    corners = [(0, 0), (1, 0), (1 + apart, 1 - apart), (1, 1), (0, 1)]
+    for points in (corners, corners[::-1]):
+        assert len(ConvexPolygon(size * np.array(points))) == count

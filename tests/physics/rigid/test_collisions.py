@@ -517,3 +517,32 @@ def test_effects_that_are_off_do_nothing():
     world.change(effects=COLLISIONS | FRICTION)
     world.step(0.1)
     assert world.collisions == 1
+
+
+def test_a_force_that_waits_is_restored_as_well():
+    """Kept between `apply_force` and the step: the step after it is the same."""
+    world = world_of(two((2, 0, 0), [(0, 0, 0)] * 2, 1.0), effects=BARE | PUSHES)
+    world.apply_force(1, (3.0, 4.0, 0.0), (2.0, 0.5, 0.0))
+    kept = type(world.state())(*(part.copy() for part in world.state()))
+    world.step(0.1)
+    pushed = state_bytes(world)
+    assert world.bodies.velocities[1] == pytest.approx((0.3, 0.4, 0.0))
+    world.step(0.1)
+    world.restore(kept)
+    world.step(0.1)
+    assert state_bytes(world) == pushed
+
+
+@pytest.mark.parametrize("path", ["general", "planar"])
+@pytest.mark.parametrize(
+    ("e", "quotient"), [(0.0, 1.0), (0.5, 0.75), (0.9, 0.19), (0.95, 0.19), (0.999, 0.19), (1.0, 2.0)]
+)
+def test_the_speed_from_which_a_touch_bounces(path, e, quotient):
+    """4 g h / (1 - e²), no more than at e = 0.9; 2 g h at e = 1. A little faster bounces, slower does not."""
+    h = 1.0 / 60.0
+    limit = 4.0 * G * h / quotient
+    for factor in (1.0 - 1e-6, 1.0 + 1e-6):
+        bodies = SphereBodies([(0.0, 0.5), (9.0, 5.0)], [0.5] * 2, [(0.0, -factor * limit), (0.0, 0.0)])
+        world = world_of(bodies, restitution=e, window=(-2, 0, 20, 20), effects=USUAL, path=path)
+        world.step(h)
+        assert world.collisions == int(factor > 1.0)
