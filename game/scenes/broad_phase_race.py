@@ -15,6 +15,7 @@ from game.physics.broadphase import (
     HierarchicalGrid,
     MatrixPairs,
     NaiveBroadPhase,
+    PairEvents,
     SweepAndPrune,
     UniformGrid,
 )
@@ -157,6 +158,7 @@ class BroadPhaseRace(BoxesScene):
                 self.watch.forget(contestant.name)
         self.managers = {"hash": HashedPairs(), "matrix": self._matrix()}
         self.agree = dict.fromkeys(self.phases, True)
+        self.answers: list[PairEvents] = []  # of the managers, in the last step
         self.swaps = 0
 
     def _matrix(self) -> MatrixPairs | None:
@@ -182,14 +184,21 @@ class BroadPhaseRace(BoxesScene):
         matrix = self.managers["matrix"]
         if matrix is not None and matrix.greatest < len(self.alive) - 1:
             self.managers["matrix"] = self._matrix()
+        self.answers = []
         for name, manager in self.managers.items():
             if manager is None:
                 self.watch.forget(name)
                 continue
             with self.watch.time(name):
                 manager.set_pairs(self.pairs)
-                events = manager.take_events()
-            self.begun, self.ended = len(events.begun), len(events.ended)
+                self.answers.append(manager.take_events())
+            self.begun, self.ended = (len(events) for events in self.answers[-1])
+
+    def managers_agree(self) -> bool | None:
+        """Whether both managers told the same events in the last step; None if there was but one."""
+        if len(self.answers) < 2:
+            return None
+        return all(np.array_equal(*events) for events in zip(*self.answers, strict=True))
 
     def advance(self, dt: float) -> None:
         if self.workload == "teleport":
@@ -253,7 +262,7 @@ class BroadPhaseRace(BoxesScene):
             work = self.swaps if isinstance(phase, SweepAndPrune) else phase.tests
             table.row(
                 contestant, seconds, f"{short(work)} {contestant.work}", view.bytes_text(phase.memory()),
-                self.agree[contestant.name], seconds == fastest,
+                self.agree[contestant.name] if len(self.phases) > 1 else None, seconds == fastest,
             )  # fmt: skip
         table.space(20)
         table.head("Pairs begun and ended")
@@ -270,7 +279,7 @@ class BroadPhaseRace(BoxesScene):
                 seconds,
                 f"{view.grouped(self.begun)} begun, {view.grouped(self.ended)} ended",
                 memory,
-                len(manager) == len(self.pairs),
+                self.managers_agree(),
                 seconds == fastest,
             )
         table.scale()

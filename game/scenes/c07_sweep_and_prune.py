@@ -24,7 +24,9 @@ NEAR, FAR, TICK = 0.06, 0.30, 0.15  # m, where the axes lie beside the world
 class SweepAndPruneScene(ComparedScene):
     """The end points of all boxes are kept sorted on both axes. From one step to the next boxes move a
     little, so a few swaps of neighbours put them in order again; and only where a lower and an upper end
-    swap can a pair begin or end. The cost of a step is the motion in it, not the number of pairs or boxes.
+    swap can a pair begin or end. So the cost of a step follows the motion in it: boxes at rest cost one look
+    at each end. In motion the swaps grow with the speed, and with the square of the number of boxes, since
+    twice as many ends pass twice as many others. How many boxes overlap does not matter.
 
     At the edges of the world the sorted end points are shown, lower and upper ones, and marked where they
     changed places. The number of swaps is held against its mean for boxes that move in random directions.
@@ -68,7 +70,7 @@ class SweepAndPruneScene(ComparedScene):
         Equation(
             "Their mean",
             r"2 n^2 \frac{8}{\pi^2} v \Delta t \left(\frac{1}{W} + \frac{1}{H}\right)",
-            "isotropic motion",
+            "n boxes at speed v in all directions, W × H",
         ),
         Equation("A leap of all", r"2 n (n - 1)", "swaps, mean"),
     )
