@@ -18,6 +18,7 @@ from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.scenes.boxes_arrays import LOWER, UPPER, ArraysOfBoxes
 from game.scenes.boxes_level import HEIGHT, WIDTH, BoxesContent
+from game.scenes.boxes_view import MOST_LINES, grouped
 from game.scenes.stopwatch import Stopwatch
 from game.stage import (
     Choice,
@@ -37,6 +38,7 @@ from game.ui.painters.boxes import warm_up as warm_up_painter
 Array = NDArray[np.float64]
 RATIO, SHARE = 20.0, 0.01  # of the heavy tail, in scenes without knobs for them
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
+MAKING = ("workload", "fill", "ratio", "share")  # knobs by which random boxes are made
 BATCH = 50  # boxes added or removed by one key
 MANY = 10_000  # boxes; to make all structures anew takes longer than a frame from here on
 
@@ -273,6 +275,15 @@ class BoxesScene(ArraysOfBoxes):
         if name in ("more", "fewer"):
             wanted = len(self.ids) + (BATCH if name == "more" else -BATCH)
             self._set_count(min(max(wanted, 1), self.most))
+
+    def why_idle(self, name: str) -> str:
+        if self.listed and name in MAKING:
+            return "The level lists its boxes: none is made at random."
+        if name in ("ratio", "share") and self.workload != "heavy-tail":
+            return "Only heavy-tailed sizes have large boxes."
+        if name == "lines" and len(self.pairs) > MOST_LINES:
+            return f"Above {grouped(MOST_LINES)} pairs no lines are drawn."
+        return ""
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Where there are many boxes, or will be, all that makes the structures anew; and steps back."""

@@ -168,6 +168,15 @@ class BroadPhaseRace(BoxesScene):
     def structures(self) -> tuple[BroadPhase, ...]:
         return tuple(self.phases.values())
 
+    def why_idle(self, name: str) -> str:
+        if name == "workload":  # even boxes of a level may leap
+            return ""
+        if name == "naive" and len(self.ids) > MOST_NAIVE:
+            return f"Above {view.grouped(MOST_NAIVE)} boxes the naive way is left out."
+        if name == "cell" and not (self.uniform or self.covering):
+            return "Both uniform grids are left out."
+        return super().why_idle(name)
+
     def pair_up(self) -> None:
         first = None
         for name, phase in self.phases.items():

@@ -105,6 +105,11 @@ class HierarchicalGridScene(ComparedScene):
     def shaping(self) -> tuple[str, ...]:
         return ("manager", "step_ratio")
 
+    def why_idle(self, name: str) -> str:
+        if name == "cells" and len(self.ids) > MOST_CELLS:
+            return f"Above {view.grouped(MOST_CELLS)} boxes no cells are drawn."
+        return super().why_idle(name)
+
     def pair_up(self) -> None:
         with self.watch.time("hierarchical"):
             self.update(self.grid)

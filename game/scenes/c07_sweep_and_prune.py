@@ -95,6 +95,11 @@ class SweepAndPruneScene(ComparedScene):
     def shaping(self) -> tuple[str, ...]:
         return ("manager", "resort")
 
+    def why_idle(self, name: str) -> str:
+        if name == "axes" and len(self.ids) > MOST_TICKS:
+            return f"Above {view.grouped(MOST_TICKS)} boxes the axes are not drawn."
+        return super().why_idle(name)
+
     def add(self, lowers: Any, uppers: Any, velocities: Any) -> Any:
         rows = len(self.ids) + len(lowers)
         if self.sap.manager.greatest < rows - 1:

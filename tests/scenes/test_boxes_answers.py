@@ -107,3 +107,47 @@ def test_wide_and_endless_boxes_grow_and_are_dragged_without_an_error(scene_type
     alive = stage.scene.ids
     assert (stage.scene.lowers[alive] <= stage.scene.uppers[alive]).all()
     assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_knobs_that_make_random_boxes_are_idle_where_a_level_lists_them(scene_type):
+    listed = stage_with(scene_type, "{ lower = [1.0, 1.0], upper = [2.0, 2.0] }")
+    making = {"workload", "fill", "ratio", "share"} & set(scene_type.knobs())
+    if scene_type is BroadPhaseRace:
+        making.discard("workload")  # which also says that boxes leap
+    for name in making:
+        assert "lists its boxes" in listed.scene.why_idle(name)
+        knob = scene_type.knob(name)
+        other = next(
+            v for v in getattr(knob, "options", (knob.default * 1.5,)) if v != listed.scene.values[name]
+        )
+        before = listed.digest()
+        listed.post(SetKnob(name, other))
+        assert listed.digest() == before  # so it is rightly called idle
+    assert not listed.scene.why_idle("speed") and not listed.scene.why_idle("count")
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_the_heavy_tails_knobs_act_where_there_is_one(scene_type):
+    if "ratio" not in scene_type.knobs():
+        return
+    for workload, idle in (("heavy-tail", False), ("lattice", True)):
+        scene = Stage(scene_type, parameters={"workload": workload, "count": 50}).scene
+        assert all(bool(scene.why_idle(name)) is idle for name in ("ratio", "share"))
+    assert not scene.why_idle("fill")
+
+
+@pytest.mark.parametrize(
+    ("name", "count", "knob"),
+    [
+        ("c06", 4097, "manager"),
+        ("c06", 4001, "cells"),
+        ("c07", 1501, "axes"),
+        ("broad-phase-race", 4001, "naive"),
+    ],
+)
+def test_what_is_left_out_for_the_number_of_boxes_is_idle_with_the_number_named(name, count, knob):
+    scene_type = next(s for s in SCENES if s.name == name)
+    scene = Stage(scene_type, parameters={"count": count, "fill": 0.01}).scene
+    assert str(count - 1)[-3:] in scene.why_idle(knob)
+    assert not Stage(scene_type, parameters={"count": 50}).scene.why_idle(knob)
