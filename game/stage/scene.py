@@ -214,8 +214,8 @@ class Scene:
     def why_idle(self, name: str) -> str:
         """Why the knob of that name changes nothing as the scene stands, in a sentence; "" if it acts.
 
-        The panel shows such a knob grey and takes no hand to it; its tool tip begins with the sentence. Asked
-        for in every frame, so it must be quick. A value set by other ways (level, replay) is taken all the same.
+        The panel shows such a knob grey and takes no hand to it; its tool tip begins with the sentence. It is
+        asked for in every frame, so it must be quick. A value that comes another way is taken all the same.
         """
         return ""
 

@@ -10,7 +10,7 @@ from game.levels import LevelError, parse_level
 from game.scenes.boxes_view import Column
 from game.scenes.broad_phase_race import BroadPhaseRace
 from game.scenes.c05_uniform_grid import UniformGridScene
-from game.stage import SetEffect, SetKnob, Stage
+from game.stage import Choice, SetEffect, SetKnob, Stage
 
 
 def stage_with(scene_type, boxes: str) -> Stage:
@@ -117,10 +117,9 @@ def test_knobs_that_make_random_boxes_are_idle_where_a_level_lists_them(scene_ty
         making.discard("workload")  # which also says that boxes leap
     for name in making:
         assert "lists its boxes" in listed.scene.why_idle(name)
-        knob = scene_type.knob(name)
-        other = next(
-            v for v in getattr(knob, "options", (knob.default * 1.5,)) if v != listed.scene.values[name]
-        )
+        knob, now = scene_type.knob(name), listed.scene.values[name]
+        others = knob.options if isinstance(knob, Choice) else (1.5 * knob.default,)
+        other = next(value for value in others if value != now)
         before = listed.digest()
         listed.post(SetKnob(name, other))
         assert listed.digest() == before  # so it is rightly called idle
