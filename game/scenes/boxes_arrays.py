@@ -150,6 +150,8 @@ class ArraysOfBoxes(HandOnBoxes):
         self.growth[who] = 0.0
         if self.held in who:
             self.held = -1
+        if self.chosen in who:
+            self.chosen = -1
         self.note_ids()
 
     def append(self, lowers: Array, uppers: Array, velocities: Array) -> None:

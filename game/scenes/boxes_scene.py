@@ -12,7 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.levels import Level
-from game.physics.broadphase import BroadPhase, HashedPairs, MatrixPairs
+from game.physics.broadphase import (
+    BroadPhase,
+    HashedPairs,
+    HierarchicalGrid,
+    MatrixPairs,
+    UniformGrid,
+)
 from game.physics.broadphase.effects import BOUNDARY, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
@@ -114,6 +120,7 @@ class BoxesScene(ArraysOfBoxes):
         return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
 
     hints = (
+        Hint(("Point", "Click"), "look into a box"),
         Hint(("Drag",), "move a box, or draw a new one"),
         Hint(("Right click",), "remove"),
         Hint(("↑", "↓"), f"{BATCH} more, fewer"),
@@ -132,6 +139,7 @@ class BoxesScene(ArraysOfBoxes):
         self.births = 0  # how often random boxes were asked for
         self.begun = self.ended = 0  # pairs in the last step
         self.empty_hand()
+        self.look_at_none()
         self.told: deque[str] = deque(maxlen=8)
         self.watch = Stopwatch()
         if self.listed:
@@ -259,6 +267,7 @@ class BoxesScene(ArraysOfBoxes):
             self.lowers[gone] = self.uppers[gone] = self.velocities[gone] = 0.0
             self.growth[gone] = 0.0
             self.held = -1 if self.held in gone else self.held
+            self.chosen = -1 if self.chosen in gone else self.chosen
         self.begin_anew()
 
     def knob_changed(self, name: str) -> None:
@@ -323,9 +332,12 @@ def exercise(make: Callable[[], BroadPhase]) -> None:
     phase.query_point((0.5, 0.5))
     phase.update_box(phase.add_box((0.0, 0.0), (1.0, 1.0)), (2.0, 2.0), (3.0, 3.0))
     pairs = phase.pairs()
+    if isinstance(phase, (UniformGrid, HierarchicalGrid)):
+        phase.visits(0)
     phase.remove_box(3)
     phase.remove_boxes(ids[:1])
     for manager in (HashedPairs(), MatrixPairs(4)):
         manager.set_pairs(pairs)
+        manager.chain(0, 1) if isinstance(manager, HashedPairs) else manager.place(0, 1)
         manager.clear()
         manager.take_events()

@@ -14,13 +14,16 @@ from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, Pair
 from game.physics.broadphase.effects import BOUNDARY, HASHED_PAIRS, MATRIX_PAIRS, MOTION
 from game.scenes import boxes_view as view
 from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.scenes.boxes_look import draw_names
 from game.scenes.boxes_scene import BoxesScene
+from game.scenes.c05_look import Look, draw_look, look_into, mark_matrix, mark_table, tell_look
 from game.scenes.figures.broad_phase import draw_cells
 from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 
 MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
 MOST_CELLS = 1 << 20
 MATRIX_PICTURE = 128  # blocks across
+FEW_IDS = 64  # the matrix is drawn with a block for each place, the table in one row
 HASH_ROWS, HASH_COLUMNS = 16, 64
 
 
@@ -196,9 +199,23 @@ class UniformGridScene(BoxesScene):
             view.draw_loads(canvas, self.grid.loads(), self.grid.cell, self._full())
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
-        self._draw_managers(canvas)
+        seen = look_into(self, self.looked) if self.looked >= 0 else None
+        if seen is not None:
+            draw_look(self, canvas, alpha, seen)
+        draw_names(self, canvas, alpha)
+        self._draw_managers(canvas, seen)
 
-    def _draw_managers(self, canvas: Any) -> None:
+    @property
+    def keeps_matrix(self) -> bool:
+        """Whether the full matrix keeps the pairs."""
+        return self.matrix is not None and MATRIX_PAIRS in self.active
+
+    @property
+    def keeps_table(self) -> bool:
+        """Whether the hash table keeps the pairs."""
+        return HASHED_PAIRS in self.active
+
+    def _draw_managers(self, canvas: Any, seen: Look | None) -> None:
         """Matrix and hash table as they are filled, and what each costs."""
         column = view.Column(canvas, self)
         times = [self.watch.median(name) for name in ("matrix", "hash")]
@@ -216,20 +233,23 @@ class UniformGridScene(BoxesScene):
                 f"{words}, {pairs}", view.seconds_text(time), time / longest if time > 0.0 else 0.0, color
             )
         column.space(8)
-        self._draw_matrix(column, canvas)
-        self._draw_table(column, canvas)
+        self._draw_matrix(column, canvas, seen)
+        self._draw_table(column, canvas, seen)
+        if seen is not None:
+            tell_look(self, column, seen)
 
-    def _draw_matrix(self, column: view.Column, canvas: Any) -> None:
+    def _draw_matrix(self, column: view.Column, canvas: Any, seen: Look | None) -> None:
         """Which places of the matrix hold a pair, in blocks."""
-        if self.matrix is None or MATRIX_PAIRS not in self.active:
+        if self.matrix is None or not self.keeps_matrix:
             size = 4.0 * len(self.alive) * (len(self.alive) - 1) / 2
             column.head("Full matrix", f"would take {view.bytes_text(size)}")
             return
         n = max(len(self.alive), 2)
         blocks = min(MATRIX_PICTURE, n)
-        filled = np.zeros((blocks // 2, blocks))
+        high = blocks if n <= FEW_IDS else blocks // 2
+        filled = np.zeros((high, blocks))
         if len(self.pairs):
-            rows = (blocks // 2 - 1) - self.pairs[:, 0] * (blocks // 2) // n
+            rows = (high - 1) - self.pairs[:, 0] * high // n
             np.add.at(filled, (rows, self.pairs[:, 1] * blocks // n), 1.0)
         beyond = _beyond(*filled.shape)
         colors = view.shades(
@@ -237,11 +257,13 @@ class UniformGridScene(BoxesScene):
         )
         colors[beyond & (filled == 0)] = canvas.ink("stage")
         column.head("Full matrix", view.bytes_text(self.matrix.memory()))
-        column.picture(colors, 92)
+        frame = column.picture(colors, 92)
+        if seen is not None:
+            mark_matrix(canvas, seen, n, frame)
 
-    def _draw_table(self, column: view.Column, canvas: Any) -> None:
+    def _draw_table(self, column: view.Column, canvas: Any, seen: Look | None) -> None:
         """Which places of the hash table are taken, in blocks."""
-        if HASHED_PAIRS not in self.active:
+        if not self.keeps_table:
             return
         taken = self.hashed.table.where > 0
         blocks = min(HASH_ROWS * HASH_COLUMNS, len(taken))
@@ -250,7 +272,9 @@ class UniformGridScene(BoxesScene):
         column.head(
             "Hash table", f"{view.bytes_text(self.hashed.memory())}, {self.hashed.probes():.2f} looks"
         )
-        column.picture(view.shades(canvas, filled, "green", "inset"), 56)
+        frame = column.picture(view.shades(canvas, filled, "green", "inset"), 56 if blocks > FEW_IDS else 28)
+        if seen is not None:
+            mark_table(canvas, self.hashed, seen, filled.shape, frame)
 
 
 @lru_cache(maxsize=4)

@@ -21,7 +21,8 @@ def move_boxes_kernel(mask: int) -> Callable[..., Any]:
     and its velocity leads on outwards. One that leads back already is not negated again, so a box comes
     back by itself however far out it is. A growing box shrinks again once it is larger than the world on
     both axes, and a shrinking one grows before it vanishes on either.
-    ``lowers``, ``uppers``, ``velocities``: (n, 2) m, m/s, written. ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
+    ``lowers``, ``uppers``, ``velocities``: (n, 2) m, m/s, written.
+    ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
     """
 
     @kernel(_nrt=False)
