@@ -19,7 +19,7 @@ MOST_POINTED_AT = 5_000  # boxes among which the one below a resting pointer is 
 
 
 class HandOnBoxes(Scene):
-    """What a pointer does with boxes: drag one, draw a new one, look into one, remove with the right button."""
+    """What a pointer does with boxes: drag one, draw one, look into one, remove what is right-clicked."""
 
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
 

@@ -155,6 +155,12 @@ class Column:
             canvas.polygon(ground, fill="stage", fill_alpha=0.9)
         self.y = top
         self.left, self.right = COLUMN_LEFT, right
+        self._bottom = scene.frame().bottom
+
+    @property
+    def room_px(self) -> float:
+        """Design px that are left above the foot of the picture."""
+        return (self.y - self._bottom) / self.canvas.px(1.0)
 
     def space(self, height_px: float) -> None:
         """Leave room."""

@@ -59,11 +59,15 @@ def tell_look(scene: UniformGridScene, column: Column, seen: Look) -> None:
         column.row("Stands in column, row", "{}, {}".format(*seen.stands[0]))
     else:
         column.row("Stands in", f"{len(seen.stands)} cells")
-    column.row("Looks in", f"{len(seen.looks)} cells, {len(seen.candidates)} tests")
+    tests = f"{len(seen.candidates)} test" + ("" if len(seen.candidates) == 1 else "s")
+    column.row("Looks in", f"{len(seen.looks)} cells, {tests}")
+    others = [other for other in seen.partners if other not in seen.candidates]
+    if others:  # half of the cells around are enough: the box in the other half looks here
+        column.row("Found from the other side", look.listed_names(scene, others))
     if not seen.partners:
         column.row("Pairs", "none")
     for other in seen.partners[:MOST_PAIRS_TOLD]:
-        name = f"{look.name_of(scene, seen.box)}{look.name_of(scene, other)}"
+        name = "".join(look.name_of(scene, i) for i in sorted((seen.box, other)))
         column.row(f"Pair {name} at", _places(scene, seen.box, other))
     if len(seen.partners) > MOST_PAIRS_TOLD:
         rest = seen.partners[MOST_PAIRS_TOLD:]

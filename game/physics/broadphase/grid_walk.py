@@ -1,9 +1,9 @@
 """What a uniform grid does for one box, retold: the cells it looks in, and the boxes it is tested against.
 
-The searches in ``grid_search`` and ``covering_grid`` do the same for all boxes at once and keep no record. These
-functions read the arrays that the last search left, so that what is told is what was done: the candidates of
-all boxes together are as many as its box tests (twice as many in a covering grid, where each test is told
-by both boxes).
+The searches in ``grid_search`` and ``covering_grid`` do the same for all boxes at once and keep no record.
+These functions read the arrays that the last search left, so that what is told is what was done: the
+candidates of all boxes together are as many as its box tests (twice as many in a covering grid, where each
+test is told by both boxes).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Cell = tuple[int, int]  # column, row
 
 
 class Visit(NamedTuple):
-    """A look into cells: columns and rows, and the ids of the boxes tested there, in the order of the tests."""
+    """A look into cells: columns and rows, and the ids of the boxes tested there, in order."""
 
     cells: tuple[Cell, ...]
     candidates: tuple[int, ...]

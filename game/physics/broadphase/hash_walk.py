@@ -1,4 +1,4 @@
-"""What hierarchical grids do for one box, retold level by level: cells, buckets, and whom it is tested against.
+"""What hierarchical grids do for one box, retold level by level: cells, buckets, and the boxes tested.
 
 ``hash_search`` does the same for all boxes at once and keeps no record. These functions read the arrays that
 the last search left: the candidates of all boxes together are as many as its box tests.
