@@ -42,7 +42,7 @@ def apart_on(scene: BoxesScene, a: int, b: int) -> str:
     return " and ".join(AXES[axis] for axis in range(2) if gaps[axis])
 
 
-def tested(scene: BoxesScene, box: int, candidates: Sequence[int]) -> tuple[list[int], list[int]]:
+def outcomes(scene: BoxesScene, box: int, candidates: Sequence[int]) -> tuple[list[int], list[int]]:
     """Of the boxes that a box is tested against: those that overlap it and those rejected, each but once."""
     distinct = list(dict.fromkeys(candidates))
     pairs = [other for other in distinct if not apart_on(scene, box, other)]
@@ -71,7 +71,7 @@ def draw_tests(scene: BoxesScene, canvas: Canvas, alpha: float, box: int, candid
     low, high = places_between(scene, alpha)
     with np.errstate(invalid="ignore", over="ignore"):
         centers = 0.5 * (low + high)
-    pairs, rejected = tested(scene, box, candidates[:MOST_TESTS])
+    pairs, rejected = outcomes(scene, box, candidates[:MOST_TESTS])
     for other in rejected:
         if np.isfinite(centers[other]).all():
             canvas.line(centers[box], centers[other], "text2", 1.2, dash=(5.0, 4.0))

@@ -42,7 +42,9 @@ from game.stage import (
 from game.ui.painters.boxes import warm_up as warm_up_painter
 
 Array = NDArray[np.float64]
-RATIO, SHARE = 20.0, 0.01  # of the heavy tail, in scenes without knobs for them
+KINDS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice")
+KIND_LABELS = ("Equal sizes", "Two sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice")
+RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without knobs for them
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
 MAKING = ("workload", "fill", "ratio", "share")  # knobs by which random boxes are made
 BATCH = 50  # boxes added or removed by one key
@@ -62,8 +64,8 @@ class BoxesScene(ArraysOfBoxes):
     )  # fmt: skip
     workload = Choice(
         "equal",
-        ("equal", "heavy-tail", "clustered", "line", "lattice"),
-        labels=("Equal sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice"),
+        KINDS,
+        labels=KIND_LABELS,
         group="Boxes",
         rebuild=True,
         help="how boxes are made",
@@ -288,8 +290,10 @@ class BoxesScene(ArraysOfBoxes):
     def why_idle(self, name: str) -> str:
         if self.listed and name in MAKING:
             return "The level lists its boxes: none is made at random."
-        if name in ("ratio", "share") and self.workload != "heavy-tail":
-            return "Only heavy-tailed sizes have large boxes."
+        if name == "ratio" and self.workload not in ("heavy-tail", "power-law"):
+            return "Boxes of this workload are all alike."
+        if name == "share" and self.workload != "heavy-tail":
+            return "Only where there are two sizes is there a share of large ones."
         if name == "lines" and len(self.pairs) > MOST_LINES:
             return f"Above {grouped(MOST_LINES)} pairs no lines are drawn."
         return ""

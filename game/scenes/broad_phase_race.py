@@ -49,9 +49,9 @@ class BroadPhaseRace(BoxesScene):
     that was done, box tests or swaps, the memory, and whether the pairs are those of the others.
 
     Below, both pair managers take over the pairs and tell which began and which ended. Choose the workload:
-    equal boxes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes that all leap
-    in every step. No method wins them all. The naive way is left out above 4000 boxes, the full matrix above
-    4096.
+    equal boxes, two sizes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes
+    that all leap in every step. No method wins them all. The naive way is left out above 4000 boxes, the full
+    matrix above 4096.
     """
 
     name = "broad-phase-race"
@@ -65,6 +65,7 @@ class BroadPhaseRace(BoxesScene):
         WORKLOADS,
         labels=(
             "Equal sizes",
+            "Two sizes",
             "Heavy-tailed sizes",
             "Clustered",
             "On one line",
@@ -85,10 +86,16 @@ class BroadPhaseRace(BoxesScene):
     )  # fmt: skip
     ratio = Param(
         RATIO, 1.0, 1000.0, log=True, group="Boxes", label="Large to small", rebuild=True,
-        help="how many times larger the large boxes of the heavy tail are",
+        help="size of the largest boxes of the heavy tail over that of the small ones",
     )  # fmt: skip
     share = Param(
-        SHARE, 0.0, 0.5, group="Boxes", label="Share of large ones", rebuild=True, help="of the heavy tail"
+        SHARE,
+        0.0,
+        0.5,
+        group="Boxes",
+        label="Share of large ones",
+        rebuild=True,
+        help="where there are two sizes",
     )
     cell = Param(
         1.25,

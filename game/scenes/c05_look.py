@@ -53,7 +53,7 @@ def draw_look(scene: UniformGridScene, canvas: Canvas, alpha: float, seen: Look)
 
 def tell_look(scene: UniformGridScene, column: Column, seen: Look) -> None:
     """Rows of findings: cells, tests, places."""
-    pairs, rejected = look.tested(scene, seen.box, seen.candidates)
+    pairs, rejected = look.outcomes(scene, seen.box, seen.candidates)
     column.head(f"Box {look.name_of(scene, seen.box)}", look.result_of(pairs, rejected))
     if len(seen.stands) == 1:
         column.row("Stands in column, row", "{}, {}".format(*seen.stands[0]))

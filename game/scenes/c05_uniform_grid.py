@@ -23,6 +23,7 @@ from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
 MOST_CELLS = 1 << 20
 MATRIX_PICTURE = 128  # blocks across
+TALL = 440  # design px of a column with room for times and a box that is looked into
 FEW_IDS = 64  # the matrix is drawn with a block for each place, the table in one row
 HASH_ROWS, HASH_COLUMNS = 16, 64
 
@@ -218,6 +219,15 @@ class UniformGridScene(BoxesScene):
     def _draw_managers(self, canvas: Any, seen: Look | None) -> None:
         """Matrix and hash table as they are filled, and what each costs."""
         column = view.Column(canvas, self)
+        if seen is None or column.room_px > TALL:
+            self._draw_times(column)
+        self._draw_matrix(column, canvas, seen)
+        self._draw_table(column, canvas, seen)
+        if seen is not None:
+            tell_look(self, column, seen)
+
+    def _draw_times(self, column: view.Column) -> None:
+        """What each manager takes, and whether they agree."""
         times = [self.watch.median(name) for name in ("matrix", "hash")]
         longest = max((time for time in times if math.isfinite(time)), default=1.0)
         same = "same answers" if self.same else "answers differ"
@@ -233,10 +243,6 @@ class UniformGridScene(BoxesScene):
                 f"{words}, {pairs}", view.seconds_text(time), time / longest if time > 0.0 else 0.0, color
             )
         column.space(8)
-        self._draw_matrix(column, canvas, seen)
-        self._draw_table(column, canvas, seen)
-        if seen is not None:
-            tell_look(self, column, seen)
 
     def _draw_matrix(self, column: view.Column, canvas: Any, seen: Look | None) -> None:
         """Which places of the matrix hold a pair, in blocks."""
