@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 COLUMN_LEFT, COLUMN_RIGHT = -4.45, -0.5  # m, where the findings stand beside the world
 COLUMN_TOP = 5.3  # m, below the legend
 FREE, OVERLAPPING, IN_HAND = 0, 1, 2  # kinds of boxes
+TALL = 400  # design px of a column that has room for times beside what is told of few boxes
 MOST_LINES = 6_000
 LEAST_CELL = 5.0  # px; smaller cells are shaded together
 

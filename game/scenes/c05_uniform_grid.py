@@ -23,7 +23,6 @@ from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
 MOST_CELLS = 1 << 20
 MATRIX_PICTURE = 128  # blocks across
-TALL = 440  # design px of a column with room for times and a box that is looked into
 FEW_IDS = 64  # the matrix is drawn with a block for each place, the table in one row
 HASH_ROWS, HASH_COLUMNS = 16, 64
 
@@ -200,10 +199,10 @@ class UniformGridScene(BoxesScene):
             view.draw_loads(canvas, self.grid.loads(), self.grid.cell, self._full())
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
+        draw_names(self, canvas, alpha)
         seen = look_into(self, self.looked) if self.looked >= 0 else None
         if seen is not None:
             draw_look(self, canvas, alpha, seen)
-        draw_names(self, canvas, alpha)
         self._draw_managers(canvas, seen)
 
     @property
@@ -219,7 +218,7 @@ class UniformGridScene(BoxesScene):
     def _draw_managers(self, canvas: Any, seen: Look | None) -> None:
         """Matrix and hash table as they are filled, and what each costs."""
         column = view.Column(canvas, self)
-        if seen is None or column.room_px > TALL:
+        if seen is None or column.room_px > view.TALL:
             self._draw_times(column)
         self._draw_matrix(column, canvas, seen)
         self._draw_table(column, canvas, seen)

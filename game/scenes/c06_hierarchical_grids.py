@@ -243,9 +243,9 @@ class HierarchicalGridScene(ComparedScene):
             self._draw_cells(canvas, levels, corners, present)
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
+        draw_names(self, canvas, alpha)
         if seen is not None:
             draw_look(self, canvas, alpha, seen)
-        draw_names(self, canvas, alpha)
 
     def _draw_cells(self, canvas: Any, levels: Any, corners: Any, present: Any) -> None:
         """The cells that hold boxes, coarse ones first; the level that is one cell has no outline."""

@@ -184,16 +184,17 @@ class SweepAndPruneScene(ComparedScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
+        draw_names(self, canvas, alpha)
         seen = look_into(self, self.looked) if self.looked >= 0 else None
         if seen is not None:
             draw_look(self, canvas, alpha, seen)
-        draw_names(self, canvas, alpha)
         if self.axes and len(self.ids) <= MOST_TICKS:
             for axis in range(2):
                 self._draw_axis(canvas, axis)
         column = view.Column(canvas, self, 4.6, -0.95 if named(self) else -0.75)
-        self.draw_comparison(column, "sweep", "Sweep and prune", "chalk")
-        column.space(6)
+        if not named(self) or column.room_px > view.TALL:
+            self.draw_comparison(column, "sweep", "Sweep and prune", "chalk")
+            column.space(6)
         mean = self.mean_swaps()
         column.head("Swaps in this step", "both axes")
         top = max(self.swaps, mean, 1.0)
