@@ -226,10 +226,10 @@ class HierarchicalGridScene(ComparedScene):
         else:
             self._draw_world(canvas, alpha, levels, corners, present, seen)
         column = view.Column(canvas, self, 5.75)
-        self.draw_comparison(
-            column, "hierarchical", f"Hierarchical, {view.grouped(self.grid.tests)} tests", "chalk"
-        )
-        column.space(6)
+        if seen is None or column.room_px > view.TALL:
+            words = f"Hierarchical, {view.grouped(self.grid.tests)} tests"
+            self.draw_comparison(column, "hierarchical", words, "chalk")
+            column.space(6)
         self._draw_levels(column, canvas, counts, present)
         if seen is not None:
             column.space(6)
