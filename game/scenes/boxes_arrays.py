@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.door import first_bad_box
 from game.scenes.boxes_hand import HandOnBoxes
-from game.scenes.boxes_level import HEIGHT, MOST_LISTED, WIDTH, BoxEntry, BoxesContent
+from game.scenes.boxes_level import FARTHEST, HEIGHT, MOST_LISTED, WIDTH, BoxEntry, BoxesContent
 
 Array = NDArray[np.float64]
 LOWER, UPPER = np.zeros(2), np.array([WIDTH, HEIGHT])
@@ -41,7 +41,7 @@ class ArraysOfBoxes(HandOnBoxes):
         raise NotImplementedError
 
     def take_listed(self, boxes: tuple[BoxEntry, ...]) -> None:
-        """Begin with the boxes of a level; ValueError if one of them is none."""
+        """Begin with the boxes of a level; ValueError if one of them is none, or too far away to be moved."""
         lowers = np.array([box.lower for box in boxes], dtype=np.float64)
         uppers = np.array([box.upper for box in boxes], dtype=np.float64)
         bad = first_bad_box(lowers, uppers)
@@ -49,6 +49,13 @@ class ArraysOfBoxes(HandOnBoxes):
             raise ValueError(
                 f"boxes[{bad}]: lower {boxes[bad].lower} must not be above upper {boxes[bad].upper}"
             )
+        for name, given in (("lower", lowers), ("upper", uppers)):
+            far = np.flatnonzero((np.isfinite(given) & (np.abs(given) > FARTHEST)).any(axis=1))
+            if len(far):
+                corner = tuple(given[far[0]].tolist())
+                raise ValueError(
+                    f"boxes[{far[0]}]: {name} {corner} must be within {FARTHEST:g} m, or infinite"
+                )
         self.take(
             lowers,
             uppers,
@@ -143,6 +150,8 @@ class ArraysOfBoxes(HandOnBoxes):
         self.growth[who] = 0.0
         if self.held in who:
             self.held = -1
+        if self.chosen in who:
+            self.chosen = -1
         self.note_ids()
 
     def append(self, lowers: Array, uppers: Array, velocities: Array) -> None:

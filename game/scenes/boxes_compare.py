@@ -67,6 +67,11 @@ class ComparedScene(BoxesScene):
             self.begin_anew()
             self.begun, self.ended = counts
 
+    def why_idle(self, name: str) -> str:
+        if name == "manager" and len(self.alive) > MOST_IN_MATRIX:
+            return f"Above {view.grouped(MOST_IN_MATRIX)} boxes pairs are kept in a hash table."
+        return super().why_idle(name)
+
     def shaping(self) -> tuple[str, ...]:
         """Knobs that the structures are made by."""
         return ("manager",)

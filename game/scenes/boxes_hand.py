@@ -1,4 +1,4 @@
-"""The hand in the broad-phase scenes: boxes are taken, drawn and removed."""
+"""The hand in the broad-phase scenes: boxes are taken, drawn, removed and looked into."""
 
 from __future__ import annotations
 
@@ -15,16 +15,18 @@ from game.stage import Pointer, Scene
 
 Array = NDArray[np.float64]
 HAND_BUTTON, REMOVE_BUTTON = 1, 3
+MOST_POINTED_AT = 5_000  # boxes among which the one below a resting pointer is looked for in every frame
 
 
 class HandOnBoxes(Scene):
-    """What a pointer does with boxes: drag one, draw a new one, remove what is under the right button."""
+    """What a pointer does with boxes: drag one, draw one, look into one, remove what is right-clicked."""
 
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
 
     lowers: Array
     uppers: Array
     velocities: Array
+    alive: NDArray[np.uint8]
     ids: NDArray[np.int64]
     size: float  # m, of most boxes
     speed: float  # m/s
@@ -39,6 +41,7 @@ class HandOnBoxes(Scene):
         self.anchor: tuple[float, float] | None = None  # where a new box was begun
         self.reach: tuple[float, float] = (0.0, 0.0)  # and where its other corner is
         self.erasing = False
+        self.pressed: tuple[float, float] | None = None  # where the box in the hand was taken
 
     # -- what the scene does ------------------------------------------------------------------------
 
@@ -69,8 +72,30 @@ class HandOnBoxes(Scene):
 
     # -- the hand -----------------------------------------------------------------------------------
 
+    def look_at_none(self) -> None:
+        """No box is looked into."""
+        self.pointed: tuple[float, float] | None = None  # where the pointer is
+        self.chosen = -1  # box that was clicked
+
+    @property
+    def looked(self) -> int:
+        """The box that is looked into: the one in the hand, the one chosen, or the one below the pointer.
+
+        -1 if there is none. Nothing is asked of a structure, so that looking changes none.
+        """
+        for box in (self.held, self.chosen):
+            if 0 <= box < len(self.alive) and self.alive[box]:
+                return int(box)
+        if self.pointed is None or self.anchor is not None or len(self.alive) > MOST_POINTED_AT:
+            return -1
+        at = np.array(self.pointed)
+        within = (self.lowers <= at).all(axis=1) & (at <= self.uppers).all(axis=1) & (self.alive == 1)
+        found = np.flatnonzero(within & np.isfinite(self.lowers + self.uppers).all(axis=1))
+        return int(found[-1]) if len(found) else -1
+
     def pointer(self, event: Pointer) -> None:
         at = (event.x, event.y)
+        self.pointed = at
         if event.kind == "down" and event.button == HAND_BUTTON:
             self._grasp(at)
         elif event.kind == "down" and event.button == REMOVE_BUTTON:
@@ -85,6 +110,8 @@ class HandOnBoxes(Scene):
         elif event.kind == "up":
             if self.anchor is not None:
                 self._draw_box(self.anchor, at)
+            elif self.held >= 0 and at == self.pressed:  # a click
+                self.chosen = -1 if self.chosen == self.held else self.held
             self._let_go()
         elif event.kind == "cancel":
             self._let_go()
@@ -101,7 +128,7 @@ class HandOnBoxes(Scene):
         """Take the box at a point, or begin a new one."""
         box = self.box_at(at)
         if box >= 0:
-            self.held = box
+            self.held, self.pressed = box, at
             self.held_velocity = tuple(self.velocities[box].tolist())
             self.grip = (at[0] - self.lowers[box, 0], at[1] - self.lowers[box, 1])
             self.velocities[box] = 0.0
@@ -118,7 +145,7 @@ class HandOnBoxes(Scene):
     def _let_go(self) -> None:
         if self.held >= 0:
             self.velocities[self.held] = self.held_velocity
-        self.held, self.anchor, self.erasing = -1, None, False
+        self.held, self.anchor, self.erasing, self.pressed = -1, None, False, None
 
     def _erase(self, at: tuple[float, float]) -> None:
         box = self.box_at(at)

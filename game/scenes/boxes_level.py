@@ -10,13 +10,17 @@ from game.levels import Unbounded
 
 WIDTH, HEIGHT = 11.2, 8.0  # m, the world in which boxes move
 MOST_LISTED = 5_000  # boxes in a file
+FARTHEST = 1e300  # m: sums and differences of corners are finite numbers, too
 
 Corner = Unbounded
 Speed = Annotated[float, msgspec.Meta(ge=-1e6, le=1e6)]  # m/s
 
 
 class BoxEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """A box: corners in m (infinite outwards if so wanted), velocity and growth of each side in m/s."""
+    """A box: corners in m (at most FARTHEST from 0, or infinite outwards), velocity and growth in m/s.
+
+    ``growth`` is that of each side.
+    """
 
     lower: tuple[Corner, Corner]
     upper: tuple[Corner, Corner]

@@ -12,12 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.levels import Level
-from game.physics.broadphase import BroadPhase, HashedPairs, MatrixPairs
+from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.effects import BOUNDARY, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.scenes.boxes_arrays import LOWER, UPPER, ArraysOfBoxes
 from game.scenes.boxes_level import HEIGHT, WIDTH, BoxesContent
+from game.scenes.boxes_view import MOST_LINES, grouped
+from game.scenes.boxes_warm_up import exercise
 from game.scenes.stopwatch import Stopwatch
 from game.stage import (
     Choice,
@@ -35,8 +37,11 @@ from game.stage import (
 from game.ui.painters.boxes import warm_up as warm_up_painter
 
 Array = NDArray[np.float64]
-RATIO, SHARE = 20.0, 0.01  # of the heavy tail, in scenes without knobs for them
+KINDS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice")
+KIND_LABELS = ("Equal sizes", "Two sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice")
+RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without knobs for them
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
+MAKING = ("workload", "fill", "ratio", "share")  # knobs by which random boxes are made
 BATCH = 50  # boxes added or removed by one key
 MANY = 10_000  # boxes; to make all structures anew takes longer than a frame from here on
 
@@ -54,8 +59,8 @@ class BoxesScene(ArraysOfBoxes):
     )  # fmt: skip
     workload = Choice(
         "equal",
-        ("equal", "heavy-tail", "clustered", "line", "lattice"),
-        labels=("Equal sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice"),
+        KINDS,
+        labels=KIND_LABELS,
         group="Boxes",
         rebuild=True,
         help="how boxes are made",
@@ -112,6 +117,7 @@ class BoxesScene(ArraysOfBoxes):
         return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
 
     hints = (
+        Hint(("Point", "Click"), "look into a box"),
         Hint(("Drag",), "move a box, or draw a new one"),
         Hint(("Right click",), "remove"),
         Hint(("↑", "↓"), f"{BATCH} more, fewer"),
@@ -130,6 +136,7 @@ class BoxesScene(ArraysOfBoxes):
         self.births = 0  # how often random boxes were asked for
         self.begun = self.ended = 0  # pairs in the last step
         self.empty_hand()
+        self.look_at_none()
         self.told: deque[str] = deque(maxlen=8)
         self.watch = Stopwatch()
         if self.listed:
@@ -257,6 +264,7 @@ class BoxesScene(ArraysOfBoxes):
             self.lowers[gone] = self.uppers[gone] = self.velocities[gone] = 0.0
             self.growth[gone] = 0.0
             self.held = -1 if self.held in gone else self.held
+            self.chosen = -1 if self.chosen in gone else self.chosen
         self.begin_anew()
 
     def knob_changed(self, name: str) -> None:
@@ -273,6 +281,17 @@ class BoxesScene(ArraysOfBoxes):
         if name in ("more", "fewer"):
             wanted = len(self.ids) + (BATCH if name == "more" else -BATCH)
             self._set_count(min(max(wanted, 1), self.most))
+
+    def why_idle(self, name: str) -> str:
+        if self.listed and name in MAKING:
+            return "The level lists its boxes: none is made at random."
+        if name == "ratio" and self.workload not in ("heavy-tail", "power-law"):
+            return "Boxes of this workload are all alike."
+        if name == "share" and self.workload != "heavy-tail":
+            return "Only where there are two sizes is there a share of large ones."
+        if name == "lines" and len(self.pairs) > MOST_LINES:
+            return f"Above {grouped(MOST_LINES)} pairs no lines are drawn."
+        return ""
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Where there are many boxes, or will be, all that makes the structures anew; and steps back."""
@@ -301,20 +320,3 @@ class BoxesScene(ArraysOfBoxes):
         told = list(self.told)
         self.told.clear()
         return told
-
-
-def exercise(make: Callable[[], BroadPhase]) -> None:
-    """Call all that a broad phase and the pair managers can do on three boxes, so that it is compiled."""
-    phase = make()
-    corners = np.zeros((3, 2))
-    ids = phase.add_boxes(corners, corners + 1.0)
-    phase.update_boxes(ids, corners, corners + 2.0)
-    phase.query_point((0.5, 0.5))
-    phase.update_box(phase.add_box((0.0, 0.0), (1.0, 1.0)), (2.0, 2.0), (3.0, 3.0))
-    pairs = phase.pairs()
-    phase.remove_box(3)
-    phase.remove_boxes(ids[:1])
-    for manager in (HashedPairs(), MatrixPairs(4)):
-        manager.set_pairs(pairs)
-        manager.clear()
-        manager.take_events()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pygame
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 COLUMN_LEFT, COLUMN_RIGHT = -4.45, -0.5  # m, where the findings stand beside the world
 COLUMN_TOP = 5.3  # m, below the legend
 FREE, OVERLAPPING, IN_HAND = 0, 1, 2  # kinds of boxes
+TALL = 400  # design px of a column that has room for times beside what is told of few boxes
 MOST_LINES = 6_000
 LEAST_CELL = 5.0  # px; smaller cells are shaded together
 
@@ -70,15 +71,24 @@ def _longest_way(scene: BoxesScene) -> float:
 
 def _draw_lines(scene: BoxesScene, canvas: Canvas, alpha: float, leap: float) -> None:
     """A line between the centres of each pair of finite boxes."""
-    low, high = scene.lowers, scene.uppers
+    low, high = places_between(scene, alpha, leap)
     with np.errstate(invalid="ignore", over="ignore"):
-        if alpha < 1.0:
-            before = scene.previous
-            near = (np.abs(low - before.lowers) <= leap).all(axis=1)[:, None]
-            low = np.where(near, before.lowers + alpha * (low - before.lowers), low)
-            high = np.where(near, before.uppers + alpha * (high - before.uppers), high)
         centers = 0.5 * (low + high)
     canvas.segments(centers[scene.pairs[:, 0]], centers[scene.pairs[:, 1]], "vermilion", 1.4)
+
+
+def places_between(scene: BoxesScene, alpha: float, leap: float | None = None) -> tuple[Any, Any]:
+    """Lower and upper corners (n, 2) m as they are drawn: on the way from the state before, but for leaps."""
+    low, high, before = scene.lowers, scene.uppers, scene.previous
+    if alpha >= 1.0 or before is None or len(before.lowers) != len(low):
+        return low, high
+    leap = _longest_way(scene) if leap is None else leap
+    with np.errstate(invalid="ignore", over="ignore"):
+        near = (np.abs(low - before.lowers) <= leap).all(axis=1)[:, None]
+        return (
+            np.where(near, before.lowers + alpha * (low - before.lowers), low),
+            np.where(near, before.uppers + alpha * (high - before.uppers), high),
+        )
 
 
 def draw_loads(
@@ -146,6 +156,12 @@ class Column:
             canvas.polygon(ground, fill="stage", fill_alpha=0.9)
         self.y = top
         self.left, self.right = COLUMN_LEFT, right
+        self._bottom = scene.frame().bottom
+
+    @property
+    def room_px(self) -> float:
+        """Design px that are left above the foot of the picture."""
+        return (self.y - self._bottom) / self.canvas.px(1.0)
 
     def space(self, height_px: float) -> None:
         """Leave room."""
@@ -182,14 +198,24 @@ class Column:
             canvas.line((self.left, y), (end, y), color, 4.0, alpha=0.4 if hollow else 1.0)
         self.space(10)
 
-    def picture(self, colors: NDArray[np.uint32], height_px: float) -> None:
-        """A raster over the width of the column."""
+    def words(self, text: str, color: str = "text2") -> None:
+        """A sentence, in as many lines as it takes."""
+        canvas = self.canvas
+        width = int((self.right - self.left) * canvas.pixels_per_unit)
+        for line in canvas.fonts.wrap(text, 12, "medium", width):
+            canvas.label((self.left, self.y), line, color, 12, "medium", "left", halo=False)
+            self.space(17)
+
+    def picture(self, colors: NDArray[np.uint32], height_px: float) -> tuple[float, float, float, float]:
+        """A raster over the width of the column; returns its left, bottom, right and top, m."""
         canvas = self.canvas
         lower = (self.left, self.y - canvas.px(height_px))
         paint_raster(canvas, colors, lower, (self.right, self.y))
         corners = np.array([lower, (self.right, lower[1]), (self.right, self.y), (self.left, self.y)])
         canvas.polygon(corners, outline="line2", width=1.0)
+        top = self.y
         self.space(height_px + 14)
+        return self.left, lower[1], self.right, top
 
 
 def log_share(seconds: float, least: float = 1e-6, most: float = 1.0) -> float:

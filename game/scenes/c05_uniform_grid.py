@@ -10,17 +10,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.broadphase import cell_size_study
-from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, UniformGrid
+from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, PairEvents, UniformGrid
 from game.physics.broadphase.effects import BOUNDARY, HASHED_PAIRS, MATRIX_PAIRS, MOTION
 from game.scenes import boxes_view as view
 from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.scenes.boxes_look import draw_names
 from game.scenes.boxes_scene import BoxesScene
+from game.scenes.c05_look import Look, draw_look, look_into, mark_matrix, mark_table, tell_look
 from game.scenes.figures.broad_phase import draw_cells
 from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 
 MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
 MOST_CELLS = 1 << 20
 MATRIX_PICTURE = 128  # blocks across
+TURNS = ("first", "second")  # in which a manager is told the pairs
+FEW_IDS = 64  # the matrix is drawn with a block for each place, the table in one row
 HASH_ROWS, HASH_COLUMNS = 16, 64
 
 
@@ -75,7 +79,9 @@ class UniformGridScene(BoxesScene):
         Equation("Entries of a box", r"\left(1 + \frac{s}{c}\right)^2", "all covered cells, mean"),
         Equation("Place of a pair", r"k = \frac{i(2n - i - 1)}{2} + j - i - 1", "triangular matrix"),
         Equation(
-            "Mean pairs", r"\frac{n(n-1)}{2} p^2, \quad p = \frac{2sL - s^2}{L^2}", "uniform boxes of side s"
+            "Mean pairs",
+            r"\frac{n(n-1)}{2} p_W p_H, \quad p_W = \frac{2 s L - s^2}{L^2}, \quad L = W - s",
+            "boxes of side s, uniform in W × H; p_H as p_W",
         ),
     )
     try_this = (
@@ -92,6 +98,7 @@ class UniformGridScene(BoxesScene):
         kind = UniformGrid if self.storage == "corner" else CoveringGrid
         self.grid = kind((0.0, 0.0), (WIDTH, HEIGHT), min(cell, WIDTH))
         self.hashed = HashedPairs()
+        self.answers: list[PairEvents] = []  # of the managers, in the last step
         self.matrix: MatrixPairs | None = None
         self._fit_matrix(len(self.alive))
 
@@ -115,26 +122,45 @@ class UniformGridScene(BoxesScene):
             self.update(self.grid)
             self.pairs = self.grid.pairs()
         self._fit_matrix(len(self.alive))
-        answers = []
-        for name, effect, manager in (
-            ("matrix", MATRIX_PAIRS, self.matrix),
-            ("hash", HASHED_PAIRS, self.hashed),
-        ):
+        self.answers = []
+        managers = (("matrix", MATRIX_PAIRS, self.matrix), ("hash", HASHED_PAIRS, self.hashed))
+        # in turn, as the first one finds the pairs in no cache and the second one does
+        for name, effect, manager in managers if self.steps % 2 else managers[::-1]:
             if manager is None or effect not in self.active:
-                self.watch.forget(name)
+                self._forget_times(name)
                 continue
-            with self.watch.time(name):
+            with self.watch.time(f"{name}, {TURNS[len(self.answers)]}"):
                 manager.set_pairs(self.pairs)
-                answers.append(manager.take_events())
-        self.begun, self.ended = (len(events) for events in answers[0]) if answers else (0, 0)
-        self.same = all(
-            np.array_equal(mine, first)
-            for events in answers[1:]
-            for mine, first in zip(events, answers[0], strict=True)
-        )
+                self.answers.append(manager.take_events())
+        self.begun, self.ended = (len(events) for events in self.answers[0]) if self.answers else (0, 0)
+
+    def manager_s(self, name: str) -> float:
+        """What a manager ("matrix", "hash") takes in a step, s: the mean over both turns; NaN if unknown."""
+        medians = [self.watch.median(f"{name}, {turn}") for turn in TURNS]
+        known = [seconds for seconds in medians if math.isfinite(seconds)]
+        return sum(known) / len(known) if known else math.nan
+
+    def _forget_times(self, *names: str) -> None:
+        for name in names:
+            for turn in TURNS:
+                self.watch.forget(f"{name}, {turn}")
+
+    @property
+    def compared(self) -> bool:
+        """Whether both managers kept the pairs in the last step, so that there is something to compare."""
+        return len(self.answers) == 2
+
+    @property
+    def same(self) -> bool:
+        """Whether the managers' answers of the last step agree.
+
+        They are compared when that is asked for, so that it is not counted as the cost of a manager.
+        """
+        return not self.compared or all(np.array_equal(*both) for both in zip(*self.answers, strict=True))
 
     def effects_changed(self) -> None:
-        """A manager that was off learns the pairs that there are."""
+        """A manager that was off learns the pairs that there are; who is told first is another one now."""
+        self._forget_times("matrix", "hash")
         for manager in (self.matrix, self.hashed):
             if manager is not None:
                 manager.set_pairs(self.pairs)
@@ -156,8 +182,8 @@ class UniformGridScene(BoxesScene):
             Readout("begun", self.begun),
             Readout("ended", self.ended),
             Readout("grid", self.watch.median("grid"), "s"),
-            Readout("matrix", self.watch.median("matrix"), "s"),
-            Readout("hash", self.watch.median("hash"), "s"),
+            Readout("matrix", self.manager_s("matrix"), "s"),
+            Readout("hash", self.manager_s("hash"), "s"),
             Readout("box tests", self.grid.tests),
             Readout("answers differ", 0 if self.same else 1),
         )
@@ -185,14 +211,38 @@ class UniformGridScene(BoxesScene):
             view.draw_loads(canvas, self.grid.loads(), self.grid.cell, self._full())
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
-        self._draw_managers(canvas)
+        draw_names(self, canvas, alpha)
+        seen = look_into(self, self.looked) if self.looked >= 0 else None
+        if seen is not None:
+            draw_look(self, canvas, alpha, seen)
+        self._draw_managers(canvas, seen)
 
-    def _draw_managers(self, canvas: Any) -> None:
+    @property
+    def keeps_matrix(self) -> bool:
+        """Whether the full matrix keeps the pairs."""
+        return self.matrix is not None and MATRIX_PAIRS in self.active
+
+    @property
+    def keeps_table(self) -> bool:
+        """Whether the hash table keeps the pairs."""
+        return HASHED_PAIRS in self.active
+
+    def _draw_managers(self, canvas: Any, seen: Look | None) -> None:
         """Matrix and hash table as they are filled, and what each costs."""
         column = view.Column(canvas, self)
-        times = [self.watch.median(name) for name in ("matrix", "hash")]
+        if seen is None or column.room_px > view.TALL:
+            self._draw_times(column)
+        self._draw_matrix(column, canvas, seen)
+        self._draw_table(column, canvas, seen)
+        if seen is not None:
+            tell_look(self, column, seen)
+
+    def _draw_times(self, column: view.Column) -> None:
+        """What each manager takes, and whether they agree."""
+        times = [self.manager_s(name) for name in ("matrix", "hash")]
         longest = max((time for time in times if math.isfinite(time)), default=1.0)
-        column.head("Pair managers", "same answers" if self.same else "answers differ")
+        same = "same answers" if self.same else "answers differ"
+        column.head("Pair managers", same if self.compared else "not compared")
         for words, manager, time, color in (
             ("Full matrix", self.matrix if MATRIX_PAIRS in self.active else None, times[0], "chalk"),
             ("Hash table", self.hashed if HASHED_PAIRS in self.active else None, times[1], "green"),
@@ -204,20 +254,19 @@ class UniformGridScene(BoxesScene):
                 f"{words}, {pairs}", view.seconds_text(time), time / longest if time > 0.0 else 0.0, color
             )
         column.space(8)
-        self._draw_matrix(column, canvas)
-        self._draw_table(column, canvas)
 
-    def _draw_matrix(self, column: view.Column, canvas: Any) -> None:
+    def _draw_matrix(self, column: view.Column, canvas: Any, seen: Look | None) -> None:
         """Which places of the matrix hold a pair, in blocks."""
-        if self.matrix is None or MATRIX_PAIRS not in self.active:
+        if self.matrix is None or not self.keeps_matrix:
             size = 4.0 * len(self.alive) * (len(self.alive) - 1) / 2
             column.head("Full matrix", f"would take {view.bytes_text(size)}")
             return
         n = max(len(self.alive), 2)
         blocks = min(MATRIX_PICTURE, n)
-        filled = np.zeros((blocks // 2, blocks))
+        high = blocks if n <= FEW_IDS else blocks // 2
+        filled = np.zeros((high, blocks))
         if len(self.pairs):
-            rows = (blocks // 2 - 1) - self.pairs[:, 0] * (blocks // 2) // n
+            rows = (high - 1) - self.pairs[:, 0] * high // n
             np.add.at(filled, (rows, self.pairs[:, 1] * blocks // n), 1.0)
         beyond = _beyond(*filled.shape)
         colors = view.shades(
@@ -225,11 +274,13 @@ class UniformGridScene(BoxesScene):
         )
         colors[beyond & (filled == 0)] = canvas.ink("stage")
         column.head("Full matrix", view.bytes_text(self.matrix.memory()))
-        column.picture(colors, 92)
+        frame = column.picture(colors, 92)
+        if seen is not None:
+            mark_matrix(canvas, seen, n, frame)
 
-    def _draw_table(self, column: view.Column, canvas: Any) -> None:
+    def _draw_table(self, column: view.Column, canvas: Any, seen: Look | None) -> None:
         """Which places of the hash table are taken, in blocks."""
-        if HASHED_PAIRS not in self.active:
+        if not self.keeps_table:
             return
         taken = self.hashed.table.where > 0
         blocks = min(HASH_ROWS * HASH_COLUMNS, len(taken))
@@ -238,7 +289,9 @@ class UniformGridScene(BoxesScene):
         column.head(
             "Hash table", f"{view.bytes_text(self.hashed.memory())}, {self.hashed.probes():.2f} looks"
         )
-        column.picture(view.shades(canvas, filled, "green", "inset"), 56)
+        frame = column.picture(view.shades(canvas, filled, "green", "inset"), 56 if blocks > FEW_IDS else 28)
+        if seen is not None:
+            mark_table(canvas, self.hashed, seen, filled.shape, frame)
 
 
 @lru_cache(maxsize=4)

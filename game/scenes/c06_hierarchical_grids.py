@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from game.lab.studies.broadphase import hierarchy_study
@@ -12,9 +13,12 @@ from game.physics.broadphase import HierarchicalGrid, NaiveBroadPhase
 from game.physics.broadphase.hash_levels import TOP
 from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import ComparedScene, manager_for
-from game.scenes.boxes_scene import RATIO, SHARE
+from game.scenes.boxes_look import draw_names
+from game.scenes.boxes_scene import KIND_LABELS, KINDS, RATIO, SHARE
+from game.scenes.c06_look import Look, draw_look, look_into, tell_look
+from game.scenes.c06_stack import MOST_BOXES, Sheet, draw_stack, sheet_at, sheets_of
 from game.scenes.figures.broad_phase import draw_levels
-from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
+from game.stage import Choice, Equation, Param, Pointer, Readout, Strip, Toggle
 from game.ui.numerals import format_si
 from game.ui.painters.boxes import BoxPainter
 
@@ -28,7 +32,8 @@ class HierarchicalGridScene(ComparedScene):
     """Boxes of very unlike sizes: most are small, a few are many times larger. One uniform grid cannot
     serve both; here there is a grid for every size. A box stands on the level whose cells are just not
     smaller than itself, in the cell of its lower corner. No grid is stored: cells are found by hashing, a
-    table for each level, so there is neither an edge nor a size to choose, and memory follows the boxes.
+    table for each level, so there is neither an edge nor a size to choose, and memory follows the boxes. The
+    tilted stack shows the levels above each other, and beside each the chains of boxes in its buckets.
 
     Pairs on one level are found as in a uniform grid. Between two levels either the smaller boxes look up
     the few large cells around them, or the large boxes run over the small cells below. The naive way, every
@@ -50,21 +55,34 @@ class HierarchicalGridScene(ComparedScene):
     )
     workload = Choice(
         "heavy-tail",
-        ("equal", "heavy-tail", "clustered", "line", "lattice"),
-        labels=("Equal sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice"),
+        KINDS,
+        labels=KIND_LABELS,
         group="Boxes",
         rebuild=True,
         help="how boxes are made",
     )
     ratio = Param(
         RATIO, 1.0, 1000.0, log=True, group="Boxes", label="Large to small", rebuild=True,
-        help="how many times larger the large boxes of the heavy tail are",
+        help="size of the largest boxes of the heavy tail over that of the small ones",
     )  # fmt: skip
     share = Param(
-        SHARE, 0.0, 0.5, group="Boxes", label="Share of large ones", rebuild=True, help="of the heavy tail"
+        SHARE,
+        0.0,
+        0.5,
+        group="Boxes",
+        label="Share of large ones",
+        rebuild=True,
+        help="where there are two sizes",
     )
     cells = Toggle(
         True, group="Shown", label="Cells", help="cells that hold boxes, in the colour of their level"
+    )
+
+    stack = Toggle(
+        False,
+        group="Shown",
+        label="Tilted stack",
+        help="level upon level, each with its hash table beside it",
     )
 
     parts = (("hierarchical grids", HierarchicalGrid), ("naive pairs", NaiveBroadPhase))
@@ -87,6 +105,8 @@ class HierarchicalGridScene(ComparedScene):
     )
     try_this = (
         "Draw large to small from 1 to 1000: levels appear, and the tests hardly change.",
+        "Choose the heavy tail: each level up holds half as many boxes. Then switch the tilted stack on.",
+        "Open the ten boxes and point at a small one: it looks up a few cells on every coarser level.",
         "Set the share of large ones to a half: one grid for the large ones would make fewer tests.",
         "Let cells grow by 16 from level to level: fewer levels, more tests in each.",
         "Open the hard case of boxes that grow: they pass from level to level, and no pair is lost.",
@@ -98,12 +118,73 @@ class HierarchicalGridScene(ComparedScene):
         self.grid = HierarchicalGrid(int(self.step_ratio))
         self.keeper = manager_for(len(self.alive), self.manager)
         self.make_naive()
+        self.sheet_held: Sheet | None = None  # of the stack, where the pointer is
+        self.sheet_grasped: Sheet | None = None  # and where something was taken
 
     def structures(self) -> tuple[HierarchicalGrid]:
         return (self.grid,)
 
     def shaping(self) -> tuple[str, ...]:
         return ("manager", "step_ratio")
+
+    @property
+    def stacked(self) -> bool:
+        """Whether the levels are shown as a stack."""
+        return bool(self.stack) and len(self.ids) <= MOST_BOXES
+
+    def sheets(self) -> list[Sheet]:
+        """The sheets of the stack as it is now."""
+        present = [level for level, _ in self.grid.levels()]
+        return sheets_of(present, lambda level: LEVEL_COLORS[self._color(present, level)])
+
+    def pointer(self, event: Pointer) -> None:
+        """In a stack, a place on a sheet is a place in the world, and boxes of its level are meant."""
+        if self.stacked and event.kind != "cancel":
+            sheet = sheet_at(self.sheets(), event.x, event.y)
+            if sheet is not None:
+                self.sheet_held = sheet
+            elif event.kind == "down" or (self.held < 0 and self.anchor is None and not self.erasing):
+                self.pointed = None
+                return
+            if (self.held >= 0 or self.anchor is not None) and self.sheet_grasped is not None:
+                self.sheet_held = self.sheet_grasped
+            if event.kind == "down":
+                self.sheet_grasped = self.sheet_held
+            if self.sheet_held is None:
+                return
+            x, y = self.sheet_held.back(event.x, event.y)
+            event = msgspec.structs.replace(event, x=x, y=y)
+        super().pointer(event)
+
+    def box_at(self, at: tuple[float, float]) -> int:
+        """As ever; in a stack the topmost box of the level whose sheet is pointed at."""
+        found = super().box_at(at)
+        return self._on_level(at, found)
+
+    @property
+    def looked(self) -> int:
+        """As ever; in a stack of the boxes below the pointer the topmost one of that level."""
+        found = super().looked
+        if found in (-1, self.held, self.chosen) or self.pointed is None:
+            return found
+        return self._on_level(self.pointed, found)
+
+    def _on_level(self, at: tuple[float, float], found: int) -> int:
+        """The topmost box at a place, m, on the level of the sheet pointed at; -1 if there is none."""
+        if not self.stacked or self.sheet_held is None or found < 0:
+            return found
+        within = ((self.lowers <= at) & (at <= self.uppers)).all(axis=1) & (self.alive == 1)
+        mine = [i for i in np.flatnonzero(within).tolist() if self.grid.level(i) == self.sheet_held.level]
+        return mine[-1] if mine else -1
+
+    def why_idle(self, name: str) -> str:
+        if name == "stack" and len(self.ids) > MOST_BOXES:
+            return f"Above {view.grouped(MOST_BOXES)} boxes the levels are not stacked."
+        if name in ("cells", "lines") and self.stacked:
+            return "The tilted stack has its own."
+        if name == "cells" and len(self.ids) > MOST_CELLS:
+            return f"Above {view.grouped(MOST_CELLS)} boxes no cells are drawn."
+        return super().why_idle(name)
 
     def pair_up(self) -> None:
         with self.watch.time("hierarchical"):
@@ -139,16 +220,32 @@ class HierarchicalGridScene(ComparedScene):
         levels, corners = self.grid.cells()
         counts = np.bincount(levels[levels >= 0], minlength=1)
         present = np.flatnonzero(counts)
+        seen = look_into(self, self.looked) if self.looked >= 0 else None
+        if self.stacked:
+            draw_stack(self, canvas, alpha, self.sheets(), seen)
+        else:
+            self._draw_world(canvas, alpha, levels, corners, present, seen)
+        column = view.Column(canvas, self, 5.75)
+        if seen is None or column.room_px > view.TALL:
+            words = f"Hierarchical, {view.grouped(self.grid.tests)} tests"
+            self.draw_comparison(column, "hierarchical", words, "chalk")
+            column.space(6)
+        self._draw_levels(column, canvas, counts, present)
+        if seen is not None:
+            column.space(6)
+            tell_look(self, column, seen)
+
+    def _draw_world(
+        self, canvas: Any, alpha: float, levels: Any, corners: Any, present: Any, seen: Look | None
+    ) -> None:
+        """The world from above, cells of all levels upon each other."""
         if self.cells and len(self.ids) <= MOST_CELLS:
             self._draw_cells(canvas, levels, corners, present)
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
-        column = view.Column(canvas, self, 5.75)
-        self.draw_comparison(
-            column, "hierarchical", f"Hierarchical, {view.grouped(self.grid.tests)} tests", "chalk"
-        )
-        column.space(6)
-        self._draw_levels(column, canvas, counts, present)
+        draw_names(self, canvas, alpha)
+        if seen is not None:
+            draw_look(self, canvas, alpha, seen)
 
     def _draw_cells(self, canvas: Any, levels: Any, corners: Any, present: Any) -> None:
         """The cells that hold boxes, coarse ones first; the level that is one cell has no outline."""

@@ -14,6 +14,16 @@ from game.physics.broadphase.workloads import expected_swaps
 from game.scenes import boxes_view as view
 from game.scenes.boxes_compare import MOST_IN_MATRIX, ComparedScene, manager_for
 from game.scenes.boxes_level import HEIGHT, WIDTH
+from game.scenes.boxes_look import draw_names, named
+from game.scenes.c07_story import (
+    MOST_KEPT,
+    draw_ends,
+    draw_look,
+    look_into,
+    tell_look,
+    tell_story,
+    tell_swaps,
+)
 from game.scenes.figures.broad_phase import draw_swap
 from game.stage import Equation, Frame, Param, Readout, Strip, Toggle
 
@@ -24,7 +34,9 @@ NEAR, FAR, TICK = 0.06, 0.30, 0.15  # m, where the axes lie beside the world
 class SweepAndPruneScene(ComparedScene):
     """The end points of all boxes are kept sorted on both axes. From one step to the next boxes move a
     little, so a few swaps of neighbours put them in order again; and only where a lower and an upper end
-    swap can a pair begin or end. The cost of a step is the motion in it, not the number of pairs or boxes.
+    swap can a pair begin or end. So the cost of a step follows the motion in it: boxes at rest cost one look
+    at each end. In motion the swaps grow with the speed, and with the square of the number of boxes, since
+    twice as many ends pass twice as many others. How many boxes overlap does not matter.
 
     At the edges of the world the sorted end points are shown, lower and upper ones, and marked where they
     changed places. The number of swaps is held against its mean for boxes that move in random directions.
@@ -68,7 +80,7 @@ class SweepAndPruneScene(ComparedScene):
         Equation(
             "Their mean",
             r"2 n^2 \frac{8}{\pi^2} v \Delta t \left(\frac{1}{W} + \frac{1}{H}\right)",
-            "isotropic motion",
+            "n boxes at speed v in all directions, W × H",
         ),
         Equation("A leap of all", r"2 n (n - 1)", "swaps, mean"),
     )
@@ -85,6 +97,8 @@ class SweepAndPruneScene(ComparedScene):
         self.sap = SweepAndPrune(manager_for(len(self.alive), self.manager), self.resort)
         self.swaps = 0  # in the last step
         self.swapped: tuple[NDArray[np.bool_], ...] = ()
+        self.story: list[str] = []  # the last swaps in words, where boxes have letters
+        self.fresh = 0  # of these, those of the last step
         self.make_naive()
 
     def structures(self) -> tuple[SweepAndPrune]:
@@ -92,6 +106,11 @@ class SweepAndPruneScene(ComparedScene):
 
     def shaping(self) -> tuple[str, ...]:
         return ("manager", "resort")
+
+    def why_idle(self, name: str) -> str:
+        if name == "axes" and len(self.ids) > MOST_TICKS:
+            return f"Above {view.grouped(MOST_TICKS)} boxes the axes are not drawn."
+        return super().why_idle(name)
 
     def add(self, lowers: Any, uppers: Any, velocities: Any) -> Any:
         rows = len(self.ids) + len(lowers)
@@ -102,7 +121,8 @@ class SweepAndPruneScene(ComparedScene):
         return super().add(lowers, uppers, velocities)
 
     def pair_up(self) -> None:
-        shown = self.axes and len(self.ids) <= MOST_TICKS
+        shown = named(self) or (self.axes and len(self.ids) <= MOST_TICKS)
+        pairs_before = self.pairs
         orders = [self.sap.end_points(axis)[1:] for axis in range(2)] if shown else []
         before = self.sap.swaps
         with self.watch.time("sweep"):
@@ -117,6 +137,10 @@ class SweepAndPruneScene(ComparedScene):
                 orders, (self.sap.end_points(axis) for axis in range(len(orders))), strict=True
             )
         )
+        if named(self):
+            told = tell_swaps(self, orders, pairs_before)
+            self.fresh = len(told)
+            self.story = (self.story + told)[-MOST_KEPT:]
         self.compare()
 
     def mean_swaps(self) -> float:
@@ -129,7 +153,7 @@ class SweepAndPruneScene(ComparedScene):
     # -- what is shown ------------------------------------------------------------------------------
 
     def frame(self) -> Frame:
-        return Frame(-4.5, -0.42, WIDTH + 0.1, HEIGHT + 0.1)
+        return Frame(-4.5, -0.8 if named(self) else -0.42, WIDTH + 0.1, HEIGHT + 0.1)
 
     def readouts(self) -> tuple[Readout, ...]:
         return (
@@ -160,23 +184,37 @@ class SweepAndPruneScene(ComparedScene):
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw_ground(canvas)
         view.draw_boxes(self, canvas, alpha)
+        draw_names(self, canvas, alpha)
+        seen = look_into(self, self.looked) if self.looked >= 0 else None
+        if seen is not None:
+            draw_look(self, canvas, alpha, seen)
         if self.axes and len(self.ids) <= MOST_TICKS:
             for axis in range(2):
                 self._draw_axis(canvas, axis)
-        column = view.Column(canvas, self, 4.6, -0.75)
-        self.draw_comparison(column, "sweep", "Sweep and prune", "chalk")
-        column.space(6)
+        column = view.Column(canvas, self, 4.6, -0.95 if named(self) else -0.75)
+        if not named(self) or column.room_px > view.TALL:
+            self.draw_comparison(column, "sweep", "Sweep and prune", "chalk")
+            column.space(6)
         mean = self.mean_swaps()
         column.head("Swaps in this step", "both axes")
         top = max(self.swaps, mean, 1.0)
         column.bar("Made", view.grouped(self.swaps), self.swaps / top, "amber")
         column.bar("Mean for this speed", view.grouped(mean), mean / top, "text1", hollow=True)
-        column.row("Sorted anew so far", view.grouped(self.sap.resorts))
-        column.row("Pairs begun, ended", f"{view.grouped(self.begun)}, {view.grouped(self.ended)}")
+        if not named(self):
+            column.row("Sorted anew so far", view.grouped(self.sap.resorts))
+            column.row("Pairs begun, ended", f"{view.grouped(self.begun)}, {view.grouped(self.ended)}")
+        column.space(6)
+        if seen is not None:
+            tell_look(self, column, seen)
+            column.space(6)
+        if named(self):
+            tell_story(column, self.story, self.fresh)
 
     def _draw_axis(self, canvas: Any, axis: int) -> None:
         """End points as ticks: lower ones towards the world, upper ones beyond; longer where they swapped."""
-        values, _, upper = self.sap.end_points(axis)
+        values, who, upper = self.sap.end_points(axis)
+        if named(self):
+            draw_ends(canvas, axis, values, who, upper)
         swapped = (
             self.swapped[axis]
             if axis < len(self.swapped) and len(self.swapped[axis]) == len(values)

@@ -213,6 +213,14 @@ class Scene:
     def knob_changed(self, name: str) -> None:
         """A knob without ``rebuild`` has a new value."""
 
+    def why_idle(self, name: str) -> str:
+        """Why the knob of that name changes nothing as the scene stands, in a sentence; "" if it acts.
+
+        The panel shows such a knob grey and takes no hand to it; its tool tip begins with the sentence. It is
+        asked for in every frame, so it must be quick. A value that comes another way is taken all the same.
+        """
+        return ""
+
     def takes_long(self, event: StageEvent | None) -> bool:
         """Whether an event (None: a step) may take longer than a frame, so that a window had better not wait.
 

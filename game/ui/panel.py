@@ -44,6 +44,7 @@ class Panel:
         self._pointer = NOWHERE
         self._thumb_grip: int | None = None
         self._seen: tuple[dict[str, Any], int] | None = None  # values of the knobs, effects that are on
+        self._idle: dict[str, str] = {}  # why knobs change nothing now
         self._unmeasured = True
         self._unrest_s = UNREST_S  # time left until all that moves has come to rest
 
@@ -104,6 +105,7 @@ class Panel:
         if self._contents is None or self.rect.w < self.look.px(80) or self.view.h < 1:
             return
         self._sheet = PanelSheet(self.look, self.rect.w, self.view.h, self._contents, self._wishes.append)
+        self._sheet.set_idle(self._idle)
         self._unrest_s = UNREST_S
         self._unmeasured = True
         self._scroll_to(self.scroll)
@@ -209,6 +211,11 @@ class Panel:
 
     def _see(self, sheet: PanelSheet, scene: Scene) -> None:
         """Mark the rows of what has changed in the scene since the last look."""
+        idle = Source(scene).idle()
+        if idle != self._idle:
+            self._idle = idle
+            sheet.set_idle(idle)
+            self._unrest_s = UNREST_S
         values, mask = dict(scene.values), scene.active.mask
         before, self._seen = self._seen, (values, mask)
         if before is None or before[0].keys() != values.keys() or before[1] != mask:

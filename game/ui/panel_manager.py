@@ -162,7 +162,14 @@ class DropDown(UIDropDownMenu):
         super().__init__(list(options), start, rect, manager)
         self.options = options
         self.tip = tip
+        self.idle = ""  # why it changes nothing now: grey, and it does not open
         self._known = start[1]
+
+    def set_idle(self, reason: str) -> None:
+        """Take no hand for a reason, or take it again ("")."""
+        if bool(reason) != bool(self.idle):
+            (self.disable if reason else self.enable)()
+        self.idle = reason
 
     @property
     def is_open(self) -> bool:

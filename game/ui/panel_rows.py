@@ -22,6 +22,7 @@ from game.ui.shapes import draw_box, draw_disc
 
 PADDING = 16  # design px
 DOUBLE_CLICK_S = 0.35
+VEIL = 150  # of 255: the panel's colour over a row that changes nothing
 
 
 class Context(NamedTuple):
@@ -53,6 +54,11 @@ class Source:
         """Whether a knob is not at its base."""
         return bool(self.scene.values[knob.name] != self.base(knob))
 
+    def idle(self) -> dict[str, str]:
+        """Why knobs change nothing as the scene stands, by their names: those that do not act alone."""
+        reasons = {name: self.scene.why_idle(name) for name in self.scene.values}
+        return {name: reason for name, reason in reasons.items() if reason}
+
 
 class Row(UIElement):
     """A row at a height of the panel; subclasses say what they show and how it is painted."""
@@ -64,6 +70,7 @@ class Row(UIElement):
         """``follows``: name of the knob that it shows, if any."""
         self.context = context
         self.follows = follows
+        self.idle = ""  # why it changes nothing now: shown grey, and taking no hand
         self.look = context.look
         self.held = False
         self.has_keys = False  # the keyboard focus, which a press of the mouse never gives
@@ -110,6 +117,8 @@ class Row(UIElement):
     def process_event(self, event: pygame.event.Event) -> bool:
         """Follow the pointer from press to release."""
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and self.rect.collidepoint(event.pos):
+            if self.idle:
+                return True
             self.held = True
             self.press(event.pos[0] - self.rect.x, event.pos[1] - self.rect.y)
             return True
@@ -124,17 +133,21 @@ class Row(UIElement):
 
     def update(self, time_delta: float) -> None:
         """Let hover light and slides move on, and repaint if anything shown has changed."""
-        lights = self._lit.update(time_delta, self.hovered)
+        lights = self._lit.update(time_delta, self.hovered and not self.idle)
         self.moves = self.advance(time_delta) or lights
         if not (self.moves or self.stale or self.hovered or self.held):
             return
         self.stale = False
-        wanted = (*self.shows(), self._lit.amount, self.has_keys)
+        wanted = (*self.shows(), self._lit.amount, self.has_keys, bool(self.idle))
         if wanted != self._shown:
             self._shown = wanted
             surface = pygame.Surface(self.rect.size, pygame.SRCALPHA, 32)
             surface.fill(self.look.theme.panel)
             self.paint(surface)
+            if self.idle:
+                veil = pygame.Surface(surface.get_size(), pygame.SRCALPHA, 32)
+                veil.fill((*self.look.theme.panel[:3], VEIL))
+                surface.blit(veil, (0, 0))
             if self.has_keys:
                 inside = surface.get_rect().inflate(-2 * self.look.px(6), 0)
                 draw_box(

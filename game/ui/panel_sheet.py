@@ -7,7 +7,7 @@ only when some row has another picture or place.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 import pygame
@@ -110,7 +110,7 @@ class PanelSheet:
             self.manager.set_focus_set(None)
         elif self._field is None:
             for row in self.rows:
-                if row.has_keys:
+                if row.has_keys and not row.idle:
                     row.key(event.key)
                     return self._follow_up()
         elif event.key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_TAB):
@@ -128,7 +128,7 @@ class PanelSheet:
 
     def focus_next(self, backward: bool) -> tuple[int, int] | None:
         """Move the keyboard focus to the next control; its top and bottom, or None after the last."""
-        rows = [row for row in self.rows if not isinstance(row, STILL)]
+        rows = [row for row in self.rows if not isinstance(row, STILL) and not row.idle]
         if backward:
             rows.reverse()
         index = next((i for i, row in enumerate(rows) if row.has_keys), -1) + 1
@@ -250,6 +250,18 @@ class PanelSheet:
             if names is None or row.follows in names:
                 row.stale = True
 
+    def set_idle(self, reasons: Mapping[str, str]) -> None:
+        """Why knobs change nothing now, by name; the others act."""
+        for row in self.rows:
+            reason = reasons.get(row.follows, "")
+            if row.idle != reason:
+                row.idle, row.stale = reason, True
+                if row.held and reason:
+                    row.held = False
+                    row.cancel()
+        for name, menu in self.menus.items():
+            menu.set_idle(reasons.get(name, ""))
+
     @property
     def is_quiet(self) -> bool:
         """Whether nobody is at it: then rows follow the scene without pygame_gui's turn."""
@@ -285,6 +297,8 @@ class PanelSheet:
             return None
         things: tuple[DropDown | Row, ...] = (*self.menus.values(), *self.rows)
         for thing in things:
-            if thing.rect.collidepoint(position) and thing.tip and not getattr(thing, "held", False):
-                return thing.tip, pygame.Rect(thing.rect)
+            named = thing.tip or thing.idle
+            if thing.rect.collidepoint(position) and named and not getattr(thing, "held", False):
+                words = "\n".join(filter(None, (thing.idle, thing.tip)))
+                return words, pygame.Rect(thing.rect)
         return None

@@ -90,3 +90,14 @@ def test_the_matrix_grows_with_the_ids():
     assert scene.matrix.capacity == 512
     assert np.array_equal(scene.matrix.pairs(), before)
     assert [len(events) for events in scene.matrix.take_events()] == [0, 0]
+
+
+def test_a_managers_time_is_the_mean_over_both_turns_so_that_it_does_not_jump():
+    scene = open_level(UniformGridScene, "default").scene
+    scene.watch.clear()
+    for _ in range(10):
+        for name, seconds in (("matrix, first", 4.0), ("matrix, second", 2.0), ("hash, first", 5.0)):
+            scene.watch.add(name, seconds)
+    assert scene.manager_s("matrix") == 3.0 and scene.manager_s("hash") == 5.0
+    scene.effects_changed()
+    assert math.isnan(scene.manager_s("matrix"))

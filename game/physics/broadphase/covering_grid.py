@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.broadphase.door import Pairs
 from game.physics.broadphase.grid_search import GUARD, cell_coordinate
+from game.physics.broadphase.grid_walk import Visit
 from game.physics.broadphase.uniform_grid import UniformGrid
 from game.physics.jit import kernel
 
@@ -134,6 +135,18 @@ class CoveringGrid(UniformGrid):
         before, below = self.cell_of(*self.boxes[box, :2].tolist())
         after, above = self.cell_of(*self.boxes[box, 2:].tolist())
         return [(column, row) for row in range(below, above + 1) for column in range(before, after + 1)]
+
+    def visits(self, box: int) -> list[Visit]:
+        """Cell by cell, the boxes that a box is tested against there: all that stand in it."""
+        self._known(box)
+        if self._found is None:
+            self._found = self._find_pairs()
+        visits = []
+        for column, row in self.cells_of(box):
+            cell = row * (self.columns + GUARD) + column
+            entries = self._entries[self._start[cell] : self._start[cell + 1]].tolist()
+            visits.append(Visit(((column, row),), tuple(other for other in entries if other != box)))
+        return visits
 
     def check(self) -> None:
         """As for the uniform grid; and cells hold just the boxes that cover them."""

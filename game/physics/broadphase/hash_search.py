@@ -169,6 +169,18 @@ def run_over(sorted_boxes, start, coarse_begin, coarse_end, offset, mask, factor
 
 
 @kernel(_nrt=False)
+def runs_over(layout, fine, coarse):
+    """Whether the boxes of a coarse level run over the cells of a fine one, as that is cheaper than that the
+    fine boxes look up the coarse cells. ``layout``: of the tables, with counts and masks.
+    """
+    across = 2.0 ** (coarse - fine) + 2.0
+    looking = LOOK_COST * float(layout[fine, COUNT])
+    load = layout[fine, COUNT] / (layout[fine, MASK] + 1.0)
+    running = layout[coarse, COUNT] * across * (RUN_COST + across * load)
+    return coarse < TOP and across < layout[fine, MASK] and running < looking
+
+
+@kernel(_nrt=False)
 def find_pairs(
     boxes, alive, top, step, scales, levels, layout, buckets, start, order, sorted_boxes, keys, tests
 ):
@@ -195,10 +207,7 @@ def find_pairs(
             if layout[coarse, COUNT] == 0:
                 continue
             offset, mask = layout[coarse, OFFSET], layout[coarse, MASK]
-            across = 2.0 ** (coarse - fine) + 2.0
-            looking = LOOK_COST * float(fine_count)
-            running = layout[coarse, COUNT] * across * (RUN_COST + across * fine_count / (fine_mask + 1.0))
-            if coarse < TOP and across < fine_mask and running < looking:
+            if runs_over(layout, fine, coarse):
                 found = run_over(
                     sorted_boxes, start, start[offset], start[offset + mask + 1],
                     fine_offset, fine_mask, fine_factor, scales[fine], keys, found, tests,

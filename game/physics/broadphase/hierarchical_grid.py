@@ -36,6 +36,7 @@ from game.physics.broadphase.hash_levels import (
     place_boxes,
 )
 from game.physics.broadphase.hash_search import find_pairs
+from game.physics.broadphase.hash_walk import LevelVisit, Tables, level_visits
 from game.physics.jit import kernel
 
 
@@ -139,6 +140,16 @@ class HierarchicalGrid(BroadPhase):
         levels, _ = self.cells()
         counts = np.bincount(levels[levels >= 0], minlength=1)
         return [(int(level), int(counts[level])) for level in np.flatnonzero(counts)]
+
+    def tables(self) -> Tables:
+        """The tables of all levels as the last search for pairs had them."""
+        if self._found is None:
+            self._found = self._find_pairs()
+        return Tables(self._layout, self._start, self._order, self._scales)
+
+    def visits(self, box: int) -> list[LevelVisit]:
+        """Where a box looks for partners, level by level; ValueError if there is none of that id."""
+        return level_visits(self.tables(), box, self.level(box), self.boxes[box].tolist())
 
     def cells(self) -> tuple[NDArray[np.int8], Corners]:
         """For every id below ``top``: level (-1 if not in use), and (top, 2) lower corner of its cell, m."""

@@ -19,9 +19,10 @@ def move_boxes_kernel(mask: int) -> Callable[..., Any]:
     ``move_boxes(lowers, uppers, velocities, growth, alive, lower, upper, dt)``: x + v dt for both corners,
     which also part by ``growth`` dt on each side; then v = -v on an axis where a box is beyond the boundary
     and its velocity leads on outwards. One that leads back already is not negated again, so a box comes
-    back by itself however far out it is. A growing box shrinks again once it is larger than the world, and
-    a shrinking one grows before it vanishes. ``lowers``, ``uppers``, ``velocities``: (n, 2) m, m/s,
-    written. ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
+    back by itself however far out it is. A growing box shrinks again once it is larger than the world on
+    both axes, and a shrinking one grows before it vanishes on either.
+    ``lowers``, ``uppers``, ``velocities``: (n, 2) m, m/s, written.
+    ``growth``: (n,) m/s, written. ``alive``: (n,). ``lower``, ``upper``: (2,) the world, m.
     """
 
     @kernel(_nrt=False)
@@ -30,9 +31,10 @@ def move_boxes_kernel(mask: int) -> Callable[..., Any]:
             if alive[box] == 0:
                 continue
             if mask & MOTION_BIT and growth[box] != 0.0:
-                size = uppers[box, 0] - lowers[box, 0]
-                if (size > upper[0] - lower[0] and growth[box] > 0.0) or (
-                    size + 4.0 * growth[box] * dt <= 0.0 and growth[box] < 0.0
+                size = min(uppers[box, 0] - lowers[box, 0], uppers[box, 1] - lowers[box, 1])
+                way = 2.0 * growth[box] * dt  # that the size grows in this step
+                if (way > 0.0 and size > upper[0] - lower[0] and size > way) or (
+                    way < 0.0 and size + 2.0 * way <= 0.0
                 ):
                     growth[box] = -growth[box]
             for axis in range(2):

@@ -48,6 +48,7 @@ from game.physics.broadphase.pair_table import (
     settle,
     sum_of_probes,
     sweep_unkept,
+    triangular_index,
 )
 
 MAX_MATRIX_BYTES = 1 << 30  # 23 170 boxes
@@ -229,6 +230,10 @@ class MatrixPairs(PairManager):
         """Number of ids that the matrix has rows for."""
         return int(self.table.numbers[ROWS])
 
+    def place(self, a: int, b: int) -> int:
+        """Place of a pair in the triangle, row by row; ValueError if a and b are no ids of it."""
+        return int(triangular_index(*self._pair(a, b), self.capacity))
+
 
 class HashedPairs(PairManager):
     """Pairs indexed by a hash table, at most half full; any 32 bit ids, negative ones too."""
@@ -243,6 +248,17 @@ class HashedPairs(PairManager):
         """
         count = min(int(self.table.numbers[SLOTS]), PROBED)
         return sum_of_probes(*self.table, count) / count if count else 0.0
+
+    def chain(self, a: int, b: int) -> tuple[int, ...]:
+        """The places looked at, in order, to find a pair, or to find that it is not there.
+
+        ValueError if a and b make no pair.
+        """
+        low, high = self._pair(a, b)
+        mask = int(self.table.numbers[MASK])
+        home = int(hash_pair(low, high)) & mask
+        last = int(find_place(*self.table, low, high))
+        return tuple((home + i) & mask for i in range(((last - home) & mask) + 1))
 
     def make_room(self) -> None:
         """Double list and table, and enter every pair anew."""

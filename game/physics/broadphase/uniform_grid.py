@@ -26,7 +26,15 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
 from game.physics.broadphase.door import Corners, Ids, Pairs, corner
-from game.physics.broadphase.grid_search import GUARD, PADDING, cell_coordinate, find_pairs, place_boxes
+from game.physics.broadphase.grid_search import (
+    GUARD,
+    ID_MASK,
+    PADDING,
+    cell_coordinate,
+    find_pairs,
+    place_boxes,
+)
+from game.physics.broadphase.grid_walk import CellRuns, Visit, corner_visits
 from game.physics.jit import kernel
 
 MAX_CELLS = 1 << 24  # 64 MB for each of the two arrays over cells
@@ -106,6 +114,17 @@ class UniformGrid(BroadPhase):
             cell_coordinate(x, origin_x, inverse, self.columns - 1.0),
             cell_coordinate(y, origin_y, inverse, self.rows - 1.0),
         )
+
+    def visits(self, box: int) -> list[Visit]:
+        """Where a box looks for partners, and whom it is tested against; ValueError for another id."""
+        self._known(box)
+        if self._found is None:
+            self._found = self._find_pairs()
+        places = np.flatnonzero((self._order[: self._count] & ID_MASK) == box)
+        reach = int(self._reach[0]), int(self._reach[1])
+        runs = CellRuns(self._start, self._order, self.columns, self.rows, reach)
+        x0, y0, x1, y1 = self.boxes[box].tolist()
+        return corner_visits(runs, int(places[0]), self.cell_of(x0, y0), self.cell_of(x1, y1))
 
     def loads(self) -> NDArray[np.int32]:
         """Number of boxes in each cell, (rows, columns)."""

@@ -6,10 +6,11 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.broadphase.door import Corners
 
-WORKLOADS = ("equal", "heavy-tail", "clustered", "line", "lattice", "teleport")
+WORKLOADS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice", "teleport")
 MEAN_COSINE_DIFFERENCE = 8.0 / math.pi**2  # E|cos a - cos b| of independent uniform directions
 
 
@@ -45,8 +46,10 @@ def make_boxes(
 
     ``fill``: a quarter of the mean number of boxes that a box overlaps when centres are uniform; for equal
     boxes, that is the area of all boxes over that of the world. ``speed``: m/s, the same for all, in random
-    directions. ``ratio``, ``share``: of heavy-tail, how many times larger the large boxes are, and which
-    part of all boxes they are. Teleporting boxes are equal ones; that they jump is up to the caller.
+    directions. ``ratio``, ``share``: of heavy-tail, which has two sizes, how many times larger the large
+    boxes are, and which part of all boxes they are. The sizes of power-law have a true heavy tail: boxes
+    larger than s are in proportion to 1 / s (Pareto's law), up to ``ratio`` times the least size.
+    Teleporting boxes are equal ones; that they jump is up to the caller.
     ValueError for another kind or numbers that make no boxes.
     """
     if kind not in WORKLOADS:
@@ -60,6 +63,8 @@ def make_boxes(
     sizes = np.ones(count)
     if kind == "heavy-tail":
         sizes[: round(share * count)] = ratio
+    elif kind == "power-law":
+        sizes = _pareto_sizes(count, generator, ratio)
     if count:
         # mean overlaps of a box = n E[(s_i + s_j)^2] / area, which is to be 4 fill
         mean_square = 2.0 * float(np.mean(sizes**2)) + 2.0 * float(np.mean(sizes)) ** 2
@@ -71,6 +76,12 @@ def make_boxes(
     angles = generator.random(count) * 2.0 * math.pi
     velocities = speed * np.stack([np.cos(angles), np.sin(angles)], axis=1)
     return MovingBoxes(centers, half_sizes, velocities)
+
+
+def _pareto_sizes(count: int, generator: np.random.Generator, ratio: float) -> NDArray[np.float64]:
+    """Sizes from 1 to ``ratio`` with P(size > s) = (1/s - 1/ratio) / (1 - 1/ratio), largest first."""
+    least = 1.0 / ratio
+    return np.sort(1.0 / (least + (1.0 - least) * generator.random(count)))[::-1].copy()
 
 
 def _places(kind: str, count: int, generator: np.random.Generator, width: float, height: float) -> Corners:

@@ -85,3 +85,16 @@ def test_dead_boxes_stay_where_they_are():
     world = np.zeros(2), np.ones(2)
     move_boxes_kernel(MOTION_BIT | BOUNDARY_BIT)(lowers, uppers, velocities, np.zeros(2), alive, *world, 0.5)
     assert lowers.tolist() == [[0.0, 0.0], [0.5, 0.5]] and velocities.tolist() == [[1.0, 1.0], [-1.0, -1.0]]
+
+
+def test_the_power_law_has_a_true_heavy_tail():
+    """Above s there are as many as (1/s - 1/ratio) / (1 - 1/ratio) says, on every scale."""
+    count, ratio = 20_000, 64.0
+    boxes = make_boxes("power-law", count, np.random.default_rng(4), (11.2, 8.0), 0.02, ratio=ratio)
+    sizes = 2.0 * boxes.half_sizes[:, 0]
+    sizes /= sizes.max() / ratio
+    assert (np.diff(sizes) <= 0.0).all()  # the largest first, so that smaller ones are drawn above
+    for least in (2.0, 4.0, 8.0, 16.0, 32.0):
+        share = (1.0 / least - 1.0 / ratio) / (1.0 - 1.0 / ratio)
+        spread = math.sqrt(share * (1.0 - share) * count)
+        assert abs(np.count_nonzero(sizes > least) - share * count) < 4.0 * spread + 0.02 * share * count
