@@ -48,7 +48,11 @@ def words_of(step: SimplexStep | PolytopeStep) -> str:
     if isinstance(step, SimplexStep):
         return WORDS[step.kept]
     if step.grows:
-        return "the nearest edge is not on the border: break it at w"
+        words = "the nearest edge is not on the border: break it at w"
+        inner = sum(step.dropped)
+        if inner:
+            words += f", which replaces {'an inner corner' if inner == 1 else f'{inner} inner corners'}"
+        return words
     return "the nearest edge is on the border: the shortest way out"
 
 
