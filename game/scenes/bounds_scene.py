@@ -62,8 +62,9 @@ class BoundsScene(Scene):
         help="oriented boxes, capsules, or boxes that stay upright",
     )  # fmt: skip
     fit = Choice(
-        "search", FITS, labels=("Degrees", "Refined", "Exact"), group="Volumes",
-        help="by angle steps; improved by golden section; on a side of the hull, by calipers",
+        "search", FITS, labels=("Degrees", "Refined", "Thinnest", "Exact"), group="Volumes",
+        help="by angle steps; improved by golden section; of least breadth, or radius; of least area, "
+        "capsules to 0.1 %",
     )  # fmt: skip
     angle_step = Param(
         1.0, 0.1, 45.0, unit="°", log=True, group="Volumes", label="Angle step",

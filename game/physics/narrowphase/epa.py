@@ -1,10 +1,10 @@
 """EPA: the depth of an overlap, by expanding a polygon within A - B to the border of A - B.
 
-The origin lies inside, from the triangle on that GJK ends with. Of the polygon's edges the one nearest to the
-origin is taken; if A - B has a corner farther out along its normal, the edge is broken there, else it lies on
-the border and is the shortest way out. Where GJK began with given features, its triangle may have corners
-within A - B: those that the new corner leaves within the polygon are dropped. So each polygon is convex, holds
-the one before it, and the origin. Source: van den Bergen 2001.
+The origin lies inside, from the triangle on that GJK ends with. Of the polygon's edges the one nearest to
+the origin is taken; if A - B has a corner farther out along its normal, the edge is broken there, else it
+lies on the border and is the shortest way out. Where GJK began with given features, its triangle may have
+corners within A - B: those that the new corner leaves within the polygon are dropped. So each polygon is
+convex, holds the one before it, and the origin. Source: van den Bergen 2001.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from game.physics.narrowphase.gjk import (
 from game.physics.narrowphase.separating_axis import measure_touching
 from game.physics.narrowphase.simplex import support_cold, support_hc
 
-# place of the edge in the polygon, its distance, new corner i j, 1 if inserted after the edge, how many corners
-# were dropped before and behind it
+# place of the edge in the polygon, its distance, new corner i j, 1 if inserted after the edge, how many
+# corners were dropped before and behind it
 TRACE_WIDTH = 7
 NO_TRACE = np.empty((0, TRACE_WIDTH))
 NO_CORNERS = np.empty((0, 2), dtype=np.int64)
@@ -53,8 +53,8 @@ def swap(corners, k, m):
 def first_polygon(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1, i2, j2, corners):
     """Write one to three corners (i, j) of A - B to begin with, counterclockwise; return how many.
 
-    They are GJK's last simplex, which holds the origin. Of three on a line the two farthest apart are taken, to
-    be gone round there and back; a single one, which is the origin, is joined by a support vertex.
+    They are GJK's last simplex, which holds the origin. Of three on a line the two farthest apart are taken,
+    to be gone round there and back; a single one, which is the origin, is joined by a support vertex.
     """
     corners[0, 0], corners[0, 1] = i0, j0
     corners[1, 0], corners[1, 1] = i1, j1

@@ -197,8 +197,8 @@ class PolytopeStep(NamedTuple):
 
     corners: pairs (vertex of A, vertex of B) of the polygon, counterclockwise; edge: the place of the corner
     where its nearest edge begins; height: its distance from the origin, m; support: the pair farthest along
-    its normal; grows: whether that lies beyond it, and is the next corner; dropped: corners before and behind the
-    new one that then lie within the polygon, and are left out of the next.
+    its normal; grows: whether that lies beyond it, and is the next corner; dropped: corners before and behind
+    the new one that then lie within the polygon, and are left out of the next.
     """
 
     corners: tuple[tuple[int, int], ...]
