@@ -151,7 +151,7 @@ def _fit_caption(scene: BoundsScene, total: int) -> str:
     area = f"{math.degrees(walk.angles[k]):.3g}°: {walk.areas[k]:.4g} m²"
     words = f"Direction {k + 1} of {total}, {area}"
     words += ", the least so far" if best == k else f"; least so far {walk.areas[best]:.4g} m²"
-    return words + (f", {walk.ratio(best):.4f} of the exact one" if walk.exact > 0.0 else "")
+    return words + (f", {walk.ratio(best):.4f} times the exact one" if walk.exact > 0.0 else "")
 
 
 def _build_caption(scene: BoundsScene, total: int) -> str:

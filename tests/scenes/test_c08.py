@@ -82,5 +82,5 @@ def test_half_a_degree_off_walks_the_rectangle_and_shows_the_worst_ratio():
     assert scene.pair.trees[0].areas()[0] / scene.pair.exact_area(0) == pytest.approx(1.0881346525, rel=1e-6)
     for _ in range(walk.length_of(scene)):
         stage.post(Action("walk-on"))
-    assert "1.0881 of the exact one" in walk.caption(scene)
+    assert "1.0881 times the exact one" in walk.caption(scene)
     assert "1.0881" in stage.level.about

@@ -1,8 +1,8 @@
 """Bounding volumes: oriented boxes and capsules round points, trees of them, two trees against each other.
 
 `fit_obb`, `fit_capsule`: by angle steps; `minimal_obb`, `minimal_capsule`: of least area.
-`build_tree`: top down. `tandem`: which leaves overlap and which segments meet; `Query`: the same from step to step.
-`nearest`: how far apart two polylines are.
+`build_tree`: top down. `tandem`: which leaves overlap and which segments meet; `Query`: the same from step
+to step. `nearest`: how far apart two polylines are.
 """
 
 from game.physics.bounds.fits import (
