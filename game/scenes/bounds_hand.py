@@ -47,8 +47,12 @@ def act(scene: BoundsScene, name: str) -> None:
         scene.values["walked"] = following
         scene.knob_changed("walked")
     elif name in ("walk-on", "walk-back"):
-        way = 1 if name == "walk-on" else -1
-        scene.cursor = min(max(scene.cursor + way, 0), walk.length_of(scene))
+        walk.stand_at(scene, scene.cursor + (1 if name == "walk-on" else -1))
+    elif name == "walk-start":
+        walk.stand_at(scene, 0)
+    elif name == "walk-play":
+        scene.values["playing"] = not scene.playing
+        scene.knob_changed("playing")
     else:
         _take_board(scene, editor.act(scene.board, name, RULES))
 

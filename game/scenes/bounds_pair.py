@@ -9,7 +9,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.bounds import BoundingTree, Nearest, Query, build_tree, least_capsule, minimal_obb, nearest
+from game.physics.bounds import (
+    BoundingTree,
+    Nearest,
+    Query,
+    build_tree,
+    minimal_capsule,
+    minimal_obb,
+    nearest,
+)
 from game.physics.bounds.fits import corners_of
 from game.physics.bounds.hull import hull_of
 from game.physics.bounds.query import QueryRecord
@@ -18,8 +26,7 @@ from game.scenes.outlines import Outline
 
 Array = NDArray[np.float64]
 ROUND, FINE_ROUND = 9, 33  # points of one end of a capsule's outline, and where it is large
-MOST_CORNERS = 48  # of a hull whose least capsule is looked for: some 70 ms
-ROUGH = 0.1  # how near to the least capsule is proven; it is polished all the same
+MOST_CORNERS = 48  # of a hull whose least capsule is looked for: 10 to 50 ms
 
 
 class TreeOptions(NamedTuple):
@@ -88,13 +95,14 @@ def paths_of(tree: BoundingTree) -> Array:
 def least_area(kind: str, points: Array) -> float:
     """Area of the least volume round points (n, 2), m²: for upright boxes, of the least box.
 
-    NaN for capsules round so many corners that the search would be felt.
+    Proven to 1e-3 for capsules, and polished. NaN for capsules round so many corners that the search would
+    be felt.
     """
     if kind != "capsule":
         return minimal_obb(points).area
     if len(hull_of(points)[0]) > MOST_CORNERS:
         return math.nan
-    return least_capsule(points, ROUGH)[0].area
+    return minimal_capsule(points).area
 
 
 def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:

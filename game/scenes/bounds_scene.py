@@ -62,8 +62,9 @@ class BoundsScene(Scene):
         help="oriented boxes, capsules, or boxes that stay upright",
     )  # fmt: skip
     fit = Choice(
-        "search", FITS, labels=("Degrees", "Refined", "Exact"), group="Volumes",
-        help="by angle steps; improved by golden section; on a side of the hull, by calipers",
+        "search", FITS, labels=("Degrees", "Refined", "Thinnest", "Exact"), group="Volumes",
+        help="by angle steps; improved by golden section; of least breadth, or radius; of least area, "
+        "capsules to 0.1 %",
     )  # fmt: skip
     angle_step = Param(
         1.0, 0.1, 45.0, unit="°", log=True, group="Volumes", label="Angle step",
@@ -85,8 +86,19 @@ class BoundsScene(Scene):
     compare = Toggle(True, group="Shown", label="Count beside", help="the same query with other trees")
     walked = Choice(
         "off", walk.WALKS, labels=("Off", "Fit", "Build", "Query"), group="Walk", label="Walk through",
-        help="one step of the method in each step: pause, then step on and back",
+        help="step by step through the method; it stands until the arrow keys go on, or it plays",
     )  # fmt: skip
+    playing = Toggle(False, group="Walk", label="Play the walk", help="to its end, then it stands")
+    pace = Param(
+        3.5,
+        0.5,
+        60.0,
+        unit="1/s",
+        log=True,
+        group="Walk",
+        label="Steps a second",
+        help="of the walk, while it plays",
+    )
     node = Param(
         0, 0, 8191, whole=True, group="Walk", label="Fit of node", help="0 is the root of the chosen outline"
     )
@@ -105,6 +117,8 @@ class BoundsScene(Scene):
         Hint(("2",), "draw a line"),
         Hint(("W",), "walk"),
         Hint(("←", "→"), "walk back, on"),
+        Hint(("G",), "play the walk"),
+        Hint(("B",), "from its start"),
         Hint(("↑", "↓"), "level up, down"),
         Hint(("H",), "hierarchy"),
     )
@@ -123,6 +137,8 @@ class BoundsScene(Scene):
         SceneAction("walk", "walk through fit, build, query", "w"),
         SceneAction("walk-on", "walk on", "right"),
         SceneAction("walk-back", "walk back", "left"),
+        SceneAction("walk-play", "play the walk, or stop it", "g"),
+        SceneAction("walk-start", "walk from the start", "b"),
     )
     default_content: ClassVar[OutlinesContent] = OutlinesContent(
         outlines=(
@@ -143,7 +159,7 @@ class BoundsScene(Scene):
         )
         self.board = Board(tuple(outline_of(entry) for entry in self.content.outlines))
         self.clock = np.zeros(1)
-        self.cursor = 0
+        self.cursor, self.beat = 0, 0.0  # steps of the walk made, and what there is of the next one
         self.told: deque[str] = deque(maxlen=8)
         self.packed = PackedShapes()
         self.watch, self.build_watch = Stopwatch(), Stopwatch(first=0)
@@ -208,7 +224,7 @@ class BoundsScene(Scene):
 
     def advance(self, dt: float) -> None:
         if self.walked != "off":
-            self.cursor = min(self.cursor + 1, walk.length_of(self))
+            walk.play(self, dt)
         elif SHAPE_MOTION in self.active and not self.board.held and not self.board.drawn:
             self._drift(dt)
         self.ask(self.coherent)
@@ -240,8 +256,10 @@ class BoundsScene(Scene):
             self.ask(coherent=False)
             self.cursor = min(self.cursor, walk.length_of(self))
         elif name in ("walked", "node"):
-            self.cursor = 0
+            walk.stand_at(self, 0)
             self.ask(self.coherent)
+        elif name == "playing" and self.cursor >= walk.length_of(self):
+            self.cursor = 0
         elif name == "tool":
             hand.act(self, "cancel")
         elif name == "compare":

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from game.scenes.bounds_scene import BoundsScene
 
 Array = NDArray[np.float64]
+BEAT_ROUNDING = 1e-9  # so that sixty sixtieths of a second make a whole one
 WALKS = ("off", "fit", "build", "query")
 
 
@@ -42,6 +43,10 @@ class FitWalk(NamedTuple):
     hull: Array
     origin: Array
     exact: float  # m², area of the exact fit; NaN if it is not known
+
+    def ratio(self, index: int) -> float:
+        """Area on a direction over that of the exact fit."""
+        return float(self.areas[index]) / self.exact
 
 
 def node_of(scene: BoundsScene) -> int:
@@ -98,6 +103,25 @@ def length_of(scene: BoundsScene) -> int:
     return query.row_count if query is not None else 0
 
 
+def stand_at(scene: BoundsScene, cursor: int) -> None:
+    """Stand after so many steps of the walk, as far as it has them; it no longer plays."""
+    scene.cursor = min(max(cursor, 0), length_of(scene))
+    scene.beat = 0.0
+    scene.values["playing"] = False
+
+
+def play(scene: BoundsScene, dt: float) -> None:
+    """Go on at the chosen pace, if it plays; at its end it stands."""
+    if not scene.playing:
+        return
+    scene.beat += scene.pace * dt
+    made = int(scene.beat + BEAT_ROUNDING)
+    scene.beat -= made
+    scene.cursor += made
+    if scene.cursor >= length_of(scene):
+        stand_at(scene, scene.cursor)
+
+
 def building_at(scene: BoundsScene) -> tuple[int, int]:
     """The tree and the node that are built in the present step; the root of A before the first."""
     left = max(scene.cursor - 1, 0)
@@ -112,7 +136,7 @@ def caption(scene: BoundsScene) -> str:
     """What the present step of the walk does, in words."""
     total = length_of(scene)
     if scene.cursor == 0 or not scene.pair.trees:
-        return f"{total} steps: single steps or the arrow keys go on and back"
+        return f"From the start, {total} steps: → goes on, ← back, G plays it"
     if scene.walked == "fit":
         return _fit_caption(scene, total)
     if scene.walked == "build":
@@ -125,9 +149,9 @@ def _fit_caption(scene: BoundsScene, total: int) -> str:
     k = min(scene.cursor, len(walk.angles)) - 1
     best = int(walk.areas[: k + 1].argmin())
     area = f"{math.degrees(walk.angles[k]):.3g}°: {walk.areas[k]:.4g} m²"
-    if best == k:
-        return f"Direction {k + 1} of {total}, {area}, the least so far"
-    return f"Direction {k + 1} of {total}, {area}; least so far {walk.areas[best]:.4g} m²"
+    words = f"Direction {k + 1} of {total}, {area}"
+    words += ", the least so far" if best == k else f"; least so far {walk.areas[best]:.4g} m²"
+    return words + (f", {walk.ratio(best):.4f} times the exact one" if walk.exact > 0.0 else "")
 
 
 def _build_caption(scene: BoundsScene, total: int) -> str:

@@ -96,6 +96,9 @@ def _draw_curve(canvas: Canvas, found: walk.FitWalk, k: int, best: int) -> None:
         exact = (found.exact - low_area) / span
         canvas.line(at(0.0, exact), at(1.0, exact), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
         canvas.label(at(1.0, 1.17), f"exact {found.exact:.4g} m²", "text2", 12, "medium", "right", halo=False)
+        if found.exact > 0.0:
+            words = f"best so far: {found.ratio(best):.4f} times the exact"
+            canvas.label(at(0.5, -0.15), words, "green", 12, "medium", halo=False)
     canvas.dot(curve[best], 4.5, "green")
     canvas.ring(curve[k], 6.0, "amber", 1.8)
     canvas.label(at(0.0, 1.17), "Area against direction", "text1", 12, "semibold", "left", halo=False)

@@ -52,7 +52,7 @@ class OrientedBoxes(BoundsScene):
     )
     try_this = (
         "Drag B into a bay of A: see red boxes appear where the outlines touch, and how few they are.",
-        "Press W to walk through fit, building and query; pause and use the arrow keys.",
+        "Press W to walk through fit, building and query; the arrow keys go on and back, G plays it.",
         "Choose upright boxes: the coast needs more tests, a narrow gap between two arcs ten times more.",
         "Set the angle step to 30°: sloppy boxes, more tests. Exact boxes lie on a side of the hull.",
         "Press 2 and click an outline of your own; close it at its first corner.",

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.narrowphase import Feature
 from game.scenes import convex_pair_view as view
+from game.scenes.c10_words import caption_of
 from game.ui.canvas import Canvas
 
 if TYPE_CHECKING:
@@ -18,15 +19,6 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 MOST_RAYS = 200  # vertices whose borders are drawn
-WORDS = {
-    "closest": "each lies in the other's region: the closest features",
-    "overlap": "they overlap",
-    "repair A": "behind an edge of A: go to the edge it is farthest in front of",
-    "repair B": "behind an edge of B: go to the edge it is farthest in front of",
-    "moved A": "outside of the region of A's feature: go on in A",
-    "moved B": "outside of the region of B's feature: go on in B",
-    "circle": "ties lead in a circle: all features are looked at",
-}
 
 
 def draw(scene: VClip, canvas: Canvas) -> None:
@@ -44,9 +36,8 @@ def draw(scene: VClip, canvas: Canvas) -> None:
             view.draw_parted(scene, canvas, shapes)
             view.draw_answer(scene, canvas, shapes)
         if shown and (scene.shown >= 0 or len(trace) > 1) and scene.tool != "draw":
-            step = shown[-1]
-            words = f"step {len(shown)} of {len(trace)}: {step.feature_a} of A, {step.feature_b} of B · "
-            view.caption(scene, canvas, words + WORDS[step.verdict])
+            words, detail = caption_of(trace, len(shown) - 1, shapes, scene.content.scale)
+            view.caption(scene, canvas, words, detail=detail)
     view.draw_hand(scene, canvas)
     view.draw_invitation(scene, canvas)
 

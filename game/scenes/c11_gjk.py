@@ -131,6 +131,9 @@ class Gjk(ConvexPairScene):
         if self.minkowski:
             rows.append(("line:amber", "simplex, closest point v", str(int(self.answer[7]))))
             rows.append(("diamond:pink", "new corner w", ""))
+            if self.answer[0] > 0.0:
+                rows.append(("line:amber", "circle: no farther than |v|", ""))
+                rows.append(("dash:pink", "circle: no nearer than v·w / |v|", ""))
         return rows
 
     def draw(self, canvas: Any, alpha: float) -> None:

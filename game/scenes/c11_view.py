@@ -12,7 +12,7 @@ from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.scenes import convex_pair_view as view
 from game.stage import Frame
-from game.ui.canvas import Canvas
+from game.ui.canvas import PREDICTION_DASH, Canvas
 from game.ui.numerals import format_si
 
 if TYPE_CHECKING:
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 INSET = 0.72  # width of the difference's part of the stage, over that of the polygons
 MOST_DOTS = 80
+FEW_NAMED = 8  # corners of a polytope that are named
 WORDS = {
     "done": "no corner is nearer: v is the answer",
     "new": "w alone is nearest: keep it",
@@ -48,7 +49,11 @@ def words_of(step: SimplexStep | PolytopeStep) -> str:
     if isinstance(step, SimplexStep):
         return WORDS[step.kept]
     if step.grows:
-        return "the nearest edge is not on the border: break it at w"
+        words = "the nearest edge is not on the border: break it at w"
+        inner = sum(step.dropped)
+        if inner:
+            words += f", which replaces {'an inner corner' if inner == 1 else f'{inner} inner corners'}"
+        return words
     return "the nearest edge is on the border: the shortest way out"
 
 
@@ -158,6 +163,38 @@ def draw_difference(
     )  # fmt: skip
 
 
+def label_corners(canvas: Canvas, shapes: list[Array], inset: Inset, pairs: list[tuple[int, int]]) -> None:
+    """The names of corners of the difference, a_i - b_j, on the side away from their middle."""
+    points = np.array([corner_of(shapes, inset, pair) for pair in pairs])
+    middle = corner_middle(shapes, inset) if len(points) < 3 else points.mean(axis=0)
+    for point, (i, j) in zip(points, pairs, strict=True):
+        x, y = (point - middle).tolist()
+        side = "left" if x >= 0.0 else "right"
+        canvas.label(
+            point, f"a{i} − b{j}", "amber", 12, "semibold", side,
+            offset=(9.0 if x >= 0.0 else -9.0, -11.0 if y >= 0.0 else 11.0), clear=True,
+        )  # fmt: skip
+
+
+def corner_middle(shapes: list[Array], inset: Inset) -> Array:
+    """The middle of the difference as it is drawn."""
+    return inset.place(shapes[0].mean(axis=0) - shapes[1].mean(axis=0))
+
+
+def draw_bounds(canvas: Canvas, inset: Inset, step: SimplexStep, scale: float, left: float) -> None:
+    """What is known of the distance after a step, as circles about the origin: between v·w/|v| and |v|.
+
+    left: x where the difference's part of the stage begins.
+    """
+    for distance, color, dash in ((step.distance, "amber", None), (step.bound, "pink", PREDICTION_DASH)):
+        radius = distance / scale * inset.scale
+        if radius > canvas.px(3.0):
+            reach = math.acos(min(max((left - inset.x) / radius, -1.0), 1.0))
+            turn = np.linspace(-reach, reach, 181)
+            points = radius * np.column_stack((np.cos(turn), np.sin(turn))) + (inset.x, inset.y)
+            canvas.polyline(points, color, 1.4, False, dash, 0.75)
+
+
 def corner_of(shapes: list[Array], inset: Inset, pair: tuple[int, int]) -> Array:
     """Where a corner a - b of the difference is drawn."""
     return inset.place(shapes[0][pair[0] % len(shapes[0])] - shapes[1][pair[1] % len(shapes[1])])
@@ -180,10 +217,12 @@ def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: Polyt
         canvas.arrow(
             tuple(origin.tolist()), tuple(way.tolist()), color if step.grows else "vermilion", None, width=2.0
         )
+    label_corners(canvas, shapes, inset, list(step.corners) if len(corners) <= FEW_NAMED else [])
     if step.grows:
         new = corner_of(shapes, inset, step.support)
         canvas.ring(new, 7.0, "pink", 2.0)
-        canvas.label(new, "w", "pink", 13, "semibold", offset=(12.0, -12.0))
+        name = f"w = a{step.support[0]} − b{step.support[1]}"
+        canvas.label(new, name, "pink", 12, "semibold", offset=(0.0, -19.0), clear=True)
 
 
 def draw_simplexes(
@@ -201,6 +240,8 @@ def draw_simplexes(
     last = shown[-1]
     if past:
         return
+    draw_bounds(canvas, inset, last, scale, scene.content.view.right)
+    label_corners(canvas, shapes, inset, list(last.corners))
     new = corner_of(shapes, inset, last.support)
     if last.kept == "inside":
         triangle = np.array([*(corner_of(shapes, inset, pair) for pair in last.corners), new])
@@ -212,7 +253,9 @@ def draw_simplexes(
         canvas.arrow(origin, (tip[0] - origin[0], tip[1] - origin[1]), color, "v", width=2.0)
     canvas.ring(new, 7.0, "pink", 2.0)
     below = float(new[1]) <= float(tip[1])
-    canvas.label(new, "w", "pink", 13, "semibold", offset=(0.0, 19.0 if below else -19.0), clear=True)
+    if last.support not in last.corners:
+        name = f"w = a{last.support[0]} − b{last.support[1]}"
+        canvas.label(new, name, "pink", 12, "semibold", offset=(0.0, 19.0 if below else -19.0), clear=True)
     if last.kept == "done" and scene.answer[0] > 0.0 and math.dist(tip, origin) > canvas.px(110.0):
         words = f"|v| = {format_si(float(scene.answer[0]), 'm')}"
         canvas.label(

@@ -211,9 +211,14 @@ def draw_invitation(scene: ConvexPairScene, canvas: Canvas) -> None:
         caption(scene, canvas, f"click the corners of {name}; a click at the first one, or Enter, closes it")
 
 
-def caption(scene: ConvexPairScene, canvas: Canvas, words: str, color: str = "text1") -> None:
-    """A line at the foot of the stage."""
+def caption(
+    scene: ConvexPairScene, canvas: Canvas, words: str, color: str = "text1", detail: str = ""
+) -> None:
+    """A line at the foot of the stage, and one below it that says more."""
     seen = canvas.camera.visible()
     place = (0.5 * (seen.left + seen.right), seen.bottom)
     words = words[:1].upper() + words[1:]
-    canvas.label(place, words, color, 13, "semibold", anchor="bottom", offset=(0.0, -14.0))
+    rise = -32.0 if detail else -14.0
+    canvas.label(place, words, color, 13, "semibold", anchor="bottom", offset=(0.0, rise))
+    if detail:
+        canvas.label(place, detail, "text2", 12, "medium", anchor="bottom", offset=(0.0, -14.0))

@@ -9,7 +9,7 @@ import pytest
 from scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 from game.levels import Level, LevelError, format_level, level_files, parse_level
-from game.physics.bounds import traversal
+from game.physics.bounds import FITS, traversal
 from game.physics.bounds.query import ANCESTOR, OVERLAPPING
 from game.scenes import bounds_walk as walk
 from game.scenes import outline_shapes as shapes
@@ -103,7 +103,7 @@ def test_every_kind_of_tree_finds_the_same_crossings(scene_type):
     stage.run(150)
     found = {}
     for volume in ("obb", "capsule", "aabb"):
-        for fit in ("search", "refined", "calipers"):
+        for fit in FITS:
             stage.post(SetKnob("volume", volume))
             stage.post(SetKnob("fit", fit))
             found[volume, fit] = {tuple(pair) for pair in stage.scene.pair.query.crossings.tolist()}
@@ -143,29 +143,50 @@ def test_what_is_not_declared_is_not_computed(scene_type):
 
 @both
 @pytest.mark.parametrize("name", ["fit", "build", "query"])
-def test_a_walk_goes_on_with_every_step_and_back(scene_type, name):
+def test_a_walk_stands_at_its_start_and_goes_on_and_back_by_hand(scene_type, name):
     stage = open_level(scene_type, f"walk-{name}")
-    stage.pause()
+    stage.run(120)  # two seconds: nobody has asked it to go on
     scene = stage.scene
-    assert scene.cursor == 0 and "steps" in walk.caption(scene)
+    assert scene.cursor == 0 and "From the start" in walk.caption(scene)
     captions = []
     for i in range(1, 12):
-        stage.step()
+        stage.post(Action("walk-on"))
         assert scene.cursor == i
         captions.append(walk.caption(scene))
     assert len(set(captions)) == 11
     for i in range(10, 5, -1):
-        stage.step_back()
-        assert stage.scene.cursor == i and walk.caption(stage.scene) == captions[i - 1]
+        stage.post(Action("walk-back"))
+        assert scene.cursor == i and walk.caption(scene) == captions[i - 1]
+    stage.post(Action("walk-start"))
+    stage.post(Action("walk-back"))
+    assert scene.cursor == 0 and "From the start" in walk.caption(scene)
+
+
+@both
+def test_a_walk_plays_three_to_four_steps_a_second_to_its_end(scene_type):
+    stage = open_level(scene_type, "walk-build")
+    stage.post(Action("walk-play"))
+    stage.run(600)
+    assert 30 <= stage.scene.cursor <= 40
+    at = stage.scene.cursor
+    for _ in range(60):
+        assert stage.step_back()
+    assert 3 <= at - stage.scene.cursor <= 4
+    for _ in range(60):
+        stage.step()
+    assert stage.scene.cursor == at
     stage.post(Action("walk-on"))
-    assert stage.scene.cursor == 7
-    stage.post(Action("walk-back"))
-    stage.post(Action("walk-back"))
-    assert stage.scene.cursor == 5
-    stage.run(400)
-    assert stage.scene.cursor == walk.length_of(stage.scene)
+    stage.run(120)
+    assert stage.scene.cursor == at + 1 and not stage.scene.playing
+    stage.post(SetKnob("pace", 60.0))
+    stage.post(Action("walk-play"))
+    stage.run(600)
+    assert stage.scene.cursor == walk.length_of(stage.scene) and not stage.scene.playing
+    stage.post(Action("walk-play"))
+    assert stage.scene.cursor == 0 and stage.scene.playing
     stage.post(Action("walk"))
-    assert stage.scene.cursor == 0
+    stage.run(60)
+    assert stage.scene.cursor == 0 and stage.scene.walked == "query"
 
 
 def test_the_walk_through_the_fit_ends_at_the_box_of_the_tree():
@@ -183,7 +204,8 @@ def test_the_walk_through_the_query_is_the_record():
     stage = open_level(OrientedBoxes, "walk-query")
     query = stage.scene.pair.query
     assert walk.length_of(stage.scene) == query.row_count == query.volume_tests
-    stage.run(query.row_count)
+    for _ in range(query.row_count):
+        stage.post(Action("walk-on"))
     verdict = int(query.rows[-1, traversal.VERDICT])
     words = {0: "apart", 1: "opened", 2: "leaves overlap"}[verdict]
     assert words in walk.caption(stage.scene)
@@ -268,7 +290,8 @@ def test_a_recorded_session_with_edits_replays_exactly(scene_type):
     stage.run(4)
     stage.post(Action("undo"))
     stage.post(SetKnob("walked", "query"))
-    stage.run(6)
+    stage.post(Action("walk-play"))
+    stage.run(30)
     assert replay_scene(stage.recording, scene_type).digest() == stage.digest()
 
 

@@ -7,8 +7,9 @@ import pytest
 from scenes.particle_stages import open_level, readouts
 
 from game.physics.bounds import fit_obb, minimal_obb
+from game.scenes import bounds_walk as walk
 from game.scenes.c08_oriented_boxes import OrientedBoxes
-from game.stage import SetKnob
+from game.stage import Action, SetKnob
 
 
 def test_boxes_are_turned_degree_by_degree_and_halved():
@@ -34,7 +35,7 @@ def test_the_exact_box_is_the_reference():
     coarse = readouts(stage)["area above exact"]
     stage.post(SetKnob("angle_step", 1.0))
     fine = readouts(stage)["area above exact"]
-    stage.post(SetKnob("fit", "calipers"))
+    stage.post(SetKnob("fit", "exact"))
     assert 0.0 <= readouts(stage)["area above exact"] < 1e-12 < fine < coarse
     assert stage.scene.pair.trees[0].areas()[0] == pytest.approx(
         minimal_obb(stage.scene.pair.trees[0].points).area, rel=1e-12
@@ -69,3 +70,17 @@ def test_scaled_levels_have_scaled_boxes():
     for a, b in zip(tiny.pair.trees, huge.pair.trees, strict=True):
         assert np.allclose(1e16 * a.areas() * 1e16, b.areas(), rtol=1e-9, atol=0)
     assert tiny.pair.query.volume_tests == huge.pair.query.volume_tests
+
+
+def test_half_a_degree_off_walks_the_rectangle_and_shows_the_worst_ratio():
+    """1 + (a + 1/a) sin(2 δ) / 2 with a = 10, δ = half a degree."""
+    stage = open_level(OrientedBoxes, "hard-02-half-a-degree")
+    scene = stage.scene
+    hull = walk.fit_walk(scene).hull
+    sides = np.hypot(*(np.roll(hull, -1, axis=0) - hull).T)
+    assert sides.max() / sides.min() == pytest.approx(10.0, rel=1e-6)
+    assert scene.pair.trees[0].areas()[0] / scene.pair.exact_area(0) == pytest.approx(1.0881346525, rel=1e-6)
+    for _ in range(walk.length_of(scene)):
+        stage.post(Action("walk-on"))
+    assert "1.0881 times the exact one" in walk.caption(scene)
+    assert "1.0881" in stage.level.about

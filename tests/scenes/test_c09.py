@@ -39,6 +39,12 @@ def test_the_least_capsule_of_a_square_is_no_circle():
     assert least.area < 0.98 * tree.areas()[0]
     assert stage.scene.pair.exact_area(0) == pytest.approx(least.area, rel=1e-6)
     assert readouts(stage)["area above exact"] > 0.02
+    stage.post(SetKnob("fit", "thinnest"))
+    assert readouts(stage)["area above exact"] > 0.05
+    stage.post(SetKnob("fit", "exact"))
+    assert 0.0 <= readouts(stage)["area above exact"] <= 1e-3
+    labels = dict(zip(Capsules.fit.options, Capsules.fit.labels, strict=True))
+    assert labels["thinnest"] == "Least radius" and labels["exact"] == "Exact"
 
 
 def test_capsules_and_boxes_side_by_side():

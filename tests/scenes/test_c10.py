@@ -8,7 +8,8 @@ from scenes.particle_stages import open_level, readouts
 
 from game.physics.narrowphase import ConvexPolygon, Feature
 from game.scenes.c10_vclip import VClip
-from game.scenes.c10_view import WORDS, region
+from game.scenes.c10_view import region
+from game.scenes.c10_words import WORDS, caption_of, case_of, distance_of, function_of
 from game.stage import SetEffect, SetKnob
 
 
@@ -57,3 +58,28 @@ def test_penetration_is_answered():
     stage.run(1)
     assert readouts(stage)["distance"] == pytest.approx(-0.915845593067914, rel=0, abs=2e-12)
     assert ("arrow:vermilion", "depth", "") in stage.scene.legend()
+
+
+def test_captions_name_case_function_border_and_distance():
+    """For walks from many pairs of features: the border lies between the features of two steps."""
+    stage = open_level(VClip, "default")
+    stage.post(SetEffect("coherence", False))
+    scene, seen = stage.scene, set()
+    for i in range(40):
+        stage.post(SetKnob("start_a", i % 14))
+        stage.post(SetKnob("start_b", (3 * i) % 10))
+        trace = scene.trace()
+        shapes = [scene.drawn_corners(k) for k in (0, 1)]
+        for k, step in enumerate(trace):
+            first, second = caption_of(trace, k, shapes, scene.content.scale)
+            assert f", {case_of(step)}: " in first and " m apart" in first.replace(" mm", " m")
+            assert second.startswith(function_of(step))
+            seen.add((case_of(step), function_of(step)))
+            if step.verdict.startswith("moved"):
+                name = "feature_" + step.verdict[-1].lower()
+                here, there = getattr(step, name), getattr(trace[k + 1], name)
+                assert f"border of {here} and {there}: on to {there}" in second and here != there
+                assert distance_of(shapes, trace[k + 1]) <= distance_of(shapes, step) + 1e-12
+        apart = distance_of(shapes, trace[-1]) * scene.content.scale
+        assert apart == pytest.approx(readouts(stage)["distance"], rel=1e-12)
+    assert {("VV", "clip_vertex"), ("VE", "clip_vertex"), ("VE", "clip_edge"), ("EE", "clip_edge")} <= seen

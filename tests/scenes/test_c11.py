@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from scenes.particle_stages import open_level, readouts
 
+from game.app.headless import picture_of_stage
 from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.scenes.c11_gjk import Gjk
 from game.scenes.c11_view import frame_of, inset_for, words_of
 from game.stage import SetEffect, SetKnob
+from game.ui.canvas import Canvas
 
 
 def test_same_answer_as_vclip_to_rounding():
@@ -68,3 +70,32 @@ def test_the_difference_and_the_origin_fit_beside_the_polygons():
         assert (placed <= (frame.right, frame.top)).all()
     stage.post(SetKnob("minkowski", False))
     assert scene.frame().right == seen.right
+
+
+def test_corners_are_named_and_the_bounds_are_circles_about_the_origin(monkeypatch):
+    """In every step of a walk: a_i - b_j at the simplex, w by its name, |v| and v·w / |v| as radii."""
+    stage = open_level(Gjk, "default")
+    stage.post(SetEffect("coherence", False))
+    stage.post(SetKnob("start_a", 9))
+    stage.post(SetKnob("start_b", 6))
+    scene, drawn, words = stage.scene, [], []
+    monkeypatch.setattr(Canvas, "polyline", lambda self, points, *more: drawn.append(np.asarray(points)))
+    monkeypatch.setattr(Canvas, "label", lambda self, place, text, *more, **options: words.append(text))
+    difference = minkowski_difference(scene.drawn_corners(0), scene.drawn_corners(1))
+    inset = inset_for(scene.content.view, difference)
+    trace = scene.trace()
+    assert len(trace) > 2
+    for index, step in enumerate(trace):
+        scene.shown = index
+        drawn.clear()
+        words.clear()
+        picture_of_stage(stage, (640, 360))
+        assert {f"a{i} − b{j}" for i, j in step.corners} <= set(words)
+        if step.support not in step.corners:
+            assert f"w = a{step.support[0]} − b{step.support[1]}" in words
+        radii = [
+            float(lengths[0]) for points in drawn if len(points) == 181
+            if np.ptp(lengths := np.hypot(*(points - (inset.x, inset.y)).T)) < 1e-9
+        ]  # fmt: skip
+        wanted = [d * inset.scale / scene.content.scale for d in (step.distance, step.bound) if d > 0.0]
+        assert radii == pytest.approx(wanted) and step.bound <= scene.answer[0] <= step.distance + 1e-12

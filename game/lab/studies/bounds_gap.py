@@ -24,7 +24,7 @@ ARC_DEGREES = tuple(60.0 * 2.0 ** (0.25 * i) for i in range(4))
 TREES: dict[str, tuple[str, str]] = {
     "aabb": ("aabb", "search"),
     "obb": ("obb", "search"),
-    "obb-exact": ("obb", "calipers"),
+    "obb-exact": ("obb", "exact"),
     "capsule": ("capsule", "search"),
 }
 

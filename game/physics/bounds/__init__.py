@@ -1,8 +1,8 @@
 """Bounding volumes: oriented boxes and capsules round points, trees of them, two trees against each other.
 
-`fit_obb`, `fit_capsule`: by angle steps; `minimal_obb`, `minimal_capsule`: exactly. `build_tree`: top down.
-`tandem`: which leaves overlap and which segments meet; `Query`: the same from step to step.
-`nearest`: how far apart two polylines are.
+`fit_obb`, `fit_capsule`: by angle steps; `minimal_obb`, `minimal_capsule`: of least area.
+`build_tree`: top down. `tandem`: which leaves overlap and which segments meet; `Query`: the same from step
+to step. `nearest`: how far apart two polylines are.
 """
 
 from game.physics.bounds.fits import (
@@ -10,12 +10,15 @@ from game.physics.bounds.fits import (
     Capsule,
     fit_capsule,
     fit_obb,
+    least_capsule,
+    minimal_capsule,
     minimal_obb,
+    near_least_capsule,
     principal_box,
+    thinnest_box,
     thinnest_capsule,
     upright_box,
 )
-from game.physics.bounds.least_capsule import least_capsule, minimal_capsule
 from game.physics.bounds.nearest import Nearest, nearest
 from game.physics.bounds.query import Query, Tandem, tandem
 from game.physics.bounds.segments import do_segments_meet, segment_distance
@@ -38,10 +41,12 @@ __all__ = [
     "least_capsule",
     "minimal_capsule",
     "minimal_obb",
+    "near_least_capsule",
     "nearest",
     "principal_box",
     "segment_distance",
     "tandem",
+    "thinnest_box",
     "thinnest_capsule",
     "upright_box",
 ]

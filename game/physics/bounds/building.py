@@ -14,12 +14,12 @@ import numpy as np
 from game.physics.bounds.boxes import calipers, extents_along, search_box, write_box
 from game.physics.bounds.capsules import area_of_capsule, core_between, search_capsule, write_capsule
 from game.physics.bounds.hull import sorted_hull
+from game.physics.bounds.least_capsule import GOLDEN, write_least_capsule
 from game.physics.jit import kernel
 
 OBB, CAPSULE, AABB = 0, 1, 2
-SEARCH, REFINED, CALIPERS = 0, 1, 2
+SEARCH, REFINED, THINNEST, EXACT = 0, 1, 2, 3
 HALF, MEDIAN, PERIMETER = 0, 1, 2
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 GOLDEN_ROUNDS = 44  # shrink a degree to 1e-11 rad
 CHILD, BEGIN, END, PARENT, DEPTH = 0, 1, 2, 3, 4  # columns of links; child: the first of two, or -1
 
@@ -74,8 +74,8 @@ def best_axis(kind, fit, hull, h, turns, step, supports, bounds):
     """Direction (c, s) of the core, or of a side of the box, of a hull (h, 2)."""
     if kind == AABB or h < 2:
         return 1.0, 0.0
-    if fit == CALIPERS:
-        return calipers(hull, h, kind == CAPSULE)
+    if fit in (THINNEST, EXACT):
+        return calipers(hull, h, fit == THINNEST)
     if kind == OBB:
         best = search_box(hull, h, turns, supports)
     else:
@@ -93,6 +93,9 @@ def best_axis(kind, fit, hull, h, turns, step, supports, bounds):
 @kernel
 def fit_volume(kind, fit, hull, h, turns, step, origin_x, origin_y, volumes, node, supports, bounds):
     """Write the volume of a hull (h, 2) about its origin into row ``node`` of ``volumes`` (m, 6)."""
+    if kind == CAPSULE and fit == EXACT:
+        write_least_capsule(hull, h, turns, supports, bounds, origin_x, origin_y, volumes, node)
+        return
     c, s = best_axis(kind, fit, hull, h, turns, step, supports, bounds)
     if kind == CAPSULE:
         write_capsule(hull, h, c, s, origin_x, origin_y, volumes, node)

@@ -8,10 +8,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.bounds.building import AABB, CALIPERS, CAPSULE, OBB, REFINED, SEARCH, fit_volume
+from game.physics.bounds.building import AABB, CAPSULE, EXACT, OBB, REFINED, SEARCH, THINNEST, fit_volume
 from game.physics.bounds.door import Array, as_points, as_step, turns_of
 from game.physics.bounds.hull import hull_of
+from game.physics.bounds.least_capsule import (
+    CELLS,
+    TOLERANCE,
+    diameter_bound,
+    polish,
+    prove_least,
+    try_axis,
+    write_shortest,
+)
 
+POLISHING = 4  # rounds of nested golden section, each about the best of the last
+POLISHED_ANGLE = math.radians(1.0)  # on both sides of the best direction, in the first round
 ROUNDING = 1e-12  # of the extent, that a point may lie outside of its volume
 
 
@@ -112,7 +123,7 @@ def fit_obb(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = Fals
 
 def minimal_obb(points: ArrayLike) -> Box:
     """The box of least area round points (n, 2) m, by rotating calipers (Freeman and Shapira 1975)."""
-    return box_of(fit_row(as_points(points), OBB, CALIPERS, 1.0))
+    return box_of(fit_row(as_points(points), OBB, EXACT, 1.0))
 
 
 def upright_box(points: ArrayLike) -> Box:
@@ -134,6 +145,11 @@ def principal_box(points: ArrayLike) -> Box:
     return Box((x + c * u - s * v, y + s * u + c * v), (c, s), half)
 
 
+def thinnest_box(points: ArrayLike) -> Box:
+    """The box of least breadth round points (n, 2) m, by rotating calipers; seldom that of least area."""
+    return box_of(fit_row(as_points(points), OBB, THINNEST, 1.0))
+
+
 def fit_capsule(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = False) -> Capsule:
     """The capsule of least area whose core lies along a multiple of a step, in the middle of the projection.
 
@@ -146,4 +162,47 @@ def fit_capsule(points: ArrayLike, step_degrees: float = 1.0, *, refine: bool = 
 
 def thinnest_capsule(points: ArrayLike) -> Capsule:
     """The capsule of least radius round points (n, 2) m, with the shortest core for it, by calipers."""
-    return capsule_of(fit_row(as_points(points), CAPSULE, CALIPERS, 1.0))
+    return capsule_of(fit_row(as_points(points), CAPSULE, THINNEST, 1.0))
+
+
+def near_least_capsule(points: ArrayLike) -> Capsule:
+    """A capsule round points (n, 2) m whose area is within 1e-3 of the least: a tree's exact fit."""
+    return capsule_of(fit_row(as_points(points), CAPSULE, EXACT, 1.0))
+
+
+def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Capsule, float]:
+    """The capsule of least area round points (n, 2) m, and a proven lower bound of that area, m².
+
+    The bound is within ``tolerance`` of the area; the capsule itself, polished, is mostly much nearer to the
+    least. ValueError for what are no points, or a tolerance not between 1e-6 and 0.5.
+    """
+    given = as_points(points)
+    if not 1e-6 <= tolerance <= 0.5:
+        raise ValueError(f"tolerance: 1e-6 to 0.5 is wanted, not {tolerance!r}")
+    hull, origin = hull_of(given)
+    h = len(hull)
+    start = capsule_of(fit_row(given, CAPSULE, REFINED, 1.0))
+    thin = thinnest_capsule(given)
+    if h <= 2 or thin.radius <= 0.0:
+        return thin, thin.area
+    best = np.array((math.inf, 0.0, 0.0))
+    for capsule in (start, thin):
+        dx, dy = capsule.end[0] - capsule.start[0], capsule.end[1] - capsule.start[1]
+        length = math.hypot(dx, dy)
+        try_axis(hull, h, dx / length if length else 1.0, dy / length if length else 0.0, best)
+    polish(hull, h, POLISHED_ANGLE, 0.1 * best[2], thin.radius, best)
+    bound = float(
+        prove_least(hull, h, thin.radius, diameter_bound(hull, h), tolerance, np.empty((CELLS, 4)), best)
+    )
+    radius_room = 0.1 * best[2]
+    for i in range(POLISHING):
+        polish(hull, h, POLISHED_ANGLE * 0.1**i, radius_room * 0.1**i, thin.radius, best)
+    row = np.zeros((1, 6))
+    write_shortest(hull, h, best[1], best[2], *origin.tolist(), row, 0)
+    found = min((capsule_of(row[0]), start, thin), key=lambda capsule: capsule.area)
+    return found, min(bound, found.area)
+
+
+def minimal_capsule(points: ArrayLike) -> Capsule:
+    """The capsule of least area round points (n, 2) m; see `least_capsule` for how that is proven."""
+    return least_capsule(points)[0]

@@ -14,7 +14,7 @@ from game.physics.bounds.door import Array, as_angle, as_points, as_step, turns_
 from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
 
 KINDS = ("obb", "capsule", "aabb")
-FITS = ("search", "refined", "calipers")
+FITS = ("search", "refined", "thinnest", "exact")
 SPLITS = ("half", "median", "perimeter")
 Indices = NDArray[np.int64]
 
@@ -145,9 +145,10 @@ def build_tree(
     """The tree of the segments of a polyline (k, 2) m, top down, every node fitted anew.
 
     kind: "obb", "capsule" or "aabb". leaf_size: most segments in a leaf. fit: "search" by angle steps,
-    "refined" by golden section after that, "calipers" (boxes of least area, capsules of least radius). split:
-    "half" in the middle of the volume across its longer side, "median" of the segments' middles, or where
-    perimeters times numbers are least. A single point is a segment without length. ValueError for what is no
+    "refined" by golden section after that, "thinnest" (least breadth or radius), "exact" (least area: boxes
+    to rounding, capsules to 1e-3, which takes up to some milliseconds a node). split: "half" in the middle of
+    the volume across its longer side, "median" of the segments' middles, or where perimeters times numbers
+    are least. A single point is a segment without length. ValueError for what is no
     polyline or no such option.
     """
     points = as_points(polyline, "polyline")

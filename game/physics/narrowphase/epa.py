@@ -1,8 +1,10 @@
 """EPA: the depth of an overlap, by expanding a polygon within A - B to the border of A - B.
 
-The origin lies inside. Of the polygon's edges the one nearest to the origin is taken; if A - B has a
-corner farther out along its normal, the edge is broken there, else it lies on the border and is the
-shortest way out. Source: van den Bergen 2001.
+The origin lies inside, from the triangle on that GJK ends with. Of the polygon's edges the one nearest to
+the origin is taken; if A - B has a corner farther out along its normal, the edge is broken there, else it
+lies on the border and is the shortest way out. Where GJK began with given features, its triangle may have
+corners within A - B: those that the new corner leaves within the polygon are dropped. So each polygon is
+convex, holds the one before it, and the origin. Source: van den Bergen 2001.
 """
 
 from __future__ import annotations
@@ -12,7 +14,6 @@ import math
 import numpy as np
 
 from game.physics.lean import inner_kernel, lean_kernel
-from game.physics.narrowphase.features import known_feature
 from game.physics.narrowphase.gjk import (
     AT_ORIGIN,
     INSIDE_SIMPLEX,
@@ -25,42 +26,62 @@ from game.physics.narrowphase.gjk import (
 from game.physics.narrowphase.separating_axis import measure_touching
 from game.physics.narrowphase.simplex import support_cold, support_hc
 
-TRACE_WIDTH = (
-    5  # place of the edge in the polygon, its distance, new corner i j, 1 if inserted after the edge
-)
+# place of the edge in the polygon, its distance, new corner i j, 1 if inserted after the edge, how many
+# corners were dropped before and behind it
+TRACE_WIDTH = 7
 NO_TRACE = np.empty((0, TRACE_WIDTH))
+NO_CORNERS = np.empty((0, 2), dtype=np.int64)
+
+
+@inner_kernel
+def turn_at(va, fa, vb, fb, c, s, corners, k, m, n):
+    """Above 0 if the way over the corners k, m and n of A - B turns left at m, m²."""
+    ex, ey = local_edge(va, fa, vb, fb, c, s, corners[k, 0], corners[k, 1], corners[m, 0], corners[m, 1])
+    gx, gy = local_edge(va, fa, vb, fb, c, s, corners[m, 0], corners[m, 1], corners[n, 0], corners[n, 1])
+    return ex * gy - ey * gx
+
+
+@inner_kernel
+def swap(corners, k, m):
+    """Let two corners change places."""
+    i, j = corners[k, 0], corners[k, 1]
+    corners[k, 0], corners[k, 1] = corners[m, 0], corners[m, 1]
+    corners[m, 0], corners[m, 1] = i, j
 
 
 @lean_kernel
 def first_polygon(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1, i2, j2, corners):
-    """Write two or three corners (i, j) of A - B to begin with, counterclockwise; return how many.
+    """Write one to three corners (i, j) of A - B to begin with, counterclockwise; return how many.
 
-    A triangle of support vertices is taken as it is. If the three are on a line, or the same (which says that
-    they are no support vertices), two opposite ones along an axis stand in.
+    They are GJK's last simplex, which holds the origin. Of three on a line the two farthest apart are taken,
+    to be gone round there and back; a single one, which is the origin, is joined by a support vertex.
     """
-    ex, ey = local_edge(va, fa, vb, fb, c, s, i0, j0, i1, j1)
-    gx, gy = local_edge(va, fa, vb, fb, c, s, i0, j0, i2, j2)
-    turn = ex * gy - ey * gx
     corners[0, 0], corners[0, 1] = i0, j0
+    corners[1, 0], corners[1, 1] = i1, j1
+    corners[2, 0], corners[2, 1] = i2, j2
+    turn = turn_at(va, fa, vb, fb, c, s, corners, 0, 1, 2)
     if turn != 0.0:
-        corners[1, 0], corners[1, 1] = i1, j1
-        corners[2, 0], corners[2, 1] = i2, j2
         if turn < 0.0:
-            corners[1, 0], corners[1, 1] = i2, j2
-            corners[2, 0], corners[2, 1] = i1, j1
+            swap(corners, 1, 2)
         return 3
-    dx, dy = 1.0, 0.0
-    for _ in range(2):
-        corners[0, 0] = support_cold(va, fa, na, dx, dy)
-        corners[0, 1] = support_cold(vb, fb, nb, -(c * dx + s * dy), s * dx - c * dy)
-        corners[1, 0] = support_cold(va, fa, na, -dx, -dy)
-        corners[1, 1] = support_cold(vb, fb, nb, c * dx + s * dy, c * dy - s * dx)
-        ex, ey = local_edge(
-            va, fa, vb, fb, c, s, corners[0, 0], corners[0, 1], corners[1, 0], corners[1, 1]
-        )  # fmt: skip
+    first, second, longest = 0, 0, 0.0
+    for k in range(3):
+        m = k + 1 if k < 2 else 0
+        ex, ey = local_edge(va, fa, vb, fb, c, s, corners[k, 0], corners[k, 1], corners[m, 0], corners[m, 1])
+        if math.sqrt(ex * ex + ey * ey) > longest:
+            first, second, longest = k, m, math.sqrt(ex * ex + ey * ey)
+    if longest > 0.0:
+        third = 3 - first - second
+        if third < 2:
+            swap(corners, third, 2)
+        return 2
+    for turn in range(4):
+        dx, dy = math.cos(0.5 * math.pi * turn), math.sin(0.5 * math.pi * turn)
+        corners[1, 0] = support_cold(va, fa, na, dx, dy)
+        corners[1, 1] = support_cold(vb, fb, nb, -(c * dx + s * dy), s * dx - c * dy)
+        ex, ey = local_edge(va, fa, vb, fb, c, s, i0, j0, corners[1, 0], corners[1, 1])
         if ex != 0.0 or ey != 0.0:
             return 2
-        dx, dy = dy, dx
     return 1
 
 
@@ -74,6 +95,46 @@ def edge_height(va, fa, vb, fb, c, s, tx, ty, corners, k, m):
     if length == 0.0:
         return math.inf, ey, -ex
     return (ey * x - ex * y) / length, ey, -ex
+
+
+@inner_kernel
+def drop(corners, heights, count, k):
+    """Take a corner out."""
+    for m in range(k, count - 1):
+        corners[m, 0], corners[m, 1], heights[m] = corners[m + 1, 0], corners[m + 1, 1], heights[m + 1]
+
+
+@inner_kernel
+def break_edge(va, fa, vb, fb, c, s, tx, ty, corners, heights, count, edge, i, j):
+    """Break an edge at a new corner beyond it, and drop the corners that are no longer corners of the hull.
+
+    Returns the count, and how many corners were dropped before and behind the new one.
+    """
+    for k in range(count, edge + 1, -1):
+        corners[k, 0], corners[k, 1], heights[k] = corners[k - 1, 0], corners[k - 1, 1], heights[k - 1]
+    new = edge + 1
+    corners[new, 0], corners[new, 1] = i, j
+    count += 1
+    dropped_before = dropped_behind = 0
+    while count > 3:
+        m, n = (new + 1) % count, (new + 2) % count
+        if turn_at(va, fa, vb, fb, c, s, corners, new, m, n) > 0.0:
+            break
+        drop(corners, heights, count, m)
+        new -= m < new
+        count -= 1
+        dropped_behind += 1
+    while count > 3:
+        m, n = (new - 1 + count) % count, (new - 2 + count) % count
+        if turn_at(va, fa, vb, fb, c, s, corners, n, m, new) > 0.0:
+            break
+        drop(corners, heights, count, m)
+        new -= m < new
+        count -= 1
+        dropped_before += 1
+    for k in ((new - 1 + count) % count, new):
+        heights[k] = edge_height(va, fa, vb, fb, c, s, tx, ty, corners, k, (k + 1) % count)[0]
+    return count, dropped_before, dropped_behind
 
 
 @inner_kernel
@@ -96,38 +157,40 @@ def expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace)
         j = support_hc(vb, fb, nb, corners[best, 1], -(c * nx + s * ny), s * nx - c * ny)
         ax, ay = local_edge(va, fa, vb, fb, c, s, corners[best, 0], corners[best, 1], i, j)
         farther = nx * ax + ny * ay > 0.0  # exactly 0 for the edge's own ends
-        done = not farther or count >= corners.shape[0]
+        done = not farther or count >= corners.shape[0] or steps >= 2 * corners.shape[0]
+        edge, before, behind = best, 0, 0
+        if not done:
+            count, before, behind = break_edge(
+                va, fa, vb, fb, c, s, tx, ty, corners, heights, count, best, i, j
+            )
         if steps < trace.shape[0]:
-            trace[steps, 0], trace[steps, 1] = best, height
+            trace[steps, 0], trace[steps, 1] = edge, height
             trace[steps, 2], trace[steps, 3], trace[steps, 4] = i, j, not done
+            trace[steps, 5], trace[steps, 6] = before, behind
         steps += 1
         if done:
             return best, count, steps
-        for k in range(count, best + 1, -1):
-            corners[k, 0], corners[k, 1], heights[k] = corners[k - 1, 0], corners[k - 1, 1], heights[k - 1]
-        corners[best + 1, 0], corners[best + 1, 1] = i, j
-        count += 1
-        heights[best] = edge_height(va, fa, vb, fb, c, s, tx, ty, corners, best, best + 1)[0]
-        m = best + 2 if best + 2 < count else 0
-        heights[best + 1] = edge_height(va, fa, vb, fb, c, s, tx, ty, corners, best + 1, m)[0]
 
 
 @lean_kernel
 def epa_query(
     va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, deep, corners,
-    heights, gjk_trace, trace,
+    heights, gjk_trace, trace, first,
 ):  # fmt: skip
-    """GJK, and EPA where it finds an overlap: the nine numbers of `measure`, steps of GJK and of EPA."""
+    """GJK, and EPA where it finds an overlap: the nine numbers of `measure`, steps of GJK and of EPA.
+
+    first (3, 2) or (0, 2): the corners (i, j) of the polygon that EPA begins with are written there.
+    """
     status, steps, i0, j0, i1, j1, i, j = walk(
         va, fa, na, vb, fb, nb, c, s, tx, ty, hx, hy, start_a, start_b, tolerance, limit, method, gjk_trace
     )
     if status != INSIDE_SIMPLEX and status != AT_ORIGIN:
         return measure_simplex(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1), steps, 0
-    if known_feature(start_a, na) and known_feature(start_b, nb):
-        i, j = i0, j0  # a walk from given features may have kept corners within A - B
     count = first_polygon(va, fa, na, vb, fb, nb, c, s, tx, ty, i0, j0, i1, j1, i, j, corners)
     if count == 1 or not deep:
         return measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, 2 * i0, 2 * j0), steps, 0
+    for k in range(min(count, first.shape[0])):
+        first[k, 0], first[k, 1] = corners[k, 0], corners[k, 1]
     best, count, more = expand(va, fa, na, vb, fb, nb, c, s, tx, ty, count, corners, heights, trace)
     m = best + 1 if best + 1 < count else 0
     _, ax, ay, _, _, _, _, feature_a, feature_b = measure_chord(

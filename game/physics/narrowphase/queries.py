@@ -90,6 +90,7 @@ def epa(
     deep: bool = True,
     trace: Array = gjk_kernels.NO_TRACE,
     expansion: Array = epa_kernels.NO_TRACE,
+    first: NDArray[np.int64] = epa_kernels.NO_CORNERS,
 ) -> Proximity:
     """`gjk`, with the depth of an overlap by expanding a polygon (EPA) instead of looking at all edges.
 
@@ -103,7 +104,7 @@ def epa(
     found, steps, more = epa_kernels.epa_query(
         a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
         *_codes(start), float(tolerance), gjk_kernels.LIMIT, METHODS.index(method), deep,
-        np.empty((room, 2), dtype=np.int64), np.empty(room), trace, expansion,
+        np.empty((room, 2), dtype=np.int64), np.empty(room), trace, expansion, first,
     )  # fmt: skip
     if tolerance > gjk_kernels.TOLERANCE:
         return _proximity(a, found, steps + more)
@@ -196,7 +197,8 @@ class PolytopeStep(NamedTuple):
 
     corners: pairs (vertex of A, vertex of B) of the polygon, counterclockwise; edge: the place of the corner
     where its nearest edge begins; height: its distance from the origin, m; support: the pair farthest along
-    its normal; grows: whether that lies beyond it, and is the next corner.
+    its normal; grows: whether that lies beyond it, and is the next corner; dropped: corners before and behind
+    the new one that then lie within the polygon, and are left out of the next.
     """
 
     corners: tuple[tuple[int, int], ...]
@@ -204,6 +206,7 @@ class PolytopeStep(NamedTuple):
     height: float
     support: tuple[int, int]
     grows: bool
+    dropped: tuple[int, int] = (0, 0)
 
 
 def epa_trace(
@@ -212,28 +215,31 @@ def epa_trace(
     """`epa`, the steps of GJK, and then those of EPA."""
     a, b = as_polygon(a), as_polygon(b)
     rows = np.full((gjk_kernels.LIMIT, gjk_kernels.TRACE_WIDTH), np.nan)
-    more = np.full((len(a) + len(b) + 3, epa_kernels.TRACE_WIDTH), np.nan)
-    found = epa(a, b, start, trace=rows, expansion=more, **options)
+    more = np.full((2 * (len(a) + len(b)) + 7, epa_kernels.TRACE_WIDTH), np.nan)
+    first = np.full((3, 2), -1, dtype=np.int64)
+    found = epa(a, b, start, trace=rows, expansion=more, first=first, **options)
     steps = _simplex_steps(rows)
     expansion: list[PolytopeStep] = []
-    corners = _first_corners(a, b, steps if start is None else [])
-    for edge, height, i, j, grows in more[np.isfinite(more[:, 0])].tolist():
-        support = (int(i), int(j))
-        expansion.append(PolytopeStep(tuple(corners), int(edge), height, support, bool(grows)))
+    corners = [(i, j) for i, j in first.tolist() if i >= 0]
+    for edge, height, i, j, grows, before, behind in more[np.isfinite(more[:, 0])].tolist():
+        support, dropped = (int(i), int(j)), (int(before), int(behind))
+        expansion.append(PolytopeStep(tuple(corners), int(edge), height, support, bool(grows), dropped))
         if grows:
-            corners.insert(int(edge) + 1, support)
+            _break_edge(corners, int(edge), support, dropped)
     return found, steps, expansion
 
 
-def _first_corners(a: ConvexPolygon, b: ConvexPolygon, steps: list[SimplexStep]) -> list[tuple[int, int]]:
-    """The polygon that EPA begins with after these steps of GJK."""
-    simplex = [*steps[-1].corners, steps[-1].support] if steps and steps[-1].kept == "inside" else []
-    first, second, third = (simplex * 3)[:3] if simplex else [(0, 0)] * 3
-    corners = np.zeros((3, 2), dtype=np.int64)
-    count = epa_kernels.first_polygon(
-        a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b), *first, *second, *third, corners
-    )  # fmt: skip
-    return [(int(i), int(j)) for i, j in corners[:count]]
+def _break_edge(
+    corners: list[tuple[int, int]], edge: int, support: tuple[int, int], dropped: tuple[int, int]
+) -> None:
+    """Put a new corner behind the one where an edge begins; drop neighbours of it, as `break_edge` did."""
+    corners.insert(edge + 1, support)
+    new = edge + 1
+    for side, count in ((1, dropped[1]), (-1, dropped[0])):
+        for _ in range(count):
+            place = (new + side) % len(corners)
+            del corners[place]
+            new -= place < new
 
 
 def checked(a: ConvexPolygon, b: ConvexPolygon, found: Any, steps: int) -> Proximity:

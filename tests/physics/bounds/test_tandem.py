@@ -75,8 +75,8 @@ def test_trees_hold_their_points_whatever_the_options(kind, fit, split):
 def test_better_fits_have_less_area_and_each_level_is_refitted():
     points = walk(5, 200)
     area = {fit: build_tree(points, "obb", 1, fit=fit).areas()[0] for fit in FITS}
-    assert area["calipers"] <= area["refined"] * (1 + 1e-9) <= area["search"] * (1 + 1e-9)
-    tree = build_tree(arc(256, 1.0), "obb", 1, fit="calipers")
+    assert area["exact"] <= area["refined"] * (1 + 1e-9) <= area["search"] * (1 + 1e-9)
+    tree = build_tree(arc(256, 1.0), "obb", 1, fit="exact")
     by_level = [tree.areas()[tree.level(depth)].sum() for depth in range(tree.depth)]
     assert all(b < 0.3 * a for a, b in pairwise(by_level[:7]))
 
@@ -186,8 +186,8 @@ def test_separating_needs_few_tests_where_boxes_hug_the_curve(kind):
     tests = []
     for gap in (0.1, 0.01, 0.001):
         answer = tandem(
-            build_tree(arc(1024, 1.0), kind, 1, fit="calipers"),
-            build_tree(arc(1024, 1.0 + gap), kind, 1, fit="calipers"),
+            build_tree(arc(1024, 1.0), kind, 1, fit="exact"),
+            build_tree(arc(1024, 1.0 + gap), kind, 1, fit="exact"),
         )
         assert len(answer.crossings) == 0
         tests.append(answer.volume_tests)
