@@ -19,7 +19,8 @@ PIXELS = 360.0  # design px to a metre
 WOOD = 0.074  # m
 RIM = CUSHION_DEPTH + WOOD
 
-# names of the pockets as they are seen in the turned picture, in the order of the table's rows
+# names of the pockets as they are seen in the turned picture, in the order of the table's rows; the table's
+# own names (`table.POCKET_NAMES`) are of its frame, and become ids in files
 POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper right", "lower right")
 
 REACH = 1.4  # radii within which a round thing is grasped
