@@ -68,7 +68,8 @@ def _gather_group(state, modes, i, now, physics):
 
 @inner_kernel
 def _common_velocity(state, modes, found):
-    """Momentum of the group over its mass, m/s. Sums are of numbers on a grid: any order gives the same."""
+    """Momentum of the group over its mass, m/s. Sums are of numbers on a grid: any order gives the same,
+    to 2^-40 of the largest."""
     largest = 0.0
     heaviest = 0.0
     for q in range(found):

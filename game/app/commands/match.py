@@ -66,6 +66,8 @@ def execute(options: argparse.Namespace) -> int:
 
 def describe(one: Round) -> str:
     """A round for people, its pocket named as in the film."""
+    from game.scenes.billiards_layout import POCKETS
+
     way = " - ".join(["white", *(str(number) for number in one.fallen.chain[1:])])
     pocket = POCKETS[one.fallen.pocket]
     return f"round {one.number:>2}  {way:<24} {pocket} pocket, {one.stroke.cue_speed:.1f} m/s"
