@@ -49,7 +49,7 @@ def bounce_off(state, i, nx, ny, physics):
 
 @inner_kernel
 def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
-    """Ball i, already at the contact, meets a cushion or a jaw. Returns whether it is stuck: see `settling`."""
+    """Ball i, already at the contact, meets a cushion or a jaw. Returns if it is stuck: see `settling`."""
     if event == BALL_JAW:
         nx = state[X, i] - jaws[element, 0]
         ny = state[Y, i] - jaws[element, 1]

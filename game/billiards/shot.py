@@ -96,10 +96,11 @@ class Shot:
         restitution = 1.0 if model.elastic else p.ball_restitution
         # a constant friction of 0 is none: the kernels then do without the whole law
         smooth = model.friction == CONSTANT_FRICTION and p.ball_friction == 0.0
+        law = NO_FRICTION if smooth else model.friction
         row = np.array(
             [
                 p.gravity, p.sliding, p.rolling, p.spinning,
-                restitution, NO_FRICTION if smooth else model.friction, p.ball_friction, model.limit(restitution),
+                restitution, law, p.ball_friction, model.limit(restitution),
                 CUSHION_MODELS[p.cushion], 1.0 if p.cushion == "mirror" else p.cushion_restitution,
                 p.cushion_friction, self.table.cushion_height, *self.layout.free,
                 *self.layout.middle,

@@ -294,4 +294,4 @@ def _announced(scene: Billiards) -> str:
         return "A push-out."
     if call.ball is None or call.pocket is None or not scene.round.game.needs_call():
         return ""
-    return f"Called: the {call.ball} into the {layout.POCKETS[call.pocket]} pocket."
+    return f"Called: the {call.ball} into the {layout.pocket_words(call.pocket)}."

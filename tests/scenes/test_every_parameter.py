@@ -1,9 +1,10 @@
-"""The tables are played with every parameter at both ends of its range: a stroke, and all that comes of it."""
+"""The tables with every parameter at both ends of its range: a stroke, and all that comes of it."""
 
 import math
 
 import numpy as np
 import pytest
+from scenes.billiards_stages import aim
 
 from game.billiards import Physics, Table, make_shot, simulate
 from game.billiards.contacts import CUSHION_MODELS
@@ -16,7 +17,6 @@ from game.scenes.three_tables import ThreeTables
 from game.scenes.three_tables_view import ORIGINS
 from game.stage import Action, Param, Pointer, Stage
 from game.stage.knobs import knobs_of
-from scenes.billiards_stages import aim
 
 
 def ends_of(scene):
