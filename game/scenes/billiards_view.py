@@ -29,7 +29,6 @@ from game.scenes.billiards_sight import (
     draw_sight,
     hint_of,
     sight_of,
-    stroke_words,
 )
 from game.scenes.cue_control import PULLING, REST_GAP
 from game.scenes.table_view import Balls, draw_balls, draw_table
@@ -185,7 +184,7 @@ def _draw_aim(scene: Billiards, canvas: Canvas) -> Sight | None:
 
 
 def _draw_hint(scene: Billiards, canvas: Canvas, stroke: Stroke) -> None:
-    """The way of a puzzle's solution, and in words how the ball is struck."""
+    """The way of a puzzle's solution; the line below the table says in words how it is struck."""
     round_ = scene.round
     sight = hint_of(scene, Struck(round_.game, round_.places, round_.conditions, stroke))
     if sight is None or round_.white is None:
@@ -193,8 +192,6 @@ def _draw_hint(scene: Billiards, canvas: Canvas, stroke: Stroke) -> None:
     for way in (sight.approach, sight.after, *(other.points for other in sight.others)):
         if len(way) > 1:
             canvas.polyline(way, FELT_WARM, 2.0, alpha=0.75)
-    for row, line in enumerate(stroke_words(stroke)):
-        canvas.label(round_.white, line, FELT_WARM, 12, "semibold", offset=(0.0, 26.0 + 16.0 * row))
 
 
 def _draw_cue(scene: Billiards, canvas: Canvas, time: float, aimed: bool) -> None:
