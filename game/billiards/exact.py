@@ -3,7 +3,8 @@
 State of balls stands still between their events; time is the time of the next event. Each event changes one
 ball, or the balls of one contact: they get a new phase, a new plan (`elements`) and new contact times
 (`pairs`). Everything that happens is written down as events and as segments, the closed forms of each
-ball's way, from which any moment can be had.
+ball's way, from which any moment can be had. All are right to rounding, but for the cushion of Mathavan 2010,
+which is followed in steps: see `contacts.cushion_mathavan_2010`.
 """
 
 from __future__ import annotations
