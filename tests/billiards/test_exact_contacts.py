@@ -345,3 +345,55 @@ def test_every_model_can_be_named():
                 RAIL, [[0.6, 0.6], [0.6, 1.6]], [(0.1, 2.0), (0.0, 0.0)], physics=Physics(ball, cushion)
             )
             assert {"ball-ball", "ball-cushion"} <= {e.type for e in simulate(shot).events}
+
+
+@pytest.mark.parametrize("radii", [(0.02, 0.04), (0.04, 0.02), (0.03, 0.03)])
+def test_friction_of_unequal_balls_is_limited_by_the_impulse_along_the_true_normal(radii):
+    """mu P/cos(phi): the horizontal part P of the normal impulse is cos(phi) of the whole."""
+    masses, mu, e = (0.1, 0.3), 0.05, 0.9
+    before, after, n = _collide(
+        "wallace-1988", [(1.0, 2.0), (0.0, -1.0)], np.zeros((2, 3)), masses, radii, 0.0,
+        ball_friction=mu, ball_restitution=e,
+    )  # fmt: skip
+    closing = float(n @ (before[VX : VY + 1, 0] - before[VX : VY + 1, 1]))
+    pushed = (1.0 + e) * closing * masses[0] * masses[1] / sum(masses)
+    cosine = 2.0 * math.sqrt(radii[0] * radii[1]) / sum(radii)
+    for ball in range(2):
+        turned = float(np.linalg.norm(after[WX : WZ + 1, ball] - before[WX : WZ + 1, ball]))
+        rubbed = 0.4 * masses[ball] * radii[ball] * turned
+        assert rubbed == pytest.approx(mu * pushed / cosine, rel=1e-12)
+
+
+def _mathavan_by_vectors(v, w, mass, radius, sine, e, mu_nose, mu_cloth, steps):
+    """The paper's impact with vectors: v, w (3,) in its frame, y into the rail."""
+    cosine = math.sqrt(1.0 - sine * sine)
+    v, w, normal = np.array(v), np.array(w), np.array([0.0, cosine, sine])
+    nose, foot = radius * normal, np.array([0.0, 0.0, -radius])
+    step, stored, owed = mass * v[1] / (cosine * steps), 0.0, math.inf
+    while owed > 0.0:
+        here = v + np.cross(w, nose)
+        slip = here - (here @ normal) * normal
+        rubbing = -mu_nose * step * slip / max(np.linalg.norm(slip), 1e-12)
+        push = -step * normal + rubbing
+        down = max(-push[2], 0.0)
+        skid = (v + np.cross(w, foot)) * (1.0, 1.0, 0.0)
+        drag = -mu_cloth * down * skid / max(np.linalg.norm(skid), 1e-12)
+        pressed = 0.5 * step * cosine * (v[1] + v[1] - step * cosine / mass)
+        v = v + (push + drag) * (1.0, 1.0, 0.0) / mass  # the cloth takes what is vertical
+        w = w + 2.5 / (mass * radius * radius) * (np.cross(nose, push) + np.cross(foot, drag))
+        stored += max(pressed, 0.0)
+        if v[1] <= 0.0 and owed == math.inf:
+            owed = e * e * stored
+        owed += min(pressed, 0.0)
+    return v, w
+
+
+@pytest.mark.parametrize("wx", [-90.0, -20.0, 90.0])
+def test_mathavan_against_the_papers_equations_in_vectors(wx):
+    """Draw, a little follow, and overspin: friction at the nose rubs the ball up or down."""
+    ball = (0.140, 0.02625, 0.4, 0.8, 0.14, 0.212)
+    v, w = _mathavan_by_vectors((0.7, 1.5, 0.0), (wx, 20.0, 15.0), *ball, 4000)
+    mass, radius, *models = ball
+    got = follow_to_the_limit(0.7, 1.5, wx, 20.0, 15.0, radius, mass, *models, STEPS)
+    assert got[:2] == pytest.approx(v[:2], abs=0.01)
+    assert radius * np.array(got[2:]) == pytest.approx(radius * w, abs=0.01)
