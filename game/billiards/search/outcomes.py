@@ -36,16 +36,16 @@ from game.billiards.state import (
 FIRST_BALLS, SCRATCH, CUSHIONED, DOWN, GIVEN_UP, CUSHIONS_FIRST = range(6)
 FACTS = 6
 
-# columns of ways (m, n, 3), for each ball: the pocket it went into (-1: none), balls that sent it on (with
-# itself and the white one, as bits), contacts with cushions until it went down
-POCKET, CHAIN, CUSHIONS = range(3)
-WAYS = 3
+# columns of ways (m, n, 4), for each ball: the pocket it went into (-1: none), balls that sent it on (with
+# itself and the white one, as bits), contacts with balls and with cushions until it went down
+POCKET, CHAIN, CONTACTS, CUSHIONS = range(4)
+WAYS = 4
 
 NOWHERE = -1e3  # m; place of a ball that went down
 
 
 class Outcomes(NamedTuple):
-    """What came of m strokes at n balls: facts (m, 6), ways (m, n, 3), places (m, n, 2) m at the end."""
+    """What came of m strokes at n balls: facts (m, 6), ways (m, n, 4), places (m, n, 2) m at the end."""
 
     facts: NDArray[np.int64]
     ways: NDArray[np.int64]
@@ -82,6 +82,8 @@ def _meet(ways, moving, cue, i, j):
         ways[i, CHAIN] = before
         _send(ways, cue, i, j)
         ways[i, CHAIN] = after
+    ways[i, CONTACTS] += 1
+    ways[j, CONTACTS] += 1
     return moving | (1 << i) | (1 << j)
 
 
@@ -110,7 +112,7 @@ def _meet_at_once(events, start, end, ways, moving, cue):
 
 @inner_kernel
 def _follow_shot(events, start, end, cue, facts, ways):
-    """Go through one shot's events; writes facts (6,) and ways (n, 3)."""
+    """Go through one shot's events; writes facts (6,) and ways (n, 4)."""
     moving = 1 << cue
     row = start
     while row < end:
@@ -149,7 +151,7 @@ def _follow_shot(events, start, end, cue, facts, ways):
 
 @lean_kernel
 def sum_up(events, ends, final, cue, first, last, facts, ways, places):
-    """Sum up shots `first` to `last` of a log: facts (m, 6), ways (m, n, 3), places (m, n, 2).
+    """Sum up shots `first` to `last` of a log: facts (m, 6), ways (m, n, 4), places (m, n, 2).
 
     events, ends, final: of the log, see `batch.Log`; types of contacts are overwritten.
     """
@@ -160,6 +162,7 @@ def sum_up(events, ends, final, cue, first, last, facts, ways, places):
         for i in range(n):
             ways[s, i, POCKET] = -1
             ways[s, i, CHAIN] = 0
+            ways[s, i, CONTACTS] = 0
             ways[s, i, CUSHIONS] = 0
         ways[s, cue, CHAIN] = 1 << cue
         if ends[s, STATUS] != FINISHED:

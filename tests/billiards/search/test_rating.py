@@ -17,7 +17,6 @@ from game.billiards.search.outcomes import (
     FIRST_BALLS,
     POCKET,
     SCRATCH,
-    WAYS,
     Outcomes,
 )
 from game.billiards.search.rating import FOULED, LOST, MISSED, SCORED, WON, Aims
@@ -38,7 +37,7 @@ NINE = NineBall(opening=False, in_hand="", on_table=(1, 2, 8, 9))
 def outcome(first, down=(), scratch=False, cushioned=True, chains=None):
     """One outcome at the table above: numbers hit first; (ball, pocket) down; chains by ball."""
     facts = np.zeros((1, FACTS), np.int64)
-    ways = np.zeros((1, 5, WAYS), np.int64)
+    ways = np.zeros((1, 5, 4), np.int64)
     ways[:, :, POCKET] = -1
     facts[0, FIRST_BALLS] = bits_of(ROWS, first)
     facts[0, SCRATCH] = scratch
