@@ -3,7 +3,8 @@
 State of balls stands still between their events; time is the time of the next event. Each event changes one
 ball, or the balls of one contact: they get a new phase, a new plan (`elements`) and new contact times
 (`pairs`). Everything that happens is written down as events and as segments, the closed forms of each
-ball's way, from which any moment can be had.
+ball's way, from which any moment can be had. All are right to rounding, but for the cushion of Mathavan 2010,
+which is followed in steps: see `contacts.cushion_mathavan_2010`.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from game.billiards.lean import inner_kernel, lean_kernel
 from game.billiards.meeting import meet
 from game.billiards.motion import advance, end_phase, enter_phase
 from game.billiards.pairs import refresh_pairs
+from game.billiards.settling import settle_group
 from game.billiards.state import (
     AT_REST,
     BALL_BALL,
@@ -129,19 +131,20 @@ def soonest_ball(state):
 
 @inner_kernel(forceinline=True)
 def happen_to_ball(state, modes, i, cushions, jaws, physics):
-    """Carry out what ball i planned of its own. Returns the event."""
+    """Carry out what ball i planned of its own. Returns the event, and whether the ball is stuck."""
     event = modes[OWN_EVENT, i]
     if event == NO_EVENT:
-        return end_phase(state, modes, i, physics)
+        return end_phase(state, modes, i, physics), False
     advance(state, modes, i, state[OWN_TIME, i], physics)
+    stuck = False
     if event == BALL_POCKET:
         for row in range(VX, WZ + 1):
             state[row, i] = 0.0
         enter_phase(state, modes, i, POCKETED, physics)
     else:
-        hit_rail(state, modes, i, event, modes[OWN_ELEMENT, i], cushions, jaws, physics)
+        stuck = hit_rail(state, modes, i, event, modes[OWN_ELEMENT, i], cushions, jaws, physics)
         enter_phase(state, modes, i, SLIDING, physics)
-    return event
+    return event, stuck
 
 
 @inner_kernel(inline="always")
@@ -187,18 +190,22 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
             break
         end_time = now
         if not state[PAIR_TIME, i] < state[OWN_TIME, i]:
-            event = happen_to_ball(state, modes, i, cushions, jaws, physics)
+            event, stuck = happen_to_ball(state, modes, i, cushions, jaws, physics)
             record_event(events, row, now, event, i, modes[OWN_ELEMENT, i])
             row += 1
             modes[MEMBER, 0] = i
             changed = 1
+            if stuck:
+                changed = settle_group(state, modes, i, now, cushions, jaws, physics)
             continue
-        written, changed = meet(room, i, modes[PARTNER, i], now, physics)
+        written, changed, stuck_ball = meet(room, i, modes[PARTNER, i], now, physics)
         for m in range(written):
             i = ends[FIRST, m]
             j = ends[SECOND, m]
             record_event(events, row, now, BALL_BALL, min(i, j), max(i, j))
             row += 1
+        if stuck_ball >= 0:
+            changed = settle_group(state, modes, stuck_ball, now, cushions, jaws, physics)
     return status, row, segment, end_time
 
 

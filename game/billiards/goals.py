@@ -37,15 +37,17 @@ class Goal(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_default
     """What one stroke must bring about; everything that is said must come true.
 
     pots: balls that go down. down: at least so many numbered balls go down. cue_touches: balls the white one
-    touches, in this order. cushions_first: cushions the white ball touches before any ball. cushions_between:
-    cushions it touches before the last ball of `cue_touches`. untouched: balls that nothing touches. zones:
-    where balls come to rest. scratch: the white ball must go down, which else it must not.
+    touches, in this order. cushions_first: cushions the white ball touches before any ball. direct: it
+    touches none before its first ball. cushions_between: cushions it touches before the last ball of
+    `cue_touches`. untouched: balls that nothing touches. zones: where balls come to rest. scratch: the white
+    ball must go down, which else it must not.
     """
 
     pots: tuple[Pot, ...] = ()
     down: Count = 0
     cue_touches: tuple[Ball, ...] = ()
     cushions_first: Count = 0
+    direct: bool = False
     cushions_between: Count = 0
     untouched: tuple[Ball, ...] = ()
     zones: tuple[Zone, ...] = ()
@@ -92,6 +94,8 @@ def _path_missed(goal: Goal, shot: ShotSummary) -> list[str]:
         before += 1
     if goal.cushions_first and (before < goal.cushions_first or not shot.first):
         lacking.append(f"The white ball touched {before} of {goal.cushions_first} cushions before a ball.")
+    if goal.direct and before:
+        lacking.append("The white ball touched a cushion before any ball.")
     wanted = list(goal.cue_touches)
     between = 0
     for kind, number in shot.cue_path:
@@ -135,7 +139,11 @@ def described(goal: Goal, pockets: tuple[str, ...] = ()) -> tuple[str, ...]:
     if goal.down:
         lines.append(f"{_counted(goal.down, 'ball').capitalize()} go{'es' * (goal.down == 1)} down.")
     if goal.cue_touches:
-        lines.append(f"The white ball touches {', then '.join(f'the {b}' for b in goal.cue_touches)}.")
+        balls = [f"the {ball}" for ball in goal.cue_touches]
+        touched = ["no cushion", *balls] if goal.direct else balls
+        lines.append(f"The {named(CUE_BALL)} touches {', then '.join(touched)}.")
+    elif goal.direct:
+        lines.append(f"The {named(CUE_BALL)} touches no cushion before any ball.")
     if goal.cushions_first:
         count = _counted(goal.cushions_first, "cushion")
         lines.append(f"The {named(CUE_BALL)} touches {count} before any ball.")

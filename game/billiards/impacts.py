@@ -10,6 +10,7 @@ from game.billiards.contacts.ball_ball_normal import collide_along_normal
 from game.billiards.contacts.chatter import (
     ALLOWED_REPEATS,
     CHATTER_TIME,
+    LAST_REPEATS,
     least_parting_speed,
     part,
 )
@@ -48,7 +49,7 @@ def bounce_off(state, i, nx, ny, physics):
 
 @inner_kernel
 def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
-    """Ball i, already at the contact, meets a cushion or a jaw."""
+    """Ball i, already at the contact, meets a cushion or a jaw. Returns if it is stuck: see `settling`."""
     if event == BALL_JAW:
         nx = state[X, i] - jaws[element, 0]
         ny = state[Y, i] - jaws[element, 1]
@@ -64,7 +65,9 @@ def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
     modes[RAIL_COUNT, i] = repeats
     state[RAIL_TIME, i] = now
     if repeats >= ALLOWED_REPEATS:
-        part(state, i, -1, -nx, -ny, least_parting_speed(repeats))
+        parted = part(state, i, -1, -nx, -ny, least_parting_speed(repeats))
+        return repeats >= LAST_REPEATS and not parted
+    return False
 
 
 @inner_kernel(inline="always")
@@ -88,11 +91,16 @@ def collide_pair(state, i, j, nx, ny, physics):
 
 @inner_kernel
 def end_chatter(state, pairs, i, j, nx, ny, now):
-    """Count repeats of a contact, in planes MET and REPEATS of pairs; part the balls if it chatters."""
+    """Count repeats of a contact, in planes MET and REPEATS of pairs; part the balls if it chatters.
+
+    Returns whether they are stuck: see `settling`.
+    """
     count = pairs[REPEATS, i, j] + 1.0 if now - pairs[MET, i, j] < CHATTER_TIME else 0.0
     pairs[REPEATS, i, j] = count
     pairs[REPEATS, j, i] = count
     pairs[MET, i, j] = now
     pairs[MET, j, i] = now
     if count >= ALLOWED_REPEATS:
-        part(state, i, j, nx, ny, least_parting_speed(int(count)))
+        parted = part(state, i, j, nx, ny, least_parting_speed(int(count)))
+        return count >= LAST_REPEATS and not parted
+    return False

@@ -11,7 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.billiards.batch import Batch
-from game.billiards.contacts import BALL_MODELS, CUSHION_MODELS, RESTITUTION
+from game.billiards.contacts import (
+    BALL_MODELS,
+    CONSTANT_FRICTION,
+    CUSHION_MODELS,
+    NO_FRICTION,
+    RESTITUTION,
+)
 from game.billiards.layout import Layout, is_clear, layout_of
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.state import (
@@ -84,14 +90,17 @@ class Shot:
 
     @cached_property
     def constants(self) -> Array:
-        """physics (15,) as the kernels read it."""
+        """physics (18,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
         p = self.physics
         model = BALL_MODELS[p.ball_ball]
         restitution = 1.0 if model.elastic else p.ball_restitution
+        # a constant friction of 0 is none: the kernels then do without the whole law
+        smooth = model.friction == CONSTANT_FRICTION and p.ball_friction == 0.0
+        law = NO_FRICTION if smooth else model.friction
         row = np.array(
             [
                 p.gravity, p.sliding, p.rolling, p.spinning,
-                restitution, model.friction, p.ball_friction, model.limit(restitution),
+                restitution, law, p.ball_friction, model.limit(restitution),
                 CUSHION_MODELS[p.cushion], 1.0 if p.cushion == "mirror" else p.cushion_restitution,
                 p.cushion_friction, self.table.cushion_height, *self.layout.free,
                 *self.layout.middle,

@@ -13,6 +13,7 @@ from game.billiards.goals import described
 from game.billiards.rules import listed
 from game.scenes import billiards_layout as layout
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
+from game.scenes.billiards_sight import stroke_words
 from game.ui.canvas import Canvas
 from game.ui.icons import icon
 from game.ui.look import Look
@@ -270,6 +271,8 @@ def line_of(scene: Billiards) -> tuple[str, bool]:
     game, round_ = scene.round.game, scene.round
     if scene.phase in (STRIKING, ROLLING):
         return _announced(scene), False
+    if scene.hint_shown and scene.phase == AIMING and scene.content.solution is not None:
+        return f"Hint: {', '.join(stroke_words(scene.content.solution.stroke()))}.", False
     if round_.words:
         return " ".join(round_.words), round_.foul
     if isinstance(game, Drill):
@@ -294,4 +297,4 @@ def _announced(scene: Billiards) -> str:
         return "A push-out."
     if call.ball is None or call.pocket is None or not scene.round.game.needs_call():
         return ""
-    return f"Called: the {call.ball} into the {layout.POCKETS[call.pocket]} pocket."
+    return f"Called: the {call.ball} into the {layout.pocket_words(call.pocket)}."

@@ -12,6 +12,7 @@ from game.scenes import billiards_buttons as buttons
 from game.scenes import billiards_layout as layout
 from game.scenes import billiards_moves as moves
 from game.scenes.billiards_moves import AIMING, REPLAY, SET_UP, STRIKING
+from game.scenes.billiards_sight import aim_words
 from game.scenes.cue_control import MAX_SPEED
 from game.ui.canvas import Canvas
 from game.ui.look import Look
@@ -71,9 +72,8 @@ def _draw_offsets(
 def _draw_numbers(scene: Billiards, canvas: Canvas, look: Look, x: float) -> None:
     """The aim in degrees of the picture: 0 to the right, against the clock."""
     _, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
-    degrees = math.degrees(math.remainder(0.5 * math.pi - scene.cue.aim, 2.0 * math.pi))
     look.text(canvas.surface, "Aim", (x, top), 13, "medium", "text2", "center")
-    text = f"{-degrees if degrees else 0.0:.2f}°".replace("-", "\u2212")
+    text = aim_words(scene.cue.aim)
     look.text(canvas.surface, text, (x, top + look.px(20)), 13, "semibold", "text1", "center")
 
 

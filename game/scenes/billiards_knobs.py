@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from game.billiards.shot_effects import EXACT_EFFECTS
+from game.scenes.billiards_level import MOST_RADIUS_SPREAD
 from game.scenes.billiards_players import GRADE_LABELS, GRADES
 from game.stage import Choice, Param, Scene, Toggle
 
@@ -43,5 +44,7 @@ class BilliardsKnobs(Scene):
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")
     ball_restitution = Param(0.95, 0.5, 1.0, group="Table", label="Ball restitution")
     cushion_restitution = Param(0.85, 0.3, 1.0, group="Table", label="Cushion restitution")
-    radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much smaller some balls are")
+    radius_spread = Param(
+        0.0, 0.0, MOST_RADIUS_SPREAD, group="Balls", rebuild=True, help="how much smaller some balls are"
+    )
     mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")

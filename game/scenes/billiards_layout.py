@@ -19,7 +19,8 @@ PIXELS = 360.0  # design px to a metre
 WOOD = 0.074  # m
 RIM = CUSHION_DEPTH + WOOD
 
-# names of the pockets as they are seen in the turned picture, in the order of the table's rows
+# names of the pockets as they are seen in the turned picture, in the order of the table's rows. The table's
+# own (`table.POCKET_NAMES`) are of its frame; they are ids in files, and not for people
 POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper right", "lower right")
 
 REACH = 1.4  # radii within which a round thing is grasped
@@ -73,6 +74,11 @@ BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(6.0)
 PLAY = Box(FOOT.top + metres(4.0), FOOT.left, FOOT.bottom - metres(4.0), FOOT.left + metres(64.0))
 SPEED = Box(PLAY.top, PLAY.right + metres(8.0), PLAY.bottom, PLAY.right + metres(72.0))
 SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - metres(84.0))
+
+
+def pocket_words(row: int) -> str:
+    """How people are told of a pocket, whose row the table gives: as it is seen in game and film."""
+    return f"{POCKETS[row]} pocket"
 
 
 def rect_of(canvas: Canvas, box: Box) -> pygame.Rect:

@@ -17,6 +17,8 @@ from game.billiards.rules import CUE_BALL, Game
 from game.billiards.shot import OVERLAP
 from game.billiards.table import Table
 
+# the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
+MOST_RADIUS_SPREAD = 0.35
 MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
 Coordinate = Annotated[float, msgspec.Meta(ge=-1.0, le=5.0)]  # m
 Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
@@ -68,7 +70,8 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
 
 
 def ball_set(radius_spread: float, mass_spread: float, seed: int) -> BallSet:
-    """Radii and masses of the balls; spreads (0 to 0.4, 0 to 0.9) vary the numbered ones by the seed."""
+    """Radii and masses of the balls; spreads (0 to MOST_RADIUS_SPREAD, 0 to 0.9) vary the numbered ones by
+    the seed."""
     radii, masses = np.full(16, BALL_RADIUS), np.full(16, BALL_MASS)
     if radius_spread or mass_spread:
         random = np.random.default_rng((seed, 16))

@@ -15,6 +15,7 @@ from game.billiards.state import (
     BALL_JAW,
     BALL_POCKET,
 )
+from game.scenes import billiards_moves as moves
 from game.scenes.billiards_round import Places, Struck, trajectory_of
 from game.scenes.billiards_ways import Ways
 from game.scenes.table_view import cut_words
@@ -23,6 +24,7 @@ from game.ui.painters.aim import draw_cloth_label
 from game.ui.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
 if TYPE_CHECKING:
+    from game.billiards.arrangement import Stroke
     from game.billiards.search.finding import FoundShot
     from game.billiards.table import Table
     from game.scenes.billiards import Billiards
@@ -119,6 +121,28 @@ def _length(points: Array) -> float:
     """How far the end of a way, or its middle, is from its beginning, m."""
     (x, y), (mx, my), (ex, ey) = points[0].tolist(), points[len(points) // 2].tolist(), points[-1].tolist()
     return max(abs(mx - x), abs(my - y), abs(ex - x), abs(ey - y))
+
+
+def aim_words(azimuth: float) -> str:
+    """A direction (rad from x) in degrees of the picture: 0 to the right, against the clock."""
+    degrees = math.degrees(math.remainder(0.5 * math.pi - azimuth, 2.0 * math.pi))
+    return f"{-degrees if degrees else 0.0:.2f}°".replace("-", "\u2212")
+
+
+def stroke_words(stroke: Stroke) -> tuple[str, ...]:
+    """How a stroke is set, in lines: power, and where the tip strikes; aim, and how far the cue is raised.
+
+    Nothing is left out that the instruments show as other than 0.
+    """
+    offsets = [
+        f"{abs(value):.2f} R {more if value > 0.0 else less}"
+        for value, more, less in ((stroke.tip_up, "above", "below"), (stroke.tip_left, "left", "right"))
+        if abs(value) >= 0.005
+    ]
+    power = f"{stroke.cue_speed * moves.speed_ratio():.1f} m/s, {' and '.join(offsets) or 'in the middle'}"
+    degrees = math.degrees(stroke.elevation)
+    raised = f", cue raised by {degrees:.0f}°" if degrees >= 0.5 else ""
+    return power, f"aim {aim_words(stroke.azimuth)}{raised}"
 
 
 def sight_of(scene: Billiards, struck: Struck) -> Sight | None:

@@ -22,7 +22,14 @@ from game.scenes import billiards_moves as moves
 from game.scenes.billiards_cue import pull_of
 from game.scenes.billiards_moves import AIMING, REPLAY, ROLLING, SET_UP, STRIKING
 from game.scenes.billiards_round import Struck
-from game.scenes.billiards_sight import Sight, draw_considered, draw_label, draw_sight, hint_of, sight_of
+from game.scenes.billiards_sight import (
+    Sight,
+    draw_considered,
+    draw_label,
+    draw_sight,
+    hint_of,
+    sight_of,
+)
 from game.scenes.cue_control import PULLING, REST_GAP
 from game.scenes.table_view import Balls, draw_balls, draw_table
 from game.ui.canvas import Canvas
@@ -177,7 +184,7 @@ def _draw_aim(scene: Billiards, canvas: Canvas) -> Sight | None:
 
 
 def _draw_hint(scene: Billiards, canvas: Canvas, stroke: Stroke) -> None:
-    """The way of a puzzle's solution, and how hard and where the ball is struck."""
+    """The way of a puzzle's solution; the line below the table says in words how it is struck."""
     round_ = scene.round
     sight = hint_of(scene, Struck(round_.game, round_.places, round_.conditions, stroke))
     if sight is None or round_.white is None:
@@ -185,9 +192,6 @@ def _draw_hint(scene: Billiards, canvas: Canvas, stroke: Stroke) -> None:
     for way in (sight.approach, sight.after, *(other.points for other in sight.others)):
         if len(way) > 1:
             canvas.polyline(way, FELT_WARM, 2.0, alpha=0.75)
-    up = "above" if stroke.tip_up >= 0.0 else "below"
-    words = f"{stroke.cue_speed * moves.speed_ratio():.1f} m/s, {abs(stroke.tip_up):.2f} R {up}"
-    canvas.label(round_.white, words, FELT_WARM, 12, "semibold", offset=(0.0, 26.0))
 
 
 def _draw_cue(scene: Billiards, canvas: Canvas, time: float, aimed: bool) -> None:

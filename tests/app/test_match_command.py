@@ -16,6 +16,16 @@ def test_a_match_is_written_and_told(capsys, tmp_path: Path):
     data = json.loads(file.read_text())
     check_match_data(data)
     assert (data["title"], data["seed"], len(data["rounds"])) == ("Final", 2, 15)
+    seen = {
+        "lower-left": "upper left",
+        "lower-right": "lower left",
+        "middle-left": "upper middle",
+        "middle-right": "lower middle",
+        "upper-left": "upper right",
+        "upper-right": "lower right",
+    }
+    for line, one in zip(out, data["rounds"], strict=False):
+        assert f" {seen[one['pocket']]} pocket, " in line, "as in the film, whose picture is turned"
     assert len(out) == 16 and out[0].startswith("round  1  white - ") and out[-1].startswith("15 rounds")
     first = tmp_path / "shot.json"
     first.write_text(json.dumps(data["rounds"][0]["shot"]))

@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from game.billiards import Physics, Table, make_shot, simulate
 from game.billiards.contacts import BALL_MODELS, CUSHION_MODELS
 from game.billiards.contacts.cushion_han_2005 import bounce_han_2005 as inner_han
+from game.billiards.contacts.cushion_mathavan_2010 import STEPS, follow_impact
 from game.billiards.contacts.cushion_mathavan_2010 import bounce_mathavan_2010 as inner_mathavan
-from game.billiards.contacts.cushion_mathavan_2010 import follow_impact
+from game.billiards.contacts.cushion_mathavan_2010 import follow_to_the_limit as inner_limit
 from game.billiards.impacts import collide_pair, normal_between
 from game.billiards.lean import lean_kernel
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
@@ -304,13 +305,37 @@ def test_mathavan_converges_with_its_steps():
     assert fine < 0.01 and fine < 0.3 * coarse
 
 
-def test_mathavan_running_side_leaves_at_a_wider_angle():
-    """Side that runs along the rail quickens the ball along it; check side slows it."""
-    along = []
+@lean_kernel
+def follow_to_the_limit(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
+    """The inner kernel, with an entrance."""
+    return inner_limit(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps)
+
+
+def test_mathavan_is_as_near_to_its_limit_as_it_says():
+    """Against 20,000 steps, of the speed of ball and surface; most impacts are a thousand times nearer."""
+    rng = np.random.default_rng(4)
+    errors = []
+    for _ in range(400):
+        speed, angle = rng.uniform(0.05, 6.0), rng.uniform(-1.4, 1.4)
+        spin = rng.uniform(-1.5, 1.5, 3) * speed / BALL_RADIUS
+        models = rng.uniform(0.3, 0.98), rng.uniform(0.02, 0.5), rng.uniform(0.05, 0.6)
+        ball = speed * math.sin(angle), speed * math.cos(angle), *spin, BALL_RADIUS, 0.17, 0.27, *models
+        scale = np.array([1.0, 1.0, BALL_RADIUS, BALL_RADIUS, BALL_RADIUS])
+        difference = np.array(follow_to_the_limit(*ball, STEPS)) - follow(*ball, 20_000)
+        errors.append(np.abs(scale * difference).max() / np.linalg.norm(scale * ball[:5]))
+    assert max(errors) < 2e-3 and np.median(errors) < 1e-5
+
+
+@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010"])
+def test_running_side_quickens_the_ball_along_the_rail(model):
+    """Mathavan's eq. 12: the surface slips along the rail at vx - wz R cos(th) at the nose, and friction
+    opposes that. Moving along +y by the left rail, a ball that turns with wz > vy/R is dragged on:
+    running side. One that turns the other way is held back: check side."""
+    along = {}
     for wz in (-60.0, 0.0, 60.0):
-        _, after, _ = _bounce("mathavan-2010", (-1.0, 1.0), (0.0, 0.0, wz), 0.0)
-        along.append(after[VY, 0])
-    assert along[0] < along[1] < along[2] or along[0] > along[1] > along[2]
+        _, after, _ = _bounce(model, (-1.0, 1.0), (0.0, 0.0, wz), 0.0)
+        along[wz] = after[VY, 0]
+    assert along[-60.0] < along[0.0] < 1.0 < along[60.0]
 
 
 def test_every_model_can_be_named():
@@ -320,3 +345,55 @@ def test_every_model_can_be_named():
                 RAIL, [[0.6, 0.6], [0.6, 1.6]], [(0.1, 2.0), (0.0, 0.0)], physics=Physics(ball, cushion)
             )
             assert {"ball-ball", "ball-cushion"} <= {e.type for e in simulate(shot).events}
+
+
+@pytest.mark.parametrize("radii", [(0.02, 0.04), (0.04, 0.02), (0.03, 0.03)])
+def test_friction_of_unequal_balls_is_limited_by_the_impulse_along_the_true_normal(radii):
+    """mu P/cos(phi): the horizontal part P of the normal impulse is cos(phi) of the whole."""
+    masses, mu, e = (0.1, 0.3), 0.05, 0.9
+    before, after, n = _collide(
+        "wallace-1988", [(1.0, 2.0), (0.0, -1.0)], np.zeros((2, 3)), masses, radii, 0.0,
+        ball_friction=mu, ball_restitution=e,
+    )  # fmt: skip
+    closing = float(n @ (before[VX : VY + 1, 0] - before[VX : VY + 1, 1]))
+    pushed = (1.0 + e) * closing * masses[0] * masses[1] / sum(masses)
+    cosine = 2.0 * math.sqrt(radii[0] * radii[1]) / sum(radii)
+    for ball in range(2):
+        turned = float(np.linalg.norm(after[WX : WZ + 1, ball] - before[WX : WZ + 1, ball]))
+        rubbed = 0.4 * masses[ball] * radii[ball] * turned
+        assert rubbed == pytest.approx(mu * pushed / cosine, rel=1e-12)
+
+
+def _mathavan_by_vectors(v, w, mass, radius, sine, e, mu_nose, mu_cloth, steps):
+    """The paper's impact with vectors: v, w (3,) in its frame, y into the rail."""
+    cosine = math.sqrt(1.0 - sine * sine)
+    v, w, normal = np.array(v), np.array(w), np.array([0.0, cosine, sine])
+    nose, foot = radius * normal, np.array([0.0, 0.0, -radius])
+    step, stored, owed = mass * v[1] / (cosine * steps), 0.0, math.inf
+    while owed > 0.0:
+        here = v + np.cross(w, nose)
+        slip = here - (here @ normal) * normal
+        rubbing = -mu_nose * step * slip / max(np.linalg.norm(slip), 1e-12)
+        push = -step * normal + rubbing
+        down = max(-push[2], 0.0)
+        skid = (v + np.cross(w, foot)) * (1.0, 1.0, 0.0)
+        drag = -mu_cloth * down * skid / max(np.linalg.norm(skid), 1e-12)
+        pressed = 0.5 * step * cosine * (v[1] + v[1] - step * cosine / mass)
+        v = v + (push + drag) * (1.0, 1.0, 0.0) / mass  # the cloth takes what is vertical
+        w = w + 2.5 / (mass * radius * radius) * (np.cross(nose, push) + np.cross(foot, drag))
+        stored += max(pressed, 0.0)
+        if v[1] <= 0.0 and owed == math.inf:
+            owed = e * e * stored
+        owed += min(pressed, 0.0)
+    return v, w
+
+
+@pytest.mark.parametrize("wx", [-90.0, -20.0, 90.0])
+def test_mathavan_against_the_papers_equations_in_vectors(wx):
+    """Draw, a little follow, and overspin: friction at the nose rubs the ball up or down."""
+    ball = (0.140, 0.02625, 0.4, 0.8, 0.14, 0.212)
+    v, w = _mathavan_by_vectors((0.7, 1.5, 0.0), (wx, 20.0, 15.0), *ball, 4000)
+    mass, radius, *models = ball
+    got = follow_to_the_limit(0.7, 1.5, wx, 20.0, 15.0, radius, mass, *models, STEPS)
+    assert got[:2] == pytest.approx(v[:2], abs=0.01)
+    assert radius * np.array(got[2:]) == pytest.approx(radius * w, abs=0.01)

@@ -77,6 +77,17 @@ def test_a_ball_that_still_spins_when_it_stops_rolling_spins_on():
     ]
 
 
+@pytest.mark.parametrize("velocity", [(0.05, 0.0), (0.3, -0.4), (0.0, 0.0)])
+def test_side_spin_of_either_hand_is_alike(velocity):
+    """The mirrored twin: the same events at the same times, spin about z of the other sign."""
+    one, other = _lone(velocity, (0.0, 0.0, 50.0)), _lone(velocity, (0.0, 0.0, -50.0))
+    assert [e.type for e in one.events] == [e.type for e in other.events]
+    assert one.events[-1].type == "spinning-stationary"
+    assert one.times.tolist() == other.times.tolist()
+    for time in np.linspace(0.0, one.end_time, 9):
+        assert one.state_at(time).spins[0, 2] == -other.state_at(time).spins[0, 2]
+
+
 def test_what_has_run_out_is_exactly_zero():
     end = _lone((1.0, 2.0), (3.0, -4.0, 5.0))
     last = end.state_at(end.end_time)

@@ -392,3 +392,23 @@ def test_absurd_speeds_stay_finite(speed):
     trajectory = simulate(shot, max_events=100_000)
     assert np.isfinite(trajectory.end).all()
     assert audit(trajectory).overlap <= 1e-9 * R
+
+
+@pytest.mark.parametrize("friction", [0.05, 2.0, 50.0])
+def test_friction_shared_by_many_contacts_at_once_gives_no_energy(friction):
+    """A ball that spins falls into a nest of five small heavy ones: each contact gets its share, not all."""
+    physics = Physics("wallace-1988", ball_friction=friction, ball_restitution=0.5)
+    radii, masses = [R, *[0.3 * R] * 5], [BALL_MASS, *[10.0 * BALL_MASS] * 5]
+    reach = 2.0 * math.sqrt(0.3) * R
+    nest = [(reach * math.cos(turn), reach * math.sin(turn)) for turn in np.radians(33.0) * np.arange(-2, 3)]
+    shot = make_shot(OPEN, [(0.0, 0.0), *nest], radii=radii, masses=masses, physics=physics)
+    shot = shot.struck(0, (2.0, 0.0), (30.0, -20.0, 300.0))
+    trajectory = simulate(shot, until=0.5)
+    assert (trajectory.rows[:5, 0] == 0.0).all() and (trajectory.rows[:5, 1] == 0).all(), "all at once"
+    after = trajectory.state_at(0.0)
+
+    def energy(velocities, spins):
+        turning = 0.4 * np.square(radii) * (spins**2).sum(axis=1)
+        return float((0.5 * np.array(masses) * ((velocities**2).sum(axis=1) + turning)).sum())
+
+    assert energy(after.velocities, after.spins) < energy(shot.balls[:, 2:4], shot.balls[:, 4:7])

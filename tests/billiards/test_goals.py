@@ -37,6 +37,8 @@ CASES = [
     (Goal(cushions_first=1), ShotSummary((1,), cue_path=CAROM), ""),
     (Goal(cushions_first=2), ShotSummary((1,), cue_path=CAROM), "1 of 2 cushions before"),
     (Goal(cushions_first=1), ShotSummary((), cue_path=CAROM[:1]), "cushions before a ball"),
+    (Goal(direct=True), ShotSummary((1,), cue_path=CAROM[1:]), ""),
+    (Goal(direct=True), ShotSummary((1,), cue_path=CAROM), "a cushion before any ball"),
     (Goal(untouched=(5,)), ShotSummary((1,), touched=(1,)), ""),
     (Goal(untouched=(5,)), ShotSummary((1,), touched=(1, 5)), "5 was touched"),
     (Goal(zones=(Zone(0, 0.5, 0.5, 0.1),)), ShotSummary(rest=((0, 0.5, 0.6),)), ""),
@@ -71,6 +73,13 @@ def test_in_words():
     assert described(Goal(pots=(Pot(1),), cushions_first=1)) == (
         "Pot the 1.", "The white ball touches one cushion before any ball.",
     )  # fmt: skip
+
+
+def test_a_direct_way_in_words():
+    assert described(Goal(cue_touches=(1, 2), direct=True)) == (
+        "The white ball touches no cushion, then the 1, then the 2.",
+    )
+    assert described(Goal(direct=True)) == ("The white ball touches no cushion before any ball.",)
 
 
 def test_stars_come_in_their_order():

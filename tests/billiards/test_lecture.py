@@ -444,3 +444,13 @@ def test_warm_ups_name_what_they_compile():
     for name, call in warm_ups():
         assert "lecture" in name
         call()
+
+
+@pytest.mark.parametrize("radius", [R, 0.5 * R])
+def test_as_many_substeps_as_keep_the_fastest_ball_below_half_the_least_radius(radius):
+    for halves in (0.3, 0.99, 1.01, 3.5, 7.99):
+        speed = halves * 0.5 * radius / FRAME
+        balls = free_balls([[0.0, 0.0], [9.0, 0.0]], [[speed, 0.0], [0.1 * speed, 0.0]], [2.0 * R, radius],
+                           substeps=0)  # fmt: skip
+        balls.step(FRAME)
+        assert balls.counters["substeps"] == math.ceil(halves)

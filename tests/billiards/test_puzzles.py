@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from game.billiards.frame import Frame
@@ -36,6 +37,21 @@ def test_the_kept_stroke_wins_all_stars(path):
     assert frame.game.stars(played.summary) == 1 + len(frame.game.more)
     assert played.verdict.words[0].startswith("★") and "☆" not in played.verdict.words[0]
     assert played.frame.lie is frame.lie and played.frame.game.best == 1 + len(frame.game.more)
+
+
+def test_around_the_corner_goes_by_a_bend_and_no_cushion():
+    """The white ball runs round the row of balls in a curve, as the level's words say."""
+    level, frame = opened(next(path for path in FILES if path.stem.startswith("trick-08")))
+    trajectory = frame.play(level.content.solution.stroke()).trajectory
+    first = next(event for event in trajectory.events if event.type.startswith("ball-"))
+    assert first.type == "ball-ball" and set(first.ids) == {"0", "1"}
+    way = np.array([trajectory.state_at(t).positions[0] for t in np.linspace(0.0, first.time, 50)])
+    chord = way[-1] - way[0]
+    off = (way - way[0]) @ np.array([-chord[1], chord[0]]) / np.linalg.norm(chord)
+    assert np.abs(off).max() > 0.12
+    # by no straight way: the row is in it
+    straight = level.content.solution.stroke()._replace(elevation=0.0)
+    assert frame.game.stars(frame.play(straight).summary) == 0
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

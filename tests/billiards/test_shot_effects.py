@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from game.billiards import Physics, Table, eight_ball_rack, load_shot, make_shot, simulate
+from game.billiards.contacts import CONSTANT_FRICTION, NO_FRICTION
 from game.billiards.lecture_state import POCKETS
 from game.billiards.shot_effects import (
     CLOTH,
@@ -20,6 +21,7 @@ from game.billiards.shot_effects import (
     table_of,
 )
 from game.billiards.shot_writing import shot_data
+from game.billiards.state import BALL_FRICTION, BALL_LAW
 
 POOL = Table.pool()
 BARE = Table.bare(1.0, 2.0)
@@ -68,6 +70,26 @@ def cut(active):
 def test_without_throw_a_ball_goes_along_the_line_of_centres():
     assert cut(EXACT_EFFECTS.without(THROW)) == pytest.approx(30.0, abs=1e-4)
     assert cut(EXACT_EFFECTS) < 29.0
+
+
+def test_without_throw_the_kernels_do_without_the_law_of_friction(monkeypatch):
+    """No friction and a friction of 0 are the same to the last bit, and the former computes none of it."""
+    rough = make_shot(BARE, [(0.4, 0.6)], physics=physics_of(EXACT_EFFECTS)).constants
+    smooth = make_shot(BARE, [(0.4, 0.6)], physics=physics_of(EXACT_EFFECTS.without(THROW))).constants
+    assert rough[BALL_LAW] != NO_FRICTION == smooth[BALL_LAW]
+    measured = Physics("alciatore-2006", ball_friction=0.0)  # its law knows no such number
+    assert make_shot(BARE, [(0.4, 0.6)], physics=measured).constants[BALL_LAW] == rough[BALL_LAW]
+    racked = eight_ball_rack(POOL, gap=1e-4, seed=2)
+    shot = make_shot(POOL, racked, physics=physics_of(EXACT_EFFECTS.without(THROW)))
+    shot = shot.struck(0, (0.2, 6.0, 0.0), (-30.0, 5.0, 40.0))
+    played = simulate(shot)
+    zeros = shot.constants.copy()
+    zeros[BALL_LAW], zeros[BALL_FRICTION] = CONSTANT_FRICTION, 0.0
+    monkeypatch.setitem(shot.__dict__, "constants", zeros)
+    monkeypatch.delitem(shot.__dict__, "batch")
+    assert shot.batch.constants[0, BALL_LAW] == CONSTANT_FRICTION
+    again = simulate(shot)
+    assert (played.rows == again.rows).all() and (played.end == again.end).all()
 
 
 def test_without_cloth_a_ball_never_slows_down():

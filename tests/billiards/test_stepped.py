@@ -25,8 +25,22 @@ from game.billiards import (
 from game.billiards.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.sampled import MAX_SAMPLES, SampledTrajectory
 from game.billiards.shot import FRICTIONLESS
-from game.billiards.state import POCKETED, ROLLING, SLIDING
+from game.billiards.state import (
+    FLOAT_ROWS,
+    INTEGER_ROWS,
+    MASS,
+    PAIR_PLANES,
+    POCKETED,
+    RADIUS,
+    ROLLING,
+    SLIDING,
+    VX,
+    WZ,
+    X,
+    Y,
+)
 from game.billiards.stepped import MAX_EVENTS
+from game.billiards.stepped_contacts import meet_ball
 
 EPS = 2.0**-52
 SHOTS = Path(__file__).parents[1] / "reference" / "shots"
@@ -333,3 +347,16 @@ def test_motions_of_the_samples_are_those_of_the_exact_table():
     played = simulate(make_shot(Table.pool(), [[0.3, 0.3]], [[-1.0, -1.0]]), "stepped")
     assert played.state_at(0.0).motions.tolist() == [SLIDING]
     assert played.state_at(played.end_time).motions.tolist() == [POCKETED]
+
+
+def test_balls_that_overlap_are_moved_apart_about_their_centre_of_mass():
+    masses = np.array([0.05, 0.2])
+    state, modes = np.zeros((FLOAT_ROWS, 2)), np.zeros((INTEGER_ROWS, 2), np.int64)
+    state[X], state[RADIUS], state[MASS] = (0.0, 1.8 * BALL_RADIUS), BALL_RADIUS, masses
+    overlap = 0.2 * BALL_RADIUS
+    pairs, constants = np.zeros((PAIR_PLANES, 2, 2)), make_shot(BARE, [[0.5, 0.5]]).constants
+    middle = masses @ state[X]
+    meet_ball(state, modes, pairs, 0, 1, overlap, constants, np.zeros((4, 4)), np.zeros(8, np.int64))
+    assert state[X, 1] - state[X, 0] == pytest.approx(2.0 * BALL_RADIUS, rel=1e-12)
+    assert masses @ state[X] == pytest.approx(middle, rel=1e-12)
+    assert not state[Y].any() and not state[VX : WZ + 1].any()

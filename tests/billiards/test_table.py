@@ -112,3 +112,21 @@ def test_broken_discs_are_named():
         checked_table(1.0, 1.0, 0.0, np.empty((0, 6)), np.empty((0, 3)), np.array([[0.0, 0.0, 0.0]]))
     with pytest.raises(ValueError, match="3 numbers a row"):
         checked_table(1.0, 1.0, 0.0, np.empty((0, 6)), np.ones((1, 4)), np.empty((0, 3)))
+
+
+def test_facings_stand_at_the_angles_of_the_rules():
+    """WPA 9: 142 degrees between nose and facing at a corner pocket, 104 at a side pocket."""
+    noses, facings = Table.pool().cushions[:6], Table.pool().cushions[6:]
+    angles = []
+    for facing in facings:
+        ends = facing[:4].reshape(2, 2)
+        bed = np.array([0.5 * BED_WIDTH, 0.5 * BED_LENGTH])
+        inner = ends[np.argmin(np.abs((ends - bed) / bed).max(axis=1))]
+        outwards = ends.sum(axis=0) - 2.0 * inner
+        gaps = [np.linalg.norm(nose[:4].reshape(2, 2) - inner, axis=1) for nose in noses]
+        nose = noses[int(np.argmin([gap.min() for gap in gaps]))]
+        near, far = (nose[:4].reshape(2, 2)[k] for k in np.argsort(min(gaps, key=lambda gap: gap.min())))
+        along = far - near
+        cosine = outwards @ along / np.linalg.norm(outwards) / np.linalg.norm(along)
+        angles.append(round(math.degrees(math.acos(cosine)), 6))
+    assert sorted(angles) == [104.0] * 4 + [142.0] * 8

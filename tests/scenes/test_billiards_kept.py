@@ -120,3 +120,32 @@ def test_a_kept_game_survives_a_kill_at_any_moment(tmp_path):
         process.stdout.close()
         level = load_level(path, "billiards", Billiards.content_type)
         assert len(level.content.balls) == 16 and int(level.title) >= 3
+
+
+def test_undo_turns_the_balls_back_as_they_were():
+    stage = open_level("practice")
+    before = stage.scene.turns.copy()
+    aim(stage, 0.5 * math.pi)
+    stage.post(Action("strike"))
+    until_aiming(stage)
+    assert (stage.scene.turns != before).any()
+    stage.post(Action("undo"))
+    stage.run(1)
+    assert (stage.scene.turns == before).all()
+
+
+def test_a_stroke_that_cannot_be_played_leaves_the_round_as_it_was(monkeypatch):
+    stage = open_level("practice")
+    scene = stage.scene
+    before = scene.round
+
+    def refuse(_scene):
+        raise ValueError("it is too far.")
+
+    monkeypatch.setattr(type(scene), "played", property(refuse))
+    aim(stage, 0.5 * math.pi)
+    stage.post(Action("strike"))
+    stage.run(round(4.0 / stage.dt))
+    assert stage.fault is None
+    assert scene.phase == "aiming" and scene.round is before and scene.pending is None
+    assert any("cannot be played" in text for text in scene.messages())

@@ -65,10 +65,12 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def describe(one: Round) -> str:
-    """A round for people."""
+    """A round for people, its pocket named as in the film."""
+    from game.scenes.billiards_layout import pocket_words
+
     way = " - ".join(["white", *(str(number) for number in one.fallen.chain[1:])])
-    pocket = one.shot.pocket_ids[one.fallen.pocket].replace("-", " ")
-    return f"round {one.number:>2}  {way:<24} {pocket} pocket, {one.stroke.cue_speed:.1f} m/s"
+    pocket = pocket_words(one.fallen.pocket)
+    return f"round {one.number:>2}  {way:<24} {pocket}, {one.stroke.cue_speed:.1f} m/s"
 
 
 def _show_progress(one: Round) -> None:

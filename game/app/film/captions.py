@@ -7,7 +7,7 @@ import pygame
 from game.app.film.script import Act, potted_at
 from game.billiards.match import PLAYERS, Match
 from game.physics.animation import Keyframes
-from game.scenes.billiards_layout import POCKETS
+from game.scenes.billiards_layout import pocket_words
 from game.ui.look import Look
 from game.ui.painters.ball_picture import ball_chip
 from game.ui.shapes import draw_box, draw_disc, draw_line
@@ -75,9 +75,8 @@ def draw_caption(surface: pygame.Surface, look: Look, act: Act, time: float) -> 
     left = min(max((act.ends - time) / 0.3, 0.0), 1.0)
     opacity = min(came, left)
     chips = one.fallen.chain if one.fallen.chain else (0, one.fallen.ball)
-    pocket = POCKETS[one.fallen.pocket]
     words = f"{PLAYERS[one.player]} · round {one.number}"
-    under = f"{pocket} pocket"
+    under = pocket_words(one.fallen.pocket)
     width = px(96) + max(look.fonts.size(words, 15, "semibold")[0], look.fonts.size(under, 12, "medium")[0])
     width += len(chips) * px(38)
     card = pygame.Surface((width, px(56)), pygame.SRCALPHA, 32)

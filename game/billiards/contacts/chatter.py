@@ -4,7 +4,8 @@ A ball pressed against another, or against a rail, by its own spin bounces ever 
 further repeat of a contact within CHATTER_TIME, after ALLOWED_REPEATS, leaves with a separating speed of at
 least FIRST_SPEED 4^k, at most LARGEST_SPEED. The energy for it is taken from the spin of the balls in the
 contact; what they do not have is not given. So no chatter lasts longer than about fifteen contacts in a
-row, no balls sink into each other, and energy never rises.
+row while there is spin, no balls sink into each other, and energy never rises. A contact that has repeated
+LAST_REPEATS times and still gets less than the rule asks for has nothing left to part with: see `settling`.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from game.billiards.state import MASS, RADIUS, VX, VY, WX, WZ
 
 CHATTER_TIME = 0.02  # s
 ALLOWED_REPEATS = 3
+LAST_REPEATS = 30  # twice as many as chatter takes that is paid for
 FIRST_SPEED = 1e-6  # m/s
 LARGEST_SPEED = 3e-3  # m/s; a parting of 2 ms on cloth with mu = 0.2
 
@@ -35,7 +37,8 @@ def least_parting_speed(repeats):
 def part(state, i, j, nx, ny, wanted):
     """Raise the parting speed of balls i and j to `wanted` m/s, at the cost of their spin.
 
-    n is the unit vector from i to j; for a ball and a rail j is -1, and n points into the rail.
+    n is the unit vector from i to j; for a ball and a rail j is -1, and n points into the rail. Returns
+    whether they part as fast as that.
     """
     count = 1 if j < 0 else 2
     parting = 0.0
@@ -50,7 +53,7 @@ def part(state, i, j, nx, ny, wanted):
         for row in range(WX, WZ + 1):
             available += 0.5 * inertia * state[row, ball] * state[row, ball]
     if parting >= wanted:
-        return
+        return True
     start = max(parting, 0.0)
     cost = 0.5 * (wanted - start) * (wanted + start) / inverse
     speed = wanted
@@ -67,3 +70,4 @@ def part(state, i, j, nx, ny, wanted):
         state[VY, ball] += push * ny
         for row in range(WX, WZ + 1):
             state[row, ball] *= factor
+    return speed == wanted

@@ -8,7 +8,10 @@ until the ball no longer approaches; it stores the work W of the normal force. R
 numbers are the paper's.
 
 The impulse is cut into equal steps (the paper's own numerical scheme), the last step of each phase
-shortened so that the phase ends exactly. In a step friction never more than stops the slip.
+shortened so that the phase ends exactly. In a step friction never more than stops the slip. The error falls
+as one over the number of steps, so two runs, one of them with twice as many, are extrapolated to none
+(Richardson 1911). What is left is 1e-6 of the ball's speed where its surface slips all the time, and at most
+2e-3 where it begins to stick: unlike the rest of the exact table this model is not right to rounding.
 """
 
 from __future__ import annotations
@@ -30,7 +33,7 @@ from game.billiards.state import (
     WZ,
 )
 
-STEPS = 100  # of the compression; within 1 % of the outcome of ten times as many
+STEPS = 100  # of the compression, of the coarser of the two runs
 PATIENCE = 20  # times as many steps; friction that holds the ball in the rail for longer is absurd
 
 
@@ -74,7 +77,7 @@ def _rub_cloth(vx, vy, wx, wy, pressure, radius, mass):
     return vx, vy, wx, wy
 
 
-@inner_kernel(inline="always")
+@inner_kernel
 def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
     """The impact in the paper's frame, vy > 0 into the rail: state before to state after.
 
@@ -109,6 +112,34 @@ def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, 
     return vx, min(vy, 0.0), wx, wy, wz
 
 
+@inner_kernel(inline="always")
+def _energy(vx, vy, wx, wy, wz, radius):
+    """Twice the energy over the mass, m^2/s^2."""
+    return vx * vx + vy * vy + 0.4 * radius * radius * (wx * wx + wy * wy + wz * wz)
+
+
+@inner_kernel
+def follow_to_the_limit(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
+    """`follow_impact` with `steps` and twice as many, extrapolated to steps without number.
+
+    Where that would raise the energy (nothing rubs, nothing is lost), the finer run is kept as it is.
+    """
+    ax, ay, ap, aq, ar = follow_impact(
+        vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps
+    )
+    bx, by, bp, bq, br = follow_impact(
+        vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, 2 * steps
+    )
+    cx = bx + (bx - ax)
+    cy = by + (by - ay)
+    cp = bp + (bp - ap)
+    cq = bq + (bq - aq)
+    cr = br + (br - ar)
+    if cy > 0.0 or _energy(cx, cy, cp, cq, cr, radius) > _energy(vx, vy, wx, wy, wz, radius):
+        return bx, by, bp, bq, br
+    return cx, cy, cp, cq, cr
+
+
 @inner_kernel
 def bounce_mathavan_2010(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
@@ -116,7 +147,7 @@ def bounce_mathavan_2010(state, i, nx, ny, physics):
     # the paper's y axis is -n; its x axis then is y x z
     along_x = -ny
     along_y = nx
-    vx, vy, wx, wy, wz = follow_impact(
+    vx, vy, wx, wy, wz = follow_to_the_limit(
         state[VX, i] * along_x + state[VY, i] * along_y,
         -(state[VX, i] * nx + state[VY, i] * ny),
         state[WX, i] * along_x + state[WY, i] * along_y,

@@ -1,8 +1,9 @@
 """What a stroke costs on three tables: stepped with full physics, stepped as in the lecture, and exact.
 
-The reference is the exact table itself, which is right to rounding. A stepped table finds each contact up to
-a step late, so its error falls with the first power of the step, saw-toothed by where in the step the
-contact lies. Points that make other contacts than the exact table are marked as failed.
+The reference is the exact table itself, which is right to rounding with the cushions of Han 2005. A stepped
+table finds each contact up to a step late, so its error falls with the first power of the step, saw-toothed
+by where in the step the contact lies. Points that make other contacts than the exact table are marked as
+failed.
 """
 
 from __future__ import annotations
@@ -126,7 +127,7 @@ def _study(name: str, title: str, time: float, number: int, passes: tuple[int, .
         counter="pair tests (exact: events)",
         knob=Knob("step", "step", "s"),
         settings=partial(_settings, time, number, passes),
-        reference="the exact table: closed forms between events, right to rounding.",
+        reference="the exact table: closed forms between events, right to rounding with Han's cushion.",
         envelope=True,
         floor=1e-10,
         present=present_setting,

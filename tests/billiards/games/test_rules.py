@@ -359,3 +359,16 @@ def test_balls_in_words():
     assert eight().judge(shot(8)).words[0].endswith("not the 1 to 7 or the 9 to 15.")
     assert "the 1 to 7" in grouped().judge(shot(9)).words[0]
     assert "the 9 or the 12" in grouped((9, 12, 8, 1), turn=1).judge(shot(1)).words[0]
+
+
+def test_nine_ball_warns_at_two_fouls_and_ends_at_three():
+    """A foul counts one, for who made it; a legal stroke takes them all back (2.8)."""
+    game, miss, legal = nine(), shot(), shot(1)
+    for count in (1, 2, 3):
+        verdict = game.judge(miss)
+        assert verdict.game.fouls_in_row == (count, 0)
+        assert any("two fouls" in words for words in verdict.words) == (count == 2)
+        assert (verdict.game.winner == 1) == (count == 3)
+        cleared = msgspec.structs.replace(game, turn=0).judge(legal)
+        assert cleared.game.fouls_in_row == (0, 0)
+        game = msgspec.structs.replace(verdict.game, turn=0, in_hand="")

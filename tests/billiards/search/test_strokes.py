@@ -12,6 +12,7 @@ from game.billiards import Physics, simulate, strike
 from game.billiards.arrangement import Stroke, arrange, racked
 from game.billiards.search.outcomes import (
     CHAIN,
+    CONTACTS,
     CUSHIONED,
     CUSHIONS,
     CUSHIONS_FIRST,
@@ -34,6 +35,7 @@ from game.billiards.search.strokes import (
     strike_all,
     with_noise,
 )
+from game.billiards.state import BALL_BALL
 from game.billiards.summary import summarize
 from tests.billiards.search_tables import POOL, random_strokes, scattered, unlike_balls
 
@@ -49,7 +51,8 @@ def check_against_referee(lie, strokes, outcomes):
     """Every outcome says what `summarize` says of the same stroke played alone."""
     row_of = {number: row for row, number in enumerate(lie.numbers)}
     for s, stroke in enumerate(strokes.tolist()):
-        summary = summarize(simulate(lie.shot(POOL, PHYSICS, Stroke(*stroke))))
+        trajectory = simulate(lie.shot(POOL, PHYSICS, Stroke(*stroke)))
+        summary = summarize(trajectory)
         facts, ways = outcomes.facts[s], outcomes.ways[s]
         assert facts[FIRST_BALLS] == bits(row_of[n] for n in summary.first)
         assert bool(facts[SCRATCH]) == summary.cue_pocketed and facts[GIVEN_UP] == 0
@@ -58,6 +61,9 @@ def check_against_referee(lie, strokes, outcomes):
         before = [kind for kind, _ in summary.cue_path]
         first = before.index("ball") if "ball" in before else len(before)
         assert facts[CUSHIONS_FIRST] == first
+        rows = trajectory.rows[trajectory.rows[:, 1] == BALL_BALL]
+        met = [int((rows[:, 2:] == row).sum()) for row in range(len(lie.numbers))]
+        assert ways[:, CONTACTS].tolist() == met
         for fallen in summary.pocketed:
             way = ways[row_of[fallen.ball]]
             assert way[POCKET] == fallen.pocket and way[CUSHIONS] == fallen.cushions
