@@ -132,6 +132,25 @@ class TestFolders:
         assert folders.cache_folder() == first
         assert stat.S_IMODE(first.parent.stat().st_mode) == 0o700
 
+    @pytest.mark.parametrize("home", ["", "relative", "./here"])
+    def test_a_home_that_is_none(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, home: str) -> None:
+        """A user whom the system does not know, as in a container, without the variables that help."""
+        pwd = pytest.importorskip("pwd")
+
+        def unknown(user: int) -> None:
+            raise KeyError(user)
+
+        monkeypatch.setattr(pwd, "getpwuid", unknown)
+        for name in list(os.environ):
+            if name.startswith(("XDG_", "CAROM_")):
+                monkeypatch.delenv(name)
+        monkeypatch.setenv("HOME", home)
+        monkeypatch.setattr(folders.tempfile, "gettempdir", lambda: str(tmp_path))
+        mine = tmp_path / f"carom-{os.getuid()}"
+        assert folders.user_folder() == mine / "data"
+        assert folders.cache_folder() == mine / "cache"
+        assert folders.pictures_folder() == mine / "pictures" / "Carom"
+
     def test_a_temporary_folder_of_somebody_else_is_not_taken(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
