@@ -133,6 +133,33 @@ def test_selftest_passes_the_example_and_fails_the_broken(capsys, tmp_path: Path
     assert "the kept digest is 000" in out
 
 
+def test_selftest_misses_a_digest_that_is_not_kept_and_a_level_that_is_gone(capsys, tmp_path: Path):
+    golden = tmp_path / "golden.json"
+    _, out, _ = run(capsys, "selftest", "example")
+    digest = out.split()[2]
+    for kept, status, word in (
+        ({"example/(none)": digest}, 0, digest),
+        ({"example/(none)": digest, "other/default": "0"}, 0, digest),  # nobody asked for that scene
+        ({"other/default": "0"}, 1, f"no digest is kept, it is {digest}"),
+        ({"example/(none)": digest, "example/gone": "0"}, 1, "but there is no such level"),
+    ):
+        golden.write_text(json.dumps(kept))
+        found, out, _ = run(capsys, "selftest", "example", "--golden", str(golden))
+        assert (found, word in out) == (status, True)
+        assert f", {status} failed" in out
+
+
+def test_all_scenes_are_asked_for_every_kept_digest():
+    from game.app.commands.selftest import Result, against_golden
+
+    golden = {"a/one": "1", "b/two": "2"}
+    (well, gone) = against_golden([Result("a", "one", "1", "")], golden, [])
+    assert not well.trouble
+    assert gone.name == "b/two" and gone.trouble
+    (fault,) = against_golden([Result("a", "one", "", "it stopped")], {"a/one": "1"}, [])
+    assert fault.trouble == "it stopped"
+
+
 def test_selftest_finds_a_scene_that_forgets_part_of_its_state(capsys, monkeypatch):
     import example_scene
 
