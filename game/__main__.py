@@ -11,6 +11,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; the exit status."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
     try:
+        from game.app.deadline import say_stopped
         from game.app.ending import ends_tidily, status_of
     except KeyboardInterrupt:  # an impatient hand, before anybody listens to signals
         print("carom: stopped", file=sys.stderr)
@@ -20,7 +21,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         try:
             from game.app.commands import run_command_line
         except KeyboardInterrupt as why:  # and while modules are read
-            print("carom: stopped", file=sys.stderr)
+            say_stopped()
             return status_of(why)
 
         return run_command_line(sys.argv[1:] if arguments is None else arguments)

@@ -12,11 +12,14 @@ import contextlib
 import os
 import signal
 import socket
+import sys
 import threading
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 
 GRACE_S = 1.5  # for whoever tidies up
+STOPPED_LINE = "carom: stopped"
+_said = threading.Event()
 
 
 @contextmanager
@@ -26,6 +29,7 @@ def deadline(signals: Collection[signal.Signals], to_the_end: bool) -> Iterator[
     Without ``to_the_end`` a process that leaves this in time lives on; with it, it must have ended by then.
     To be called in the main thread.
     """
+    _said.clear()
     woken, wakes = socket.socketpair()
     wakes.setblocking(False)
     left = threading.Event()
@@ -40,6 +44,12 @@ def deadline(signals: Collection[signal.Signals], to_the_end: bool) -> Iterator[
             wakes.close()  # the thread reads the end of it
 
 
+def say_stopped(line: str = STOPPED_LINE) -> None:
+    """Say on standard error that the program was stopped; who ends the process later then says nothing."""
+    _said.set()
+    print(line, file=sys.stderr)
+
+
 def _watch(woken: socket.socket, signals: Collection[int], left: threading.Event) -> None:
     """Wait for a signal, then for the end."""
     with contextlib.suppress(OSError), woken:
@@ -52,6 +62,7 @@ def _watch(woken: socket.socket, signals: Collection[int], left: threading.Event
 
 def _end(status: int) -> None:
     """End the process where it stands: no lock is waited for, nothing is flushed."""
-    with contextlib.suppress(OSError):
-        os.write(2, b"carom: stopped at once\n")
+    if not _said.is_set():
+        with contextlib.suppress(OSError):
+            os.write(2, f"{STOPPED_LINE}\n".encode())
     os._exit(status)

@@ -28,9 +28,9 @@ class Ended(KeyboardInterrupt):
 def ends_tidily(to_the_end: bool = False) -> Iterator[None]:
     """While this goes on SIGINT raises KeyboardInterrupt and SIGTERM raises Ended in the main thread.
 
-    Who has not left this `deadline.GRACE_S` later is ended, and with ``to_the_end`` also who has left this and still
-    lives: an interpreter that waits for its threads. A signal that somebody else listens to, or that is
-    ignored, is left to them.
+    Who has not left this `deadline.GRACE_S` later is ended, and with ``to_the_end`` also who has left this
+    and still lives: an interpreter that waits for its threads. A signal that somebody else listens to, or
+    that is ignored, is left to them.
     """
     usual: dict[signal.Signals, Any] = {
         signal.SIGINT: signal.default_int_handler,

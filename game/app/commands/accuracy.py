@@ -17,7 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given
+from game.app.deadline import say_stopped
 from game.app.mistake import MistakeError
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.app.report.page import SceneReport
@@ -63,9 +65,9 @@ def execute(options: argparse.Namespace) -> int:
             if stopped.is_set():
                 break
     if options.all:
-        print(page)
+        say(str(page))
     if stopped.is_set():
-        print("Stopped; the same command goes on from here.", file=sys.stderr)
+        say_stopped("Stopped; the same command goes on from here.")
         return stopped.status
     return 0
 
@@ -141,7 +143,7 @@ def _measure(
         except (OSError, PlotsMissingError) as error:
             raise MistakeError(f"--out {into}: {error}") from None
         for path in paths:
-            print(path)
+            say(str(path))
     prices = _prices(scene_type, into, place, anew) if name and not stopped.is_set() else None
     return SceneReport(scene_type, tuple(tables), name, prices)
 

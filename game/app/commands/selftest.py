@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from game.app.commands import given, output
 from game.app.mistake import MistakeError
 from game.app.script import Script, demo_of
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -73,7 +74,7 @@ def execute(options: argparse.Namespace) -> int:
     for result in tested if golden is None else against_golden(tested, golden, options.scenes):
         results.append(result)
         if not quiet:
-            print(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
+            say(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
     if options.pure:
         results = _with_pure_steps(results, quiet)
     failed = [result for result in results if result.trouble]
@@ -160,7 +161,7 @@ def _with_pure_steps(results: list[Result], quiet: bool) -> list[Result]:
             name, trouble = json.loads(line)
             troubles[name] = trouble
             if not quiet:
-                print(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
+                say(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
     for name in plan:
         troubles.setdefault(name, "the process in plain Python ended")
     return [
