@@ -85,6 +85,25 @@ class TestWriting:
         finally:
             os.umask(mask)
 
+    @pytest.mark.skipif(os.name == "nt", reason="folders cannot be opened there")
+    def test_it_is_on_the_disk_before_it_has_its_name_and_then_the_name_is(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        """Otherwise after a failure of power the name may stand for an empty file, or for none."""
+        path, done, flush = tmp_path / "a.txt", [], os.fsync
+
+        def fsync(handle: int) -> None:
+            found = os.fstat(handle)
+            if stat.S_ISDIR(found.st_mode):
+                done.append(("folder", os.path.samestat(found, tmp_path.stat()), path.exists()))
+            else:
+                done.append(("file", found.st_size, path.exists()))
+            flush(handle)
+
+        monkeypatch.setattr(os, "fsync", fsync)
+        write_text(path, "x" * 100)
+        assert done == [("file", 100, False), ("folder", True, True)]
+
     def test_reading_is_limited(self, tmp_path: Path) -> None:
         path = tmp_path / "a.txt"
         path.write_text("x" * 100)
