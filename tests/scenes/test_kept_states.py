@@ -85,10 +85,10 @@ def test_balls_outside_the_lectures_window_are_kept_at_its_edge(tmp_path):
 
 @pytest.mark.parametrize("scene_type", [OrientedBoxes, Capsules])
 def test_an_outline_that_sways_at_the_end_of_the_world_is_kept(scene_type, tmp_path):
-    outline = 'shape = "points"\npoints = [[0, 0], [1, 0], [0, 1]]'
+    outline = '[[content.outlines]]\nshape = "points"\npoints = [[0, 0], [1, 0], [0, 1]]\n'
     stage = stage_of(
         scene_type,
-        f"[[content.outlines]]\n{outline}\n[[content.outlines]]\n{outline}\nposition = [{FARTHEST}, {-FARTHEST}]",
+        f"{outline}{outline}position = [{FARTHEST}, {-FARTHEST}]",
     )
     stage.post(SetKnob("sway", stage.scene.knob("sway").maximum))
     for _ in range(40):
