@@ -98,6 +98,20 @@ def test_an_outline_that_sways_at_the_end_of_the_world_is_kept(scene_type, tmp_p
 
 
 @pytest.mark.parametrize("kind", ["obb", "capsule", "aabb"])
+def test_points_that_come_to_stand_above_each_other(kind):
+    """Counted from the first corner their x are equal, and their y are in another order."""
+    for places in (
+        [(-2.0, 0.0), (0.0, 0.75), (1e-17, 0.0)],
+        [(-2.0, 0.0), (-1e-17, -1e-20), (0.0, 0.75), (1e-17, 0.0)],
+        [(-2.0, 0.0), (-1e-17, 0.5), (0.0, -0.75), (1e-17, 0.0), (1e-16, -0.9)],
+    ):
+        for turn in range(4):
+            points = np.array(places) @ np.linalg.matrix_power([[0.0, 1.0], [-1.0, 0.0]], turn)
+            build_tree(points, kind, 4).check()
+            build_tree(points, kind, 1, fit="calipers").check()
+
+
+@pytest.mark.parametrize("kind", ["obb", "capsule", "aabb"])
 @pytest.mark.parametrize("size", [5e-324, 1e-310, 1e-200, 1e-155, 1e-101, 1e-90])
 def test_points_nearer_than_products_can_tell(kind, size):
     generator = np.random.default_rng(3)
