@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import stat
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -36,13 +36,15 @@ def data_folder(kind: str) -> Path:
 
 def user_folder() -> Path:
     """Where settings, recordings and the user's own levels are kept: ``CAROM_HOME`` or the system's place."""
-    return _chosen("CAROM_HOME") or _absolute(platformdirs.user_data_dir("carom", appauthor=False), "data")
+    return _chosen("CAROM_HOME") or _absolute(
+        lambda: platformdirs.user_data_dir("carom", appauthor=False), "data"
+    )
 
 
 def pictures_folder() -> Path:
     """Where screenshots go: ``pictures`` in ``CAROM_HOME``, or ``Carom`` in the user's pictures."""
     home = _chosen("CAROM_HOME")
-    return home / "pictures" if home else _absolute(platformdirs.user_pictures_dir(), "pictures") / "Carom"
+    return home / "pictures" if home else _absolute(platformdirs.user_pictures_dir, "pictures") / "Carom"
 
 
 def cache_folder() -> Path:
@@ -50,8 +52,9 @@ def cache_folder() -> Path:
 
     ``CAROM_CACHE_DIR`` or the system's place.
     """
-    system = platformdirs.user_cache_dir("carom", appauthor=False)
-    return _chosen("CAROM_CACHE_DIR") or _absolute(system, "cache")
+    return _chosen("CAROM_CACHE_DIR") or _absolute(
+        lambda: platformdirs.user_cache_dir("carom", appauthor=False), "cache"
+    )
 
 
 @contextmanager
@@ -73,13 +76,17 @@ def _chosen(variable: str) -> Path | None:
     return Path(value).absolute() if value else None
 
 
-def _absolute(folder: str, kind: str) -> Path:
-    """The folder; or, for a user without a home, one of the same kind among the temporary files.
+def _absolute(ask: Callable[[], str], kind: str) -> Path:
+    """The folder the system names; or, for a user without a home, one of the same kind among the temporary
+    files.
 
-    Without a home the system's answer begins with "~", and a folder of that name would be made wherever
-    the program stands.
+    Without a home the system's answer begins with "~" or at the folder the program stands in, where nothing
+    must be made; newer versions of platformdirs raise RuntimeError.
     """
-    path = Path(folder)
+    try:
+        path = Path(ask())
+    except RuntimeError:
+        path = Path()
     return path if path.is_absolute() else _temporary_home() / kind
 
 

@@ -9,16 +9,22 @@ from pathlib import Path
 import hypothesis
 import pytest
 
+from game.trust import make_private_folder, reason_to_distrust  # it knows nothing of the variables below
+
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 os.environ.setdefault("MPLBACKEND", "Agg")
 
 # Machine code is kept between sessions: its folders are named by the sources, so old code is never taken.
+# In a checkout that belongs to another user (as in a container) nothing would be kept, so it lies elsewhere.
 if not os.environ.get("CAROM_CACHE_DIR"):
     kept = Path(__file__).resolve().parents[1] / ".pytest_cache" / "carom"
+    elsewhere = Path(tempfile.gettempdir()) / f"carom-tests-{os.geteuid() if hasattr(os, 'geteuid') else 0}"
     try:
-        kept.mkdir(parents=True, exist_ok=True)
+        make_private_folder(kept)
+        if reason_to_distrust(kept):
+            make_private_folder(kept := elsewhere)
     except OSError:
         kept = Path(tempfile.mkdtemp(prefix="carom-tests-"))
     os.environ["CAROM_CACHE_DIR"] = str(kept)

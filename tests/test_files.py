@@ -85,6 +85,25 @@ class TestWriting:
         finally:
             os.umask(mask)
 
+    @pytest.mark.skipif(os.name == "nt", reason="folders cannot be opened there")
+    def test_it_is_on_the_disk_before_it_has_its_name_and_then_the_name_is(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        """Otherwise after a failure of power the name may stand for an empty file, or for none."""
+        path, done, flush = tmp_path / "a.txt", [], os.fsync
+
+        def fsync(handle: int) -> None:
+            found = os.fstat(handle)
+            if stat.S_ISDIR(found.st_mode):
+                done.append(("folder", os.path.samestat(found, tmp_path.stat()), path.exists()))
+            else:
+                done.append(("file", found.st_size, path.exists()))
+            flush(handle)
+
+        monkeypatch.setattr(os, "fsync", fsync)
+        write_text(path, "x" * 100)
+        assert done == [("file", 100, False), ("folder", True, True)]
+
     def test_reading_is_limited(self, tmp_path: Path) -> None:
         path = tmp_path / "a.txt"
         path.write_text("x" * 100)
@@ -131,6 +150,25 @@ class TestFolders:
         assert tmp_path in first.parents
         assert folders.cache_folder() == first
         assert stat.S_IMODE(first.parent.stat().st_mode) == 0o700
+
+    @pytest.mark.parametrize("home", ["", "relative", "./here"])
+    def test_a_home_that_is_none(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, home: str) -> None:
+        """A user whom the system does not know, as in a container, without the variables that help."""
+        pwd = pytest.importorskip("pwd")
+
+        def unknown(user: int) -> None:
+            raise KeyError(user)
+
+        monkeypatch.setattr(pwd, "getpwuid", unknown)
+        for name in list(os.environ):
+            if name.startswith(("XDG_", "CAROM_")):
+                monkeypatch.delenv(name)
+        monkeypatch.setenv("HOME", home)
+        monkeypatch.setattr(folders.tempfile, "gettempdir", lambda: str(tmp_path))
+        mine = tmp_path / f"carom-{os.getuid()}"
+        assert folders.user_folder() == mine / "data"
+        assert folders.cache_folder() == mine / "cache"
+        assert folders.pictures_folder() == mine / "pictures" / "Carom"
 
     def test_a_temporary_folder_of_somebody_else_is_not_taken(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

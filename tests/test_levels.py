@@ -359,3 +359,17 @@ class TestListing:
             level_files(name)
         with pytest.raises(ValueError, match="scene name"):
             user_level_files(name)
+
+
+def test_the_limit_of_a_file_counts_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    level = Level(scene="example", about="é" * 60)
+    path = tmp_path / "a.toml"
+    text = format_level(level)
+    monkeypatch.setattr("game.levels.MAX_BYTES", len(text.encode()) - 1)
+    assert len(text) < len(text.encode()) - 1
+    with pytest.raises(LevelError, match="longer than"):
+        save_level(level, path)
+    assert not path.exists()
+    monkeypatch.setattr("game.levels.MAX_BYTES", len(text.encode()))
+    save_level(level, path)
+    assert load_level(path, "example", None).about == level.about

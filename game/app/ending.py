@@ -1,7 +1,8 @@
 """Ctrl+C, and the system's wish that the program end (SIGTERM): both leave whole files or none.
 
 Either raises an exception in the main thread. One that is raised while a compiler calls back into Python
-never comes out of it (ctypes reports and drops it), so it is raised again until somebody deals with it.
+never comes out of it (ctypes reports and drops it), so it is raised again until somebody deals with it;
+and what cannot be interrupted at all ends with the process (see deadline.py).
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from game.app.deadline import deadline
+
 STOPPED, ENDED = 128 + signal.SIGINT, 128 + signal.SIGTERM  # exit status
 PATIENCE_S = 0.2  # after which an exception that has got lost is raised again
 
@@ -22,10 +25,12 @@ class Ended(KeyboardInterrupt):
 
 
 @contextmanager
-def ends_tidily() -> Iterator[None]:
+def ends_tidily(to_the_end: bool = False) -> Iterator[None]:
     """While this goes on SIGINT raises KeyboardInterrupt and SIGTERM raises Ended in the main thread.
 
-    A signal that somebody else listens to, or that is ignored, is left to them.
+    Who has not left this `deadline.GRACE_S` later is ended, and with ``to_the_end`` also who has left this
+    and still lives: an interpreter that waits for its threads. A signal that somebody else listens to, or
+    that is ignored, is left to them.
     """
     usual: dict[signal.Signals, Any] = {
         signal.SIGINT: signal.default_int_handler,
@@ -39,7 +44,10 @@ def ends_tidily() -> Iterator[None]:
     except ValueError:  # not the main thread
         mine = []
     try:
-        with insistence.goes_on() if mine else contextlib.nullcontext():
+        with contextlib.ExitStack() as stack:
+            if mine:
+                stack.enter_context(deadline(mine, to_the_end))
+                stack.enter_context(insistence.goes_on())
             yield
     finally:
         for number in mine:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from game.app.words import printable
+
 
 class MistakeError(Exception):
     """Something the user gave or asked for does not work; the message is the whole answer.
@@ -10,5 +12,5 @@ class MistakeError(Exception):
     """
 
     def __init__(self, message: str, status: int = 2):
-        super().__init__(" ".join(message.split()))
+        super().__init__(printable(" ".join(message.split())))
         self.status = status

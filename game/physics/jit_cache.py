@@ -6,12 +6,17 @@ There is no index and nothing is locked. A file's name says all that its content
 beside its place and then moved there, so whoever reads finds a whole file or none, and of two processes
 that compile the same kernel the later one writes the same again. A checksum is read with the code: a
 damaged file counts as none, and is written anew. No failure here does more than cost time.
+
+What is read is machine code (and a pickle that says how it is called), so it is run whatever its format:
+it is taken only from folders that nobody but this user can change (see game/trust.py), from the root down.
+Otherwise kernels are compiled anew, and that is said once.
 """
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
+import logging
 import os
 import pickle
 import re
@@ -28,6 +33,8 @@ from typing import Any
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
+
+from game.trust import is_private_file, make_private_folder, reason_to_distrust
 
 SUFFIX = f".py{sys.version_info[0]}{sys.version_info[1]}.code"
 STALE_AFTER_S = 7 * 86_400.0  # s; a folder of other sources that another checkout may still use is younger
@@ -62,7 +69,9 @@ class KernelCache(NullCache):
             path = self._path(sig, target_context.codegen())
             if path is None:
                 return None
-            data = path.read_bytes()
+            if not _is_trusted(self._folder):
+                return None
+            data = _read(path)
             _mark_used(self._folder)
             if _checksum(data[_CHECKSUM:]) != data[:_CHECKSUM]:
                 return None
@@ -76,8 +85,10 @@ class KernelCache(NullCache):
             path = self._path(sig, cres.codegen)
             if path is None or cres.lifted or cres.library.has_dynamic_globals:
                 return
+            make_private_folder(self._folder)
+            if not _is_trusted(self._folder):
+                return
             data = dumps(cres._reduce())
-            self._folder.mkdir(parents=True, exist_ok=True)
             _write(path, _checksum(data) + data)
             remove_old_folders(self._folder)
 
@@ -117,6 +128,40 @@ def _describe(type_: Any) -> str:
 
 def _checksum(data: bytes) -> bytes:
     return hashlib.blake2b(data, digest_size=_CHECKSUM).digest()
+
+
+@cache
+def _is_trusted(folder: Path) -> bool:
+    """Once in a process and folder: whether code may be taken from it; OSError if it is not there (yet).
+
+    Once is enough: where only this user can change anything, nobody else can change the answer.
+    """
+    reason = reason_to_distrust(folder)
+    if reason:
+        _tell_once(reason)
+    return not reason
+
+
+def _tell_once(reason: str) -> None:
+    """Say why kernels are compiled in each process, in one line of a process."""
+    global _told
+    if not _told:
+        _told = True
+        logging.getLogger("carom").warning(
+            "carom: machine code is not kept, %s (CAROM_CACHE_DIR names another folder)", reason
+        )
+
+
+_told = False
+
+
+def _read(path: Path) -> bytes:
+    """A file's content; OSError for a link, and for a file that another user may have written."""
+    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
+    with os.fdopen(os.open(path, flags | getattr(os, "O_BINARY", 0)), "rb") as file:
+        if not is_private_file(os.fstat(file.fileno())):
+            raise PermissionError(f"{path}: another user may have written it")
+        return file.read()
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -22,6 +22,7 @@ from game.scenes.bounds_pair import Pane, TreeOptions, TreePair
 from game.scenes.bounds_state import NO_RECORD, BoundsState, PackedShapes, outlines_of
 from game.scenes.outline_board import Board, places_of, with_outlines, with_places
 from game.scenes.outline_level import (
+    FARTHEST,
     CoastEntry,
     OutlinesContent,
     array_of,
@@ -240,6 +241,7 @@ class BoundsScene(Scene):
         if len(places) == 2:
             places[1, 0] += self.sway * (math.cos(after) - math.cos(before))
             places[1, 1] += 0.4 * self.sway * (math.sin(GOLDEN * after) - math.sin(GOLDEN * before))
+        places[:, :2] = np.clip(places[:, :2], -FARTHEST, FARTHEST)  # where a level file has its end
         self.board = with_places(self.board, places)
 
     # -- the hand -----------------------------------------------------------------------------------

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Metre = Annotated[float, msgspec.Meta(ge=-10_000_000.0, le=10_000_000.0)]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=10_000.0)]
-Rate = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
+FARTHEST = 1e15  # m, m/s, rad/s: what a level keeps of a body that a method has let run away
+Far = Annotated[float, msgspec.Meta(ge=-FARTHEST, le=FARTHEST)]
 Vector = tuple[Metre, Metre, Metre]
-Rates = tuple[Rate, Rate, Rate]
+Fars = tuple[Far, Far, Far]
 ColorName = Literal["ivory", "chalk", "green", "pink", "violet", "yellow", "vermilion", "stone"]
 
 COLORS: tuple[str, ...] = ("ivory", "chalk", "green", "pink", "violet", "yellow", "vermilion", "stone")
@@ -56,9 +57,9 @@ class RigidContent(_Entry, frozen=True, kw_only=True):
 
     spheres: Annotated[tuple[SphereEntry, ...], msgspec.Meta(max_length=MOST_SPHERES)] = ()
     rocks: Annotated[tuple[RockEntry, ...], msgspec.Meta(max_length=20)] = ()
-    place: Vector | None = None
-    velocity: Rates = (0.0, 0.0, 0.0)
-    spin: Rates = (0.0, 0.0, 0.0)
+    place: Fars | None = None
+    velocity: Fars = (0.0, 0.0, 0.0)
+    spin: Fars = (0.0, 0.0, 0.0)
     orientation: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
     window: tuple[Length, Length, Length] = (4.0, 1.9, 1.5)
 

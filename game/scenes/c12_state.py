@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.scenes.c12_bodies import A
-from game.scenes.c12_level import RigidContent, entries_of
+from game.scenes.c12_level import FARTHEST, RigidContent, entries_of
 
 if TYPE_CHECKING:
     from game.scenes.c12_rigid_body import RigidBodyScene
@@ -41,14 +41,20 @@ def restore(scene: RigidBodyScene, state: RigidState) -> None:
     scene.configure()
 
 
+def _kept_within(vector: Array) -> tuple[float, float, float]:
+    """What a level file keeps of a place or velocity: what is beyond `FARTHEST` stays there."""
+    x, y, z = np.clip(vector, -FARTHEST, FARTHEST).tolist()
+    return x, y, z
+
+
 def content_of(scene: RigidBodyScene) -> RigidContent:
     """The spheres as they are now, in their own frame, with the motion that the body has."""
     body = scene.bodies.all[A]
     return RigidContent(
         spheres=entries_of(scene.bodies.design),
-        place=tuple(body.position.tolist()),
+        place=_kept_within(body.position),
         orientation=tuple(body.orientation.tolist()),
-        velocity=tuple(body.velocity.tolist()),
-        spin=tuple(body.angular_velocity.tolist()),
+        velocity=_kept_within(body.velocity),
+        spin=_kept_within(body.angular_velocity),
         window=scene.content.window,
     )

@@ -15,7 +15,9 @@ Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Friction = Annotated[float, msgspec.Meta(ge=0.0, le=100.0)]
 Index = Annotated[int, msgspec.Meta(ge=0, le=100_000)]
 Place = Annotated[tuple[Metre, ...], msgspec.Meta(min_length=2, max_length=3)]  # z is 0 if it is not given
-Motion = Annotated[tuple[Speed, ...], msgspec.Meta(min_length=2, max_length=3)]
+FARTHEST = 1e6  # m, m/s, rad/s: what a level keeps of spheres that have flown away
+Far = Annotated[float, msgspec.Meta(ge=-FARTHEST, le=FARTHEST)]
+Somewhere = Annotated[tuple[Far, ...], msgspec.Meta(min_length=2, max_length=3)]
 Word = Annotated[str, msgspec.Meta(min_length=1, max_length=24)]
 
 MOST_SPHERES = 20_000
@@ -35,10 +37,10 @@ class SphereEntry(_Entry, frozen=True, kw_only=True):
     first of them. orientation: a quaternion, scalar first.
     """
 
-    position: Place
+    position: Somewhere
     radius: Radius = 0.5
-    velocity: Motion = (0.0, 0.0)
-    turning: tuple[Speed, Speed, Speed] = (0.0, 0.0, 0.0)
+    velocity: Somewhere = (0.0, 0.0)
+    turning: tuple[Far, Far, Far] = (0.0, 0.0, 0.0)
     orientation: tuple[float, float, float, float] | None = None
     mass: Mass | None = None
     fixed: bool = False

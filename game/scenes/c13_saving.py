@@ -7,19 +7,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from game.scenes.c13_level import MOST_WRITTEN, CollisionContent, SphereEntry, StringEntry
+from game.scenes.c13_level import FARTHEST, MOST_WRITTEN, CollisionContent, SphereEntry, StringEntry
 
 if TYPE_CHECKING:
     from game.scenes.c13_sphere_collisions import SphereCollisions
 
 
 def content_of(scene: SphereCollisions) -> CollisionContent:
-    """The spheres one by one; too many for that as their level has them."""
+    """The spheres one by one; too many for that as their level has them.
+
+    What is beyond `FARTHEST`, which no window shows, is kept there.
+    """
     bodies, around, given = scene.world.bodies, scene.world.surroundings, scene.content
     makeup = bodies.makeup
     if len(makeup.radii) > MOST_WRITTEN:
         return given
-    velocities, turning = bodies.velocities, bodies.turning
+    places, velocities, turning = (
+        np.clip(rows, -FARTHEST, FARTHEST) for rows in (bodies.places(), bodies.velocities, bodies.turning)
+    )
     shared = np.bincount(makeup.owners) > 1
     own_mass = _masses_of_spheres(scene)
     spheres = tuple(
@@ -34,7 +39,7 @@ def content_of(scene: SphereCollisions) -> CollisionContent:
             material=given.materials[makeup.kinds[s]] if given.materials else None,
             body=body if shared[body] else None,
         )
-        for s, (place, body) in enumerate(zip(bodies.places().tolist(), makeup.owners.tolist(), strict=True))
+        for s, (place, body) in enumerate(zip(places.tolist(), makeup.owners.tolist(), strict=True))
     )
     ties = zip(around.hung.tolist(), around.strings.tolist(), strict=True)
     return CollisionContent(

@@ -21,7 +21,7 @@ from game.scenes import lecture_balls_record as record
 from game.scenes import lecture_balls_view as view
 from game.scenes.figures.balls import draw_exchange
 from game.scenes.lecture_balls_knobs import LectureBallsKnobs
-from game.scenes.lecture_balls_level import HEIGHT, WIDTH, BallEntry, LectureBallsContent
+from game.scenes.lecture_balls_level import HEIGHT, WIDTH, LectureBallsContent, entry_of
 from game.stage import (
     Equation,
     Frame,
@@ -304,5 +304,5 @@ class LectureBalls(LectureBallsKnobs):
         return told
 
     def save_content(self) -> LectureBallsContent:
-        first, second = (BallEntry(position=ball.position, velocity=ball.velocity) for ball in self.balls)
+        first, second = (entry_of(ball.position, ball.velocity) for ball in self.balls)
         return LectureBallsContent(ball_1=first, ball_2=second)

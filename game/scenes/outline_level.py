@@ -13,7 +13,8 @@ from game.scenes import outline_shapes as shapes
 from game.scenes.outlines import Outline
 
 MOST_POINTS = 4_096  # of an outline
-Metre = Annotated[float, msgspec.Meta(ge=-1e9, le=1e9)]
+FARTHEST = 1e9  # m
+Metre = Annotated[float, msgspec.Meta(ge=-FARTHEST, le=FARTHEST)]
 Size = Annotated[float, msgspec.Meta(gt=0.0, le=1e9)]
 Share = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Degrees = Annotated[float, msgspec.Meta(ge=-36_000.0, le=36_000.0)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import signal
 import threading
 from pathlib import Path
 
@@ -86,21 +87,19 @@ def test_all_scenes_make_a_page_with_pictures_orders_and_prices(
     assert str(tmp_path / "index.html") in capsys.readouterr().out
 
 
-def test_an_interrupted_run_goes_on_where_it_stopped(study: Study, tmp_path: Path, monkeypatch):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupted_run_goes_on_where_it_stopped(study: Study, tmp_path: Path, monkeypatch, number):
     whole = measured_points(study)
 
     class Stopping(Trial):
         def run(self) -> None:
             super().run()
             if self.setting.key == whole[3]:
-                import os
-                import signal
-
-                os.kill(os.getpid(), signal.SIGINT)
+                signal.raise_signal(number)
 
     stopping = made_study(trial=Stopping)
     monkeypatch.setattr(example_scene.BouncingBall, "study", stopping)
-    assert run_command_line(["accuracy", "example", "--out", str(tmp_path)]) == accuracy.INTERRUPTED
+    assert run_command_line(["accuracy", "example", "--out", str(tmp_path)]) == 128 + number
     kept = json.loads((tmp_path / "made-up.json").read_text(encoding="utf-8"))
     assert not kept["complete"] and 0 < len(kept["rows"]) < len(whole)
     monkeypatch.setattr(example_scene.BouncingBall, "study", study)
@@ -109,6 +108,24 @@ def test_an_interrupted_run_goes_on_where_it_stopped(study: Study, tmp_path: Pat
     table = StudyTable.from_dict(study, json.loads((tmp_path / "made-up.json").read_text(encoding="utf-8")))
     assert table.complete and [row.key for row in table] == whole
     assert Trial.runs == (len(whole) - len(kept["rows"])) * 8
+
+
+def test_what_was_measured_is_kept_before_the_end(study: Study, tmp_path: Path, monkeypatch):
+    """Where a point cannot be interrupted the process ends under it."""
+    whole = measured_points(study)
+
+    class Ending(Trial):
+        def run(self) -> None:
+            if self.setting.key == whole[3]:
+                raise SystemExit
+            super().run()
+
+    monkeypatch.setattr(accuracy, "KEPT_EVERY_S", 0.0)
+    monkeypatch.setattr(example_scene.BouncingBall, "study", made_study(trial=Ending))
+    with pytest.raises(SystemExit):
+        run_command_line(["accuracy", "example", "--out", str(tmp_path)])
+    table = StudyTable.from_dict(study, json.loads((tmp_path / "made-up.json").read_text(encoding="utf-8")))
+    assert [row.key for row in table] == whole[:3] and not table.complete
 
 
 def measured_points(study: Study) -> list:

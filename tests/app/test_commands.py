@@ -133,6 +133,33 @@ def test_selftest_passes_the_example_and_fails_the_broken(capsys, tmp_path: Path
     assert "the kept digest is 000" in out
 
 
+def test_selftest_misses_a_digest_that_is_not_kept_and_a_level_that_is_gone(capsys, tmp_path: Path):
+    golden = tmp_path / "golden.json"
+    _, out, _ = run(capsys, "selftest", "example")
+    digest = out.split()[2]
+    for kept, status, word in (
+        ({"example/(none)": digest}, 0, digest),
+        ({"example/(none)": digest, "other/default": "0"}, 0, digest),  # nobody asked for that scene
+        ({"other/default": "0"}, 1, f"no digest is kept, it is {digest}"),
+        ({"example/(none)": digest, "example/gone": "0"}, 1, "but there is no such level"),
+    ):
+        golden.write_text(json.dumps(kept))
+        found, out, _ = run(capsys, "selftest", "example", "--golden", str(golden))
+        assert (found, word in out) == (status, True)
+        assert f", {status} failed" in out
+
+
+def test_all_scenes_are_asked_for_every_kept_digest():
+    from game.app.commands.selftest import Result, against_golden
+
+    golden = {"a/one": "1", "b/two": "2"}
+    (well, gone) = against_golden([Result("a", "one", "1", "")], golden, [])
+    assert not well.trouble
+    assert gone.name == "b/two" and gone.trouble
+    (fault,) = against_golden([Result("a", "one", "", "it stopped")], {"a/one": "1"}, [])
+    assert fault.trouble == "it stopped"
+
+
 def test_selftest_finds_a_scene_that_forgets_part_of_its_state(capsys, monkeypatch):
     import example_scene
 
@@ -227,6 +254,21 @@ WRONG = [
     (("selftest", "nowhere"), "nowhere"),
     (("selftest", "--golden", "missing.json"), "missing.json"),
     (("selftest", "example", "--update-golden"), "update-golden"),
+    (("match", "--video", ""), "--video"),
+    (("match", "--json", ""), "--json"),
+    (("match", "--video", "film.mp4/"), "this is a folder"),
+    (("record", "example", "--out", ""), "--out"),
+    (("record", "example", "--out", "film.gif/"), "this is a folder"),
+    (("record", "example", "--out", "film.gif/."), "this is a folder"),
+    (("record", "example", "--fps", "3²"), "--fps"),
+    (("record", "example", "--fps", "²"), "--fps"),
+    (("record", "example", "--fps", "٣٠"), "--fps"),
+    (("record", "example", "--fps", "9" * 5000), "--fps"),
+    (("record", "example", "--size", "٦٤x64"), "--size"),
+    (("record", "example", "--replay", ""), "is a directory"),
+    (("run", "example", "--level", ""), "is a directory"),
+    (("run", "example", "--screenshot", "a.png/"), "this is a folder"),
+    (("selftest", "--golden", ""), "--golden"),
     (("accuracy",), "--all"),
     (("accuracy", "example"), "no study"),
     (("accuracy", "nowhere"), "nowhere"),
@@ -248,6 +290,82 @@ def test_a_mistake_is_one_line_and_status_2(capsys, tmp_path: Path, monkeypatch,
     assert err.count("\n") == 1
     assert word in err
     assert [path.name for path in tmp_path.iterdir() if path.name != "report"] == []
+
+
+EVIL = "a\x1b[31mred\x07\x9b2J\u202egnp.\u2066\r\nb"
+
+
+def test_names_from_files_cannot_steer_the_terminal(capsys, tmp_path: Path, monkeypatch, level: Path):
+    def harmless(text: str) -> bool:
+        return all(letter.isprintable() for line in text.split("\n") for letter in line) and "\r" not in text
+
+    from game.app.commands import listing
+
+    listing.print_scene(
+        {"name": EVIL, "task": EVIL, "title": EVIL, "parameters": [], "effects": [{"name": EVIL}],
+         "levels": [{"name": EVIL}]}, in_full=False)  # fmt: skip
+    said = capsys.readouterr()
+    assert "[31mred" in said.out and said.out.count("\n") == 3 and harmless(said.out)
+    for arguments in (("run", "example", "--level", EVIL), ("replay", EVIL), ("shot", EVIL), ("run", EVIL)):
+        status, out, err = run(capsys, *arguments)
+        assert (status, out) == (2, "")
+        assert "red" in err and err.count("\n") == 1 and harmless(err)
+    monkeypatch.setattr("game.app.commands.listing.execute", lambda options: Path(EVIL).read_text())
+    status, _, err = run(capsys, "list")
+    assert status == 1 and "red" in err and err.count("\n") == 1 and harmless(err)
+
+
+def test_json_escapes_what_is_not_printable(capsys, tmp_path: Path):
+    from game.app.commands import output
+
+    values = {"title": EVIL + "\udc80 é 😀 \U000e0001"}
+    output.write_json(values, "-")
+    text = capsys.readouterr().out
+    assert json.loads(text) == values
+    assert "é 😀" in text and all(letter.isprintable() for letter in text.replace("\n", ""))
+    output.write_json(values, str(tmp_path / "a.json"))
+    assert (tmp_path / "a.json").read_text(encoding="utf-8") == text
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        {"LANG": "C", "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+        {"PYTHONIOENCODING": "ascii"},
+        {"PYTHONIOENCODING": "latin-1"},
+        {"PYTHONIOENCODING": "cp1252:strict"},
+    ],
+)
+def test_a_terminal_that_is_not_unicode(words: dict[str, str]):
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    for arguments in (["list"], ["list", "c12"], ["list", "--json", "-"], ["run", "c12", "--seconds", "0"]):
+        done = subprocess.run(
+            [sys.executable, "-m", "game", *arguments], capture_output=True, cwd=ROOT, env=environment | words
+        )
+        assert (done.returncode, done.stderr) == (0, b"")
+        text = done.stdout.decode("latin-1" if "latin-1" in words.values() else "cp1252")
+        assert "c12" in text
+        if "-" in arguments:
+            rows = {row["name"]: row for row in json.loads(text)["scenes"]}
+            assert "\N{DEGREE SIGN}" in {
+                knob.get("unit") for row in rows.values() for knob in row["parameters"]
+            }
+
+
+def test_plain_words_for_what_an_encoding_lacks():
+    import io
+
+    from game.app import words
+
+    stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    before, sys.stdout = sys.stdout, stream
+    try:
+        words.speak_what_is_understood()
+        words.say("−3 × 20 °, é")
+    finally:
+        sys.stdout = before
+    stream.flush()
+    assert stream.buffer.getvalue() == b"-3 x 20  deg, ?" + os.linesep.encode()
 
 
 def test_scene_that_cannot_be_imported_is_told_in_one_line(capsys):

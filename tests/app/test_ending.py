@@ -3,12 +3,16 @@
 import contextlib
 import ctypes
 import signal
+import subprocess
+import sys
 import time
+from pathlib import Path
 
 import pytest
 
 from game.__main__ import main
 from game.app.commands import listing
+from game.app.deadline import GRACE_S
 from game.app.ending import ENDED, PATIENCE_S, STOPPED, Ended, ends_tidily, status_of
 
 
@@ -103,6 +107,70 @@ def test_who_tidies_up_is_not_disturbed():
     assert done and caught.value.__context__ is None
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+
+
+STUCK = {
+    # code that runs without the interpreter, as a compiler's, comes back to no handler
+    "in machine code": "hashlib.pbkdf2_hmac('sha256', b'', b'', 2**31 - 1)",
+    "where exceptions are dropped": """
+while True:
+    with contextlib.suppress(BaseException):
+        while True:
+            time.sleep(0.001)""",
+    # it has ended, but the interpreter waits for a thread
+    "at the exit": """
+concurrent.futures.ThreadPoolExecutor(1).submit(hashlib.pbkdf2_hmac, 'sha256', b'', b'', 2**31 - 1)
+time.sleep(100.0)""",
+}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+@BOTH
+@pytest.mark.parametrize("where", STUCK)
+def test_what_cannot_be_interrupted_ends_with_the_process(number, error, where):
+    body = "\n".join(f"    {line}" for line in STUCK[where].splitlines())
+    code = f"""
+import concurrent.futures, contextlib, hashlib, time
+from game.app.deadline import say_stopped
+from game.app.ending import ends_tidily, status_of
+try:
+  with ends_tidily(to_the_end=True):
+    print("ready", flush=True)
+{body}
+except KeyboardInterrupt as why:
+  say_stopped()
+  raise SystemExit(status_of(why))
+"""
+    root = Path(__file__).resolve().parents[2]
+    command = [sys.executable, "-c", code]
+    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None and process.stderr is not None
+        assert process.stdout.readline() == b"ready\n"
+        time.sleep(0.1)
+        began = time.monotonic()
+        process.send_signal(number)
+        try:
+            assert process.wait(30.0) == 128 + number
+            assert time.monotonic() - began >= 0.5 * GRACE_S
+            assert process.stderr.read() == b"carom: stopped\n"
+        finally:
+            process.kill()
+    assert GRACE_S <= 1.5
+
+
+@BOTH
+def test_who_leaves_in_time_lives_on(number, error, monkeypatch):
+    ends = []
+    monkeypatch.setattr("game.app.deadline.GRACE_S", 0.1)
+    monkeypatch.setattr("game.app.deadline._end", ends.append)
+    before = signal.set_wakeup_fd(-1)
+    signal.set_wakeup_fd(before)
+    with pytest.raises(error), ends_tidily():
+        signal.raise_signal(number)
+    time.sleep(0.3)
+    assert ends == []
+    after = signal.set_wakeup_fd(before)
+    assert after == before
 
 
 def wait_long():

@@ -78,13 +78,14 @@ def test_a_picture_for_which_there_is_no_room_is_told_and_leaves_nothing(
     assert list((tmp_path / "pictures").iterdir()) == []
 
 
+@pytest.mark.parametrize("module", ["game.app.ending", "game.app.commands"])
 def test_an_impatient_hand_is_told_in_one_line(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture, module: str
 ):
     class Interrupted:
         def __getattr__(self, name: str):
             raise KeyboardInterrupt
 
-    monkeypatch.setitem(sys.modules, "game.app.commands", Interrupted())
+    monkeypatch.setitem(sys.modules, module, Interrupted())
     assert main(["list"]) == 130
     assert capsys.readouterr().err == "carom: stopped\n"

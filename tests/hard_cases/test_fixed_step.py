@@ -306,3 +306,12 @@ class TestInput:
         again = replay_scene(recording, BouncingBall)
         assert again.digest() == stage.digest()
         assert again.recording == recording
+
+
+def test_a_hitch_keeps_the_part_of_a_step_that_had_gathered():
+    """What is dropped is whole steps: otherwise the picture would jump back by a part of one."""
+    clock = FixedStep(0.25, max_steps=3)
+    assert clock.advance(2.0 + 0.1875) == 3
+    assert clock.alpha == 0.75
+    assert clock.dropped_s == 1.25
+    assert clock.advance(0.0625) == 1

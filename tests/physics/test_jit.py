@@ -92,7 +92,7 @@ class Copy:
         source = Path(game.__file__).parent
         physics = folder / "game" / "physics"
         physics.mkdir(parents=True)
-        for name in ("__init__.py", "folders.py"):
+        for name in ("__init__.py", "folders.py", "trust.py"):
             shutil.copy(source / name, folder / "game" / name)
         for name in ("__init__.py", "jit.py", "jit_cache.py", "jit_sources.py"):
             shutil.copy(source / "physics" / name, physics / name)
@@ -264,6 +264,92 @@ class TestTroubles:
     def test_without_the_compiler_it_is_python(self, copy: Copy) -> None:
         assert copy.run(NUMBA_DISABLE_JIT="1") == Answer([20.0, 1.0, 101.0], 0, 0, 0)
         assert not copy.cache.exists()
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+class TestStrangers:
+    """What another user may have put there is not run."""
+
+    def plant(self, copy: Copy, sign: Path) -> None:
+        """Under every known name a pickle that leaves a sign when it is loaded."""
+        body = pickle.dumps(Planted(str(sign)))
+        for path in copy.code_files():
+            path.write_bytes(hashlib.blake2b(body, digest_size=16).digest() + body)
+
+    def finish(self, copy: Copy, **environment: str) -> tuple[Answer, str]:
+        process = copy.start(**environment)
+        out, err = process.communicate(timeout=200)
+        assert process.returncode == 0, err
+        return Answer(**json.loads(out)), err
+
+    def test_planted_code_would_be_run(self, warm: Copy, tmp_path: Path) -> None:
+        """Otherwise the tests below prove nothing."""
+        copy, sign = of_warm(warm, tmp_path), tmp_path / "sign"
+        self.plant(copy, sign)
+        assert copy.run() == COLD
+        assert sign.exists()
+
+    @pytest.mark.parametrize("level", [0, 1, 2])
+    @pytest.mark.parametrize("how", ["mode", "sticky", "owner"])
+    def test_a_folder_that_others_may_change(self, warm: Copy, tmp_path: Path, level: int, how: str) -> None:
+        if how == "owner" and os.geteuid() != 0:
+            pytest.skip("only root may give files away")
+        copy, sign = of_warm(warm, tmp_path), tmp_path / "sign"
+        kernels = copy.cache / "kernels"
+        for folder in {0: [copy.cache], 1: [kernels], 2: list(kernels.iterdir())}[level]:
+            if how == "owner":
+                os.chown(folder, 54_321, -1)
+            else:
+                folder.chmod(0o777 if how == "mode" else 0o1777)
+        self.plant(copy, sign)
+        before = [path.read_bytes() for path in copy.code_files()]
+        answer, said = self.finish(copy)
+        if how == "sticky" and level < 2:  # nobody can rename what is this user's in there
+            assert sign.exists()
+            return
+        assert answer == COLD
+        assert not sign.exists()
+        assert [path.read_bytes() for path in copy.code_files()] == before
+        assert said.count("\n") == 1
+        assert said.startswith("carom: machine code is not kept, ")
+        assert str(copy.cache) in said
+
+    @pytest.mark.parametrize("how", ["mode", "link", "owner"])
+    def test_a_file_that_others_may_change_is_made_anew(self, warm: Copy, tmp_path: Path, how: str) -> None:
+        if how == "owner" and os.geteuid() != 0:
+            pytest.skip("only root may give files away")
+        copy, sign = of_warm(warm, tmp_path), tmp_path / "sign"
+        self.plant(copy, sign)
+        for path in copy.code_files():
+            if how == "owner":
+                os.chown(path, 54_321, -1)
+            elif how == "mode":
+                path.chmod(0o666)
+            else:
+                path.symlink_to(path.rename(path.with_suffix(".other")))
+        assert copy.run() == COLD
+        assert not sign.exists()
+        assert copy.run() == WARM
+
+    def test_folders_are_made_for_this_user_alone(self, copy: Copy) -> None:
+        before = os.umask(0)
+        try:
+            assert copy.run() == COLD
+        finally:
+            os.umask(before)
+        for folder in (copy.cache, copy.cache / "kernels", *(copy.cache / "kernels").iterdir()):
+            assert folder.stat().st_mode & 0o777 == 0o700
+        assert copy.run() == WARM
+
+
+class Planted:
+    """What loads as a call that leaves a sign."""
+
+    def __init__(self, sign: str):
+        self.sign = sign
+
+    def __reduce__(self):
+        return os.mkdir, (self.sign,)
 
 
 class TestCleaning:

@@ -14,8 +14,10 @@ from typing import NoReturn
 
 from game import __version__
 from game.app.commands import accuracy, bench, fuzz, listing, match, play, record, replay, run, selftest, shot
+from game.app.deadline import say_stopped
 from game.app.ending import status_of
 from game.app.mistake import MistakeError
+from game.app.words import printable, speak_what_is_understood
 
 COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, match, record, fuzz, bench)
 
@@ -44,6 +46,7 @@ def build_parser() -> argparse.ArgumentParser:
 
 def run_command_line(arguments: Sequence[str]) -> int:
     """Do what the arguments say; the exit status. A user's mistake is one line on stderr and status 2."""
+    speak_what_is_understood()
     try:
         options = build_parser().parse_args(list(arguments))
         status = int(options.execute(options) or 0)
@@ -54,7 +57,7 @@ def run_command_line(arguments: Sequence[str]) -> int:
         print(f"carom: {mistake}", file=sys.stderr)
         return mistake.status
     except KeyboardInterrupt as why:
-        print("carom: stopped", file=sys.stderr)
+        say_stopped()
         return status_of(why)
     except BrokenPipeError:
         # whoever read the output has enough; nothing must be flushed into the closed pipe at exit
@@ -76,4 +79,4 @@ def _drop_output() -> None:
 def _words_of(error: OSError) -> str:
     """What the system says, and of which file, in one line."""
     words = (error.strerror or str(error) or type(error).__name__).lower()
-    return " ".join(f"{error.filename}: {words}".split() if error.filename else words.split())
+    return printable(" ".join(f"{error.filename}: {words}".split() if error.filename else words.split()))

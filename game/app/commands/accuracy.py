@@ -10,22 +10,26 @@ import json
 import signal
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given
+from game.app.deadline import say_stopped
 from game.app.mistake import MistakeError
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.app.report.page import SceneReport
     from game.app.report.prices import Prices
     from game.lab import Study, StudyTable
+    from game.lab.runner import Progress
 
-INTERRUPTED = 130  # exit status
 PAGE, PRICES = "index.html", "effects.json"
 ENOUGH_S = 0.02  # CPU time of repeats of a cheap point
+KEPT_EVERY_S = 0.5  # what was measured since is lost where a point cannot be interrupted
 
 
 def add(commands: Any) -> None:
@@ -61,10 +65,10 @@ def execute(options: argparse.Namespace) -> int:
             if stopped.is_set():
                 break
     if options.all:
-        print(page)
+        say(str(page))
     if stopped.is_set():
-        print("Stopped; the same command goes on from here.", file=sys.stderr)
-        return INTERRUPTED
+        say_stopped("Stopped; the same command goes on from here.")
+        return stopped.status
     return 0
 
 
@@ -78,16 +82,23 @@ def _made_folder(word: str) -> Path:
     return folder
 
 
+class _Stop(threading.Event):
+    """Set by a signal; ``status``: what the program then ends with."""
+
+    status = 0
+
+
 @contextmanager
-def _interruption() -> Iterator[threading.Event]:
+def _interruption() -> Iterator[_Stop]:
     """An event that Ctrl+C or SIGTERM sets, the first time; the second one ends the program as usual."""
-    stopped = threading.Event()
+    stopped = _Stop()
     if threading.current_thread() is not threading.main_thread():
         yield stopped
         return
     before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
 
     def stop(number: int, frame: Any) -> None:
+        stopped.status = 128 + number
         stopped.set()
         signal.signal(number, before[signal.Signals(number)])
 
@@ -111,7 +122,7 @@ def _measure(
 ) -> SceneReport:
     """The studies of one scene into one folder; with a name into one of that name, and the effects too."""
     from game.app.report.page import SceneReport
-    from game.lab import PlotsMissingError, run_study, write_report
+    from game.lab import PlotsMissingError, StudyTable, run_study, write_report
 
     into = _made_folder(str(folder / name)) if name else folder
     tables = []
@@ -120,18 +131,19 @@ def _measure(
             break
         print(f"{place}{study.title}", file=sys.stderr)
         kept = known.get(study.name) or (None if anew else _kept(study, into, bool(name)))
-        table = run_study(study, _show_progress, stopped.is_set, kept, seconds=ENOUGH_S)
-        known[study.name] = table
-        if sys.stderr.isatty():
-            print(file=sys.stderr)
-        tables.append(table)
+        table = StudyTable(study) if kept is None else kept
         try:
+            run_study(study, _keeper(table, into), stopped.is_set, table, seconds=ENOUGH_S)
+            known[study.name] = table
+            if sys.stderr.isatty():
+                print(file=sys.stderr)
+            tables.append(table)
             _keep(table, into)
-            paths = write_report(table, into)
+            paths = [] if stopped.is_set() else write_report(table, into)
         except (OSError, PlotsMissingError) as error:
             raise MistakeError(f"--out {into}: {error}") from None
         for path in paths:
-            print(path)
+            say(str(path))
     prices = _prices(scene_type, into, place, anew) if name and not stopped.is_set() else None
     return SceneReport(scene_type, tuple(tables), name, prices)
 
@@ -172,6 +184,20 @@ def _kept(study: Study, folder: Path, complete: bool) -> StudyTable | None:
     except (FileProblem, ValueError, TypeError, AttributeError, RecursionError):
         return None
     return table if complete or not table.complete else None
+
+
+def _keeper(table: StudyTable, folder: Path) -> Progress:
+    """Shows how far a study is and writes what was measured now and then, for a program may end anywhere."""
+    kept, last = len(table), time.monotonic()
+
+    def show(done: int, total: int, label: str, seconds_left: float) -> None:
+        nonlocal kept, last
+        if len(table) > kept and time.monotonic() > last + KEPT_EVERY_S:
+            _keep(table, folder)
+            kept, last = len(table), time.monotonic()
+        _show_progress(done, total, label, seconds_left)
+
+    return show
 
 
 def _keep(table: StudyTable, folder: Path) -> None:

@@ -54,7 +54,8 @@ def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
     from game.stage import KnobError, Stage
 
     scene_type = scene_type_named(options.scene)
-    level = read_level(scene_type, options.level) if options.level else default_level(scene_type)
+    named = options.level is not None
+    level = read_level(scene_type, options.level) if named else default_level(scene_type)
     try:
         return Stage(
             scene_type,
@@ -151,7 +152,7 @@ def read_recording(word: str, scene_name: str = "") -> Recording:
 
 def read_replay(options: argparse.Namespace, scene_name: str) -> Recording | None:
     """The recording that --replay names, if any; MistakeError beside an option that it says itself."""
-    if not options.replay:
+    if options.replay is None:
         return None
     said = {
         "--set": options.parameters, "--level": options.level, "--effects-off": options.effects_off,
@@ -183,7 +184,7 @@ def steps_in(seconds: float, dt: float) -> int:
 
 def read_size(text: str) -> tuple[int, int]:
     """Width and height of a picture from ``1280x720``, px."""
-    found = re.fullmatch(r"(\d{1,6})[xX×](\d{1,6})", text.strip())
+    found = re.fullmatch(r"([0-9]{1,6})[xX×]([0-9]{1,6})", text.strip())
     if found is None:
         raise MistakeError(f"--size {text}: WIDTHxHEIGHT is wanted, such as 1280x720")
     width, height = int(found[1]), int(found[2])
@@ -211,7 +212,7 @@ def read_film(word: str, size: str, fps: str, option: str) -> Film:
     width, height = read_size(size)
     if width % 2 or height % 2 or min(width, height) < SMALLEST_FILM:
         raise MistakeError(f"--size {size}: even numbers, at least {SMALLEST_FILM}, are wanted for a film")
-    if not fps.isdigit() or not 1 <= int(fps) <= MOST_FPS:
+    if not re.fullmatch("[0-9]{1,9}", fps) or not 1 <= int(fps) <= MOST_FPS:
         raise MistakeError(f"--fps {fps}: a whole number from 1 to {MOST_FPS} is wanted")
     try:
         check_video(Path(word))

@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.stage import Entry
@@ -76,13 +77,13 @@ def _describe_levels(scene_name: str) -> list[dict[str, str]]:
 
 def print_scene(row: dict[str, Any], in_full: bool) -> None:
     """A scene for people."""
-    print(f"{row['name']:<16} {row['task']:<5} {row['title']}")
+    say(f"{row['name']:<16} {row['task']:<5} {row['title']}")
     for knob in row["parameters"]:
-        print(f"    {knob['name']:<22} {_range(knob)}" + (f"  {knob['help']}" if in_full else ""))
+        say(f"    {knob['name']:<22} {_range(knob)}" + (f"  {knob['help']}" if in_full else ""))
     if row["effects"]:
-        print("    effects: " + ", ".join(effect["name"] for effect in row["effects"]))
+        say("    effects: " + ", ".join(effect["name"] for effect in row["effects"]))
     if row["levels"]:
-        print("    levels: " + ", ".join(level["name"] for level in row["levels"]))
+        say("    levels: " + ", ".join(level["name"] for level in row["levels"]))
 
 
 def _range(knob: dict[str, Any]) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
 from game.app.mistake import MistakeError
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.billiards.match import Round
@@ -35,7 +36,9 @@ def execute(options: argparse.Namespace) -> int:
     if len(options.title) > MOST_TITLE:
         raise MistakeError(f"--title: at most {MOST_TITLE} letters are wanted")
     output.check_writable(options.json, "--json")
-    film = given.read_film(options.video, options.size, options.fps, "--video") if options.video else None
+    film = None
+    if options.video is not None:
+        film = given.read_film(options.video, options.size, options.fps, "--video")
     from game.billiards.match import MatchError, match_data, play_match
 
     silent = options.json == output.STANDARD_OUTPUT
@@ -60,7 +63,7 @@ def execute(options: argparse.Namespace) -> int:
             print(describe(one))
         print(f"{len(match.rounds)} rounds, {match.playing_time:.0f} s of play")
         if film is not None:
-            print(f"{film.path}: {length:.0f} s")
+            say(f"{film.path}: {length:.0f} s")
     return 0
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -13,6 +15,7 @@ from game import files
 from game.app.mistake import MistakeError
 
 STANDARD_OUTPUT = "-"
+_NOT_ASCII = re.compile("[^\\n -~]")
 
 
 def check_writable(word: str | None, option: str) -> None:
@@ -21,7 +24,7 @@ def check_writable(word: str | None, option: str) -> None:
         return
     path = Path(word)
     try:
-        if not word or path.is_dir():
+        if os.path.basename(word) in ("", ".", "..") or path.is_dir():  # noqa: PTH119  Path drops a last slash
             raise MistakeError(f"{option} {word}: a file name is wanted, this is a folder")
         if not path.parent.is_dir():
             raise MistakeError(f"{option} {word}: there is no folder {path.parent}")
@@ -44,8 +47,19 @@ def write_text(text: str, word: str, option: str) -> None:
 
 def write_json(content: Any, word: str, option: str = "--json") -> None:
     """Write strict JSON: what is not finite is null."""
-    text = json.dumps(_finite(content), indent=2, ensure_ascii=False, allow_nan=False)
+    plain = word == STANDARD_OUTPUT and not _is_unicode(sys.stdout.encoding)
+    text = json.dumps(_finite(content), indent=2, ensure_ascii=plain, allow_nan=False)
+    text = _NOT_ASCII.sub(_escaped_unless_printable, text)
     write_text(text + "\n", word, option)
+
+
+def _is_unicode(encoding: str | None) -> bool:
+    return (encoding or "").lower().replace("-", "").replace("_", "").startswith("utf")
+
+
+def _escaped_unless_printable(found: re.Match[str]) -> str:
+    """A character of a JSON text as it is, or as JSON writes it in ASCII: such stand in its strings alone."""
+    return found[0] if found[0].isprintable() else json.dumps(found[0])[1:-1]
 
 
 def _finite(content: Any) -> Any:

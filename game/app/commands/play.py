@@ -11,6 +11,7 @@ from typing import Any
 from game.app.commands import given
 from game.app.mistake import MistakeError
 from game.app.window import NoDisplayError, Window, display_missing
+from game.app.words import printable, say
 
 DEMO_SCENES = ("billiards", "lecture-table")  # the first of these that there is
 PICTURE_SIZE = (1280, 720)
@@ -42,7 +43,7 @@ def execute(options: argparse.Namespace) -> int:
     scene_type = given.scene_type_named(options.scene)
     recording = given.read_replay(options, scene_type.name)
     opening = Opening(
-        level=given.read_level(scene_type, options.level).path if options.level else None,
+        level=given.read_level(scene_type, options.level).path if options.level is not None else None,
         parameters=given.read_parameters(scene_type, options.parameters),
         effects_off=given.read_effects(scene_type, options.effects_off),
         seed=given.read_seed(options.seed),
@@ -65,7 +66,7 @@ def _run_window(scene_name: str, opening: Any = None) -> int:
     loaded = load_settings(user_folder())
     settings = loaded.settings
     if loaded.complaint:
-        print(f"carom: {loaded.complaint}", file=sys.stderr)
+        print(f"carom: {printable(loaded.complaint)}", file=sys.stderr)
     window = Window((settings.width, settings.height), settings.full_screen)
     try:
         window.show_start(settings.theme)
@@ -100,5 +101,5 @@ def _play_demo(reason: str) -> int:
         path = save_picture(surface, CATALOGUE[name].title)
     except OSError as error:
         raise MistakeError(f"no display ({reason}), and no picture: {error}") from None
-    print(f"carom: no display ({reason}); the demo of {name} ran without one, its picture is {path}")
+    say(f"carom: no display ({reason}); the demo of {name} ran without one, its picture is {path}")
     return 0

@@ -8,6 +8,7 @@ from typing import Any
 
 from game.app.commands import given
 from game.app.mistake import MistakeError
+from game.app.words import say
 
 USUAL_S = 20.0
 
@@ -36,7 +37,8 @@ def execute(options: argparse.Namespace) -> int:
         raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
     scene_type = given.scene_type_named(options.scene)
     recording = given.read_replay(options, scene_type.name)
-    film = given.read_film(options.out or f"{scene_type.name}.mp4", options.size, options.fps, "--out")
+    out = options.out if options.out is not None else f"{scene_type.name}.mp4"
+    film = given.read_film(out, options.size, options.fps, "--out")
     from game.app.film.scene_film import write_scene_film
     from game.app.film.video import VideoError
     from game.app.script import demo_of
@@ -55,9 +57,9 @@ def execute(options: argparse.Namespace) -> int:
     given.steps_in(seconds, stage.dt)
     try:
         count = write_scene_film(
-            stage, events, Path(film.path), film.size, film.fps, seconds, options.theme, not options.replay
+            stage, events, Path(film.path), film.size, film.fps, seconds, options.theme, recording is None
         )
     except VideoError as error:
         raise MistakeError(str(error), status=1) from None
-    print(f"{film.path}: {count / film.fps:.1f} s, {count} pictures")
+    say(f"{film.path}: {count / film.fps:.1f} s, {count} pictures")
     return 1 if stage.fault is not None else 0

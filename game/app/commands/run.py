@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
 from game.app.mistake import MistakeError
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.stage import Stage
@@ -91,7 +92,7 @@ def print_report(report: dict[str, Any]) -> None:
         print(f"  {name:<24} {readout['value']:.6g} {readout['unit']}".rstrip())
     print(f"  digest {report['digest']}")
     if "fault" in report:
-        print(f"  stopped at step {report['fault']['step']}: {report['fault']['message']}")
+        say(f"  stopped at step {report['fault']['step']}: {report['fault']['message']}")
 
 
 def write_screenshot(stage: Stage, word: str, size: tuple[int, int], theme: str) -> None:

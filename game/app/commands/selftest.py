@@ -12,13 +12,14 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.commands import given, output
 from game.app.mistake import MistakeError
 from game.app.script import Script, demo_of
+from game.app.words import say
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -52,7 +53,7 @@ def add(commands: Any) -> None:
     parser = commands.add_parser("selftest", help="test every scene and level", allow_abbrev=False)
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="only these")
     parser.add_argument("--json", metavar="FILE", help="write the results; - is standard output")
-    parser.add_argument("--golden", metavar="FILE", help="compare with the digests kept in this file")
+    parser.add_argument("--golden", metavar="FILE", help="compare with the digests in this file: one each")
     parser.add_argument("--update-golden", metavar="FILE", nargs="?", const="", default=None,
                         help="write the digests (to tests/golden/scenes.json of a checkout)")  # fmt: skip
     parser.add_argument("--pure", action="store_true", help="also a few steps without the compiler")
@@ -64,17 +65,16 @@ def execute(options: argparse.Namespace) -> int:
     """Test and print a table; status 1 if anything failed."""
     output.check_writable(options.json, "--json")
     golden_file = _golden_file(options)
-    expected = _read_golden(options.golden) if options.golden else {}
+    golden = _read_golden(options.golden) if options.golden is not None else None
     if options.plan is not None:
         return _run_plan(json.loads(options.plan))
     quiet = options.json == output.STANDARD_OUTPUT
     results = []
-    for result in check_scenes(options.scenes):
-        if result.name in expected and not result.trouble and expected[result.name] != result.digest:
-            result = result._replace(trouble=f"the kept digest is {expected[result.name]}")
+    tested = check_scenes(options.scenes)
+    for result in tested if golden is None else against_golden(tested, golden, options.scenes):
         results.append(result)
         if not quiet:
-            print(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
+            say(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
     if options.pure:
         results = _with_pure_steps(results, quiet)
     failed = [result for result in results if result.trouble]
@@ -100,6 +100,27 @@ def check_scenes(names: list[str]) -> Iterator[Result]:
             yield check_level(scene_type, None)
         for file in files:
             yield check_level(scene_type, file)
+
+
+def against_golden(
+    results: Iterable[Result], golden: Mapping[str, str], scenes: Collection[str]
+) -> Iterator[Result]:
+    """The results, with trouble where the kept digest is another or there is none; and at the end one for
+    each kept digest that no level came to, of these scenes or of all if none are named.
+    """
+    seen = set()
+    for result in results:
+        seen.add(result.name)
+        kept = golden.get(result.name)
+        if not result.trouble and kept != result.digest:
+            words = f"the kept digest is {kept}" if kept else f"no digest is kept, it is {result.digest}"
+            result = result._replace(trouble=words)
+        yield result
+    wanted = {name.lower() for name in scenes}
+    for name in sorted(set(golden) - seen):
+        scene, _, level = name.partition("/")
+        if not wanted or scene in wanted:
+            yield Result(scene, level, "", "a digest is kept, but there is no such level")
 
 
 def check_level(scene_type: type[Scene], file: Path | None) -> Result:
@@ -140,7 +161,7 @@ def _with_pure_steps(results: list[Result], quiet: bool) -> list[Result]:
             name, trouble = json.loads(line)
             troubles[name] = trouble
             if not quiet:
-                print(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
+                say(f"{name:<45} {trouble or f'{plan[name]} steps in plain Python'}", flush=True)
     for name in plan:
         troubles.setdefault(name, "the process in plain Python ended")
     return [

@@ -8,6 +8,7 @@ from typing import Any
 
 from game.app.commands import output
 from game.app.mistake import MistakeError
+from game.app.words import say
 
 
 def add(commands: Any) -> None:
@@ -47,8 +48,8 @@ def print_result(result: dict[str, Any]) -> None:
     """Events and final places for people."""
     for event in result["events"]:
         ids = ", ".join(str(name) for name in event["ids"])
-        print(f"{event['time']:10.6f} s  {event['type']:<16} {ids}")
+        say(f"{event['time']:10.6f} s  {event['type']:<16} {ids}")
     for name, place in result["final"].items():
         where = place if isinstance(place, str) else f"{place[0]:.6f} {place[1]:.6f} m"
-        print(f"{name:>10}  {where}")
+        say(f"{name:>10}  {where}")
     print(f"all at rest after {result['end_time']:.6f} s")

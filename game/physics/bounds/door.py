@@ -11,11 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 LARGEST = 1e100  # m; products of two such numbers are still far from overflow
+SMALLEST = 1e-100  # m; below it, products of two such numbers come near the least that there is
 MOST_POINTS = 1 << 20
 
 
 def as_points(values: ArrayLike, name: str = "points") -> Array:
-    """Points as an (n, 2) array of their own, m; ValueError if there is none or one is no finite point."""
+    """Points as an (n, 2) array of their own, m; ValueError if there is none or one is no finite point.
+
+    A coordinate below `SMALLEST` is 0: whether three points turn left could not be told from their products.
+    """
     try:
         given = np.array(values, dtype=np.float64, order="C")
     except (TypeError, ValueError):
@@ -28,6 +32,7 @@ def as_points(values: ArrayLike, name: str = "points") -> Array:
     if bad.any():
         i = int(bad.argmax())
         raise ValueError(f"{name}[{i}]: {given[i].tolist()} is not finite or beyond {LARGEST:g} m")
+    given[np.abs(given) < SMALLEST] = 0.0
     return given + 0.0  # no negative zero
 
 

@@ -24,14 +24,16 @@ def sorted_hull(points, ids, begin, end, hull):
 
     ``hull`` (>= 2 (end - begin) + 2, 2): written, corners counter-clockwise about the first point, so that
     nothing is lost far from the origin. Returns their number: no corner twice, none between two others.
+
+    Turns are told by the points as they are: moved to the first one, two may come to stand above each
+    other, in whatever order, and the chain has to meet its points in order.
     """
-    origin_x, origin_y = points[ids[begin], 0], points[ids[begin], 1]
     h = 0
     base = 1
     for turn in range(2):
         for k in range(end - begin):
             i = ids[begin + k] if turn == 0 else ids[end - 1 - k]
-            x, y = points[i, 0] - origin_x, points[i, 1] - origin_y
+            x, y = points[i, 0], points[i, 1]
             if h > 0 and x == hull[h - 1, 0] and y == hull[h - 1, 1]:
                 continue
             while h > base and turn_of(hull, h, x, y) <= 0.0:
@@ -42,7 +44,28 @@ def sorted_hull(points, ids, begin, end, hull):
         base = h
     if h > 1:
         h -= 1  # the first corner again
-    return h
+    return moved_hull(hull, h, points[ids[begin], 0], points[ids[begin], 1])
+
+
+@kernel
+def moved_hull(hull, h, origin_x, origin_y):
+    """A hull's ``h`` corners counted from an origin, its first one; those that then say nothing are left out.
+
+    Written into ``hull``; returns how many are left.
+    """
+    n = 0
+    for k in range(h):
+        x, y = hull[k, 0] - origin_x, hull[k, 1] - origin_y
+        if n > 0 and x == hull[n - 1, 0] and y == hull[n - 1, 1]:
+            continue
+        while n > 1 and turn_of(hull, n, x, y) <= 0.0:
+            n -= 1
+        hull[n, 0] = x
+        hull[n, 1] = y
+        n += 1
+    while n > 2 and turn_of(hull, n, 0.0, 0.0) <= 0.0:
+        n -= 1
+    return n
 
 
 def hull_of(points: Array) -> tuple[Array, Array]:

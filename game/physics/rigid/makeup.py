@@ -135,10 +135,11 @@ def checked_turns(orientations: ArrayLike | None, n: int) -> Floats:
     q = np.array(orientations, dtype=np.float64)
     if q.shape != (n, 4) or not np.isfinite(q).all():
         raise ValueError(f"orientations: {n} quaternions of finite numbers are wanted")
-    lengths = np.sqrt((q * q).sum(axis=1))
-    if not (lengths > 1e-150).all():
+    largest = np.abs(q).max(axis=1, initial=0.0)
+    if not (largest > 1e-150).all():
         raise ValueError("orientations: a quaternion without length is no turn")
-    turned: Floats = q / lengths[:, None]
+    scaled = np.ldexp(q, -np.frexp(largest)[1][:, None])  # exact; now the square of the length is a number
+    turned: Floats = scaled / np.sqrt((scaled * scaled).sum(axis=1))[:, None]
     return turned
 
 
