@@ -35,7 +35,7 @@ from game.stage import (
 )
 
 Array = NDArray[np.float64]
-MOST_PROJECTIONS = 100_000_000  # of links and areas in a step: a second or two
+MOST_PROJECTIONS = 50_000_000  # of links and areas in a step: a second
 ROUNDING = 1e-12  # strains and lengths (m) up to this are shown as none
 
 
@@ -160,8 +160,8 @@ class MassSpringScene(MassSpringKnobs):
         projections = each * settings.iterations * settings.substeps
         if projections > max(MOST_PROJECTIONS, self.projections):
             raise LimitError(
-                f"iterations, substeps: {settings.iterations} x {settings.substeps} sweeps over {each} links, "
-                f"areas and contacts are too many, {MOST_PROJECTIONS // each} at most are wanted"
+                f"iterations, substeps: {settings.iterations} x {settings.substeps} sweeps over {each} "
+                f"links, areas and contacts are too many, {MOST_PROJECTIONS // each} at most are wanted"
             )
         self.projections = projections
 

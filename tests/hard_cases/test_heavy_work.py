@@ -215,7 +215,7 @@ class TestNets:
     def test_sweeps(self) -> None:
         text = 'scene = "c14"\n[parameters]\niterations = 500.0\nsubsteps = 200.0\n[content]\n'
         text += self.BLOCK.replace("400", "60")
-        with pytest.raises(LevelError, match="^level: content: iterations, substeps: 500 x 200 sweeps over"):
+        with pytest.raises(LevelError, match=r"^level: content: iterations, substeps: 500 x 200 sweeps over"):
             opened(text)
         stage = opened(text.replace("500.0", "10.0").replace("200.0", "1.0"))
         stage.post(SetKnob("substeps", 200.0))
