@@ -98,7 +98,8 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
 
     They rebound with mode END only: with the others, who is inside was born there or run over. Solids may
     overlap: up to MAX_CONTACTS rounds, and after ENOUGH of them no more once one finds it as deep inside as
-    the one before: such a place has no way out by pushing. ``last``: the solid last met, or -1. ``stuck``: still inside one.
+    the one before: such a place has no way out by pushing. ``last``: the solid last met, or -1. ``stuck``:
+    still inside one.
     """
     spring = 1.0 if rules.mode == END else 0.0
     last = -1
