@@ -95,7 +95,7 @@ class Writer:
         if isinstance(info, inspect.FloatType):
             return self._number(info)
         if isinstance(info, inspect.StrType):
-            word = hand.choice(WORDS)
+            word = hand.choice(WORDS[1:] if info.min_length else WORDS)
             return word[: info.max_length] if info.max_length is not None else word
         if isinstance(info, inspect.TupleType):
             return [self.value(part) for part in info.item_types]
