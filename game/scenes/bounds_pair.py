@@ -27,6 +27,7 @@ from game.scenes.outlines import Outline
 Array = NDArray[np.float64]
 ROUND, FINE_ROUND = 9, 33  # points of one end of a capsule's outline, and where it is large
 MOST_CORNERS = 48  # of a hull whose least capsule is looked for: 10 to 50 ms
+MOST_PAIRS = 250_000  # of volumes, and of segments that meet: some 20 ms, 11 MB in every snapshot
 
 
 class TreeOptions(NamedTuple):
@@ -190,7 +191,7 @@ class TreePair:
         ]
         self._exact = [self._exact[i] if kept[i] else -1.0 for i in range(len(trees))]
         self.trees = trees
-        self.query = Query(trees[0], trees[1]) if len(trees) == 2 else None
+        self.query = Query(trees[0], trees[1], MOST_PAIRS) if len(trees) == 2 else None
         self._asked = None
         self._gap = None
 

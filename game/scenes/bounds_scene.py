@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from game.levels import Level
 from game.physics.bounds import FITS, KINDS, SPLITS, Nearest
 from game.physics.bounds.query import OVERLAPPING, QueryRecord
+from game.physics.limits import LimitError
 from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes import bounds_hand as hand
 from game.scenes import bounds_view as view
@@ -195,8 +196,13 @@ class BoundsScene(Scene):
 
     def compare_trees(self) -> None:
         """The same query with the other trees, from the roots, if it is wanted."""
-        if self.compare:
+        if not self.compare:
+            return
+        try:
             self.beside.ask_if_moved(self.outlines, EXACT_ANSWER in self.active)
+        except LimitError:
+            self.values["compare"] = False
+            self.told.append("The other trees overlap too often to be counted beside: switched off.")
 
     @property
     def coherent(self) -> bool:

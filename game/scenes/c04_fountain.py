@@ -12,6 +12,7 @@ import numpy as np
 from game.lab.studies.particles import bounce_study
 from game.levels import Level
 from game.physics.fields import DRAG, GRAVITY, WIND
+from game.physics.limits import LimitError
 from game.physics.particles import CALM, OBSTACLES, Discs, Emitter, Forces, ParticleSystem
 from game.physics.particles.encounters import STEP
 from game.scenes import c04_findings as findings
@@ -34,6 +35,7 @@ from game.stage import (
 
 HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
 MANY_PLACES = 200_000
+MOST_MEETINGS = 32_000_000  # of a particle and a solid in a step, each substep again: a second or so at worst
 TOUCH_TIME = 1.0 / 60.0  # s for which a particle counts as touching
 
 
@@ -128,6 +130,8 @@ class Fountain(FountainKnobs):
                 [particle.velocity for particle in content.particles],
             )
         self.configure()
+        self.meetings = 0
+        self._bound_work()
         self.view = FountainView()
 
     def _restitution(self, own: float | None) -> float:
@@ -167,6 +171,18 @@ class Fountain(FountainKnobs):
         for j, own in enumerate(self.own):
             system.solids.rows[j, 5] = self._restitution(own)
 
+    def _bound_work(self) -> None:
+        """LimitError if the knobs ask for more work in a step than before and than there may be."""
+        substeps = self.system.substeps_for(self.step_length)
+        meetings = int(self.places) * substeps * (1 + len(self.own))
+        if meetings > max(MOST_MEETINGS, self.meetings):
+            most = MOST_MEETINGS // (substeps * (1 + len(self.own)))
+            raise LimitError(
+                f"places: {int(self.places)} are too many for {substeps} substeps among {1 + len(self.own)} "
+                f"solids, {most} at most; less drag or a shorter time step takes fewer substeps"
+            )
+        self.meetings = meetings
+
     def _change_emitters(self) -> None:
         """Give the nozzles the panel's numbers, where they are."""
         for index in range(len(self.content.nozzles)):
@@ -184,10 +200,12 @@ class Fountain(FountainKnobs):
             self.configure()
         if name in ("speed", "gravity", "drag", "wind", "fast_drag", "whirl"):
             self.since = self.system.time_s
+        self._bound_work()
 
     def effects_changed(self) -> None:
         self.configure()
         self.since = self.system.time_s
+        self._bound_work()
 
     def state(self) -> Any:
         return self.system.state()

@@ -53,7 +53,7 @@ class SweepAndPruneScene(ComparedScene):
         True,
         group="Pairs",
         label="Sort anew when cheaper",
-        help="a step with too many swaps is finished by sorting",
+        help="a step with too many swaps is finished by sorting; if off, only one of above 4 million swaps",
     )
     count = Param(
         200, 1, 100_000, whole=True, log=True, group="Boxes", label="Number",

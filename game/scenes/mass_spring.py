@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from game.levels import Level
 from game.physics.constraints import PositionBasedDynamics
 from game.physics.constraints.editing import Topology, assemble, topology_of
+from game.physics.limits import LimitError
 from game.scenes import mass_spring_hand as hand
 from game.scenes.mass_spring_knobs import CHOSEN_KNOBS, MassSpringKnobs
 from game.scenes.mass_spring_level import (
@@ -34,6 +35,7 @@ from game.stage import (
 )
 
 Array = NDArray[np.float64]
+MOST_PROJECTIONS = 50_000_000  # of links and areas in a step: a second
 ROUNDING = 1e-12  # strains and lengths (m) up to this are shown as none
 
 
@@ -106,7 +108,9 @@ class MassSpringScene(MassSpringKnobs):
         self.chosen = self.first = hand.NOBODY
         self.knife: tuple[float, float] | None = None
         self.told: deque[str] = deque(maxlen=8)
+        self.projections = 0  # in a step, as far as there may be so many
         self.make_system()
+        self._bound_work()
         self.view = SpringView()
 
     def make_system(self) -> None:
@@ -149,6 +153,18 @@ class MassSpringScene(MassSpringKnobs):
         except ValueError as error:
             raise KnobError(str(error)) from None
 
+    def _bound_work(self) -> None:
+        """LimitError if the knobs ask for more work in a step than before and than there may be."""
+        system, settings = self.system, self.system.settings
+        each = len(system.torn) + len(system.outlines.starts) - 1 + len(system.contacts.pairs)
+        projections = each * settings.iterations * settings.substeps
+        if projections > max(MOST_PROJECTIONS, self.projections):
+            raise LimitError(
+                f"iterations, substeps: {settings.iterations} x {settings.substeps} sweeps over {each} "
+                f"links, areas and contacts are too many, {MOST_PROJECTIONS // each} at most are wanted"
+            )
+        self.projections = projections
+
     def renew_links(self) -> None:
         """Give all links the stiffness that they have now."""
         stiffness, compliance = self.link_numbers(self.own)
@@ -168,6 +184,8 @@ class MassSpringScene(MassSpringKnobs):
         elif name not in ("strains", "points"):
             self._configure()
             self.renew_links()
+            if name in ("iterations", "substeps"):
+                self._bound_work()
 
     def effects_changed(self) -> None:
         self._configure()

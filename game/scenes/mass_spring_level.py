@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints import shapes
+from game.physics.limits import LimitError
 
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
@@ -20,6 +21,7 @@ Index = Annotated[int, msgspec.Meta(ge=0, le=1_000_000)]
 Point = tuple[Metre, Metre]
 Slack = float | NDArray[np.float64]  # length at rest over the length at first
 
+MOST_PARTICLES = 200_000  # of a level with all its shapes: the largest net and some more; 0.4 GB
 MOST_WRITTEN = 2_000  # particles and links that are written one by one into a file
 NOT_OWN = -1.0  # a link without a stiffness of its own has the panel's
 
@@ -153,7 +155,11 @@ class Network(NamedTuple):
 
 
 def build_network(content: SpringContent) -> Network:
-    """The network that a content describes. ValueError, naming the entry, for what makes no sense."""
+    """The network that a content describes. ValueError, naming the entry, for what makes no sense.
+
+    LimitError, before any is made, for more than MOST_PARTICLES.
+    """
+    _bound_particles(content)
     listed = _listed(content)
     parts = [listed[0]] if len(listed[0].positions) else []
     slacks = [listed[1]] if parts else []
@@ -191,6 +197,22 @@ def build_network(content: SpringContent) -> Network:
         first = len(whole.areas) - len(content.rings)
         pressures[first:] = [ring.pressure for ring in content.rings]
     return Network(whole, velocities, rest, own, pressures)
+
+
+def _bound_particles(content: SpringContent) -> None:
+    """LimitError, naming the entry with which there are too many particles."""
+    count = len(content.particles)
+    nets: tuple[tuple[str, Sequence[ClothEntry | BlockEntry]], ...] = (
+        ("cloths", content.cloths), ("blocks", content.blocks)
+    )  # fmt: skip
+    for name, entries in nets:
+        for i, entry in enumerate(entries):
+            count += entry.columns * entry.rows
+            if count > MOST_PARTICLES:
+                raise LimitError(
+                    f"{name}[{i}]: with its {entry.columns} x {entry.rows} particles there are {count}, "
+                    f"{MOST_PARTICLES} at most are wanted"
+                )
 
 
 def _listed(content: SpringContent) -> tuple[shapes.Shape, NDArray[np.float64]]:

@@ -15,6 +15,7 @@ import numpy as np
 
 from game.levels import Level, LevelError
 from game.physics.effects import Effect, EffectSet
+from game.physics.limits import LimitError
 from game.stage.declarations import (
     Equation,
     Frame,
@@ -102,9 +103,13 @@ class Scene:
         except (LevelError, KnobError):
             raise
         except ValueError as error:
-            if level is None or level.content is None:
+            asked_beside = bool(parameters) and isinstance(error, LimitError)
+            if level is None or asked_beside:
                 raise
-            raise LevelError(level.path, "content", str(error)) from error
+            if level.content is None and not isinstance(error, LimitError):
+                raise
+            field = "content" if level.content is not None else "parameters"
+            raise LevelError(level.path, field, str(error)) from error
 
     def _take_over(self, level: Level) -> None:
         """Set knobs and effects as the level says; LevelError naming its file and field."""

@@ -235,7 +235,8 @@ class Session:
                     scene.knob_changed(name)
         if scene.active != snapshot.active:
             scene.active = snapshot.active
-            scene.effects_changed()
+            with suppress(LimitError):
+                scene.effects_changed()
         scene.restore(copy_state(snapshot.state))
         recall(scene, snapshot.memory)
         if not same_shapes(snapshot.state, scene.previous):

@@ -14,10 +14,12 @@ from game.physics.bounds.door import Array, as_angle, as_vector
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
 from game.physics.jit import kernel
+from game.physics.limits import LimitError
 
 Indices = NDArray[np.int64]
 REST, ANCESTOR, OVERLAPPING = 0, 1, 2  # marks of nodes
 ROUNDINGS = 64.0 * np.finfo(float).eps  # of all coordinates together, that a gap must exceed to separate
+MAX_ROWS = 1 << 23  # pairs of volumes, and of segments that meet, of one answer: 1 GB at most
 NOT_BEGUN = np.array([[0, 0, traversal.MET, 0, 0]], dtype=np.int32)
 
 
@@ -77,12 +79,14 @@ class Query:
     """Two trees that are asked again and again; keeps its room, and the front if told to go on from it.
 
     After `run`: ``volume_tests``, ``segment_tests``, ``leaves_met``, ``crossing_count``; `answer` copies all.
-    ValueError unless both trees are of one kind.
+    most: pairs of volumes, and of segments that meet, that there is room for: two polylines that cross
+    everywhere have as many as the product of their segments. ValueError unless both trees are of one kind.
     """
 
-    def __init__(self, tree_a: BoundingTree, tree_b: BoundingTree):
+    def __init__(self, tree_a: BoundingTree, tree_b: BoundingTree, most: int = MAX_ROWS):
         if tree_a.kind != tree_b.kind:
             raise ValueError(f"trees: of one kind are wanted, not {tree_a.kind} and {tree_b.kind}")
+        self.most = most
         self.tree_a, self.tree_b = tree_a, tree_b
         self._rows = np.zeros((256, 5), dtype=np.int32)
         self._old = np.zeros((256, 5), dtype=np.int32)
@@ -109,7 +113,8 @@ class Query:
         """Ask with the second tree turned by ``turn_b`` (rad) and moved by ``offset_b`` (2,) m.
 
         exact: test the segments of leaves that overlap. coherent: begin with the front of the last query.
-        Upright boxes cannot be turned here: turn their tree. ValueError for what is no place.
+        Upright boxes cannot be turned here: turn their tree. ValueError for what is no place; LimitError for
+        more pairs than there is room for, and then the next query begins anew.
         """
         x, y = as_vector(offset_b, "offset_b")
         turn = as_angle(turn_b, "turn_b")
@@ -122,8 +127,12 @@ class Query:
                 self._old[:1], self._old_count = NOT_BEGUN, 1
         else:
             self._old[:1], self._old_count = NOT_BEGUN, 1
-        while self._traverse(abs(x) + abs(y), exact, patience) != traversal.DONE:
-            pass
+        try:
+            while self._traverse(abs(x) + abs(y), exact, patience) != traversal.DONE:
+                pass
+        except LimitError:
+            self._counts[:] = 0
+            raise
 
     def _traverse(self, way: float, exact: bool, patience: int) -> int:
         """One attempt; a result that has no room gets more of it."""
@@ -135,13 +144,24 @@ class Query:
             self._gaps, self._crossings, self._stack, self._counts, self._scratch,
         )  # fmt: skip
         if status == traversal.MORE_ROWS:
-            room = 2 * len(self._rows)
+            room = self._more("volumes", len(self._rows) + 1, 2 * len(self._rows))
             self._rows, self._gaps = np.zeros((room, 5), dtype=np.int32), np.zeros((room, 3))
         elif status == traversal.MORE_CROSSINGS:
-            self._crossings = np.zeros((2 * int(self._counts[traversal.CROSSINGS]), 2), dtype=np.int64)
+            found = int(self._counts[traversal.CROSSINGS])
+            room = self._more("segments that meet", found, 2 * found)
+            self._crossings = np.zeros((room, 2), dtype=np.int64)
         elif len(self._gaps) < len(self._rows):
             self._gaps = np.zeros((len(self._rows), 3))
         return int(status)
+
+    def _more(self, what: str, needed: int, wanted: int) -> int:
+        """Room for more of a kind; LimitError if those that are needed are too many."""
+        if needed > self.most:
+            raise LimitError(
+                f"the outlines lie in each other: more than {self.most} pairs of {what}, which there is no "
+                "room for"
+            )
+        return min(max(wanted, needed), self.most)
 
     @property
     def row_count(self) -> int:

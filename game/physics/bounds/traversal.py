@@ -65,6 +65,9 @@ def traverse(
     while top > 0 or k < len(old):
         if n >= len(rows):
             return MORE_ROWS
+        if found > 4 * len(crossings):  # to count on would cost the product of both polylines at worst
+            counts[CROSSINGS] = found
+            return MORE_CROSSINGS
         again = False  # a pair that was opened last time
         if top > 0:
             top -= 1

@@ -39,7 +39,7 @@ from game.physics.broadphase.pairs import HashedPairs, PairManager
 from game.physics.jit import kernel
 
 FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
-NEVER = 1 << 62  # swaps
+MOST_SWAPS = 4_000_000  # tried in a step that is not to be sorted anew: some 0.05 s
 MOST_CHANGES = 1 << 20  # noted before they are handed to the pair manager
 # Relative costs, measured: one swap of insertion, one comparison of merge sort, one test of a sweep.
 SWAP_COST, MERGE_COST, TEST_COST = 8.0, 3.0, 1.0
@@ -80,8 +80,9 @@ class SweepAndPrune(BroadPhase):
 
     ``manager``: where pairs are kept and events are taken from; a new ``HashedPairs`` if none is given.
     ValueError unless it is empty.
-    ``resort``: whether a step with too many swaps is finished by sorting anew. ``swaps`` counts all swaps
-    so far (those that sorting anew spared, too), ``resorts`` how often that was done.
+    ``resort``: whether a step is finished by sorting anew where that is cheaper; without it that is done
+    after MOST_SWAPS only, as n boxes that leap stand for n² swaps. ``swaps`` counts all swaps so far (those
+    that sorting anew spared, too), ``resorts`` how often that was done.
     """
 
     def __init__(self, manager: PairManager | None = None, resort: bool = True):
@@ -192,18 +193,22 @@ class SweepAndPrune(BroadPhase):
         self.manager.change_pairs(self._changes, changed)
 
     def _moved_many(self, ids: Ids) -> None:
+        before = self.swaps
         if self._leaping or not self._sort_by_swaps():
             self.resorts += 1
-            swaps = self._sort_anew()
-            self.swaps += swaps
-            self._leaping = self.resort and swaps > self._dear(self.tests)
+            self.swaps += self._sort_anew()
+            enough = self._dear(self.tests) if self.resort else MOST_SWAPS
+            self._leaping = self.swaps - before > enough
 
     def _sort_by_swaps(self) -> bool:
-        """Put both axes in order by swaps while they are cheaper than sorting anew; whether they were."""
+        """Put both axes in order by swaps while they are cheaper than sorting anew; whether they were.
+
+        Without ``resort`` that is never asked, but MOST_SWAPS end it all the same.
+        """
         self._progress[:] = 0
         count = 2 * len(self)
-        limit = comparisons(count) if self.resort else NEVER
-        estimated = False
+        limit = comparisons(count) if self.resort else MOST_SWAPS
+        estimated = not self.resort
         while True:
             ended = sort_axes(
                 self.boxes, self._values, self._codes, count, self._progress, limit, self._changes

@@ -28,6 +28,7 @@ from game.physics.particles.solids import surface, surface_velocity
 CONTACTS = ("end", "chord", "root")
 END, CHORD, ROOT = range(3)
 MAX_CONTACTS = 8  # in one step of one particle; the time left then is dropped and counted
+ENOUGH = 3  # rounds of pushing out of solids that overlap before it is asked whether they lead anywhere
 TOUCH = 1e-12  # m, gap at which a particle counts as on the surface
 CREEP = 1e-12  # of the speed: an approach as slow as this is rounding
 ROOT_ROUNDS = 80  # the regula falsi used needs about 8; bisection alone would need 53
@@ -93,15 +94,21 @@ def is_there(rules, solids, j):
 def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
     """Put a particle that is inside or on solids on their surfaces and reflect it.
 
-    Returns (x, y, vx, vy, impulse, last).
+    Returns (x, y, vx, vy, impulse, last, stuck).
 
     They rebound with mode END only: with the others, who is inside was born there or run over. Solids may
-    overlap: up to MAX_CONTACTS rounds. ``last``: the solid last met, or -1.
+    overlap: up to MAX_CONTACTS rounds, and after ENOUGH of them no more once one finds it as deep inside as
+    the one before: such a place has no way out by pushing. ``last``: the solid last met, or -1. ``stuck``:
+    still inside one.
     """
     spring = 1.0 if rules.mode == END else 0.0
     last = -1
     impulse = 0.0
-    for _ in range(MAX_CONTACTS):
+    depth = math.inf
+    inside = False
+    for turn in range(MAX_CONTACTS):
+        before = depth
+        depth = 0.0
         inside = False
         for j in range(solids.shape[0] + 1):
             if not is_there(rules, solids, j):
@@ -114,10 +121,11 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
             vx, vy, change, _ = strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses)
             impulse = max(impulse, change)
             last = j
+            depth = max(depth, -gap)
             inside = inside or gap < -TOUCH
-        if not inside:
+        if not inside or (turn >= ENOUGH and depth >= before):
             break
-    return x, y, vx, vy, impulse, last
+    return x, y, vx, vy, impulse, last, inside
 
 
 @kernel
@@ -230,7 +238,9 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
 def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
     """Flight of ``left`` (s), begun t (s) into the step, with what it meets on the way.
 
-    Returns (x, y, vx, vy, greatest impulse, solid last met or -1, time dropped in s).
+    Returns (x, y, vx, vy, greatest impulse, solid last met or -1, time dropped in s). One who cannot be
+    pushed out of solids that overlap stays there for the rest of its time, which is dropped: more rounds of
+    the same would cost a heap of stones the square of its number, and lead nowhere.
     """
     last = -1
     impulse = 0.0
@@ -238,14 +248,16 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
     for _ in range(MAX_CONTACTS):
         x1, y1, ux, uy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, left)
         if stays:
-            x, y, vx, vy, change, met = push_out(rules, law, solids, x1, y1, ux, uy, t + left, impulses)
+            x, y, vx, vy, change, met, _ = push_out(rules, law, solids, x1, y1, ux, uy, t + left, impulses)
             return x, y, vx, vy, max(impulse, change), met if met >= 0 else last, 0.0
         which, when = first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left)
         if which < 0:
             return x1, y1, ux, uy, impulse, last, 0.0
         if when < 0.0:
-            x, y, vx, vy, change, last = push_out(rules, law, solids, x, y, vx, vy, t, impulses)
+            x, y, vx, vy, change, last, stuck = push_out(rules, law, solids, x, y, vx, vy, t, impulses)
             impulse = max(impulse, change)
+            if stuck:
+                return x, y, vx, vy, impulse, last, left
             continue
         if rules.mode == ROOT:
             x, y, vx, vy = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, when)
