@@ -177,7 +177,7 @@ def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) ->
         point = _estimate(study, setting, error, cost)
         if point.x > last:
             found.append(point)
-    return sorted(found)
+    return sorted(found, key=lambda point: point.x)
 
 
 def _estimate(study: Study, setting: Setting, error: np.ndarray, cost: np.ndarray) -> PlotPoint:

@@ -31,6 +31,7 @@ class StudyRun:
             len(self.table), max(len(study.settings()), 1), "the present setting", running=True
         )
         self.error = ""
+        self.failure: Exception | None = None
         self.no_place = ""  # why there is no present setting
         self._parameters = dict(parameters)
         self._stop = threading.Event()
@@ -62,6 +63,7 @@ class StudyRun:
             pass
         except Exception as error:  # a study's own code; the page says so and the scene goes on
             self.error = " ".join(str(error).split()) or type(error).__name__
+            self.failure = error
         self.progress = self.progress._replace(done=len(self.table), running=False)
 
     def _report(self, done: int, total: int, label: str, left_s: float) -> None:
