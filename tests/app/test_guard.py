@@ -338,6 +338,3 @@ def test_the_program_ends_even_if_a_screen_cannot_be_closed(scene: Driver, monke
     scene.app.running = False
     scene.app.run()
     assert closed and not len(scene.app.screens) and tracebacks() == 1
-
-
-

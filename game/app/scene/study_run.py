@@ -32,7 +32,7 @@ class StudyRun:
         )
         self.error = ""
         self.failure: Exception | None = None
-        self.no_place = ""  # why there is no present setting
+        self.place = ""  # what the present setting is measured on, or why there is none, in words
         self._parameters = dict(parameters)
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._work, name=f"study {study.name}", daemon=True)
@@ -54,10 +54,10 @@ class StudyRun:
             if self._stop.is_set():
                 self.progress = self.progress._replace(running=False)
                 return
+            _, self.place = self.study.place(self._parameters)
             self.present = measure_present(
                 self.study, self._parameters, seconds=ENOUGH_S, stop=self._stop.is_set
             )
-            self.no_place = self.study.no_place if self.present is None else ""
             run_study(self.study, self._report, self._stop.is_set, self.table, seconds=ENOUGH_S)
         except StoppedError:
             pass
@@ -73,4 +73,4 @@ class StudyRun:
 def accuracy_data(run: StudyRun, title: str) -> AccuracyData:
     """What has been measured so far, as the page draws it."""
     table = StudyTable(run.study, list(run.table.rows))
-    return study_data(table, title, run.present, run.error, run.no_place)
+    return study_data(table, title, run.present, run.error, run.place)

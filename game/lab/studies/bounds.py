@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.bounds_gap import gap_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.bounds import (
     fit_capsule,
     fit_obb,
@@ -154,6 +154,7 @@ box_study = Study(
     ),
     floor=1e-9,
     present=present_fit("calipers"),
+    workload=Workload("40 shapes"),
     cost="CPU time for one shape",
     short="Fit",
     related=(gap_study,),
@@ -180,6 +181,7 @@ capsule_study = Study(
     ),
     floor=1e-9,
     present=present_fit("thinnest"),
+    workload=Workload("16 shapes"),
     cost="CPU time for one shape",
     short="Fit",
     related=(gap_study,),
