@@ -19,7 +19,6 @@ from game.physics.animation import Keyframes
 
 Array = NDArray[np.float64]
 SAMPLES = 100_001
-DEFAULT_KEYS = 8  # of the level that the scene opens with
 COUNTS = (8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024)
 METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys, over uneven ones
     "nearest": ("nearest key", 1.0, 1.0),
