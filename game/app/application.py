@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import AbstractContextManager
 from pathlib import Path
+from typing import Any
 
 import pygame
 
@@ -11,6 +13,7 @@ from game.app.canvas_warming import CanvasWarming
 from game.app.composition import Composition
 from game.app.frames import Clock, FrameMeter, SystemClock
 from game.app.gamepad import Gamepads
+from game.app.guard import Failure, Guard
 from game.app.keys import Keys
 from game.app.looks import Looks
 from game.app.menu.screen import MenuScreen
@@ -47,13 +50,18 @@ class App:
         clock: Clock | None = None,
         events: Callable[[], Iterable[pygame.Event]] = pygame.event.get,
         background: bool = True,
+        forgiving: bool = True,
     ):
-        """``background``: whether the menu compiles and builds things behind the window's back."""
+        """``background``: whether the menu compiles and builds things behind the window's back.
+
+        ``forgiving``: whether the program goes on without a screen that raises, or a scene; see `Guard`.
+        """
         self.window = window
         self.catalogue = catalogue
         self.settings = settings
         self.folder = folder
         self.clock: Clock = clock or SystemClock()
+        self.guard = Guard(forgiving)
         self.keys = Keys(settings.keys)
         self.meter = FrameMeter()
         self.screens = ScreenStack()
@@ -87,8 +95,9 @@ class App:
             self.look = look
             self.toasts.place(look)
         self.composition.forget()
-        for screen in self.screens:
-            screen.restyle()
+        for screen in list(self.screens):
+            with self.watch(screen):
+                screen.restyle()
 
     def save_settings(self) -> None:
         """Keep the settings; what cannot be written holds until the program ends, and that is told."""
@@ -113,12 +122,18 @@ class App:
 
     def open_keys(self) -> None:
         """The card of all keys."""
-        self.push(KeysCard(self))
+        self.open_card(KeysCard)
 
     def open_settings(self) -> None:
         """The card of the settings; not over itself."""
         if not isinstance(self.screens.top, SettingsCard):
-            self.push(SettingsCard(self))
+            self.open_card(SettingsCard)
+
+    def open_card(self, kind: Callable[..., Screen], *details: Any) -> None:
+        """A screen of that kind over the present one; one that cannot be made is told of."""
+        name = getattr(kind, "called", "The page")
+        with self.guard.over(name, lambda failure: self.tell_of(failure, "cannot be opened")):
+            self.push(kind(self, *details))
 
     def push(self, screen: Screen) -> None:
         """A screen over the present one."""
@@ -131,16 +146,55 @@ class App:
         if len(self.screens) <= 1:
             self.running = False
             return
-        self._begin_change(OVERLAY_S if self.screens.top.overlay else SCENE_S)
-        self.screens.pop()
+        screen = self.screens.top
+        self._begin_change(OVERLAY_S if screen.overlay else SCENE_S)
+        with self.guard.over(screen.called, self.tell_closed):
+            self.screens.pop()
         self._changed()
 
     def replace(self, screen: Screen) -> None:
         """A screen in place of the present one."""
         if len(self.screens):
             self._begin_change(SCENE_S)
-        self.screens.replace(screen)
+        with self.guard.over("What was closed", self.tell_closed):
+            self.screens.replace(screen)
         self._changed()
+
+    # -- what fails ---------------------------------------------------------------------------------
+
+    def watch(self, screen: Screen, asked: bool = False) -> AbstractContextManager[None]:
+        """Within this a screen is at work: if it raises it goes on without what failed, or is closed.
+
+        ``asked``: an event has it do this; else time that passes, or the picture.
+        """
+        return self.guard.over(screen.called, lambda failure: self._lose(screen, failure, asked))
+
+    def _lose(self, screen: Screen, failure: Failure, asked: bool) -> None:
+        """A screen has raised: let it go on if it can, else close it and say so."""
+        self.window.surface.set_clip(None)  # it may have been at drawing
+        self.composition.forget()
+        if screen in self.screens and screen.survive(failure, asked):
+            return
+        if isinstance(screen, MenuScreen):  # there is nothing to go back to
+            self.tell_of(failure, "failed")
+            return
+        self.tell_closed(failure)
+        with self.guard.over(screen.called, self.tell_closed):
+            if screen.overlay and screen in self.screens:
+                self.screens.remove(screen)
+                screen.closed()
+                self.screens.top.uncovered()
+            elif screen in self.screens:
+                self.open_menu()
+        self._changed()
+
+    def tell_closed(self, failure: Failure) -> None:
+        """A screen has been closed as it failed."""
+        self.tell_of(failure, "was closed")
+
+    def tell_of(self, failure: Failure, consequence: str) -> None:
+        """Something has failed: what was done about it, and where one can read why."""
+        self.tell(f"{failure.what} {consequence}.", failure.told, "warning")
 
     def _begin_change(self, length_s: float) -> None:
         self.composition.begin_change(self.window.surface, 0.0 if self.settings.less_motion else length_s)
@@ -161,7 +215,8 @@ class App:
                 hz = HIDDEN_HZ if self._hidden else self.window.refresh_hz
                 self.clock.wait(1.0 / hz - (self.clock.now() - began))
         finally:
-            self.screens.clear()
+            with self.guard.over("The end", self.tell_closed):
+                self.screens.clear()
             self.sounds.close()
             self.pictures.wait()
 
@@ -171,13 +226,16 @@ class App:
         elapsed_s = min(max(began - self._last, 0.0), LONGEST_FRAME_S)
         self._last = began
         for event in self._events():
-            self._take(event)
+            with self.watch(self.screens.top, asked=True):
+                self._take(event)
         for event in self.gamepads.update(elapsed_s, self.screens.top.gamepad, self.window.size):
-            self._give(event)
+            with self.watch(self.screens.top, asked=True):
+                self._give(event)
         if not self.running:
             return
         self._tell_of_pictures()
-        self.screens.top.update(elapsed_s)
+        with self.watch(self.screens.top):
+            self.screens.top.update(elapsed_s)
         self.toasts.update(elapsed_s)
         if shown and not self._hidden:
             self._draw(elapsed_s)

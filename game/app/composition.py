@@ -32,7 +32,8 @@ class Composition:
         """Draw everything on the window's surface."""
         surface = app.window.surface
         self._draw_below(app, surface)
-        app.screens.top.draw(surface)
+        with app.watch(app.screens.top):
+            app.screens.top.draw(surface)
         _draw_gamepad_pointer(app, surface)
         app.toasts.draw(surface, app.screens.visible()[0].message_row())
         self._fade.update(elapsed_s)
@@ -45,7 +46,8 @@ class Composition:
             return
         if self._backdrop is None or self._backdrop.get_size() != surface.get_size():
             for screen in below:
-                screen.draw(surface)
+                with app.watch(screen):
+                    screen.draw(surface)
             self._backdrop = surface.copy()
         surface.blit(self._backdrop, (0, 0))
 

@@ -38,14 +38,22 @@ class Driver:
     """Drives the program by events, frame by frame.
 
     ``folder``: of the settings. ``size``: of the window, px. ``settings``: fields of the settings.
+    ``forgiving``: False lets pass what a screen or a scene raises, as who drives is to see it.
     """
 
-    def __init__(self, folder: Path, size: tuple[int, int], catalogue: Catalogue, **settings: Any):
+    def __init__(
+        self,
+        folder: Path,
+        size: tuple[int, int],
+        catalogue: Catalogue,
+        forgiving: bool = False,
+        **settings: Any,
+    ):
         self.window = Window(size)
         self.clock = SetClock()
         self.waiting: list[pygame.Event] = []
         self.app = App(
-            self.window, catalogue, Settings(**settings), folder, self.clock, self._take, background=False
+            self.window, catalogue, Settings(**settings), folder, self.clock, self._take, False, forgiving
         )
         self._take()
         self.app.open_menu()

@@ -14,7 +14,19 @@ from game.lab.analysis import (
 from game.lab.picture import PlotsMissingError
 from game.lab.report import write_report
 from game.lab.runner import StoppedError, measure, measure_present, run_study
-from game.lab.study import ACCURACY, Axes, Knob, Method, Outcome, Row, Setting, Study, StudyTable, Trial
+from game.lab.study import (
+    ACCURACY,
+    Axes,
+    Knob,
+    Method,
+    Outcome,
+    Row,
+    Setting,
+    Study,
+    StudyTable,
+    Trial,
+    Workload,
+)
 
 __all__ = [
     "ACCURACY",
@@ -29,6 +41,7 @@ __all__ = [
     "Study",
     "StudyTable",
     "Trial",
+    "Workload",
     "cost_to_reach",
     "fit_exponent",
     "fit_order",

@@ -71,9 +71,9 @@ def measure_present(
 ) -> Row | None:
     """The point at which a scene with these parameters, effects and standing is; None if it has no place.
 
-    `Study.no_place` says why it has none. stop, StoppedError: see `measure`.
+    `Study.place` says why it has none. stop, StoppedError: see `measure`.
     """
-    setting = study.present(parameters) if study.present is not None else None
+    setting, _ = study.place(parameters)
     return None if setting is None else measure(study, setting, stop, repeats, seconds)
 
 

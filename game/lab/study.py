@@ -109,6 +109,19 @@ class Row(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Workload:
+    """What the trials of a study compute, and whether a scene computes that as well.
+
+    words: after "measured on". own: a scene's parameters, effects and `standing` to its own workload, after
+    "your scene has", empty where it is that of the study; None: the trials are a problem of the study's own,
+    on which a scene's settings can be measured, but not the scene.
+    """
+
+    words: str = ""
+    own: Callable[[Mapping[str, Any]], str] | None = None
+
+
+@dataclass(frozen=True)
 class Study:
     """Cost against accuracy of one scene.
 
@@ -118,7 +131,8 @@ class Study:
     envelope. floor: errors below it are rounding and take no part in fits. ceiling: errors above it are not
     yet those of small steps and take no part either. expectation: what the curves should show, in a sentence
     or two. present: the scene's parameters, effects and `standing` to the setting they amount to, if to any.
-    no_place: why a scene has no place among the points, for where it has none.
+    no_place: why a scene has no place among the points, for where it has none. workload: what all this is
+    measured on; a scene that has another one has no place either.
     axes: what its picture shows; accuracy against cost, unless what is bought is no accuracy. short: its name
     among the studies of its scene. related: further studies of the same scene. cost: what the CPU time is
     for, where the seconds that its trials simulate stand for something else.
@@ -141,6 +155,7 @@ class Study:
     ceiling: float = math.inf
     present: Callable[[Mapping[str, Any]], Setting | None] | None = None
     no_place: str = ""
+    workload: Workload = Workload()
     axes: Axes = ACCURACY
     short: str = ""
     cost: str = COST
@@ -162,6 +177,21 @@ class Study:
     def family(self) -> tuple[Study, ...]:
         """This study and those related to it, the way a scene offers them."""
         return (self, *self.related)
+
+    def place(self, parameters: Mapping[str, Any]) -> tuple[Setting | None, str]:
+        """Where a scene stands among the points, or None and why it has no place; all in words.
+
+        parameters: the scene's parameters, effects and `standing`.
+        """
+        setting = self.present(parameters) if self.present is not None else None
+        if setting is None:
+            return None, self.no_place
+        if self.workload.own is None:
+            return setting, f"Measured on {self.workload.words}, with your settings."
+        own = self.workload.own(parameters)
+        if own:
+            return None, f"No mark: measured on {self.workload.words}; your scene has {own}."
+        return setting, f"Measured on {self.workload.words}, as your scene has them."
 
     @property
     def slope_name(self) -> str:

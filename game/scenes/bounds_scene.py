@@ -324,11 +324,6 @@ class BoundsScene(Scene):
             Readout("building", self.build_watch.median("build"), "s"),
         ]
 
-    def standing(self) -> dict[str, float]:
-        """gap: between the outlines, m; 0 if they meet or one is missing."""
-        gap = self.gap()
-        return {"gap": gap.distance if gap is not None else 0.0}
-
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend(self)
 

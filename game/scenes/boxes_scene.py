@@ -310,6 +310,10 @@ class BoxesScene(ArraysOfBoxes):
     def frame(self) -> Frame:
         return Frame(-4.5, -0.1, WIDTH + 0.1, HEIGHT + 0.1)
 
+    def standing(self) -> dict[str, float]:
+        """listed: 1 if the boxes are those of the level, whatever the parameters say, else 0."""
+        return {"listed": float(self.listed)}
+
     def overlapping(self) -> int:
         """Number of boxes that overlap another."""
         touched = np.zeros(len(self.alive), dtype=bool)

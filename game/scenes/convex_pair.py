@@ -18,7 +18,7 @@ from game.physics.proximity_effects import COHERENCE, EXACT_ANSWER, SHAPE_MOTION
 from game.scenes import convex_pair_hand as hand
 from game.scenes import outline_editor as editor
 from game.scenes.convex_pair_level import MOST_CORNERS, PairContent, ShapeEntry, board_of, entry_of
-from game.scenes.convex_pair_polygons import KeptPolygons, drifted
+from game.scenes.convex_pair_polygons import KeptPolygons, drifted, is_coin
 from game.scenes.outline_board import places_of, with_places
 from game.scenes.stopwatch import Stopwatch
 from game.stage import (
@@ -267,10 +267,15 @@ class ConvexPairScene(Scene):
         return rows
 
     def standing(self) -> dict[str, float]:
-        """corners: of the polygon that has more; turn: of one against the other in a step, rad."""
-        shapes = [shape for shape in (self.shape(0), self.shape(1)) if shape is not None]
+        """corners: of the polygon that has more, 0 without two of them; turn: of one against the other in a
+        step, rad; round: 1 if both are regular, of as many corners, in circles of 1 m, else 0.
+        """
+        a, b = self.shape(0), self.shape(1)
         turn = abs(float(self.rates[0, 2] - self.rates[1, 2])) * self.dt
-        return {"corners": float(max(map(len, shapes), default=0)), "turn": turn}
+        if a is None or b is None:
+            return {"corners": 0.0, "turn": turn, "round": 0.0}
+        alike = len(a) == len(b) and is_coin(a) and is_coin(b)
+        return {"corners": float(max(len(a), len(b))), "turn": turn, "round": float(alike)}
 
     def certificate(self) -> float:
         """What the optimality certificate of the last answer lacks, in extents; infinite if it fails."""

@@ -15,6 +15,15 @@ from game.scenes.outlines import Outline, Point, placed
 
 Array = NDArray[np.float64]
 MOST_KEPT = 64  # outlines whose polygons are kept
+ROUND = 1e-6  # m by which corners and sides of a coin may differ
+
+
+def is_coin(polygon: ConvexPolygon) -> bool:
+    """Whether a polygon is a regular one in a circle of 1 m."""
+    corners = polygon.vertices
+    from_middle = np.linalg.norm(corners - corners.mean(axis=0), axis=1)
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1)
+    return bool(np.abs(from_middle - 1.0).max() < ROUND and np.ptp(sides) < ROUND)
 
 
 class KeptPolygons:

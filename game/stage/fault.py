@@ -23,5 +23,15 @@ def fault_at(step: int, quantity: str, error: Exception | None) -> Fault:
     """A quantity that is not finite at a step, or an exception that the step raised."""
     if error is None:
         return Fault(quantity, step, f"{quantity} is not finite at step {step}")
-    words = " ".join(str(error).split()) or "no reason given"
-    return Fault(quantity, step, f"step {step} failed: {quantity}: {words[:LONGEST]}", error)
+    return Fault(quantity, step, f"step {step} failed: {quantity}: {_said(error)}", error)
+
+
+def fault_in(step: int, what: str, error: Exception) -> Fault:
+    """Something asked of a scene at a step, its readouts say, that raised an exception."""
+    kind = type(error).__name__
+    return Fault(what, step, f"{what} failed at step {step}: {kind}: {_said(error)}", error)
+
+
+def _said(error: Exception) -> str:
+    """What an exception says, in a line."""
+    return (" ".join(str(error).split()) or "no reason given")[:LONGEST]

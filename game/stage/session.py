@@ -15,7 +15,7 @@ from typing import Any
 from game.physics.effects import EffectSet
 from game.physics.limits import LimitError
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent
-from game.stage.fault import Fault, fault_at
+from game.stage.fault import Fault, fault_at, fault_in
 from game.stage.knobs import KnobError
 from game.stage.memory import recall, remember
 from game.stage.recording import CHECK_INTERVAL, MAX_EVENTS, Check
@@ -95,6 +95,11 @@ class Session:
         """Copy the state for the picture to start from; wanted once a frame, not once a step."""
         scene = self.scene
         scene.previous = copy_state(scene.state(), scene.previous)
+
+    def stop(self, what: str, error: Exception) -> Fault:
+        """Stand still where it is, as what was asked of the scene has raised; the fault that says so."""
+        self.fault = fault_in(self.step, what, error)
+        return self.fault
 
     # -- forward ------------------------------------------------------------------------------------
 

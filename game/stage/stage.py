@@ -273,6 +273,13 @@ class Stage:
         self._next_sample = self.step_number + 1
         return True
 
+    def stop(self, what: str, error: Exception) -> Fault:
+        """Stand still, as what somebody asked of the scene (``what``: readouts, a picture) has raised.
+
+        A step back, a reset or another level lets it go on.
+        """
+        return self._session.stop(what, error)
+
     # -- events -------------------------------------------------------------------------------------
 
     def post(self, event: StageEvent) -> None:

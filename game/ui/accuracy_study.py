@@ -35,12 +35,12 @@ FEWEST = 3  # points for an estimate of those to come
 
 
 def study_data(
-    table: StudyTable, scene_title: str, present: Row | None = None, trouble: str = "", no_place: str = ""
+    table: StudyTable, scene_title: str, present: Row | None = None, trouble: str = "", place: str = ""
 ) -> AccuracyData:
     """What the overlay shows of a table, whole or in the making.
 
-    ``present``: the scene's own point; ``no_place``: why it has none. ``trouble``: what went wrong in the
-    study, if anything.
+    ``present``: the scene's own point; ``place``: what it is measured on, or why there is none. ``trouble``:
+    what went wrong in the study, if anything.
     """
     study = table.study
     target = round_error(table)
@@ -60,7 +60,7 @@ def study_data(
     return AccuracyData(
         scene_title, _subtitle(study), _axes(study), series, rows,
         _present(study, present, series, [method.name for method in shown]), target,
-        _sentence(study, rows, target), _notes(study, series, trouble, no_place),
+        _sentence(study, rows, target), _notes(study, series, trouble, place),
         "least" if study.axes.up == "cpu" else "", study.slope_name,
         floor=study.floor if study.axes.up == "error" else 0.0,
     )  # fmt: skip
@@ -177,7 +177,7 @@ def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) ->
         point = _estimate(study, setting, error, cost)
         if point.x > last:
             found.append(point)
-    return sorted(found)
+    return sorted(found, key=lambda point: point.x)
 
 
 def _estimate(study: Study, setting: Setting, error: np.ndarray, cost: np.ndarray) -> PlotPoint:
@@ -192,24 +192,18 @@ def _estimate(study: Study, setting: Setting, error: np.ndarray, cost: np.ndarra
 def _present(
     study: Study, row: Row | None, series: Sequence[PlotSeries], names: Sequence[str]
 ) -> Present | None:
-    """The scene's own point, with its method, or that whose line passes nearest."""
+    """The point measured for the scene, with its method if it is one of the study's.
+
+    Where the study has a problem of its own it is no place of the scene, but one of its settings.
+    """
     if row is None:
         return None
     point, words = _point(study, row), setting_words(study.knob, row.knob)
-    if row.method in names:
-        index = names.index(row.method)
-        return Present(index, point, f"{series[index].name}, {words}")
-    apart = [min((_apart(point, p) for p in one.points if not p.pending), default=math.inf) for one in series]
-    nearest = min(range(len(apart)), key=apart.__getitem__, default=-1)
-    return Present(nearest if nearest >= 0 and math.isfinite(apart[nearest]) else -1, point, words)
-
-
-def _apart(a: PlotPoint, b: PlotPoint) -> float:
-    """How far apart two points of one kind are in the plot, in decades squared."""
-    if a.diverged != b.diverged or min(a.x, b.x) <= 0.0 or (not a.diverged and min(a.y, b.y) <= 0.0):
-        return math.inf
-    along = 0.0 if a.diverged else math.log10(a.y / b.y)
-    return math.log10(a.x / b.x) ** 2 + along * along
+    head = "your settings" if study.workload.own is None else "you are here"
+    if row.method not in names:
+        return Present(-1, point, words, head)
+    index = names.index(row.method)
+    return Present(index, point, f"{series[index].name}, {words}", head)
 
 
 def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
@@ -226,8 +220,8 @@ def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
     return sentence_for(inside, words) or study.expectation
 
 
-def _notes(study: Study, series: Sequence[PlotSeries], trouble: str, no_place: str) -> tuple[str, ...]:
-    notes = [words for words in (trouble, no_place) if words]
+def _notes(study: Study, series: Sequence[PlotSeries], trouble: str, place: str) -> tuple[str, ...]:
+    notes = [words for words in (trouble, place) if words]
     if study.envelope:
         notes.append("Orders are fitted to the upper envelope.")
     of_errors = study.axes.up == "error"

@@ -50,11 +50,15 @@ class PlotAxes(NamedTuple):
 
 
 class Present(NamedTuple):
-    """The scene's own setting: its point, its words, and the method it is a point of (-1 if none)."""
+    """The scene's own setting: its point, its words, and the method it is a point of (-1 if none).
+
+    ``head``: what it is to be called, above its words.
+    """
 
     series: int
     point: PlotPoint
     words: str = ""
+    head: str = "you are here"
 
 
 class Range(NamedTuple):

@@ -114,7 +114,7 @@ class PlotWords:
     def _draw_here(self, present: Present, x: float, y: float) -> None:
         """A leader from the ring to what the present setting is."""
         look, px, fonts = self.look, self.look.px, self.look.fonts
-        width = max(fonts.size("you are here", 12, "semibold")[0], fonts.size(present.words, 12)[0])
+        width = max(fonts.size(present.head, 12, "semibold")[0], fonts.size(present.words, 12)[0])
         wanted = []
         for dx, dy, side in NEAR + FURTHER:
             place = pygame.Rect(0, 0, width, px(36))
@@ -135,7 +135,7 @@ class PlotWords:
         self.brush.chain(((x + way_x * reach, y + way_y * reach), (end_x, end_y)), 1.4, "amber")
         edge, align = (box.right, "right") if right else (box.x, "left")
         amber, halo = look.color("amber", words=True), look.theme.stage
-        rows = (("you are here", -9, "semibold", amber), (present.words, 9, "medium", look.theme.text1))
+        rows = ((present.head, -9, "semibold", amber), (present.words, 9, "medium", look.theme.text1))
         for words, down, weight, color in rows:
             fonts.draw(self.surface, words, (edge, box.centery + px(down)), 12, weight, color, align, halo)
 

@@ -397,17 +397,6 @@ def test_state_that_is_not_finite_stops_and_reset_begins_anew(scene: Driver):
     assert 0 < scene.stage.step_number < 20
 
 
-def test_scene_that_cannot_be_drawn_does_not_take_the_program_with_it(scene: Driver, monkeypatch, capsys):
-    monkeypatch.setattr(scene.stage.scene_type, "draw", lambda self, canvas, alpha: 1 / 0)
-    scene.frames(3)
-    assert "cannot be drawn" in scene.top.play.banner.text
-    assert "ZeroDivisionError" in capsys.readouterr().err
-    monkeypatch.undo()
-    scene.key(pygame.K_BACKSPACE)
-    scene.frames(3)
-    assert scene.top.play.banner.text == ""
-
-
 def test_what_is_under_a_card_stands_still(scene: Driver):
     stage, step = scene.stage, scene.stage.step_number
     scene.key(pygame.K_F1)

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from game.lab import Knob, Method, Row, Setting, Study, StudyTable
+from game.lab import Knob, Method, Row, Setting, Study, StudyTable, Workload
 from game.ui.accuracy_study import round_error, setting_words, study_data
 
 STEPS = [2.0**-i for i in range(4, 14)]
@@ -111,13 +111,10 @@ def test_the_present_setting_and_its_words():
     data = study_data(table_of(made, rows), "A scene", row("second", 0.01))
     assert data.present.series == 1 and data.present.words == "Second order, step 10.0 ms"
     data = study_data(table_of(made, rows), "A scene", row("first", 0.01)._replace(method="present"))
-    assert data.present.series == 0 and data.present.words == "step 10.0 ms"  # the nearest line
-    assert (
-        study_data(
-            table_of(made, []), "A scene", data.present and rows[0]._replace(method="x")
-        ).present.series
-        == -1
-    )
+    assert data.present.series == -1 and data.present.words == "step 10.0 ms"  # of none, however near a line
+    assert data.present.head == "your settings"
+    same = study(workload=Workload("a law", lambda parameters: ""))
+    assert study_data(table_of(same, rows), "A scene", row("first", 0.01)).present.head == "you are here"
     assert setting_words(made.knob, 0.5, (("passes", 5.0),)) == "step 500 ms, passes 5"
 
 
@@ -133,5 +130,5 @@ def test_the_round_error_is_one_that_all_methods_reach():
 def test_a_scene_without_a_place_among_the_points_is_told_why():
     made = study()
     rows = [row(s.method, s.knob) for s in made.settings()]
-    data = study_data(table_of(made, rows), "A scene", no_place="No mark: nothing is turned.")
+    data = study_data(table_of(made, rows), "A scene", place="No mark: nothing is turned.")
     assert data.present is None and data.notes[0] == "No mark: nothing is turned."

@@ -208,8 +208,6 @@ class FuzzSession:
         play = getattr(self.driver.top, "play", None)
         if play is None:
             return ""
-        if play.drawing_error:
-            return play.drawing_error
         fault = play.stage.fault
         if fault is None:
             return "" if math.isfinite(play.stage.time_s) else "the time is not finite"

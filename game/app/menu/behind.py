@@ -17,7 +17,7 @@ class Behind:
     """``update`` once a frame."""
 
     def __init__(self, app: App) -> None:
-        self.thumbnails = Thumbnails(app.catalogue, app.canvas_warming)
+        self.thumbnails = Thumbnails(app)
         self.preparation = Preparation()
         self._app = app
         self._age_s = 0.0

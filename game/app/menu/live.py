@@ -58,14 +58,11 @@ class LiveScene:
         with contextlib.suppress(Exception):  # what could be built once and now cannot stands still
             self._next.put(self._begin())
 
-    def draw(self, size: tuple[int, int], look: Look) -> pygame.Surface | None:
-        """Its picture, or None if it cannot be drawn."""
+    def draw(self, size: tuple[int, int], look: Look) -> pygame.Surface:
+        """Its picture. Whatever the scene raises passes through."""
         surface = pygame.Surface(size, 0, 32)
         surface.fill(look.theme.stage)
-        try:
-            self._view_for(size, look).draw(surface)
-        except Exception:  # a scene's own slip; its card then keeps its drawing
-            return None
+        self._view_for(size, look).draw(surface)
         return surface
 
     def _view_for(self, size: tuple[int, int], look: Look) -> StageView:

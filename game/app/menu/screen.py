@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pygame
 
@@ -19,6 +19,7 @@ from game.ui.motion import LIFT_S, Fade
 
 if TYPE_CHECKING:
     from game.app.application import App
+    from game.app.guard import Failure
 
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 LEVELS_SHOWN = 60  # of those found; more is no list to read
@@ -36,6 +37,8 @@ class Item(NamedTuple):
 
 class MenuScreen(Screen):
     """All scenes; opens one."""
+
+    called: ClassVar[str] = "The menu"
 
     def __init__(self, app: App, focus: str = ""):
         super().__init__(app)
@@ -257,7 +260,15 @@ class MenuScreen(Screen):
         assert item.card is not None
         size = item.card.picture.size
         picture = self.thumbnails.picture(item.entry.name, size, self.app.look)
-        return sketch(item.entry.name, size, self.app.look) if picture is None else picture
+        if picture is None:
+            picture = pygame.Surface(size, 0, 32)
+            picture.fill(self.app.look.theme.stage)
+            with self.app.guard.over(f"The drawing of {item.entry.title}", self._tell_undrawn):
+                picture = sketch(item.entry.name, size, self.app.look)
+        return picture
+
+    def _tell_undrawn(self, failure: Failure) -> None:
+        self.app.tell_of(failure, "cannot be shown")
 
     def _paint(self, size: tuple[int, int]) -> pygame.Surface:
         """Everything but the chosen item and the header."""

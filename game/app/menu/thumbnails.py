@@ -9,18 +9,20 @@ from __future__ import annotations
 import contextlib
 import queue
 import threading
+from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.canvas_warming import CanvasWarming
+from game.app.guard import Failure
 from game.app.pictures import write_png
 from game.app.readiness import any_notes, is_ready
 from game.folders import cache_folder
-from game.stage.catalogue import Catalogue, Entry
+from game.stage.catalogue import Entry
 from game.ui.look import Look
 
 if TYPE_CHECKING:
+    from game.app.application import App
     from game.app.menu.live import LiveScene
 
 Key = tuple[str, str, int, int]  # scene, theme, width, height
@@ -29,9 +31,10 @@ Key = tuple[str, str, int, int]  # scene, theme, width, height
 class Thumbnails:
     """Pictures by scene; ``update`` once a frame, ``picture`` when one is wanted."""
 
-    def __init__(self, catalogue: Catalogue, canvas: CanvasWarming):
-        self._catalogue = catalogue
-        self._canvas = canvas
+    def __init__(self, app: App):
+        self._app = app
+        self._catalogue = app.catalogue
+        self._canvas = app.canvas_warming
         self._pictures: dict[Key, pygame.Surface | None] = {}
         self._live: dict[str, LiveScene] = {}
         self._drawn: set[Key] = set()
@@ -54,8 +57,9 @@ class Thumbnails:
             self._live[live.entry.name] = live
         if moving in self._live and moving in sizes:
             live = self._live[moving]
-            live.advance(elapsed_s)
-            self._draw(live, sizes[moving], look)
+            with self._watch(live):
+                live.advance(elapsed_s)
+                self._draw(live, sizes[moving], look)
         return self._draw_one_more(sizes, look)
 
     def begin(self) -> None:
@@ -70,20 +74,27 @@ class Thumbnails:
         """Draw one picture that was not drawn in this size and theme yet."""
         for name, live in list(self._live.items()):
             if name in sizes and (name, look.theme.name, *sizes[name]) not in self._drawn:
-                self._draw(live, sizes[name], look)
+                with self._watch(live):
+                    self._draw(live, sizes[name], look)
                 return True
         return False
 
     def _draw(self, live: LiveScene, size: tuple[int, int], look: Look) -> None:
         key = (live.entry.name, look.theme.name, *size)
         picture = live.draw(size, look)
-        if picture is None:
-            del self._live[live.entry.name]
-            return
         if key not in self._drawn:
             _keep(key, picture)
         self._drawn.add(key)
         self._pictures[key] = picture
+
+    def _watch(self, live: LiveScene) -> AbstractContextManager[None]:
+        """Within this a scene is at work; if it raises, its card keeps the drawing that it has."""
+
+        def drop(failure: Failure) -> None:
+            del self._live[live.entry.name]
+            self._app.tell_of(failure, "cannot be shown")
+
+        return self._app.guard.over(f"The picture of {live.entry.title}", drop)
 
     def _prepare(self) -> None:
         """Build the scenes that are ready, one after another, and let them come to something worth seeing."""

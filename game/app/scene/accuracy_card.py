@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import pygame
 
@@ -30,6 +30,8 @@ _latest: list[StudyRun] = []  # the run that was begun last, of any card: it may
 
 class AccuracyCard(PageScreen):
     """Goes on with what was measured earlier; offers all studies of the scene."""
+
+    called: ClassVar[str] = "What accuracy costs"
 
     page: AccuracyPage
 
@@ -95,6 +97,9 @@ class AccuracyCard(PageScreen):
         )
         if state != self._shown:
             self._shown = state
+            if self.run.failure is not None:
+                kept = self.app.guard.keep(self.called, self.run.failure)
+                self.run.error, self.run.failure = f"{self.run.error}. {kept.where}".rstrip(), None
             self.page.show(self._data())
         self.page.report(self.run.progress)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from game.app.scene.page_screen import PageScreen
 from game.stage import Scene
@@ -26,6 +26,8 @@ SHOWN = (
 
 class HelpCard(PageScreen):
     """Made from the scene's declarations; F1 closes it as well."""
+
+    called: ClassVar[str] = "Help"
 
     def __init__(self, app: App, scene_type: type[Scene]):
         rows = [

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-import traceback
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +17,7 @@ from game.app.scene.opening import Opening
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
 from game.app.scene.standstill import Standstill
+from game.app.scene.stopping import Stopping
 from game.app.scene.variants import Variants
 from game.app.script import Script
 from game.app.stars import StarKeeper
@@ -35,6 +34,7 @@ from game.ui.commands import Command
 
 if TYPE_CHECKING:
     from game.app.application import App
+    from game.app.guard import Failure
     from game.app.scene.shell import Shell
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
@@ -62,7 +62,7 @@ class ScenePlay:
         self.hand = ScenePointer(stage.scene_type, self.view.camera)
         self.banner = FaultBanner(app)
         self.meter = EffectMeter(stage)
-        self.drawing_error = ""
+        self.stopping = Stopping()
         self.standstill = Standstill()
         self._seen = True  # whether the present state has been drawn
         self._unseen_s = 0.0  # that a thread has been at work in the scene
@@ -158,7 +158,7 @@ class ScenePlay:
         """Take back a drag, or else leave the part of the scene that one is in; False if there is neither."""
         if self.cancel():
             return True
-        name = self.stage.scene.way_out
+        name = "" if self.stopped else self.stage.scene.way_out
         if name:
             self.act(name)
         return bool(name)
@@ -193,7 +193,6 @@ class ScenePlay:
 
     def _reset(self) -> None:
         self.script = None
-        self.drawing_error = ""
         self.gate.reset()
 
     # -- files --------------------------------------------------------------------------------------
@@ -223,7 +222,6 @@ class ScenePlay:
 
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
-        self.drawing_error = ""
         self.try_steps()
         self._place_view()
         self.view.camera.home(smooth=False)
@@ -238,6 +236,9 @@ class ScenePlay:
     def update(self, elapsed_s: float) -> None:
         """Events of the hand, then the steps that are due, then what is shown of them."""
         self.errands.update(elapsed_s)
+        if self.stopped:
+            self._stand_still(elapsed_s)
+            return
         if not self.errands.busy:
             self._go_on(elapsed_s)
         if self.errands.inside:
@@ -254,6 +255,13 @@ class ScenePlay:
             self.app.tell(cause + ("." if consequence else ""), consequence)
         self.shell.update(elapsed_s + self._unseen_s, stage, self.meter)
         self._unseen_s = 0.0
+        self.banner.update(elapsed_s, self.trouble)
+
+    def _stand_still(self, elapsed_s: float) -> None:
+        """Time passes for what is round a scene that is not asked anything any more."""
+        self.hand.take()
+        self.app.sounds.follow(None)
+        self.shell.rest(elapsed_s)
         self.banner.update(elapsed_s, self.trouble)
 
     def _go_on(self, elapsed_s: float) -> None:
@@ -303,9 +311,22 @@ class ScenePlay:
     @property
     def trouble(self) -> str:
         """Why the scene stands still, if something went wrong."""
-        if self.stage.fault is not None:
-            return f"Stopped: {self.stage.fault.message}."
-        return self.drawing_error
+        return self.stopping.trouble(self.stage)
+
+    @property
+    def stopped(self) -> bool:
+        """Whether something asked of the scene has failed, so that nothing more is asked of it."""
+        return self.stopping.holds(self.stage)
+
+    def survive(self, failure: Failure, asked: bool) -> bool:
+        """Stop the scene, as what it was asked has failed; False if it is what is round it that fails.
+
+        ``asked``: an event has led to it; else time that passed, or the picture.
+        """
+        if self.stopped and asked:
+            self.app.tell("Not done.", failure.told, "warning")
+            return True
+        return self.stopping.stop(self.stage, failure)
 
     def draw(self, surface: pygame.Surface) -> None:
         """The scene and its shell; as they were while a thread is at work in the scene."""
@@ -320,14 +341,10 @@ class ScenePlay:
     def _draw(self, surface: pygame.Surface) -> None:
         self._seen = True
         layout = self.shell.layout
-        if self.drawing_error or layout.free_stage != layout.stage:  # else the scene's picture covers it
+        pictureless = self.stopping.hides(self.stage)
+        if pictureless or layout.free_stage != layout.stage:  # else the scene's picture covers it
             surface.fill(self.app.look.theme.stage, layout.stage)
-        if not self.drawing_error:
-            try:
-                self.view.draw(surface, self.shell.beat.fresh)
-            except Exception as error:  # a scene's slip must not take the program with it
-                traceback.print_exc(file=sys.stderr)
-                surface.set_clip(None)
-                self.drawing_error = f"The picture cannot be drawn: {error}"
-        self.shell.draw(surface, self.stage, self.stage.scene.legend())
+        if not pictureless:
+            self.view.draw(surface, self.shell.beat.fresh)
+        self.shell.draw(surface, self.stage, () if self.stopped else self.stage.scene.legend())
         self.banner.draw(surface)

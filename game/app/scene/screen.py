@@ -16,6 +16,7 @@ from game.ui.commands import Command
 
 if TYPE_CHECKING:
     from game.app.application import App
+    from game.app.guard import Failure
     from game.app.scene.play import ScenePlay
     from game.stage.catalogue import Entry
 
@@ -39,6 +40,7 @@ PAUSE_ROWS = (
 class SceneScreen(Screen):
     """While the scene loads, its shell with the loading card; then the scene itself."""
 
+    called: ClassVar[str] = "The scene"
     gamepad: ClassVar[Literal["keys", "pointer"]] = "pointer"
 
     def __init__(self, app: App, entry: Entry, opening: Opening):
@@ -119,6 +121,9 @@ class SceneScreen(Screen):
         if self.play is not None:
             self.play.cancel()
 
+    def survive(self, failure: Failure, asked: bool) -> bool:
+        return self.play is not None and self.play.survive(failure, asked)
+
     # -- events -------------------------------------------------------------------------------------
 
     def wants_key(self, event: pygame.Event) -> bool:
@@ -189,7 +194,7 @@ class SceneScreen(Screen):
         elif name == "help":
             from game.app.scene.help_card import HelpCard
 
-            self.app.push(HelpCard(self.app, play.stage.scene_type))
+            self.app.open_card(HelpCard, play.stage.scene_type)
         elif name == "tour":
             self._open_tour()
         elif name == "accuracy":
@@ -207,13 +212,13 @@ class SceneScreen(Screen):
         self.app.tour_due = False
         self.app.settings.toured = True
         self.app.save_settings()
-        self.app.push(TourScreen(self.app, self.shell))
+        self.app.open_card(TourScreen, self.shell)
 
     def _open_pause_menu(self) -> None:
         """All that can be done, as a list; the scene stands still under it."""
         label = self.app.keys.label
         rows = [Row(words, chip=label(name) if name else "", value=name) for name, words in PAUSE_ROWS]
-        self.app.push(ChoiceCard(self.app, "Pause", rows, self._do_later))
+        self.app.open_card(ChoiceCard, "Pause", rows, self._do_later)
 
     def _do_later(self, name: str) -> None:
         """Do what was chosen once the card has gone."""
@@ -221,7 +226,7 @@ class SceneScreen(Screen):
 
     def _choose(self, heading: str, rows: list[Row], present: Any) -> None:
         assert self.play is not None
-        self.app.push(ChoiceCard(self.app, heading, rows, self.play.open_file, present))
+        self.app.open_card(ChoiceCard, heading, rows, self.play.open_file, present)
 
     def _open_accuracy(self, play: ScenePlay) -> None:
         study = play.stage.scene_type.study
@@ -231,7 +236,7 @@ class SceneScreen(Screen):
         from game.app.scene.accuracy_card import AccuracyCard
 
         play.errands.wait()  # it looks into the scene
-        self.app.push(AccuracyCard(self.app, play, study))
+        self.app.open_card(AccuracyCard, play, study)
 
     # -- picture ------------------------------------------------------------------------------------
 

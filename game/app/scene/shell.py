@@ -132,6 +132,12 @@ class Shell:
             about = self.panel.tip()
         self.tip.update(elapsed_s, about)
 
+    def rest(self, elapsed_s: float) -> None:
+        """Let time pass for bar and hints alone: the scene cannot be asked for what the others show."""
+        self.bar.update(elapsed_s, self.bar.state._replace(paused=True, ready=True), False)
+        self.hints.update(elapsed_s)
+        self.tip.update(elapsed_s, self.bar.tip())
+
     def _bar_state(self, stage: Stage | None, measured: bool) -> BarState:
         """What the bar shows; ``measured``: with new numbers, which cost as much as some scenes' step."""
         panel = bool(self.layout.panel.w)

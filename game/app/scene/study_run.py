@@ -31,7 +31,8 @@ class StudyRun:
             len(self.table), max(len(study.settings()), 1), "the present setting", running=True
         )
         self.error = ""
-        self.no_place = ""  # why there is no present setting
+        self.failure: Exception | None = None
+        self.place = ""  # what the present setting is measured on, or why there is none, in words
         self._parameters = dict(parameters)
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._work, name=f"study {study.name}", daemon=True)
@@ -53,15 +54,16 @@ class StudyRun:
             if self._stop.is_set():
                 self.progress = self.progress._replace(running=False)
                 return
+            _, self.place = self.study.place(self._parameters)
             self.present = measure_present(
                 self.study, self._parameters, seconds=ENOUGH_S, stop=self._stop.is_set
             )
-            self.no_place = self.study.no_place if self.present is None else ""
             run_study(self.study, self._report, self._stop.is_set, self.table, seconds=ENOUGH_S)
         except StoppedError:
             pass
         except Exception as error:  # a study's own code; the page says so and the scene goes on
             self.error = " ".join(str(error).split()) or type(error).__name__
+            self.failure = error
         self.progress = self.progress._replace(done=len(self.table), running=False)
 
     def _report(self, done: int, total: int, label: str, left_s: float) -> None:
@@ -71,4 +73,4 @@ class StudyRun:
 def accuracy_data(run: StudyRun, title: str) -> AccuracyData:
     """What has been measured so far, as the page draws it."""
     table = StudyTable(run.study, list(run.table.rows))
-    return study_data(table, title, run.present, run.error, run.no_place)
+    return study_data(table, title, run.present, run.error, run.place)

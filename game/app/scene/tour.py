@@ -63,6 +63,7 @@ PANEL_OFF = (("panel",), "all that can be chosen and set")
 class TourScreen(Screen):
     """Shown over a scene, which stands still; any way out of it counts as seen."""
 
+    called: ClassVar[str] = "The tour"
     overlay: ClassVar[bool] = True
 
     def __init__(self, app: App, shell: Shell):

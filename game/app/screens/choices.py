@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import pygame
 
@@ -30,6 +30,7 @@ class Row(NamedTuple):
 class ChoiceCard(CardScreen):
     """Rows under a title; ``chosen`` is called with the value of the one taken, and the card goes."""
 
+    called: ClassVar[str] = "The list"
     width = 720.0
 
     def __init__(

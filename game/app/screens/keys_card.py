@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import pygame
 
@@ -36,6 +36,8 @@ MODIFIERS = frozenset(
 
 class KeysCard(CardScreen):
     """Every command and its key, in two columns; a row that is pressed waits for its new key."""
+
+    called: ClassVar[str] = "The card of keys"
 
     def __init__(self, app: App):
         super().__init__(app)

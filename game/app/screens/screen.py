@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from typing import TYPE_CHECKING, ClassVar, Literal
 
 import pygame
 
 if TYPE_CHECKING:
     from game.app.application import App
+    from game.app.guard import Failure
 
 
 class Screen:
     """Base of all screens. ``app`` lends theme, fonts, keys, settings and the stack."""
 
+    called: ClassVar[str] = "The page"  # in messages
     overlay: ClassVar[bool] = False  # leaves what is below visible
     gamepad: ClassVar[Literal["keys", "pointer"]] = "keys"  # what a gamepad's stick moves
 
@@ -63,6 +66,13 @@ class Screen:
     def closed(self) -> None:
         """Taken from the stack: stop threads, let go of what is held."""
 
+    def survive(self, failure: Failure, asked: bool) -> bool:
+        """Go on without what has failed; False if that cannot be done, and the screen is to be closed.
+
+        ``asked``: it failed at an event, not because time passed or the screen was drawn.
+        """
+        return False
+
 
 class ScreenStack:
     """Screens from the bottom to the top. One at least, once the program runs."""
@@ -95,18 +105,30 @@ class ScreenStack:
     def pop(self) -> None:
         """Take the top screen away; the last one stays."""
         if len(self._screens) > 1:
-            self._screens.pop().closed()
-            self.top.uncovered()
+            try:
+                self._screens.pop().closed()
+            finally:
+                self.top.uncovered()
 
     def replace(self, screen: Screen) -> None:
         """Another screen in place of the top one and of all overlays."""
-        while self._screens and self.top.overlay:
-            self._screens.pop().closed()
-        if self._screens:
-            self._screens.pop().closed()
-        self._screens.append(screen)
+        first = max((i for i, one in enumerate(self._screens) if not one.overlay), default=0)
+        gone, self._screens[first:] = self._screens[first:], [screen]
+        _close(gone)
+
+    def remove(self, screen: Screen) -> None:
+        """Forget a screen that has failed; it is not asked anything any more. The last one stays."""
+        if len(self._screens) > 1 and screen in self._screens:
+            self._screens.remove(screen)
 
     def clear(self) -> None:
         """Close all, from the top."""
-        while self._screens:
-            self._screens.pop().closed()
+        gone, self._screens[:] = self._screens[:], []
+        _close(gone)
+
+
+def _close(screens: list[Screen]) -> None:
+    """Close them from the top, all of them even if one raises."""
+    with ExitStack() as closing:
+        for screen in screens:
+            closing.callback(screen.closed)

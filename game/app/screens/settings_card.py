@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pygame
 
@@ -42,6 +42,8 @@ LINES = (
 
 class SettingsCard(CardScreen):
     """Segments; a press acts at once and is kept."""
+
+    called: ClassVar[str] = "The settings"
 
     def __init__(self, app: App):
         super().__init__(app)

@@ -23,7 +23,7 @@ from game.billiards.trajectory import Trajectory
 from game.lab.ranges import counts_between
 from game.lab.studies.billiards_effects import effects_study
 from game.lab.studies.billiards_hits import missed_hits_study, overlap_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
 
 STEPS_PER_S = {"stepped": (20.0, 20_000.0), "lecture": (20.0, 2_000.0)}  # the range of the scene's knobs
 PLACES = [[0.35, 0.5], [0.75, 1.25], [0.95, 2.1]]  # m
@@ -131,6 +131,7 @@ def _study(name: str, title: str, time: float, number: int, passes: tuple[int, .
         envelope=True,
         floor=1e-10,
         present=present_setting,
+        workload=Workload("three balls on a bare table"),
         **more,
     )
 

@@ -14,7 +14,7 @@ from game.billiards.shot import Shot, make_shot
 from game.billiards.shot_effects import CLOTH, EXACT_EFFECTS, RUBBER, SPIN_DECAY, THROW, physics_of
 from game.billiards.simulation import simulate
 from game.billiards.table import Table
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.effects import EffectSet
 
 EFFECTS = {"cloth": CLOTH, "spin-decay": SPIN_DECAY, "throw": THROW, "rubber": RUBBER}
@@ -78,7 +78,9 @@ def active_of(switched: Mapping[str, object]) -> EffectSet:
 
 def present_setting(parameters: Mapping[str, object]) -> Setting:
     """Where a scene with these effects stands, in a break."""
-    return Setting("present", float(BREAK_BALLS), {}, {name: bool(parameters[name]) for name in EFFECTS})
+    switched = {name: bool(parameters[name]) for name in EFFECTS}
+    names = (name for name in ("all", *EFFECTS, "none") if switches(effects_without(name)) == switched)
+    return Setting(next(names, "present"), float(BREAK_BALLS), {}, switched)
 
 
 def _settings() -> Sequence[Setting]:
@@ -108,6 +110,7 @@ effects_study = Study(
     short="Effects",
     trial=lambda setting: WithoutEffect(active_of(setting.scene), int(setting.knob)),
     present=present_setting,
+    workload=Workload("a break of so many balls"),
     reference="the exact table with all effects.",
     expectation="An effect costs the events that it brings: in a break the cloth is every other one, as "
     "balls begin to roll and come to rest. Throw, spin decay and cushion friction cost little, and each puts "

@@ -15,7 +15,7 @@ from game.billiards.simulation import simulate
 from game.billiards.table import Table
 from game.lab.references import missed_share
 from game.lab.studies.missed_hits import HIT_SHOTS, HIT_SPEED, HitShots, missed_hits_of
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 
 STEP = Knob("step", "step", "s")
 HIT_WAY = 0.6  # m from before the contact to behind it
@@ -127,6 +127,7 @@ overlap_study = Study(
     present=lambda parameters: Setting(
         f"passes-{int(parameters['passes'])}", float(parameters["stepped_step"])
     ),
+    workload=Workload("a break at 8 m/s"),
     reference="no overlap at all, as on the exact table.",
     expectation="Moving one pair apart pushes the next together: one pass leaves a tightly packed rack "
     "overlapping by what a ball moves in a step, and more passes, or shorter steps, buy that off.",

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.bounds_gap import gap_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.bounds import (
     FITS,
     fit_capsule,
@@ -153,6 +153,7 @@ box_study = Study(
     ),
     floor=1e-9,
     present=present_fit,
+    workload=Workload("40 shapes"),
     cost="CPU time for one shape",
     short="Fit",
     related=(gap_study,),
@@ -181,6 +182,7 @@ capsule_study = Study(
     ),
     floor=1e-9,
     present=present_fit,
+    workload=Workload("16 shapes"),
     cost="CPU time for one shape",
     short="Fit",
     related=(gap_study,),

@@ -7,14 +7,12 @@ quarter of it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.bounds import BoundingTree, Query, build_tree
 
 Array = NDArray[np.float64]
@@ -71,7 +69,7 @@ class GapTrial:
 
 def gap_trial(setting: Setting) -> GapTrial:
     """The query at one gap."""
-    kind, fit = TREES.get(setting.method) or (setting.scene["volume"], setting.scene["fit"])
+    kind, fit = TREES[setting.method]
     return GapTrial(kind, fit, setting.knob)
 
 
@@ -82,18 +80,6 @@ def gap_settings() -> list[Setting]:
         for gap in GAPS
         for name in TREES
     ]
-
-
-def present_gap(parameters: Mapping[str, Any]) -> Setting | None:
-    """The trees of a scene at the gap between its outlines, if there is one."""
-    gap = float(parameters["gap"])
-    kind, fit = str(parameters["volume"]), str(parameters["fit"])
-    names = [name for name, tree in TREES.items() if tree == (kind, "search" if kind == "aabb" else fit)]
-    return (
-        Setting(names[0] if names else "present", gap, {}, {"volume": kind, "fit": fit})
-        if gap > 0.0
-        else None
-    )
 
 
 gap_study = Study(
@@ -117,8 +103,8 @@ gap_study = Study(
         "Boxes by degrees lose that where they are thinner than half a degree of their length."
     ),
     order_over="counter",
-    present=present_gap,
-    no_place="No mark: the outlines meet, and no gap can be proven.",
+    workload=Workload("two arcs about one centre"),
+    no_place="No mark: measured on two arcs about one centre; your scene has outlines of its own.",
     cost="CPU time for one query",
     short="Gap",
 )

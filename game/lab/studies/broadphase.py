@@ -8,7 +8,15 @@ from collections.abc import Callable
 import numpy as np
 
 from game.lab.studies.broadphase_missed import missed_pairs_study
-from game.lab.studies.broadphase_steps import EXTENT, PER_STEP, SEED, Steps, geometric, tests_per_box
+from game.lab.studies.broadphase_steps import (
+    EXTENT,
+    PER_STEP,
+    SEED,
+    Steps,
+    boxes_of,
+    geometric,
+    tests_per_box,
+)
 from game.lab.study import Axes, Knob, Method, Setting, Study
 from game.physics.broadphase import BroadPhase, CoveringGrid, HierarchicalGrid, UniformGrid
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
@@ -16,6 +24,7 @@ from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 # -- cell size
 
 CELL_BOXES = 3000
+CELL_PARAMETERS = {"workload": "equal", "count": CELL_BOXES, "fill": 0.1}
 
 
 def _cell_trial(setting: Setting) -> Steps:
@@ -38,12 +47,13 @@ cell_cost_study = Study(
         Method("covered", "a box in all cells it covers"),
     ),
     settings=lambda: [
-        Setting(method, cell, {}, {"cell": cell, "storage": method}, 1.0)
+        Setting(method, cell, {}, {**CELL_PARAMETERS, "cell": cell, "storage": method}, 1.0)
         for method in ("corner", "covered")
         for cell in geometric(0.25, 32.0, 15)
     ],
     trial=_cell_trial,
     present=lambda parameters: Setting(str(parameters["storage"]), float(parameters["cell"])),
+    workload=boxes_of("3000 equal boxes, density 0.1", **CELL_PARAMETERS),
     axes=Axes("knob", "cpu"),
     short="Cell size",
     cost=PER_STEP,
@@ -53,13 +63,17 @@ cell_cost_study = Study(
     "2 to 6 sizes, one cell for each box at 1 to 1.5.",
 )
 cell_size_study = missed_pairs_study(
-    "c05", "Uniform grid", lambda size: UniformGrid((0.0, 0.0), EXTENT, 2.0 * size), (cell_cost_study,)
-)
+    "c05", "Uniform grid", lambda size: UniformGrid((0.0, 0.0), EXTENT, 2.0 * size), (cell_cost_study,),
+    cell=2.0, storage="corner",
+)  # fmt: skip
 
 
 # -- size ratio
 
 RATIO_BOXES, RATIO_LARGE = 3000, 20
+RATIO_PARAMETERS = {
+    "workload": "heavy-tail", "count": RATIO_BOXES, "fill": 0.05, "share": RATIO_LARGE / RATIO_BOXES,
+}  # fmt: skip
 
 
 def _ratio_boxes(ratio: float) -> MovingBoxes:
@@ -103,7 +117,7 @@ ratio_study = Study(
         Method("hierarchical-8", "hierarchy, eight times"),
     ),
     settings=lambda: [
-        Setting(method, ratio, {}, {"ratio": ratio, "workload": "heavy-tail"}, 1.0)
+        Setting(method, ratio, {}, {**RATIO_PARAMETERS, "ratio": ratio}, 1.0)
         for method in ("largest", "tuned", "hierarchical-2", "hierarchical-4", "hierarchical-8")
         for ratio in geometric(1.0, 256.0, 9)
     ],
@@ -111,6 +125,7 @@ ratio_study = Study(
     present=lambda parameters: Setting(
         f"hierarchical-{parameters['step_ratio']}", float(parameters["ratio"])
     ),
+    workload=boxes_of("3000 boxes, 20 of them large, density 0.05", **RATIO_PARAMETERS),
     axes=Axes("knob", "cpu"),
     short="Size ratio",
     cost=PER_STEP,

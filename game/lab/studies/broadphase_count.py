@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from game.lab.studies.broadphase_steps import EXTENT, PER_STEP, SEED, Steps, tests_per_box
+from game.lab.studies.broadphase_steps import EXTENT, PER_STEP, SEED, Steps, boxes_of, tests_per_box
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import (
     BroadPhase,
@@ -22,6 +22,7 @@ from game.physics.broadphase import (
 from game.physics.broadphase.workloads import make_boxes
 
 MOST_NAIVE = 10_000
+COUNT_PARAMETERS = {"workload": "equal", "fill": 0.375}
 COUNT_METHODS: dict[str, Callable[[float], BroadPhase]] = {
     "naive": lambda size: NaiveBroadPhase(),
     "uniform": lambda size: UniformGrid((0.0, 0.0), EXTENT, 1.25 * size),
@@ -42,7 +43,7 @@ def _count_trial(setting: Setting) -> Steps:
 def _count_settings() -> list[Setting]:
     """Ten to thirty thousand boxes; fewer for testing all pairs."""
     return [
-        Setting(method, count, {}, {"count": int(count)}, count)
+        Setting(method, count, {}, {**COUNT_PARAMETERS, "count": int(count)}, count)
         for method in COUNT_METHODS
         for count in (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0, 30_000.0)
         if method != "naive" or count <= MOST_NAIVE
@@ -65,6 +66,7 @@ work_study = Study(
     settings=_count_settings,
     trial=_count_trial,
     present=lambda parameters: Setting("hierarchical", float(parameters["count"])),
+    workload=boxes_of("equal boxes, density 0.375", **COUNT_PARAMETERS),
     axes=Axes("knob", "error"),
     short="Work",
     cost=PER_STEP,

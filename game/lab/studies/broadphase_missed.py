@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.studies.broadphase_steps import EXTENT, SEED
+from game.lab.studies.broadphase_steps import EXTENT, SEED, boxes_of
 from game.lab.study import Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 
 Array = NDArray[np.float64]
 MISS_BOXES, MISS_S, MISS_SPEED = 400, 0.5, 4.0  # boxes, s, m/s
+MISS_PARAMETERS = {"workload": "equal", "count": MISS_BOXES, "fill": 0.05, "speed": MISS_SPEED}
 MISS_RATES = (960, 480, 240, 120, 60, 30, 16, 8, 4)  # steps/s
 
 
@@ -105,14 +106,26 @@ class PairsOverTime:
 
 
 def missed_pairs_study(
-    name: str, title: str, make: Callable[[float], BroadPhase], related: tuple[Study, ...] = ()
+    name: str,
+    title: str,
+    make: Callable[[float], BroadPhase],
+    related: tuple[Study, ...] = (),
+    **structure: Any,
 ) -> Study:
-    """The study of pairs missed between steps with a broad phase; ``make`` takes the size of the boxes, m."""
+    """The study of pairs missed between steps with a broad phase; ``make`` takes the size of the boxes, m.
+
+    ``structure``: what the scene's parameters are if it pairs boxes up in the same way.
+    """
+    alike = {**MISS_PARAMETERS, **structure}
 
     def settings() -> Sequence[Setting]:
         return [
             Setting(
-                method, 1.0 / rate, {}, {"step_length": 1.0 / rate, "swept": method != "end"}, float(rate)
+                method,
+                1.0 / rate,
+                {},
+                {**alike, "step_length": 1.0 / rate, "swept": method != "end"},
+                float(rate),
             )
             for method in ("end", "swept", "exact")
             for rate in MISS_RATES
@@ -142,6 +155,7 @@ def missed_pairs_study(
         "the step. Swept boxes miss none and name some that do not touch. Testing times of overlap of the "
         "few swept pairs is exact at any step: that is what a swept test costs.",
         present=present,
+        workload=boxes_of("400 equal boxes at 4 m/s, density 0.05", **alike),
         short="Missed pairs",
         related=related,
     )

@@ -16,6 +16,7 @@ from game.lab.studies.broadphase_steps import (
     SEED,
     Steps,
     box_size,
+    boxes_of,
     geometric,
     tests_per_box,
 )
@@ -24,6 +25,7 @@ from game.physics.broadphase import SweepAndPrune, UniformGrid
 from game.physics.broadphase.workloads import expected_swaps, make_boxes
 
 SPEED_BOXES, SPEED_FILL, SPEED_STEP = 1000, 0.1, 1.0 / 60.0  # of the world, s
+SPEED_PARAMETERS = {"workload": "equal", "count": SPEED_BOXES, "fill": SPEED_FILL}
 
 
 def _swaps_over_formula(steps: Steps) -> Outcome:
@@ -47,7 +49,7 @@ def _speed_settings(methods: Sequence[str]) -> Sequence[Setting]:
         for share in geometric(0.005, 8.0, 11):
             formula = expected_swaps(SPEED_BOXES, share * size, EXTENT) / SPEED_BOXES
             scene = {
-                "resort": method == "resort", "workload": "equal", "count": SPEED_BOXES, "fill": SPEED_FILL,
+                **SPEED_PARAMETERS, "resort": method == "resort",
                 "step_length": SPEED_STEP, "speed": share * size / SPEED_STEP,
             }  # fmt: skip
             points.append(Setting(method, share, {"formula": formula}, scene, 1.0))
@@ -79,6 +81,7 @@ swaps_study = Study(
     settings=partial(_speed_settings, ("swaps", "grid")),
     trial=_speed_trial,
     present=_present_speed,
+    workload=boxes_of("1000 equal boxes, density 0.1", **SPEED_PARAMETERS),
     axes=Axes("knob", "error"),
     short="Swaps",
     cost=PER_STEP,

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 
-from game.lab.study import Outcome
+from game.lab.study import Outcome, Workload
 from game.physics.broadphase import BroadPhase, SweepAndPrune
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 
@@ -18,6 +20,36 @@ PER_STEP = "CPU time for one step"
 def geometric(first: float, last: float, count: int) -> list[float]:
     """Values from first to last, evenly spread in the logarithm, to six digits."""
     return [float(f"{value:.6g}") for value in np.geomspace(first, last, count)]
+
+
+def boxes_of(words: str, **values: Any) -> Workload:
+    """The workload of a scene whose random boxes have these parameters."""
+
+    def own(parameters: Mapping[str, Any]) -> str:
+        if parameters["listed"]:
+            return "the boxes of its level"
+        if not parameters["box-motion"]:
+            return "boxes that stand still"
+        found = [
+            _IN_WORDS[name](parameters[name])
+            for name, value in values.items()
+            if parameters[name] != value
+            and (isinstance(value, str) or not math.isclose(parameters[name], value, rel_tol=0.01))
+        ]
+        return ", ".join(found)
+
+    return Workload(words, own)
+
+
+_IN_WORDS: dict[str, Callable[[Any], str]] = {
+    "workload": lambda name: f"another kind of boxes ({name})",
+    "count": lambda count: f"{count:g} boxes",
+    "fill": lambda fill: f"a density of {fill:.3g}",
+    "speed": lambda speed: f"a speed of {speed:.3g} m/s",
+    "share": lambda share: f"{100.0 * share:.2g} % large ones",
+    "cell": lambda cell: f"cells of {cell:.3g} sizes",
+    "storage": lambda name: "boxes in all cells they cover" if name == "covered" else "boxes in one cell",
+}
 
 
 class Steps:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.ranges import counts_between
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.constraints import DAMPING, LINKS, PositionBasedDynamics, PositionState
 from game.physics.fields import GRAVITY
 
@@ -95,6 +95,7 @@ def stretch_trial(setting: Setting) -> Run:
         settings = dict(setting.others)
         chosen: dict[str, Any] = {name: int(settings[name]) for name in ("substeps", "iterations")}
         chosen["relaxation"] = float(settings["relaxation"])
+        chosen["solver"] = str(setting.scene["solver"])
     else:
         chosen = STRETCH[setting.method](int(setting.knob))
     system = hanging_chain(**chosen)
@@ -126,7 +127,12 @@ def present_stretch(parameters: Mapping[str, Any]) -> Setting:
         "iterations": float(parameters["iterations"]),
         "relaxation": float(parameters["relaxation"]),
     }
-    return Setting("present", others["substeps"] * others["iterations"], others)
+    n = others["substeps"] * others["iterations"]
+    present = {"solver": parameters["solver"], **others}
+    for name, of_work in STRETCH.items():
+        if {"solver": "gauss-seidel", "relaxation": 1.0, **of_work(round(n))} == present:
+            return Setting(name, n, {}, {"solver": parameters["solver"]})
+    return Setting("present", n, others, {"solver": parameters["solver"]})
 
 
 # -- a swinging chain -----------------------------------------------------------------------------------
@@ -164,7 +170,12 @@ def swing_trial(setting: Setting) -> Run:
 def present_swing(parameters: Mapping[str, Any]) -> Setting:
     """Where a scene with these parameters stands."""
     scene = {name: parameters[name] for name in ("scheme", "solver", "substeps", "iterations")}
-    return Setting("present", float(scene["substeps"]) * float(scene["iterations"]), {}, scene)
+    work = float(scene["substeps"]) * float(scene["iterations"])
+    for name, (scheme, solver, divide) in SWING.items():
+        others = scene["iterations"] if divide else scene["substeps"]
+        if (scheme, solver, 1) == (scene["scheme"], scene["solver"], others):
+            return Setting(name, work, {}, scene)
+    return Setting("present", work, {}, scene)
 
 
 def swing_settings() -> list[Setting]:
@@ -199,6 +210,7 @@ swing_study = Study(
     settings=swing_settings,
     trial=swing_trial,
     present=present_swing,
+    workload=Workload("a swinging chain of five links"),
     reference="Lagrange's equations in the angles of five links.",
     expectation="Sweeps do not help; substeps are of first order, with BDF2 of second.",
     order_over="counter",
@@ -226,5 +238,6 @@ stretch_study = Study(
     order_over="counter",
     floor=1e-12,
     present=present_stretch,
+    workload=Workload("a hanging chain of 20 links"),
     related=(swing_study,),
 )

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.ranges import counts_between
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.fields import GRAVITY
 from game.physics.rigid.collision_settings import CORRECTIONS, material_tables, surroundings_of
 from game.physics.rigid.collision_state import CollisionState
@@ -237,6 +237,7 @@ pile_study = Study(
     expectation="Without correction overlap stays; the others come down to the slop with enough sweeps.",
     floor=4.3e-3,
     present=present_pile,
+    workload=Workload("96 discs in a box"),
 )
 
 ENERGY_NOTES = {  # of methods of which no order is expected
@@ -263,6 +264,7 @@ energy_study = Study(
     expectation="Falling is a matter of the scheme, colliding one of the time: only both keep energy.",
     envelope=True,
     present=present_impacts,
+    workload=Workload("four spheres"),
 )
 
 impact_study = Study(
@@ -284,5 +286,6 @@ impact_study = Study(
     envelope=True,
     floor=1e-11,
     present=present_impacts,
+    workload=Workload("four spheres"),
     related=(energy_study, pile_study),
 )

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import IK_METHODS, Solutions, Solver, chain_skeleton
 
 Array = NDArray[np.float64]
@@ -141,6 +141,7 @@ def single_study(
         order_over="counter",
         floor=1e-11,
         present=present_reaching,
+        workload=Workload("a chain of three links"),
         short=kind.capitalize(),
         cost=PER_TARGET,
     )
@@ -178,6 +179,7 @@ reaching_study = Study(
     order_over="counter",
     floor=1e-12,
     present=present_reaching,
+    workload=Workload("a chain of 1 m and 40 targets"),
     short="Within reach",
     cost=PER_TARGET,
     related=(dead_point_study, full_reach_study, out_of_reach_study),

@@ -7,20 +7,18 @@ with spacings of 1 to 3 in turn some methods lose one order or two.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.keyframing_paths import line_study, spread_study
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import Keyframes
 
 Array = NDArray[np.float64]
 SAMPLES = 100_001
-DEFAULT_KEYS = 8  # of the level that the scene opens with
 COUNTS = (8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024)
 METHODS: dict[str, tuple[str, float, float]] = {  # label, order over even keys, over uneven ones
     "nearest": ("nearest key", 1.0, 1.0),
@@ -101,25 +99,13 @@ def uneven_trial(setting: Setting) -> Samples:
     return Samples(setting.method, int(setting.knob), True)
 
 
-def present_even(parameters: Mapping[str, Any]) -> Setting:
-    """Where the scene with these parameters stands: several methods are one if keys are even."""
-    name = present_uneven(parameters).method
-    return Setting("catmull-rom" if name in ("parabolic", "secant") else name, float(DEFAULT_KEYS))
-
-
-def present_uneven(parameters: Mapping[str, Any]) -> Setting:
-    """The same for uneven keys. Handles of Bezier curves that nobody has dragged are those of parabolas."""
-    name = str(parameters["interpolation"])
-    return Setting("parabolic" if name == "bezier" else name, float(DEFAULT_KEYS))
-
-
 EVEN = ("nearest", "linear", "flat", "natural-spline", "catmull-rom", "spline", "bezier")
 UNEVEN = ("linear", "monotone", "catmull-rom", "secant", "parabolic", "spline", "bezier")
 
 
 def key_study(
     name: str, title: str, names: Sequence[str], uneven: bool, trial: Callable[[Setting], Samples],
-    present: Callable[[Mapping[str, Any]], Setting], expectation: str, short: str,
+    expectation: str, short: str,
     related: tuple[Study, ...] = (),
 ) -> Study:  # fmt: skip
     """A study of errors against numbers of keys."""
@@ -140,7 +126,8 @@ def key_study(
         expectation=expectation,
         order_over="counter",
         ceiling=0.02,  # m, a hundredth of the motion: with fewer keys its shape is not yet seen
-        present=present,
+        workload=Workload("exp(sin 2πt)"),
+        no_place="No mark: measured on exp(sin 2πt); your scene has paths of its own.",
         axes=Axes("knob", "error"),
         short=short,
         related=related,
@@ -153,7 +140,6 @@ uneven_study = key_study(
     UNEVEN,
     True,
     uneven_trial,
-    present_uneven,
     "Keys that are not evenly spaced cost Catmull-Rom two orders if their times are ignored, and one with "
     "plain secants; parabolas keep three, splines and exact handles four.",
     "Uneven keys",
@@ -164,7 +150,6 @@ keyframing_study = key_study(
     EVEN,
     False,
     even_trial,
-    present_even,
     "Orders 1, 2, 3 and 4. To rest at every key is of first order like nearest neighbour, and natural ends "
     "make a spline one of second order, however smooth they look.",
     "Even keys",

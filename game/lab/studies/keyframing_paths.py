@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import CubicBezier
 
 Array = NDArray[np.float64]
@@ -151,6 +151,7 @@ spread_study = Study(
     settings=spread_settings,
     trial=spread_trial,
     present=present_spread,
+    workload=Workload("one bend"),
     reference="adaptive Gauss-Legendre quadrature of the speed.",
     expectation="A table of chords is of second order; Newton's method on the integral is exact at once.",
     order_over="counter",
@@ -174,6 +175,7 @@ line_study = Study(
     order_over="counter",
     floor=1e-9,
     present=present_lines,
+    workload=Workload("one hook"),
     axes=Axes("cpu", "error"),
     short="Lines",
     cost="CPU time for one curve",

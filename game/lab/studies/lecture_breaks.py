@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from game.billiards.rack import BALL_RADIUS, eight_ball_rack
 from game.billiards.table import Table
 from game.lab.references import missed_share
 from game.lab.studies.missed_hits import HIT_SPEED, HitShots, missed_hits_of
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 
 LOSSLESS: dict[str, Any] = {"bounce": 1.0, "restitution": 1.0, "friction": 1.0, "minimum_speed": 0.0}
 PAIRWISE = {"order": "pairwise", "substeps": 1}
@@ -39,6 +40,26 @@ def chosen(parameters: Mapping[str, Any]) -> dict[str, Any]:
 def present_step(parameters: Mapping[str, Any]) -> Setting:
     """Where a scene with these parameters stands: its step and how it treats contacts."""
     return Setting("present", float(parameters["step_length"]), {}, chosen(parameters))
+
+
+def present_hits(parameters: Mapping[str, Any]) -> Setting:
+    """The same, by its name if it is one of the study's methods."""
+    setting = present_step(parameters)
+    name = next((name for name, one in HIT_SETTINGS.items() if one == setting.scene), setting.method)
+    return replace(setting, method=name)
+
+
+def present_order(parameters: Mapping[str, Any]) -> Setting:
+    """Passes of the scene's order."""
+    scene = chosen(parameters)
+    return Setting(str(scene["order"]), float(scene["passes"]), {}, scene)
+
+
+def present_symmetry(parameters: Mapping[str, Any]) -> Setting:
+    """The scene's step, and its order where its substeps and passes are those of the study."""
+    setting = present_step(parameters)
+    usual = (setting.scene["substeps"], setting.scene["passes"]) == (1, 4)
+    return replace(setting, method=str(setting.scene["order"])) if usual else setting
 
 
 # -- hits missed
@@ -97,7 +118,7 @@ missed_hits_study = missed_hits_of(
     lambda setting: MissedHits(
         setting.knob, LectureSettings(**LOSSLESS, **HIT_SETTINGS.get(setting.method, setting.scene))
     ),
-    present_step,
+    present_hits,
     "A test once a step overlooks grazing hits: a share that falls with the square of the step, and passes "
     "one half where a step is longer than three radii.",
     order_over="counter",
@@ -158,7 +179,8 @@ rack_study = Study(
     trial=lambda setting: PressedRack(
         LectureSettings(**LOSSLESS, order=str(setting.scene["order"]), substeps=1, passes=int(setting.knob))
     ),
-    present=lambda parameters: Setting("present", float(parameters["passes"]), {}, chosen(parameters)),
+    present=present_order,
+    workload=Workload("a rack pressed together"),
     reference="no overlap at all.",
     expectation="Pair by pair the overlap falls by a constant factor a pass; all contacts together need one.",
 )
@@ -234,7 +256,8 @@ symmetry_study = Study(
             **LOSSLESS, **{name: setting.scene[name] for name in ("order", "substeps", "passes")}
         ),
     ),
-    present=present_step,
+    present=present_symmetry,
+    workload=Workload("a straight break"),
     reference="the mirror image.",
     expectation="Pair by pair the numbering of the balls decides, at any step. Jointly the two halves are "
     "equal to the last bit.",

@@ -27,7 +27,7 @@ from game.lab.studies.lecture_breaks import (
     step_in_scene,
     symmetry_study,
 )
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
 
 LOSSLESS: dict[str, Any] = {
     "bounce": 1.0,
@@ -153,7 +153,11 @@ def present_setting(parameters: Mapping[str, Any]) -> Setting:
         chosen["substeps"] = int(chosen["substeps"])
     if "passes" in chosen:
         chosen["passes"] = int(chosen["passes"])
-    return Setting("present", float(parameters["step_length"]), {}, chosen)
+    step = float(parameters["step_length"])
+    for name, one in SETTINGS.items():
+        if all(chosen.get(key, value) == value for key, value in one.items()):
+            return Setting(name, step, {"passes": chosen["passes"]}, chosen)
+    return Setting("present", step, {}, chosen)
 
 
 def _study(
@@ -162,6 +166,7 @@ def _study(
     reference: str,
     settings: Callable[[], Sequence[Setting]],
     trial: Callable[[Setting], Trial],
+    words: str,
     **more: Any,
 ) -> Study:
     return Study(
@@ -179,6 +184,7 @@ def _study(
         envelope=True,
         floor=1e-11,
         present=present_setting,
+        workload=Workload(words),
         **more,
     )
 
@@ -201,6 +207,7 @@ two_ball_study = _study(
         two_balls(TWO_START, TWO_VELOCITIES, CAROM.radius, TWO_TIME),
         TWO_TIME,
     ),
+    "two balls on a bare table",
     short="Two balls",
     expectation="One collision, found up to a step late: order 1. Substeps shorten the step at full price.",
 )
@@ -212,7 +219,7 @@ one_collision_study = replace(
     title="Two balls: one oblique hit, found up to a step late",
     settings=lambda: [replace(setting, scene=LOSSLESS) for setting in two_ball_study.settings()],
     present=lambda parameters: Setting(
-        "present", LECTURE_FRAME, {}, {"order": "pairwise", "substeps": 1, "passes": 1}
+        "lecture", LECTURE_FRAME, {"passes": 1}, {"order": "pairwise", "substeps": 1, "passes": 1}
     ),
 )
 
@@ -229,6 +236,7 @@ lecture_table_study = _study(
         CAROM.end,
         CAROM.time,
     ),
+    "three balls on a bare table, without loss",
     short="Carom",
     ceiling=4.2e-3,  # m; so near the struck ball passes the third one
     expectation="Order 1 for every stepped method, with a large constant: the struck ball passes the third "

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from game.billiards.rack import BALL_RADIUS
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
 
 HIT_SPEED = 3.0  # m/s
 HIT_SHOTS = 400
@@ -65,6 +65,7 @@ def missed_hits_of(
         settings=settings,
         trial=trial,
         present=present,
+        workload=Workload(f"{HIT_SHOTS} shots at a resting ball"),
         reference="P = 1 − b₀/(2 D) − D/(2 c) acos(b₀/D), where D = 2 R, c = v h, b₀² = D² − c².",
         expectation=expectation,
         short="Missed hits",

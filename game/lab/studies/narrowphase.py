@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.studies.narrowphase_support import LEAST, packed_pebbles, support_study
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.studies.narrowphase_support import LEAST, NO_PAIR, packed_pebbles, support_study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.narrowphase import ConvexPolygon, PolygonSet, Proximities, gjk_batch, vclip_batch
 
 Array = NDArray[np.float64]
@@ -103,13 +103,23 @@ def tolerance_settings() -> list[Setting]:
 def tolerance_trial(setting: Setting) -> Queries:
     """Queries that begin anew each time."""
     method = str(setting.scene.get("method", "climb"))
-    n = int(setting.method.split("-")[1]) if "-" in setting.method else 64
+    n = int(setting.method.split("-")[1])
     return Queries(n, 0.3, "scan" if method == "scan" else "gjk", setting.knob, warm=False)
 
 
-def present_tolerance(parameters: Mapping[str, Any]) -> Setting:
-    """Where the scene stands: its tolerance, for 64 corners."""
-    return Setting("present", 10.0 ** float(parameters["exponent"]), {}, {"method": parameters["method"]})
+def present_tolerance(parameters: Mapping[str, Any]) -> Setting | None:
+    """Where the scene stands: its tolerance, for as many corners as it has."""
+    scene = {"method": parameters["method"]}
+    corners = int(parameters["corners"])
+    if corners < 3:
+        return None
+    return Setting(f"corners-{corners}", 10.0 ** float(parameters["exponent"]), {}, scene)
+
+
+def own_corners(parameters: Mapping[str, Any]) -> str:
+    """How many corners the scene's polygons have, if they are none of the study's."""
+    corners = int(parameters["corners"])
+    return "" if corners in SIZES else f"{corners}"
 
 
 # -- vertices and coherence -----------------------------------------------------------------------------
@@ -183,6 +193,8 @@ gjk_study = Study(
     floor=1e-15,
     cost=PER_QUERY,
     present=present_tolerance,
+    no_place=NO_PAIR,
+    workload=Workload("pebbles of 8, 64 or 512 vertices", own_corners),
     short="Tolerance",
     related=(support_study,),
 )
@@ -210,6 +222,9 @@ vclip_study = Study(
         "grows with them, GJK's hardly."
     ),
     present=present_coherence,
-    no_place="No mark: there is no convex polygon.",
+    no_place=NO_PAIR,
+    workload=Workload(
+        "regular polygons in circles of 1 m", lambda p: "" if p["round"] else "polygons of another shape"
+    ),
     cost=PER_QUERY,
 )

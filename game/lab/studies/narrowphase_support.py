@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.lean import lean_kernel
 from game.physics.narrowphase import PolygonSet
 from game.physics.narrowphase.simplex import support_cold, support_hc, support_scan
@@ -35,6 +35,9 @@ def pebbles(corners: int, count: int, seed: int) -> list[Array]:
 def packed_pebbles(corners: int, count: int, seed: int) -> PolygonSet:
     """The same as a set, kept."""
     return PolygonSet(pebbles(corners, count, seed))
+
+
+NO_PAIR = "No mark: there are no two convex polygons."
 
 
 @lean_kernel
@@ -123,7 +126,8 @@ support_study = Study(
     reference="the largest product of all vertices with the direction.",
     expectation="All find the farthest vertex; looking at all of them pays for small polygons only.",
     present=present_support,
-    no_place="No mark: there is no convex polygon.",
+    no_place=NO_PAIR,
+    workload=Workload("pebbles of as many vertices"),
     axes=Axes("knob", "cpu"),
     cost="CPU time for one direction",
     short="Support",

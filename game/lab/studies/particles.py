@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.ranges import counts_between
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.particles import CALM, CONTACTS, EVALUATIONS, METHODS, OBSTACLES, ORDERS, Discs
 from game.physics.particles.contacts import Rules
@@ -185,6 +185,7 @@ free_flight_study = Study(
     expectation="Orders 1, 1, 2, 2, 2 and 4; the exponential method is exact here.",
     order_over="counter",
     present=present_free,
+    workload=Workload("one particle in free flight"),
 )
 
 bounce_study = Study(
@@ -211,5 +212,6 @@ bounce_study = Study(
     floor=1e-12,
     ceiling=0.2 * RADIUS,
     present=present_bounce,
+    workload=Workload("one particle and one stone"),
     related=(free_flight_study,),
 )

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from game.lab.ranges import counts_between
-from game.lab.study import Knob, Method, Outcome, Setting, Study
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.rigid import METHODS, ROTATION, FreeTop, RigidBody
 
 MOMENTS = (1.0, 2.0, 3.0)
@@ -155,6 +155,7 @@ energy_study = Study(
     ),
     floor=1e-11,
     present=present_in(ENERGY_S),
+    workload=Workload("a hammer that flips"),
     short="Energy",
 )
 
@@ -175,6 +176,7 @@ rotation_study = Study(
     ),
     floor=1e-11,
     present=present_in(SPIN_S),
+    workload=Workload("one free body"),
     short="Spin",
     related=(energy_study,),
 )

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
+from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.animation import Binding, Skeleton, Skinner, bind_weights, chain_skeleton, skin
 from game.physics.animation.outlines import area
 
@@ -218,6 +218,7 @@ collapse_study = Study(
     expectation="Matrices lose 1 - cos(a/2) of the thickness, all of it at 180°. Rotors keep it, and bulge.",
     floor=1e-13,
     present=present_bend,
+    workload=Workload("a bar bent at one joint"),
     no_place="No mark: no joint of the figure is bent.",
     axes=Axes("knob", "error"),
     short="Collapse",
@@ -237,6 +238,7 @@ joints_study = Study(
     order_over="counter",
     floor=1e-13,
     no_place="No mark: in the figure each joint has a bend of its own.",
+    workload=Workload("a bar bent by 150°"),
     axes=Axes("knob", "error"),
     short="Joints",
 )
@@ -259,6 +261,7 @@ skinning_study = Study(
     order_over="counter",
     floor=1e-13,
     present=present_influences,
+    workload=Workload("a curled chain of twelve bones"),
     short="Influences",
     related=(collapse_study, joints_study),
 )

@@ -12,7 +12,7 @@ from typing import Any
 
 from game.lab.ranges import counts_between
 from game.lab.studies.constraints import Run
-from game.lab.study import Knob, Method, Setting, Study
+from game.lab.study import Knob, Method, Setting, Study, Workload
 from game.physics.constraints import LINKS, PositionBasedDynamics
 from game.physics.effects import EffectSet
 
@@ -66,7 +66,8 @@ def present_spring(parameters: Mapping[str, Any]) -> Setting:
         "iterations": int(parameters["iterations"]),
     }
     h = float(parameters["step_length"]) / float(parameters["substeps"])
-    return Setting("present", max(h, SPRING_S / 10_000), {}, settings)
+    names = (name for name, one in SPRINGS.items() if {"scheme": "euler", **one} == settings)
+    return Setting(next(names, "present"), max(h, SPRING_S / 10_000), {}, settings)
 
 
 spring_study = Study(
@@ -91,4 +92,5 @@ spring_study = Study(
     ),
     order_over="counter",
     present=present_spring,
+    workload=Workload("a bead on a spring"),
 )
