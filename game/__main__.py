@@ -11,8 +11,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; the exit status."""
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
     try:
-        from game.app.deadline import say_stopped
-        from game.app.ending import ends_tidily, status_of
+        from game.app.window.deadline import say_stopped
+        from game.app.window.ending import ends_tidily, status_of
     except KeyboardInterrupt:  # an impatient hand, before anybody listens to signals
         print("carom: stopped", file=sys.stderr)
         return 130

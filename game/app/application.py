@@ -9,29 +9,29 @@ from typing import Any
 
 import pygame
 
-from game.app.canvas_warming import CanvasWarming
+from game.app.compile.canvas_warming import CanvasWarming
 from game.app.composition import Composition
-from game.app.frames import Clock, FrameMeter, SystemClock
-from game.app.gamepad import Gamepads
-from game.app.guard import Failure, Guard
-from game.app.keys import Keys
-from game.app.looks import Looks
 from game.app.menu.screen import MenuScreen
-from game.app.pictures import PictureSaver
-from game.app.scene.opening import Opening
 from game.app.scene.screen import SceneScreen
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.screen import Screen, ScreenStack
 from game.app.screens.settings_card import SettingsCard
-from game.app.settings import Settings, save_settings
-from game.app.transition import OVERLAY_S, SCENE_S
-from game.app.window import Window
+from game.app.stagehand.opening import Opening
+from game.app.window.frames import Clock, FrameMeter, SystemClock
+from game.app.window.gamepad import Gamepads
+from game.app.window.guard import Failure, Guard
+from game.app.window.keys import Keys
+from game.app.window.looks import Looks
+from game.app.window.pictures import PictureSaver
+from game.app.window.settings import Settings, save_settings
+from game.app.window.transition import OVERLAY_S, SCENE_S
+from game.app.window.window import Window
 from game.files import FileProblem
 from game.stage.catalogue import Catalogue
-from game.ui.layout import auto_scale
-from game.ui.look import Look
+from game.ui.look.layout import auto_scale
+from game.ui.look.look import Look
 from game.ui.sound import SoundPlayer
-from game.ui.toasts import Toasts
+from game.ui.widgets.toasts import Toasts
 
 REPEATED = ("step", "step-back", "slower", "faster")  # commands that a held key gives again and again
 HIDDEN_HZ = 10.0  # a window that nobody sees asks for events only now and then

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.transition import CrossFade
-from game.ui.shapes import draw_disc
+from game.app.window.transition import CrossFade
+from game.ui.look.shapes import draw_disc
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -7,12 +7,12 @@ import sys
 import pygame
 
 from game.app.application import App
-from game.app.scene.opening import Opening
-from game.app.settings import Settings
-from game.app.window import Window
+from game.app.stagehand.opening import Opening
+from game.app.window.settings import Settings
+from game.app.window.window import Window
 from game.folders import user_folder
 from game.scenes import CATALOGUE
-from game.ui.icons import logo
+from game.ui.look.icons import logo
 
 REPEAT_AFTER_MS, REPEAT_MS = 350, 50
 SWITCH_S = (

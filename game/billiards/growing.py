@@ -11,11 +11,11 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.lecture_shot import LecturePlay, lecture_settings_for
-from game.billiards.sampled import SAMPLE_COLUMNS, SAMPLE_MOTION, SampledTrajectory, turn_samples
-from game.billiards.shot import Shot, ShotError
-from game.billiards.state import IN_MOTION, IN_WZ
-from game.billiards.stepped import SteppedPlay, check_steps
+from game.billiards.laws.state import IN_MOTION, IN_WZ
+from game.billiards.lecture.shot import LecturePlay, lecture_settings_for
+from game.billiards.shot.sampled import SAMPLE_COLUMNS, SAMPLE_MOTION, SampledTrajectory, turn_samples
+from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.stepped.play import SteppedPlay, check_steps
 
 Array = NDArray[np.float64]
 

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.batch import Batch, Log
-from game.billiards.exact import play_shots
-from game.billiards.shot import Shot, batch_of
+from game.billiards.exact.play import play_shots
+from game.billiards.laws.batch import Batch, Log
+from game.billiards.laws.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, STATUS
+from game.billiards.shot.shot import Shot, batch_of
+from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import MAX_EVENTS, check_status, log_for, room_for, simulate_exact
-from game.billiards.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, STATUS
-from game.billiards.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from game.billiards.lecture_state import POCKETS
-from game.billiards.shot import Physics
-from game.billiards.table import Table
+from game.billiards.lecture.state import POCKETS
+from game.billiards.shot.shot import Physics
+from game.billiards.table.table import Table
 from game.physics.effects import EffectSet, declare_effect
 
 CLOTH = declare_effect(

@@ -11,12 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.batch import Log, Workspace, workspace
-from game.billiards.exact import play_shots
-from game.billiards.lecture_shot import simulate_lecture
-from game.billiards.shot import Shot
-from game.billiards.shot_file import load_shot
-from game.billiards.state import (
+from game.billiards.exact.play import play_shots
+from game.billiards.laws.batch import Log, Workspace, workspace
+from game.billiards.laws.state import (
     END_TIME,
     EVENT_LIMIT,
     EVENTS_END,
@@ -28,8 +25,11 @@ from game.billiards.state import (
     SEGMENTS_START,
     STATUS,
 )
-from game.billiards.stepped import simulate_stepped
-from game.billiards.trajectory import Trajectory
+from game.billiards.lecture.shot import simulate_lecture
+from game.billiards.shot.shot import Shot
+from game.billiards.shot.shot_file import load_shot
+from game.billiards.shot.trajectory import Trajectory
+from game.billiards.stepped.play import simulate_stepped
 
 Array = NDArray[np.float64]
 

@@ -16,12 +16,12 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from game.billiards.arrangement import Stroke, after_shot
-from game.billiards.frame import Frame, new_frame
-from game.billiards.games import EightBall
-from game.billiards.games.eight_ball import EIGHT
-from game.billiards.opponents import Grade, decide, stroke_of_hand
-from game.billiards.rules import CUE_BALL
+from game.billiards.game.arrangement import Stroke, after_shot
+from game.billiards.game.frame import Frame, new_frame
+from game.billiards.game.games import EightBall
+from game.billiards.game.games.eight_ball import EIGHT
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.players.opponents import Grade, decide, stroke_of_hand
 from game.billiards.search.breaking import apex_of
 
 BREAK_SPEED = 6.0  # m/s of the cue

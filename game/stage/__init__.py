@@ -22,17 +22,17 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent, Stamped
-from game.stage.knobs import Choice, Knob, KnobError, Param, Toggle
-from game.stage.recording import Recording, RecordingError
+from game.stage.parameters import Choice, Knob, KnobError, Param, Toggle
+from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
 
 if TYPE_CHECKING:
     from game.stage.effect_costs import EffectMeter
     from game.stage.fault import Fault
-    from game.stage.interpolation import blend, blend_angles, blend_quaternions, jumped
-    from game.stage.replaying import begin, replay, replay_scene
+    from game.stage.records.replaying import begin, replay, replay_scene
     from game.stage.stage import FASTEST, SLOWEST, Stage
+    from game.stage.states.interpolation import blend, blend_angles, blend_quaternions, jumped
     from game.stage.warming import Warming, WarmingProgress
 
 __all__ = [
@@ -89,13 +89,13 @@ _LATER = {
     "Stage": "game.stage.stage",
     "Warming": "game.stage.warming",
     "WarmingProgress": "game.stage.warming",
-    "begin": "game.stage.replaying",
-    "blend": "game.stage.interpolation",
-    "blend_angles": "game.stage.interpolation",
-    "blend_quaternions": "game.stage.interpolation",
-    "jumped": "game.stage.interpolation",
-    "replay": "game.stage.replaying",
-    "replay_scene": "game.stage.replaying",
+    "begin": "game.stage.records.replaying",
+    "blend": "game.stage.states.interpolation",
+    "blend_angles": "game.stage.states.interpolation",
+    "blend_quaternions": "game.stage.states.interpolation",
+    "jumped": "game.stage.states.interpolation",
+    "replay": "game.stage.records.replaying",
+    "replay_scene": "game.stage.records.replaying",
 }
 
 

@@ -39,7 +39,7 @@ class Strip(NamedTuple):
 
 
 class Equation(NamedTuple):
-    """A line of the help page: what it says, the formula (see ui/formula.py for the markup), its source."""
+    """A line of the help page: what it says, the formula (markup: ui/text/formula.py), its source."""
 
     title: str
     formula: str

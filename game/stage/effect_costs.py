@@ -17,7 +17,7 @@ from game.physics.effects import EffectSet
 from game.stage.declarations import WarmUp
 from game.stage.scene import Scene
 from game.stage.stage import Stage
-from game.stage.state import copy_state
+from game.stage.states.state import copy_state
 from game.stage.warming import Warming
 
 ROUNDS = 15  # pairs of measurements for one effect

@@ -15,7 +15,7 @@ import numpy as np
 
 from game.levels import Level, LevelError
 from game.physics.effects import Effect, EffectSet
-from game.physics.limits import LimitError
+from game.physics.kernels.limits import LimitError
 from game.stage.declarations import (
     Equation,
     Frame,
@@ -28,7 +28,7 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent, Stamped
-from game.stage.knobs import Knob, KnobError, knobs_of
+from game.stage.parameters import Knob, KnobError, knobs_of
 
 if TYPE_CHECKING:
     from game.lab import Study

@@ -13,15 +13,15 @@ from time import perf_counter
 from typing import Any
 
 from game.physics.effects import EffectSet
-from game.physics.limits import LimitError
+from game.physics.kernels.limits import LimitError
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent
 from game.stage.fault import Fault, fault_at, fault_in
-from game.stage.knobs import KnobError
-from game.stage.memory import recall, remember
-from game.stage.recording import CHECK_INTERVAL, MAX_EVENTS, Check
+from game.stage.parameters import KnobError
+from game.stage.records.recording import CHECK_INTERVAL, MAX_EVENTS, Check
 from game.stage.scene import Scene
-from game.stage.snapshots import Snapshot, SnapshotRing
-from game.stage.state import copy_state, digest_of, same_shapes
+from game.stage.states.memory import recall, remember
+from game.stage.states.snapshots import Snapshot, SnapshotRing
+from game.stage.states.state import copy_state, digest_of, same_shapes
 from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
 from game.stage.watch import FiniteWatch

@@ -13,15 +13,15 @@ from game.levels import Level, LevelError, format_level
 from game.physics.effects import EffectSet
 from game.stage.clock import FixedStep
 from game.stage.declarations import Readout
-from game.stage.door import checked_event
 from game.stage.events import StageEvent
 from game.stage.fault import Fault
-from game.stage.recipe import Recipe, checked_seed
-from game.stage.recording import Recording, RecordingError
+from game.stage.records.recipe import Recipe, checked_seed
+from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
 from game.stage.session import Session
-from game.stage.state import copy_state
+from game.stage.states.state import copy_state
+from game.stage.validation import checked_event
 
 SLOWEST = 1.0 / 16.0
 FASTEST = 4.0

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.finite import finite_doubles, finite_test, finite_together
+from game.physics.kernels.finite import finite_doubles, finite_test, finite_together
 
 
 class FiniteWatch:

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tests_app import CATALOGUE, Driver, load_example
 
 import game.scenes
+from tests.app.tests_app import CATALOGUE, Driver, load_example
 
 
 @pytest.fixture(autouse=True)

@@ -7,11 +7,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from game.app import driver
+from game.app.fuzz import driver
 from game.app.scene.screen import SceneScreen
 from game.stage.catalogue import Catalogue, Entry
+from tests.paths import TESTS
 
-EXAMPLE = Path(__file__).resolve().parents[1] / "stage" / "example_scene.py"
+EXAMPLE = TESTS / "stage" / "example_scene.py"
 
 
 def load_example() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from game.lab.benchmarks.animation import MOST, TOLERANCE, posed_skin, reach
-from game.lab.studies.skinning import by_numpy
+from game.lab.studies.animation.skinning import by_numpy
 from game.physics.animation import BLENDS, IK_METHODS, Skinner, bind_weights
 
 SKINNING = "100 000 points, 15 bones"

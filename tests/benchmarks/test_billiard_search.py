@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from game.billiards import find_shots
-from game.billiards.frame import Frame
-from game.billiards.games import EightBall
-from game.billiards.match import check_match_data, match_data, play_match
-from game.billiards.opponents import CLUB, EXPERT, GRADES, MASTER, NOVICE, decide
+from game.billiards.game.frame import Frame
+from game.billiards.game.games import EightBall
+from game.billiards.players.match import check_match_data, match_data, play_match
+from game.billiards.players.opponents import CLUB, EXPERT, GRADES, MASTER, NOVICE, decide
 from game.billiards.search.finding import processors, thread_pool
 from game.billiards.search.strokes import Board
 from game.lab.players import measure_clearing, measure_series, with_hand
-from tests.billiards.search_tables import POOL, random_strokes, scattered
+from tests.billiards.search.search_tables import POOL, random_strokes, scattered
 
 STROKES = 4096
 MATCHES = 20

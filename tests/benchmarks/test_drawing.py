@@ -8,13 +8,13 @@ import numpy as np
 import pygame
 import pytest
 
-from game.billiards.table import Table
+from game.billiards.table.table import Table
+from game.ui.look.theme import DARK, FELT
 from game.ui.painters.ball import BallPainter
 from game.ui.painters.ball_picture import ball_picture, turned
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import fit_table, table_picture
 from game.ui.raster import BUTT, fill_particle_streaks, fill_particles, stroke_segments
-from game.ui.theme import DARK, FELT
 
 SIZE = (1280, 720)
 PARTICLES = 100_000

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from game.billiards import Physics, Table, make_shot, simulate, simulate_many
-from game.billiards.exact import play_shots
+from game.billiards.exact.play import play_shots
 from game.billiards.many import play_batch
-from game.billiards.rack import BALL_RADIUS
-from game.billiards.shot import batch_of
+from game.billiards.shot.shot import batch_of
 from game.billiards.simulation import MAX_EVENTS, log_for, room_for
+from game.billiards.table.rack import BALL_RADIUS
 from game.lab.benchmarks.billiards import BATCH, break_shot, cut_shot, random_shots
 
 R = BALL_RADIUS

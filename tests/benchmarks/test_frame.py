@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "app"))
-
-from tests_app import Driver
-
 from game.scenes import CATALOGUE
+from tests.app.tests_app import Driver
 
 
 @pytest.fixture

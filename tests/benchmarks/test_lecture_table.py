@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.billiards.joint import joint_scratch, solve_joint_impulses
-from game.billiards.lecture import LectureTable
-from game.billiards.lecture_state import LECTURE_EFFECTS, LectureSettings
-from game.billiards.rack import BALL_RADIUS, eight_ball_rack
-from game.billiards.table import Table
+from game.billiards.laws.joint import joint_scratch, solve_joint_impulses
+from game.billiards.lecture.state import LECTURE_EFFECTS, LectureSettings
+from game.billiards.lecture.table import LectureTable
+from game.billiards.table.rack import BALL_RADIUS, eight_ball_rack
+from game.billiards.table.table import Table
 
 FRAME = 1.0 / 60.0
 LOSSLESS = {"bounce": 1.0, "restitution": 1.0, "friction": 1.0, "minimum_speed": 0.0}

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from game.lab.benchmarks.rigid import FRAME, HEAPS, SETTINGS, heap, pymunk_heap, settled_heap
-from game.physics.rigid.collision_settings import material_tables, surroundings_of
-from game.physics.rigid.collisions import CollidingSpheres
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.settings import material_tables, surroundings_of
+from game.physics.spheres.spheres import SphereBodies
 
 
 @pytest.mark.parametrize("name", SETTINGS)
@@ -49,7 +49,7 @@ def test_a_rack_with_impact_times(benchmark):
     ]
     speeds = [(5.0, 0.0)] + [(0.0, 0.0)] * 10
     from game.physics.rigid.effects import WINDOW
-    from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES
+    from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES
 
     def play():
         world = CollidingSpheres(

@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pygame
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "ui"))
-
-import gallery
-from sample_scene import Sample
-
-from game.ui.hintbar import HintBar
-from game.ui.layout import arrange
-from game.ui.look import Look
-from game.ui.panel import Panel
-from game.ui.strips import Strips
-from game.ui.theme import DARK
-from game.ui.topbar import BarState, TopBar
+from game.ui.charts.strips import Strips
+from game.ui.look.layout import arrange
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
+from game.ui.panel.panel import Panel
+from game.ui.widgets.hintbar import HintBar
+from game.ui.widgets.topbar import BarState, TopBar
+from tests.ui import gallery
+from tests.ui.sample_scene import Sample
 
 SIZE = (1280, 720)
 

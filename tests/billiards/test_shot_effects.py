@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 from game.billiards import Physics, Table, eight_ball_rack, load_shot, make_shot, simulate
-from game.billiards.contacts import CONSTANT_FRICTION, NO_FRICTION
-from game.billiards.lecture_state import POCKETS
+from game.billiards.laws.contacts import CONSTANT_FRICTION, NO_FRICTION
+from game.billiards.laws.state import BALL_FRICTION, BALL_LAW
+from game.billiards.lecture.state import POCKETS
+from game.billiards.shot.shot_writing import shot_data
 from game.billiards.shot_effects import (
     CLOTH,
     EXACT_EFFECTS,
@@ -20,8 +22,6 @@ from game.billiards.shot_effects import (
     physics_of,
     table_of,
 )
-from game.billiards.shot_writing import shot_data
-from game.billiards.state import BALL_FRICTION, BALL_LAW
 
 POOL = Table.pool()
 BARE = Table.bare(1.0, 2.0)

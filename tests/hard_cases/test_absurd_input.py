@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 import pytest
-from stage.example_scene import BallState, BouncingBall, step_ball
-from stage.odd_scenes import Cloud, CloudContent, Fragile
 
 from game.levels import Level, LevelError, parse_level
 from game.stage import FixedStep, KnobError, Pointer, SetKnob, Stage
+from tests.stage.example_scene import BallState, BouncingBall, step_ball
+from tests.stage.odd_scenes import Cloud, CloudContent, Fragile
 
 NOT_FINITE = [math.nan, math.inf, -math.inf]
 

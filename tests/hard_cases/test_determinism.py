@@ -12,17 +12,18 @@ from typing import Any
 
 import pytest
 from numba import config
-from stage.example_scene import BouncingBall, step_ball
-from stage.odd_scenes import Cloud
 
 import game
-from game.physics import jit
-from game.physics.jit import kernel
+from game.physics.kernels import jit
+from game.physics.kernels.jit import kernel
 from game.scenes import CATALOGUE
 from game.stage import Recording, Scene, Stage, Stamped, replay_scene
+from tests.paths import ROOT, TESTS
+from tests.stage.example_scene import BouncingBall, step_ball
+from tests.stage.odd_scenes import Cloud
 
 STEPS = 600
-GOLDEN = Path(__file__).resolve().parents[1] / "golden" / "example.json"
+GOLDEN = TESTS / "golden" / "example.json"
 UPDATE = "CAROM_UPDATE_GOLDEN"  # set to 1 to write the digests of now
 SCENES = {"example": BouncingBall, "cloud": Cloud}
 NAMES = [*SCENES, *(entry.name for entry in CATALOGUE)]
@@ -103,8 +104,8 @@ def test_number_of_threads() -> None:
     """G-D3"""
     code = f"""
 import json, sys
-sys.path.insert(0, {str(Path(__file__).resolve().parents[1])!r})
-from hard_cases.test_determinism import NAMES, play, scene_named, Stage
+sys.path.insert(0, {str(ROOT)!r})
+from tests.hard_cases.test_determinism import NAMES, play, scene_named, Stage
 found = dict()
 for name in NAMES:
     scene = scene_named(name)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from stage.example_scene import KICK, BouncingBall
 
 from game.stage import (
     FASTEST,
@@ -24,6 +23,7 @@ from game.stage import (
     jumped,
     replay_scene,
 )
+from tests.stage.example_scene import KICK, BouncingBall
 
 DT = 1.0 / 60.0
 EPS = 2.0**-52

@@ -14,10 +14,11 @@ from game.physics.bounds.query import Query
 from game.physics.broadphase import SweepAndPrune
 from game.physics.broadphase.sweep_and_prune import MOST_SWAPS
 from game.physics.broadphase.workloads import make_boxes
-from game.physics.limits import LimitError
+from game.physics.kernels.limits import LimitError
 from game.physics.particles import OBSTACLES, contacts
 from game.physics.particles.flight import METHODS
-from game.scenes import CATALOGUE, bounds_pair
+from game.scenes import CATALOGUE
+from game.scenes.bounds import pair as bounds_pair
 from game.stage import KnobError, SetEffect, SetKnob, Stage
 
 WORLD = (11.2, 8.0)

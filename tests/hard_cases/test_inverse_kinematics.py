@@ -7,12 +7,12 @@ import math
 
 import numpy as np
 import pytest
-from scenes.particle_stages import open_level, stage_of
 
 from game.levels import level_files, load_level
 from game.physics.animation import IK_METHODS, Skeleton, Solver, chain_skeleton, solve_ik
-from game.scenes.c03_inverse_kinematics import InverseKinematics
-from game.scenes.figure_level import FigureContent
+from game.scenes.skeletons.inverse_kinematics import InverseKinematics
+from game.scenes.skeletons.level import FigureContent
+from tests.scenes.particle_stages import open_level, stage_of
 
 SOUND = IK_METHODS[:-1]
 EPS = 2.0**-52

@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from game.billiards.lecture import LectureTable
-from game.billiards.lecture_state import BALL_COLLISIONS, LECTURE_EFFECTS, WALLS, LectureSettings
-from game.billiards.rack import BALL_RADIUS as R
-from game.billiards.rack import eight_ball_rack
-from game.billiards.table import Table
+from game.billiards.lecture.state import BALL_COLLISIONS, LECTURE_EFFECTS, WALLS, LectureSettings
+from game.billiards.lecture.table import LectureTable
+from game.billiards.table.rack import BALL_RADIUS as R
+from game.billiards.table.rack import eight_ball_rack
+from game.billiards.table.table import Table
 
 EPS = 2.0**-52
 FRAME = 1.0 / 60.0

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 import pytest
-from scenes.particle_stages import open_level, readouts
 
 from game.levels import LevelError, parse_level
 from game.physics.rigid import FreeTop, turn_between
-from game.scenes.c12_bodies import EXACT, A, B
-from game.scenes.c12_level import RigidContent
-from game.scenes.c12_rigid_body import RigidBodyScene
+from game.scenes.rigid_body.bodies import EXACT, A, B
+from game.scenes.rigid_body.level import RigidContent
+from game.scenes.rigid_body.scene import RigidBodyScene
+from tests.scenes.particle_stages import open_level, readouts
 
 
 def opened(name, **parameters):

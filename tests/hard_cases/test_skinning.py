@@ -8,7 +8,6 @@ import math
 import msgspec
 import numpy as np
 import pytest
-from scenes.particle_stages import open_level, stage_of
 
 from game.levels import LevelError, level_files, load_level, parse_level
 from game.physics.animation import (
@@ -22,9 +21,10 @@ from game.physics.animation import (
     skin,
 )
 from game.physics.animation.weights import invert_frames
-from game.scenes.c02_skinning import Skinning
-from game.scenes.figure_level import FigureContent
+from game.scenes.skeletons.level import FigureContent
+from game.scenes.skeletons.skinning import Skinning
 from game.stage import Action
+from tests.scenes.particle_stages import open_level, stage_of
 
 EPS = 2.0**-52
 LEVELS = [path for path in level_files("c02") if path.stem.startswith("hard-")]

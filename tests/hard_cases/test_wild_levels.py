@@ -16,12 +16,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hard_cases.wild_levels import wild_level
 
 from game.levels import LevelError, parse_level
 from game.scenes import CATALOGUE
+from tests.hard_cases.wild_levels import wild_level
+from tests.paths import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 MANY = int(os.environ.get("CAROM_WILD_LEVELS", "0"))  # levels of each scene
 FEW = 3
 NAMES = [entry.name for entry in CATALOGUE]

@@ -18,13 +18,13 @@ import time
 from pathlib import Path
 from typing import Any
 
-from hard_cases.wild_levels import wild_level
 from numba.core import event
 
 from game.levels import LevelError, parse_level
-from game.physics.limits import LimitError
+from game.physics.kernels.limits import LimitError
 from game.scenes import CATALOGUE
 from game.stage import KnobError, Stage
+from tests.hard_cases.wild_levels import wild_level
 
 MEMORY = 2 << 30  # bytes, of a level
 BUILD_S, STEP_S, ALL_S = 20.0, 5.0, 60.0  # s of CPU time; several times what was measured of any

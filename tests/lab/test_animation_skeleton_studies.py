@@ -11,14 +11,14 @@ import pytest
 
 from game.lab import measure, run_study
 from game.lab.analysis import fit_order
-from game.lab.studies.inverse_kinematics import (
+from game.lab.studies.animation.inverse_kinematics import (
     dead_point_study,
     full_reach_study,
     out_of_reach_study,
     present_reaching,
     reaching_study,
 )
-from game.lab.studies.skinning import (
+from game.lab.studies.animation.skinning import (
     BEND,
     area_off,
     collapse_study,

@@ -7,10 +7,10 @@ import pytest
 
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, run_study
-from game.lab.studies.billiards import billiards_study, lossless_study
-from game.lab.studies.billiards_effects import EFFECTS, effects_study
-from game.lab.studies.billiards_hits import missed_hits_study, overlap_study
-from game.lab.studies.missed_hits import HIT_SHOTS
+from game.lab.studies.billiards.effects import EFFECTS, effects_study
+from game.lab.studies.billiards.hits import missed_hits_study, overlap_study
+from game.lab.studies.billiards.missed_hits import HIT_SHOTS
+from game.lab.studies.billiards.tables import billiards_study, lossless_study
 from game.lab.study import Setting
 
 RANGES = {"stepped_step": (1 / 20000, 1 / 20), "lecture_step": (1 / 2000, 1 / 20), "passes": (1, 50)}

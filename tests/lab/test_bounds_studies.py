@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 
 from game.lab import Setting, fit_order, run_study
-from game.lab.studies.bounds import STEPS_DEGREES, box_study, capsule_study
-from game.lab.studies.bounds_gap import gap_study
-from game.scenes.c08_oriented_boxes import OrientedBoxes
-from game.scenes.c09_capsules import Capsules
+from game.lab.studies.bounds.fits import STEPS_DEGREES, box_study, capsule_study
+from game.lab.studies.bounds.gap import gap_study
+from game.scenes.bounds.capsules import Capsules
+from game.scenes.bounds.oriented_boxes import OrientedBoxes
 
 
 def at(study, knobs, methods=None):

@@ -5,10 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.lab.studies.broadphase import cell_cost_study, cell_size_study, hierarchy_study, ratio_study
-from game.lab.studies.broadphase_count import count_study, work_study
-from game.lab.studies.broadphase_missed import meeting_times
-from game.lab.studies.broadphase_speed import speed_study, swaps_study, sweep_study
+from game.lab.studies.broadphase.count import count_study, work_study
+from game.lab.studies.broadphase.missed import meeting_times
+from game.lab.studies.broadphase.speed import speed_study, swaps_study, sweep_study
+from game.lab.studies.broadphase.workloads import (
+    cell_cost_study,
+    cell_size_study,
+    hierarchy_study,
+    ratio_study,
+)
 from game.lab.study import Outcome, Study
 
 ALL = (

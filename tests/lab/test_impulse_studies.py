@@ -69,7 +69,7 @@ def test_piles_and_their_overlap():
 
 
 def test_present_settings_can_be_placed():
-    from game.scenes.c13_sphere_collisions import SphereCollisions
+    from game.scenes.spheres.scene import SphereCollisions
 
     values = {name: knob.default for name, knob in SphereCollisions.knobs().items()}
     values["impact-times"] = True

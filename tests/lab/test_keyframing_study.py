@@ -8,12 +8,12 @@ import pytest
 
 from game.lab import run_study
 from game.lab.analysis import fit_order, out_of_order
-from game.lab.studies.keyframing import (
+from game.lab.studies.animation.keyframing import (
     METHODS,
     keyframing_study,
     uneven_study,
 )
-from game.lab.studies.keyframing_paths import line_study, present_lines, spread_study
+from game.lab.studies.animation.keyframing_paths import line_study, present_lines, spread_study
 
 
 def fewer(study, knobs):

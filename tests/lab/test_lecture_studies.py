@@ -6,18 +6,18 @@ import math
 import numpy as np
 import pytest
 
-from game.billiards.lecture_state import LectureSettings
+from game.billiards.lecture.state import LectureSettings
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, measure_present, run_study
-from game.lab.studies.lecture_breaks import (
+from game.lab.studies.billiards.lecture_breaks import (
     LONGEST,
     SHORTEST,
     missed_hits_study,
     rack_study,
     symmetry_study,
 )
-from game.lab.studies.lecture_table import lecture_table_study, two_ball_study
-from game.lab.studies.missed_hits import HIT_SHOTS
+from game.lab.studies.billiards.lecture_table import lecture_table_study, two_ball_study
+from game.lab.studies.billiards.missed_hits import HIT_SHOTS
 from game.lab.study import Setting
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from game.lab import run_study
-from game.lab.studies.narrowphase import (
+from game.lab.studies.narrowphase.distance import (
     FRAMES,
     PAIRS,
     coherence_settings,
@@ -17,7 +17,7 @@ from game.lab.studies.narrowphase import (
     present_tolerance,
     vclip_study,
 )
-from game.lab.studies.narrowphase_support import support_study
+from game.lab.studies.narrowphase.support import support_study
 
 QUERIES = PAIRS * FRAMES
 

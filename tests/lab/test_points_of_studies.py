@@ -8,13 +8,13 @@ from typing import Any
 import pytest
 
 from game.lab import Setting, measure, measure_present
-from game.lab.studies.narrowphase import gjk_study, vclip_study
-from game.lab.studies.narrowphase_support import support_study
-from game.lab.studies.skinning import collapse_study
+from game.lab.studies.animation.skinning import collapse_study
+from game.lab.studies.narrowphase.distance import gjk_study, vclip_study
+from game.lab.studies.narrowphase.support import support_study
 from game.levels import level_files, load_level
 from game.scenes import CATALOGUE
 from game.stage import SetEffect, SetKnob
-from game.stage.door import checked_event
+from game.stage.validation import checked_event
 
 # methods that the scene does not have: its points are not to be clicked
 ELSEWHERE = {

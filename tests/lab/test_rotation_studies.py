@@ -9,7 +9,7 @@ import pytest
 
 from game.lab import run_study
 from game.lab.studies.rotation import Run, energy_study, rotation_study
-from game.scenes.c12_rigid_body import RigidBodyScene
+from game.scenes.rigid_body.scene import RigidBodyScene
 
 
 def few(study, knobs):

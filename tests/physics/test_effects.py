@@ -24,8 +24,8 @@ from game.physics.effects import (
 from game.physics.fields import GRAVITY
 from game.physics.particles import ParticleSystem
 from game.physics.rigid import RigidBody
-from game.physics.rigid.collisions import CollidingSpheres
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.spheres import SphereBodies
 
 RAIN = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
 SNOW = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")

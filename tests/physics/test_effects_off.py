@@ -24,10 +24,10 @@ from game.physics.fields import ATTRACTOR, DRAG, GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.particles import METHODS as FLIGHTS
 from game.physics.particles import Forces, ParticleSystem
 from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW, RigidBody
-from game.physics.rigid.collision_settings import PATHS, material_tables, surroundings_of
-from game.physics.rigid.collisions import CollidingSpheres
-from game.physics.rigid.sphere_effects import COLLISIONS, FRICTION, LEDGES, STRINGS
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.effects import COLLISIONS, FRICTION, LEDGES, STRINGS
+from game.physics.spheres.settings import PATHS, material_tables, surroundings_of
+from game.physics.spheres.spheres import SphereBodies
 
 LAW = {
     "gravity": 9.81, "drag": 0.7, "quadratic_drag": 0.05, "wind_x": 2.0, "wind_y": -0.5, "whirl_x": 1.0,

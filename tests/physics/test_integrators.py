@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from game.physics.integrators import EVALUATIONS, METHODS, ORDERS, integrate
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 EPS = 2.0**-52
 G = np.array([0.0, -9.81])

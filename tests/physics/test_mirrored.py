@@ -12,8 +12,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.physics.animation.ik_solver import METHODS as WAYS
-from game.physics.animation.inverse_kinematics import solve_ik
+from game.physics.animation.ik.inverse_kinematics import solve_ik
+from game.physics.animation.ik.solver import METHODS as WAYS
 from game.physics.animation.skeleton import Skeleton
 from game.physics.constraints import MODELS, SCHEMES, PositionBasedDynamics, shapes
 from game.physics.constraints.settings import KNOWN as OF_LINKS
@@ -21,13 +21,13 @@ from game.physics.fields import ATTRACTOR, DRAG, GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.particles import METHODS as FLIGHTS
 from game.physics.particles import OBSTACLES, Discs, Forces, ParticleSystem
 from game.physics.rigid import METHODS, RigidBody
-from game.physics.rigid.collision_settings import LAWS, material_tables, surroundings_of
-from game.physics.rigid.collision_settings import SCHEMES as MOTIONS
-from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.settings import KNOWN as OF_A_BODY
-from game.physics.rigid.sphere_effects import IMPACT_TIMES
-from game.physics.rigid.sphere_effects import KNOWN as OF_SPHERES
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.effects import IMPACT_TIMES
+from game.physics.spheres.effects import KNOWN as OF_SPHERES
+from game.physics.spheres.settings import LAWS, material_tables, surroundings_of
+from game.physics.spheres.settings import SCHEMES as MOTIONS
+from game.physics.spheres.spheres import SphereBodies
 
 POLAR, AXIAL = np.array((-1.0, 1.0, 1.0)), np.array((1.0, -1.0, -1.0))
 TURN = np.array((1.0, 1.0, -1.0, -1.0))  # of a quaternion, scalar first

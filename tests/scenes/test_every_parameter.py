@@ -4,19 +4,19 @@ import math
 
 import numpy as np
 import pytest
-from scenes.billiards_stages import aim
 
 from game.billiards import Physics, Table, make_shot, simulate
-from game.billiards.contacts import CUSHION_MODELS
-from game.billiards.rack import BALL_RADIUS
+from game.billiards.laws.contacts import CUSHION_MODELS
+from game.billiards.table.rack import BALL_RADIUS
 from game.levels import level_files, load_level
-from game.scenes.billiards import Billiards
-from game.scenes.lecture_balls import LectureBalls
-from game.scenes.lecture_table import LectureTable
-from game.scenes.three_tables import ThreeTables
-from game.scenes.three_tables_view import ORIGINS
+from game.scenes.billiards.scene import Billiards
+from game.scenes.lecture_table.scene import LectureTable
+from game.scenes.three_tables.scene import ThreeTables
+from game.scenes.three_tables.view import ORIGINS
+from game.scenes.two_balls.scene import LectureBalls
 from game.stage import Action, Param, Pointer, Stage
-from game.stage.knobs import knobs_of
+from game.stage.parameters import knobs_of
+from tests.scenes.billiards.billiards_stages import aim
 
 
 def ends_of(scene):

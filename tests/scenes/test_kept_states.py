@@ -7,14 +7,14 @@ import pytest
 
 from game.levels import Level, load_level, parse_level, save_level
 from game.physics.bounds import build_tree, tandem
-from game.scenes.c08_oriented_boxes import OrientedBoxes
-from game.scenes.c09_capsules import Capsules
-from game.scenes.c12_level import FARTHEST as FARTHEST_BODY
-from game.scenes.c12_rigid_body import RigidBodyScene
-from game.scenes.c13_level import FARTHEST as FARTHEST_SPHERE
-from game.scenes.c13_sphere_collisions import SphereCollisions
-from game.scenes.lecture_balls import LectureBalls
-from game.scenes.outline_level import FARTHEST
+from game.scenes.bounds.capsules import Capsules
+from game.scenes.bounds.oriented_boxes import OrientedBoxes
+from game.scenes.rigid_body.level import FARTHEST as FARTHEST_BODY
+from game.scenes.rigid_body.scene import RigidBodyScene
+from game.scenes.shared.outlines.level import FARTHEST
+from game.scenes.spheres.level import FARTHEST as FARTHEST_SPHERE
+from game.scenes.spheres.scene import SphereCollisions
+from game.scenes.two_balls.scene import LectureBalls
 from game.stage import SetKnob, Stage
 
 

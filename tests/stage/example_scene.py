@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.physics.effects import declare_effect
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.stage import Action, Frame, Param, Pointer, Readout, Scene, SceneAction, Strip, Toggle
 
 GRAVITY = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import msgspec
 import numpy as np
 
-from game.physics.limits import LimitError
+from game.physics.kernels.limits import LimitError
 from game.stage import Action, Param, Pointer, Readout, Scene, SceneAction
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from stage.odd_scenes import BURST, Crowd, Fragile
 
 from game.stage import Action, KnobError, Pointer, SetKnob, Stage
+from tests.stage.odd_scenes import BURST, Crowd, Fragile
 
 
 def broken(how: str, at: int = 50) -> Stage:

@@ -6,11 +6,11 @@ import math
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from stage.example_scene import BouncingBall
-from stage.odd_scenes import Cloud, Fragile
 
 from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage, replay_scene
 from game.stage.watch import FiniteWatch
+from tests.stage.example_scene import BouncingBall
+from tests.stage.odd_scenes import Cloud, Fragile
 
 coordinates = st.floats(-1e3, 1e3) | st.sampled_from([0.0, -0.0, 1e300, 5e-324, math.nan, math.inf])
 pointers = st.builds(

@@ -7,11 +7,11 @@ import math
 import msgspec
 import numpy as np
 import pytest
-from stage.example_scene import GROUND, KICK, BouncingBall
-from stage.odd_scenes import Cloud, CloudContent, Fragile, FragileState
 
 from game.levels import Level, LevelError
 from game.stage import Action, Catalogue, Entry, KnobError, Pointer, SetEffect, SetKnob, Stage, replay_scene
+from tests.stage.example_scene import GROUND, KICK, BouncingBall
+from tests.stage.odd_scenes import Cloud, CloudContent, Fragile, FragileState
 
 
 class TestBeginning:
@@ -264,7 +264,9 @@ class TestEvents:
 
 
 class TestCatalogue:
-    row = Entry("example", "X00", "Bouncing ball", "falls", "Tests", "stage.example_scene", "BouncingBall")
+    row = Entry(
+        "example", "X00", "Bouncing ball", "falls", "Tests", "tests.stage.example_scene", "BouncingBall"
+    )
 
     def test_rows(self) -> None:
         other = self.row._replace(name="other", category="More")

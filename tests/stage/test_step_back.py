@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from stage.example_scene import KICK, BouncingBall
-from stage.odd_scenes import BURST, Cloud
 
 from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+from tests.stage.example_scene import KICK, BouncingBall
+from tests.stage.odd_scenes import BURST, Cloud
 
 CLOUD_EVENTS = [
     SetKnob("births", 0.9),

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from stage.example_scene import BouncingBall
-
 from game.physics.effects import EffectSet
 from game.stage import Action, SetEffect, Stage
 from game.stage.events import Stamped
 from game.stage.timeline import Timeline
+from tests.stage.example_scene import BouncingBall
 
 
 def names(stamped: list[Stamped]) -> list[str]:

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pygame
 import pytest
 
-sys.path.insert(0, str(Path(__file__).parent))  # for sample_scene
-
-from game.ui.look import Look
-from game.ui.theme import DARK, LIGHT
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK, LIGHT
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -1,4 +1,4 @@
-"""Draws every widget into pictures, to be looked at: ``python tests/ui/gallery.py FOLDER``."""
+"""Draws every widget into pictures, to be looked at: ``python -m tests.ui.gallery FOLDER``."""
 
 from __future__ import annotations
 
@@ -10,28 +10,27 @@ from types import SimpleNamespace
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
-sys.path.insert(0, str(Path(__file__).parent))
 
 import pygame
-from sample_scene import Sample
 
 from game.stage import Stage
-from game.ui.accuracy import AccuracyPage
-from game.ui.accuracy_data import AccuracyData, Progress, TableRow, sentence_for
-from game.ui.camera import Camera
-from game.ui.canvas import Canvas
-from game.ui.helppage import HelpPage
-from game.ui.hintbar import HintBar
-from game.ui.layout import arrange, auto_scale
-from game.ui.legend import Legend
-from game.ui.loading import LoadingCard, draw_shell
-from game.ui.look import Look
-from game.ui.panel import Panel
-from game.ui.plot_data import PlotAxes, PlotPoint, PlotSeries, Present
-from game.ui.strips import Strips
-from game.ui.theme import DARK, LIGHT, SERIES
-from game.ui.toasts import Toasts
-from game.ui.topbar import BarState, TopBar
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.charts.accuracy import AccuracyPage
+from game.ui.charts.accuracy_data import AccuracyData, Progress, TableRow, sentence_for
+from game.ui.charts.plot_data import PlotAxes, PlotPoint, PlotSeries, Present
+from game.ui.charts.strips import Strips
+from game.ui.look.layout import arrange, auto_scale
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK, LIGHT, SERIES
+from game.ui.panel.panel import Panel
+from game.ui.widgets.helppage import HelpPage
+from game.ui.widgets.hintbar import HintBar
+from game.ui.widgets.legend import Legend
+from game.ui.widgets.loading import LoadingCard, draw_shell
+from game.ui.widgets.toasts import Toasts
+from game.ui.widgets.topbar import BarState, TopBar
+from tests.ui.sample_scene import Sample
 
 HINTS = (
     (("Space",), "pause"), ((".",), "step"), ((",",), "step back"), (("Drag",), "move stone"),

@@ -5,9 +5,9 @@ import pygame
 import pytest
 
 from game.scenes import CATALOGUE
-from game.ui.look import Look
-from game.ui.pen import FIGURE, Pen
-from game.ui.theme import THEMES
+from game.ui.canvas.pen import FIGURE, Pen
+from game.ui.look.look import Look
+from game.ui.look.theme import THEMES
 
 SIZE = (592, 416)
 

@@ -14,10 +14,10 @@ from typing import NoReturn
 
 from game import __version__
 from game.app.commands import accuracy, bench, fuzz, listing, match, play, record, replay, run, selftest, shot
-from game.app.deadline import say_stopped
-from game.app.ending import status_of
-from game.app.mistake import MistakeError
-from game.app.words import printable, speak_what_is_understood
+from game.app.window.deadline import say_stopped
+from game.app.window.ending import status_of
+from game.app.window.mistake import MistakeError
+from game.app.window.words import printable, speak_what_is_understood
 
 COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, match, record, fuzz, bench)
 

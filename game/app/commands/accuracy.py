@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given
-from game.app.deadline import say_stopped
-from game.app.mistake import MistakeError
-from game.app.words import say
+from game.app.window.deadline import say_stopped
+from game.app.window.mistake import MistakeError
+from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.app.report.page import SceneReport

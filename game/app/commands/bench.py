@@ -6,8 +6,8 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import output
-from game.app.mistake import MistakeError
 from game.app.report.machine import about, about_words
+from game.app.window.mistake import MistakeError
 
 if TYPE_CHECKING:
     from game.lab.benchmarks import Measured

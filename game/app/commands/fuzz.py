@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from game.app.commands import given, output
-from game.app.mistake import MistakeError
+from game.app.window.mistake import MistakeError
 
 EVENTS = 2000
 MOST_EVENTS = 10_000_000
@@ -27,7 +27,7 @@ def add(commands: Any) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Fuzz and print a table; status 1 if anything was raised."""
     from game.app.fuzz.session import FuzzSession
-    from game.app.headless import prepare
+    from game.app.stagehand.headless import prepare
     from game.folders import home_at
     from game.scenes import CATALOGUE
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from game.app.mistake import MistakeError
+from game.app.window.mistake import MistakeError
 
 if TYPE_CHECKING:
     from game.levels import Level

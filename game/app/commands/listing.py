@@ -6,7 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
-from game.app.words import say
+from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.stage import Entry
@@ -67,7 +67,7 @@ def _describe_knob(knob: Any) -> dict[str, Any]:
 
 
 def _describe_levels(scene_name: str) -> list[dict[str, str]]:
-    from game.app.level_index import level_heads
+    from game.app.stagehand.level_index import level_heads
 
     return [
         {"name": head.path.stem, "title": head.title, "file": str(head.path)}

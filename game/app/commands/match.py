@@ -7,11 +7,11 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
-from game.app.mistake import MistakeError
-from game.app.words import say
+from game.app.window.mistake import MistakeError
+from game.app.window.words import say
 
 if TYPE_CHECKING:
-    from game.billiards.match import Round
+    from game.billiards.players.match import Round
 
 MOST_TITLE = 120
 
@@ -39,7 +39,7 @@ def execute(options: argparse.Namespace) -> int:
     film = None
     if options.video is not None:
         film = given.read_film(options.video, options.size, options.fps, "--video")
-    from game.billiards.match import MatchError, match_data, play_match
+    from game.billiards.players.match import MatchError, match_data, play_match
 
     silent = options.json == output.STANDARD_OUTPUT
     try:
@@ -69,7 +69,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def describe(one: Round) -> str:
     """A round for people, its pocket named as in the film."""
-    from game.scenes.billiards_layout import pocket_words
+    from game.scenes.billiards.layout import pocket_words
 
     way = " - ".join(["white", *(str(number) for number in one.fallen.chain[1:])])
     pocket = pocket_words(one.fallen.pocket)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from game import files
-from game.app.mistake import MistakeError
+from game.app.window.mistake import MistakeError
 
 STANDARD_OUTPUT = "-"
 _NOT_ASCII = re.compile("[^\\n -~]")

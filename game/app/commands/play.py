@@ -9,9 +9,9 @@ import threading
 from typing import Any
 
 from game.app.commands import given
-from game.app.mistake import MistakeError
-from game.app.window import NoDisplayError, Window, display_missing
-from game.app.words import printable, say
+from game.app.window.mistake import MistakeError
+from game.app.window.window import NoDisplayError, Window, display_missing
+from game.app.window.words import printable, say
 
 DEMO_SCENES = ("billiards", "lecture-table")  # the first of these that there is
 PICTURE_SIZE = (1280, 720)
@@ -38,7 +38,7 @@ def execute_menu(options: argparse.Namespace) -> int:
 
 def execute(options: argparse.Namespace) -> int:
     """One scene, opened at once."""
-    from game.app.scene.opening import Opening
+    from game.app.stagehand.opening import Opening
 
     scene_type = given.scene_type_named(options.scene)
     recording = given.read_replay(options, scene_type.name)
@@ -60,7 +60,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _run_window(scene_name: str, opening: Any = None) -> int:
     """Open the window first and load the rest after it, so that something is seen at once."""
-    from game.app.settings import load_settings
+    from game.app.window.settings import load_settings
     from game.folders import user_folder
 
     loaded = load_settings(user_folder())
@@ -90,8 +90,8 @@ def _leave_compilers_behind() -> None:
 
 def _play_demo(reason: str) -> int:
     """Say that there is no display, play the table's demo and save a picture of it."""
-    from game.app.headless import demo_picture
-    from game.app.pictures import save_picture
+    from game.app.stagehand.headless import demo_picture
+    from game.app.window.pictures import save_picture
     from game.scenes import CATALOGUE
 
     names = [entry.name for entry in CATALOGUE]

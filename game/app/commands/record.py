@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from game.app.commands import given
-from game.app.mistake import MistakeError
-from game.app.words import say
+from game.app.window.mistake import MistakeError
+from game.app.window.words import say
 
 USUAL_S = 20.0
 
@@ -41,7 +41,7 @@ def execute(options: argparse.Namespace) -> int:
     film = given.read_film(out, options.size, options.fps, "--out")
     from game.app.film.scene_film import write_scene_film
     from game.app.film.video import VideoError
-    from game.app.script import demo_of
+    from game.app.stagehand.script import demo_of
     from game.stage import RecordingError, begin
 
     if recording is not None:

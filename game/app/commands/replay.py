@@ -7,7 +7,7 @@ import time
 from typing import Any
 
 from game.app.commands import given, output, run
-from game.app.mistake import MistakeError
+from game.app.window.mistake import MistakeError
 
 
 def add(commands: Any) -> None:

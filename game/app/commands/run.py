@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.commands import given, output
-from game.app.mistake import MistakeError
-from game.app.words import say
+from game.app.window.mistake import MistakeError
+from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.stage import Stage
@@ -97,8 +97,8 @@ def print_report(report: dict[str, Any]) -> None:
 
 def write_screenshot(stage: Stage, word: str, size: tuple[int, int], theme: str) -> None:
     """Draw the stage into a PNG file of its own size."""
-    from game.app.headless import picture_of_stage
-    from game.app.pictures import write_png
+    from game.app.stagehand.headless import picture_of_stage
+    from game.app.window.pictures import write_png
 
     try:
         write_png(picture_of_stage(stage, size, theme), Path(word))

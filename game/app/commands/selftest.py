@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.commands import given, output
-from game.app.mistake import MistakeError
-from game.app.script import Script, demo_of
-from game.app.words import say
+from game.app.stagehand.script import Script, demo_of
+from game.app.window.mistake import MistakeError
+from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -193,7 +193,7 @@ def _run_plan(plan: Mapping[str, int]) -> int:
 
 
 def _begin(scene_type: type[Scene], file: Path | None) -> Stage:
-    from game.app.scene.opening import Opening
+    from game.app.stagehand.opening import Opening
 
     return Opening(level=file).make_stage(scene_type)
 

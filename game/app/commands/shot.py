@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from game.app.commands import output
-from game.app.mistake import MistakeError
-from game.app.words import say
+from game.app.window.mistake import MistakeError
+from game.app.window.words import say
 
 
 def add(commands: Any) -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pygame
 
 from game.app.film.script import Act, potted_at
-from game.billiards.match import PLAYERS, Match
+from game.billiards.players.match import PLAYERS, Match
 from game.physics.animation import Keyframes
-from game.scenes.billiards_layout import pocket_words
-from game.ui.look import Look
+from game.scenes.billiards.layout import pocket_words
+from game.ui.look.look import Look
+from game.ui.look.shapes import draw_box, draw_disc, draw_line
 from game.ui.painters.ball_picture import ball_chip
-from game.ui.shapes import draw_box, draw_disc, draw_line
 
 COLORS = ("chalk", "vermilion")  # of the two players
 HEADING = "A billiard match"

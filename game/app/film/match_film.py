@@ -14,24 +14,24 @@ from game.app.film.progress import Progress
 from game.app.film.script import Act, Script, potted_at, write_script
 from game.app.film.soundtrack import Soundtrack
 from game.app.film.video import VideoWriter
-from game.app.headless import prepare
-from game.billiards.match import Match
-from game.billiards.rules import CUE_BALL
-from game.billiards.state import BALL_POCKET
-from game.billiards.table import CUSHION_DEPTH, Table
-from game.billiards.trajectory import rotation_matrices
-from game.scenes.billiards_sounds import sounds_of
-from game.scenes.billiards_view import FALL_S
-from game.scenes.demo_shots import scattered_orientations
-from game.scenes.table_view import WOOD, Balls, draw_balls
+from game.app.stagehand.headless import prepare
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.laws.state import BALL_POCKET
+from game.billiards.players.match import Match
+from game.billiards.shot.trajectory import rotation_matrices
+from game.billiards.table.table import CUSHION_DEPTH, Table
+from game.scenes.billiards.sounds import sounds_of
+from game.scenes.billiards.view import FALL_S
+from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.view import WOOD, Balls, draw_balls
 from game.stage import Frame
-from game.ui.camera import Camera
-from game.ui.canvas import Canvas
-from game.ui.layout import auto_scale
-from game.ui.look import Look
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.layout import auto_scale
+from game.ui.look.look import Look
+from game.ui.look.theme import theme_named
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import TableView, table_picture
-from game.ui.theme import theme_named
 
 Array = NDArray[np.float64]
 

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from game.app.film.progress import Progress
 from game.app.film.soundtrack import Soundtrack
 from game.app.film.video import VideoWriter
-from game.app.headless import prepare
-from game.app.script import Script
-from game.app.view import StageView
+from game.app.stagehand.headless import prepare
+from game.app.stagehand.script import Script
+from game.app.stagehand.view import StageView
 from game.stage import Scene, Stage, Stamped
-from game.ui.layout import auto_scale
-from game.ui.look import Look
+from game.ui.look.layout import auto_scale
+from game.ui.look.look import Look
+from game.ui.look.theme import theme_named
 from game.ui.sound import SoundPlayer
-from game.ui.theme import theme_named
 
 
 class _Ear(SoundPlayer):

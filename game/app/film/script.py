@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.match import Match, Round
-from game.billiards.rules import CUE_BALL
-from game.billiards.state import BALL_POCKET
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.laws.state import BALL_POCKET
+from game.billiards.players.match import Match, Round
 from game.physics.animation import Keyframes
-from game.scenes.billiards_cue import StrokeMotion, stroke_motion
-from game.scenes.billiards_moves import speed_ratio
+from game.scenes.billiards.play import speed_ratio
+from game.scenes.billiards.stroke_motion import StrokeMotion, stroke_motion
 
 Array = NDArray[np.float64]
 

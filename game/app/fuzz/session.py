@@ -13,16 +13,16 @@ from typing import Any, NamedTuple
 
 import pygame
 
-from game.app.driver import Driver
+from game.app.fuzz.driver import Driver
 from game.app.fuzz.hand import SIZES, any_drag, any_event
 from game.app.fuzz.hostile import spoil
+from game.app.fuzz.memory import resident_bytes
 from game.app.fuzz.values import any_value
-from game.app.keys import parse_chord
-from game.app.memory import resident_bytes
 from game.app.scene.screen import SceneScreen
+from game.app.window.keys import parse_chord
 from game.levels import LevelError, level_files, parse_level
-from game.physics.jit import compiling
-from game.physics.limits import LimitError
+from game.physics.kernels.jit import compiling
+from game.physics.kernels.limits import LimitError
 from game.stage.catalogue import Catalogue
 from game.stage.events import SetEffect, SetKnob, StageEvent
 

@@ -6,7 +6,7 @@ import math
 from random import Random
 from typing import Any
 
-from game.stage.knobs import Choice, Knob, Param, Toggle
+from game.stage.parameters import Choice, Knob, Param, Toggle
 
 NOT_VALUES: tuple[Any, ...] = (math.nan, math.inf, -math.inf, None, "", "1", "true", b"", 10**400, (), 1e308)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from game.app.compile.preparing import Preparation
 from game.app.menu.thumbnails import Thumbnails
-from game.app.preparing import Preparation
 
 if TYPE_CHECKING:
     from game.app.application import App

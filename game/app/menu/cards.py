@@ -8,9 +8,9 @@ import pygame
 
 from game.app.menu.flow import Card
 from game.stage.catalogue import Entry
-from game.ui.icons import icon
-from game.ui.look import Look
-from game.ui.shapes import box, draw_box, draw_disc, draw_shadow
+from game.ui.look.icons import icon
+from game.ui.look.look import Look
+from game.ui.look.shapes import box, draw_box, draw_disc, draw_shadow
 
 RADIUS = 12
 LIFT = 2

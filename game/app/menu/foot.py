@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.keys import chord_label, parse_chord
 from game.app.menu.flow import MARGIN
-from game.ui import keycap
+from game.app.window.keys import chord_label, parse_chord
+from game.ui.widgets import keycap
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.ui.hotspots import Hotspot, Hotspots
-from game.ui.icons import icon, logo
-from game.ui.look import Look
-from game.ui.shapes import draw_box
+from game.ui.look.icons import icon, logo
+from game.ui.look.look import Look
+from game.ui.look.shapes import draw_box
+from game.ui.widgets.hotspots import Hotspot, Hotspots
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from game.app.level_index import LevelHead, level_heads
 from game.app.menu.flow import Group
 from game.app.menu.search import Field, rank
+from game.app.stagehand.level_index import LevelHead, level_heads
 from game.stage.catalogue import Catalogue, Entry
 
 WIDE = ("billiards", "lecture-table")  # the first of these that there is takes two places

@@ -8,12 +8,12 @@ import threading
 
 import pygame
 
-from game.app.scene.opening import Opening
-from game.app.script import Script, demo_of, demo_steps
-from game.app.view import StageView
+from game.app.stagehand.opening import Opening
+from game.app.stagehand.script import Script, demo_of, demo_steps
+from game.app.stagehand.view import StageView
 from game.stage import Stage
 from game.stage.catalogue import Entry
-from game.ui.look import Look
+from game.ui.look.look import Look
 
 BEFORE_SHOWN_S = 1.6  # s of simulated time until there is something to be seen
 WIDEST_VIEW = 1.8  # width of a scene's view to its height, at most

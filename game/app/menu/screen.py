@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pygame
 
-from game.app.level_index import LevelHead
 from game.app.menu import cards, flow
 from game.app.menu.behind import Behind
 from game.app.menu.foot import paint_foot
@@ -14,12 +13,13 @@ from game.app.menu.header import Header
 from game.app.menu.items import Offer
 from game.app.menu.sketches import sketch
 from game.app.screens.screen import Screen
+from game.app.stagehand.level_index import LevelHead
 from game.stage.catalogue import Entry
-from game.ui.motion import LIFT_S, Fade
+from game.ui.look.motion import LIFT_S, Fade
 
 if TYPE_CHECKING:
     from game.app.application import App
-    from game.app.guard import Failure
+    from game.app.window.guard import Failure
 
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 LEVELS_SHOWN = 60  # of those found; more is no list to read

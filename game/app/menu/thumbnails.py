@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.guard import Failure
-from game.app.pictures import write_png
-from game.app.readiness import any_notes, is_ready
+from game.app.compile.readiness import any_notes, is_ready
+from game.app.window.guard import Failure
+from game.app.window.pictures import write_png
 from game.folders import cache_folder
 from game.stage.catalogue import Entry
-from game.ui.look import Look
+from game.ui.look.look import Look
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -14,7 +14,7 @@ from game.files import save_text
 from game.lab import ACCURACY, Study, StudyTable, summarise
 from game.lab.analysis import TARGETS
 from game.lab.report import failure_lines
-from game.ui.numerals import format_number, format_si
+from game.ui.look.numerals import format_number, format_si
 
 if TYPE_CHECKING:
     from game.stage import Scene

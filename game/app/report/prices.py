@@ -112,8 +112,8 @@ def _prepared(
 
 def _begun(scene_type: type[Scene]) -> Stage:
     """The scene at its first level, after some time of its demo."""
-    from game.app.scene.opening import Opening
-    from game.app.script import Script, demo_of
+    from game.app.stagehand.opening import Opening
+    from game.app.stagehand.script import Script, demo_of
 
     stage = Opening().make_stage(scene_type)
     Script(stage, demo_of(scene_type)).run(max(1, round(BEGUN_S / stage.dt)))
@@ -135,7 +135,7 @@ def copy_declaring(stage: Stage, active: EffectSet, declared: EffectSet) -> Scen
 
 def _steps(stage: Stage, active: EffectSet, declared: EffectSet) -> Work:
     """Steps of a copy of the scene from its present state."""
-    from game.stage.state import copy_state
+    from game.stage.states.state import copy_state
 
     scene = copy_declaring(stage, active, declared)
     state = copy_state(stage.scene.state())

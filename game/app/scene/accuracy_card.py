@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, ClassVar
 
 import pygame
 
-from game.app.scene.page_screen import PageScreen
 from game.app.scene.study_run import StudyRun, accuracy_data
+from game.app.screens.page_screen import PageScreen
 from game.folders import user_folder
 from game.stage import SetEffect, SetKnob
-from game.ui.accuracy import AccuracyPage
-from game.ui.accuracy_data import AccuracyData
-from game.ui.commands import Command
-from game.ui.tooltips import ToolTip
+from game.ui.charts.accuracy import AccuracyPage
+from game.ui.charts.accuracy_data import AccuracyData
+from game.ui.widgets.commands import Command
+from game.ui.widgets.tooltips import ToolTip
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.ui.hotspots import Hotspot, Hotspots
-from game.ui.icons import icon
-from game.ui.shapes import draw_box, draw_shadow
+from game.ui.look.icons import icon
+from game.ui.look.shapes import draw_box, draw_shadow
+from game.ui.widgets.hotspots import Hotspot, Hotspots
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from game.stage import KnobError, SetKnob, StageEvent
-from game.stage.door import checked_event
+from game.stage.validation import checked_event
 
 if TYPE_CHECKING:
     from game.app.scene.play import ScenePlay

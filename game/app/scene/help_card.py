@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar
 
-from game.app.scene.page_screen import PageScreen
+from game.app.screens.page_screen import PageScreen
 from game.stage import Scene
-from game.ui.helppage import HelpPage
+from game.ui.widgets.helppage import HelpPage
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -11,7 +11,7 @@ import threading
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from game.app.scene.files import present_level
+from game.app.stagehand.files import present_level
 from game.folders import user_folder
 from game.levels import Level, save_level
 

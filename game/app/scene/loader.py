@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.canvas_warming import CanvasWarming
-from game.app.precompile import Precompiler
-from game.app.readiness import mark_ready
-from game.app.scene.opening import Opening
+from game.app.compile.canvas_warming import CanvasWarming
+from game.app.compile.precompile import Precompiler
+from game.app.compile.readiness import mark_ready
+from game.app.stagehand.opening import Opening
 from game.stage.catalogue import Entry
-from game.ui.look import Look
+from game.ui.look.look import Look
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -49,7 +49,7 @@ class Loader:
     @property
     def name(self) -> str:
         """What is being done now: the kernel that the compiler is in, if it is in one."""
-        jit = sys.modules.get("game.physics.jit")  # the window must not import the compiler itself
+        jit = sys.modules.get("game.physics.kernels.jit")  # the window must not import the compiler itself
         inside = jit.compiling().names if jit is not None and hasattr(jit, "compiling") else ()
         return inside[0] if inside else self._at
 
@@ -88,9 +88,9 @@ class Loader:
         What fails here is told by the scene itself later.
         """
         import game.app.scene.play
-        import game.ui.panel  # noqa: F401
-        from game.app.scene.rehearsal import rehearse
-        from game.ui.panel_manager import prepared_theme
+        import game.ui.panel.panel  # noqa: F401
+        from game.app.compile.rehearsal import rehearse
+        from game.ui.panel.manager import prepared_theme
 
         stage = self._opening.make_stage(scene_type)
         with contextlib.suppress(Exception):

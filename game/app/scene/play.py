@@ -7,21 +7,21 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from game.app.keys import chord_of, parse_chord
-from game.app.scene import files
 from game.app.scene.banner import FaultBanner
 from game.app.scene.errands import Errands
 from game.app.scene.gate import Gate
 from game.app.scene.keeping import Keeper
-from game.app.scene.opening import Opening
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
 from game.app.scene.standstill import Standstill
 from game.app.scene.stopping import Stopping
 from game.app.scene.variants import Variants
-from game.app.script import Script
-from game.app.stars import StarKeeper
-from game.app.view import StageView
+from game.app.stagehand import files
+from game.app.stagehand.opening import Opening
+from game.app.stagehand.script import Script
+from game.app.stagehand.stars import StarKeeper
+from game.app.stagehand.view import StageView
+from game.app.window.keys import chord_of, parse_chord
 from game.stage import (
     Action,
     EffectMeter,
@@ -30,12 +30,12 @@ from game.stage import (
     Stage,
     StageEvent,
 )
-from game.ui.commands import Command
+from game.ui.widgets.commands import Command
 
 if TYPE_CHECKING:
     from game.app.application import App
-    from game.app.guard import Failure
     from game.app.scene.shell import Shell
+    from game.app.window.guard import Failure
 
 SPEEDS = (1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0, 2.0, 4.0)
 FOCUS_KEYS = (pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN, pygame.K_RETURN, pygame.K_KP_ENTER)

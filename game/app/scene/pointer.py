@@ -9,7 +9,7 @@ from __future__ import annotations
 import pygame
 
 from game.stage import Pointer, Scene
-from game.ui.camera import Camera
+from game.ui.canvas.camera import Camera
 
 LEFT, MIDDLE, RIGHT = 1, 2, 3
 BUTTON_NAMES = {MIDDLE: "middle", RIGHT: "right"}

@@ -8,16 +8,16 @@ import pygame
 
 from game.app.scene.keeping import kept_path
 from game.app.scene.loader import Loader
-from game.app.scene.opening import Opening
 from game.app.scene.shell import Shell
 from game.app.screens.choices import ChoiceCard, Row
 from game.app.screens.screen import Screen
-from game.ui.commands import Command
+from game.app.stagehand.opening import Opening
+from game.ui.widgets.commands import Command
 
 if TYPE_CHECKING:
     from game.app.application import App
-    from game.app.guard import Failure
     from game.app.scene.play import ScenePlay
+    from game.app.window.guard import Failure
     from game.stage.catalogue import Entry
 
 
@@ -148,7 +148,7 @@ class SceneScreen(Screen):
             self._fulfil(wish)
 
     def _fulfil(self, wish: Command) -> None:
-        """What a widget asks for: the names of game/ui/commands.py."""
+        """What a widget asks for: the names of game/ui/widgets/commands.py."""
         play = self.play
         if play is None:
             return

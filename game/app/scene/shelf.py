@@ -10,10 +10,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from game.app.scene import files
-from game.app.scene.opening import Opening
 from game.app.scene.variants import Variants
 from game.app.screens.choices import Row
+from game.app.stagehand import files
+from game.app.stagehand.opening import Opening
 from game.levels import Level, LevelError, load_level
 from game.stage import KnobError, Recording, RecordingError, Scene, Stage
 

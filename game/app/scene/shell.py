@@ -7,22 +7,22 @@ from typing import TYPE_CHECKING, Any
 
 import pygame
 
-from game.ui.beat import Beat
-from game.ui.hintbar import HintBar
-from game.ui.layout import arrange
-from game.ui.legend import Legend
-from game.ui.loading import LoadingCard, draw_shell
-from game.ui.pace import Pace
-from game.ui.tooltips import ToolTip
-from game.ui.topbar import BarState, TopBar
+from game.ui.look.beat import Beat
+from game.ui.look.layout import arrange
+from game.ui.look.pace import Pace
+from game.ui.widgets.hintbar import HintBar
+from game.ui.widgets.legend import Legend
+from game.ui.widgets.loading import LoadingCard, draw_shell
+from game.ui.widgets.tooltips import ToolTip
+from game.ui.widgets.topbar import BarState, TopBar
 
 if TYPE_CHECKING:
     from game.app.application import App
     from game.app.scene.loader import Loader
     from game.stage import Scene, Stage
     from game.stage.catalogue import Entry
-    from game.ui.panel import Panel
-    from game.ui.strips import Strips
+    from game.ui.charts.strips import Strips
+    from game.ui.panel.panel import Panel
 
 BEFORE_OWN = (("pause", "pause"), ("step", "step"), ("step-back", "step back"))
 AFTER_OWN = (("accuracy", "accuracy"), ("levels", "levels"), ("help", "help"))
@@ -50,8 +50,8 @@ class Shell:
 
     def open(self, stage: Stage, levels: Any) -> None:
         """The scene is there: make what is built from its declarations."""
-        from game.ui.panel import Panel
-        from game.ui.strips import Strips
+        from game.ui.charts.strips import Strips
+        from game.ui.panel.panel import Panel
 
         scene_type = type(stage.scene)
         self.strips = Strips(self.app.look, scene_type.strips)

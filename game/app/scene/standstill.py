@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from game.ui.look import Look
+from game.ui.look.look import Look
 
 PATIENCE_S = 0.3  # before anything is said
 WORDS = "Working…"

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from game.app.guard import Failure, method_of
+from game.app.window.guard import Failure, method_of
 
 if TYPE_CHECKING:
     from game.stage import Fault, Stage

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from game.lab import Row, StoppedError, Study, StudyTable, measure_present, run_study
-from game.ui.accuracy_data import AccuracyData, Progress
-from game.ui.accuracy_study import study_data
+from game.ui.charts.accuracy_data import AccuracyData, Progress
+from game.ui.charts.accuracy_study import study_data
 
 ENOUGH_S = 5e-3  # of repeats of a cheap point
 

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple
 import pygame
 
 from game.app.screens.screen import Screen
-from game.ui import keycap
-from game.ui.buttons import HEIGHT as BUTTON
-from game.ui.buttons import draw_button
-from game.ui.hotspots import Hotspot, Hotspots
-from game.ui.layout import Layout
-from game.ui.shapes import draw_box
+from game.ui.look.layout import Layout
+from game.ui.look.shapes import draw_box
+from game.ui.widgets import keycap
+from game.ui.widgets.buttons import HEIGHT as BUTTON
+from game.ui.widgets.buttons import draw_button
+from game.ui.widgets.hotspots import Hotspot, Hotspots
 
 if TYPE_CHECKING:
     from game.app.application import App

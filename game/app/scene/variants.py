@@ -13,7 +13,7 @@ from typing import Any
 from game.levels import Level
 from game.physics.effects import EffectSet
 from game.stage import Choice, Scene, SetEffect, SetKnob, Stage, StageEvent, Toggle
-from game.stage.state import copy_state
+from game.stage.states.state import copy_state
 
 STEPS, ENOUGH_S = 24, 0.05  # of a trial: so many steps, but no more than so many seconds
 

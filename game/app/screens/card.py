@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, ClassVar
 import pygame
 
 from game.app.screens.screen import Screen
-from game.ui.hotspots import Hotspot, Hotspots
-from game.ui.overlay import Overlay, draw_close
-from game.ui.shapes import draw_box
+from game.ui.look.shapes import draw_box
+from game.ui.widgets.hotspots import Hotspot, Hotspots
+from game.ui.widgets.overlay import Overlay, draw_close
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
-from game.ui.hotspots import Hotspot
-from game.ui.shapes import draw_box, draw_disc
+from game.ui.look.shapes import draw_box, draw_disc
+from game.ui.widgets.hotspots import Hotspot
 
 if TYPE_CHECKING:
     from game.app.application import App

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, ClassVar
 
 import pygame
 
-from game.app.keys import COMMANDS, chord_of
 from game.app.screens.card import HEAD, CardScreen
-from game.ui import keycap
-from game.ui.hotspots import Hotspot
-from game.ui.shapes import draw_box
+from game.app.window.keys import COMMANDS, chord_of
+from game.ui.look.shapes import draw_box
+from game.ui.widgets import keycap
+from game.ui.widgets.hotspots import Hotspot
 
 if TYPE_CHECKING:
     from game.app.application import App

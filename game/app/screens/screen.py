@@ -9,7 +9,7 @@ import pygame
 
 if TYPE_CHECKING:
     from game.app.application import App
-    from game.app.guard import Failure
+    from game.app.window.guard import Failure
 
 
 class Screen:

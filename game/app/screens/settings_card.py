@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, ClassVar, NamedTuple
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
-from game.app.settings import settings_path
-from game.ui.hotspots import Hotspot
-from game.ui.shapes import draw_box
+from game.app.window.settings import settings_path
+from game.ui.look.shapes import draw_box
+from game.ui.widgets.hotspots import Hotspot
 
 if TYPE_CHECKING:
     from game.app.application import App

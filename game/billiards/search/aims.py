@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from game.billiards.games.combination import SHORTEST_CHAIN, CombinationMatch
-from game.billiards.games.eight_ball import EIGHT, GROUPS, EightBall
-from game.billiards.games.nine_ball import NINE, NineBall
-from game.billiards.rules import CUE_BALL, Game
+from game.billiards.game.games.combination import SHORTEST_CHAIN, CombinationMatch
+from game.billiards.game.games.eight_ball import EIGHT, GROUPS, EightBall
+from game.billiards.game.games.nine_ball import NINE, NineBall
+from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.search.rating import Aims
 
 

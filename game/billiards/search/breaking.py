@@ -14,15 +14,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.arrangement import Arrangement, Stroke, bed_for, is_free
-from game.billiards.rack import FOOT_SPOT, HEAD_SPOT
-from game.billiards.rules import CUE_BALL, NEEDED_AT_BREAK
+from game.billiards.game.arrangement import Arrangement, Stroke, bed_for, is_free
+from game.billiards.game.rules import CUE_BALL, NEEDED_AT_BREAK
 from game.billiards.search.outcomes import CUSHIONS, DOWN, Outcomes
 from game.billiards.search.rating import FOULED, LOST, SCORED, WON, Aims
 from game.billiards.search.strokes import Board, Noise, with_noise
 from game.billiards.search.view import View
-from game.billiards.shot import Physics
-from game.billiards.table import Table
+from game.billiards.shot.shot import Physics
+from game.billiards.table.rack import FOOT_SPOT, HEAD_SPOT
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 

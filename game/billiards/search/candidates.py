@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.lean import inner_kernel, lean_kernel
+from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.search.lanes import (
     GATE_RADIUS,
     GATE_X,

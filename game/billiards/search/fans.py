@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.lean import lean_kernel
+from game.billiards.laws.lean import lean_kernel
 from game.billiards.search.candidates import AIM, SPREAD, WINDOW
 from game.billiards.search.rating import SCORED, WON
 from game.billiards.search.strokes import AZIMUTH, ELEVATION, SPEED, TIP_LEFT, TIP_UP

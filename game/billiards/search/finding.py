@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.arrangement import Arrangement, Stroke
-from game.billiards.rules import CUE_BALL
+from game.billiards.game.arrangement import Arrangement, Stroke
+from game.billiards.game.rules import CUE_BALL
 from game.billiards.search.aims import all_aims
 from game.billiards.search.candidates import AIM, BALL, CUT_FROM, DIRECT, INTO, KIND, KINDS, NO_POT, VIA
 from game.billiards.search.deeper import look_deeper
@@ -19,8 +19,8 @@ from game.billiards.search.looking import Effort, Looked, look
 from game.billiards.search.rating import Aims
 from game.billiards.search.strokes import Board, Noise, draw_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.shot import Physics
-from game.billiards.table import Table
+from game.billiards.shot.shot import Physics
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 

@@ -18,8 +18,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.lean import inner_kernel
-from game.billiards.table import Table
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.cue import CUE_END_MASS
+from game.billiards.laws.state import IN_MASS
 from game.billiards.search.candidates import BALL, INTO, KINDS, SPREAD
 from game.billiards.search.fans import (
     chance_of_run,
@@ -25,7 +25,7 @@ from game.billiards.search.outcomes import Outcomes
 from game.billiards.search.rating import SCORED, WON, Aims
 from game.billiards.search.strokes import AZIMUTH, with_noise
 from game.billiards.search.view import UNLIMITED, Clock, View
-from game.billiards.state import IN_MASS
+from game.billiards.shot.cue import CUE_END_MASS
 
 Array = NDArray[np.float64]
 

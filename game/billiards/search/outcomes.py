@@ -1,7 +1,7 @@
 """What came of many shots, as arrays: the referee's summary of each, in a kernel.
 
-The twin of `game.billiards.summary`, for searching. Chains are kept as sets of balls, and a ball that lay
-against a cushion counts as driven to it when it touches it.
+The twin of `game.billiards.game.summary`, for searching. Chains are kept as sets of balls, and a ball that
+lay against a cushion counts as driven to it when it touches it.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.lean import inner_kernel, lean_kernel
-from game.billiards.state import (
+from game.billiards.laws.lean import inner_kernel, lean_kernel
+from game.billiards.laws.state import (
     BALL_BALL,
     BALL_CUSHION,
     BALL_JAW,

@@ -11,18 +11,18 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.arrangement import Arrangement, bed_for, nearest_free
-from game.billiards.lean import inner_kernel, lean_kernel
-from game.billiards.rack import HEAD_SPOT
-from game.billiards.rules import CUE_BALL, Hand
+from game.billiards.game.arrangement import Arrangement, bed_for, nearest_free
+from game.billiards.game.rules import CUE_BALL, Hand
+from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.search.lanes import openness, pocket_window, pot_chance
 from game.billiards.search.looking import Effort, look
 from game.billiards.search.outcomes import NOWHERE
 from game.billiards.search.rating import BLOCKED, Aims
 from game.billiards.search.strokes import Board, Noise, in_threads
 from game.billiards.search.view import UNLIMITED, Clock, View
-from game.billiards.shot import Physics
-from game.billiards.table import Table
+from game.billiards.shot.shot import Physics
+from game.billiards.table.rack import HEAD_SPOT
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.lean import inner_kernel, lean_kernel
+from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.search.lanes import openness, pot_chance
 from game.billiards.search.outcomes import (
     CHAIN,

@@ -15,16 +15,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.arrangement import Arrangement
-from game.billiards.batch import Log
-from game.billiards.cue import CUE_END_MASS, CUE_MASS
-from game.billiards.exact import play_shots
-from game.billiards.lean import inner_kernel, lean_kernel
-from game.billiards.rules import CUE_BALL
-from game.billiards.search.outcomes import Outcomes, sum_up
-from game.billiards.shot import Physics
-from game.billiards.simulation import log_for, room_for
-from game.billiards.state import (
+from game.billiards.exact.play import play_shots
+from game.billiards.game.arrangement import Arrangement
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.laws.batch import Log
+from game.billiards.laws.lean import inner_kernel, lean_kernel
+from game.billiards.laws.state import (
     IN_COLUMNS,
     IN_MASS,
     IN_MOTION,
@@ -37,7 +33,11 @@ from game.billiards.state import (
     PHYSICS_COLUMNS,
     SLIDING,
 )
-from game.billiards.table import Table
+from game.billiards.search.outcomes import Outcomes, sum_up
+from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
+from game.billiards.shot.shot import Physics
+from game.billiards.simulation import log_for, room_for
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.arrangement import bed_for
+from game.billiards.game.arrangement import bed_for
 from game.billiards.search.candidates import CHANCE, COLUMNS, KINDS, MOST, list_candidates
 from game.billiards.search.lanes import SIGHT, gates_of
 from game.billiards.search.outcomes import Outcomes

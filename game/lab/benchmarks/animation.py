@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
-from game.lab.studies.skinning import by_numpy
+from game.lab.studies.animation.skinning import by_numpy
 from game.physics.animation import Binding, Keyframes, Skeleton, Skinner, Solver, bind_weights, chain_skeleton
 
 Array = NDArray[np.float64]

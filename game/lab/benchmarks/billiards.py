@@ -10,9 +10,9 @@ import numpy as np
 
 from game.billiards import Shot, Table, eight_ball_rack, make_shot, simulate, strike
 from game.billiards.many import play_batch
-from game.billiards.rack import BALL_RADIUS
-from game.billiards.shot import batch_of
+from game.billiards.shot.shot import batch_of
 from game.billiards.simulation import MAX_EVENTS
+from game.billiards.table.rack import BALL_RADIUS
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 
 BATCH = 100

@@ -9,7 +9,7 @@ import numpy as np
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
-from game.physics.broadphase.door import Corners, Pairs
+from game.physics.broadphase.validation import Corners, Pairs
 from game.physics.broadphase.workloads import make_boxes
 
 FRAMES = 8

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
-from game.lab.studies.narrowphase_support import pebbles
+from game.lab.studies.narrowphase.support import pebbles
 from game.physics.narrowphase import PolygonSet, Proximities, gjk_batch, vclip_batch
 
 Array = NDArray[np.float64]

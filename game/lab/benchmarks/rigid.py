@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.broadphase import UniformGrid
 from game.physics.rigid import METHODS
-from game.physics.rigid.collision_settings import material_tables, surroundings_of
-from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.motion import advance
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.settings import material_tables, surroundings_of
+from game.physics.spheres.spheres import SphereBodies
 
 Array = NDArray[np.float64]
 

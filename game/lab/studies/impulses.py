@@ -17,13 +17,13 @@ import numpy as np
 from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.fields import GRAVITY
-from game.physics.rigid.collision_settings import CORRECTIONS, material_tables, surroundings_of
-from game.physics.rigid.collision_state import CollisionState
-from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.effects import WINDOW
-from game.physics.rigid.smooth_spheres import SmoothSpheres
-from game.physics.rigid.sphere_effects import COLLISIONS, IMPACT_TIMES, USUAL
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, USUAL
+from game.physics.spheres.settings import CORRECTIONS, material_tables, surroundings_of
+from game.physics.spheres.smooth_spheres import SmoothSpheres
+from game.physics.spheres.spheres import SphereBodies
+from game.physics.spheres.state import CollisionState
 
 FLIGHT_S = 0.7
 FASTEST_STEP, SLOWEST_STEP = 1.0 / 2000.0, 0.1  # s, as the scene allows

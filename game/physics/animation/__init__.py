@@ -4,9 +4,9 @@ from game.physics.animation.angles import mix_rotations, rotation, shortest_turn
 from game.physics.animation.curves import BezierPath, CatmullRom, CubicBezier
 from game.physics.animation.easing import EASINGS, Easing
 from game.physics.animation.effects import CONSTANT_SPEED, EASING, JOINT_LIMITS, SKINNING
-from game.physics.animation.ik_solver import METHODS as IK_METHODS
-from game.physics.animation.ik_two_links import two_link_angles
-from game.physics.animation.inverse_kinematics import Solution, Solutions, Solver, solve_ik
+from game.physics.animation.ik.inverse_kinematics import Solution, Solutions, Solver, solve_ik
+from game.physics.animation.ik.solver import METHODS as IK_METHODS
+from game.physics.animation.ik.two_links import two_link_angles
 from game.physics.animation.keyframes import INTERPOLATIONS, Keyframes
 from game.physics.animation.piecewise import PiecewiseCubic
 from game.physics.animation.playback import Playback

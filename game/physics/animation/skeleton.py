@@ -18,7 +18,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.animation.skeleton import Array, Skeleton
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 FALLOFF = 3.0
 INFLUENCES = 4  # bones that one point may follow

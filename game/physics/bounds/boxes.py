@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 FEW = 5  # corners up to which all of them are looked at in every direction
 

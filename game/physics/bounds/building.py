@@ -15,7 +15,7 @@ from game.physics.bounds.boxes import calipers, extents_along, search_box, write
 from game.physics.bounds.capsules import area_of_capsule, core_between, search_capsule, write_capsule
 from game.physics.bounds.hull import sorted_hull
 from game.physics.bounds.least_capsule import GOLDEN, write_least_capsule
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 OBB, CAPSULE, AABB = 0, 1, 2
 SEARCH, REFINED, THINNEST, EXACT = 0, 1, 2, 3

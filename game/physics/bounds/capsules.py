@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from game.physics.bounds.boxes import FEW, extents_along, extents_of_supports, follow_supports, supports_at
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 
 @kernel

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.bounds.building import AABB, CAPSULE, EXACT, OBB, REFINED, SEARCH, THINNEST, fit_volume
-from game.physics.bounds.door import Array, as_points, as_step, turns_of
 from game.physics.bounds.hull import hull_of
 from game.physics.bounds.least_capsule import (
     CELLS,
@@ -20,6 +19,7 @@ from game.physics.bounds.least_capsule import (
     try_axis,
     write_shortest,
 )
+from game.physics.bounds.validation import Array, as_points, as_step, turns_of
 
 POLISHING = 4  # rounds of nested golden section, each about the best of the last
 POLISHED_ANGLE = math.radians(1.0)  # on both sides of the best direction, in the first round

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.bounds.door import Array
-from game.physics.jit import kernel
+from game.physics.bounds.validation import Array
+from game.physics.kernels.jit import kernel
 
 
 @kernel(inline="always")

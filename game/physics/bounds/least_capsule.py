@@ -26,7 +26,7 @@ from game.physics.bounds.capsules import (
     write_capsule,
     write_core,
 )
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 ROUNDS = 40  # at most, of any search in one dimension

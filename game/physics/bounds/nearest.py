@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from game.physics.bounds.building import BEGIN, CHILD, END
-from game.physics.bounds.door import as_angle, as_vector
 from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import nearest_points
 from game.physics.bounds.tree import BoundingTree
-from game.physics.jit import kernel
+from game.physics.bounds.validation import as_angle, as_vector
+from game.physics.kernels.jit import kernel
 
 
 class Nearest(NamedTuple):

@@ -13,7 +13,7 @@ import math
 
 from game.physics.bounds.building import CAPSULE
 from game.physics.bounds.segments import nearest_points
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 
 @kernel

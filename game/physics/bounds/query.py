@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.bounds import traversal
 from game.physics.bounds.building import PARENT
-from game.physics.bounds.door import Array, as_angle, as_vector
 from game.physics.bounds.segments import SCRATCH
 from game.physics.bounds.tree import BoundingTree
-from game.physics.jit import kernel
-from game.physics.limits import LimitError
+from game.physics.bounds.validation import Array, as_angle, as_vector
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.limits import LimitError
 
 Indices = NDArray[np.int64]
 REST, ANCESTOR, OVERLAPPING = 0, 1, 2  # marks of nodes

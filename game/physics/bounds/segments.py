@@ -12,8 +12,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from game.physics.bounds.door import as_points
-from game.physics.jit import kernel
+from game.physics.bounds.validation import as_points
+from game.physics.kernels.jit import kernel
 
 FILTER = (3.0 + 16.0 * 2.0**-53) * 2.0**-53  # relative error of the rounded determinant
 SPLITTER = 2.0**27 + 1.0

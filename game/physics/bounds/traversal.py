@@ -15,7 +15,7 @@ import numpy as np
 from game.physics.bounds.building import BEGIN, CHILD, END
 from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import segments_meet
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 APART, OPENED, MET = 0, 1, 2  # verdicts: separated; the larger one opened; two leaves that overlap
 ROW_A, ROW_B, VERDICT, AGE, TESTED = 0, 1, 2, 3, 4  # columns of rows

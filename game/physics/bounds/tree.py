@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, grow_tree
-from game.physics.bounds.door import Array, as_angle, as_points, as_step, turns_of
 from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
+from game.physics.bounds.validation import Array, as_angle, as_points, as_step, turns_of
 
 KINDS = ("obb", "capsule", "aabb")
 FITS = ("search", "refined", "thinnest", "exact")

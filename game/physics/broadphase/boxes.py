@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.broadphase.door import (
+from game.physics.broadphase.ordering import PairSorter
+from game.physics.broadphase.validation import (
     MAX_BOXES,
     Corners,
     Ids,
@@ -28,7 +29,6 @@ from game.physics.broadphase.door import (
     id_array,
     store_boxes,
 )
-from game.physics.broadphase.ordering import PairSorter
 
 
 class BroadPhase:

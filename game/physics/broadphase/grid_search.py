@@ -6,7 +6,7 @@ run of cells x - 1 .. x + 1 of a row never leaves the matrix. In the sorted boxe
 
 from __future__ import annotations
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 GUARD = 2  # empty columns to the right: the run of cells x - 1 .. x + 1 never leaves the matrix
 PADDING = 8  # places after the sorted boxes that may be read but are never counted

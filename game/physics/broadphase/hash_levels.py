@@ -18,7 +18,7 @@ from __future__ import annotations
 import math
 
 from game.physics.broadphase.grid_search import ID_MASK
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 LEVELS = 64
 TOP = LEVELS - 1  # the level that is one cell

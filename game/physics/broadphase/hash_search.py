@@ -20,7 +20,7 @@ from game.physics.broadphase.hash_levels import (
     place_boxes,
     sort_by_bucket,
 )
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 # Costs of looking between levels, measured, in tests: a run of fine cells, a look at the coarse cells around.
 RUN_COST, LOOK_COST = 6, 16

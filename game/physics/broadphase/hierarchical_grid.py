@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
-from game.physics.broadphase.door import Corners, Ids, Pairs, grown
 from game.physics.broadphase.grid_search import PADDING
 from game.physics.broadphase.hash_levels import (
     COUNT,
@@ -37,7 +36,8 @@ from game.physics.broadphase.hash_levels import (
 )
 from game.physics.broadphase.hash_search import find_pairs
 from game.physics.broadphase.hash_walk import LevelVisit, Tables, level_visits
-from game.physics.jit import kernel
+from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
+from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)

@@ -7,7 +7,7 @@ from functools import cache
 from typing import Any
 
 from game.physics.broadphase.effects import BOUNDARY, MOTION
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 MOTION_BIT, BOUNDARY_BIT = MOTION.mask, BOUNDARY.mask
 

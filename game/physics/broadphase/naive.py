@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
-from game.physics.broadphase.door import Corners, Ids, Pairs
-from game.physics.jit import kernel
+from game.physics.broadphase.validation import Corners, Ids, Pairs
+from game.physics.kernels.jit import kernel
 
 BLOCK = 16  # boxes that are tested at once
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.jit import kernel
-from game.physics.limits import LimitError
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.limits import LimitError
 
 LOW_HALF = 0x7FFFFFFF  # the second id of a key
 MAX_PAIRS = 1 << 26  # of one answer: keys and spare take 1 GB then

@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.broadphase.door import Pairs, grown
 from game.physics.broadphase.ordering import PairSorter
 from game.physics.broadphase.pair_table import (
     BEFORE,
@@ -50,6 +49,7 @@ from game.physics.broadphase.pair_table import (
     sweep_unkept,
     triangular_index,
 )
+from game.physics.broadphase.validation import Pairs, grown
 
 MAX_MATRIX_BYTES = 1 << 30  # 23 170 boxes
 PROBED = 4096  # pairs

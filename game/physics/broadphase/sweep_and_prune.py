@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
-from game.physics.broadphase.door import Ids, Pairs, first_bad_box, grown, id_array
 from game.physics.broadphase.endpoints import (
     FULL,
     ID,
@@ -36,7 +35,8 @@ from game.physics.broadphase.endpoints import (
 )
 from game.physics.broadphase.pair_table import cut_gone
 from game.physics.broadphase.pairs import HashedPairs, PairManager
-from game.physics.jit import kernel
+from game.physics.broadphase.validation import Ids, Pairs, first_bad_box, grown, id_array
+from game.physics.kernels.jit import kernel
 
 FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
 MOST_SWAPS = 4_000_000  # tried in a step that is not to be sorted anew: some 0.05 s

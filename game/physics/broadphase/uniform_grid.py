@@ -25,7 +25,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
 from game.physics.broadphase.cell_lists import CellLists
-from game.physics.broadphase.door import Corners, Ids, Pairs, corner
 from game.physics.broadphase.grid_search import (
     GUARD,
     ID_MASK,
@@ -35,7 +34,8 @@ from game.physics.broadphase.grid_search import (
     place_boxes,
 )
 from game.physics.broadphase.grid_walk import CellRuns, Visit, corner_visits
-from game.physics.jit import kernel
+from game.physics.broadphase.validation import Corners, Ids, Pairs, corner
+from game.physics.kernels.jit import kernel
 
 MAX_CELLS = 1 << 24  # 64 MB for each of the two arrays over cells
 

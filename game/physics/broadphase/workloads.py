@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.broadphase.door import Corners
+from game.physics.broadphase.validation import Corners
 
 WORKLOADS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice", "teleport")
 MEAN_COSINE_DIFFERENCE = 8.0 / math.pi**2  # E|cos a - cos b| of independent uniform directions

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints.links import MULTIPLIER, REST, SOFTNESS, TINY, XPBD
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 DIAGONAL, OFF, RIGHT, NORMAL_X, NORMAL_Y = range(5)
 WORK_ROWS = 5

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 TINY = 1e-12  # m, length below which a link has no direction
 PBD, PBD_EVEN, XPBD = range(3)

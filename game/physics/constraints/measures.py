@@ -9,7 +9,7 @@ import math
 
 from game.physics.constraints.links import REST
 from game.physics.constraints.motion import INVERSE_MASS, VX, VY, X, Y
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 
 @kernel

@@ -39,7 +39,7 @@ from game.physics.constraints.effects import (
     LINKS_BIT,
 )
 from game.physics.constraints.links import MULTIPLIER, REST, WEIGHT, XPBD, sweep_links
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 SCHEMES = ("euler", "bdf2")
 STRONG = 0.2  # damping per substep above which taking it from two velocities could overshoot

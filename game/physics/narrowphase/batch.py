@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
 from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, gjk_query
 from game.physics.narrowphase.vclip import vclip_query

@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.gjk import (
     AT_ORIGIN,
     INSIDE_SIMPLEX,

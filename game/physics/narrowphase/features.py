@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from game.physics.lean import inner_kernel
+from game.physics.kernels.lean import inner_kernel
 
 
 @dataclass(frozen=True, slots=True)

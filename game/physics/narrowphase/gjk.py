@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from game.physics.lean import inner_kernel, lean_kernel
+from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import after, known_feature, measure
 from game.physics.narrowphase.separating_axis import measure_touching
 from game.physics.narrowphase.simplex import (

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.encounters import (
     BORN,

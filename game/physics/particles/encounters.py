@@ -11,7 +11,7 @@ Arrays: tallies (TALLIES,); hits (LIST_ROWS, k) and who (k,), those whose flight
 
 from __future__ import annotations
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.physics.particles.contacts import fly_among_solids
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.forces import unpack_forces

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.physics.particles.forces import (
     AIR_BITS,
     DRAG_BIT,

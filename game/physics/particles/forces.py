@@ -12,7 +12,7 @@ import math
 from typing import NamedTuple
 
 from game.physics.fields import ATTRACTOR, DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 GRAVITY_BIT = GRAVITY.mask
 DRAG_BIT = DRAG.mask

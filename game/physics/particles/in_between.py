@@ -5,7 +5,7 @@ Arrays: fields and before (>= 5, n), tags and tags_before (2, n), now and a step
 
 from __future__ import annotations
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 
 @kernel

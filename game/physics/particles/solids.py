@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 
 X, Y, RADIUS, VELOCITY_X, VELOCITY_Y, RESTITUTION = range(6)
 COLUMNS = 6

@@ -1,7 +1,6 @@
 """Rigid bodies in three dimensions: quaternions, mass and inertia, integrators, impulses."""
 
 from game.physics.rigid.body import RigidBody
-from game.physics.rigid.collisions import CollidingSpheres
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.free_top import FreeTop
 from game.physics.rigid.mass import inverse_moments, mass_properties, principal_axes, sphere_masses
@@ -18,8 +17,9 @@ from game.physics.rigid.quaternion import (
     quaternion_to_rotation_vector,
     turn_between,
 )
-from game.physics.rigid.smooth_spheres import SmoothSpheres
-from game.physics.rigid.spheres import SphereBodies
+from game.physics.spheres.collisions import CollidingSpheres
+from game.physics.spheres.smooth_spheres import SmoothSpheres
+from game.physics.spheres.spheres import SphereBodies
 
 __all__ = [
     "METHODS",

@@ -24,7 +24,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.physics.rigid.quaternion import multiply, normalize, quaternion_of, rotate_back
 
 Array = NDArray[np.float64]

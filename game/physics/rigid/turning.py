@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize, rotate, rotate_back
 
 

@@ -7,7 +7,7 @@ import math
 from itertools import pairwise
 
 from game.scenes.figures.marks import ahead, between, curve, dot, spaced, turn
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 # -- key-frames ---------------------------------------------------------------------------------------
 

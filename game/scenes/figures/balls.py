@@ -7,8 +7,8 @@ import math
 import pygame
 
 from game.scenes.figures.marks import ahead, between, curve, dot, right_angle, spaced
-from game.ui.pen import Pen, Point
-from game.ui.theme import POCKET_RING
+from game.ui.canvas.pen import Pen, Point
+from game.ui.look.theme import POCKET_RING
 
 RADIUS = 19.0
 POCKET = pygame.Color("#0A0E11")

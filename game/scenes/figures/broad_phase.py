@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from game.scenes.figures.marks import curve, outline, span
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 # -- uniform grid -------------------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.ui.pen import Pen
+from game.ui.canvas.pen import Pen
 
 
 def draw_impact(pen: Pen) -> None:

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pygame
 
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 __all__ = ["ahead", "between", "curve", "dot", "outline", "right_angle", "spaced", "span", "turn"]
 

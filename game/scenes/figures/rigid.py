@@ -6,7 +6,7 @@ import math
 from itertools import pairwise
 
 from game.scenes.figures.marks import ahead, between, dot, right_angle, spaced, span
-from game.ui.pen import Pen
+from game.ui.canvas.pen import Pen
 
 # -- momentum sphere ----------------------------------------------------------------------------------
 

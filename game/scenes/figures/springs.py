@@ -6,7 +6,7 @@ import math
 from itertools import pairwise
 
 from game.scenes.figures.marks import ahead, between, dot, span
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 
 def draw_projection(pen: Pen) -> None:

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.ui.fonts import FontBook
+from game.ui.look.fonts import FontBook
+from game.ui.look.theme import FELT_COOL, FELT_LINE
 from game.ui.raster import (
     BUTT,
     clip_of,
@@ -20,7 +21,6 @@ from game.ui.raster import (
     stroke_ring,
     stroke_segment,
 )
-from game.ui.theme import FELT_COOL, FELT_LINE
 
 Array = np.ndarray
 Point = tuple[float, float]

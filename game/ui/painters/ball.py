@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 import pygame
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.ui.painters import ball_look as look
 from game.ui.painters.ball_shadow import LARGEST_RADIUS, lamp_offset, paint_shadows
-from game.ui.raster_pixels import blend, clip_bounds, is_drawable, weight_of
+from game.ui.raster.pixels import blend, clip_bounds, is_drawable, weight_of
 
 Array = np.ndarray
 

@@ -11,8 +11,8 @@ from functools import lru_cache
 import numpy as np
 import pygame
 
-from game.ui.assets import asset
-from game.ui.theme import BALL_COLORS, BALL_WHITE, CUE_BALL_SPOT
+from game.ui.look.assets import asset
+from game.ui.look.theme import BALL_COLORS, BALL_WHITE, CUE_BALL_SPOT
 
 STRIPE = 0.60  # of the radius: beyond this height a striped ball is white
 DISC = 0.55  # radius of the number disc, of the ball's

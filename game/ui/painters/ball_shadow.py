@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.ui.painters import ball_look as look
-from game.ui.raster_pixels import blend, clip_bounds, is_drawable, weight_of
+from game.ui.raster.pixels import blend, clip_bounds, is_drawable, weight_of
 
 LARGEST_RADIUS = 1000.0  # px
 

@@ -14,8 +14,8 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.physics.jit import kernel
-from game.ui.canvas import Canvas
+from game.physics.kernels.jit import kernel
+from game.ui.canvas.canvas import Canvas
 from game.ui.raster import pixels_of
 
 HIDDEN = 255  # kind of a box that is not drawn

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
+from game.physics.kernels.jit import kernel
 from game.ui.painters.ball_look import LAMPS
-from game.ui.raster_lines import column_within, inside_share, lean_of, row_span
-from game.ui.raster_pixels import blend, bounds_of, is_drawable, weight_of
+from game.ui.raster.lines import column_within, inside_share, lean_of, row_span
+from game.ui.raster.pixels import blend, bounds_of, is_drawable, weight_of
 
 Array = np.ndarray
 LENGTH = 1.47  # m

@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.ui.fonts import FontBook, format_number
-from game.ui.measures import border_width
-from game.ui.numerals import NOTHING
+from game.ui.look.fonts import FontBook, format_number
+from game.ui.look.measures import border_width
+from game.ui.look.numerals import NOTHING
+from game.ui.look.theme import CUE_CHALK, Theme
 from game.ui.painters.ball_picture import plain_ball_picture
 from game.ui.raster import (
     BUTT,
@@ -31,7 +32,6 @@ from game.ui.raster import (
     stroke_ring,
     stroke_segment,
 )
-from game.ui.theme import CUE_CHALK, Theme
 
 POWER_WIDTH = 16.0
 SPIN_RADIUS = 30.0

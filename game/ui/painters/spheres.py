@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
-from game.ui.raster_pixels import FULL, OPAQUE, blend, clip_bounds, is_drawable, weight_of
+from game.physics.kernels.jit import kernel
+from game.ui.raster.pixels import FULL, OPAQUE, blend, clip_bounds, is_drawable, weight_of
 
 Array = np.ndarray
 LARGEST_RADIUS = 4_000.0  # px

@@ -13,8 +13,9 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.billiards.table import CUSHION_DEPTH, Table
-from game.ui import theme as colors
+from game.billiards.table.table import CUSHION_DEPTH, Table
+from game.ui.look import theme as colors
+from game.ui.look.theme import Theme
 from game.ui.painters.table_shapes import CushionShape, cushion_shapes
 from game.ui.painters.table_surface import DRAWN_AT, paint_cloth, paint_glow, paint_pocket, paint_wood
 from game.ui.raster import (
@@ -29,7 +30,6 @@ from game.ui.raster import (
     stroke_polyline,
     stroke_segment,
 )
-from game.ui.theme import Theme
 
 Array = np.ndarray
 WOOD = 0.074  # m; breadth of the frame

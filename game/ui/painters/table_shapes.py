@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.billiards.table import Table
+from game.billiards.table.table import Table
 
 Array = np.ndarray
 TOLERANCE = 1e-6  # m; ends of rails, jaws and facings that are closer are the same point

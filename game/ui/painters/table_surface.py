@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.jit import kernel
-from game.ui.raster_pixels import OPAQUE, clip_bounds, lay
+from game.physics.kernels.jit import kernel
+from game.ui.raster.pixels import OPAQUE, clip_bounds, lay
 
 LIGHT_HALF = 0.79  # m; the pool of light is even over this half length
 LIGHT_SHIFT = 0.11  # m; its middle lies so far towards the upper rail

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from game.billiards import find_shots, simulate
-from game.billiards.arrangement import Stroke, arrange, is_free, racked
-from game.billiards.frame import new_frame
-from game.billiards.games import EightBall, NineBall
-from game.billiards.rules import CUE_BALL
+from game.billiards.game.arrangement import Stroke, arrange, is_free, racked
+from game.billiards.game.frame import new_frame
+from game.billiards.game.games import EightBall, NineBall
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.game.summary import summarize
 from game.billiards.search.aims import aims_of, all_aims
 from game.billiards.search.breaking import apex_of, best_break, list_breaks
 from game.billiards.search.candidates import AIM, COLUMNS, SPREAD, WINDOW
@@ -24,9 +25,8 @@ from game.billiards.search.rating import MISSED, SCORED, WON
 from game.billiards.search.safety import look_for_push_out, look_for_safety
 from game.billiards.search.strokes import STEADY, Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.shot import Physics
-from game.billiards.summary import summarize
-from tests.billiards.search_tables import POOL, scattered, unlike_balls
+from game.billiards.shot.shot import Physics
+from tests.billiards.search.search_tables import POOL, scattered, unlike_balls
 
 pytestmark = pytest.mark.compiled
 

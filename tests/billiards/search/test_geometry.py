@@ -11,10 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.billiards import Physics, Table, simulate_many
-from game.billiards.aim import first_contact
-from game.billiards.arrangement import arrange
-from game.billiards.lean import lean_kernel
-from game.billiards.rack import BALL_RADIUS as R
+from game.billiards.game.arrangement import arrange
+from game.billiards.laws.lean import lean_kernel
+from game.billiards.laws.state import BALL_POCKET
 from game.billiards.search.candidates import (
     AIM,
     BALL,
@@ -44,8 +43,9 @@ from game.billiards.search.looking import Effort, look
 from game.billiards.search.rating import Aims
 from game.billiards.search.strokes import Board, Noise, draw_noise
 from game.billiards.search.view import View
-from game.billiards.state import BALL_POCKET
-from tests.billiards.search_tables import POOL, scattered, unlike_balls
+from game.billiards.table.aim import first_contact
+from game.billiards.table.rack import BALL_RADIUS as R
+from tests.billiards.search.search_tables import POOL, scattered, unlike_balls
 
 
 def every(lie):

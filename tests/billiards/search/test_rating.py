@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.billiards.arrangement import arrange
-from game.billiards.games import CombinationMatch, EightBall, NineBall, Practice
+from game.billiards.game.arrangement import arrange
+from game.billiards.game.games import CombinationMatch, EightBall, NineBall, Practice
 from game.billiards.search.aims import aims_of, bits_of
 from game.billiards.search.deeper import aims_left
 from game.billiards.search.outcomes import (
@@ -22,7 +22,7 @@ from game.billiards.search.outcomes import (
 from game.billiards.search.rating import FOULED, LOST, MISSED, SCORED, WON, Aims
 from game.billiards.search.strokes import Board, Noise
 from game.billiards.search.view import View
-from tests.billiards.search_tables import POOL
+from tests.billiards.search.search_tables import POOL
 
 ROWS = (0, 1, 2, 8, 9)  # numbers on the table, by row
 LIE = {0: (0.6, 0.5), 1: (0.3, 1.27), 2: (1.0, 0.4), 8: (1.0, 2.2), 9: (0.5, 2.2)}

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from game.billiards import Physics, simulate, strike
-from game.billiards.arrangement import Stroke, arrange, racked
+from game.billiards.game.arrangement import Stroke, arrange, racked
+from game.billiards.game.summary import summarize
+from game.billiards.laws.state import BALL_BALL
 from game.billiards.search.outcomes import (
     CHAIN,
     CONTACTS,
@@ -35,9 +37,7 @@ from game.billiards.search.strokes import (
     strike_all,
     with_noise,
 )
-from game.billiards.state import BALL_BALL
-from game.billiards.summary import summarize
-from tests.billiards.search_tables import POOL, random_strokes, scattered, unlike_balls
+from tests.billiards.search.search_tables import POOL, random_strokes, scattered, unlike_balls
 
 PHYSICS = Physics()
 

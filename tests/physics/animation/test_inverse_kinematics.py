@@ -9,10 +9,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from game.physics.animation.ik_chain import ANGLE, PULL, chain_of, place_points, pull_joints
-from game.physics.animation.ik_solver import METHODS
-from game.physics.animation.ik_two_links import two_link_angles
-from game.physics.animation.inverse_kinematics import Solver, solve_ik
+from game.physics.animation.ik.chain import ANGLE, PULL, chain_of, place_points, pull_joints
+from game.physics.animation.ik.inverse_kinematics import Solver, solve_ik
+from game.physics.animation.ik.solver import METHODS
+from game.physics.animation.ik.two_links import two_link_angles
 from game.physics.animation.skeleton import Skeleton, SkeletonError, chain_skeleton
 
 EPS = 2.0**-52

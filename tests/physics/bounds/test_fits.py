@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
 from game.physics.bounds import fit_obb, minimal_obb, principal_box, upright_box
-from game.physics.bounds.door import turns_of
 from game.physics.bounds.hull import hull_of
+from game.physics.bounds.validation import turns_of
 
 HEXAGON = [(0, 0), (4, -1), (7, 1), (6.5, 3), (3, 4.5), (0.5, 3)]
 FITTERS = {

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from physics.bounds.outline_pairs import INSIDE, PAIRS
 
 from game.physics.bounds import (
     FITS,
@@ -24,6 +23,7 @@ from game.physics.bounds import (
 from game.physics.bounds.query import ANCESTOR, OVERLAPPING, REST
 from game.physics.bounds.segments import SCRATCH, segments_meet
 from game.physics.bounds.tree import tree_depth_bound
+from tests.physics.bounds.outline_pairs import INSIDE, PAIRS
 
 kinds = pytest.mark.parametrize("kind", KINDS)
 SPARE = np.zeros(SCRATCH)

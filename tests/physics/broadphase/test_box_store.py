@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from physics.broadphase.all_phases import PHASES
+
+from tests.physics.broadphase.all_phases import PHASES
 
 NAN, INF = float("nan"), float("inf")
 

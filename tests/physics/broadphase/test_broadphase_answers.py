@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from physics.broadphase.all_phases import PHASES, brute_pairs, brute_query, every_phase
 
 from game.physics.broadphase.workloads import WORKLOADS, make_boxes
+from tests.physics.broadphase.all_phases import PHASES, brute_pairs, brute_query, every_phase
 
 # Coordinates on a small lattice make ties; the others reach outside of every grid, or are hardly there.
 lattice = st.integers(-2, 10).map(float)

@@ -13,7 +13,7 @@ from game.physics.broadphase import (
     SweepAndPrune,
     UniformGrid,
 )
-from game.physics.limits import LimitError
+from game.physics.kernels.limits import LimitError
 
 COUNT = 200
 ALL = COUNT * (COUNT - 1) // 2

@@ -9,8 +9,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from physics.narrowphase.exact_pair import exact_distance
-from physics.narrowphase.random_pairs import lattice_polygon, random_polygon
 
 from game.physics.narrowphase import (
     ConvexPolygon,
@@ -26,6 +24,8 @@ from game.physics.narrowphase import (
     vclip_batch,
 )
 from game.physics.narrowphase.proximity import extent_of
+from tests.physics.narrowphase.exact_pair import exact_distance
+from tests.physics.narrowphase.random_pairs import lattice_polygon, random_polygon
 
 MANY = 5_000
 MAKERS = {"lattice": lattice_polygon, "random": random_polygon}

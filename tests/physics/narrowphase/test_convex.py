@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from physics.narrowphase.hard_pairs import SQUARE, gon
 
 from game.physics.narrowphase import ConvexPolygon, NonConvexError, convex_hull, gjk, vclip
+from tests.physics.narrowphase.hard_pairs import SQUARE, gon
 
 STAR = [(math.cos(t), math.sin(t)) for t in np.arange(5) * 0.8 * math.pi]
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from physics.narrowphase.random_pairs import random_polygon
 
 from game.physics.narrowphase import ConvexPolygon, Feature, certify, epa, epa_trace, vclip
 from game.physics.narrowphase.minkowski import minkowski_difference
+from tests.physics.narrowphase.random_pairs import random_polygon
 
 
 def corners_of(a, b, step):

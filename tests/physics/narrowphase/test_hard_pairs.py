@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from physics.narrowphase.exact_pair import exact_distance
-from physics.narrowphase.hard_pairs import PAIRS, gon
 
 from game.physics.narrowphase import (
     ConvexPolygon,
@@ -20,6 +18,8 @@ from game.physics.narrowphase import (
     vclip_batch,
 )
 from game.physics.narrowphase.proximity import extent_of
+from tests.physics.narrowphase.exact_pair import exact_distance
+from tests.physics.narrowphase.hard_pairs import PAIRS, gon
 
 METHODS = {"vclip": vclip, "gjk": gjk, "epa": epa}
 

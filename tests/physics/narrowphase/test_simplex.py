@@ -6,8 +6,6 @@ import math
 
 import numpy as np
 import pytest
-from physics.narrowphase.hard_pairs import PAIRS, SQUARE, gon
-from physics.narrowphase.random_pairs import random_polygon
 
 from game.physics.narrowphase import ConvexPolygon, gjk, gjk_trace
 from game.physics.narrowphase.minkowski import minkowski_difference
@@ -22,6 +20,8 @@ from game.physics.narrowphase.simplex import (
     support_hc,
     support_scan,
 )
+from tests.physics.narrowphase.hard_pairs import PAIRS, SQUARE, gon
+from tests.physics.narrowphase.random_pairs import random_polygon
 
 
 def test_climbing_finds_what_a_look_at_all_finds():

@@ -6,10 +6,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from physics.narrowphase.hard_pairs import PAIRS, SQUARE, box
 
 from game.physics.narrowphase import ConvexPolygon, Feature, certify, epa_trace, vclip, vclip_trace
 from game.physics.narrowphase.vclip import BEHIND, CROSSING, clip_edge, clip_vertex, closest_features
+from tests.physics.narrowphase.hard_pairs import PAIRS, SQUARE, box
 
 LOCAL = ConvexPolygon(SQUARE).local  # (0, 0) to (2, 2); edge 1 at the foot, 3 right, 5 top, 7 left
 

@@ -263,7 +263,7 @@ def test_absurd_particles_are_refused():
 
 
 def test_effects_of_other_rooms_are_refused():
-    from game.billiards.lecture_state import POCKETS
+    from game.billiards.lecture.state import POCKETS
 
     with pytest.raises(ValueError, match=POCKETS.name):
         ParticleSystem(10, effects=GRAVITY | POCKETS)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from physics.rigid.rigid_motion import FLIPS, MOMENTS, PERIODS, SPINS_AT_10, STARTS
 from scipy.integrate import solve_ivp
 from scipy.special import ellipj
 
@@ -20,6 +19,7 @@ from game.physics.rigid import (
     turn_between,
 )
 from game.physics.rigid.free_top import elliptic_functions
+from tests.physics.rigid.rigid_motion import FLIPS, MOMENTS, PERIODS, SPINS_AT_10, STARTS
 
 EPS = 2.0**-52
 START = quaternion_normalized((0.5, 0.1, -0.7, 0.3))

@@ -6,7 +6,10 @@ import math
 
 import numpy as np
 import pytest
-from physics.rigid.rigid_motion import (
+
+from game.physics.fields import DRAG, GRAVITY
+from game.physics.rigid import METHODS, ORDERS, PUSHES, ROTATION, FreeTop, RigidBody, turn_between
+from tests.physics.rigid.rigid_motion import (
     ENERGY_BOUNDS,
     MOMENTS,
     STARTS,
@@ -14,9 +17,6 @@ from physics.rigid.rigid_motion import (
     free_body,
     length,
 )
-
-from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid import METHODS, ORDERS, PUSHES, ROTATION, FreeTop, RigidBody, turn_between
 
 EPS = 2.0**-52
 KEEP_L = [name for name in METHODS if name not in ("implicit-gyroscopic", "body-euler", "world-euler")]

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from game.ui.look.theme import FELT
 from game.ui.painters import ball_look
 from game.ui.painters.ball import BallPainter, texture_stack
 from game.ui.painters.ball_picture import ball_chip, ball_picture, plain_ball_picture, turned
-from game.ui.theme import FELT
 
 FELT_PIXEL = 0xFF1E6E66
 

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game.ui.fonts import FontBook
+from game.ui.look.fonts import FontBook
+from game.ui.look.theme import DARK, FELT
 from game.ui.painters.aim import Aim, draw_aim, draw_cloth_label
 from game.ui.painters.cue import BUTT_RADIUS, LENGTH, TIP_RADIUS, draw_cue, paint_cue
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 from game.ui.raster import clip_of, pixels_of
-from game.ui.theme import DARK, FELT
 
 BOOK = FontBook(1.0)
 

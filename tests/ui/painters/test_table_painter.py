@@ -6,10 +6,10 @@ import numpy as np
 import pygame
 import pytest
 
-from game.billiards.table import CUSHION_DEPTH, Table
+from game.billiards.table.table import CUSHION_DEPTH, Table
+from game.ui.look.theme import DARK, LIGHT
 from game.ui.painters.table import SURROUND, TablePainter, TableView, fit_table, table_picture
 from game.ui.painters.table_shapes import cushion_shapes
-from game.ui.theme import DARK, LIGHT
 
 POOL = Table.pool()
 

@@ -23,8 +23,8 @@ from game.app.menu.sketches.bounds import (
 from game.app.menu.sketches.broad_phase import draw_grid, draw_grids_of_sizes, draw_race, draw_sweep
 from game.app.menu.sketches.particles import draw_cloth, draw_fountain, draw_jelly
 from game.app.menu.sketches.rigid import draw_cradle, draw_rigid_body
-from game.ui.look import Look
-from game.ui.pen import Pen
+from game.ui.canvas.pen import Pen
+from game.ui.look.look import Look
 
 SKETCHES: dict[str, Callable[[Pen], None]] = {
     "billiards": draw_billiards,

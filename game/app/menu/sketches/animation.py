@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pygame
 
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 
 def draw_key_frames(pen: Pen) -> None:

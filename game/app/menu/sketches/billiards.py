@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pygame
 
-from game.ui.pen import Pen
-from game.ui.theme import CUE_BALL, FELT, FELT_COOL, FELT_LINE, FELT_WARM, WOOD_DARK
+from game.ui.canvas.pen import Pen
+from game.ui.look.theme import CUE_BALL, FELT, FELT_COOL, FELT_LINE, FELT_WARM, WOOD_DARK
 
 
 def draw_two_balls(pen: Pen) -> None:

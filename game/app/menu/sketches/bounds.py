@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 BAY = (
     (14, 58),

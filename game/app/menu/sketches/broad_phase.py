@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.ui.pen import Pen
+from game.ui.canvas.pen import Pen
 
 Box = tuple[float, float, float]  # left, top, side
 

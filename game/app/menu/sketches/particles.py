@@ -6,7 +6,7 @@ import math
 import random
 from itertools import pairwise
 
-from game.ui.pen import Pen, Point
+from game.ui.canvas.pen import Pen, Point
 
 FALL = 23.2  # half the acceleration that gives the envelope
 STONE = (88.0, 42.0)

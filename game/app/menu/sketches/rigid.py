@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pygame
 
-from game.ui.pen import Pen
+from game.ui.canvas.pen import Pen
 
 
 def draw_rigid_body(pen: Pen) -> None:

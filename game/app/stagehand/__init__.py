@@ -1,0 +1,1 @@
+"""A scene without a window: opened, filled from level or recording, drawn off screen."""

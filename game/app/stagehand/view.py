@@ -1,0 +1,53 @@
+"""The picture of a stage: camera and canvas for one scene, in any rectangle of any surface."""
+
+from __future__ import annotations
+
+import pygame
+
+from game.stage import Stage
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+
+MARGIN = 20.0  # design px round the scene's frame
+
+
+class StageView:
+    """Draws what a stage shows now. ``stage`` may be changed for another of the same scene."""
+
+    def __init__(self, stage: Stage, look: Look, words: bool = True):
+        """``words``: whether labels are drawn as well."""
+        scene_type = stage.scene_type
+        self.stage = stage
+        self.look = look
+        self._words = words
+        self.rect = pygame.Rect(0, 0, 1, 1)
+        self.camera = Camera(y_up=scene_type.y_up, quarter_turns=scene_type.quarter_turns)
+        self._canvas = self._make_canvas()
+
+    def place(self, rect: pygame.Rect, look: Look, margin: float | None = None) -> None:
+        """Take a place and an appearance; the scene's frame is fitted with ``margin`` window px about it."""
+        if look is not self.look:
+            self.look = look
+            self._canvas = self._make_canvas()
+        self.rect = pygame.Rect(rect)
+        self.camera.fit(self.stage.scene.frame(), self.rect, MARGIN * look.k if margin is None else margin)
+
+    def draw(self, surface: pygame.Surface, fresh: bool = True) -> None:
+        """Draw the scene inside its rectangle, with ``fresh`` numbers or those of the last picture.
+
+        Whatever the scene raises passes through.
+        """
+        self._canvas.fresh = fresh
+        self._canvas.begin(surface, self.rect, self.camera)
+        try:
+            self.stage.scene.draw(self._canvas, self.stage.alpha)
+        finally:
+            self._canvas.end()
+
+    def _make_canvas(self) -> Canvas:
+        canvas = Canvas(self.look)
+        canvas.words = self._words
+        canvas.unit = self.stage.scene_type.unit
+        canvas.covered = self.stage.scene_type.covers
+        return canvas

@@ -1,0 +1,1 @@
+"""The window itself: frames, keys, gamepad, pictures, settings, how it ends."""

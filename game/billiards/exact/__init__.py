@@ -1,0 +1,1 @@
+"""The exact table: from event to event, without time steps."""

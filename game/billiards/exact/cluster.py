@@ -1,0 +1,261 @@
+"""Contacts of one moment, solved together.
+
+Contacts that touch within CONTACT_GAP at the moment of an impact belong to it: normal impulses by
+`joint.solve_joint_impulses`, in rounds of what closes, then friction. One pair after another would leave a
+symmetric break asymmetric by metres a second.
+
+Friction of several contacts on one ball is shared out: in each of FRICTION_PASSES every contact gets 1/k of
+what it still wants, k being the number of contacts of its busier ball. Each share alone would lower the
+energy, and so does their mean, for energy is convex. Last, what closes because of the friction is solved
+once more without.
+
+All sums over contacts are of numbers on a common grid, so they are exact, and the numbering of the balls
+leaves no trace: a mirror-symmetric break stays so to the last bit.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.billiards.exact.pairs import reach_of
+from game.billiards.laws.contacts import NO_FRICTION
+from game.billiards.laws.contacts.ball_ball_friction import (
+    friction_limit,
+    slip_between,
+    sticking_impulse,
+    torque_direction,
+)
+from game.billiards.laws.joint import solve_joint_impulses
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.laws.state import (
+    AT_REST,
+    AX,
+    AY,
+    BALL_LAW,
+    BALL_RESTITUTION,
+    CONTACT_GAP,
+    FIRST,
+    IMPULSE,
+    INVERSE_MASS,
+    JOINT_IMPULSE,
+    MARK,
+    MEET,
+    MEMBER,
+    PUSH_X,
+    PUSH_Y,
+    PX,
+    PY,
+    PZ,
+    RADIUS,
+    RESTITUTION,
+    RUBBED,
+    SECOND,
+    TIME,
+    TURN_X,
+    TURN_Y,
+    TURN_Z,
+    VALENCE,
+    VX,
+    VY,
+    WX,
+    WY,
+    WZ,
+    X,
+    Y,
+)
+
+FRICTION_PASSES = 8
+SAME_MOMENT = 1e-9  # s; how far ahead a predicted contact is looked at as a candidate
+NEW, WAITING, DONE = range(3)  # marks of balls while contacts are gathered
+
+
+@inner_kernel(inline="always")
+def has_company(pairs, i, j, now):
+    """True if another contact of ball i or j might be of the same moment."""
+    soon = now + SAME_MOMENT
+    for k in range(pairs.shape[1]):
+        if k != i and k != j:
+            if pairs[MEET, i, k] <= soon or pairs[MEET, i, k] == AT_REST:
+                return True
+            if pairs[MEET, j, k] <= soon or pairs[MEET, j, k] == AT_REST:
+                return True
+    return False
+
+
+@inner_kernel(inline="always")
+def gap_at(state, i, j, now):
+    """Gap of balls i and j at the time `now`, m, and the unit vector from i to j."""
+    t = now - state[TIME, i]
+    x = -(state[X, i] + t * (state[VX, i] + t * state[AX, i]))
+    y = -(state[Y, i] + t * (state[VY, i] + t * state[AY, i]))
+    t = now - state[TIME, j]
+    x += state[X, j] + t * (state[VX, j] + t * state[AX, j])
+    y += state[Y, j] + t * (state[VY, j] + t * state[AY, j])
+    distance = math.sqrt(x * x + y * y)
+    if distance == 0.0:
+        return -reach_of(state[RADIUS, i], state[RADIUS, j]), 1.0, 0.0
+    return distance - reach_of(state[RADIUS, i], state[RADIUS, j]), x / distance, y / distance
+
+
+@inner_kernel
+def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
+    """All contacts of this moment that hang together with the one of i and j, nearest first.
+
+    Writes ends, normals, and row MEMBER of modes: the balls, in the order found. Returns the numbers of
+    contacts and of balls.
+    """
+    n = state.shape[1]
+    for k in range(n):
+        modes[MARK, k] = NEW
+    modes[MEMBER, 0] = i
+    modes[MEMBER, 1] = j
+    modes[MARK, i] = WAITING
+    modes[MARK, j] = WAITING
+    found = 2
+    count = 0
+    soon = now + SAME_MOMENT
+    head = 0
+    while head < found:
+        a = modes[MEMBER, head]
+        modes[MARK, a] = DONE
+        head += 1
+        for k in range(n):
+            struck = head == 1 and k == j
+            near = struck or pairs[MEET, a, k] <= soon or pairs[MEET, a, k] == AT_REST
+            if not near or modes[MARK, k] == DONE:
+                continue
+            gap, nx, ny = gap_at(state, a, k, now)
+            if gap > CONTACT_GAP and not struck:
+                continue
+            ends[FIRST, count] = a
+            ends[SECOND, count] = k
+            normals[count, 0] = nx
+            normals[count, 1] = ny
+            count += 1
+            if modes[MARK, k] == NEW:
+                modes[MARK, k] = WAITING
+                modes[MEMBER, found] = k
+                found += 1
+    return count, found
+
+
+@inner_kernel
+def _want_friction(state, count, ends, normals, forces, physics):
+    """Tangential impulse that each contact wants in this pass, shared out. Returns the largest, N s."""
+    largest = 0.0
+    for m in range(count):
+        forces[PX, m] = 0.0
+        forces[PY, m] = 0.0
+        forces[PZ, m] = 0.0
+        if forces[IMPULSE, m] <= 0.0:
+            continue
+        i = ends[FIRST, m]
+        j = ends[SECOND, m]
+        cx, cy, cz, cosine = slip_between(state, i, j, normals[m, 0], normals[m, 1])
+        slip = math.sqrt(cx * cx + cy * cy + cz * cz)
+        if slip == 0.0:
+            continue
+        limit = friction_limit(slip, forces[IMPULSE, m], physics) / cosine
+        wanted = min(limit - forces[RUBBED, m], sticking_impulse(state, i, j, slip))
+        wanted /= max(state[VALENCE, i], state[VALENCE, j])
+        if wanted > 0.0:
+            forces[PX, m] = -wanted * cx / slip
+            forces[PY, m] = -wanted * cy / slip
+            forces[PZ, m] = -wanted * cz / slip
+            forces[RUBBED, m] += wanted
+            largest = max(largest, wanted)
+    return largest
+
+
+@inner_kernel
+def _sum_friction(state, count, ends, normals, forces, grid):
+    """Sum impulses and torques of each ball, on a grid: adding and subtracting `grid` rounds to it."""
+    for m in range(count):
+        if forces[IMPULSE, m] <= 0.0:
+            continue
+        i = ends[FIRST, m]
+        j = ends[SECOND, m]
+        px = (forces[PX, m] + grid) - grid
+        py = (forces[PY, m] + grid) - grid
+        turn_x, turn_y, turn_z = torque_direction(
+            state, i, j, normals[m, 0], normals[m, 1], forces[PX, m], forces[PY, m], forces[PZ, m]
+        )
+        state[PUSH_X, i] += px
+        state[PUSH_Y, i] += py
+        state[PUSH_X, j] -= px
+        state[PUSH_Y, j] -= py
+        for side in range(2):
+            ball = ends[side, m]
+            state[TURN_X, ball] += (turn_x + grid) - grid
+            state[TURN_Y, ball] += (turn_y + grid) - grid
+            state[TURN_Z, ball] += (turn_z + grid) - grid
+
+
+@inner_kernel
+def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
+    """Friction of all contacts that got an impulse."""
+    for q in range(found):
+        state[VALENCE, modes[MEMBER, q]] = 0.0
+    for m in range(count):
+        forces[RUBBED, m] = 0.0
+        if forces[IMPULSE, m] > 0.0:
+            state[VALENCE, ends[FIRST, m]] += 1.0
+            state[VALENCE, ends[SECOND, m]] += 1.0
+    for _ in range(FRICTION_PASSES):
+        largest = _want_friction(state, count, ends, normals, forces, physics)
+        if largest == 0.0:
+            return
+        for q in range(found):
+            for row in range(PUSH_X, VALENCE):
+                state[row, modes[MEMBER, q]] = 0.0
+        # the grid is 2^-40 of the largest; sums of 2^10 numbers on it are exact
+        _sum_friction(state, count, ends, normals, forces, 1.5 * math.ldexp(1.0, math.frexp(largest)[1] + 12))
+        for q in range(found):
+            k = modes[MEMBER, q]
+            lever = 2.5 * state[INVERSE_MASS, k] / state[RADIUS, k]
+            state[VX, k] += state[PUSH_X, k] * state[INVERSE_MASS, k]
+            state[VY, k] += state[PUSH_Y, k] * state[INVERSE_MASS, k]
+            state[WX, k] += state[TURN_X, k] * lever
+            state[WY, k] += state[TURN_Y, k] * lever
+            state[WZ, k] += state[TURN_Z, k] * lever
+
+
+@inner_kernel
+def collide_jointly(
+    state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
+):
+    """Solve `count` contacts of one moment between the first `found` balls of row MEMBER of modes.
+
+    ends, normals (m, 2): from `gather_contacts`. velocities (n, 2) and the joint arrays are scratch. Row
+    IMPULSE of forces is written: the sum of each contact's normal impulses, N s.
+    """
+    for m in range(count):
+        forces[RESTITUTION, m] = physics[BALL_RESTITUTION]
+        forces[IMPULSE, m] = 0.0
+    for turn in range(2):
+        for q in range(found):
+            k = modes[MEMBER, q]
+            velocities[k, 0] = state[VX, k]
+            velocities[k, 1] = state[VY, k]
+        solve_joint_impulses(
+            count,
+            ends[FIRST],
+            ends[SECOND],
+            normals,
+            forces[RESTITUTION],
+            state[INVERSE_MASS],
+            velocities,
+            forces[JOINT_IMPULSE],
+            False,
+            joint_contacts,
+            joint_balls,
+        )
+        for q in range(found):
+            k = modes[MEMBER, q]
+            state[VX, k] = velocities[k, 0]
+            state[VY, k] = velocities[k, 1]
+        for m in range(count):
+            forces[IMPULSE, m] += forces[JOINT_IMPULSE, m]
+        if turn == 1 or physics[BALL_LAW] == NO_FRICTION:
+            return
+        _rub_jointly(state, modes, found, count, ends, normals, forces, physics)

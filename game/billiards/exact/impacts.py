@@ -1,0 +1,106 @@
+"""Contacts carried out: a ball meets a rail, two balls meet each other."""
+
+from __future__ import annotations
+
+import math
+
+from game.billiards.laws.contacts import HAN_2005, MATHAVAN_2010, NO_FRICTION
+from game.billiards.laws.contacts.ball_ball_friction import rub_in_contact
+from game.billiards.laws.contacts.ball_ball_normal import collide_along_normal
+from game.billiards.laws.contacts.chatter import (
+    ALLOWED_REPEATS,
+    CHATTER_TIME,
+    LAST_REPEATS,
+    least_parting_speed,
+    part,
+)
+from game.billiards.laws.contacts.cushion_han_2005 import bounce_han_2005
+from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2010
+from game.billiards.laws.contacts.cushion_restitution import bounce
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.laws.state import (
+    BALL_JAW,
+    BALL_LAW,
+    BALL_RESTITUTION,
+    CUSHION_LAW,
+    CUSHION_RESTITUTION,
+    MET,
+    NORMAL_X,
+    NORMAL_Y,
+    RAIL_COUNT,
+    RAIL_TIME,
+    REPEATS,
+    TIME,
+    X,
+    Y,
+)
+
+
+@inner_kernel(inline="always")
+def bounce_off(state, i, nx, ny, physics):
+    """Bounce ball i off a rail with the table's model; n is the unit vector from the rail to the ball."""
+    if physics[CUSHION_LAW] == HAN_2005:
+        bounce_han_2005(state, i, nx, ny, physics)
+    elif physics[CUSHION_LAW] == MATHAVAN_2010:
+        bounce_mathavan_2010(state, i, nx, ny, physics)
+    else:
+        bounce(state, i, nx, ny, physics[CUSHION_RESTITUTION])
+
+
+@inner_kernel
+def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
+    """Ball i, already at the contact, meets a cushion or a jaw. Returns if it is stuck: see `settling`."""
+    if event == BALL_JAW:
+        nx = state[X, i] - jaws[element, 0]
+        ny = state[Y, i] - jaws[element, 1]
+        distance = math.sqrt(nx * nx + ny * ny)
+        nx /= distance
+        ny /= distance
+    else:
+        nx = cushions[element, NORMAL_X]
+        ny = cushions[element, NORMAL_Y]
+    bounce_off(state, i, nx, ny, physics)
+    now = state[TIME, i]
+    repeats = modes[RAIL_COUNT, i] + 1 if now - state[RAIL_TIME, i] < CHATTER_TIME else 0
+    modes[RAIL_COUNT, i] = repeats
+    state[RAIL_TIME, i] = now
+    if repeats >= ALLOWED_REPEATS:
+        parted = part(state, i, -1, -nx, -ny, least_parting_speed(repeats))
+        return repeats >= LAST_REPEATS and not parted
+    return False
+
+
+@inner_kernel(inline="always")
+def normal_between(state, i, j):
+    """Unit vector from ball i to ball j, both at the same time."""
+    nx = state[X, j] - state[X, i]
+    ny = state[Y, j] - state[Y, i]
+    distance = math.sqrt(nx * nx + ny * ny)
+    if distance == 0.0:
+        return 1.0, 0.0
+    return nx / distance, ny / distance
+
+
+@inner_kernel(inline="always")
+def collide_pair(state, i, j, nx, ny, physics):
+    """Two balls in contact collide by the table's model."""
+    impulse = collide_along_normal(state, i, j, nx, ny, physics[BALL_RESTITUTION])
+    if physics[BALL_LAW] != NO_FRICTION:
+        rub_in_contact(state, i, j, nx, ny, impulse, physics)
+
+
+@inner_kernel
+def end_chatter(state, pairs, i, j, nx, ny, now):
+    """Count repeats of a contact, in planes MET and REPEATS of pairs; part the balls if it chatters.
+
+    Returns whether they are stuck: see `settling`.
+    """
+    count = pairs[REPEATS, i, j] + 1.0 if now - pairs[MET, i, j] < CHATTER_TIME else 0.0
+    pairs[REPEATS, i, j] = count
+    pairs[REPEATS, j, i] = count
+    pairs[MET, i, j] = now
+    pairs[MET, j, i] = now
+    if count >= ALLOWED_REPEATS:
+        parted = part(state, i, j, nx, ny, least_parting_speed(int(count)))
+        return count >= LAST_REPEATS and not parted
+    return False

@@ -1,0 +1,83 @@
+"""Two balls meet on the exact table: alone, or together with all that touch them at that moment."""
+
+from __future__ import annotations
+
+from game.billiards.exact.cluster import collide_jointly, gather_contacts, has_company
+from game.billiards.exact.impacts import collide_pair, end_chatter, normal_between
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.laws.motion import advance, enter_phase
+from game.billiards.laws.state import FIRST, IMPULSE, MARK, MEMBER, SECOND, SLIDING
+
+HIT = 3  # mark of a ball that got an impulse
+
+
+@inner_kernel(forceinline=True)
+def meet_alone(state, modes, pairs, i, j, now, physics):
+    """Balls i and j collide, and no other contact takes part. Returns whether they are stuck."""
+    advance(state, modes, i, now, physics)
+    advance(state, modes, j, now, physics)
+    nx, ny = normal_between(state, i, j)
+    collide_pair(state, i, j, nx, ny, physics)
+    stuck = end_chatter(state, pairs, i, j, nx, ny, now)
+    modes[MEMBER, 0] = i
+    modes[MEMBER, 1] = j
+    enter_phase(state, modes, i, SLIDING, physics)
+    enter_phase(state, modes, j, SLIDING, physics)
+    return stuck
+
+
+@inner_kernel
+def meet_in_company(
+    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
+):
+    """Balls i and j collide together with all that touch them.
+
+    Moves the contacts that got an impulse to the front of ends, and writes their balls to row MEMBER of
+    modes. Returns the numbers of both, and a ball that is stuck, -1 if none is.
+    """
+    count, found = gather_contacts(state, modes, pairs, i, j, now, ends, normals)
+    for q in range(found):
+        advance(state, modes, modes[MEMBER, q], now, physics)
+    collide_jointly(
+        state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
+    )
+    written = 0
+    stuck = -1
+    for m in range(count):
+        if forces[IMPULSE, m] > 0.0:
+            a = ends[FIRST, m]
+            b = ends[SECOND, m]
+            if end_chatter(state, pairs, a, b, normals[m, 0], normals[m, 1], now):
+                stuck = a
+            ends[FIRST, written] = a
+            ends[SECOND, written] = b
+            written += 1
+            modes[MARK, a] = HIT
+            modes[MARK, b] = HIT
+    changed = 0
+    for q in range(found):
+        k = modes[MEMBER, q]
+        if modes[MARK, k] == HIT:
+            modes[MEMBER, changed] = k
+            changed += 1
+            enter_phase(state, modes, k, SLIDING, physics)
+    return written, changed, stuck
+
+
+@inner_kernel(inline="always")
+def meet(room, i, j, now, physics):
+    """Balls i and j touch at `now` (s): what comes of it, and of all that touch them.
+
+    room: see `batch.view_room`. The contacts that got an impulse come first in ends, their balls in row
+    MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), -1 if none is.
+    """
+    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = room
+    ends[FIRST, 0] = i
+    ends[SECOND, 0] = j
+    if has_company(pairs, i, j, now):
+        return meet_in_company(
+            state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now,
+            physics,
+        )  # fmt: skip
+    stuck = meet_alone(state, modes, pairs, i, j, now, physics)
+    return 1, 2, i if stuck else -1

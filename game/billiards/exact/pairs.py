@@ -1,0 +1,179 @@
+"""When which two balls meet: a table of contact times, renewed only for balls that changed.
+
+Plane MEET of pairs (s) holds for each two balls the time of their next contact, NEVER, or AT_REST for two
+that touch without closing. Each ball keeps the least of its row (PAIR_TIME, PARTNER) and the least
+of that and its own plan (NEXT_TIME), so the next event of the table is one look at each ball.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.billiards.exact.detection import first_touch
+from game.billiards.exact.elements import LONGEST_SEARCH
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.laws.state import (
+    AT_REST,
+    AX,
+    AY,
+    MEET,
+    MOTION,
+    NEVER,
+    NEXT_TIME,
+    OWN_TIME,
+    PAIR_TIME,
+    PARTNER,
+    POCKETED,
+    RADIUS,
+    TIME,
+    VX,
+    VY,
+    X,
+    Y,
+)
+
+BLOCK = 32  # balls whose bits stand in one number
+
+
+@inner_kernel(inline="always")
+def reach_of(radius_i, radius_j):
+    """Horizontal distance at which two balls on the cloth touch, 2 sqrt(R1 R2), m."""
+    if radius_i == radius_j:
+        return 2.0 * radius_i
+    return 2.0 * math.sqrt(radius_i * radius_j)
+
+
+@inner_kernel(forceinline=True)
+def may_meet(state, modes, pairs, i, start, count):
+    """Bits of `count` balls from number start on: for which a contact with ball i is not ruled out, and
+    with which one was foreseen so far.
+
+    With x + v t + a t^2 the position of ball j seen from i, and a horizon of h s in which both keep their
+    phases, there is no contact if
+    - the distance only grows, or the parabola that lies under its square (see `detection`) stays above; or
+    - the path keeps off: along and across v, both times |v|, it stays in a box that ends before the ball; or
+    - both lie still, apart.
+    One expression without branches, and an index that cannot be negative, so that the compiler takes several
+    balls at a time.
+    """
+    now = state[TIME, i]
+    xi = state[X, i]
+    yi = state[Y, i]
+    vxi = state[VX, i]
+    vyi = state[VY, i]
+    axi = state[AX, i]
+    ayi = state[AY, i]
+    own = min(state[OWN_TIME, i], now + LONGEST_SEARCH)
+    four_radius = 4.0 * state[RADIUS, i]
+    bits = 0
+    foreseen = 0
+    for k in range(count):
+        j = np.uintp(start + k)
+        elapsed = now - state[TIME, j]
+        ax = state[AX, j]
+        ay = state[AY, j]
+        vx = state[VX, j] + elapsed * ax
+        vy = state[VY, j] + elapsed * ay
+        x = state[X, j] + elapsed * vx - xi
+        y = state[Y, j] + elapsed * vy - yi
+        vx = vx + elapsed * ax - vxi
+        vy = vy + elapsed * ay - vyi
+        ax -= axi
+        ay -= ayi
+        horizon = min(own, state[OWN_TIME, j]) - now
+        reach_square = four_radius * state[RADIUS, j]
+        # half of the square of the distance, less the reach: its value, slope and least curvature
+        gap = 0.5 * (x * x + y * y - reach_square)
+        along = x * vx + y * vy
+        push = ax * vx + ay * vy
+        speed_square = vx * vx + vy * vy
+        third = horizon * min(push, 0.0)
+        curvature = speed_square + 2.0 * (x * ax + y * ay) + 2.0 * third
+        grows = along + horizon * min(curvature + third, 0.0) > 0.0
+        bend = horizon * horizon
+        above = gap + horizon * along + 0.5 * bend * curvature > 0.0
+        dips = (along < 0.0) & (along + horizon * curvature > 0.0) & (along * along >= 2.0 * curvature * gap)
+        limit = reach_square * speed_square
+        across = abs(x * vy - y * vx) - bend * abs(ax * vy - ay * vx)
+        latest = along + horizon * speed_square + bend * max(push, 0.0)
+        ruled_out = (
+            grows | ((gap > 1e-11 * reach_square) & above & (not dips)) | (modes[MOTION, j] == POCKETED)
+        )
+        ruled_out |= ((across > 0.0) & (across * across > limit)) | (
+            (latest < 0.0) & (latest * latest > limit)
+        )
+        ruled_out |= (speed_square == 0.0) & (gap > 0.1 * reach_square)
+        bits |= (0 if ruled_out else 1) << k
+        foreseen |= (1 if pairs[MEET, i, j] < NEVER else 0) << k
+    return bits, foreseen
+
+
+@inner_kernel(inline="always")
+def _contact_time(state, i, j, now):
+    """Time of the next contact of balls i and j, where i stands at `now`, s."""
+    elapsed = now - state[TIME, j]
+    ax = state[AX, j]
+    ay = state[AY, j]
+    vx = state[VX, j] + elapsed * ax
+    vy = state[VY, j] + elapsed * ay
+    x = state[X, j] + elapsed * vx - state[X, i]
+    y = state[Y, j] + elapsed * vy - state[Y, i]
+    vx += elapsed * ax - state[VX, i]
+    vy += elapsed * ay - state[VY, i]
+    ax -= state[AX, i]
+    ay -= state[AY, i]
+    reach = reach_of(state[RADIUS, i], state[RADIUS, j])
+    horizon = min(min(state[OWN_TIME, i], state[OWN_TIME, j]) - now, LONGEST_SEARCH)
+    t = first_touch(x, y, vx, vy, ax, ay, reach, horizon)
+    return t if t >= AT_REST else now + t
+
+
+@inner_kernel(inline="always")
+def _rescan(state, modes, pairs, j):
+    """Find the least of row j anew."""
+    best = NEVER
+    partner = -1
+    for k in range(state.shape[1]):
+        if pairs[MEET, j, k] < best:
+            best = pairs[MEET, j, k]
+            partner = k
+    state[PAIR_TIME, j] = best
+    modes[PARTNER, j] = partner
+    state[NEXT_TIME, j] = min(best, state[OWN_TIME, j])
+
+
+@inner_kernel(forceinline=True)
+def refresh_pairs(state, modes, pairs, i):
+    """Renew all contact times of ball i, which has just changed and whose plan is made."""
+    n = state.shape[1]
+    now = state[TIME, i]
+    gone = modes[MOTION, i] == POCKETED
+    best = NEVER
+    partner = -1
+    for start in range(0, n, BLOCK):
+        end = min(start + BLOCK, n)
+        bits, foreseen = may_meet(state, modes, pairs, i, start, end - start)
+        if gone:
+            bits = 0
+        for j in range(start, end):
+            if j == i or not ((bits | foreseen) >> (j - start)) & 1:
+                continue
+            t = NEVER
+            if (bits >> (j - start)) & 1:
+                t = _contact_time(state, i, j, now)
+            pairs[MEET, i, j] = t
+            pairs[MEET, j, i] = t
+            if t < best:
+                best = t
+                partner = j
+            if t < state[PAIR_TIME, j]:
+                state[PAIR_TIME, j] = t
+                modes[PARTNER, j] = i
+                state[NEXT_TIME, j] = min(t, state[OWN_TIME, j])
+            elif modes[PARTNER, j] == i:
+                _rescan(state, modes, pairs, j)
+    state[PAIR_TIME, i] = best
+    modes[PARTNER, i] = partner
+    state[NEXT_TIME, i] = min(best, state[OWN_TIME, i])

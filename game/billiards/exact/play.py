@@ -1,0 +1,280 @@
+"""The exact table: from event to event, a whole batch of shots in one kernel.
+
+State of balls stands still between their events; time is the time of the next event. Each event changes one
+ball, or the balls of one contact: they get a new phase, a new plan (`elements`) and new contact times
+(`pairs`). Everything that happens is written down as events and as segments, the closed forms of each
+ball's way, from which any moment can be had. All are right to rounding, but for the cushion of Mathavan 2010,
+which is followed in steps: see `contacts.cushion_mathavan_2010`.
+"""
+
+from __future__ import annotations
+
+from game.billiards.exact.elements import plan_ball
+from game.billiards.exact.impacts import hit_rail
+from game.billiards.exact.meeting import meet
+from game.billiards.exact.pairs import refresh_pairs
+from game.billiards.exact.settling import settle_group
+from game.billiards.laws.batch import view_room
+from game.billiards.laws.lean import inner_kernel, lean_kernel
+from game.billiards.laws.motion import advance, end_phase, enter_phase
+from game.billiards.laws.state import (
+    AT_REST,
+    BALL_BALL,
+    BALL_POCKET,
+    BUFFER_FULL,
+    CLEAR,
+    END_TIME,
+    EVENT_LIMIT,
+    EVENTS_END,
+    EVENTS_START,
+    FINISHED,
+    FIRST,
+    IN_CLEAR,
+    IN_MASS,
+    IN_MOTION,
+    IN_RADIUS,
+    IN_WZ,
+    IN_X,
+    IN_Y,
+    INVERSE_MASS,
+    MASS,
+    MEET,
+    MEMBER,
+    MET,
+    MIDDLE_X,
+    MIDDLE_Y,
+    MOTION,
+    NEVER,
+    NEXT_TIME,
+    NO_EVENT,
+    NOT_FINITE,
+    OWN_ELEMENT,
+    OWN_EVENT,
+    OWN_TIME,
+    PAIR_TIME,
+    PARTNER,
+    POCKETED,
+    RADIUS,
+    RAIL_COUNT,
+    RAIL_TIME,
+    REPEATS,
+    SECOND,
+    SEG_BALL,
+    SEG_MOTION,
+    SEG_X,
+    SEG_Y,
+    SEGMENTS_END,
+    SEGMENTS_START,
+    SLIDING,
+    STATUS,
+    TIME,
+    VX,
+    WZ,
+    X,
+)
+
+
+@inner_kernel(inline="always")
+def record_ball(segments, row, state, modes, i, physics):
+    """Write the segment that ball i now begins."""
+    for column in range(SEG_BALL):
+        segments[row, column] = state[TIME + column, i]
+    segments[row, SEG_X] += physics[MIDDLE_X]
+    segments[row, SEG_Y] += physics[MIDDLE_Y]
+    segments[row, SEG_BALL] = i
+    segments[row, SEG_MOTION] = modes[MOTION, i]
+
+
+@inner_kernel(inline="always")
+def record_event(events, row, time, event, i, j):
+    """Write an event."""
+    events[row, 0] = time
+    events[row, 1] = event
+    events[row, 2] = i
+    events[row, 3] = j
+
+
+@inner_kernel(forceinline=True)
+def place_balls(state, modes, pairs, balls, physics):
+    """Put the balls of a shot on the table, at time 0."""
+    n = balls.shape[0]
+    for i in range(n):
+        state[TIME, i] = 0.0
+        for column in range(IN_WZ + 1):
+            state[X + column, i] = balls[i, column]
+        state[RADIUS, i] = balls[i, IN_RADIUS]
+        state[MASS, i] = balls[i, IN_MASS]
+        state[INVERSE_MASS, i] = 1.0 / balls[i, IN_MASS]
+        state[CLEAR, i] = balls[i, IN_CLEAR]
+        state[RAIL_TIME, i] = -1.0
+        state[PAIR_TIME, i] = NEVER
+        modes[PARTNER, i] = -1
+        modes[RAIL_COUNT, i] = 0
+        enter_phase(state, modes, i, int(balls[i, IN_MOTION]), physics)
+        for j in range(n):
+            pairs[MEET, i, j] = NEVER
+            pairs[MET, i, j] = -1.0
+            pairs[REPEATS, i, j] = 0.0
+
+
+@inner_kernel(inline="always")
+def soonest_ball(state):
+    """The ball whose next event comes first, the lowest number of several."""
+    first = 0
+    least = state[NEXT_TIME, 0]
+    for i in range(1, state.shape[1]):
+        time = state[NEXT_TIME, i]
+        first = i if time < least else first
+        least = min(time, least)
+    return first
+
+
+@inner_kernel(forceinline=True)
+def happen_to_ball(state, modes, i, cushions, jaws, physics):
+    """Carry out what ball i planned of its own. Returns the event, and whether the ball is stuck."""
+    event = modes[OWN_EVENT, i]
+    if event == NO_EVENT:
+        return end_phase(state, modes, i, physics), False
+    advance(state, modes, i, state[OWN_TIME, i], physics)
+    stuck = False
+    if event == BALL_POCKET:
+        for row in range(VX, WZ + 1):
+            state[row, i] = 0.0
+        enter_phase(state, modes, i, POCKETED, physics)
+    else:
+        stuck = hit_rail(state, modes, i, event, modes[OWN_ELEMENT, i], cushions, jaws, physics)
+        enter_phase(state, modes, i, SLIDING, physics)
+    return event, stuck
+
+
+@inner_kernel(inline="always")
+def plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segment):
+    """Plan the first balls of row MEMBER anew, each of which begins a segment. Returns their end."""
+    state, modes, pairs = room[0], room[1], room[2]
+    for q in range(changed):
+        i = modes[MEMBER, q]
+        if segments.shape[0] > 0:
+            record_ball(segments, segment, state, modes, i, physics)
+            segment += 1
+        plan_ball(state, modes, i, cushions, jaws, pockets, physics)
+    for q in range(changed):
+        refresh_pairs(state, modes, pairs, modes[MEMBER, q])
+    return segment
+
+
+@inner_kernel(inline="always")
+def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment):
+    """Play one shot whose balls are placed. Returns status, end of events, end of segments, end time."""
+    state, modes, ends = room[0], room[1], room[3]
+    n = state.shape[1]
+    last_row = row + max_events
+    end_time = 0.0
+    changed = n
+    status = FINISHED
+    for i in range(n):
+        modes[MEMBER, i] = i
+    while True:
+        if row + ends.shape[1] > events.shape[0] or (
+            segments.shape[0] > 0 and segment + n > segments.shape[0]
+        ):
+            status = BUFFER_FULL
+            break
+        segment = plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segment)
+        i = soonest_ball(state)
+        now = state[NEXT_TIME, i]
+        if not (now < AT_REST and now <= until):
+            end_time = until if now < AT_REST else end_time
+            break
+        if row >= last_row:
+            status = EVENT_LIMIT
+            break
+        end_time = now
+        if not state[PAIR_TIME, i] < state[OWN_TIME, i]:
+            event, stuck = happen_to_ball(state, modes, i, cushions, jaws, physics)
+            record_event(events, row, now, event, i, modes[OWN_ELEMENT, i])
+            row += 1
+            modes[MEMBER, 0] = i
+            changed = 1
+            if stuck:
+                changed = settle_group(state, modes, i, now, cushions, jaws, physics)
+            continue
+        written, changed, stuck_ball = meet(room, i, modes[PARTNER, i], now, physics)
+        for m in range(written):
+            i = ends[FIRST, m]
+            j = ends[SECOND, m]
+            record_event(events, row, now, BALL_BALL, min(i, j), max(i, j))
+            row += 1
+        if stuck_ball >= 0:
+            changed = settle_group(state, modes, stuck_ball, now, cushions, jaws, physics)
+    return status, row, segment, end_time
+
+
+@inner_kernel(inline="always")
+def write_final(state, modes, end_time, final, physics):
+    """Bring all balls to the end and write them. Returns False if a number is not finite."""
+    total = 0.0
+    middle_x = physics[MIDDLE_X]
+    middle_y = physics[MIDDLE_Y]
+    for i in range(final.shape[0]):
+        if modes[MOTION, i] != POCKETED:
+            advance(state, modes, i, end_time, physics)
+        for column in range(IN_WZ + 1):
+            final[i, column] = state[X + column, i]
+            total += abs(final[i, column])
+        final[i, IN_X] += middle_x
+        final[i, IN_Y] += middle_y
+        final[i, IN_RADIUS] = state[RADIUS, i]
+        final[i, IN_MASS] = state[MASS, i]
+        final[i, IN_MOTION] = modes[MOTION, i]
+        final[i, IN_CLEAR] = state[CLEAR, i]
+    return total < NEVER
+
+
+@lean_kernel
+def play_shots(
+    floats,
+    integers,
+    balls,
+    constants,
+    elements,
+    ranges,
+    events,
+    segments,
+    ends,
+    final,
+    first,
+    until,
+    max_events,
+):
+    """Play shots from number `first` on until the log is full, each at most to the time `until` (s).
+
+    floats, integers: a `Workspace`. balls to ranges: a `Batch`. events to final: a `Log`. (One by one, as the
+    three tuples would take longer to pass than a short shot to play.) Returns the number of the first shot
+    that was not played.
+    """
+    shots = constants.shape[0]
+    room = view_room(floats, integers, balls.shape[1])
+    row = 0
+    segment = 0
+    for s in range(first, shots):
+        physics = constants[s]
+        cushions = elements[ranges[s, 0] : ranges[s, 1]]
+        jaws = elements[ranges[s, 1] : ranges[s, 2]]
+        pockets = elements[ranges[s, 2] : ranges[s, 3]]
+        place_balls(room[0], room[1], room[2], balls[s], physics)
+        status, row_end, segment_end, end_time = play_shot(
+            room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment
+        )
+        if status == BUFFER_FULL:
+            return s
+        if not write_final(room[0], room[1], end_time, final[s], physics):
+            status = NOT_FINITE
+        ends[s, EVENTS_START] = row
+        ends[s, EVENTS_END] = row_end
+        ends[s, SEGMENTS_START] = segment
+        ends[s, SEGMENTS_END] = segment_end
+        ends[s, STATUS] = status
+        ends[s, END_TIME] = end_time
+        row = row_end
+        segment = segment_end
+    return shots

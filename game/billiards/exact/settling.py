@@ -1,0 +1,170 @@
+"""The end of chatter that nothing pays for: balls wedged between rails, or pressed together, stop as one.
+
+Two balls in the mouth of a pocket touch each other and a facing each. Their closing speeds die out in ever
+shorter bounces, an infinite number of them in a finite time, and cloth friction presses them together anew.
+`chatter.part` ends that at the cost of their spin; where there is no spin left, the contact would go on
+without end. What is then within JOINED of each other is one body that does not rebound (a perfectly
+inelastic cluster): it goes on with its common velocity, less what would take it into a rail that it
+touches, and without spin. Two rails that face each other take all of it. Momentum is kept but for what the
+rails take, and energy falls. All move alike from there on, on the same cloth, so none closes on another.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.billiards.exact.cluster import gap_at
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.laws.motion import advance, enter_phase
+from game.billiards.laws.state import (
+    FROM_X,
+    FROM_Y,
+    MARK,
+    MASS,
+    MEMBER,
+    MOTION,
+    NORMAL_X,
+    NORMAL_Y,
+    POCKETED,
+    RADIUS,
+    SLIDING,
+    TO_X,
+    TO_Y,
+    VX,
+    VY,
+    WX,
+    WZ,
+    X,
+    Y,
+)
+
+JOINED = 1e-7  # m; what is so near belongs to the group: its bounces at 3 mm/s take 30 microseconds
+
+
+@inner_kernel
+def _gather_group(state, modes, i, now, physics):
+    """Write all balls that hang together with ball i to row MEMBER of modes, at `now`; returns how many."""
+    n = state.shape[1]
+    for k in range(n):
+        modes[MARK, k] = 0
+    modes[MEMBER, 0] = i
+    modes[MARK, i] = 1
+    found = 1
+    head = 0
+    while head < found:
+        a = modes[MEMBER, head]
+        head += 1
+        for k in range(n):
+            if modes[MARK, k] == 0 and modes[MOTION, k] != POCKETED:
+                gap, _, _ = gap_at(state, a, k, now)
+                if gap <= JOINED:
+                    modes[MARK, k] = 1
+                    modes[MEMBER, found] = k
+                    found += 1
+    for q in range(found):
+        advance(state, modes, modes[MEMBER, q], now, physics)
+    return found
+
+
+@inner_kernel
+def _common_velocity(state, modes, found):
+    """Momentum of the group over its mass, m/s. Sums are of numbers on a grid: any order gives the same,
+    to 2^-40 of the largest."""
+    largest = 0.0
+    heaviest = 0.0
+    for q in range(found):
+        k = modes[MEMBER, q]
+        mass = state[MASS, k]
+        largest = max(largest, mass * max(abs(state[VX, k]), abs(state[VY, k])))
+        heaviest = max(heaviest, mass)
+    grid = 1.5 * math.ldexp(1.0, math.frexp(largest)[1] + 12)
+    mass_grid = 1.5 * math.ldexp(1.0, math.frexp(heaviest)[1] + 12)
+    x = 0.0
+    y = 0.0
+    whole = 0.0
+    for q in range(found):
+        k = modes[MEMBER, q]
+        mass = state[MASS, k]
+        x += (mass * state[VX, k] + grid) - grid
+        y += (mass * state[VY, k] + grid) - grid
+        whole += (mass + mass_grid) - mass_grid
+    return x / whole, y / whole
+
+
+@inner_kernel
+def _rail_at(state, modes, found, number, cushions, jaws):
+    """Whether a ball of the group touches that rail, and the unit vector from the rail to the ball.
+
+    Rails are numbered for each ball of the group in turn: the cushions, then the jaws.
+    """
+    rails = cushions.shape[0] + jaws.shape[0]
+    ball = modes[MEMBER, number // rails]
+    k = number % rails
+    if k < cushions.shape[0]:
+        nx = cushions[k, NORMAL_X]
+        ny = cushions[k, NORMAL_Y]
+        x = state[X, ball] - cushions[k, FROM_X]
+        y = state[Y, ball] - cushions[k, FROM_Y]
+        dx = cushions[k, TO_X] - cushions[k, FROM_X]
+        dy = cushions[k, TO_Y] - cushions[k, FROM_Y]
+        along = x * dx + y * dy
+        touches = abs(x * nx + y * ny - state[RADIUS, ball]) <= JOINED
+        return touches and 0.0 <= along <= dx * dx + dy * dy, nx, ny
+    k -= cushions.shape[0]
+    x = state[X, ball] - jaws[k, 0]
+    y = state[Y, ball] - jaws[k, 1]
+    distance = math.sqrt(x * x + y * y)
+    return abs(distance - jaws[k, 2] - state[RADIUS, ball]) <= JOINED, x / distance, y / distance
+
+
+@inner_kernel
+def _is_free(state, modes, found, vx, vy, cushions, jaws):
+    """True if no ball of the group goes into a rail that it touches with the velocity v."""
+    rails = cushions.shape[0] + jaws.shape[0]
+    rounding = -1e-12 * math.sqrt(vx * vx + vy * vy)
+    for number in range(found * rails):
+        touches, nx, ny = _rail_at(state, modes, found, number, cushions, jaws)
+        if touches and vx * nx + vy * ny < rounding:
+            return False
+    return True
+
+
+@inner_kernel
+def _freed_velocity(state, modes, found, vx, vy, cushions, jaws):
+    """The velocity nearest to v that takes no ball of the group into a rail that it touches: v itself, v
+    along one of the rails, or none."""
+    if _is_free(state, modes, found, vx, vy, cushions, jaws):
+        return vx, vy
+    best_x = 0.0
+    best_y = 0.0
+    for number in range(found * (cushions.shape[0] + jaws.shape[0])):
+        touches, nx, ny = _rail_at(state, modes, found, number, cushions, jaws)
+        into = vx * nx + vy * ny
+        if touches and into < 0.0:
+            x = vx - into * nx
+            y = vy - into * ny
+            if x * x + y * y > best_x * best_x + best_y * best_y and _is_free(
+                state, modes, found, x, y, cushions, jaws
+            ):
+                best_x = x
+                best_y = y
+    return best_x, best_y
+
+
+@inner_kernel
+def settle_group(state, modes, i, now, cushions, jaws, physics):
+    """Ball i and all that hang together with it go on as one body, at `now` (s).
+
+    Its balls are written to row MEMBER of modes, each in a new phase. Returns how many there are.
+    """
+    found = _gather_group(state, modes, i, now, physics)
+    vx, vy = _common_velocity(state, modes, found)
+    vx, vy = _freed_velocity(state, modes, found, vx, vy, cushions, jaws)
+    for q in range(found):
+        k = modes[MEMBER, q]
+        state[VX, k] = vx
+        state[VY, k] = vy
+        for row in range(WX, WZ + 1):
+            state[row, k] = 0.0
+        enter_phase(state, modes, k, SLIDING, physics)
+    return found

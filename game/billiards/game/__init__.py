@@ -1,0 +1,1 @@
+"""Rules, goals and frames: billiards as a game."""

@@ -1,0 +1,71 @@
+"""Free practice: one player, nothing is forbidden, what goes down stays down."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from game.billiards.game.rules import Call, Foul, Game, Hand, ShotSummary, Verdict, remaining
+
+RACKS = {"eight-ball": tuple(range(1, 16)), "nine-ball": tuple(range(1, 10)), "": ()}
+
+
+class Practice(Game, frozen=True, kw_only=True, tag="practice"):
+    """Practice. rack: what is racked when the table is empty; "": nothing, the game is then over.
+
+    strokes, potted, run: all strokes, all balls, and balls since the last stroke that potted none.
+    """
+
+    players: tuple[str, ...] = ("Player",)
+    on_table: tuple[int, ...] = RACKS["eight-ball"]
+    in_hand: Hand = "behind the line"
+    opening: bool = True
+    fouls_in_row: tuple[int, ...] = (0,)
+    won: tuple[int, ...] = (0,)
+    rack: Literal["eight-ball", "nine-ball", ""] = "eight-ball"
+    strokes: int = 0
+    potted: int = 0
+    run: int = 0
+
+    def judge(self, shot: ShotSummary, call: Call = Call()) -> Verdict:  # noqa: B008  (immutable)
+        """What follows from a stroke: a white ball that went down is in hand."""
+        self.check_playable()
+        down = shot.balls_down
+        fouls = (Foul("scratch", "The white ball went down; put it anywhere."),) if shot.cue_pocketed else ()
+        left = tuple(sorted({*remaining(self, shot), *shot.off_table}))
+        after = msgspec.structs.replace(
+            self,
+            on_table=left,
+            in_hand="anywhere" if fouls else "",
+            opening=False,
+            strokes=self.strokes + 1,
+            potted=self.potted + len(down),
+            run=self.run + len(down) if down and not fouls else 0,
+        )
+        words = [foul.words for foul in fouls]
+        if left:
+            return Verdict(after, fouls, down, tuple(words), shot.off_table)
+        if self.rack:
+            return self._racked(after, fouls, down, (*words, "The table is empty: racked anew."))
+        after = msgspec.structs.replace(after, winner=0, won=(self.won[0] + 1,))
+        return Verdict(after, fouls, down, (*words, "The table is empty."))
+
+    def _racked(
+        self, state: Practice, fouls: tuple[Foul, ...], down: tuple[int, ...], words: tuple[str, ...]
+    ) -> Verdict:
+        """All balls back in the rack; the counts go on."""
+        racked = msgspec.structs.replace(
+            state,
+            on_table=RACKS[self.rack],
+            in_hand="behind the line",
+            opening=True,
+            winner=None,
+        )
+        return Verdict(racked, fouls, down, words, rack=True)
+
+    def next_rack(self) -> Verdict:
+        """The balls racked anew; ValueError if this table has no rack."""
+        if not self.rack:
+            raise ValueError("practice: this table has no rack; set it up anew")
+        return self._racked(self, (), (), ("Racked anew.",))

@@ -1,0 +1,181 @@
+"""From a played shot to what the referee sees of it: the summary that `rules` judges.
+
+Who sent a ball into its pocket is followed contact by contact. A moving ball that meets one at rest sends it
+on its way; where both move, each counts as sent on by the other. A ball that comes back to one that it owes
+its way to does not send that one: a chain names no ball twice.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from game.billiards.game.rules import CUE_BALL, Pocketing, ShotSummary
+from game.billiards.laws.state import (
+    BALL_BALL,
+    BALL_CUSHION,
+    BALL_JAW,
+    BALL_POCKET,
+    IN_MOTION,
+    IN_RADIUS,
+    IN_X,
+    POCKETED,
+    ROLLING_SPINNING,
+    ROLLING_STATIONARY,
+    SEG_BALL,
+    SEG_TIME,
+    SEG_X,
+    SEG_Y,
+    SPINNING_STATIONARY,
+    STATIONARY,
+)
+from game.billiards.shot.trajectory import Trajectory
+from game.billiards.table.rack import HEAD_SPOT
+
+FROZEN = 1e-4  # m; a ball that is so near to a cushion lies against it
+STOPS = (ROLLING_STATIONARY, ROLLING_SPINNING, SPINNING_STATIONARY)
+
+Row = tuple[float, int, int, int]
+
+
+def summarize(trajectory: Trajectory) -> ShotSummary:
+    """Summary of a played shot whose balls are named by their numbers, the white one "0".
+
+    ValueError if a ball's name is no number.
+    """
+    numbers = ball_numbers(trajectory.shot.ids)
+    rows: list[Row] = [(t, int(e), int(i), int(j)) for t, e, i, j in trajectory.rows.tolist()]
+    cue = numbers.index(CUE_BALL) if CUE_BALL in numbers else -1
+    first_time = next((t for t, e, i, j in rows if e == BALL_BALL and cue in (i, j)), None)
+    first = tuple(
+        numbers[j if i == cue else i] for t, e, i, j in rows
+        if t == first_time and e == BALL_BALL and cue in (i, j)
+    )  # fmt: skip
+    end = trajectory.end
+    rest = tuple(
+        (number, *row[IN_X : IN_X + 2]) for number, row in zip(numbers, end.tolist(), strict=True)
+        if int(row[IN_MOTION]) != POCKETED
+    )  # fmt: skip
+    touched = [k for _, e, i, j in rows if e == BALL_BALL for k in (i, j)]
+    return ShotSummary(
+        first,
+        _pocketings(trajectory, rows, numbers, cue),
+        any(e == BALL_POCKET and i == cue for _, e, i, _ in rows),
+        tuple(numbers[k] for k in _cushioned(trajectory, rows, first_time)),
+        (),
+        _cue_path(rows, numbers, cue),
+        tuple(numbers[k] for k in dict.fromkeys(touched) if k != cue),
+        rest,
+        first_time is not None and _is_short(trajectory, cue, numbers.index(first[0]), first_time),
+    )
+
+
+def ball_numbers(ids: tuple[str, ...]) -> list[int]:
+    """Numbers of balls by their names; ValueError if one is none."""
+    try:
+        return [int(name) for name in ids]
+    except ValueError:
+        raise ValueError(f"balls: games need numbers for names, got {', '.join(ids)}") from None
+
+
+def _pocketings(
+    trajectory: Trajectory, rows: list[Row], numbers: list[int], cue: int
+) -> tuple[Pocketing, ...]:
+    """The numbered balls that went down, in order, with their chains and cushions."""
+    moving = [int(row[IN_MOTION]) not in (STATIONARY, POCKETED) for row in trajectory.shot.balls.tolist()]
+    chains: list[tuple[int, ...]] = [(k,) if moving[k] else () for k in range(len(numbers))]
+    cushions = [0] * len(numbers)
+    fallen = []
+    at = 0
+    while at < len(rows):
+        time, event, i, j = rows[at]
+        if event == BALL_BALL:
+            contacts = []
+            while at < len(rows) and rows[at][0] == time and rows[at][1] == BALL_BALL:
+                contacts.append(rows[at][2:])
+                at += 1
+            _pass_on(contacts, moving, chains)
+            continue
+        if event in STOPS:
+            moving[i] = False
+        elif event in (BALL_CUSHION, BALL_JAW):
+            cushions[i] += 1
+        elif event == BALL_POCKET:
+            moving[i] = False
+            if i != cue:
+                chain = tuple(numbers[k] for k in chains[i])
+                fallen.append(Pocketing(numbers[i], j, chain, cushions[i]))
+        at += 1
+    return tuple(fallen)
+
+
+def _pass_on(contacts: list[tuple[int, int]], moving: list[bool], chains: list[tuple[int, ...]]) -> None:
+    """Contacts of one moment: from the balls that move on to those that they send, and so on."""
+    waiting = list(contacts)
+    while waiting:
+        ready = [pair for pair in waiting if moving[pair[0]] or moving[pair[1]]] or waiting
+        i, j = ready[0]
+        waiting.remove((i, j))
+        was_i, was_j = (moving[i], chains[i]), (moving[j], chains[j])
+        for (other_moved, chain), k in ((was_i, j), (was_j, i)):
+            if other_moved and chain and k not in chain and chains[k] != (k,):
+                chains[k] = (*chain, k)
+        moving[i] = moving[j] = True
+
+
+def _cushioned(trajectory: Trajectory, rows: list[Row], first_time: float | None) -> list[int]:
+    """Balls driven to a cushion after the first contact, by row, each once.
+
+    A ball that lay against a cushion is not driven to it before it has left it.
+    """
+    if first_time is None:
+        return []
+    found: dict[int, None] = {}
+    for time, event, i, j in rows:
+        if event not in (BALL_CUSHION, BALL_JAW) or time < first_time or i in found:
+            continue
+        if event == BALL_CUSHION and _still_frozen(trajectory, i, j, time):
+            continue
+        found[i] = None
+    return list(found)
+
+
+def _still_frozen(trajectory: Trajectory, ball: int, cushion: int, time: float) -> bool:
+    """True if a ball has been against a cushion from the start of the shot to this time."""
+    x, y, _, _, nx, ny = trajectory.shot.table.cushions[cushion].tolist()
+    radius = float(trajectory.end[ball, IN_RADIUS])
+    start_x, start_y = trajectory.shot.positions[ball].tolist()
+    if (start_x - x) * nx + (start_y - y) * ny - radius > FROZEN:
+        return False
+    for row in trajectory.segments.tolist():
+        if int(row[SEG_BALL]) == ball and row[SEG_TIME] <= time:
+            middle = 0.5 * (row[SEG_TIME] + time)
+            here = trajectory.state_at(middle).positions[ball].tolist()
+            for px, py in ((row[SEG_X], row[SEG_Y]), here):
+                if (px - x) * nx + (py - y) * ny - radius > FROZEN:
+                    return False
+    return True
+
+
+def _is_short(trajectory: Trajectory, cue: int, ball: int, time: float) -> bool:
+    """True if a ball lies behind the head string when the white one touches it, not having crossed it yet."""
+    line = HEAD_SPOT * trajectory.shot.table.length
+    if float(trajectory.state_at(time).positions[ball, 1]) > line:
+        return False
+    highest = float(trajectory.shot.positions[cue, 1])
+    starts = [t for t, of in trajectory.segments[:, [SEG_TIME, SEG_BALL]].tolist() if of == cue and t < time]
+    # a way is highest where it begins or ends; a curve between is seen well enough by its middle
+    for start, end in pairwise([*starts, time]):
+        for moment in (start, 0.5 * (start + end), end):
+            highest = max(highest, float(trajectory.state_at(moment).positions[cue, 1]))
+    return highest <= line
+
+
+def _cue_path(rows: list[Row], numbers: list[int], cue: int) -> tuple[tuple[str, int], ...]:
+    """What the white ball touched, in order."""
+    path = []
+    for _, event, i, j in rows:
+        if event == BALL_BALL and cue in (i, j):
+            path.append(("ball", numbers[j if i == cue else i]))
+        elif event in (BALL_CUSHION, BALL_JAW) and i == cue:
+            path.append(("cushion", j))
+    return tuple(path)

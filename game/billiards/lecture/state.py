@@ -1,0 +1,298 @@
+"""What the lecture's table consists of: effects, choices, settings, and its state as arrays.
+
+Positions are kept as offsets from the middle of the table: there a mirror image only changes signs, so a
+rack and its mirror image step alike to the last bit. What the table's own measures lost in rounding is
+given back once, by putting them on a grid of a picometre.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.billiards.laws.joint import joint_scratch
+from game.billiards.table.table import Table
+from game.physics.effects import declare_effect
+
+WALLS = declare_effect("billiards", "walls", 8, "Walls", "Balls rebound from cushions and jaws.")
+BALL_COLLISIONS = declare_effect(
+    "billiards", "ball-collisions", 9, "Ball collisions", "Balls push one another."
+)
+FRICTION = declare_effect(
+    "billiards", "cloth-friction", 10, "Friction", "Speed shrinks by a factor each frame."
+)
+MINIMUM_SPEED = declare_effect(
+    "billiards", "minimum-speed", 11, "Stopping", "What is slower than a minimum rests."
+)
+POCKETS = declare_effect("billiards", "pockets", 12, "Pockets", "Cushions open, and the holes take balls.")
+ROLLING = declare_effect("billiards", "rolling", 13, "Rolling", "Numbers and stripes turn with the motion.")
+LECTURE_EFFECTS = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED | POCKETS | ROLLING
+
+RULES = ("conserving", "scaled", "as-printed")  # what a collision does to two velocities
+ORDERS = ("joint", "pairwise")  # contacts of one substep together, or pair after pair by index
+PROPAGATIONS = ("impacts", "at-once")  # joint order: resting contacts wait for their impact, or join at once
+REPOSITIONINGS = ("exact", "mirror", "clamp")  # where a ball that overshot a wall is put
+FRICTION_LAWS = ("consistent", "per-frame")  # factor^(60 dt), or the factor each step however long
+
+FRAME_RATE = 60.0  # 1/s; the frame rate that a friction factor is meant for
+AUTOMATIC = 0  # substeps: as many as keep a ball from moving over half a radius in one
+MAX_SUBSTEPS = 1_000  # automatic ones; above 860 m/s (at 60 steps a second) pool balls may tunnel again
+MAX_PASSES = 1_000
+MAX_BALLS = 4_096
+MAX_COORDINATE = 1e6  # m
+MAX_SPEED = 1e6  # m/s
+GRID = 2.0**-40  # m; jaws, pockets and the ends of cushions are put on multiples of it
+EVENT_CAPACITY = 512
+
+# events: columns and kinds
+KIND, FIRST, SECOND, TIME, SPEED, IMPULSE, EVENT_X, EVENT_Y = range(8)
+BALL_BALL, BALL_CUSHION, BALL_JAW, BALL_POCKET = range(4)
+EVENT_NAMES = ("ball-ball", "cushion", "jaw", "pocket")
+# counters
+EVENTS, EVENTS_LOST, SUBSTEPS, PAIR_TESTS, CONTACTS, ROUNDS, ITERATIONS, NOT_FINITE = range(8)
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class LectureSettings:
+    """Knobs of the lecture's table. ValueError names the knob that is out of range.
+
+    bounce: speed kept at a wall, 0 to 1 (the lecture's bounce factor; above 1 energy would grow for ever).
+    restitution: of two balls, 0 to 1; the rules `scaled` and `as-printed` multiply whole velocities by it.
+    friction: factor per frame at 60 frames/s, 0 to 1. minimum_speed: m/s. substeps: 0 is automatic.
+    passes: rounds of parting balls that overlap (one by the rule as-printed). walls_again: push balls back
+    from the walls after balls have pushed them (False, as in the lecture, lets a pressed ball sink in).
+    """
+
+    bounce: float = 0.8
+    restitution: float = 0.95
+    friction: float = 0.99
+    minimum_speed: float = 0.01
+    substeps: int = AUTOMATIC
+    passes: int = 4
+    rule: str = "conserving"
+    order: str = "joint"
+    propagation: str = "impacts"
+    repositioning: str = "exact"
+    friction_law: str = "consistent"
+    walls_again: bool = True
+
+    def __post_init__(self) -> None:
+        for name in ("bounce", "restitution", "friction"):
+            _check_range(name, getattr(self, name), 0.0, 1.0)
+        _check_range("minimum_speed", self.minimum_speed, 0.0, MAX_SPEED)
+        _check_whole("substeps", self.substeps, 0, MAX_SUBSTEPS)
+        _check_whole("passes", self.passes, 1, MAX_PASSES)
+        for name, choices in _CHOICES.items():
+            if getattr(self, name) not in choices:
+                raise ValueError(f"{name}: must be one of {', '.join(choices)}, got {getattr(self, name)!r}")
+        if self.order == "joint" and self.rule != "conserving":
+            raise ValueError(f"order: joint solves only the rule conserving, not {self.rule!r}; use pairwise")
+
+    def model(self) -> LectureModel:
+        """The same as numbers for the kernels."""
+        return LectureModel(
+            float(self.bounce),
+            float(self.restitution),
+            float(self.friction),
+            float(self.minimum_speed),
+            int(self.substeps),
+            int(self.passes),
+            RULES.index(self.rule),
+            ORDERS.index(self.order),
+            PROPAGATIONS.index(self.propagation),
+            REPOSITIONINGS.index(self.repositioning),
+            FRICTION_LAWS.index(self.friction_law),
+            int(self.walls_again),
+        )
+
+
+_CHOICES = {
+    "rule": RULES,
+    "order": ORDERS,
+    "propagation": PROPAGATIONS,
+    "repositioning": REPOSITIONINGS,
+    "friction_law": FRICTION_LAWS,
+}
+
+
+class LectureModel(NamedTuple):
+    """Settings as numbers; choices as their place in RULES, ORDERS, ..."""
+
+    bounce: float
+    restitution: float
+    friction: float
+    minimum_speed: float
+    substeps: int
+    passes: int
+    rule: int
+    order: int
+    propagation: int
+    repositioning: int
+    friction_law: int
+    walls_again: int
+
+
+class LectureState(NamedTuple):
+    """All that a step reads and changes; row i is ball i.
+
+    offsets (n, 2) m from the middle of the table. velocities (n, 2) m/s. orientations (n, 4): unit
+    quaternions, scalar first, body to table. in_play (n,) bool. pocketed_by (n,) int: row of the pocket, or
+    -1. radii (n,) m. inverse_masses (n,) 1/kg, 0 does not yield.
+    """
+
+    offsets: Array
+    velocities: Array
+    orientations: Array
+    in_play: NDArray[np.bool_]
+    pocketed_by: NDArray[np.int64]
+    radii: Array
+    inverse_masses: Array
+
+
+class LectureGeometry(NamedTuple):
+    """The table about its middle: half width and length (m), cushions (c, 6), jaws (j, 3), pockets (p, 3)."""
+
+    half_width: float
+    half_length: float
+    cushions: Array
+    jaws: Array
+    pockets: Array
+
+
+class Journal(NamedTuple):
+    """What a step reports: events (EVENT_CAPACITY, 8), counters (8,)."""
+
+    events: Array
+    counters: NDArray[np.int64]
+
+
+class ContactList(NamedTuple):
+    """Contacts of one substep, and room to solve them in.
+
+    first (m,): ball. second (m,): ball, or -1 - row of a wall (cushions first, then jaws). normals (m, 2):
+    from first to second. gaps (m,) m. restitutions (m,). impulses (m,) N s. work, sums: see joint.py.
+    """
+
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    normals: Array
+    gaps: Array
+    restitutions: Array
+    impulses: Array
+    work: Array
+    sums: Array
+
+
+class LectureScratch(NamedTuple):
+    """Arrays that a step works in, few because each costs time to hand over.
+
+    events and counters: see Journal. rolled (n, 2) m. links (2, m): first, second. columns (3, m): gaps,
+    restitutions, impulses. normals (m, 2), work and sums: see ContactList.
+    """
+
+    events: Array
+    counters: NDArray[np.int64]
+    rolled: Array
+    links: NDArray[np.int64]
+    columns: Array
+    normals: Array
+    work: Array
+    sums: Array
+
+
+def _check_range(name: str, value: float, low: float, high: float) -> None:
+    if isinstance(value, bool) or not (isinstance(value, int | float) and low <= value <= high):
+        raise ValueError(f"{name}: must be a number from {low:g} to {high:g}, got {value!r}")
+
+
+def _check_whole(name: str, value: int, low: int, high: int) -> None:
+    if isinstance(value, bool) or not (isinstance(value, int | np.integer) and low <= value <= high):
+        raise ValueError(f"{name}: must be a whole number from {low} to {high}, got {value!r}")
+
+
+def checked_rows(name: str, value: ArrayLike, rows: int, columns: int, limit: float) -> Array:
+    """A (rows, columns) float64 copy. ValueError if shape, finiteness or |entries| <= limit fail."""
+    try:
+        array = np.array(value, dtype=np.float64, order="C")
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: must be numbers") from None
+    if array.shape != (rows, columns):
+        raise ValueError(f"{name}: must have shape ({rows}, {columns}), got {array.shape}")
+    good = np.isfinite(array) & (np.abs(array) <= limit)
+    if not good.all():
+        row, column = np.argwhere(~good)[0]
+        raise ValueError(f"{name}[{row}]: must be finite and at most {limit:g}, got {array[row, column]!r}")
+    return array
+
+
+def checked_column(name: str, value: ArrayLike, rows: int, low: float, high: float) -> Array:
+    """A (rows,) float64 copy of a column or a single number, each above `low` and at most `high`.
+
+    ValueError naming the field, and the row that is out of range.
+    """
+    try:
+        array = np.array(np.broadcast_to(np.asarray(value, dtype=np.float64), (rows,)))
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: must be one number or {rows} numbers") from None
+    good = (array > low) & (array <= high)
+    if not good.all():
+        row = int(np.argmin(good))
+        raise ValueError(f"{name}[{row}]: must be above {low:g} and at most {high:g}, got {array[row]!r}")
+    return array
+
+
+def _about_middle(points: Array, half: Array) -> Array:
+    """Points (k, 2) from the middle of the table, on the grid unless they lie on the edge of the bed."""
+    offsets = points - half
+    return np.where(
+        np.abs(np.abs(offsets) - half) < GRID, np.copysign(half, offsets), np.rint(offsets / GRID) * GRID
+    )
+
+
+def geometry_of(table: Table, open_at_pockets: bool) -> LectureGeometry:
+    """The table about its middle. Without open pockets its rails are the four sides of the bed, unbroken.
+
+    ValueError if the table is larger than MAX_COORDINATE.
+    """
+    if max(table.width, table.length) > MAX_COORDINATE:
+        raise ValueError(f"table: width and length must be at most {MAX_COORDINATE:g} m")
+    half = np.array([0.5 * table.width, 0.5 * table.length])
+    half_width, half_length = float(half[0]), float(half[1])
+    if open_at_pockets and len(table.pockets):
+        cushions, jaws, pockets = table.cushions.copy(), table.jaws.copy(), table.pockets.copy()
+        cushions[:, 0:2] = _about_middle(cushions[:, 0:2], half)
+        cushions[:, 2:4] = _about_middle(cushions[:, 2:4], half)
+        jaws[:, 0:2] = _about_middle(jaws[:, 0:2], half)
+        pockets[:, 0:2] = _about_middle(pockets[:, 0:2], half)
+        return LectureGeometry(half_width, half_length, cushions, jaws, pockets)
+    far = 4.0 * MAX_COORDINATE  # a ball that overshoots a corner is beyond both sides
+    sides = [
+        [-half_width, -far, -half_width, far, 1.0, 0.0],
+        [half_width, far, half_width, -far, -1.0, 0.0],
+        [far, -half_length, -far, -half_length, 0.0, 1.0],
+        [-far, half_length, far, half_length, 0.0, -1.0],
+    ]
+    nothing = np.empty((0, 3))
+    cushions = np.array(sides) if len(table.cushions) else np.empty((0, 6))
+    return LectureGeometry(half_width, half_length, cushions, nothing, nothing)
+
+
+def scratch_for(balls: int) -> LectureScratch:
+    """Scratch arrays for so many balls: all pairs of a few, eight contacts each of many."""
+    room = min(balls * (balls - 1) // 2, 8 * balls) + 4 * balls
+    work, sums = joint_scratch(balls, room)
+    return LectureScratch(
+        events=np.zeros((EVENT_CAPACITY, 8)),
+        counters=np.zeros(8, dtype=np.int64),
+        rolled=np.zeros((balls, 2)),
+        links=np.zeros((2, room), dtype=np.int64),
+        columns=np.zeros((3, room)),
+        normals=np.zeros((room, 2)),
+        work=work,
+        sums=sums,
+    )

@@ -1,0 +1,183 @@
+"""One step of the lecture's table: the order of things, and the small kernels in between.
+
+Move, take what is over a pocket, turn round what is beyond a wall, part what overlaps: substep by substep
+within one call. Slow down: once, at the end, as the lecture does once a frame.
+
+Arrays are those of `lecture_state`: offsets, velocities and rolled (n, 2) m and m/s, orientations (n, 4),
+radii (n,) m, knobs: the model's numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from game.billiards.lecture.contacts import collide_in_index_order, collide_jointly
+from game.billiards.lecture.state import (
+    AUTOMATIC,
+    BALL_COLLISIONS,
+    FRAME_RATE,
+    FRICTION,
+    MAX_SUBSTEPS,
+    MINIMUM_SPEED,
+    NOT_FINITE,
+    POCKETS,
+    ROLLING,
+    SUBSTEPS,
+    WALLS,
+    ContactList,
+    Journal,
+    LectureGeometry,
+    LectureModel,
+    LectureState,
+)
+from game.billiards.lecture.walls import bounce_off_walls, swallow
+from game.physics.kernels.jit import kernel
+
+_WALLS, _BALLS, _FRICTION = WALLS.mask, BALL_COLLISIONS.mask, FRICTION.mask
+_MINIMUM, _POCKETS, _ROLLING = MINIMUM_SPEED.mask, POCKETS.mask, ROLLING.mask
+
+
+@kernel
+def read_model(knobs):
+    """The settings from an array of them."""
+    return LectureModel(
+        knobs[0],
+        knobs[1],
+        knobs[2],
+        knobs[3],
+        int(knobs[4]),
+        int(knobs[5]),
+        int(knobs[6]),
+        int(knobs[7]),
+        int(knobs[8]),
+        int(knobs[9]),
+        int(knobs[10]),
+        int(knobs[11]),
+    )
+
+
+@kernel
+def count_substeps(state, model, dt):
+    """Number of substeps: as set, or so many that no ball moves over half of the least radius in one."""
+    if model.substeps != AUTOMATIC:
+        return model.substeps
+    fastest = 0.0
+    smallest = 1e300
+    for i in range(state.radii.shape[0]):
+        if state.in_play[i]:
+            vx = state.velocities[i, 0]
+            vy = state.velocities[i, 1]
+            fastest = max(fastest, vx * vx + vy * vy)
+            smallest = min(smallest, state.radii[i])
+    needed = math.sqrt(fastest) * dt / (0.5 * smallest)
+    if not needed < MAX_SUBSTEPS:
+        return MAX_SUBSTEPS
+    return max(1, math.ceil(needed))
+
+
+@kernel
+def roll(orientations, radii, rolled):
+    """Turn each ball about the horizontal axis across its way, by way / radius; then forget the way."""
+    for i in range(radii.shape[0]):
+        way = math.sqrt(rolled[i, 0] * rolled[i, 0] + rolled[i, 1] * rolled[i, 1])
+        if way > 0.0:
+            half = 0.5 * way / radii[i]
+            w = math.cos(half)
+            s = math.sin(half) / way
+            x = -s * rolled[i, 1]  # axis = z cross way
+            y = s * rolled[i, 0]
+            q = orientations[i]
+            a = w * q[0] - x * q[1] - y * q[2]
+            b = w * q[1] + x * q[0] + y * q[3]
+            c = w * q[2] + y * q[0] - x * q[3]
+            d = w * q[3] + x * q[2] - y * q[1]
+            scale = 1.0 / math.sqrt(a * a + b * b + c * c + d * d)
+            q[0] = a * scale
+            q[1] = b * scale
+            q[2] = c * scale
+            q[3] = d * scale
+        rolled[i, 0] = 0.0
+        rolled[i, 1] = 0.0
+
+
+@kernel
+def slow_down(velocities, factor, minimum_speed):
+    """Multiply velocities by a factor; what is slower than the minimum then stops."""
+    for i in range(velocities.shape[0]):
+        vx = velocities[i, 0] * factor
+        vy = velocities[i, 1] * factor
+        if vx * vx + vy * vy < minimum_speed * minimum_speed:
+            vx = 0.0
+            vy = 0.0
+        velocities[i, 0] = vx
+        velocities[i, 1] = vy
+
+
+@kernel
+def first_not_finite(offsets, velocities):
+    """Row of the first ball whose position or velocity is not finite, or -1."""
+    for i in range(offsets.shape[0]):
+        total = offsets[i, 0] + offsets[i, 1] + velocities[i, 0] + velocities[i, 1]
+        if not math.isfinite(total):
+            return i
+    return -1
+
+
+@cache
+def step_kernel(mask: int, order: int) -> Callable[..., Any]:
+    """The step for the effects of a mask and an order of contacts; what is not in it is not compiled in.
+
+    Its arguments are the fields of LectureState, the model as numbers, the half width and length with
+    cushions, jaws and pockets, the fields of LectureScratch, the number of steps and their length: plain
+    arrays, because handing over a NamedTuple from Python takes four times as long.
+    """
+
+    @kernel
+    def step_table(
+        offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses,
+        knobs, half, cushions, jaws, pockets,
+        events, counters, rolled, links, columns, normals, work, sums, steps, dt,
+    ):  # fmt: skip
+        state = LectureState(offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses)
+        geometry = LectureGeometry(half[0], half[1], cushions, jaws, pockets)
+        model = read_model(knobs)
+        journal = Journal(events, counters)
+        contacts = ContactList(links[0], links[1], normals, columns[0], columns[1], columns[2], work, sums)
+        counters[:] = 0
+        factor = 1.0
+        if mask & _FRICTION:
+            factor = model.friction ** (FRAME_RATE * dt) if model.friction_law == 0 else model.friction
+        for number in range(steps):
+            substeps = count_substeps(state, model, dt)
+            counters[SUBSTEPS] += substeps
+            h = dt / substeps
+            for k in range(substeps):
+                time = number * dt + k * h
+                for i in range(radii.shape[0]):
+                    for axis in range(2):
+                        way = velocities[i, axis] * h
+                        offsets[i, axis] += way
+                        if mask & _ROLLING:
+                            rolled[i, axis] += way
+                if mask & _POCKETS:
+                    swallow(state, geometry, journal, h, time)
+                if mask & _WALLS:
+                    bounce_off_walls(state, geometry, model, journal, np.bool_(False), time)
+                if mask & _BALLS and order == 0:
+                    collide_jointly(state, geometry, model, contacts, journal, time)
+                    if mask & _WALLS and model.walls_again != 0:
+                        bounce_off_walls(state, geometry, model, journal, np.bool_(True), time)
+                elif mask & _BALLS:
+                    collide_in_index_order(state, geometry, model, journal, time)
+            if mask & (_FRICTION | _MINIMUM):
+                slow_down(velocities, factor, model.minimum_speed if mask & _MINIMUM else 0.0)
+            if mask & _ROLLING:
+                roll(orientations, radii, rolled)
+        counters[NOT_FINITE] = first_not_finite(offsets, velocities)
+
+    return step_table

@@ -1,0 +1,211 @@
+"""Walls and pockets of the lecture's table.
+
+A ball that has gone too far is found by its overshoot, put back, and the normal part of its velocity turned
+round and shortened by the bounce factor e. Where it is put:
+
+    clamp     on the wall (the lecture's printed code)
+    mirror    as far inside as it was outside
+    exact     e times as far inside: where it would be, had it turned round in time
+
+Rows of cushions are (6,): both ends and the normal; of jaws (3,): centre and radius, m.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.billiards.lecture.state import (
+    BALL_CUSHION,
+    BALL_JAW,
+    BALL_POCKET,
+    EVENT_X,
+    EVENT_Y,
+    EVENTS,
+    EVENTS_LOST,
+    FIRST,
+    IMPULSE,
+    KIND,
+    SECOND,
+    SPEED,
+    TIME,
+)
+from game.physics.kernels.jit import kernel
+
+EXACT, MIRROR = 0, 1  # places in REPOSITIONINGS
+MAX_BOUNCES = 64  # off walls in one substep; a ball that needs more is put on the nearest wall
+
+
+@kernel
+def report(journal, kind, first, second, time, speed, impulse, x, y):
+    """Append an event, or count it as lost when there is no room."""
+    row = journal.counters[EVENTS]
+    if row >= journal.events.shape[0]:
+        journal.counters[EVENTS_LOST] += 1
+        return
+    event = journal.events[row]
+    event[KIND] = kind
+    event[FIRST] = first
+    event[SECOND] = second
+    event[TIME] = time
+    event[SPEED] = speed
+    event[IMPULSE] = impulse
+    event[EVENT_X] = x
+    event[EVENT_Y] = y
+    journal.counters[EVENTS] = row + 1
+
+
+@kernel
+def cushion_gap(cushions, k, x, y, radius):
+    """Distance of a ball at x, y from cushion k, m, negative by the overshoot; 1e300 where it cannot touch.
+
+    A nose (along the table) catches a ball however far it went; a facing only one whose centre has not
+    passed it by more than a radius, as behind it there is wood.
+    """
+    normal_x = cushions[k, 4]
+    normal_y = cushions[k, 5]
+    from_x = x - cushions[k, 0]
+    from_y = y - cushions[k, 1]
+    to_x = cushions[k, 2] - x
+    to_y = cushions[k, 3] - y
+    # the normal turned by a right angle, either way round, is the cushion's direction
+    along_x = cushions[k, 2] - cushions[k, 0]
+    along_y = cushions[k, 3] - cushions[k, 1]
+    if from_x * along_x + from_y * along_y < 0.0 or to_x * along_x + to_y * along_y < 0.0:
+        return 1e300
+    height = from_x * normal_x + from_y * normal_y
+    if height < -radius and normal_x != 0.0 and normal_y != 0.0:
+        return 1e300
+    return height - radius
+
+
+@kernel
+def jaw_gap(jaws, k, x, y, radius):
+    """Distance of a ball at x, y from jaw k, m, negative where they overlap, and the normal to the ball."""
+    dx = x - jaws[k, 0]
+    dy = y - jaws[k, 1]
+    distance = math.sqrt(dx * dx + dy * dy)
+    if distance == 0.0:
+        return -(jaws[k, 2] + radius), 1.0, 0.0
+    return distance - jaws[k, 2] - radius, dx / distance, dy / distance
+
+
+@kernel
+def deepest_wall(geometry, x, y, radius):
+    """Gap, normal and row of the cushion or jaw (rows after the cushions) that a ball overlaps most.
+
+    The deepest first, not the first by row: so a mirrored ball meets mirrored walls in the same order.
+    """
+    gap = 1e300
+    normal_x = 0.0
+    normal_y = 0.0
+    element = -1
+    for k in range(geometry.cushions.shape[0]):
+        other = cushion_gap(geometry.cushions, k, x, y, radius)
+        if other < gap:
+            gap = other
+            normal_x = geometry.cushions[k, 4]
+            normal_y = geometry.cushions[k, 5]
+            element = k
+    for k in range(geometry.jaws.shape[0]):
+        other, jaw_x, jaw_y = jaw_gap(geometry.jaws, k, x, y, radius)
+        if other < gap:
+            gap = other
+            normal_x = jaw_x
+            normal_y = jaw_y
+            element = geometry.cushions.shape[0] + k
+    return gap, normal_x, normal_y, element
+
+
+@kernel
+def bounce(state, geometry, model, journal, i, clamp, time):
+    """Put ball i back from the wall it overlaps most, and turn it round; False if there is none."""
+    x = state.offsets[i, 0]
+    y = state.offsets[i, 1]
+    gap, normal_x, normal_y, element = deepest_wall(geometry, x, y, state.radii[i])
+    if gap >= 0.0:
+        return False
+    shift = -gap
+    normal_speed = state.velocities[i, 0] * normal_x + state.velocities[i, 1] * normal_y
+    if normal_speed < 0.0:  # a ball that is already leaving is not turned round again
+        change = -(1.0 + model.bounce) * normal_speed
+        state.velocities[i, 0] += change * normal_x
+        state.velocities[i, 1] += change * normal_y
+        if model.repositioning == MIRROR and not clamp:
+            shift *= 2.0
+        elif model.repositioning == EXACT and not clamp:
+            shift *= 1.0 + model.bounce
+        mass = 1.0 / state.inverse_masses[i] if state.inverse_masses[i] > 0.0 else 0.0
+        jaw = element - geometry.cushions.shape[0]
+        kind = BALL_CUSHION if jaw < 0 else BALL_JAW
+        report(journal, kind, i, element if jaw < 0 else jaw, time, -normal_speed, mass * change, x, y)
+    state.offsets[i, 0] = x + shift * normal_x
+    state.offsets[i, 1] = y + shift * normal_y
+    return True
+
+
+@kernel
+def bounce_off_walls(state, geometry, model, journal, clamp, time):
+    """Put every ball that overshot back and turn it round; a corner, or a very fast ball, takes several.
+
+    With `clamp` balls are put on the wall, whatever the model says. A ball that is still far out then (it
+    was too fast for what surrounds a pocket) is put on the edge of the bed, moving inwards.
+    """
+    if geometry.cushions.shape[0] == 0:
+        return
+    for i in range(state.radii.shape[0]):
+        r = state.radii[i]
+        wide = geometry.half_width - r
+        long = geometry.half_length - r
+        if not state.in_play[i] or (abs(state.offsets[i, 0]) < wide and abs(state.offsets[i, 1]) < long):
+            continue
+        bounces = 0
+        while bounces < MAX_BOUNCES and bounce(state, geometry, model, journal, i, clamp, time):
+            bounces += 1
+        for axis in range(2):
+            limit = max(0.0, wide if axis == 0 else long)
+            place = state.offsets[i, axis]
+            if abs(place) > limit and (bounces == MAX_BOUNCES or abs(place) > limit + 3.0 * r):
+                state.offsets[i, axis] = math.copysign(limit, place)
+                state.velocities[i, axis] = -math.copysign(state.velocities[i, axis], place)
+
+
+@kernel
+def swallow(state, geometry, journal, h, time):
+    """Take every ball out of play whose way in the last h seconds led over a pocket.
+
+    The pocket takes a ball when its centre comes within the capture radius. The ball lies in the middle of
+    the hole then, at rest.
+    """
+    for i in range(state.radii.shape[0]):
+        x = state.offsets[i, 0]
+        y = state.offsets[i, 1]
+        r = state.radii[i]
+        inside = abs(x) < geometry.half_width - r and abs(y) < geometry.half_length - r
+        if inside or not state.in_play[i]:
+            continue
+        way_x = state.velocities[i, 0] * h
+        way_y = state.velocities[i, 1] * h
+        squared = way_x * way_x + way_y * way_y
+        for k in range(geometry.pockets.shape[0]):
+            dx = x - geometry.pockets[k, 0]
+            dy = y - geometry.pockets[k, 1]
+            # how far back along the way the ball was nearest, 0 at its end to 1 at its beginning
+            back = (dx * way_x + dy * way_y) / squared if squared > 0.0 else 0.0
+            back = min(1.0, max(0.0, back))
+            dx -= back * way_x
+            dy -= back * way_y
+            radius = geometry.pockets[k, 2]
+            if dx * dx + dy * dy < radius * radius:
+                speed = math.sqrt(squared) / h
+                report(
+                    journal, np.int64(BALL_POCKET), i, k, time, speed, 0.0, x - back * way_x, y - back * way_y
+                )
+                state.in_play[i] = False
+                state.pocketed_by[i] = k
+                state.velocities[i, 0] = 0.0
+                state.velocities[i, 1] = 0.0
+                state.offsets[i, 0] = geometry.pockets[k, 0]
+                state.offsets[i, 1] = geometry.pockets[k, 1]
+                break

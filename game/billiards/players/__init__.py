@@ -1,0 +1,1 @@
+"""Opponents that search for strokes, and matches that play themselves."""

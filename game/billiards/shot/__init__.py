@@ -1,0 +1,1 @@
+"""A stroke and its record: what is played, as a file, and what became of it."""

@@ -1,0 +1,1 @@
+"""The stepped table: all of the physics in fixed time steps."""

@@ -1,0 +1,292 @@
+"""The stepped table: the exact table's physics in fixed steps of time, as a game engine has it.
+
+In each step balls are slowed down and moved (`stepped_cloth`), then contacts are settled
+(`stepped_contacts`). Errors fall with the first power of the step. It needs steps in which a ball moves less
+than its radius, 3 ms at 10 m/s; in longer ones hits are missed.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.laws.lean import lean_kernel
+from game.billiards.laws.state import (
+    CLEAR,
+    FLOAT_ROWS,
+    GRAVITY,
+    IN_CLEAR,
+    IN_MASS,
+    IN_MOTION,
+    IN_RADIUS,
+    IN_WZ,
+    INTEGER_ROWS,
+    MASS,
+    MET,
+    MOTION,
+    NO_EVENT,
+    PAIR_PLANES,
+    POCKETED,
+    RADIUS,
+    RAIL_TIME,
+    SPINNING,
+    SPINNING_FRICTION,
+    STATIONARY,
+    TIME,
+    WZ,
+    X,
+    Y,
+)
+from game.billiards.shot.sampled import (
+    SAMPLE_COLUMNS,
+    SAMPLE_MOTION,
+    SampledTrajectory,
+    sampled_trajectory,
+    samples_for,
+)
+from game.billiards.shot.shot import Shot, ShotError
+from game.billiards.stepped.cloth import step_on_cloth
+from game.billiards.stepped.contacts import (
+    EVENTS,
+    LOST_EVENTS,
+    OLD_X,
+    OLD_Y,
+    PAIR_TESTS,
+    log_event,
+    settle_contacts,
+)
+
+Array = NDArray[np.float64]
+
+STEPS, SAMPLES, STRIDE = range(3, 6)  # counters, after those of the contacts; stride: steps between samples
+COUNTERS = 6
+MAX_EVENTS = 20_000  # kept of one shot; breaks have about 150
+MAX_DT = 10.0  # s
+MAX_UNTIL = 1e6  # s
+MAX_STEPS = 20_000_000
+MAX_PASSES = 1_000
+
+
+class Steps(NamedTuple):
+    """Working arrays of one shot: state, modes, pairs as in `state`; old (2, n) m."""
+
+    state: Array
+    modes: NDArray[np.int64]
+    pairs: Array
+    old: Array
+
+
+@lean_kernel
+def is_at_rest(modes, physics):
+    """True if nothing will happen any more: all balls rest, or spin in place for ever."""
+    spins_for_ever = physics[SPINNING_FRICTION] * physics[GRAVITY] == 0.0
+    for i in range(modes.shape[1]):
+        motion = modes[MOTION, i]
+        if motion != STATIONARY and motion != POCKETED and not (motion == SPINNING and spins_for_ever):
+            return False
+    return True
+
+
+@lean_kernel
+def write_sample(state, modes, samples):
+    """Write the balls as they are to samples (n, 8)."""
+    for i in range(state.shape[1]):
+        for column in range(SAMPLE_MOTION):
+            samples[i, column] = state[X + column, i]
+        samples[i, SAMPLE_MOTION] = modes[MOTION, i]
+
+
+@lean_kernel
+def keep_sample(state, modes, time, times, samples, counters):
+    """Write a sample, having dropped every second when there is no room."""
+    row = counters[SAMPLES]
+    if row == times.shape[0]:
+        row = (row + 1) // 2
+        for k in range(1, row):
+            times[k] = times[2 * k]
+            for i in range(state.shape[1]):
+                for column in range(SAMPLE_COLUMNS):
+                    samples[k, i, column] = samples[2 * k, i, column]
+        counters[STRIDE] *= 2
+    times[row] = time
+    write_sample(state, modes, samples[row])
+    counters[SAMPLES] = row + 1
+
+
+@lean_kernel
+def take_step(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, now, passes, events, counters):
+    """One step of dt s, to the time `now` (s)."""
+    for i in range(state.shape[1]):
+        state[TIME, i] = now
+        old[OLD_X, i] = state[X, i]
+        old[OLD_Y, i] = state[Y, i]
+        if modes[MOTION, i] != STATIONARY and modes[MOTION, i] != POCKETED:
+            event = step_on_cloth(state, modes, i, dt, physics)
+            if event != NO_EVENT:
+                log_event(events, counters, now, event, i, -1)
+    settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters)
+
+
+@lean_kernel
+def play_steps(
+    state,
+    modes,
+    pairs,
+    old,
+    cushions,
+    jaws,
+    pockets,
+    physics,
+    dt,
+    until,
+    passes,
+    events,
+    times,
+    samples,
+    counters,
+):
+    """Play a shot in steps of dt s until all balls rest, or to the time `until` (s).
+
+    The last step may be shorter. Writes events (e, 4), times (m,) and samples (m, n, 8), and counters (6,),
+    which are named above.
+    """
+    step = 0
+    now = 0.0
+    counters[STRIDE] = 1
+    keep_sample(state, modes, now, times, samples, counters)
+    while now < until and not is_at_rest(modes, physics):
+        before = now
+        step += 1
+        now = step * dt
+        if now > until - 1e-9 * dt:
+            now = until
+        take_step(
+            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
+            events, counters,
+        )  # fmt: skip
+        if step % counters[STRIDE] == 0:
+            keep_sample(state, modes, now, times, samples, counters)
+    if times[counters[SAMPLES] - 1] < now:
+        keep_sample(state, modes, now, times, samples, counters)
+    counters[STEPS] = step
+
+
+@lean_kernel
+def go_on(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, last, passes, events, counters):
+    """Go on in steps of dt s to the end of the step `last`, or until all balls rest; true if they do.
+
+    Writes events (e, 4) and counters (6,) as `play_steps` does, but no samples.
+    """
+    while counters[STEPS] < last and not is_at_rest(modes, physics):
+        before = counters[STEPS] * dt
+        counters[STEPS] += 1
+        now = counters[STEPS] * dt
+        take_step(
+            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
+            events, counters,
+        )  # fmt: skip
+    return is_at_rest(modes, physics)
+
+
+def steps_for(shot: Shot) -> Steps:
+    """The balls of a shot on the table, at time 0."""
+    n = len(shot.balls)
+    room = Steps(
+        np.zeros((FLOAT_ROWS, n)),
+        np.zeros((INTEGER_ROWS, n), np.int64),
+        np.zeros((PAIR_PLANES, n, n)),
+        np.zeros((2, n)),
+    )
+    room.state[X : WZ + 1] = shot.balls[:, : IN_WZ + 1].T
+    room.state[RADIUS] = shot.balls[:, IN_RADIUS]
+    room.state[MASS] = shot.balls[:, IN_MASS]
+    room.state[CLEAR] = shot.balls[:, IN_CLEAR]
+    room.state[RAIL_TIME] = -1.0
+    room.modes[MOTION] = shot.balls[:, IN_MOTION]
+    room.pairs[MET] = -1.0
+    return room
+
+
+def check_steps(dt: float, until: float) -> None:
+    """ShotError if the step or the time to play is absurd."""
+    for name, value, most in (("dt", dt, MAX_DT), ("until", until, MAX_UNTIL)):
+        if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 < value <= most):
+            raise ShotError(f"{name}: must be above 0 and at most {most:g} s, got {value!r}")
+    if until / dt > MAX_STEPS:
+        raise ShotError(f"dt: {until:g} s would be more than {MAX_STEPS} steps of {dt!r} s")
+
+
+class SteppedPlay:
+    """A shot being played on the stepped table: the time reached (s), events, counts.
+
+    ShotError for passes out of range.
+    """
+
+    def __init__(self, shot: Shot, passes: int) -> None:
+        if (
+            isinstance(passes, bool)
+            or not isinstance(passes, int | np.integer)
+            or not 1 <= passes <= MAX_PASSES
+        ):
+            raise ShotError(f"passes: must be a whole number from 1 to {MAX_PASSES}, got {passes!r}")
+        self.time = 0.0
+        self.passes = int(passes)
+        self.room = steps_for(shot)
+        # a copy, for kernels are compiled anew for arrays that may not be written to
+        self.elements = np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2])
+        self.constants = shot.constants
+        self.middle = shot.layout.middle
+        self.log = np.empty((MAX_EVENTS, 4))
+        self.counters = np.zeros(COUNTERS, np.int64)
+
+    def play_to(self, step: int, dt: float) -> bool:
+        """Go on in steps of dt s to the end of the step of that number; True if nothing moves any more."""
+        at_rest = go_on(
+            *self.room, *self.elements, self.constants, dt, step, self.passes, self.log, self.counters
+        )
+        self.time = int(self.counters[STEPS]) * dt
+        return bool(at_rest)
+
+    def write(self, sample: Array) -> None:
+        """Write the balls as they are to sample (n, 8)."""
+        write_sample(self.room.state, self.room.modes, sample)
+        sample[:, :2] += self.middle
+
+    @property
+    def events(self) -> Array:
+        """Events so far (e, 4), as in `Trajectory`; a view."""
+        return self.log[: self.counters[EVENTS]]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """How much work it was, by name."""
+        counters = self.counters
+        return {
+            "steps": int(counters[STEPS]),
+            "pair_tests": int(counters[PAIR_TESTS]),
+            "lost_events": int(counters[LOST_EVENTS]),
+        }
+
+
+def simulate_stepped(
+    shot: Shot, dt: float = 1.0 / 240.0, passes: int = 4, until: float = 60.0
+) -> SampledTrajectory:
+    """Play a shot in steps of dt s, with up to `passes` rounds of contacts in each, at most to `until` (s).
+
+    ShotError names an option out of range, or says that a number became infinite.
+    """
+    check_steps(dt, until)
+    play = SteppedPlay(shot, passes)
+    n = len(shot.balls)
+    times = np.empty(samples_for(n))
+    samples = np.empty((len(times), n, SAMPLE_COLUMNS))
+    play_steps(
+        *play.room, *play.elements, play.constants, float(dt), float(until), play.passes,
+        play.log, times, samples, play.counters,
+    )  # fmt: skip
+    kept = int(play.counters[SAMPLES])
+    samples = samples[:kept].copy()
+    samples[:, :, :2] += play.middle
+    return sampled_trajectory(shot, play.events.copy(), times[:kept].copy(), samples, play.counts)

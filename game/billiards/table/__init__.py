@@ -1,0 +1,1 @@
+"""The table as geometry: cushions, pockets, racks, what lies in the way."""

@@ -1,0 +1,1 @@
+"""Studies of animation: key-frames, skinning, inverse kinematics."""

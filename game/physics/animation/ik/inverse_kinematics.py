@@ -1,0 +1,215 @@
+"""Inverse kinematics: the end of a chain of bones is taken to a target, by one of several methods.
+
+The methods are one file each (ik_gradient, ik_buss, ik_armijo, ik_damped, ik_ccd, ik_fabrik); here is what
+hands them a skeleton's bones, and many targets at once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.animation.ik.chain import ANGLE, DAMPING, LOWER, STEP, UPPER, chain_of
+from game.physics.animation.ik.solver import ENDINGS, METHODS, solve_links
+from game.physics.animation.skeleton import LARGEST, Array, Skeleton, SkeletonError
+from game.physics.kernels.jit import kernel
+
+Point = Sequence[float] | Array  # (2,)
+TOLERANCE = 1e-6  # m
+ITERATIONS = 1_000
+ADAPTED = "damped"  # the best method but for chains without limits, where FABRIK is quicker
+
+
+class Solution(NamedTuple):
+    """What solving led to: error left (m), iterations, times the chain was placed, and why it ended."""
+
+    error: float
+    iterations: int
+    placings: int
+    ending: str
+
+
+class Solutions(NamedTuple):
+    """The same for many targets: angles (m, n) rad of the chain's bones, errors (m,) m, counts (m,)."""
+
+    angles: Array
+    errors: Array
+    iterations: NDArray[np.int64]
+    placings: NDArray[np.int64]
+
+
+@kernel(_nrt=False)
+def take_links(bones, parents, bases, world, angles, lower, upper, limited, turns, base, links):
+    """Write base, angles and limits of a chain's links from those of its bones."""
+    first = bones[0]
+    p = parents[first]
+    base[0], base[1], base[2] = bases[first, 0], bases[first, 1], 0.0
+    if p >= 0:
+        base[2] = math.atan2(world[p, 1, 0], world[p, 0, 0])
+    for i in range(bones.shape[0]):
+        k = bones[i]
+        low, high = -math.inf, math.inf
+        if limited:
+            low, high = lower[k], upper[k]
+        links[ANGLE, i] = min(max(angles[k], low), high) + turns[i]
+        links[LOWER, i], links[UPPER, i] = low + turns[i], high + turns[i]
+
+
+@kernel(_nrt=False)
+def give_links(bones, turns, links, angles):
+    """Write the angles of a chain's links back to its bones."""
+    for i in range(bones.shape[0]):
+        angles[bones[i]] = links[ANGLE, i] - turns[i]
+
+
+class Solver:
+    """A chain of a skeleton, ready to be solved again and again without allocating anything large.
+
+    start, end: bones. `history` (h,) holds the errors (m) before each iteration of the last solution, and
+    after the last; `count` says how many. SkeletonError if the bones do not hang together.
+    """
+
+    def __init__(self, skeleton: Skeleton, start: int, end: int, remembered: int = 0) -> None:
+        self.skeleton = skeleton
+        self.chain = chain_of(skeleton, start, end)
+        self.history = np.zeros(remembered)
+        self.count = 0
+        self._reach = self.chain.reach
+        self._aim, self._settings = np.zeros(2), np.zeros(3)
+        self._start, self._found = np.zeros((1, self.length)), np.zeros((1, 4))
+        self._targets = np.zeros((1, 2))
+
+    @property
+    def length(self) -> int:
+        """Number of bones in the chain."""
+        return len(self.chain.bones)
+
+    @property
+    def root(self) -> tuple[float, float]:
+        """Where the chain begins, m."""
+        x, y = self.skeleton.bases[self.chain.bones[0]].tolist()
+        return x, y
+
+    def solve(
+        self,
+        target: Point,
+        method: str = ADAPTED,
+        tolerance: float = TOLERANCE,
+        iterations: int = ITERATIONS,
+        *,
+        step: float = 1.0,
+        damping: float = 0.1,
+        limited: bool = True,
+        keep_best: bool = True,
+    ) -> Solution:
+        """Take the end of the chain as near to a target (2,) m as it goes; the skeleton is posed so.
+
+        step: of the fixed-step gradient, over the safe one. damping: λ of ``damped-fixed`` over the reach.
+        SkeletonError for a target that is not finite, an unknown method, or numbers that make no sense.
+        """
+        self._targets[0, 0], self._targets[0, 1] = _target(target)
+        if not (0.0 < step <= 1e6 and 0.0 < damping <= 1e6):
+            raise SkeletonError(f"step, damping: more than 0 is wanted, got {step!r} and {damping!r}")
+        chain, skeleton = self.chain, self.skeleton
+        self._take(limited)
+        self._start[0] = chain.links[ANGLE]
+        chain.numbers[STEP], chain.numbers[DAMPING] = step, damping * self._reach
+        found = self._run(
+            method, tolerance, iterations, keep_best, self._start, self._targets, self.history, self._found
+        )
+        give_links(chain.bones, chain.turns, chain.links, skeleton.angles)
+        skeleton.update()
+        error, count, placings, ending = found[0].tolist()
+        self.count = min(int(count) + 1, len(self.history))
+        return Solution(error, int(count), int(placings), ENDINGS[int(ending)])
+
+    def solve_each(
+        self,
+        targets: ArrayLike,
+        method: str = ADAPTED,
+        tolerance: float = TOLERANCE,
+        iterations: int = ITERATIONS,
+        limited: bool = True,
+        keep_best: bool = True,
+    ) -> Solutions:
+        """Solve for many targets (m, 2) m, each from the present pose, which stays.
+
+        SkeletonError unless all are finite numbers within the world.
+        """
+        targets = np.array(targets, dtype=np.float64, order="C")
+        if targets.ndim != 2 or targets.shape[1] != 2 or not np.all(np.abs(targets) <= LARGEST):
+            raise SkeletonError("targets: finite numbers (m, 2) are wanted")
+        chain = self.chain
+        self._take(limited)
+        chain.numbers[STEP], chain.numbers[DAMPING] = 1.0, 0.1 * self._reach
+        angles = np.repeat(chain.links[ANGLE : ANGLE + 1], len(targets), axis=0)
+        found = np.empty((len(targets), 4))
+        self._run(method, tolerance, iterations, keep_best, angles, targets, self.history[:0], found)
+        counts = found.astype(np.int64)
+        return Solutions(angles - chain.turns, found[:, 0].copy(), counts[:, 1], counts[:, 2])
+
+    def _take(self, limited: bool) -> None:
+        """Base, angles and limits of the links as the skeleton has them now."""
+        skeleton, chain = self.skeleton, self.chain
+        take_links(
+            chain.bones, skeleton.parents, skeleton.bases, skeleton.world, skeleton.angles, skeleton.lower,
+            skeleton.upper, limited, chain.turns, chain.base, chain.links,
+        )  # fmt: skip
+
+    def _run(
+        self, method: str, tolerance: float, iterations: int, keep_best: bool, start: Array, targets: Array,
+        history: Array, found: Array,
+    ) -> Array:  # fmt: skip
+        number, chain = _method(method, tolerance, iterations), self.chain
+        settings = self._settings
+        settings[0], settings[1], settings[2] = tolerance, iterations, keep_best
+        solve_links(
+            number, chain.base, chain.links, start, targets, chain.points, self._aim, chain.numbers,
+            self._settings, history, found,
+        )  # fmt: skip
+        return found
+
+
+def solve_ik(
+    skeleton: Skeleton,
+    chain: tuple[int, int] | Solver,
+    target: Point,
+    method: str = ADAPTED,
+    tolerance: float = TOLERANCE,
+    iterations: int = ITERATIONS,
+    *,
+    step: float = 1.0,
+    damping: float = 0.1,
+    limited: bool = True,
+    keep_best: bool = True,
+) -> Solution:
+    """Take the end of a chain of bones to a target (2,) m; see `Solver.solve`.
+
+    chain: first and last bone, or a Solver made of them, which saves its making.
+    """
+    solver = chain if isinstance(chain, Solver) else Solver(skeleton, *chain)
+    return solver.solve(
+        target, method, tolerance, iterations,
+        step=step, damping=damping, limited=limited, keep_best=keep_best,
+    )  # fmt: skip
+
+
+def _target(target: Point) -> tuple[float, float]:
+    x, y = float(target[0]), float(target[1])
+    if not (abs(x) <= LARGEST and abs(y) <= LARGEST):
+        raise SkeletonError(f"target: two finite numbers are wanted, got {target!r}")
+    return x, y
+
+
+def _method(method: str, tolerance: float, iterations: int) -> int:
+    if method not in METHODS:
+        raise SkeletonError(f"method {method!r}: one of {', '.join(METHODS)} is wanted")
+    if not 0.0 < tolerance < math.inf:
+        raise SkeletonError(f"tolerance: more than 0 m is wanted, got {tolerance!r}")
+    if isinstance(iterations, bool) or int(iterations) != iterations or iterations < 1:
+        raise SkeletonError(f"iterations: a whole number above 0 is wanted, got {iterations!r}")
+    return METHODS.index(method)

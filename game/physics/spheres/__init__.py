@@ -1,0 +1,1 @@
+"""Many spheres that collide by impulses."""

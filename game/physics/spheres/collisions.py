@@ -1,0 +1,317 @@
+"""Spheres that collide: candidates from any broad phase, impulses, positions, and a ledger of it all."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from game.physics.broadphase import BroadPhase
+from game.physics.spheres.candidates import Candidates
+from game.physics.spheres.contact_buffers import TouchRoom
+from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, PUSHES, STRINGS
+from game.physics.spheres.impact_parts import divide_at_impacts
+from game.physics.spheres.impulses import collide_in_turn
+from game.physics.spheres.joint_impulses import collide_at_once
+from game.physics.spheres.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
+from game.physics.spheres.planar_impulses import FLAT_COLUMNS, lies_in_plane
+from game.physics.spheres.planar_steps import move_flat, planar_part
+from game.physics.spheres.position_correction import project_apart, split_apart
+from game.physics.spheres.settings import (
+    LAGS,
+    CollisionSettings,
+    Numbers,
+    Surroundings,
+    Tables,
+    material_tables,
+    surroundings_of,
+)
+from game.physics.spheres.spheres import (
+    WORK_COLUMNS,
+    MotionState,
+    SphereBodies,
+    gather_velocities,
+    place_spheres,
+)
+from game.physics.spheres.state import CollisionState, entries_in_order
+from game.physics.spheres.steps import (
+    BOUNCES,
+    CLOCK,
+    COUNTERS,
+    LAST_H,
+    MADE,
+    ROUNDS,
+    bear_part,
+    finish_part,
+    move_by_velocity,
+    prepare_part,
+)
+from game.physics.spheres.time_of_impact import first_impact
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
+PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by collision
+
+
+class CollidingSpheres:
+    """Bodies of spheres that hit, bear and rub each other, and walls.
+
+    bodies: a `SphereBodies`. surroundings: of `surroundings_of`. tables: of `material_tables`. broad_phase:
+    any of game.physics.broadphase, empty; None tests every sphere against every other. settings: fields of
+    `CollisionSettings`. ValueError, naming what is wrong, for nonsense.
+    """
+
+    def __init__(
+        self,
+        bodies: SphereBodies,
+        surroundings: Surroundings | None = None,
+        tables: Tables | None = None,
+        broad_phase: BroadPhase | None = None,
+        **settings: Any,
+    ):
+        self.settings = CollisionSettings(**settings)
+        self.bodies = bodies
+        self.surroundings = surroundings if surroundings is not None else surroundings_of()
+        self.tables = tables if tables is not None else material_tables(0.5, 0.3)
+        s, n = len(bodies.makeup.radii), bodies.count
+        if int(bodies.makeup.kinds.max(initial=0)) > len(self.tables.restitution) - 2:
+            raise ValueError(f"kinds: there are {len(self.tables.restitution) - 1} materials")
+        if self.surroundings.hung.size and not (self.surroundings.hung.min() >= 0) & (
+            self.surroundings.hung.max() < s
+        ):
+            raise ValueError(f"strings: spheres 0 to {s - 1} can hang")
+        self.smallest = float(bodies.makeup.radii.min())
+        self.pulls = np.zeros((n, 6))
+        self.ring = np.zeros((LEDGER_ROWS, LEDGER_COLUMNS))
+        self.counters = np.zeros(COUNTERS)
+        self._work = np.zeros((n + 1, WORK_COLUMNS))
+        self._flat = np.zeros((n + 1, FLAT_COLUMNS))
+        self._shifts = np.zeros((n + 1, 4))
+        self._sums = np.zeros((2, 7))
+        self._places = bodies.places()
+        self._candidates = Candidates(bodies.makeup, broad_phase)
+        self._room = TouchRoom(max(64, 4 * s))
+        self.parts = 0  # of the last step
+
+    def change(self, **settings: Any) -> None:
+        """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense."""
+        self.settings = dataclasses.replace(self.settings, **settings)
+
+    @property
+    def tests(self) -> int:
+        """Pairs that were tested in the last step; boxes where there is a broad phase."""
+        return self._candidates.tests
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def step(self, dt: float) -> None:
+        """Go on by dt (s). ValueError unless it is finite and above 0."""
+        if not 0.0 < dt < math.inf:
+            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+        settings = self.settings
+        nominal = dt / settings.substeps
+        self.parts = self._candidates.tests = 0
+        if PUSHES not in settings.effects:
+            self.pulls[:] = 0.0
+        for _ in range(settings.substeps):
+            for h in self._divided(nominal):
+                self._part(h, nominal)
+                self.parts += 1
+        self.pulls[:] = 0.0
+
+    def _divided(self, nominal: float) -> Iterable[float]:
+        """Lengths of the parts of a substep (s): one, or as its impacts come."""
+        if IMPACT_TIMES not in self.settings.effects:
+            return (nominal,)
+        spheres, pause = len(self.bodies.makeup.radii), self.settings.scheme != "explicit-euler"
+        return divide_at_impacts(nominal, spheres, pause, lambda left: self._time_to_impact(left, nominal))
+
+    def _time_to_impact(self, left: float, nominal: float) -> float:
+        """Seconds until the first impact that bounces, at most those left of a substep of nominal length."""
+        bodies, settings = self.bodies, self.settings
+        gather_velocities(bodies.state, bodies.makeup, self._work)
+        self._place()
+        pairs = self._candidates.that_could_meet(self._places, self._work, left)
+        numbers = settings.numbers(left, nominal, float(self.counters[LAST_H]), self.smallest)
+        first: float = first_impact(
+            self._places, bodies.makeup, self._work, pairs, self.surroundings, self.tables,
+            settings.effects.mask, numbers, LAGS[settings.scheme], float(settings.fast),
+        )  # fmt: skip
+        return first
+
+    def planar(self) -> bool:
+        """True if the next step will be that of single spheres in a plane."""
+        bodies, settings = self.bodies, self.settings
+        if settings.path == "general" or settings.law == "at-once" or not bodies.alike:
+            return False
+        many = bodies.count >= PLANAR_FROM or settings.path == "planar"
+        if not many or (STRINGS in settings.effects and self.surroundings.hung.size):
+            return False
+        state = bodies.state
+        flat: bool = lies_in_plane(state.positions, state.momenta, state.spins)
+        return flat and not self.pulls[:, 2:5].any()
+
+    def _part(self, h: float, nominal: float) -> None:
+        bodies, settings = self.bodies, self.settings
+        mask = settings.effects.mask
+        numbers = settings.numbers(h, nominal, float(self.counters[LAST_H]), self.smallest)
+        planar = self.planar()
+        work = self._flat if planar else self._work
+        if settings.scheme == "explicit-euler":
+            (move_flat if planar else move_by_velocity)(bodies.state, bodies.makeup, mask, work, numbers.h)
+        self._find_touches(mask)
+        if planar:
+            room = self._room
+            planar_part(
+                bodies.state, bodies.makeup, self.surroundings, self.tables, mask, numbers, work,
+                room.touches, room.who, room.ids, room.keys, room.count, room.old_keys, room.old_count,
+                room.held, room.old_held, room.planar_rows(), room.pushes, self.pulls, self.ring,
+                self.counters,
+            )  # fmt: skip
+        else:
+            self._general_part(mask, numbers)
+        self._room.turn_over()
+
+    def _general_part(self, mask: int, numbers: Numbers) -> None:
+        """The rest of a part, for any bodies."""
+        room, rows = self._room, self._room.general_rows()
+        state, makeup, work = self.bodies.state, self.bodies.makeup, self._work
+        touches, who, ids, count = room.touches, room.who, room.ids, room.count
+        gather_velocities(state, makeup, work)
+        fastest = prepare_part(
+            state, makeup, self.tables, numbers, work, self._places, touches, who, ids, room.keys, count,
+            room.old_keys, room.old_count, room.held, room.old_held, rows,
+        )  # fmt: skip
+        self.counters[ROUNDS : BOUNCES + 1] = 0.0
+        if fastest > 0.0:
+            collide = collide_at_once if self.settings.law == "at-once" else collide_in_turn
+            self.counters[ROUNDS : BOUNCES + 1] = collide(
+                work, state.positions, makeup.radii, touches, who, ids, count, rows, fastest, numbers,
+                self.ring, self.counters, self._sums,
+            )  # fmt: skip
+        bear_part(work, touches, ids, count, room.held, rows, self._shifts, self.pulls, numbers)
+        limits = numbers.slop, numbers.share, numbers.most_shift, numbers.passes
+        if self.settings.correction == "split":
+            split_apart(touches, ids, count, self._shifts, room.pushes, *limits)
+        elif self.settings.correction == "projection":
+            project_apart(self._places, makeup.radii, touches, who, ids, count, self._shifts, *limits)
+        finish_part(state, makeup, self.surroundings, mask, numbers, work, self._shifts, self.counters)
+
+    def _find_touches(self, mask: int) -> None:
+        """Bring places, candidates and touches up to date."""
+        self._place()
+        self._find_candidates()
+        margin = self.settings.slop * self.smallest
+        pairs = self._candidates.pairs
+        self._room.find(self._places, self.bodies.makeup, pairs, self.surroundings, mask, margin)
+
+    def _find_candidates(self) -> None:
+        """Bring the pairs that may touch up to date, if spheres collide at all."""
+        if COLLISIONS in self.settings.effects:
+            self._candidates.find(self._places)
+
+    def _place(self) -> None:
+        """Bring the places of spheres up to date."""
+        if self.bodies.single:
+            self._places = self.bodies.state.positions
+        else:
+            place_spheres(self.bodies.state, self.bodies.makeup, self._places)
+
+    # -- the hand -----------------------------------------------------------------------------------
+
+    def apply_force(self, body: int, force: ArrayLike, point: ArrayLike) -> None:
+        """A force (3,) N at a point (3,) m of the world, during the next step; it also turns the body.
+
+        ValueError for a body that there is not, or numbers that are not finite.
+        """
+        if not 0 <= body < self.bodies.count:
+            raise ValueError(f"body {body}: there are 0 to {self.bodies.count - 1}")
+        pull, place = np.array(force, dtype=np.float64), np.array(point, dtype=np.float64)
+        if pull.shape != (3,) or place.shape != (3,) or not np.isfinite([*pull, *place]).all():
+            raise ValueError("force, point: three finite numbers each are wanted")
+        self.pulls[body, :3] += pull
+        self.pulls[body, 3:] += np.cross(place - self.bodies.state.positions[body], pull)
+
+    # -- what there is ------------------------------------------------------------------------------
+
+    def totals(self) -> Totals:
+        """Momentum, angular momentum and energies."""
+        bodies = self.bodies
+        gather_velocities(bodies.state, bodies.makeup, self._work)
+        gravity = self.settings.gravity if "gravity" in self.settings.effects.names else 0.0
+        sums = sum_totals(bodies.state, bodies.makeup, self._work, float(gravity))
+        return Totals(tuple(sums[:3]), tuple(sums[3:6]), *sums[6:])
+
+    def overlap(self) -> float:
+        """Deepest overlap now, m."""
+        bodies = self.bodies
+        self._place()
+        self._find_candidates()
+        room = TouchRoom(max(64, 4 * len(self._places), len(self._room.keys)))
+        mask = self.settings.effects.mask
+        count = room.find(self._places, bodies.makeup, self._candidates.pairs, self.surroundings, mask, 0.0)
+        return float(deepest_overlap(room.touches, room.who, count)[0])
+
+    @property
+    def touches(self) -> tuple[Floats, NDArray[np.int32], Floats]:
+        """Of the last step: normals and gaps (m, 4), spheres (m, 2), bearing impulses (m, 4)."""
+        room = self._room
+        m = room.old_count
+        return room.touches[:m], room.who[:m], room.old_held[:m]
+
+    @property
+    def time(self) -> float:
+        """s since the start."""
+        return float(self.counters[CLOCK])
+
+    @property
+    def collisions(self) -> int:
+        """Collisions so far."""
+        return int(self.counters[MADE])
+
+    @property
+    def rounds(self) -> int:
+        """Rounds of collisions in the last part of the last step."""
+        return int(self.counters[ROUNDS])
+
+    @property
+    def bounces(self) -> int:
+        """Collisions in the last part of the last step."""
+        return int(self.counters[BOUNCES])
+
+    def ledger(self) -> Floats:
+        """Last collisions (k, LEDGER_COLUMNS), oldest first; see ledger.py for the columns."""
+        return entries_in_order(self.ring, self.collisions)
+
+    # -- remembering --------------------------------------------------------------------------------
+
+    def state(self) -> CollisionState:
+        """The state as arrays that the world goes on using."""
+        found, room = self._candidates, self._room
+        m = room.old_count
+        return CollisionState(
+            *self.bodies.state, found.pairs, found.found_at, room.old_keys[:m], room.old_held[:m],
+            self.pulls, self.ring, self.counters,
+        )  # fmt: skip
+
+    def restore(self, state: CollisionState) -> None:
+        """Take over a copy of a state of a world of the same bodies."""
+        for mine, theirs in zip(self.bodies.state, MotionState(*state[:4]), strict=True):
+            np.copyto(mine, theirs)
+        self._candidates.take(state.pairs, state.found_at)
+        self._room.take(state.keys, state.held)
+        np.copyto(self.pulls, state.pulls)
+        np.copyto(self.ring, state.ring)
+        np.copyto(self.counters, state.counters)
+
+    def check(self) -> None:
+        """Verify what must always hold; AssertionError names what does not."""
+        self.bodies.check()
+        room = self._room
+        keys = room.old_keys[: room.old_count]
+        assert np.all(np.diff(keys) > 0), "touches by ascending key, each once"
+        assert (room.old_held[: room.old_count, 0] >= 0.0).all(), "impulses only push"

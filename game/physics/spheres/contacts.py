@@ -1,0 +1,210 @@
+"""Who touches whom: sphere against sphere, window, ledge and string, as a list of touches.
+
+A touch has a normal from the first body to the second, a gap (negative: overlap) and a key by which it is
+known again in the next step. Walls, ledges and strings belong to a second body that nothing moves. A taut
+string is a touch like any other: a wall around its anchor, of the string's length.
+
+Arrays: places, before (s, 3) m; radii (s,) m; pairs (p, 2).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.spheres.effects import COLLISIONS_BIT, LEDGES_BIT, STRINGS_BIT, WINDOW_BIT
+
+NX, NY, NZ, GAP = range(4)  # columns of a touch
+WALLS = 4  # of the window: left, right, bottom, top
+FAR = 1e9  # m, a gap that never closes: a touch that takes no part
+NEVER_TOUCH = 1e-300  # m², below which centres count as one place
+FALLBACK = (1.0, 0.0, 0.0)  # normal of spheres whose centres coincide
+
+# columns of ``who`` (room, 2) int32: spheres, the second one -1 for walls and -2 for strings;
+# ``ids`` (room, 2) uint32 holds their bodies, the second one that of what nothing moves
+FIRST, SECOND = range(2)
+
+
+@inner_kernel
+def separation(places, radii, a, b):
+    """Normal from sphere a to b and the gap between them."""
+    dx = places[b, 0] - places[a, 0]
+    dy = places[b, 1] - places[a, 1]
+    dz = places[b, 2] - places[a, 2]
+    square = dx * dx + dy * dy + dz * dz
+    reach = radii[a] + radii[b]
+    if not square > NEVER_TOUCH:
+        return FALLBACK[0], FALLBACK[1], FALLBACK[2], -reach
+    length = math.sqrt(square)
+    return dx / length, dy / length, dz / length, length - reach
+
+
+@inner_kernel
+def ledge_separation(places, radii, a, ledge):
+    """Normal from sphere a to the nearest point of a ledge (x0, y0, x1, y1 m) and the gap between."""
+    x0, y0 = ledge[0], ledge[1]
+    ex, ey = ledge[2] - x0, ledge[3] - y0
+    dx, dy = places[a, 0] - x0, places[a, 1] - y0
+    share = min(max((dx * ex + dy * ey) / (ex * ex + ey * ey), 0.0), 1.0)
+    dx, dy = share * ex - dx, share * ey - dy
+    square = dx * dx + dy * dy
+    if not square > NEVER_TOUCH:
+        length = math.sqrt(ex * ex + ey * ey)
+        return ey / length, -ex / length, -radii[a]
+    length = math.sqrt(square)
+    return dx / length, dy / length, length - radii[a]
+
+
+@inner_kernel
+def write_touch(touches, who, ids, keys, m, key, a, b, body_a, body_b, nx, ny, nz, gap):
+    """One touch at place m of the list, if there is room."""
+    if m < keys.shape[0]:
+        touches[m, NX] = nx
+        touches[m, NY] = ny
+        touches[m, NZ] = nz
+        touches[m, GAP] = gap
+        who[m, FIRST] = a
+        who[m, SECOND] = b
+        ids[m, FIRST] = body_a
+        ids[m, SECOND] = body_b
+        keys[m] = key
+
+
+@lean_kernel
+def find_touches(places, makeup, pairs, surroundings, mask, margin, touches, who, ids, keys):
+    """All touches with a gap up to ``margin`` (m), by ascending key; returns their number.
+
+    pairs: (p, 2) candidates a < b, sorted. touches (room, 4), who and ids (room, 2), keys (room,) are
+    written; if the number is larger than the room there is, only so many are.
+    """
+    radii, owners = makeup.radii, makeup.owners
+    s, n = radii.shape[0], makeup.masses.shape[0]
+    m = 0
+    if mask & COLLISIONS_BIT:
+        for p in range(pairs.shape[0]):
+            a, b = pairs[p, 0], pairs[p, 1]
+            dx = places[b, 0] - places[a, 0]
+            dy = places[b, 1] - places[a, 1]
+            dz = places[b, 2] - places[a, 2]
+            reach = radii[a] + radii[b] + margin
+            if dx * dx + dy * dy + dz * dz <= reach * reach and owners[a] != owners[b]:
+                nx, ny, nz, gap = separation(places, radii, a, b)
+                write_touch(
+                    touches, who, ids, keys, m, a * s + b, a, b, owners[a], owners[b], nx, ny, nz, gap
+                )
+                m += 1
+    first = s * s
+    if mask & WINDOW_BIT:
+        box = surroundings.window
+        for wall in range(WALLS):
+            axis = wall // 2
+            side = 1.0 if wall % 2 else -1.0
+            edge = box[axis + 2] if wall % 2 else box[axis]
+            nx = side if axis == 0 else 0.0
+            ny = side if axis == 1 else 0.0
+            for a in range(s):
+                gap = side * (edge - places[a, axis]) - radii[a]
+                if gap <= margin:
+                    key = first + wall * s + a
+                    write_touch(touches, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
+                    m += 1
+    first += WALLS * s
+    if mask & LEDGES_BIT:
+        m = find_at_ledges(places, makeup, surroundings.ledges, first, margin, touches, who, ids, keys, m)
+    first += surroundings.ledges.shape[0] * s
+    if mask & STRINGS_BIT:
+        m = find_strings(places, makeup, surroundings, first, margin, touches, who, ids, keys, m)
+    return m
+
+
+@inner_kernel
+def find_at_ledges(places, makeup, ledges, first, margin, touches, who, ids, keys, m):
+    """Touches of spheres and ledges, from place m of the list on; returns the next place."""
+    radii, owners = makeup.radii, makeup.owners
+    s, n = radii.shape[0], makeup.masses.shape[0]
+    for k in range(ledges.shape[0]):
+        left, right = min(ledges[k, 0], ledges[k, 2]), max(ledges[k, 0], ledges[k, 2])
+        low, high = min(ledges[k, 1], ledges[k, 3]), max(ledges[k, 1], ledges[k, 3])
+        for a in range(s):
+            reach = radii[a] + margin
+            x, y = places[a, 0], places[a, 1]
+            if (x + reach < left) | (x - reach > right) | (y + reach < low) | (y - reach > high):
+                continue
+            nx, ny, gap = ledge_separation(places, radii, a, ledges[k])
+            if gap <= margin:
+                key = first + k * s + a
+                write_touch(touches, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
+                m += 1
+    return m
+
+
+@inner_kernel
+def find_strings(places, makeup, surroundings, first, margin, touches, who, ids, keys, m):
+    """Strings that are taut, or nearly: see `surroundings`. From place m on; returns the next place."""
+    s, n = makeup.radii.shape[0], makeup.masses.shape[0]
+    for k in range(surroundings.hung.shape[0]):
+        a = surroundings.hung[k]
+        dx = places[a, 0] - surroundings.strings[k, 0]
+        dy = places[a, 1] - surroundings.strings[k, 1]
+        dz = places[a, 2] - surroundings.strings[k, 2]
+        length = math.sqrt(dx * dx + dy * dy + dz * dz)
+        gap = surroundings.strings[k, 3] - length
+        if gap <= margin and length > 0.0:
+            key = first + k * s + a
+            nx, ny, nz = dx / length, dy / length, dz / length
+            write_touch(touches, who, ids, keys, m, key, a, -2, makeup.owners[a], n, nx, ny, nz, gap)
+            m += 1
+    return m
+
+
+@lean_kernel
+def near_pairs(places, radii, skin, pairs):
+    """Brute force: every sphere against every other. Pairs a < b nearer than ``skin`` (m), sorted.
+
+    pairs (room, 2) is written as far as there is room; returns how many there are.
+    """
+    m = 0
+    for a in range(radii.shape[0]):
+        x, y, z, r = places[a, 0], places[a, 1], places[a, 2], radii[a] + skin
+        for b in range(a + 1, radii.shape[0]):
+            dx, dy, dz = places[b, 0] - x, places[b, 1] - y, places[b, 2] - z
+            reach = r + radii[b]
+            if dx * dx + dy * dy + dz * dz <= reach * reach:
+                if m < pairs.shape[0]:
+                    pairs[m, 0] = a
+                    pairs[m, 1] = b
+                m += 1
+    return m
+
+
+@lean_kernel
+def farthest_moved(places, before):
+    """Greatest distance (m) of a sphere from where it was."""
+    most = 0.0
+    for a in range(places.shape[0]):
+        dx = places[a, 0] - before[a, 0]
+        dy = places[a, 1] - before[a, 1]
+        dz = places[a, 2] - before[a, 2]
+        most = max(most, dx * dx + dy * dy + dz * dz)
+    return math.sqrt(most)
+
+
+@inner_kernel
+def recall_impulses(keys, count, old_keys, old_count, held, old_held):
+    """Impulses (room, 4) of the touches that there were in the last step; 0 for the others."""
+    p = 0
+    for m in range(count):
+        key = keys[m]
+        while p < old_count and old_keys[p] < key:
+            p += 1
+        known = p < old_count and old_keys[p] == key
+        for column in range(4):
+            held[m, column] = old_held[p, column] if known else 0.0
+
+
+def boxes_of(places: np.ndarray, radii: np.ndarray, skin: float) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper corners (s, 2) m of boxes around the spheres, wider by half of ``skin`` all round."""
+    reach = (radii + 0.5 * skin)[:, None]
+    return places[:, :2] - reach, places[:, :2] + reach

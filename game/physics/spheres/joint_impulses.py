@@ -1,0 +1,182 @@
+"""Collisions at all touches at once: Newton's law v_n' >= -e v_n by impulses that only push, in rounds.
+
+Into a round go the touches that approach, with those that rest; what separates takes no part, as an impulse
+there would only make energy. What approaches because of the round comes next, until nothing does
+(generalised reflections; Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012, "Reflections on Simultaneous
+Impact"). Each impulse j adds j (v_n + v_n') / 2 to the energy, which is -(1 - e) j |v_n| / 2 where a touch
+approached and not above 0 where it rested: so no round raises it, also where e differs from touch to touch.
+Impulses of a round are accumulated and clamped (projected Gauss-Seidel; Moreau 1988; Catto 2005). Arrays as
+in touch_rows.
+"""
+
+from __future__ import annotations
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.spheres import ledger
+from game.physics.spheres.contact_rows import (
+    BEFORE,
+    JOINT,
+    MASS,
+    REBOUND,
+    SOFT,
+    STILL,
+    TOUCHING,
+    WANTED,
+    normal_speed,
+    push_along,
+    rest_speed,
+)  # fmt: skip
+from game.physics.spheres.contacts import FIRST, GAP, SECOND
+from game.physics.spheres.impulses import collide, collide_and_enter
+
+LEAST_SWEEPS = 200  # of a round, at most; with fewer touches more, as a light sphere between heavy ones needs
+SWEPT = 40_000  # touches swept in a round, in all
+SETTLED = 1e-15  # of the fastest approach: a sweep that changes speeds by less is the last
+SEPARATING, ABSENT = 1e300, 2e300  # in place of a wanted speed: touches that take no part
+
+
+@lean_kernel
+def collide_at_once(
+    work, positions, radii, touches, who, ids, count, rows, fastest, numbers, ring, counters, sums
+):  # fmt: skip
+    """Newton's law at all touches together, in rounds. Returns rounds and impulses made.
+
+    Friction follows each round, touch by touch. If collisions go on without end (e < 1 between spheres that
+    touch), or nothing that approaches rebounds, a last round takes the approach from every touch.
+    """
+    before = counters[2]
+    for turn in range(numbers.rounds):
+        rebound = measure_round(work, radii, touches, who, ids, count, rows, fastest, numbers)
+        if rebound < 0.0:
+            return turn, int(counters[2] - before)
+        ends = rebound == 0.0 or turn == numbers.rounds - 1
+        if ends:
+            join_all(count, rows)
+        for _ in range(max(LEAST_SWEEPS, SWEPT // count)):
+            if not sweep_jointly(work, touches, ids, count, rows) > SETTLED * fastest:
+                break
+        hold_energy(work, touches, ids, count, rows)
+        enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums)
+        if ends:
+            break
+    return turn + 1, int(counters[2] - before)
+
+
+@inner_kernel
+def measure_round(work, radii, touches, who, ids, count, rows, fastest, numbers):
+    """Who takes part in a round, and the separating speed that each is to have at least.
+
+    Returns the largest restitution of a touch that approaches; -1 if none does.
+    """
+    rebound = -1.0
+    for m in range(count):
+        touch, row = touches[m], rows[m]
+        row[JOINT] = 0.0
+        row[WANTED] = ABSENT
+        if touch[GAP] > TOUCHING * radii[who[m, FIRST]] or not row[MASS] > 0.0:
+            continue
+        speed = normal_speed(work, row, touch, ids[m, FIRST], ids[m, SECOND])
+        row[BEFORE] = speed
+        rest = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
+        if abs(speed) <= rest:
+            row[WANTED] = -abs(speed)  # it rests: no rebound, and what is left is borne later
+        elif speed < 0.0:
+            row[WANTED] = -row[REBOUND] * speed
+            rebound = max(rebound, row[REBOUND])
+        else:
+            row[WANTED] = SEPARATING
+    return rebound
+
+
+@inner_kernel
+def join_all(count, rows):
+    """No touch is to approach, none rebounds, and what separates takes part: a round that ends all at once.
+
+    It leads to the nearest velocities that no touch forbids, which cannot be faster: rest is among them.
+    """
+    for m in range(count):
+        if rows[m, WANTED] != ABSENT:
+            rows[m, WANTED] = min(rows[m, WANTED], 0.0)
+
+
+@inner_kernel
+def sweep_jointly(work, touches, ids, count, rows):
+    """One sweep over all touches of a round; returns the largest change of a speed, m/s."""
+    change = 0.0
+    for m in range(count):
+        touch, row = touches[m], rows[m]
+        if row[WANTED] >= SEPARATING:
+            continue
+        a, b = ids[m, FIRST], ids[m, SECOND]
+        missing = row[WANTED] - normal_speed(work, row, touch, a, b)
+        mass = row[MASS] / (1.0 - row[SOFT])
+        j = max(row[JOINT] + missing * mass, 0.0) - row[JOINT]
+        if j != 0.0:
+            change = max(change, abs(missing))
+            push_along(work, row, touch, a, b, j)
+            row[JOINT] += j
+    return change
+
+
+@inner_kernel
+def hold_energy(work, touches, ids, count, rows):
+    """Impulses of a round that raise the energy, as too few sweeps can leave them, made as much smaller.
+
+    With all of them times s the energy changes by s j·v + s² (j·v' - j·v) / 2.
+    """
+    along = change = 0.0
+    for m in range(count):
+        row = rows[m]
+        if row[JOINT] > 0.0:
+            speed = normal_speed(work, row, touches[m], ids[m, FIRST], ids[m, SECOND])
+            along += row[JOINT] * row[BEFORE]
+            change += row[JOINT] * (speed - row[BEFORE])
+    if not 2.0 * along + change > 1e-12 * change:
+        return
+    share = max(-2.0 * along / change, 0.0)
+    for m in range(count):
+        row = rows[m]
+        if row[JOINT] > 0.0:
+            j = share * row[JOINT]
+            push_along(work, row, touches[m], ids[m, FIRST], ids[m, SECOND], j - row[JOINT])
+            row[JOINT] = j
+
+
+@inner_kernel
+def enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums):
+    """Friction of a round whose impulses along the normals have acted, and the ledger of it.
+
+    The energy of the round is shared out: each normal impulse has its work, j times the mean of the speeds
+    before and after, in sum all of it. What friction takes is measured, as it is made.
+    """
+    first = int(counters[2])
+    made = 0
+    for m in range(count):
+        row = rows[m]
+        if row[JOINT] > 0.0:
+            entry = ring[(first + made) % ring.shape[0]]
+            entry[ledger.AFTER] = normal_speed(work, row, touches[m], ids[m, FIRST], ids[m, SECOND])
+            entry[ledger.CHANGE] = 0.5 * row[JOINT] * (row[BEFORE] + entry[ledger.AFTER])
+            made += 1
+    skipped = made - ring.shape[0]
+    for m in range(count):
+        row = rows[m]
+        j = row[JOINT]
+        if j > 0.0:
+            touch, a, b = touches[m], ids[m, FIRST], ids[m, SECOND]
+            entry = ring[int(counters[2]) % ring.shape[0]]
+            if skipped > 0:  # more at once than the ledger has lines: the last of them are entered
+                skipped -= 1
+                push_along(work, row, touch, a, b, -j)
+                collide(work, row, touch, a, b, j)
+                counters[2] += 1.0
+                continue
+            after, share = entry[ledger.AFTER], entry[ledger.CHANGE]
+            # taken back and made again, with its friction, so that it can be weighed
+            speeds = normal_speed(work, row, touch, a, b)
+            push_along(work, row, touch, a, b, -j)
+            speeds += normal_speed(work, row, touch, a, b)
+            collide_and_enter(work, positions, row, touch, who[m], a, b, j, row[BEFORE], ring, counters, sums)
+            entry[ledger.AFTER] = after
+            entry[ledger.CHANGE] += share - 0.5 * j * speeds
+            entry[ledger.EXPECTED] += share - 0.5 * j * speeds

@@ -1,0 +1,189 @@
+"""One part of a step of spheres that stay in a plane: as `collision_steps`, with less to do.
+
+Arrays: flat (n + 1, FLAT_COLUMNS), velocities and ways; rows (room, PLANAR_COLUMNS); pulls (n, 6) N and N m;
+counters (COUNTERS,), see collision_steps.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.spheres import planar_impulses as flat_law
+from game.physics.spheres.contacts import recall_impulses
+from game.physics.spheres.effects import ROTATION_BIT
+from game.physics.spheres.ledger import (
+    AFTER,
+    BEFORE,
+    CHANGE,
+    EXPECTED,
+    JX,
+    JY,
+    JZ,
+    LOST_MOMENTUM,
+    ONE,
+    OTHER,
+    REBOUND,
+    TIME,
+    X,
+    Y,
+    Z,
+    taken_by_fixed,
+)
+from game.physics.spheres.steps import (
+    BOUNCES,
+    CLOCK,
+    EXACT,
+    EXPLICIT,
+    LAST_H,
+    MADE,
+    ROUNDS,
+    SOFT,
+    SPLIT,
+)
+
+
+@lean_kernel
+def move_flat(state, makeup, mask, flat, h):
+    """Explicit Euler in the plane: positions and orientations by the velocities that there are."""
+    flat_law.flatten_bodies(state, makeup, flat)
+    for i in range(state.positions.shape[0]):
+        state.positions[i, 0] += h * flat[i, flat_law.VX]
+        state.positions[i, 1] += h * flat[i, flat_law.VY]
+    if mask & ROTATION_BIT:
+        flat_law.turn_flat(state.orientations, flat, h)
+
+
+@inner_kernel
+def speeds_before(state, flat, rows, m, a, b):
+    """Speeds along and across the normal of touch m (m/s) by the momenta, which do not know of the
+    collisions yet.
+    """
+    x = y = rim = 0.0
+    if b < state.momenta.shape[0]:
+        x, y = flat[b, flat_law.WEIGHT] * state.momenta[b, 0], flat[b, flat_law.WEIGHT] * state.momenta[b, 1]
+        rim = flat[b, flat_law.LEVER] * state.spins[b, 2]
+    x -= flat[a, flat_law.WEIGHT] * state.momenta[a, 0]
+    y -= flat[a, flat_law.WEIGHT] * state.momenta[a, 1]
+    rim += flat[a, flat_law.LEVER] * state.spins[a, 2]
+    nx, ny = rows[m, flat_law.PX], rows[m, flat_law.PY]
+    return x * nx + y * ny, y * nx - x * ny - rows[m, flat_law.ARMS] * rim
+
+
+@inner_kernel
+def lost_momentum(state, flat, taken_x, taken_y):
+    """Momentum (kg m/s) that the collisions of a part have made or lost, but for what fixed things took."""
+    x, y = taken_x, taken_y
+    for i in range(state.momenta.shape[0]):
+        weight = flat[i, flat_law.WEIGHT]
+        if weight > 0.0:
+            x += flat[i, flat_law.VX] / weight - state.momenta[i, 0]
+            y += flat[i, flat_law.VY] / weight - state.momenta[i, 1]
+    return math.sqrt(x * x + y * y)
+
+
+@inner_kernel
+def note_flat(state, flat, radii, touches, who, ids, count, rows, ring, counters):
+    """Enter the collisions of a part into the ledger, with their shares of the energy that they took.
+
+    A share is J (u + u') / 2 by the speeds before and after all collisions of the part; in sum that is all
+    the energy. Bodies have several collisions at once, so momentum is weighed for all of them together: each
+    entry has what the part has lost.
+    """
+    first = counters[MADE]
+    taken_x = taken_y = 0.0
+    for m in range(count):
+        j = rows[m, flat_law.HIT]
+        if j > 0.0:
+            entry = ring[int(counters[MADE]) % ring.shape[0]]
+            counters[MADE] += 1.0
+            entry[:] = 0.0
+            nx, ny, jt = rows[m, flat_law.PX], rows[m, flat_law.PY], rows[m, flat_law.HIT_T]
+            entry[TIME] = counters[CLOCK]
+            entry[ONE], entry[OTHER] = who[m, 0], max(who[m, 1], -1)
+            entry[REBOUND] = rows[m, flat_law.REBOUND]
+            a, b = ids[m, 0], ids[m, 1]
+            reach = radii[a] * rows[m, flat_law.ARMS]
+            entry[X] = state.positions[a, 0] + nx * reach
+            entry[Y] = state.positions[a, 1] + ny * reach
+            entry[Z] = state.positions[a, 2]
+            entry[JX], entry[JY], entry[JZ] = j * nx - jt * ny, j * ny + jt * nx, 0.0
+            entry[BEFORE], across = speeds_before(state, flat, rows, m, a, b)
+            entry[AFTER], slip = flat_law.speeds_of(flat, rows, m, a, b)
+            entry[CHANGE] = 0.5 * (j * (entry[BEFORE] + entry[AFTER]) + jt * (across + slip))
+            entry[EXPECTED] = entry[CHANGE]
+            taken = taken_by_fixed(flat[a, flat_law.WEIGHT], flat[b, flat_law.WEIGHT])
+            taken_x += taken * entry[JX]
+            taken_y += taken * entry[JY]
+    lost = lost_momentum(state, flat, taken_x, taken_y)
+    for k in range(max(int(first), int(counters[MADE]) - ring.shape[0]), int(counters[MADE])):
+        ring[k % ring.shape[0], LOST_MOMENTUM] = lost
+
+
+@inner_kernel
+def force_flat(flat, pulls, numbers):
+    """Ways by the velocities before the forces, if the scheme wants them, and velocities after them."""
+    h = numbers.h
+    part = 0.5 * h if numbers.scheme == EXACT else 0.0
+    for i in range(pulls.shape[0]):
+        weight = flat[i, flat_law.WEIGHT]
+        vx, vy = flat[i, flat_law.VX], flat[i, flat_law.VY]
+        flat[i, flat_law.WAY_X] = part * vx
+        flat[i, flat_law.WAY_Y] = part * vy
+        if weight > 0.0:
+            keep = 1.0 / (1.0 + h * numbers.drag * weight) if numbers.drag > 0.0 else 1.0
+            flat[i, flat_law.VX] = (vx + h * weight * pulls[i, 0]) * keep
+            flat[i, flat_law.VY] = (vy + h * (weight * pulls[i, 1] - numbers.gravity)) * keep
+            flat[i, flat_law.TURN] += h * pulls[i, 5] * flat[i, flat_law.LEVER] / flat[i, flat_law.RADIUS]
+
+
+@inner_kernel
+def finish_flat(state, makeup, surroundings, mask, numbers, flat, counters):
+    """New positions, orientations and momenta."""
+    for i in range(state.positions.shape[0]):
+        if flat[i, flat_law.WEIGHT] > 0.0:
+            state.positions[i, 0] += flat[i, flat_law.WAY_X]
+            state.positions[i, 1] += flat[i, flat_law.WAY_Y]
+    if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
+        flat_law.turn_flat(state.orientations, flat, numbers.h)
+    flat_law.keep_motion(state, makeup, flat)
+    counters[CLOCK] += numbers.h
+    counters[LAST_H] = numbers.h
+
+
+@lean_kernel
+def planar_part(
+    state, makeup, surroundings, tables, mask, numbers, flat, touches, who, ids, keys, count,
+    old_keys, old_count, held, old_held, rows, pushes, pulls, ring, counters,
+):  # fmt: skip
+    """All of a part but for the touches, for single spheres in a plane that hang from no strings."""
+    flat_law.flatten_bodies(state, makeup, flat)
+    recall_impulses(keys, count, old_keys, old_count, held, old_held)
+    fastest = flat_law.prepare_planar(makeup, flat, touches, who, ids, held, count, tables, numbers, rows)
+    counters[ROUNDS] = counters[BOUNCES] = 0.0
+    if fastest > 0.0:
+        turns, made = flat_law.collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers)
+        counters[ROUNDS] = turns
+        counters[BOUNCES] = made
+        note_flat(state, flat, makeup.radii, touches, who, ids, count, rows, ring, counters)
+    flat_law.pass_over_flat(flat, touches, ids, count, rows, numbers)
+    force_flat(flat, pulls, numbers)
+    flat_law.start_flat(flat, ids, count, rows)
+    for _ in range(numbers.iterations):
+        flat_law.sweep_flat(flat, ids, count, rows)
+    h = 0.0 if numbers.scheme == EXPLICIT else 0.5 * numbers.h if numbers.scheme == EXACT else numbers.h
+    for i in range(flat.shape[0]):
+        flat[i, flat_law.WAY_X] += h * flat[i, flat_law.VX]
+        flat[i, flat_law.WAY_Y] += h * flat[i, flat_law.VY]
+    if numbers.correction == SOFT:
+        flat_law.harden_flat(count, rows)
+        flat_law.sweep_flat(flat, ids, count, rows)
+    flat_law.keep_flat(count, rows, held)
+    for m in range(count):
+        pushes[m] = 0.0
+    for _ in range(numbers.passes):
+        if numbers.correction == SPLIT:
+            flat_law.split_flat(flat, touches, ids, count, rows, pushes, numbers)
+        else:
+            flat_law.project_flat(state.positions, flat, touches, who, ids, count, numbers)
+    finish_flat(state, makeup, surroundings, mask, numbers, flat, counters)

@@ -1,0 +1,186 @@
+"""One part of a step of colliding spheres, from touch to touch.
+
+    find touches; collisions, by the velocities that there are; forces; bearing impulses; positions
+    Guendelman, Bridson, Fedkiw 2003, "Nonconvex rigid bodies with stacking"
+
+Collisions come before forces: so what rests is not thrown by a step's worth of gravity. Explicit Euler moves
+first, by the velocities of before; the semi-implicit scheme moves last, by the new ones; exact flight by
+their mean, which is a parabola.
+
+Arrays: work (n + 1, WORK_COLUMNS), velocities; shifts (n + 1, 4), by how much positions are corrected; pulls
+(n, 6) N and N m; counters (COUNTERS,). For single spheres in a plane there is `planar_steps`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.rigid.quaternion import exponentiate, multiply, normalize
+from game.physics.spheres.contact_rows import prepare_rows
+from game.physics.spheres.contacts import recall_impulses
+from game.physics.spheres.effects import ROTATION_BIT, STRINGS_BIT
+from game.physics.spheres.ledger import spin_of
+from game.physics.spheres.resting_contacts import (
+    harden_rows,
+    keep_impulses,
+    pass_over,
+    start_warm,
+    sweep_rows,
+)
+from game.physics.spheres.spheres import VX, VY, VZ, WEIGHT, WX, WY, WZ, gather_velocities
+
+EXPLICIT, SEMI_IMPLICIT, EXACT = range(3)
+NO_CORRECTION, BAUMGARTE, SOFT, SPLIT, PROJECTION = range(5)
+# of counters: time s, length of the last part s, collisions so far, rounds and bounces of the last part
+CLOCK, LAST_H, MADE, ROUNDS, BOUNCES = range(5)
+COUNTERS = 8
+
+
+@inner_kernel
+def turn_bodies(state, work, h, exact):
+    """Orientations after h (s): by Euler's step and normalised, or by the exponential map."""
+    for i in range(state.orientations.shape[0]):
+        x, y, z = work[i, WX], work[i, WY], work[i, WZ]
+        if x == 0.0 and y == 0.0 and z == 0.0:
+            continue
+        q = state.orientations
+        now = (q[i, 0], q[i, 1], q[i, 2], q[i, 3])
+        if exact:
+            turned = multiply(exponentiate((h * x, h * y, h * z)), now)
+        else:
+            turned = multiply((1.0, 0.5 * h * x, 0.5 * h * y, 0.5 * h * z), now)
+        q[i, 0], q[i, 1], q[i, 2], q[i, 3] = normalize(turned)
+
+
+@inner_kernel
+def apply_forces(work, pulls, h, gravity, drag):
+    """Velocities after h (s) of gravity, drag and the pulls (n, 6): forces N and torques N m."""
+    for i in range(pulls.shape[0]):
+        weight = work[i, WEIGHT]
+        if weight <= 0.0:
+            continue
+        keep = 1.0 / (1.0 + h * drag * weight)
+        work[i, VX] = (work[i, VX] + h * weight * pulls[i, 0]) * keep
+        work[i, VY] = (work[i, VY] + h * (weight * pulls[i, 1] - gravity)) * keep
+        work[i, VZ] = (work[i, VZ] + h * weight * pulls[i, 2]) * keep
+
+
+@inner_kernel
+def apply_torques(work, pulls, h):
+    """Angular velocities after h (s) of the torques in pulls (n, 6)."""
+    for i in range(pulls.shape[0]):
+        x, y, z = h * pulls[i, 3], h * pulls[i, 4], h * pulls[i, 5]
+        if x != 0.0 or y != 0.0 or z != 0.0:
+            work[i, WX] += work[i, 7] * x + work[i, 10] * y + work[i, 11] * z
+            work[i, WY] += work[i, 10] * x + work[i, 8] * y + work[i, 12] * z
+            work[i, WZ] += work[i, 11] * x + work[i, 12] * y + work[i, 9] * z
+
+
+@lean_kernel
+def move_by_velocity(state, makeup, mask, work, h):
+    """Explicit Euler: positions and orientations by the velocities that there are."""
+    gather_velocities(state, makeup, work)
+    for i in range(state.positions.shape[0]):
+        state.positions[i, 0] += h * work[i, VX]
+        state.positions[i, 1] += h * work[i, VY]
+        state.positions[i, 2] += h * work[i, VZ]
+    if mask & ROTATION_BIT:
+        turn_bodies(state, work, h, False)
+
+
+@inner_kernel
+def start_shifts(work, shifts, h, scheme):
+    """How far bodies go by the velocities before forces act: none, none, or half of h."""
+    part = 0.5 * h if scheme == EXACT else 0.0
+    for i in range(shifts.shape[0]):
+        shifts[i, 0] = part * work[i, VX]
+        shifts[i, 1] = part * work[i, VY]
+        shifts[i, 2] = part * work[i, VZ]
+        shifts[i, 3] = work[i, WEIGHT]
+
+
+@inner_kernel
+def add_shifts(work, shifts, h, scheme):
+    """How far they go by the new velocities: not at all, for h, or for half of it."""
+    part = 0.0 if scheme == EXPLICIT else 0.5 * h if scheme == EXACT else h
+    for i in range(shifts.shape[0]):
+        shifts[i, 0] += part * work[i, VX]
+        shifts[i, 1] += part * work[i, VY]
+        shifts[i, 2] += part * work[i, VZ]
+
+
+@inner_kernel
+def swing_on(state, work, shifts, surroundings, owners):
+    """What hangs on a taut string goes on along its circle: as fast as before, and not off it."""
+    for k in range(surroundings.hung.shape[0]):
+        i = owners[surroundings.hung[k]]
+        x = state.positions[i, 0] - surroundings.strings[k, 0]
+        y = state.positions[i, 1] - surroundings.strings[k, 1]
+        z = state.positions[i, 2] - surroundings.strings[k, 2]
+        length = math.sqrt(x * x + y * y + z * z)
+        if not length > surroundings.strings[k, 3] * (1.0 - 1e-12):
+            continue
+        x, y, z = x / length, y / length, z / length
+        back = length - surroundings.strings[k, 3]
+        state.positions[i, 0] -= back * x
+        state.positions[i, 1] -= back * y
+        state.positions[i, 2] -= back * z
+        vx, vy, vz = work[i, VX], work[i, VY], work[i, VZ]
+        out = vx * x + vy * y + vz * z
+        square = vx * vx + vy * vy + vz * vz
+        along = square - out * out
+        if out > 0.0 and along > 0.5 * square:
+            scale = math.sqrt(square / along)
+            work[i, VX] = scale * (vx - out * x)
+            work[i, VY] = scale * (vy - out * y)
+            work[i, VZ] = scale * (vz - out * z)
+
+
+@lean_kernel
+def finish_part(state, makeup, surroundings, mask, numbers, work, shifts, counters):
+    """New positions, orientations and momenta."""
+    for i in range(state.positions.shape[0]):
+        if work[i, WEIGHT] > 0.0:
+            state.positions[i, 0] += shifts[i, 0]
+            state.positions[i, 1] += shifts[i, 1]
+            state.positions[i, 2] += shifts[i, 2]
+    if mask & STRINGS_BIT:
+        swing_on(state, work, shifts, surroundings, makeup.owners)
+    if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
+        turn_bodies(state, work, numbers.h, numbers.scheme == EXACT)
+    for i in range(state.positions.shape[0]):
+        mass = makeup.masses[i] if work[i, WEIGHT] > 0.0 else 0.0
+        state.momenta[i, 0] = mass * work[i, VX]
+        state.momenta[i, 1] = mass * work[i, VY]
+        state.momenta[i, 2] = mass * work[i, VZ]
+        state.spins[i, 0], state.spins[i, 1], state.spins[i, 2] = spin_of(work, i)
+    counters[CLOCK] += numbers.h
+    counters[LAST_H] = numbers.h
+
+
+@lean_kernel
+def prepare_part(
+    state, makeup, tables, numbers, work, places, touches, who, ids, keys, count, old_keys, old_count,
+    held, old_held, rows,
+):  # fmt: skip
+    """Rows of all touches; returns the fastest approach that bounces, m/s. held (room, 4) is written."""
+    recall_impulses(keys, count, old_keys, old_count, held, old_held)
+    return prepare_rows(state, makeup, places, work, touches, who, ids, held, count, tables, numbers, rows)
+
+
+@lean_kernel
+def bear_part(work, touches, ids, count, held, rows, shifts, pulls, numbers):
+    """Forces, what bears them, and how far bodies go. held (room, 4): impulses, written."""
+    pass_over(work, touches, ids, count, rows, numbers)
+    start_shifts(work, shifts, numbers.h, numbers.scheme)
+    apply_forces(work, pulls, numbers.h, numbers.gravity, numbers.drag)
+    apply_torques(work, pulls, numbers.h)
+    start_warm(work, touches, ids, count, rows)
+    for _ in range(numbers.iterations):
+        sweep_rows(work, touches, ids, count, rows)
+    add_shifts(work, shifts, numbers.h, numbers.scheme)
+    if numbers.correction == SOFT:
+        harden_rows(touches, count, rows)
+        sweep_rows(work, touches, ids, count, rows)
+    keep_impulses(count, rows, held)

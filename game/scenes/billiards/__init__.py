@@ -1,0 +1,1 @@
+"""The billiard game on the exact table."""

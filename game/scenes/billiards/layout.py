@@ -1,0 +1,156 @@
+"""Where everything round the table lies, in the world's metres, so that the hand finds it at every size.
+
+The picture is turned: x runs down and y to the right. Measures are design px of a table drawn with
+PIXELS to a metre; what draws them scales its letters and lines likewise.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import pygame
+
+from game.billiards.table.table import BED_LENGTH, BED_WIDTH, CUSHION_DEPTH
+from game.stage import Frame
+from game.ui.canvas.canvas import Canvas
+
+PIXELS = 360.0  # design px to a metre
+WOOD = 0.074  # m
+RIM = CUSHION_DEPTH + WOOD
+
+# names of the pockets as they are seen in the turned picture, in the order of the table's rows. The table's
+# own (`table.POCKET_NAMES`) are of its frame; they are ids in files, and not for people
+POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper right", "lower right")
+
+REACH = 1.4  # radii within which a round thing is grasped
+LEAST_PIXELS = 120.0  # px to a metre; a smaller picture shows the table alone
+
+
+class Box(NamedTuple):
+    """A rectangle of the world as it is seen: top and bottom in x, left and right in y, m."""
+
+    top: float
+    left: float
+    bottom: float
+    right: float
+
+    def holds(self, x: float, y: float) -> bool:
+        """True if a point lies in it."""
+        return self.top <= x <= self.bottom and self.left <= y <= self.right
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Its middle (x, y), m."""
+        return 0.5 * (self.top + self.bottom), 0.5 * (self.left + self.right)
+
+
+def metres(pixels: float) -> float:
+    """Design px in metres."""
+    return pixels / PIXELS
+
+
+CARD, CARD_FROM = 300.0, 144.0  # design px: width of a player's card, and where it begins
+SIDE = metres(84.0)  # of the gutters left and right
+TOP, LINE, GAP = metres(58.0), metres(36.0), metres(8.0)
+
+TABLE = Box(-RIM, -RIM, BED_WIDTH + RIM, BED_LENGTH + RIM)
+BOARD = Box(TABLE.top - GAP - TOP, TABLE.left, TABLE.top - GAP, TABLE.right)
+FOOT = Box(TABLE.bottom + GAP, TABLE.left, TABLE.bottom + GAP + LINE, TABLE.right)
+FRAME = Frame(BOARD.top, TABLE.left - SIDE, FOOT.bottom, TABLE.right + SIDE)
+
+LEFT_MIDDLE = TABLE.left - 0.5 * SIDE
+RIGHT_MIDDLE = TABLE.right + 0.5 * SIDE
+POWER = Box(TABLE.top, TABLE.left - SIDE, TABLE.bottom, TABLE.left - metres(4.0))
+POWER_TOP, POWER_FOOT = metres(52.0), metres(68.0)  # of its box that are not the bar: see gauges.draw_power
+
+SPIN = (TABLE.top + metres(54.0), RIGHT_MIDDLE)
+SPIN_RADIUS = metres(30.0)
+DIAL = (TABLE.top + metres(222.0), RIGHT_MIDDLE - metres(20.0))  # pivot
+DIAL_RADIUS = metres(40.0)
+NUMBERS_TOP = TABLE.top + metres(278.0)
+
+BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(6.0)
+PLAY = Box(FOOT.top + metres(4.0), FOOT.left, FOOT.bottom - metres(4.0), FOOT.left + metres(64.0))
+SPEED = Box(PLAY.top, PLAY.right + metres(8.0), PLAY.bottom, PLAY.right + metres(72.0))
+SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - metres(84.0))
+
+
+def pocket_words(row: int) -> str:
+    """How people are told of a pocket, whose row the table gives: as it is seen in game and film."""
+    return f"{POCKETS[row]} pocket"
+
+
+def rect_of(canvas: Canvas, box: Box) -> pygame.Rect:
+    """A box in px of the canvas' surface."""
+    left, top = canvas.camera.to_screen(box.top, box.left)
+    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
+    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))
+
+
+def button_box(row: int) -> Box:
+    """The button of that number at the right of the table, counted from below."""
+    bottom = TABLE.bottom - row * (BUTTON_HEIGHT + BUTTON_GAP)
+    return Box(bottom - BUTTON_HEIGHT, RIGHT_MIDDLE - metres(37.0), bottom, RIGHT_MIDDLE + metres(37.0))
+
+
+def option_box(row: int, count: int) -> Box:
+    """The box of one of several options in the middle of the table."""
+    height, gap, width = metres(40.0), metres(8.0), metres(430.0)
+    top = 0.5 * BED_WIDTH - 0.5 * (count * height + (count - 1) * gap) + row * (height + gap)
+    return Box(top, 0.5 * (BED_LENGTH - width), top + height, 0.5 * (BED_LENGTH + width))
+
+
+def card_box(player: int) -> Box:
+    """The card of a player on the score board."""
+    width = metres(CARD)
+    left = BOARD.left + metres(CARD_FROM) if player == 0 else BOARD.right - metres(CARD_FROM) - width
+    return Box(BOARD.top, left, BOARD.bottom, left + width)
+
+
+def power_at(x: float, top_speed: float) -> float:
+    """Speed m/s that the power bar says at a height x of the picture."""
+    zero, full = POWER.bottom - POWER_FOOT, POWER.top + POWER_TOP
+    return top_speed * min(max((zero - x) / (zero - full), 0.0), 1.0)
+
+
+def spin_at(x: float, y: float, most: float) -> tuple[float, float]:
+    """Offset of the tip (left, up) in radii at a point of the spin picture, at most ``most`` off."""
+    up, left = (SPIN[0] - x) / SPIN_RADIUS, (SPIN[1] - y) / SPIN_RADIUS
+    length = math.sqrt(up * up + left * left)
+    shrink = min(1.0, most / length) if length > 0.0 else 1.0
+    return left * shrink, up * shrink
+
+
+def on_spin(x: float, y: float) -> bool:
+    """True on the picture of the white ball."""
+    dx, dy = x - SPIN[0], y - SPIN[1]
+    return dx * dx + dy * dy <= (1.2 * SPIN_RADIUS) ** 2
+
+
+def on_dial(x: float, y: float) -> bool:
+    """True on the dial of the elevation."""
+    up, right = DIAL[0] - x, y - DIAL[1]
+    reach = DIAL_RADIUS + metres(12.0)
+    return -metres(10.0) <= up <= reach and -metres(10.0) <= right <= reach
+
+
+def elevation_at(x: float, y: float) -> float:
+    """Elevation, rad, that the dial says at a point."""
+    return min(max(math.atan2(DIAL[0] - x, y - DIAL[1]), 0.0), 0.5 * math.pi)
+
+
+def share_of_scrubber(y: float) -> float:
+    """How far along the scrubber a point lies, 0 to 1."""
+    return min(max((y - SCRUBBER.left) / (SCRUBBER.right - SCRUBBER.left), 0.0), 1.0)
+
+
+def near(place: tuple[float, float], x: float, y: float, radius: float) -> bool:
+    """True within reach of a round thing."""
+    dx, dy = x - place[0], y - place[1]
+    return dx * dx + dy * dy <= (REACH * radius) ** 2
+
+
+def tray_place(number: int) -> tuple[float, float]:
+    """Where a ball lies in the tray below the table while it is not on it (x, y), m."""
+    return 0.5 * (FOOT.top + FOOT.bottom), FOOT.left + metres(26.0) + number * metres(37.0)

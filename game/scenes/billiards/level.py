@@ -1,0 +1,174 @@
+"""What a level file of the billiard table may say: the game, the players, the balls, a goal, a saved game."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+import msgspec
+import numpy as np
+
+from game.billiards.game.arrangement import Arrangement, BallSet, Stroke
+from game.billiards.game.frame import rack_for
+from game.billiards.game.games import GAMES, AnyGame, Drill
+from game.billiards.game.goals import Goal
+from game.billiards.game.rules import CUE_BALL, Game
+from game.billiards.shot.shot import OVERLAP
+from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
+from game.billiards.table.table import Table
+
+# the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
+MOST_RADIUS_SPREAD = 0.35
+MOUTH = 0.045  # m; a ball may stand so far outside the noses' lines, in a pocket's mouth
+Coordinate = Annotated[float, msgspec.Meta(ge=-1.0, le=5.0)]  # m
+Name = Annotated[str, msgspec.Meta(min_length=1, max_length=16)]
+Degrees = Annotated[float, msgspec.Meta(ge=-360.0, le=360.0)]
+Offset = Annotated[float, msgspec.Meta(ge=-0.7, le=0.7)]
+
+
+class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """A ball on the table: its number (0 is the white one) and its place, m."""
+
+    number: Annotated[int, msgspec.Meta(ge=0, le=15)]
+    position: tuple[Coordinate, Coordinate]
+
+
+class Solution(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+    """A stroke that meets the goal of a puzzle: as `game.billiards.Stroke`, angles in degrees."""
+
+    cue_speed: Annotated[float, msgspec.Meta(gt=0.0, le=20.0)]  # m/s
+    azimuth_deg: Degrees
+    elevation_deg: Annotated[float, msgspec.Meta(ge=0.0, le=85.0)] = 0.0
+    tip_left: Offset = 0.0
+    tip_up: Offset = 0.0
+
+    def stroke(self) -> Stroke:
+        """The same in rad."""
+        return Stroke(
+            self.cue_speed, math.radians(self.azimuth_deg), math.radians(self.elevation_deg),
+            self.tip_left, self.tip_up,
+        )  # fmt: skip
+
+
+class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+    """[content] of a billiards level.
+
+    balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
+    the second and third star. in_hand: the white ball may be moved before each try. saved: a game under way,
+    as msgspec writes it.
+    """
+
+    game: Literal["eight-ball", "nine-ball", "combination", "practice", "drill"] = "eight-ball"
+    players: tuple[Name, Name] = ("Ada", "Ben")
+    calling: Literal["all", "eight", "none"] = "none"
+    balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=16)] = []
+    goal: Goal | None = None
+    more: Annotated[list[Goal], msgspec.Meta(max_length=2)] = []
+    solution: Solution | None = None
+    in_hand: Literal["", "behind the line", "anywhere"] = ""
+    saved: dict[str, Any] = {}
+
+
+def ball_set(radius_spread: float, mass_spread: float, seed: int) -> BallSet:
+    """Radii and masses of the balls; spreads (0 to MOST_RADIUS_SPREAD, 0 to 0.9) vary the numbered ones by
+    the seed."""
+    radii, masses = np.full(16, BALL_RADIUS), np.full(16, BALL_MASS)
+    if radius_spread or mass_spread:
+        random = np.random.default_rng((seed, 16))
+        # the largest ball keeps the pool measure, so that every ball fits through the pockets
+        radii[1:] *= 1.0 - radius_spread * random.uniform(0.0, 1.0, 15)
+        masses[1:] *= (radii[1:] / BALL_RADIUS) ** 3 * (1.0 + mass_spread * random.uniform(-1.0, 1.0, 15))
+    return BallSet(radii, masses)
+
+
+def game_of(content: BilliardsContent) -> AnyGame:
+    """The game that a level begins with. ValueError for a saved one that cannot be read."""
+    if content.saved:
+        return read_game(content.saved)
+    numbers = tuple(sorted(ball.number for ball in content.balls if ball.number != CUE_BALL))
+    placed = bool(content.balls)
+    if content.game == "drill":
+        if not content.goal or not placed:
+            raise ValueError("goal: a drill needs a goal, and balls")
+        return Drill(
+            goal=content.goal, more=tuple(content.more), set_up=numbers, on_table=numbers,
+            in_hand=content.in_hand,
+        )  # fmt: skip
+    if content.goal is not None:
+        raise ValueError(f"goal: only a drill has one, not {content.game}")
+    game: Any = GAMES[content.game]()
+    if content.game != "practice":
+        game = msgspec.structs.replace(game, players=tuple(content.players))
+    if content.game == "eight-ball":
+        game = msgspec.structs.replace(game, calling=content.calling)
+    if placed:
+        own = {"rack": ""} if content.game == "practice" and numbers != tuple(range(1, 16)) else {}
+        hand = content.in_hand or ("" if _has_white(content) else "anywhere")
+        game = msgspec.structs.replace(game, on_table=numbers, opening=False, in_hand=hand, **own)
+    return game
+
+
+def read_game(saved: dict[str, Any]) -> AnyGame:
+    """A game from what `msgspec.to_builtins` made of it. ValueError says what is wrong."""
+    try:
+        game = msgspec.convert(saved, AnyGame)
+    except (msgspec.ValidationError, TypeError) as error:
+        raise ValueError(f"saved: {str(error).replace('`', '')}") from None
+    check_game(game)
+    return game
+
+
+def check_game(game: Game) -> None:
+    """ValueError if a game read from a file contradicts itself."""
+    count = len(game.players)
+    if not 1 <= count <= 2:
+        raise ValueError("saved.players: one or two names are wanted")
+    for name, number in (("turn", game.turn), ("breaker", game.breaker)):
+        if not 0 <= number < count:
+            raise ValueError(f"saved.{name}: {number} is no player")
+    if game.winner is not None and not 0 <= game.winner < count:
+        raise ValueError(f"saved.winner: {game.winner} is no player")
+    for name in ("fouls_in_row", "won", "points"):
+        if len(getattr(game, name, (0,) * count)) != count:
+            raise ValueError(f"saved.{name}: a number for each player is wanted")
+    if any(not 1 <= ball <= 15 for ball in game.on_table) or len(set(game.on_table)) != len(game.on_table):
+        raise ValueError("saved.on_table: different numbers from 1 to 15 are wanted")
+
+
+def lie_of(content: BilliardsContent, game: Game, table: Table, balls: BallSet, seed: int) -> Arrangement:
+    """Where the balls of a level lie. ValueError for a ball that is there twice, outside or in another."""
+    if not content.balls:
+        return rack_for(game, table, balls, seed)
+    numbers = [ball.number for ball in content.balls]
+    if len(set(numbers)) != len(numbers):
+        double = next(number for number in numbers if numbers.count(number) > 1)
+        raise ValueError(f"balls: number {double} is there twice")
+    lie = Arrangement((), np.empty((0, 2)), balls)
+    for ball in content.balls:
+        _check_place(lie, table, ball)
+        lie = lie.with_ball(ball.number, ball.position)
+    wanted = {number for number in numbers if number != CUE_BALL}
+    if wanted != set(game.on_table):
+        raise ValueError("saved.on_table: not the balls that lie on the table")
+    if CUE_BALL not in numbers and not game.in_hand and not game.over:
+        raise ValueError("balls: the white one (number 0) is wanted")
+    return lie
+
+
+def _check_place(lie: Arrangement, table: Table, ball: PlacedBall) -> None:
+    """ValueError for a ball beyond the cushions' noses, or in another.
+
+    Balls that a shot has left touching overlap by rounding, and one may stand in the mouth of a pocket.
+    """
+    x, y = ball.position
+    if not (-MOUTH <= x <= table.width + MOUTH and -MOUTH <= y <= table.length + MOUTH):
+        raise ValueError(f"balls: number {ball.number} at {ball.position} lies outside")
+    radius = float(lie.balls.radii[ball.number])
+    for other, (ox, oy) in zip(lie.numbers, lie.positions.tolist(), strict=True):
+        reach = 2.0 * math.sqrt(radius * float(lie.balls.radii[other]))
+        if math.hypot(x - ox, y - oy) < reach - OVERLAP:
+            raise ValueError(f"balls: number {ball.number} at {ball.position} lies in number {other}")
+
+
+def _has_white(content: BilliardsContent) -> bool:
+    return any(ball.number == CUE_BALL for ball in content.balls)

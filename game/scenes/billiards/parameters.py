@@ -1,0 +1,50 @@
+"""The knobs of the billiard game: who plays what, the stroke, the table and its balls."""
+
+from __future__ import annotations
+
+from game.billiards.shot_effects import EXACT_EFFECTS
+from game.scenes.billiards.level import MOST_RADIUS_SPREAD
+from game.scenes.billiards.players import GRADE_LABELS, GRADES
+from game.stage import Choice, Param, Scene, Toggle
+
+
+class BilliardsKnobs(Scene):
+    """Base of the scene: what of game and table can be chosen."""
+
+    effects = EXACT_EFFECTS
+
+    game = Choice(
+        "level",
+        ("level", "eight-ball", "nine-ball", "combination", "practice"),
+        labels=("As the level says", "8-ball", "9-ball", "Combination match", "Practice"),
+        group="Game", rebuild=True,
+    )  # fmt: skip
+    first_player = Choice(
+        "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
+        group="Game", label="First player", help="you, or a computer player",
+    )  # fmt: skip
+    second_player = Choice(
+        "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
+        group="Game", label="Second player", help="you, or a computer player",
+    )  # fmt: skip
+    considered = Toggle(
+        False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
+    )
+    power = Param(
+        4.0, 0.1, 10.0, unit="m/s", group="Stroke", help="speed of a ball that is struck in its middle"
+    )
+    tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
+    tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
+    elevation = Param(0.0, 0.0, 80.0, unit="°", group="Stroke", help="of the butt of the cue")
+    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the ways after it")
+    events = Param(
+        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
+    )
+    sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
+    rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")
+    ball_restitution = Param(0.95, 0.5, 1.0, group="Table", label="Ball restitution")
+    cushion_restitution = Param(0.85, 0.3, 1.0, group="Table", label="Cushion restitution")
+    radius_spread = Param(
+        0.0, 0.0, MOST_RADIUS_SPREAD, group="Balls", rebuild=True, help="how much smaller some balls are"
+    )
+    mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")

@@ -1,0 +1,76 @@
+"""Points along the ways of balls, from the stretches of a played shot."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.laws.lean import lean_kernel
+from game.billiards.laws.state import SEG_AX, SEG_AY, SEG_BALL, SEG_TIME, SEG_VX, SEG_VY, SEG_X, SEG_Y
+from game.billiards.shot.trajectory import Trajectory
+
+Array = NDArray[np.float64]
+
+CURVED = 12  # points on a stretch that bends
+STRAIGHT = 1e-9  # m^2/s^3; velocity times acceleration across it, below which a stretch is straight
+
+
+@lean_kernel
+def trace_way(segments, order, first, last, start, end, out):
+    """Points of one ball's way between two times to out (m, 2); how many. Its rows: order[first:last]."""
+    count = 0
+    for k in range(first, last):
+        row = segments[order[k]]
+        begins = row[SEG_TIME]
+        ends = end
+        if k + 1 < last:
+            ends = min(end, segments[order[k + 1], SEG_TIME])
+        t0 = max(begins, start)
+        if ends < t0 or (ends == t0 and count > 0):
+            continue
+        vx = row[SEG_VX]
+        vy = row[SEG_VY]
+        ax = row[SEG_AX]
+        ay = row[SEG_AY]
+        pieces = CURVED if abs(vx * ay - vy * ax) > STRAIGHT else 1
+        for piece in range(0 if count == 0 else 1, pieces + 1):
+            if count == out.shape[0]:
+                return count
+            t = t0 + (ends - t0) * piece / pieces - begins
+            out[count, 0] = row[SEG_X] + t * (vx + t * ax)
+            out[count, 1] = row[SEG_Y] + t * (vy + t * ay)
+            count += 1
+    return count
+
+
+class Ways:
+    """Where the balls of a shot are, just before a moment, and on their ways; times in s."""
+
+    def __init__(self, trajectory: Trajectory) -> None:
+        self.segments = trajectory.segments
+        balls = self.segments[:, SEG_BALL].astype(np.int64)
+        count = len(trajectory.end)
+        self.order = np.argsort(balls, kind="stable")
+        self.starts = np.concatenate([[0], np.cumsum(np.bincount(balls, minlength=count))]).tolist()
+        self._times = self.segments[self.order, SEG_TIME]
+        self._points = np.empty((CURVED * len(self.order) + 2, 2))
+
+    def moves(self, ball: int) -> bool:
+        """True if a ball ever has a speed."""
+        rows = self.order[self.starts[ball] : self.starts[ball + 1]]
+        return bool(self.segments[rows, SEG_VX : SEG_VY + 1].any())
+
+    def way(self, ball: int, start: float, end: float) -> Array:
+        """Points (n, 2) m of a ball's way between two times, n at least 1."""
+        first, last = self.starts[ball], self.starts[ball + 1]
+        count = trace_way(self.segments, self.order, first, last, start, end, self._points)
+        return self._points[:count].copy()
+
+    def arriving(self, ball: int, time: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Place m and velocity m/s of a ball on the stretch that ends at a time."""
+        first, last = self.starts[ball], self.starts[ball + 1]
+        k = max(int(np.searchsorted(self._times[first:last], time, side="left")) - 1, 0)
+        row = self.segments[self.order[first + k]]
+        t = max(time - float(row[SEG_TIME]), 0.0)
+        x, y, vx, vy, ax, ay = (float(row[c]) for c in (SEG_X, SEG_Y, SEG_VX, SEG_VY, SEG_AX, SEG_AY))
+        return (x + t * (vx + t * ax), y + t * (vy + t * ay)), (vx + 2.0 * t * ax, vy + 2.0 * t * ay)

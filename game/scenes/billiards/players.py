@@ -1,0 +1,63 @@
+"""Computer players at the table: how one of them thinks about a frame, and what its hand makes of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Frame
+from game.billiards.game.rules import CUE_BALL, Call
+from game.scenes.billiards.thinker import Question, Thought
+from game.scenes.shared.tables.demo_shots import choose_stroke
+from game.stage import Decision
+
+GRADES = ("novice", "club", "expert", "master")  # of game.billiards.players.opponents
+GRADE_LABELS = ("Novice", "Club player", "Expert", "Master")
+THINK_S = 3.0  # s, that a player thinks at most
+SWING_RATIO = 0.65  # speed of a cue over that of a ball that it strikes in the middle
+HAND_SEED = 50_021
+
+
+def think(question: Question) -> Thought:
+    """The decisions of a player of some grade. One in a hurry uses one processor: the other one draws."""
+    from game.billiards.players.opponents import GRADES as PLAYERS
+    from game.billiards.players.opponents import decide, stroke_of_hand
+
+    frame, grade = question.frame, PLAYERS[question.grade]
+    limits = (None, None) if question.patient else (THINK_S, 1)
+    made = decide(frame, grade, question.seed, *limits)
+    if made.option:
+        names = [option.name for option in frame.game.options]
+        return Thought((Decision("option", (float(names.index(made.option)),)),))
+    decisions = [Decision("white", made.place)] if made.place is not None else []
+    if made.stroke is not None:
+        radius = float(frame.lie.balls.radii[CUE_BALL])
+        stroke = stroke_of_hand(made.stroke, grade, question.seed + HAND_SEED, radius)
+        decisions.append(decision_of(stroke, made.call))
+    return Thought(tuple(decisions), made.considered)
+
+
+def warm_up() -> None:
+    """Compile what thinking needs, by letting a player think about a small table."""
+    from game.billiards.game.frame import new_frame
+    from game.billiards.game.games import EightBall
+    from game.billiards.players.opponents import GRADES as PLAYERS
+    from game.billiards.players.opponents import decide
+
+    frame = new_frame(EightBall(on_table=(1, 8, 9), opening=False, in_hand="anywhere"))
+    decide(frame, PLAYERS["master"], 0, 0.1, threads=1)
+
+
+def simple_stroke(frame: Frame, seed: int) -> Stroke:
+    """The straightest open pot of a ball that counts, or a hit at the nearest ball; the same for a seed."""
+    lie, wanted = frame.lie, set(frame.game.targets())
+    in_play = np.array([number == CUE_BALL or number in wanted for number in lie.numbers])
+    chosen = choose_stroke(lie.positions, lie.radii, in_play, frame.table, seed, int(not frame.game.opening))
+    return Stroke(chosen.speed * SWING_RATIO, chosen.aim)
+
+
+def decision_of(stroke: Stroke, call: Call = Call()) -> Decision:  # noqa: B008  (immutable)
+    """A stroke and what is announced with it, as a decision."""
+    ball = -1.0 if call.ball is None else float(call.ball)
+    pocket = -1.0 if call.pocket is None else float(call.pocket)
+    return Decision("stroke", (*stroke, ball, pocket, float(call.safety), float(call.push_out)))

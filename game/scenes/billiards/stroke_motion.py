@@ -1,0 +1,63 @@
+"""The stroke of a cue as key-frames: drawn back, swung, through the ball, and out of sight.
+
+Columns of the track: the way from tip to ball (m, below 0 after the hit) and how solid the cue is drawn.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from game.physics.animation import Keyframes
+from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED, REST_GAP
+from game.stage import WarmUp
+
+GAP, SOLID = range(2)
+SWING_FEWEST_S, SWING_MOST_S = 0.07, 0.32
+FOLLOW = 0.16  # m that the tip goes on behind a hard hit
+FOLLOW_S, STAND_S, LEAVE_S = 0.14, 0.22, 0.30
+PRACTICE = ((0.16, 0.55), (0.03, 0.42), (0.13, 0.45), (0.025, 0.38))  # m, and s from the key before
+
+
+class StrokeMotion(NamedTuple):
+    """A track, the time at which the tip meets the ball, and that at which the cue has gone, s."""
+
+    track: Keyframes
+    hit_s: float
+    end_s: float
+
+
+def pull_of(speed: float) -> float:
+    """Way from tip to ball, m, that a speed of the ball (m/s) asks for."""
+    return REST_GAP + FULL_PULL * min(max(speed / MAX_SPEED, 0.0), 1.0)
+
+
+def stroke_motion(speed: float, practised: bool) -> StrokeMotion:
+    """The motion for a ball that leaves with ``speed`` m/s.
+
+    practised: begins at rest with a few strokes in the air, as a computer player does; else where a hand has
+    drawn the cue.
+    """
+    pull = pull_of(speed)
+    keys = [(0.0, REST_GAP if practised else pull, 1.0)]
+    if practised:
+        for gap, seconds in PRACTICE:
+            keys.append((keys[-1][0] + seconds, min(gap, 0.6 * pull + 0.02), 1.0))
+        keys.append((keys[-1][0] + 0.5, pull, 1.0))
+        keys.append((keys[-1][0] + 0.25, pull, 1.0))
+    swing = min(max(2.0 * pull / max(speed, 0.1), SWING_FEWEST_S), SWING_MOST_S)
+    begun = keys[-1][0]
+    # half of the time takes a quarter of the way: the cue is accelerated evenly until it hits
+    keys.append((begun + 0.5 * swing, 0.75 * pull, 1.0))
+    hit = begun + swing
+    keys.append((hit, 0.0, 1.0))
+    follow = -(0.02 + FOLLOW * min(speed / MAX_SPEED, 1.0))
+    keys.append((hit + FOLLOW_S, follow, 1.0))
+    keys.append((hit + FOLLOW_S + STAND_S, follow, 1.0))
+    end = hit + FOLLOW_S + STAND_S + LEAVE_S
+    keys.append((end, follow + 0.12, 0.0))
+    return StrokeMotion(Keyframes([key[0] for key in keys], [key[1:] for key in keys], "monotone"), hit, end)
+
+
+def warm_ups() -> list[WarmUp]:
+    """The kernel that samples a track."""
+    return [WarmUp("key-frames", lambda: stroke_motion(3.0, True).track.sample(0.1))]

@@ -1,0 +1,117 @@
+"""Who thinks for a computer player: a thread that is asked one question at a time.
+
+What it finds comes back as decisions, which the stage lets in as events; the state never waits for it. Where
+no time passes, the question is answered at once instead, with no thread and no limit of time: then the answer
+depends on the question alone.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from game.billiards.game.frame import Frame
+from game.stage import Decision
+
+if TYPE_CHECKING:
+    from game.billiards.search.finding import FoundShot
+
+
+class Thought(NamedTuple):
+    """What a player has come to: decisions in order, and the shots that were considered, the best first."""
+
+    decisions: tuple[Decision, ...]
+    considered: tuple[FoundShot, ...] = ()
+
+
+class Question(NamedTuple):
+    """What is asked: the frame, the player's grade, a seed. key: equal for equal questions.
+
+    patient: it may take as long as it takes, on all processors.
+    """
+
+    key: object
+    frame: Frame
+    grade: str
+    seed: int
+    patient: bool = False
+
+
+Think = Callable[[Question], Thought]
+
+
+class Thinker:
+    """Answers the newest question; answers to older ones are forgotten."""
+
+    def __init__(self, think: Think, warm_up: Callable[[], None]) -> None:
+        """``warm_up`` is done once, before the first question: it compiles what thinking needs."""
+        self._think = think
+        self._warm_up: Callable[[], None] | None = warm_up
+        self._lock = threading.Lock()
+        self._key: object = None
+        self._thread: threading.Thread | None = None
+        self._answer: Thought | None = None
+        self.failure = ""
+
+    @property
+    def thinking(self) -> bool:
+        """True while a question is open."""
+        with self._lock:
+            return self._key is not None and self._answer is None
+
+    @property
+    def warm(self) -> bool:
+        """False while what thinking needs is still being compiled, or was never asked for."""
+        return self._warm_up is None
+
+    def prepare(self) -> None:
+        """Begin to compile what thinking needs, if that has not been done."""
+        with self._lock:
+            if self._warm_up is not None and self._thread is None:
+                self._thread = threading.Thread(target=self._make_ready, daemon=True, name="opponent")
+                self._thread.start()
+
+    def ask(self, question: Question) -> Thought | None:
+        """The answer to a question, or None as long as there is none; asking again costs nothing."""
+        with self._lock:
+            if self._key == question.key:
+                return self._answer
+            if self._thread is not None and self._thread.is_alive():
+                return None  # the question before is still being thought about
+            self._key, self._answer = question.key, None
+            self._thread = threading.Thread(target=self._run, args=(question,), daemon=True, name="opponent")
+            self._thread.start()
+        return None
+
+    def answer(self, question: Question) -> Thought:
+        """The answer to a question, thought about here and now."""
+        return self._thought(question._replace(patient=True))
+
+    def forget(self) -> None:
+        """Nobody waits for an answer any more."""
+        with self._lock:
+            self._key, self._answer = None, None
+
+    def _make_ready(self) -> None:
+        call, self.failure = self._warm_up, ""
+        try:
+            if call is not None:
+                call()
+        except Exception as error:  # thinking itself will fail the same way, and is seen to there
+            self.failure = f"{type(error).__name__}: {error}"
+        self._warm_up = None
+
+    def _run(self, question: Question) -> None:
+        self._make_ready()
+        thought = self._thought(question)
+        with self._lock:
+            if self._key == question.key:
+                self._answer = thought
+
+    def _thought(self, question: Question) -> Thought:
+        try:
+            return self._think(question)
+        except Exception as error:  # a player that fails must not stop the game: it plays on simply
+            self.failure = f"{type(error).__name__}: {error}"
+            return Thought(())

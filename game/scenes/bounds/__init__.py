@@ -1,0 +1,1 @@
+"""Trees of oriented boxes (C08) and of capsules (C09)."""

@@ -1,0 +1,1 @@
+"""Two convex polygons: V-Clip (C10) and GJK (C11)."""

@@ -1,0 +1,108 @@
+"""How V-Clip is drawn: Voronoi regions, and the walk from feature to feature."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.narrowphase import Feature
+from game.scenes.convex import view
+from game.scenes.convex.vclip_words import caption_of
+from game.ui.canvas.canvas import Canvas
+
+if TYPE_CHECKING:
+    from game.physics.narrowphase.queries import FeatureStep
+    from game.scenes.convex.vclip import VClip
+
+Array = NDArray[np.float64]
+MOST_RAYS = 200  # vertices whose borders are drawn
+
+
+def draw(scene: VClip, canvas: Canvas) -> None:
+    """All of it, from the back to the front."""
+    trace = scene.trace() if scene.ready else []
+    shown = trace[: scene.shown + 1] if scene.shown >= 0 else trace
+    if scene.regions and scene.ready:
+        draw_regions(scene, canvas, shown)
+    shapes = view.draw_shapes(scene, canvas)
+    view.draw_hulls(scene, canvas)
+    if scene.ready:
+        if scene.walk:
+            draw_walk(canvas, shapes, shown, len(shown) == len(trace))
+        if len(shown) == len(trace):
+            view.draw_parted(scene, canvas, shapes)
+            view.draw_answer(scene, canvas, shapes)
+        if shown and (scene.shown >= 0 or len(trace) > 1) and scene.tool != "draw":
+            words, detail = caption_of(trace, len(shown) - 1, shapes, scene.content.scale)
+            view.caption(scene, canvas, words, detail=detail)
+    view.draw_hand(scene, canvas)
+    view.draw_invitation(scene, canvas)
+
+
+def draw_regions(scene: VClip, canvas: Canvas, shown: list[FeatureStep]) -> None:
+    """Borders of all Voronoi regions as hairlines, those of the present features filled."""
+    seen = canvas.camera.visible()
+    far = math.dist((seen.left, seen.bottom), (seen.right, seen.top))
+    for k in (0, 1):
+        corners = scene.drawn_corners(k)
+        if len(corners) < 2:
+            continue
+        edges = np.roll(corners, -1, axis=0) - corners
+        lengths = np.sqrt((edges * edges).sum(axis=1))
+        normals = np.column_stack((edges[:, 1], -edges[:, 0])) / lengths[:, None]
+        color = view.COLORS[k]
+        if shown:
+            feature = (shown[-1].feature_a, shown[-1].feature_b)[k]
+            canvas.polygon(region(corners, normals, feature, far), color, 0.09)
+        if len(corners) <= MOST_RAYS:
+            starts = np.concatenate((corners, corners))
+            ends = starts + far * np.concatenate((normals, np.roll(normals, 1, axis=0)))
+            canvas.segments(starts, ends, color, 1.0, alpha=0.2)
+
+
+def region(corners: Array, normals: Array, feature: Feature, far: float) -> Array:
+    """The Voronoi region of a feature as far as it is drawn: a strip before an edge, a wedge at a vertex."""
+    i, n = feature.index % len(corners), len(corners)
+    if feature.kind == "edge":
+        o, p = corners[i], corners[(i + 1) % n]
+        return np.array((o, p, p + far * normals[i], o + far * normals[i]))
+    middle = normals[i] + normals[i - 1]
+    length = math.sqrt(float(middle @ middle))
+    if length < 1e-9:  # the end of a segment: half a plane
+        edge = corners[i] - corners[(i + 1) % n]
+        middle, length = edge, math.sqrt(float(edge @ edge))
+    o = corners[i]
+    tip = 2.0 * far * middle / length
+    return np.array((o, o + far * normals[i - 1], o + tip, o + far * normals[i]))
+
+
+def draw_walk(canvas: Canvas, shapes: list[Array], shown: list[FeatureStep], whole: bool) -> None:
+    """The features visited, the newer the stronger, with the numbers of their steps."""
+    count = len(shown)
+    for k in (0, 1):
+        feature_before = None
+        for number, step in enumerate(shown, start=1):
+            feature = (step.feature_a, step.feature_b)[k]
+            if feature == feature_before:
+                continue
+            feature_before = feature
+            alpha = 0.25 + 0.75 * number / count
+            if not (whole and number == count):
+                view.draw_feature(canvas, shapes[k], feature, "amber", alpha)
+            last = feature == (shown[-1].feature_a, shown[-1].feature_b)[k]
+            if count <= view.FEW and count > 1 and not (whole and last):
+                place = view.feature_points(shapes[k], feature).mean(axis=0)
+                x, y = view.outward(shapes[k], feature)
+                canvas.label(
+                    place, str(number), "amber", 12, "semibold", offset=(15.0 * x, -15.0 * y), alpha=alpha,
+                    clear=True,
+                )  # fmt: skip
+    if not whole and shown:
+        points = [
+            view.feature_points(shapes[k], (shown[-1].feature_a, shown[-1].feature_b)[k]).mean(axis=0)
+            for k in (0, 1)
+        ]
+        canvas.line(points[0], points[1], "amber", 1.2, dash=(6.0, 6.0), alpha=0.7)

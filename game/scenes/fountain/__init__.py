@@ -1,0 +1,1 @@
+"""A fountain of particles over stones (C04)."""

@@ -1,0 +1,1 @@
+"""Key-frames on a timeline (C01)."""

@@ -1,0 +1,1 @@
+"""A rigid body of spheres in space (C12)."""

@@ -1,0 +1,1 @@
+"""Outlines that are drawn, dragged and edited by hand."""

@@ -1,0 +1,1 @@
+"""Billiard tables as scenes show them: the cue, the cloth, the sounds."""

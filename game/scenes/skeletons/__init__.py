@@ -1,0 +1,1 @@
+"""Skeletons and skin (C02), inverse kinematics (C03)."""

@@ -1,0 +1,1 @@
+"""Spheres that collide by impulses (C13)."""

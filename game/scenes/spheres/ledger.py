@@ -1,0 +1,76 @@
+"""The ledger: the last collisions in figures, one line each."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.spheres import ledger
+from game.stage import Table
+from game.ui.look.numerals import format_number
+
+if TYPE_CHECKING:
+    from game.scenes.spheres.scene import SphereCollisions
+
+Array = NDArray[np.float64]
+ROWS = 6
+MOST_SPHERES = 60  # with more, the ledger would say nothing
+COLUMNS = ("pair", "J N s", "v m/s", "after", "ΔE J", "P lost")
+HELP = (
+    "Impulse, speed along the normal before and after, change of energy, and momentum that the spheres lose: "
+    "none but for rounding, or what a wall takes"
+)
+ROUNDING = 1e-12  # of an impulse: momentum of which no more is lost is kept
+
+
+def has_ledger(scene: SphereCollisions) -> bool:
+    """Whether it is shown, and the spheres' numbers with it."""
+    return bool(scene.ledger) and len(scene.world.bodies.makeup.radii) <= MOST_SPHERES
+
+
+def ledger_table(scene: SphereCollisions) -> Table | None:
+    """The last collisions, newest first; each is known by its number, counted from the beginning."""
+    if not has_ledger(scene):
+        return None
+    entries = scene.world.ledger()[-ROWS:][::-1]
+    keys = tuple(scene.world.collisions - i for i in range(len(entries)))
+    return Table("Ledger", COLUMNS, tuple(_figures(scene, entry) for entry in entries), keys, ROWS, HELP)
+
+
+def entry_of(scene: SphereCollisions, key: int) -> Array | None:
+    """The entry of a collision by its number, or None if it is forgotten."""
+    entries = scene.world.ledger()
+    back = scene.world.collisions - key
+    return entries[len(entries) - 1 - back] if 0 <= back < len(entries) else None
+
+
+def momentum_lost(scene: SphereCollisions, entry: Array) -> float:
+    """Momentum (kg m/s) that a collision takes from the spheres: by rounding, or what a wall, or a sphere
+    that nothing moves, takes up."""
+    spheres = [int(entry[ledger.ONE]), int(entry[ledger.OTHER])]
+    owners, masses = scene.world.bodies.makeup.owners, scene.world.bodies.makeup.masses
+    if any(s < 0 or (s < len(owners) and math.isinf(masses[owners[s]])) for s in spheres):
+        return _size(entry)
+    lost = float(entry[ledger.LOST_MOMENTUM])
+    return 0.0 if lost <= ROUNDING * _size(entry) else lost
+
+
+def _size(entry: Array) -> float:
+    """Length of the impulse, N s."""
+    return math.sqrt(float((entry[ledger.JX : ledger.JZ + 1] ** 2).sum()))
+
+
+def _figures(scene: SphereCollisions, entry: Array) -> tuple[str, ...]:
+    """One entry of the ledger in words."""
+    other = int(entry[ledger.OTHER])
+    return (
+        f"{int(entry[ledger.ONE])}, {other if other >= 0 else 'wall'}",
+        format_number(_size(entry)),
+        format_number(float(entry[ledger.BEFORE])),
+        format_number(float(entry[ledger.AFTER])),
+        format_number(float(entry[ledger.CHANGE]), 2),
+        format_number(momentum_lost(scene, entry), 3),
+    )

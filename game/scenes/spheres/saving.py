@@ -1,0 +1,62 @@
+"""Spheres as they stand, as the content of a level file."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from game.scenes.spheres.level import FARTHEST, MOST_WRITTEN, CollisionContent, SphereEntry, StringEntry
+
+if TYPE_CHECKING:
+    from game.scenes.spheres.scene import SphereCollisions
+
+
+def content_of(scene: SphereCollisions) -> CollisionContent:
+    """The spheres one by one; too many for that as their level has them.
+
+    What is beyond `FARTHEST`, which no window shows, is kept there.
+    """
+    bodies, around, given = scene.world.bodies, scene.world.surroundings, scene.content
+    makeup = bodies.makeup
+    if len(makeup.radii) > MOST_WRITTEN:
+        return given
+    places, velocities, turning = (
+        np.clip(rows, -FARTHEST, FARTHEST) for rows in (bodies.places(), bodies.velocities, bodies.turning)
+    )
+    shared = np.bincount(makeup.owners) > 1
+    own_mass = _masses_of_spheres(scene)
+    spheres = tuple(
+        SphereEntry(
+            position=tuple(place),
+            radius=float(makeup.radii[s]),
+            velocity=tuple(velocities[body].tolist()),
+            turning=tuple(turning[body].tolist()),
+            orientation=tuple(bodies.state.orientations[body].tolist()),
+            mass=None if math.isinf(own_mass[s]) else float(own_mass[s]),
+            fixed=math.isinf(own_mass[s]),
+            material=given.materials[makeup.kinds[s]] if given.materials else None,
+            body=body if shared[body] else None,
+        )
+        for s, (place, body) in enumerate(zip(places.tolist(), makeup.owners.tolist(), strict=True))
+    )
+    ties = zip(around.hung.tolist(), around.strings.tolist(), strict=True)
+    return CollisionContent(
+        spheres=spheres,
+        strings=tuple(StringEntry(sphere=sphere, tied=tuple(tie[:3]), length=tie[3]) for sphere, tie in ties),
+        ledges=given.ledges,
+        materials=given.materials,
+        pairs=given.pairs,
+        exact=given.exact,
+        view=given.view,
+    )
+
+
+def _masses_of_spheres(scene: SphereCollisions) -> np.ndarray:
+    """Mass (s,) kg of each sphere: a body's is shared by volume, as all of it has one density."""
+    makeup = scene.world.bodies.makeup
+    volumes = makeup.radii**3
+    whole = np.bincount(makeup.owners, weights=volumes)
+    shares: np.ndarray = makeup.masses[makeup.owners] * (volumes / whole[makeup.owners])
+    return shares

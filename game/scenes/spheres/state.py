@@ -1,0 +1,74 @@
+"""The state of the colliding spheres, and the way back to one, with other spheres if need be."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.spheres.collisions import CollisionState
+from game.physics.spheres.composition import Makeup
+from game.physics.spheres.spheres import MotionState, SphereBodies
+
+if TYPE_CHECKING:
+    from game.scenes.spheres.scene import SphereCollisions
+
+Array = NDArray[np.float64]
+NOTHING = np.zeros((0, 3))
+
+
+class SphereState(NamedTuple):
+    """All that moves (see `CollisionState`), and what spheres there are (see `Makeup`)."""
+
+    positions: Array
+    orientations: Array
+    momenta: Array
+    spins: Array
+    pairs: NDArray[np.int64]
+    found_at: Array
+    keys: NDArray[np.int64]
+    held: Array
+    pulls: Array
+    ring: Array
+    counters: Array
+    masses: Array
+    inverse_inertias: Array
+    round_bodies: NDArray[np.uint8]
+    radii: Array
+    owners: NDArray[np.int64]
+    offsets: Array
+    kinds: NDArray[np.int64]
+    hung: NDArray[np.int64]
+    strings: Array
+    exact_places: Array  # (s, 3) m of the event-driven run; empty without one
+    exact_speeds: Array  # (s, 3) m/s
+
+
+def state_of(scene: SphereCollisions) -> SphereState:
+    """The arrays themselves."""
+    world, exact = scene.world, scene.exact
+    around = world.surroundings
+    beside = (exact.positions, exact.velocities) if exact is not None else (NOTHING, NOTHING)
+    return SphereState(*world.state(), *world.bodies.makeup, around.hung, around.strings, *beside)
+
+
+def restore(scene: SphereCollisions, state: SphereState) -> None:
+    """Take over a copy of a state."""
+    makeup = Makeup(
+        state.masses.copy(), state.inverse_inertias.copy(), state.round_bodies.copy(), state.radii.copy(),
+        state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
+    )  # fmt: skip
+    around = scene.world.surroundings
+    mine: tuple[Any, ...] = (*scene.world.bodies.makeup, around.hung, around.strings)
+    theirs: tuple[Any, ...] = (*makeup, state.hung, state.strings)
+    if not all(np.array_equal(a, b) for a, b in zip(mine, theirs, strict=True)):
+        motion = MotionState(*(part.copy() for part in state[:4]))
+        around = around._replace(hung=state.hung.copy(), strings=state.strings.copy())
+        scene.take_bodies(SphereBodies.of_parts(makeup, motion), around)
+    scene.world.restore(CollisionState(**{name: getattr(state, name) for name in CollisionState._fields}))
+    scene.exact = None
+    if len(state.exact_places):
+        exact = scene.begin_exact()
+        np.copyto(exact.positions, state.exact_places)
+        np.copyto(exact.velocities, state.exact_speeds)

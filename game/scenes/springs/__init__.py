@@ -1,0 +1,1 @@
+"""Position based dynamics: rigid links (C14) and soft springs (C15)."""

@@ -1,0 +1,45 @@
+"""A network as it stands, as the content of a level file."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from game.physics.constraints.areas import INTACT
+from game.physics.constraints.editing import topology_of
+from game.scenes.springs.level import MOST_WRITTEN, NOT_OWN, LinkEntry, ParticleEntry, SpringContent
+
+if TYPE_CHECKING:
+    from game.scenes.springs.base import MassSpringScene
+
+
+def content_of(scene: MassSpringScene) -> SpringContent:
+    """The network particle by particle; one too large for that as its level has it."""
+    system = scene.system
+    if system.count > MOST_WRITTEN or len(system.torn) > 4 * MOST_WRITTEN:
+        return scene.content
+    topology = topology_of(system)
+    weights = system.inverse_masses.tolist()
+    if system.held >= 0:
+        weights[system.held] = float(system.hand[1])
+    rows = zip(system.positions.tolist(), system.velocities.tolist(), weights, strict=True)
+    whole = topology.torn == 0
+    links = zip(
+        topology.pairs[whole].tolist(), topology.rest[whole].tolist(), scene.own[whole].tolist(), strict=True
+    )
+    outlines = zip(pairwise(topology.starts.tolist()), topology.areas[INTACT].tolist(), strict=True)
+    return SpringContent(
+        particles=tuple(
+            ParticleEntry(position=(x, y), velocity=(vx, vy), inverse_mass=weight)
+            for (x, y), (vx, vy), weight in rows
+        ),
+        links=tuple(
+            LinkEntry(ends=(a, b), rest=rest, stiffness=None if own == NOT_OWN else own)
+            for (a, b), rest, own in links
+        ),
+        areas=tuple(tuple(topology.corners[a:b].tolist()) for (a, b), intact in outlines if intact),
+        contacts=tuple((a, b) for a, b in topology.contacts.tolist()),
+        floor=scene.content.floor,
+        reference=scene.content.reference,
+        view=scene.content.view,
+    )

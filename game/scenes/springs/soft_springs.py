@@ -1,0 +1,98 @@
+"""Particles and soft springs, by position based dynamics in three ways."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.lab.studies.springs import spring_study
+from game.physics.constraints import MODELS
+from game.physics.constraints.areas import COMPLIANCE, INTACT, STIFFNESS
+from game.scenes.figures.springs import draw_sweeps
+from game.scenes.springs.base import MassSpringScene
+from game.scenes.springs.level import NOT_OWN
+from game.stage import Choice, Equation, Param, Readout, Strip
+
+Array = NDArray[np.float64]
+REFERENCE_HZ = 60.0  # 1/s: at one sweep of a step of 1/60 s all three models agree for a bead of 1 kg
+
+
+class Springs(MassSpringScene):
+    """Springs in place of rigid links: each correction goes only a part k of the way. What comes out is soft,
+    but how soft depends on how many sweeps there are and how long a step is: more sweeps are stiffer.
+
+    With k' = 1 − (1 − k)^(1/n) it no longer depends on the sweeps, but still on the step. With compliance a
+    spring has a stiffness in newtons to the metre that depends on neither. The three agree for one sweep of
+    a step of 1/60 s on a bead of 1 kg; change the step and watch them part.
+
+    Jellies keep the area of their meshes, rings the area within: switch areas off to see why.
+
+    The speed limit slows each particle by itself: where springs far from their length meet it, momentum is
+    lost.
+    """
+
+    name = "c15"
+    task = "C15"
+    title = "Soft springs"
+    study = spring_study
+
+    model = Choice(
+        "pbd", MODELS, labels=("k", "k′", "Compliance"), group="Springs",
+        help="k each sweep; k spread over the sweeps; or a real stiffness",
+    )  # fmt: skip
+    stiffness = Param(
+        0.2, 0.0, 1.0, group="Springs", label="Stiffness k_s", help="of all springs without one of their own"
+    )
+    own_stiffness = Param(
+        0.2, 0.0, 1.0, group="Springs", label="Of the chosen", help="springs at the chosen particle"
+    )
+
+    strips = (
+        Strip("Stretch", "", ("worst", "in all")),
+        Strip("Energy", "J", ("kinetic", "elastic", "sum")),
+        Strip("Area", "", ("area kept",)),
+    )
+    figure = staticmethod(draw_sweeps)
+    equations = (
+        Equation("Correction", r"\Delta\v{p}_a = k \frac{w_a}{w_a + w_b} C \v{n}", "Müller and others 2007"),
+        Equation("Rest stretch of a bead", r"g h^2 \frac{q}{1-q},  q = (1-k)^n", "fixed point of n sweeps"),
+        Equation("Spread over n sweeps", r"k' = 1 - (1-k)^{1/n}", "Müller and others 2007"),
+        Equation(
+            "Compliance",
+            r"\Delta\lambda = \frac{C - \alpha\lambda / h^2}{w_a + w_b + \alpha / h^2}",
+            "Macklin and others 2016",
+        ),
+        Equation(
+            "Hooke",
+            r"\alpha = \frac{1}{k_N} = \frac{1-k}{k} (1/60 \text{ s})^2 / \text{kg}",
+            "how k is read here",
+        ),
+        Equation("Area", r"C = \frac{1}{2}\sum \v{p}_i \times \v{p}_{i+1} - A_0", "Müller and others 2007"),
+    )
+    try_this = (
+        "Open the three springs, raise the iterations: with k they stiffen; with k′ and compliance not.",
+        "Halve the time step: only compliance keeps its stretch.",
+        "Switch areas off: the jelly and the ring lose their shape.",
+        "Set the stiffness to 1: the springs are the rigid links of C14.",
+    )
+
+    def model_name(self) -> str:
+        return self.model
+
+    def link_numbers(self, own: Array) -> tuple[Array, Array]:
+        k = np.where(own == NOT_OWN, self.stiffness, own)
+        soft = np.where(k > 0.0, (1.0 - k) / np.maximum(k, 1e-300) / REFERENCE_HZ**2, 1e12)
+        return k, np.minimum(soft, 1e12)
+
+    def readouts(self) -> list[Readout]:
+        now, rest = self.system.areas()
+        whole = self.system.outlines.rows[INTACT] > 0.0
+        total = float(np.abs(rest[whole]).sum())
+        kept = float(np.abs(now[whole]).sum()) / total if total > 0.0 else 1.0
+        return [*super().readouts(), Readout("area kept", kept)]
+
+    def make_system(self) -> None:
+        super().make_system()
+        # areas hold nearly as firmly as they can with each model
+        self.system.outlines.rows[STIFFNESS] = 0.9
+        self.system.outlines.rows[COMPLIANCE] = 1e-6

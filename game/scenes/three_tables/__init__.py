@@ -1,0 +1,1 @@
+"""One stroke on three tables: lecture, stepped, exact."""

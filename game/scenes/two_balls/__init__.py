@@ -1,0 +1,1 @@
+"""The lecture's two balls and their one collision."""

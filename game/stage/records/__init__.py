@@ -1,0 +1,1 @@
+"""Recordings: what was done to a scene, kept and played again."""

@@ -1,0 +1,1 @@
+"""The canvas that scenes draw on, in world coordinates, and its camera."""

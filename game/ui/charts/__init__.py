@@ -1,0 +1,1 @@
+"""Strips over time, plots, and the page of what accuracy costs."""

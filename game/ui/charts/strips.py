@@ -1,0 +1,269 @@
+"""Strip charts: measured values over the last ten seconds, below the stage.
+
+Three rules with their numbers at the left, a line for each series with its last point, the first one over a
+fading ground, exact values dashed; name and value stand at the line's end, pushed apart. In a low window only
+the last values are shown.
+Each chart is drawn anew twenty times a second, which is one pixel of its way, and never two in one frame;
+values are those of the moment at which all numbers in the window change.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import pygame
+
+from game.stage import Stage, Strip
+from game.ui import raster
+from game.ui.charts.strip_axis import Axis, axis_for, end_text, rule_text, spread, unit_of
+from game.ui.look.layout import Layout
+from game.ui.look.look import Look
+from game.ui.look.numerals import format_number, quantity
+from game.ui.raster import packed
+from game.ui.raster.curves import finite_range, place_curve, thinned
+
+SPAN_S = 10.0
+REFRESH_S = 0.05
+COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
+EXACT = "text1"
+APART = 15  # design px between value labels
+LABELS, WIDEST_LABELS = 84, 124  # design px right of the curves
+NUMBERS = 14  # design px left of the curves, at least
+
+
+class Strips:
+    """The charts of a scene, as the layout gives them room."""
+
+    def __init__(self, look: Look, strips: Sequence[Strip]) -> None:
+        self.look = look
+        self.strips = tuple(strips)
+        self.layout: Layout | None = None
+        self._axes: dict[int, Axis] = {}
+        self._labels: dict[int, int] = {}  # by chart, window px of its labels; they only grow
+        self._numbers: dict[int, int] = {}  # the same, of the numbers at its rules
+        self._picture: pygame.Surface | None = None
+        self._since_s = 0.0
+        self._next = 0  # chart whose turn it is
+        self._steps: dict[int, tuple[int, int]] = {}  # by chart, the steps of its curves and values
+        self._last: dict[str, float] = {}  # by series, the value that is written
+        self._measured = -1  # step of these values
+        self._stage: Stage | None = None
+
+    def place(self, layout: Layout, look: Look) -> None:
+        """Take a place in the window and an appearance."""
+        self.layout, self.look = layout, look
+        self._picture, self._labels, self._numbers = None, {}, {}
+
+    def update(self, dt_s: float, stage: Stage, fresh: bool = True) -> None:
+        """Look at the stage; written values change if they are ``fresh``, curves at once."""
+        self._since_s += dt_s
+        if stage is not self._stage:
+            self._stage, self._axes, self._picture = stage, {}, None
+            self._labels, self._numbers = {}, {}
+            fresh = True
+        if fresh:
+            series = {name: _values(stage, name) for strip in self.strips for name in strip.series}
+            self._last = {name: float(values[-1]) for name, values in series.items() if values.size}
+            self._measured = stage.step_number
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Show the charts."""
+        layout = self.layout
+        if layout is None or layout.strips.h < 1 or self._stage is None:
+            return
+        count = min(len(layout.charts), len(self.strips))
+        if self._picture is None:
+            self._picture = self._paint_ground(layout)
+            for i in range(count):
+                self._paint_column(self._picture, layout, i, self._stage)
+        elif count and self._since_s * count >= REFRESH_S:  # one chart at a time: no frame pays for all
+            self._next = (self._next + 1) % count
+            if self._steps.get(self._next) != (self._stage.step_number, self._measured):
+                self._paint_column(self._picture, layout, self._next, self._stage)
+        surface.blit(self._picture, layout.strips)
+
+    def _paint_ground(self, layout: Layout) -> pygame.Surface:
+        """The empty row with its lines."""
+        look, strips = self.look, layout.strips
+        picture = pygame.Surface(strips.size, 0, 32)
+        picture.fill(look.theme.panel)
+        picture.fill(look.theme.line, (0, 0, strips.w, look.border))
+        inset = look.px(16) if not layout.values_only else look.px(8)
+        for column in layout.charts[1 : len(self.strips)]:
+            x = column.x - strips.x - look.px(16)
+            picture.fill(look.theme.line, (x, inset, look.border, strips.h - 2 * inset))
+        return picture
+
+    def _paint_column(self, picture: pygame.Surface, layout: Layout, i: int, stage: Stage) -> None:
+        """One chart anew, within its column."""
+        place = layout.charts[i].move(-layout.strips.x, -layout.strips.y)
+        inside = pygame.Rect(place.x, self.look.border, place.w, place.h - self.look.border)
+        picture.fill(self.look.theme.panel, inside)
+        picture.set_clip(inside)
+        if layout.values_only:
+            self._paint_values(picture, place, self.strips[i], stage)
+        else:
+            self._paint_chart(picture, place, i, stage)
+        picture.set_clip(None)
+        self._since_s, self._steps[i] = 0.0, (stage.step_number, self._measured)
+
+    def _paint_values(self, picture: pygame.Surface, place: pygame.Rect, strip: Strip, stage: Stage) -> None:
+        """Only title and last values, in one row."""
+        look, y = self.look, place.h / 2
+        x = place.x + look.text(picture, strip.title, (place.x, y), 12, "semibold").w + look.px(8)
+        for i, name in enumerate(strip.series):
+            known = name in self._last
+            number, unit = quantity(self._last[name], strip.unit) if known else ("–", "")
+            color = EXACT if name in strip.exact else COLORS[i % len(COLORS)]
+            words = f"{name} "
+            if x + look.fonts.size(words + number + unit, 12)[0] > place.right:
+                return
+            x += look.text(picture, words, (x, y), 12, "medium", color).w
+            x += look.text(picture, f"{number} {unit}".rstrip(), (x, y), 12, "semibold").w + look.px(8)
+
+    def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
+        look, px, strip = self.look, self.look.px, self.strips[i]
+        series = [(name, _values(stage, name)) for name in strip.series]
+        ends = [finite_range(values) for _, values in series if values.size]
+        axis = self._axes[i] = self._axis(i, ends)
+        counts = not strip.unit and all(whole for _, _, whole in ends)
+        unit, factor = unit_of(axis, strip.unit)
+        taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
+        look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
+        series = [(name, values) for name, values in series if values.size]
+        last = [self._last.get(name, float(values[-1])) for name, values in series]
+        numbers = [
+            format_number(int(value))
+            if counts and math.isfinite(value)
+            else end_text(value, axis, strip.unit)
+            for value in last
+        ]
+        labels = [_label(name, strip) for name, _ in series]
+        room = self._label_room(i, labels, numbers)
+        rules = [rule_text(value / factor) for value in (axis.high, 0.5 * (axis.low + axis.high), axis.low)]
+        left = self._number_room(i, rules)
+        box = pygame.Rect(place.x + left, place.y + px(32), max(place.w - left - room, px(24)), px(72))
+        self._paint_rules(picture, box, rules)
+        curves = [(name, _curve(stage.series.times, values, box, axis)) for name, values in series]
+        self._paint_curves(picture, box, strip, curves)
+        heights = [_height(float(values[-1]), box, axis) for _, values in series]
+        self._paint_labels(picture, box, room, strip, [name for name, _ in series], numbers, heights)
+
+    def _label_room(self, i: int, names: Sequence[str], numbers: Sequence[str]) -> int:
+        """Window px right of the curves: for the widest label, within bounds, never less than before."""
+        fonts, px = self.look.fonts, self.look.px
+        wanted = [
+            fonts.size(name + " ", 12)[0] + fonts.size(number, 12, "semibold")[0]
+            for name, number in zip(names, numbers, strict=True)
+        ]
+        room = min(max([px(LABELS), *(width + px(16) for width in wanted)]), px(WIDEST_LABELS))
+        self._labels[i] = max(room, self._labels.get(i, 0))
+        return self._labels[i]
+
+    def _number_room(self, i: int, numbers: Sequence[str]) -> int:
+        """Window px left of the curves: for the widest number at a rule, never less than before."""
+        wanted = max(self.look.fonts.size(number, 11)[0] for number in numbers) + self.look.px(6)
+        self._numbers[i] = max(wanted, self.look.px(NUMBERS), self._numbers.get(i, 0))
+        return self._numbers[i]
+
+    def _axis(self, i: int, ends: Sequence[tuple[float, float, bool]]) -> Axis:
+        if not any(low <= high for low, high, _ in ends):
+            return self._axes.get(i, Axis(0.0, 1.0))
+        low, high = min(low for low, _, _ in ends), max(high for _, high, _ in ends)
+        return axis_for(low, high, self._axes.get(i))
+
+    def _paint_rules(self, picture: pygame.Surface, box: pygame.Rect, numbers: Sequence[str]) -> None:
+        """Rules with their numbers, from the top, left of where the curves are."""
+        look, px, theme = self.look, self.look.px, self.look.theme
+        for i, color in enumerate((theme.inset, theme.inset, theme.hover)):
+            y = box.y + round(0.5 * i * box.h)
+            picture.fill(color, (box.x, y, box.w, 1))
+            look.text(picture, numbers[i], (box.x - px(6), y), 11, "medium", "text3", "right")
+        y = box.bottom + px(11)
+        look.text(picture, "−10 s", (box.x, y), 11, "medium", "text3")
+        look.text(picture, "now", (box.right, y), 11, "medium", "text3", "right")
+
+    def _paint_curves(
+        self,
+        picture: pygame.Surface,
+        box: pygame.Rect,
+        strip: Strip,
+        curves: Sequence[tuple[str, np.ndarray]],
+    ) -> None:
+        """Ground of the first measured series, then the lines, the first on top."""
+        pixels, k = raster.pixels_of(picture), self.look.k
+        clip = np.array((box.x, box.y - 2, box.right + 8, box.bottom + 2), np.int64)
+        cover, _, _ = raster.scratch_for(pixels)
+        measured = [(name, points) for name, points in curves if name not in strip.exact]
+        if measured:
+            name, points = measured[0]
+            top = finite_range(np.ascontiguousarray(points[:, 1]))[0]
+            top = top if math.isfinite(top) else float(box.y)
+            ink = packed(self._color(strip, name))
+            raster.fill_under(pixels, clip, points, float(box.bottom), top, ink, 0.16)
+        for name, points in reversed(curves):
+            ink = packed(self._color(strip, name))
+            width = float(1.6 * k)
+            if name in strip.exact:
+                dash = float(6.0 * k)
+                raster.stroke_dashes(
+                    pixels, clip, cover, points, float(1.4 * k), False, dash, dash, 0.0, ink, 0.75
+                )
+                continue
+            raster.stroke_polyline(pixels, clip, cover, points, width, False, ink, 1.0)
+            wide = np.array(
+                (box.x, box.y - round(4 * k), box.right + round(4 * k) + 1, box.bottom + round(4 * k)),
+                np.int64,
+            )
+            raster.fill_disc(pixels, wide, points[-1, 0], points[-1, 1], 3.0 * k, ink, 1.0)
+
+    def _color(self, strip: Strip, name: str) -> pygame.Color:
+        if name in strip.exact:
+            return self.look.color(EXACT)
+        return self.look.color(COLORS[strip.series.index(name) % len(COLORS)])
+
+    def _paint_labels(
+        self, picture: pygame.Surface, box: pygame.Rect, room: int, strip: Strip,
+        names: Sequence[str], numbers: Sequence[str], heights: Sequence[float],
+    ) -> None:  # fmt: skip
+        """Names and last values at the right end, none over another."""
+        look, px = self.look, self.look.px
+        wanted = [y if math.isfinite(y) else float(box.bottom) for y in heights]
+        places = spread(wanted, px(APART), box.y, box.bottom)
+        for name, number, y in zip(names, numbers, places, strict=True):
+            color = EXACT if name in strip.exact else COLORS[strip.series.index(name) % len(COLORS)]
+            x = box.right + px(10)
+            free = room - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
+            words = look.fonts.fit(_label(name, strip), 12, "medium", max(free, 0))
+            if len(words) > 1 or words == name:
+                x += look.text(picture, words + " ", (x, y), 12, "medium", color).w
+            look.text(picture, number, (x, y), 12, "semibold")
+
+
+def _label(name: str, strip: Strip) -> str:
+    """The name of a series at its line, without what the chart's title says; if nothing is left, now."""
+    title = strip.title.lower()
+    if len(strip.series) == 1 and name.lower() == title:
+        return "now"
+    return name.removesuffix(" " + title.split()[0])
+
+
+def _values(stage: Stage, name: str) -> np.ndarray:
+    """Samples of a readout, or none if the scene does not give it."""
+    return stage.series.values(name) if name in stage.series.names else np.empty(0)
+
+
+def _height(value: float, box: pygame.Rect, axis: Axis) -> float:
+    """Pixel of a value; the middle of the rule's row for its ends."""
+    share = (value - axis.low) / max(axis.high - axis.low, 1e-300)
+    return box.bottom + 0.5 - share * box.h
+
+
+def _curve(times: np.ndarray, values: np.ndarray, box: pygame.Rect, axis: Axis) -> np.ndarray:
+    """Pixels (n, 2) of a series whose newest sample is at the right end."""
+    points = np.empty((values.size, 2))
+    up = box.h / max(axis.high - axis.low, 1e-300)
+    place_curve(times, values, float(box.right), box.w / SPAN_S, box.bottom + 0.5, axis.low, up, points)
+    return thinned(points)

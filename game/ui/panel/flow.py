@@ -1,0 +1,144 @@
+"""Which control stands for which knob, and where: rows put below each other from a scene's declarations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+import pygame
+
+from game.stage import Choice, Knob, Param, Toggle
+from game.ui.look.look import Look
+from game.ui.panel.effects import COLORS, CostBar, EffectCosts, EffectRow
+from game.ui.panel.manager import DropDown, PanelManager
+from game.ui.panel.rows import (
+    PADDING,
+    Caption,
+    Context,
+    Heading,
+    Measure,
+    Row,
+    SegmentsRow,
+    Source,
+    fits_in_segments,
+)
+from game.ui.panel.slider import SliderRow
+from game.ui.panel.switch import toggle_row
+from game.ui.panel.table import HEADER, LegendRow, TableLine
+
+UNGROUPED = "Parameters"
+LEVEL = ""  # name of the drop-down of levels
+UNTITLED = "No level"
+
+
+class Contents(NamedTuple):
+    """What a panel shows: scene, levels (rows with ``title`` and ``value``), names of measures, costs, and
+    what stands of legend and table."""
+
+    source: Source
+    levels: tuple[Any, ...]
+    measures: tuple[str, ...]
+    costs: EffectCosts
+    legend: tuple[str, ...] = ()  # words of the rows, for a scene that has its legend here
+    table: tuple[str, int] | None = None  # title and room of the scene's table
+
+    def present_level(self) -> str:
+        """Path of the level that the scene was made from, as the drop-down knows it."""
+        level = self.source.scene.level
+        return str(level.path or "") if level is not None else ""
+
+    def level_options(self) -> list[tuple[str, str]]:
+        """Title and path of each level; first the present one, if it is none of them."""
+        options = [(row.title, str(row.value)) for row in self.levels]
+        present, level = self.present_level(), self.source.scene.level
+        if any(value == present for _, value in options):
+            return options
+        return [((level.title if level is not None else "") or UNTITLED, present), *options]
+
+
+class Flow:
+    """Puts rows below each other; without a context it only measures."""
+
+    def __init__(self, look: Look, width: int, context: Context | None) -> None:
+        self.look, self.width, self.context = look, width, context
+        self.height = 0
+        self.rows: list[Row] = []
+        self.menus: dict[str, DropDown] = {}
+
+    def fill(self, contents: Contents) -> None:
+        """All rows of a panel, from the levels to the measures."""
+        source = contents.source
+        if contents.levels:
+            self.space(16)
+            self._menu(LEVEL, contents.level_options(), contents.present_level(), "Level")
+            self.space(8)
+        for index in range(len(contents.legend)):
+            self._row(LegendRow, source, index)
+        if contents.table is not None:
+            title, room = contents.table
+            self._row(Heading, title)
+            for index in range(HEADER, room):
+                self._row(TableLine, index)
+        for title, knobs in grouped(source.scene.knobs().values()):
+            self._row(Heading, title)
+            for knob in knobs:
+                self._knob(knob, title, source)
+        effects = tuple(source.scene.effects)
+        if effects:
+            self._row(Heading, "Effects")
+            self._row(CostBar, source, contents.costs)
+            for i, effect in enumerate(effects):
+                self._row(EffectRow, source, effect, COLORS[i % len(COLORS)], contents.costs)
+        if contents.measures:
+            self._row(Heading, "Measured")
+            for name in contents.measures:
+                self._row(Measure, name)
+        self.space(8)
+
+    def space(self, design_px: float) -> None:
+        """Leave room."""
+        self.height += self.look.px(design_px)
+
+    def _row(self, kind: type[Row], *arguments: Any) -> None:
+        if self.context is not None:
+            self.rows.append(kind(self.context, self.height, *arguments))
+        self.space(kind.height)
+
+    def _menu(self, name: str, options: Sequence[tuple[str, str]], chosen: str, tip: str) -> None:
+        px = self.look.px
+        if self.context is not None:
+            width = self.width - 2 * px(PADDING)
+            rect = pygame.Rect(px(PADDING), self.height, width, px(32))
+            fitted = [
+                (self.look.fonts.fit(label, 13, "medium", width - px(48)), value) for label, value in options
+            ]
+            manager = self.context.manager
+            assert isinstance(manager, PanelManager)
+            self.menus[name] = DropDown(fitted, chosen, rect, manager, tip)
+        self.space(32)
+
+    def _knob(self, knob: Knob[Any], group: str, source: Source) -> None:
+        """The control that suits a knob."""
+        if isinstance(knob, Param):
+            self._row(SliderRow, knob, source)
+        elif isinstance(knob, Toggle):
+            if self.context is not None:
+                self.rows.append(toggle_row(self.context, self.height, knob, source))
+            self.space(32)
+        elif isinstance(knob, Choice):
+            if knob.label != group:
+                self._row(Caption, knob, source)
+            if fits_in_segments(self.look, knob, self.width):
+                self._row(SegmentsRow, knob, source)
+            else:
+                options = list(zip(knob.labels, knob.options, strict=True))
+                self._menu(knob.name, options, source.values[knob.name], knob.help)
+                self.space(8)
+
+
+def grouped(knobs: Iterable[Knob[Any]]) -> list[tuple[str, list[Knob[Any]]]]:
+    """Knobs by group, groups in the order of their first knob."""
+    found: dict[str, list[Knob[Any]]] = {}
+    for knob in knobs:
+        found.setdefault(knob.group or UNGROUPED, []).append(knob)
+    return list(found.items())

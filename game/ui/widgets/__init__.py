@@ -1,0 +1,1 @@
+"""Bars, pages, messages and buttons around a scene."""

@@ -1,0 +1,30 @@
+"""A second process: ended at once, or waited for by a thread where the machine is slow to end it."""
+
+import subprocess
+import sys
+import threading
+
+import pytest
+
+from game.app.compile import second_process
+from game.app.compile.second_process import end, start_quietly
+
+
+@pytest.mark.parametrize("patience_s", (60.0, 0.0))
+def test_nothing_is_left_of_a_process_that_was_ended(monkeypatch: pytest.MonkeyPatch, patience_s: float):
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    monkeypatch.setattr(second_process, "PATIENCE_S", patience_s)
+    process = start_quietly((sys.executable, "-c", "import time; time.sleep(600)"))
+    assert process is not None
+    end(process)
+    for thread in threading.enumerate():
+        if thread.name == "ending":
+            thread.join()
+    assert process.returncode is not None
+
+
+def test_what_was_never_started_needs_no_end(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr("os.cpu_count", lambda: 1)
+    monkeypatch.setattr(subprocess, "Popen", lambda *_, **__: 1 / 0)
+    assert start_quietly((sys.executable, "-c", "pass")) is None
+    end(None)

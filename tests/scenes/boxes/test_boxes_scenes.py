@@ -1,0 +1,329 @@
+"""All broad-phase scenes: levels and hard cases, boxes by hand and by number, digests, pictures."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from game.levels import LevelError, parse_level
+from game.scenes import CATALOGUE
+from game.scenes.boxes.arrays import ArraysOfBoxes
+from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
+from tests.scenes.boxes.box_stages import (
+    LEVELS,
+    SCENES,
+    brute_pairs,
+    click,
+    drag,
+    level_id,
+    open_level,
+    readouts,
+    stage_of,
+)
+
+HARD = {"c05": range(1, 13), "c06": range(1, 9), "c07": range(1, 10), "broad-phase-race": range(0)}
+SMALL = {"count": 60, "fill": 0.3}
+
+
+def small(scene_type, **parameters) -> Stage:
+    return Stage(scene_type, parameters={**SMALL, **parameters})
+
+
+@pytest.mark.parametrize(("scene_type", "path"), LEVELS, ids=level_id)
+def test_every_level_runs_and_all_its_methods_find_the_pairs_of_brute_force(scene_type, path):
+    stage = stage_of(scene_type, path)
+    many = len(stage.scene.ids) > 2000
+    total = len(stage.scene.pairs)
+    for part in (1, 4, 20) if not many else (2,):
+        for _ in range(part):
+            stage.run(1)
+            total += stage.scene.begun - stage.scene.ended
+        assert stage.fault is None
+        assert readouts(stage)["answers differ"] == 0.0
+        assert total == len(stage.scene.pairs)
+        if not many:
+            assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+    for phase in stage.scene.structures() if not many else ():
+        phase.check()
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_every_hard_case_has_its_level(scene_type):
+    found = [
+        (path.stem, stage_of(scene_type, path).scene.level.hard_case)
+        for scene, path in LEVELS
+        if scene is scene_type and path.stem.startswith("hard-")
+    ]
+    wanted = [f"{scene_type.task} H{number}" for number in HARD[scene_type.name]]
+    assert [case for _, case in found] == wanted
+    assert [int(stem.split("-")[1]) for stem, _ in found] == list(HARD[scene_type.name])
+
+
+# -- boxes by hand and by number --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_a_click_adds_a_box_a_drag_one_of_that_size_and_a_right_click_removes(scene_type):
+    stage = Stage(scene_type, parameters={"count": 1, "workload": "equal"}, effects_off=("box-motion",))
+    scene = stage.scene
+    click(stage, tuple(0.5 * (scene.lowers[0] + scene.uppers[0])), button=3)
+    assert len(scene.ids) == 0 and len(scene.pairs) == 0
+    drag(stage, (1.0, 2.0), (3.0, 2.5))
+    drag(stage, (8.0, 7.0), (7.5, 6.0))
+    assert scene.lowers[scene.ids].tolist() == [[1.0, 2.0], [7.5, 6.0]]
+    assert scene.uppers[scene.ids].tolist() == [[3.0, 2.5], [8.0, 7.0]]
+    click(stage, (5.0, 5.0))
+    assert len(scene.ids) == 3
+    assert np.allclose(scene.uppers[2] - scene.lowers[2], scene.size)
+    stage.run(3)
+    assert all(len(phase) == 3 for phase in scene.structures())
+    drag(stage, (1.1, 2.1), (7.7, 6.1))
+    stage.run(1)
+    assert scene.pairs.tolist() == [[0, 1]]
+    assert readouts(stage)["answers differ"] == 0.0
+    click(stage, (7.9, 6.9), button=3)
+    assert scene.ids.tolist() == [0, 2] and len(scene.pairs) == 0
+    drag(stage, (0.5, 0.5), (0.9, 0.9))
+    assert scene.ids.tolist() == [0, 1, 2]
+    stage.run(2)
+    assert scene.pairs.tolist() == brute_pairs(scene)
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_a_held_box_stays_in_the_hand_and_goes_on_when_let_go(scene_type):
+    stage = small(scene_type)
+    scene = stage.scene
+    box = 5
+    middle = tuple(0.5 * (scene.lowers[box] + scene.uppers[box]))
+    held = scene.box_at(middle)
+    velocity = scene.velocities[held].copy()
+    drag(stage, middle, (6.0, 4.0), release=False)
+    stage.run(5)
+    assert scene.held == held
+    assert (scene.lowers[held] <= (6.0, 4.0)).all() and (scene.uppers[held] >= (6.0, 4.0)).all()
+    stage.post(Pointer("cancel", 6.0, 4.0))
+    assert scene.held == -1
+    assert np.array_equal(scene.velocities[held], velocity)
+    before = scene.lowers[held].copy()
+    stage.run(1)
+    assert np.allclose(scene.lowers[held] - before, velocity * stage.dt)
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_boxes_are_added_and_removed_by_number_while_the_others_go_on(scene_type):
+    stage = small(scene_type)
+    scene = stage.scene
+    area = float(((scene.uppers - scene.lowers)[scene.ids]).prod(axis=1).sum())
+    stage.post(Action("more"))
+    assert len(scene.ids) == scene.count == 110
+    stage.post(SetKnob("count", 300))
+    assert len(scene.ids) == 300
+    if scene.workload == "equal":
+        now = float(((scene.uppers - scene.lowers)[scene.ids]).prod(axis=1).sum())
+        assert now == pytest.approx(area, rel=1e-9)
+    stage.run(3)
+    assert scene.pairs.tolist() == brute_pairs(scene)
+    stage.post(Action("fewer"))
+    stage.post(SetKnob("count", 7))
+    assert len(scene.ids) == 7
+    for _ in range(3):
+        stage.post(Action("fewer"))
+    assert len(scene.ids) == 1
+    stage.run(3)
+    assert len(scene.pairs) == 0
+    with pytest.raises(KnobError):
+        stage.post(SetKnob("count", 0))
+    with pytest.raises(KnobError):
+        stage.post(SetKnob("count", 100_001))
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_boxes_move_by_explicit_euler_and_turn_at_the_boundary(scene_type):
+    stage = small(scene_type, speed=20.0)
+    scene = stage.scene
+    before, velocity = scene.lowers.copy(), scene.velocities.copy()
+    stage.run(1)
+    assert np.array_equal(scene.lowers, before + velocity * stage.dt)
+    stage.run(300)
+    outside = np.maximum(-scene.lowers, scene.uppers - (11.2, 8.0)).max()
+    assert 0.0 < outside <= 20.0 * stage.dt * 1.000001
+    assert np.allclose(np.abs(scene.velocities), np.abs(velocity))
+    stage.post(SetEffect("boundary", False))
+    stage.run(120)
+    assert (scene.lowers.max() > 20.0) or (scene.lowers.min() < -10.0)
+    stage.post(SetEffect("box-motion", False))
+    still = scene.lowers.copy()
+    stage.run(5)
+    assert np.array_equal(scene.lowers, still)
+    assert scene.pairs.tolist() == brute_pairs(scene)
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_leaps_and_replacements_are_the_same_every_time(scene_type):
+    digests = set()
+    for _ in range(2):
+        stage = small(scene_type, leaps=0.3, turnover=6)
+        stage.run(20)
+        assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+        assert len(stage.scene.ids) == 60
+        digests.add(stage.digest())
+    assert len(digests) == 1
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_swept_boxes_are_what_was_covered_in_the_step(scene_type):
+    stage = small(scene_type, speed=30.0, swept=True)
+    scene = stage.scene
+    before = scene.lowers.copy(), scene.uppers.copy()
+    stage.run(1)
+    assert np.array_equal(scene.swept_lowers, np.minimum(before[0], scene.lowers))
+    assert np.array_equal(scene.swept_uppers, np.maximum(before[1], scene.uppers))
+    assert scene.pairs.tolist() == brute_pairs(scene)
+    swept = len(scene.pairs)
+    stage.post(SetKnob("swept", False))
+    assert scene.pairs.tolist() == brute_pairs(scene)
+    assert len(scene.pairs) < swept
+
+
+# -- digests, stepping back, files, pictures ----------------------------------------------------------
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_stepping_back_and_forth_repeats_hand_numbers_and_pairs(scene_type):
+    stage = small(scene_type)
+
+    def seen():
+        scene = stage.scene
+        return stage.digest(), scene.pairs.tolist(), scene.begun, scene.ended, len(scene.ids), scene.held
+
+    trail = []
+    for step in range(30):
+        if step == 5:
+            click(stage, (3.0, 3.0))
+        if step == 9:
+            drag(stage, (3.0, 3.0), (4.0, 3.5))
+        if step == 12:
+            click(stage, tuple(0.5 * (stage.scene.lowers[3] + stage.scene.uppers[3])), button=3)
+        if step == 15:
+            stage.post(SetKnob("count", 80))
+        trail.append(seen())
+        stage.run(1)
+    for step in range(29, 3, -1):
+        assert stage.step_back()
+        assert seen() == trail[step]
+    for step in range(5, 30):
+        stage.step()
+        assert seen() == trail[step]
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_a_scene_saved_and_opened_again_has_the_same_boxes(scene_type):
+    stage = small(scene_type)
+    stage.run(10)
+    content = stage.scene.save_content()
+    assert len(content.boxes) == 60
+    again = parse_level(f'scene = "{scene_type.name}"\n', scene_type.name, scene_type.content_type)
+    copy = Stage(scene_type, level=type(again)(scene=scene_type.name, content=content))
+    assert np.array_equal(copy.scene.lowers, stage.scene.lowers)
+    assert copy.scene.pairs.tolist() == stage.scene.pairs.tolist()
+
+
+@pytest.mark.parametrize(
+    ("content", "field"),
+    [
+        ("boxes = [{ lower = [0, 0], upper = [nan, 1] }]", "upper"),
+        ("boxes = [{ lower = [2.0, 0.0], upper = [1.0, 1.0] }]", "content"),
+        ("boxes = [{ lower = [0.0, 0.0] }]", "boxes"),
+        ("boxes = [{ lower = [0.0], upper = [1.0, 1.0] }]", "lower"),
+        ("boxes = [{ lower = [0.0, 0.0], upper = [1.0, 1.0], velocity = [inf, 0.0] }]", "velocity"),
+        ("boxes = [{ lower = [inf, 0.0], upper = [inf, 1.0] }]", "content"),
+        ("boxen = []", "boxen"),
+    ],
+)
+def test_what_is_wrong_in_a_level_is_named(content, field):
+    scene_type = SCENES[0]
+    with pytest.raises(LevelError) as error:
+        level = parse_level(f'scene = "c05"\n[content]\n{content}\n', "c05", scene_type.content_type)
+        Stage(scene_type, level=level)
+    assert field in str(error.value) and "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_pictures_are_drawn_in_both_themes_whatever_there_is_to_see(scene_type):
+    from game.app.stagehand.headless import picture_of_stage, prepare
+
+    prepare()
+    stage = small(scene_type)
+    stage.run(3)
+    plain = picture_of_stage(stage, (640, 360), "dark")
+    drag(stage, (1.0, 1.0), (2.0, 2.0), release=False)
+    begun = picture_of_stage(stage, (640, 360), "dark")
+    assert plain.get_buffer().raw != begun.get_buffer().raw
+    stage.post(Pointer("cancel", 2.0, 2.0))
+    light = picture_of_stage(stage, (320, 240), "light")
+    assert light.get_size() == (320, 240)
+    for name, value in (("count", 3000), ("count", 1)):
+        stage.post(SetKnob(name, value))
+        stage.run(1)
+        picture_of_stage(stage, (200, 150), "light")
+
+
+@pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
+def test_what_a_scene_says_of_itself(scene_type):
+    stage = small(scene_type)
+    stage.run(2)
+    names = list(readouts(stage))
+    assert names[:2] == ["boxes", "pairs"]
+    assert all(name in names for strip in scene_type.strips for name in strip.series)
+    assert scene_type.study is not None and scene_type.equations and scene_type.try_this and scene_type.hints
+    rows = stage.scene.legend()
+    assert rows[0] == ("box:vermilion", "overlapping", str(len(np.unique(stage.scene.pairs))))
+    assert list(stage.scene.messages()) == []
+
+
+def test_a_box_beyond_the_most_is_not_taken():
+    stage = Stage(SCENES[0], parameters={"count": 100_000, "cell": 1.0}, effects_off=("matrix-pairs",))
+    click(stage, (0.001, 0.001))
+    assert len(stage.scene.ids) in (99_999, 100_000)
+    assert stage.scene.count <= 100_000
+    stage.run(1)
+    assert stage.fault is None
+    assert open_level(SCENES[0], "default").scene.count == 500
+
+
+@pytest.mark.parametrize("name", ["c05", "c06", "c07", "broad-phase-race"])
+def test_so_many_boxes_that_all_of_them_overlap_are_refused_at_once(name: str):
+    scene_type = CATALOGUE[name].load()
+    wide = ", ".join("{lower = [0.0, 0.0], upper = [9.0, 7.0]}" for _ in range(3))
+    level = parse_level(f'scene = "{name}"\n[content]\nboxes = [{wide}]\n', name, scene_type.content_type)
+    stage = Stage(scene_type, level=level)
+    stage.run(2)
+    before = stage.digest()
+    with pytest.raises(KnobError, match="too many pairs"):
+        stage.post(SetKnob("count", 2000))
+    assert stage.digest() == before and stage.fault is None
+    assert stage.run(2) == 2
+
+
+@pytest.mark.parametrize("scene_type", SCENES)
+def test_times_of_many_other_boxes_are_forgotten(scene_type):
+    stage = small(scene_type)
+    stage.run(10)
+    measured = {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
+    assert measured
+    stage.post(SetKnob("count", SMALL["count"] + 1))
+    assert measured <= {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
+    stage.post(SetKnob("count", 3 * SMALL["count"]))
+    assert not any(np.isfinite(r.value) for r in stage.readouts() if r.name in measured)
+
+
+@pytest.mark.parametrize(
+    "sizes", ([1.7e308, 1.6e308], [5e-324, 5e-324], [0.2, 0.1, 0.4], [3.0], [0.1, 0.7, 0.3, 0.2])
+)
+def test_the_typical_size_is_the_median_even_of_the_largest_and_least(sizes):
+    uppers = np.repeat(np.array(sizes)[:, None], 2, axis=1)
+    boxes = SimpleNamespace(lowers=np.zeros_like(uppers), uppers=uppers, alive=np.ones(len(sizes), np.uint8))
+    wanted = float(np.median(np.array(sizes, dtype=np.longdouble)))
+    assert ArraysOfBoxes.typical_size(boxes) == wanted

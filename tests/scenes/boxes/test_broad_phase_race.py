@@ -1,0 +1,72 @@
+"""The race: every broad phase and both managers on one workload."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.physics.broadphase.workloads import WORKLOADS
+from game.scenes.boxes.race import BroadPhaseRace
+from game.stage import SetKnob, Stage
+from tests.scenes.boxes.box_stages import brute_pairs, open_level, readouts
+
+
+@pytest.mark.parametrize("workload", WORKLOADS)
+def test_all_find_the_same_on_every_workload(workload):
+    stage = Stage(
+        BroadPhaseRace, parameters={"count": 200, "workload": workload, "ratio": 8.0, "share": 0.05}
+    )
+    scene = stage.scene
+    assert list(scene.phases) == ["naive", "uniform", "covering", "hierarchical", "sweep"]
+    before = scene.lowers.copy()
+    for _ in range(10):
+        stage.run(1)
+        assert all(scene.agree.values())
+        assert all(len(manager) == len(scene.pairs) for manager in scene.managers.values())
+    assert scene.pairs.tolist() == brute_pairs(scene)
+    values = readouts(stage)
+    assert all(values[name] > 0.0 for name in (*scene.phases, "matrix", "hash"))
+    if workload == "teleport":
+        assert (np.abs(scene.lowers - before).max(axis=1) > 0.5).mean() > 0.8
+        assert values["swaps"] > 1000
+
+
+def test_contestants_are_switched_off_and_one_always_stays():
+    stage = Stage(BroadPhaseRace, parameters={"count": 100})
+    stage.run(2)
+    for name in ("naive", "uniform", "covering", "sweep", "hierarchical"):
+        stage.post(SetKnob(name, False))
+        stage.run(1)
+        assert bool(stage.scene.messages()) == (name == "hierarchical")  # all switches are off, one stays
+    assert list(stage.scene.phases) == ["hierarchical"]
+    stage.run(2)
+    assert math.isnan(readouts(stage)["naive"])
+    stage.post(SetKnob("sweep", True))
+    stage.run(2)
+    assert list(stage.scene.phases) == ["sweep"]
+    assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+
+
+def test_all_leaping_is_sorted_anew_in_every_step_and_one_line_only_at_first():
+    def sorted_anew(workload: str) -> list[int]:
+        stage = Stage(BroadPhaseRace, parameters={"count": 400, "workload": workload, "naive": False})
+        counts = []
+        for _ in range(30):
+            stage.run(1)
+            counts.append(stage.scene.phases["sweep"].resorts)
+        return counts
+
+    assert sorted_anew("teleport") == list(range(1, 31))
+    on_one_line = sorted_anew("line")
+    assert on_one_line[0] == 1 and on_one_line[-1] == on_one_line[2]
+
+
+def test_what_is_too_dear_is_left_out():
+    stage = open_level(BroadPhaseRace, "default")
+    stage.post(SetKnob("count", 4500))
+    stage.run(3)
+    assert "naive" not in stage.scene.phases and stage.scene.managers["matrix"] is None
+    values = readouts(stage)
+    assert math.isnan(values["naive"]) and math.isnan(values["matrix"]) and values["hash"] > 0.0

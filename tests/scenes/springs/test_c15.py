@@ -1,0 +1,95 @@
+"""Soft springs, C15.3, C15.6 and beyond; the rest is in test_springs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from game.scenes.springs.soft_springs import Springs
+from game.stage import SetEffect, SetKnob
+from tests.scenes.particle_stages import click, open_level, readouts
+
+G = 9.81
+
+
+def stretches(stage):
+    """Of the three springs that hang beside each other, m."""
+    y = stage.scene.system.positions[:, 1]
+    return y[0::2] - y[1::2] - 1.5
+
+
+def test_stiffness_is_a_part_of_the_correction():
+    """C15.3: rest stretch g dt² q / (1 - q) with q = (1 - k)^n, for three stiffnesses of their own."""
+    stage = open_level(Springs, "three-springs", damping=20.0)
+    stage.run(1500)
+    q = (1.0 - np.array([0.02, 0.06, 1.0])) ** 4
+    assert np.allclose(stretches(stage), G / 3600 * q / (1 - q), rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("model", "by_sweeps", "by_step"),
+    [("pbd", True, True), ("pbd-even", False, True), ("xpbd", False, False)],
+)
+def test_what_stiffness_depends_on(model, by_sweeps, by_step):
+    """C15.6 and beyond: k on sweeps and step, k' on the step, compliance on neither."""
+    rest = {}
+    for sweeps, dt in ((4, 1 / 60), (16, 1 / 60), (4, 1 / 120)):
+        stage = open_level(
+            Springs, "three-springs", model=model, iterations=sweeps, step_length=dt, damping=20.0
+        )
+        stage.run(round(8 / dt))
+        rest[sweeps, dt] = stretches(stage)[0]
+    base = rest[4, 1 / 60]
+    assert (abs(rest[16, 1 / 60] / base - 1) > 0.3) == by_sweeps
+    assert (abs(rest[4, 1 / 120] / base - 1) > 0.3) == by_step
+
+
+def test_the_three_models_agree_for_one_sweep_at_sixty_a_second():
+    rest = []
+    for model in ("pbd", "pbd-even", "xpbd"):
+        stage = open_level(Springs, "three-springs", model=model, iterations=1, damping=20.0)
+        stage.run(1500)
+        rest.append(stretches(stage))
+    assert np.allclose(rest[0], rest[1], rtol=0, atol=1e-9)
+    assert np.allclose(rest[0], rest[2], rtol=0, atol=1e-9)
+
+
+def test_a_spring_gets_a_stiffness_of_its_own():
+    stage = open_level(Springs, "three-springs", damping=20.0)
+    click(stage, stage.scene.system.positions[1])
+    assert stage.scene.values["own_stiffness"] == 0.02
+    stage.post(SetKnob("own_stiffness", 1.0))
+    stage.run(600)
+    assert stretches(stage)[0] == pytest.approx(0.0, abs=1e-9)
+    assert stretches(stage)[1] > 5e-4
+    assert stage.scene.save_content().links[0].stiffness == 1.0
+
+
+def test_jelly_and_ring_keep_their_area_and_lose_it_without():
+    stage = open_level(Springs, "default")
+    stage.run(150)
+    assert readouts(stage)["area kept"] == pytest.approx(1.0, abs=0.05)
+    ring = stage.scene.system.areas()
+    assert ring[0][-1] == pytest.approx(ring[1][-1], rel=0.1)
+    stage.post(SetEffect("areas", False))
+    stage.run(240)
+    assert stage.scene.system.areas()[0][-1] < 0.5 * ring[1][-1]
+
+
+def test_stiffness_one_is_rigid_and_nought_is_free():
+    rigid = open_level(Springs, "hard-01-rigid")
+    free = open_level(Springs, "hard-01-free")
+    rigid.run(60)
+    free.run(60)
+    assert readouts(rigid)["worst"] < 0.05
+    assert free.scene.system.positions[1:, 1].max() == 0.0
+
+
+def test_series_and_side_by_side():
+    """With compliance and a bead of a gram between: 1/k adds up in series, k side by side."""
+    stage = open_level(Springs, "hard-06-series-and-parallel", damping=5.0, iterations=200)
+    stage.run(900)
+    places = stage.scene.system.positions
+    k = 0.05 / 0.95 * 3600.0
+    assert places[3, 1] - places[4, 1] - 1.0 == pytest.approx(G / (2 * k), rel=1e-3)
+    assert places[0, 1] - places[2, 1] - 1.6 == pytest.approx((2 * G + 1e-3 * G) / k, rel=2e-2)

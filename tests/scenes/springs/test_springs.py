@@ -1,0 +1,276 @@
+"""What the mass-spring scenes C14 and C15 share: building, moving, cutting, levels, replay."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from game.levels import Level, LevelError, format_level, level_files, parse_level
+from game.scenes.springs.level import SpringContent
+from game.scenes.springs.rigid_links import RigidLinks
+from game.scenes.springs.soft_springs import Springs
+from game.stage import Action, KnobError, SetEffect, SetKnob, replay_scene
+from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
+
+SCENES = (RigidLinks, Springs)
+LEVELS = [(scene, path) for scene in SCENES for path in level_files(scene.name)]
+both = pytest.mark.parametrize("scene_type", SCENES, ids=lambda scene: scene.name)
+
+
+def sheet(scene_type, **knobs):
+    """Two particles and a link, the first of them fixed."""
+    return open_level(scene_type, "draw", tool="hand", **knobs)
+
+
+@both
+def test_particles_and_links_are_clicked_together(scene_type):
+    """C14.1, C15.1: also while it stands still, and saved and read back."""
+    stage = sheet(scene_type)
+    stage.pause()
+    stage.post(SetKnob("tool", "particle"))
+    stage.post(SetKnob("mass", 3.0))
+    for point in ((-2.0, 2.0), (-1.0, 2.0), (-1.5, 3.0)):
+        click(stage, point)
+    scene = stage.scene
+    assert scene.system.count == 5
+    assert np.allclose(scene.system.inverse_masses[2:], 1 / 3)
+    stage.post(SetKnob("tool", "link"))
+    click(stage, (-2.0, 2.0))
+    click(stage, (-1.0, 2.0))
+    drag(stage, (-1.0, 2.0), (-1.5, 3.0), steps=2, run=0)
+    assert scene.system.links.pairs.tolist()[-2:] == [[2, 3], [3, 4]]
+    assert scene.system.links.rest[-1] == pytest.approx(math.dist((-1, 2), (-1.5, 3)))
+    click(stage, (-2.0, 2.0))
+    click(stage, (-1.0, 2.0))
+    assert len(scene.system.torn) == 3
+    assert any("linked already" in words for words in scene.messages())
+    text = format_level(Level(scene=scene_type.name, content=scene.save_content()))
+    back = parse_level(text, scene_type.name, SpringContent)
+    assert len(back.content.particles) == 5
+    assert len(back.content.links) == 3
+    assert scene_type(back).system.links.pairs.tolist() == scene.system.links.pairs.tolist()
+    stage.resume()
+    stage.run(30)
+    assert stage.fault is None
+
+
+@both
+def test_inverse_mass_nought_is_fixed_and_masses_are_typed(scene_type):
+    """C14.2, C15.2: pinned and freed by a click; the mass of the chosen one by its knob."""
+    stage = sheet(scene_type)
+    scene = stage.scene
+    stage.run(30)
+    assert np.array_equal(scene.system.positions[0], (0.0, 3.0))
+    stage.post(Action("pin"))
+    click(stage, (0.0, 3.0))
+    assert scene.system.inverse_masses[0] > 0.0
+    stage.run(10)
+    assert scene.system.positions[0, 1] < 3.0
+    stage.post(Action("hand"))
+    click(stage, scene.system.positions[1])
+    assert scene.chosen == 1
+    stage.post(SetKnob("mass", 50.0))
+    assert scene.system.inverse_masses[1] == pytest.approx(0.02)
+    stage.post(SetKnob("fixed", True))
+    there = scene.system.positions[1].copy()
+    stage.run(20)
+    assert np.array_equal(scene.system.positions[1], there)
+
+
+@both
+def test_the_ground_pushes_up_and_gravity_pulls_down(scene_type):
+    """C14.4, .5, C15.4, .5"""
+    stage = sheet(scene_type)
+    stage.post(Action("pin"))
+    click(stage, (0.0, 3.0))
+    stage.run(120)
+    assert stage.scene.system.positions[:, 1].min() == 0.0
+    stage.post(SetEffect("ground", False))
+    stage.run(60)
+    assert stage.scene.system.positions[:, 1].max() < -3.0
+    stage.post(SetKnob("gravity", -10.0))
+    stage.run(240)
+    assert stage.scene.system.positions[:, 1].min() > 0.0
+
+
+@both
+def test_damping_takes_energy(scene_type):
+    """C14.7, C15.7: f = -k_d v."""
+    kinetic = {}
+    for k in (0.0, 3.0):
+        stage = sheet(scene_type, damping=k)
+        stage.run(50)
+        kinetic[k] = readouts(stage)["kinetic"]
+    assert kinetic[3.0] < 0.2 * kinetic[0.0]
+
+
+@both
+def test_particles_are_dragged_while_it_runs(scene_type):
+    """C14.8, C15.8: the held one is where the pointer is, and is free again."""
+    stage = open_level(scene_type, "default")
+    stage.run(10)
+    scene = stage.scene
+    index = 20
+    press(stage, scene.system.positions[index])
+    held = scene.system.held
+    assert held >= 0
+    for i in range(20):
+        move(stage, (0.05 * i, 2.0 + 0.05 * i))
+        stage.run(1)
+        if i > 10:
+            assert np.allclose(scene.system.positions[held], (0.05 * i, 2.0 + 0.05 * i), rtol=0, atol=1e-9)
+    release(stage, (1.0, 3.0))
+    assert scene.system.held == -1
+    assert scene.system.inverse_masses[held] > 0.0
+    stage.run(240)
+    assert scene.system.positions[held, 1] < 2.9
+    assert stage.fault is None
+
+
+@both
+def test_cutting_with_the_right_button_and_with_the_tool(scene_type):
+    stage = sheet(scene_type)
+    drag(stage, (0.7, 3.4), (0.7, 2.6), button=3, run=0)
+    assert readouts(stage)["links"] == 0
+    stage.run(60)
+    assert stage.scene.system.positions[1, 1] < 0.5
+    assert np.array_equal(stage.scene.system.positions[0], (0.0, 3.0))
+    again = sheet(scene_type)
+    again.post(Action("cut"))
+    drag(again, (0.7, 3.4), (0.7, 2.6), run=0)
+    assert readouts(again)["torn"] == 1
+
+
+@both
+def test_what_is_chosen_is_deleted_with_its_links(scene_type):
+    stage = open_level(scene_type, "default")
+    scene = stage.scene
+    links = len(scene.system.torn)
+    click(stage, scene.system.positions[10])
+    at_it = int(np.any(scene.system.links.pairs == scene.chosen, axis=1).sum())
+    count = scene.system.count
+    stage.post(Action("delete"))
+    assert stage.scene.system.count == count - 1
+    assert len(stage.scene.system.torn) == links - at_it
+    stage.run(30)
+    stage.scene.system.check()
+    alone = sheet(scene_type)
+    for _ in range(2):
+        click(alone, alone.scene.system.positions[0])
+        alone.post(Action("delete"))
+    assert alone.scene.system.count == 1
+    assert any("last particle" in words for words in alone.scene.messages())
+
+
+@both
+def test_points_and_lines_are_counted_in_the_legend(scene_type):
+    """C14.9, C15.9"""
+    stage = open_level(scene_type, "default")
+    rows = {words: count for _, words, count in stage.scene.legend()}
+    noun = "links" if scene_type is RigidLinks else "springs"
+    assert int(rows[noun].replace("\u202f", "").replace("\u2009", "")) == len(stage.scene.system.torn)
+
+
+@pytest.mark.parametrize(("scene_type", "path"), LEVELS, ids=lambda value: getattr(value, "name", value))
+def test_every_level_steps_restores_and_steps_again(scene_type, path):
+    stage = stage_of(scene_type, path)
+    stage.run(12)
+    for _ in range(4):
+        assert stage.step_back()
+    middle = stage.digest()
+    stage.run(8)
+    again = stage_of(scene_type, path)
+    again.run(8)
+    assert again.digest() == middle
+    again.run(8)
+    assert again.digest() == stage.digest()
+    assert stage.fault is None
+    stage.scene.system.check()
+
+
+@both
+def test_a_recorded_session_with_edits_replays_exactly(scene_type):
+    stage = open_level(scene_type, "default")
+    stage.run(5)
+    drag(stage, stage.scene.system.positions[9], (0.0, 4.0), steps=6)
+    stage.post(SetKnob("tool", "particle"))
+    click(stage, (0.0, 4.2))
+    stage.post(SetKnob("iterations", 5))
+    stage.run(3)
+    stage.post(SetKnob("tool", "link"))
+    click(stage, stage.scene.system.positions[-1])
+    click(stage, stage.scene.system.positions[3])
+    drag(stage, (-3.0, 3.5), (3.0, 0.5), button=3, steps=4)
+    stage.post(SetEffect("damping", False))
+    stage.run(10)
+    twin = replay_scene(stage.recording, scene_type)
+    assert twin.digest() == stage.digest()
+
+
+@both
+def test_stepping_back_undoes_edits(scene_type):
+    stage = open_level(scene_type, "default")
+    stage.run(6)
+    before, count = stage.digest(), stage.scene.system.count
+    stage.post(Action("particle"))
+    click(stage, (0.0, 4.3))
+    stage.run(4)
+    click(stage, (0.5, 4.3))
+    stage.run(4)
+    assert stage.scene.system.count == count + 2
+    after = stage.digest()
+    while stage.step_number > 6:
+        assert stage.step_back()
+    assert stage.step_back()
+    stage.step()
+    stage.step_back()
+    while stage.step_number < 14:
+        stage.step()
+    assert stage.digest() == after
+    while stage.step_number > 5:
+        stage.step_back()
+    stage.post(Action("hand"))
+    stage.step()
+    assert stage.scene.system.count == count
+    assert stage.digest() == before
+
+
+@pytest.mark.parametrize(
+    ("text", "field"),
+    [
+        ("[[content.links]]\nends = [0, 1]", "links[0]"),
+        (
+            "[content]\nparticles = [{ position = [0, 0], inverse_mass = -1.0 }]",
+            "content.particles[0].inverse_mass",
+        ),
+        ("[content]\nparticles = [{ position = [0, nan] }]", "content.particles[0].position[1]"),
+        (
+            "[content]\nparticles = [{ position = [0, 0] }]\nlinks = [{ ends = [0, 0] }]",
+            "links[0]",
+        ),
+        ("[content]\nparticles = [{ position = [0, 0] }]\nareas = [[0, 0, 0]]", "areas[0]"),
+        ('[[content.ropes]]\nstart = [0, 0]\nend = [1, 0]\nlinks = 4\npins = "all"', "ropes[0]"),
+        (
+            "[[content.cloths]]\ncorner = [0, 0]\ncolumns = 9999\nrows = 2\nspacing = 0.1",
+            "content.cloths[0].columns",
+        ),
+        ("[content]\nfloor = 0.0", "particles"),
+        ("[parameters]\niterations = 0", "parameters.iterations"),
+        ("[content]\nropse = []", "ropse"),
+    ],
+)
+def test_what_is_broken_in_a_level_is_named(text, field):
+    with pytest.raises(LevelError) as caught:
+        RigidLinks(parse_level(f'scene = "c14"\n{text}\n', "c14", SpringContent))
+    assert field in str(caught.value)
+
+
+def test_a_solver_that_does_not_fit_is_refused_and_the_old_one_goes_on():
+    stage = open_level(RigidLinks, "default")
+    with pytest.raises(KnobError, match="fork"):
+        stage.post(SetKnob("solver", "direct"))
+    assert stage.scene.solver == "gauss-seidel"
+    stage.run(2)
+    assert stage.fault is None
