@@ -7,13 +7,11 @@ from game.billiards.shot.shot import Physics
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet, declare_effect
 
-CLOTH = declare_effect(
-    "billiards", "cloth", 14, "Cloth", "Balls slide, roll and come to rest; without it they never stop."
-)
-SPIN_DECAY = declare_effect("billiards", "spin-decay", 15, "Spin decay", "Spin about the vertical wears off.")
-THROW = declare_effect("billiards", "throw", 16, "Throw", "Balls rub on each other: cut and spin throw them.")
-RUBBER = declare_effect("billiards", "rubber", 17, "Cushion friction", "Spin and cushion act on each other.")
-EXACT_EFFECTS = CLOTH | SPIN_DECAY | THROW | RUBBER | POCKETS
+CLOTH = declare_effect("cloth", "Cloth", "Balls slide, roll and come to rest; without it they never stop.")
+SPIN_DECAY = declare_effect("spin-decay", "Spin decay", "Spin about the vertical wears off.")
+THROW = declare_effect("throw", "Throw", "Balls rub on each other: cut and spin throw them.")
+RUBBER = declare_effect("rubber", "Cushion friction", "Spin and cushion act on each other.")
+EXACT_EFFECTS = POCKETS | CLOTH | SPIN_DECAY | THROW | RUBBER
 
 
 def physics_of(active: EffectSet, full: Physics | None = None) -> Physics:

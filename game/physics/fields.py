@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from game.physics.effects import declare_effect
 
-GRAVITY = declare_effect("fields", "gravity", 0, "Gravity", "A constant acceleration downwards.")
-DRAG = declare_effect("fields", "drag", 1, "Air drag", "A force against the motion, in proportion to it.")
-WIND = declare_effect("fields", "wind", 2, "Wind", "The air itself moves; felt only by way of drag.")
+GRAVITY = declare_effect("gravity", "Gravity", "A constant acceleration downwards.")
+DRAG = declare_effect("drag", "Air drag", "A force against the motion, in proportion to it.")
+WIND = declare_effect("wind", "Wind", "The air itself moves; felt only by way of drag.")
 QUADRATIC_DRAG = declare_effect(
-    "fields", "quadratic-drag", 3, "Fast drag", "A force against the motion, as the square of the speed."
+    "quadratic-drag", "Fast drag", "A force against the motion, as the square of the speed."
 )
-WHIRL = declare_effect("fields", "whirl", 4, "Whirl", "Air that turns about a point; felt by way of drag.")
-ATTRACTOR = declare_effect("fields", "attractor", 5, "Attractor", "A pull to a point, stronger farther off.")
-GROUND = declare_effect("fields", "ground", 6, "Ground", "A level floor that nothing passes.")
+WHIRL = declare_effect("whirl", "Whirl", "Air that turns about a point; felt by way of drag.")
+ATTRACTOR = declare_effect("attractor", "Attractor", "A pull to a point, stronger farther off.")
+GROUND = declare_effect("ground", "Ground", "A level floor that nothing passes.")

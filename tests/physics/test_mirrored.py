@@ -15,16 +15,14 @@ import pytest
 from game.physics.animation.ik.inverse_kinematics import solve_ik
 from game.physics.animation.ik.solver import METHODS as WAYS
 from game.physics.animation.skeleton import Skeleton
-from game.physics.constraints import MODELS, SCHEMES, PositionBasedDynamics, shapes
-from game.physics.constraints.settings import KNOWN as OF_LINKS
+from game.physics.constraints import LINKED, MODELS, SCHEMES, PositionBasedDynamics, shapes
 from game.physics.fields import ATTRACTOR, DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import METHODS as FLIGHTS
 from game.physics.particles import OBSTACLES, Discs, Forces, ParticleSystem
 from game.physics.rigid import METHODS, RigidBody
-from game.physics.rigid.settings import KNOWN as OF_A_BODY
+from game.physics.rigid.effects import BODIES
 from game.physics.spheres.collisions import CollidingSpheres
-from game.physics.spheres.effects import IMPACT_TIMES
-from game.physics.spheres.effects import KNOWN as OF_SPHERES
+from game.physics.spheres.effects import IMPACT_TIMES, SPHERES
 from game.physics.spheres.settings import LAWS, material_tables, surroundings_of
 from game.physics.spheres.settings import SCHEMES as MOTIONS
 from game.physics.spheres.spheres import SphereBodies
@@ -58,7 +56,7 @@ def test_colliding_spheres(law, scheme, path):
             *(() if path == "planar" else ([11], [(places[11, 0] * side, 4.0, 0.0, 1.5)])),
         )  # fmt: skip
         world = CollidingSpheres(
-            bodies, room, material_tables(0.6, 0.4), effects=OF_SPHERES.without(IMPACT_TIMES),
+            bodies, room, material_tables(0.6, 0.4), effects=SPHERES.known.without(IMPACT_TIMES),
             path=path, law=law, scheme=scheme, drag=0.2,
         )  # fmt: skip
         for _ in range(40):
@@ -83,7 +81,7 @@ def test_a_rigid_body(method):
         body = RigidBody.from_spheres(
             np.array([(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.4, 0.1)]) * polar, [0.5, 0.25, 0.3], 1.0,
             velocity=polar * (1.0, 2.0, -0.5), angular_velocity=(0.3, side, 2.0 * side), method=method,
-            effects=OF_A_BODY, gravity=9.81, damping=0.4, restitution=0.8, lower=(-2, -2, -2),
+            effects=BODIES.known, gravity=9.81, damping=0.4, restitution=0.8, lower=(-2, -2, -2),
             upper=(2, 2, 2),
         )  # fmt: skip
         for _ in range(80):
@@ -134,7 +132,7 @@ def test_linked_particles(model, scheme):
             ring.positions * mirror, 1.0, ring.links, 0.8, areas=[list(range(9))[:: 1 if side > 0 else -1]],
             area_stiffness=0.5, compliances=1e-4, area_compliance=1e-3, contacts=[(0, 4)], distances=0.8,
             velocities=np.tile((1.5 * side, -0.5), (9, 1)), model=model, scheme=scheme, iterations=4,
-            floor=-0.7, damping=0.1, stretch_limit=0.3, effects=OF_LINKS,
+            floor=-0.7, damping=0.1, stretch_limit=0.3, effects=LINKED.known,
         )  # fmt: skip
         system.grab(2)
         for step in range(40):

@@ -10,8 +10,8 @@ from game.physics.effects import declare_effect
 from game.physics.kernels.jit import kernel
 from game.stage import Action, Frame, Param, Pointer, Readout, Scene, SceneAction, Strip, Toggle
 
-GRAVITY = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
-GROUND = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")
+GRAVITY = declare_effect("test-gravity", "Gravity", "Pulls everything down.")
+GROUND = declare_effect("test-ground", "Ground", "The ball comes back from the ground.")
 
 
 class BallState(NamedTuple):

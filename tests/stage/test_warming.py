@@ -13,8 +13,8 @@ from game.physics.effects import EffectSet, declare_effect
 from game.stage import EffectMeter, Scene, SetEffect, Stage, Warming, WarmUp
 from tests.stage.example_scene import BouncingBall
 
-CHEAP = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
-DEAR = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")
+CHEAP = declare_effect("test-gravity", "Gravity", "Pulls everything down.")
+DEAR = declare_effect("test-ground", "Ground", "The ball comes back from the ground.")
 
 
 class TestWarming:

@@ -10,9 +10,9 @@ import numpy as np
 from game.physics.effects import EffectSet, declare_effect
 from game.stage import Choice, Equation, Frame, Hint, Param, Readout, Scene, Strip, Toggle
 
-PULL = declare_effect("spare", "test-gravity", 59, "Gravity", "Pulls everything down.")
-FLOOR = declare_effect("spare", "test-ground", 60, "Ground", "The ball comes back from the ground.")
-AIR = declare_effect("spare", "test-drag", 61, "Air drag", "Slows the ball with its speed.")
+PULL = declare_effect("test-gravity", "Gravity", "Pulls everything down.")
+FLOOR = declare_effect("test-ground", "Ground", "The ball comes back from the ground.")
+AIR = declare_effect("test-drag", "Air drag", "Slows the ball with its speed.")
 
 
 class SampleState(NamedTuple):

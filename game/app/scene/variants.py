@@ -69,4 +69,4 @@ class Variants:
 
     def _key(self, values: Mapping[str, Any], active: EffectSet) -> tuple[Any, ...]:
         knobs = self._stage.scene.knobs().items()
-        return active.mask, *(values[name] for name, knob in knobs if isinstance(knob, Choice | Toggle))
+        return active, *(values[name] for name, knob in knobs if isinstance(knob, Choice | Toggle))

@@ -15,21 +15,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.billiards.laws.joint import joint_scratch
 from game.billiards.table.table import Table
-from game.physics.effects import declare_effect
+from game.physics.effects import Room, declare_effect
 
-WALLS = declare_effect("billiards", "walls", 8, "Walls", "Balls rebound from cushions and jaws.")
-BALL_COLLISIONS = declare_effect(
-    "billiards", "ball-collisions", 9, "Ball collisions", "Balls push one another."
-)
-FRICTION = declare_effect(
-    "billiards", "cloth-friction", 10, "Friction", "Speed shrinks by a factor each frame."
-)
-MINIMUM_SPEED = declare_effect(
-    "billiards", "minimum-speed", 11, "Stopping", "What is slower than a minimum rests."
-)
-POCKETS = declare_effect("billiards", "pockets", 12, "Pockets", "Cushions open, and the holes take balls.")
-ROLLING = declare_effect("billiards", "rolling", 13, "Rolling", "Numbers and stripes turn with the motion.")
+WALLS = declare_effect("walls", "Walls", "Balls rebound from cushions and jaws.")
+BALL_COLLISIONS = declare_effect("ball-collisions", "Ball collisions", "Balls push one another.")
+FRICTION = declare_effect("cloth-friction", "Friction", "Speed shrinks by a factor each frame.")
+MINIMUM_SPEED = declare_effect("minimum-speed", "Stopping", "What is slower than a minimum rests.")
+POCKETS = declare_effect("pockets", "Pockets", "Cushions open, and the holes take balls.")
+ROLLING = declare_effect("rolling", "Rolling", "Numbers and stripes turn with the motion.")
 LECTURE_EFFECTS = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED | POCKETS | ROLLING
+LECTURE = Room("lecture tables", LECTURE_EFFECTS)
 
 RULES = ("conserving", "scaled", "as-printed")  # what a collision does to two velocities
 ORDERS = ("joint", "pairwise")  # contacts of one substep together, or pair after pair by index

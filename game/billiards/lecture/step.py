@@ -22,6 +22,7 @@ from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     FRAME_RATE,
     FRICTION,
+    LECTURE,
     MAX_SUBSTEPS,
     MINIMUM_SPEED,
     NOT_FINITE,
@@ -38,8 +39,8 @@ from game.billiards.lecture.state import (
 from game.billiards.lecture.walls import bounce_off_walls, swallow
 from game.physics.kernels.jit import kernel
 
-_WALLS, _BALLS, _FRICTION = WALLS.mask, BALL_COLLISIONS.mask, FRICTION.mask
-_MINIMUM, _POCKETS, _ROLLING = MINIMUM_SPEED.mask, POCKETS.mask, ROLLING.mask
+_WALLS, _BALLS, _FRICTION = (LECTURE.bit(effect) for effect in (WALLS, BALL_COLLISIONS, FRICTION))
+_MINIMUM, _POCKETS, _ROLLING = (LECTURE.bit(effect) for effect in (MINIMUM_SPEED, POCKETS, ROLLING))
 
 
 @kernel

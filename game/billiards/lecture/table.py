@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from game.billiards.lecture.events import TableEvent, table_events
 from game.billiards.lecture.state import (
     EVENTS,
+    LECTURE,
     LECTURE_EFFECTS,
     MAX_BALLS,
     MAX_COORDINATE,
@@ -109,7 +110,7 @@ class LectureTable:
         self._effects = effects
         half = np.array([geometry.half_width, geometry.half_length])
         self._geometry = (half, geometry.cushions, geometry.jaws, geometry.pockets)
-        self._step = step_kernel(effects.mask, ORDERS.index(self._settings.order))
+        self._step = step_kernel(LECTURE.mask(effects), ORDERS.index(self._settings.order))
 
     @property
     def settings(self) -> LectureSettings:
@@ -125,7 +126,7 @@ class LectureTable:
             )
         self._settings = replace(self._settings, **knobs)
         self._knobs[:] = self._settings.model()
-        self._step = step_kernel(self._effects.mask, ORDERS.index(self._settings.order))
+        self._step = step_kernel(LECTURE.mask(self._effects), ORDERS.index(self._settings.order))
 
     # -- balls
 

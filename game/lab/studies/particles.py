@@ -17,7 +17,7 @@ import numpy as np
 from game.lab.ranges import counts_between
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.fields import DRAG, GRAVITY
-from game.physics.particles import CALM, CONTACTS, EVALUATIONS, METHODS, OBSTACLES, ORDERS, Discs
+from game.physics.particles import CALM, CONTACTS, EVALUATIONS, METHODS, OBSTACLES, ORDERS, PARTICLES, Discs
 from game.physics.particles.contacts import Rules
 from game.physics.particles.shot import shoot
 
@@ -86,7 +86,7 @@ class Shot:
         self.until = BOUNCE_TIME if bounce else FREE_TIME
         self.simulated_s = COPIES * self.until
         self.bounce = bounce
-        mask = (GRAVITY | DRAG | OBSTACLES).mask if bounce else (GRAVITY | DRAG).mask
+        mask = PARTICLES.mask(GRAVITY | DRAG | OBSTACLES if bounce else GRAVITY | DRAG)
         dt = self.until / steps
         self.rules = Rules(CONTACTS.index(contact), METHODS.index(method), mask, 0.0, RESTITUTION, dt)
         self.law = CALM._replace(gravity=GRAVITY_G, drag=DRAG_K)

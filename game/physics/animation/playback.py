@@ -13,20 +13,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.animation.easing import Easing
-from game.physics.animation.effects import CONSTANT_SPEED, EASING
+from game.physics.animation.effects import CONSTANT_SPEED, EASING, PLAYBACKS
 from game.physics.animation.keyframes import Keyframes
 from game.physics.animation.piecewise import PiecewiseCubic
-from game.physics.effects import Effect, EffectSet, effects_of
+from game.physics.effects import Effect, EffectSet
 
 Array = NDArray[np.float64]
 NOTHING = EffectSet(())
-KNOWN = EASING | CONSTANT_SPEED
 
 
 class Playback:
     """Key-frames from ``begin`` to ``end`` (s; by themselves those of the first and last key), as played.
 
-    columns: those of the place, whose path has the length. effects: of KNOWN. With constant speed the
+    columns: those of the place, whose path has the length. effects: of `PLAYBACKS`. With constant speed the
     time outside the keys does not count, as nothing moves there. "nearest" has no way between its keys, so
     nothing is spread there, nor for a path that is a point. ValueError for other effects.
     """
@@ -40,7 +39,7 @@ class Playback:
         begin: float | None = None,
         end: float | None = None,
     ) -> None:
-        effects = effects_of(effects, KNOWN, "a playback knows")
+        effects = PLAYBACKS.checked(effects)
         first, last = track.span
         self.track, self.columns = track, list(columns)
         self.begin, self.end = first if begin is None else begin, last if end is None else end

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any
 
-from game.physics.broadphase.effects import BOUNDARY, MOTION
+from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
 from game.physics.kernels.jit import kernel
 
-MOTION_BIT, BOUNDARY_BIT = MOTION.mask, BOUNDARY.mask
+MOTION_BIT, BOUNDARY_BIT = BOXES.bit(MOTION), BOXES.bit(BOUNDARY)
 
 
 @cache

@@ -1,10 +1,10 @@
 """Position based dynamics: links, areas and attachments by Gauss-Seidel, compliance, or solved at once."""
 
 from game.physics.constraints.colours import ORDERS
-from game.physics.constraints.effects import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
+from game.physics.constraints.effects import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKED, LINKS, TEARING
 from game.physics.constraints.links import MODELS
 from game.physics.constraints.motion import SCHEMES
-from game.physics.constraints.settings import KNOWN, SOLVERS, Settings
+from game.physics.constraints.settings import SOLVERS, Settings
 from game.physics.constraints.system import LinkMeasures, PositionBasedDynamics, PositionState
 
 __all__ = [
@@ -12,7 +12,7 @@ __all__ = [
     "ATTACHMENTS",
     "CONTACTS",
     "DAMPING",
-    "KNOWN",
+    "LINKED",
     "LINKS",
     "MODELS",
     "ORDERS",

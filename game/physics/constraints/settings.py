@@ -5,35 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from game.physics.constraints.effects import (
-    AREAS,
-    AREAS_BIT,
-    ATTACHMENTS_BIT,
-    CONTACTS,
-    CONTACTS_BIT,
-    DAMPING,
-    DAMPING_BIT,
-    GRAVITY_BIT,
-    GROUND_BIT,
-    LINKS,
-    LINKS_BIT,
-    TEARING_BIT,
-)
+from game.physics.constraints.effects import AREAS, CONTACTS, DAMPING, LINKED, LINKS
 from game.physics.constraints.links import MODELS
 from game.physics.constraints.motion import SCHEMES
-from game.physics.effects import EffectSet, effects_of
+from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, GROUND
 
-KNOWN = EffectSet.from_mask(
-    GRAVITY_BIT
-    | GROUND_BIT
-    | LINKS_BIT
-    | AREAS_BIT
-    | ATTACHMENTS_BIT
-    | TEARING_BIT
-    | DAMPING_BIT
-    | CONTACTS_BIT
-)
 SOLVERS = ("gauss-seidel", "direct")
 LARGEST = 1e6  # m, m/s
 MOST_TURNS = 10_000  # substeps of a step, sweeps of a substep
@@ -43,11 +20,11 @@ MOST_TURNS = 10_000  # substeps of a step, sweeps of a substep
 class Settings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
-    effects: one or several of KNOWN. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a
-    step and iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d,
-    N s/m. floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it
-    slows each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link
-    tears. restitution: of contacts.
+    effects: of `LINKED`. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
+    iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m.
+    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it slows
+    each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link tears.
+    restitution: of contacts.
     """
 
     effects: EffectSet = GRAVITY | GROUND | LINKS | DAMPING
@@ -65,7 +42,7 @@ class Settings:
     restitution: float = 1.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "effects", effects_of(self.effects, KNOWN, "linked particles know"))
+        object.__setattr__(self, "effects", LINKED.checked(self.effects))
         for name, options in (("model", MODELS), ("scheme", SCHEMES), ("solver", SOLVERS)):
             if getattr(self, name) not in options:
                 raise ValueError(f"{name} = {getattr(self, name)!r}: one of {', '.join(options)} is wanted")

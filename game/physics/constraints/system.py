@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from game.physics.constraints.areas import AREA, INTACT, measure_areas
 from game.physics.constraints.attachments import nearest_pins
-from game.physics.constraints.effects import ATTACHMENTS, TEARING
+from game.physics.constraints.effects import ATTACHMENTS, LINKED, TEARING
 from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked, checked_pairs
 from game.physics.constraints.links import MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
@@ -172,7 +172,7 @@ class PositionBasedDynamics:
         if h != self.hand[4] or soft_step != self.hand[5]:
             self._prepare(h, soft_step)
         motion = Motion(
-            settings.effects.mask, MODELS.index(settings.model), SCHEMES.index(settings.scheme),
+            LINKED.mask(settings.effects), MODELS.index(settings.model), SCHEMES.index(settings.scheme),
             int(settings.solver == "direct"), substeps, settings.iterations, ahead, h, soft_step,
             float(settings.gravity), float(settings.damping), float(settings.floor),
             float(settings.speed_limit), float(settings.restitution),

@@ -11,15 +11,16 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.fields import ATTRACTOR, DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.kernels.jit import kernel
+from game.physics.particles.effects import (
+    ATTRACTOR_BIT,
+    DRAG_BIT,
+    GRAVITY_BIT,
+    QUADRATIC_BIT,
+    WHIRL_BIT,
+    WIND_BIT,
+)
 
-GRAVITY_BIT = GRAVITY.mask
-DRAG_BIT = DRAG.mask
-WIND_BIT = WIND.mask
-QUADRATIC_BIT = QUADRATIC_DRAG.mask
-WHIRL_BIT = WHIRL.mask
-ATTRACTOR_BIT = ATTRACTOR.mask
 AIR_BITS = DRAG_BIT | QUADRATIC_BIT  # only with one of these is the air felt
 SIDEWAYS_BITS = AIR_BITS | ATTRACTOR_BIT  # without these the horizontal velocity never changes
 FORCE_BITS = GRAVITY_BIT | SIDEWAYS_BITS | WIND_BIT | WHIRL_BIT

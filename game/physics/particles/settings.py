@@ -6,15 +6,14 @@ import math
 
 import numpy as np
 
-from game.physics.effects import Effect, EffectSet, effects_of
+from game.physics.effects import Effect, EffectSet
 from game.physics.fields import DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles.contacts import CONTACTS
-from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT, REPORTS_BIT
+from game.physics.particles.effects import PARTICLES
 from game.physics.particles.flight import EXPONENTIAL, METHODS
-from game.physics.particles.forces import AIR_BITS, FORCE_BITS, Forces
+from game.physics.particles.forces import AIR_BITS, Forces
 from game.physics.particles.solids import LARGEST, Discs
 
-KNOWN = EffectSet.from_mask(FORCE_BITS | GROUND_BIT | OBSTACLES_BIT | REPORTS_BIT)
 CALM = Forces(9.81, 0.1, 0.02, 0.0, 0.0, 0.0, 2.0, 0.0, 0.5, 0.0, 0.0, 0.0)
 SMOOTH = 0.25  # drag times substep at which every method is within 1 % of the exact decay
 MAX_SUBSTEPS = 64
@@ -23,9 +22,8 @@ MAX_SUBSTEPS = 64
 class Settings:
     """What a step does with particles. Every setter raises ValueError, naming the field, for nonsense.
 
-    effects: one or several of KNOWN. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`.
-    floor: m. floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and
-    smooth.
+    effects: of `PARTICLES`. method: of METHODS. contact: of CONTACTS. life: s. forces: `Forces`. floor: m.
+    floor_restitution: 0 to 1. substeps: of a step; 0 for as many as drag needs to be stable and smooth.
     """
 
     def __init__(
@@ -56,8 +54,8 @@ class Settings:
 
     @effects.setter
     def effects(self, effects: EffectSet | Effect) -> None:
-        self._effects = effects_of(effects, KNOWN, "particles know")
-        self.mask = self._effects.mask
+        self._effects = PARTICLES.checked(effects)
+        self.mask = PARTICLES.mask(self._effects)
 
     @property
     def method(self) -> str:

@@ -124,7 +124,7 @@ class RigidBody(BodyState):
     def change(self, **settings: Any) -> None:
         """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense.
 
-        method: of METHODS. effects: one or several of KNOWN. gravity: m/s² along -y. damping: 1/s, of both
+        method: of METHODS. effects: of `BODIES`. gravity: m/s² along -y. damping: 1/s, of both
         momenta. normalizing: keep |q| at 1. wall: of WALLS. restitution: of the walls. lower, upper: (3,) m,
         the box.
         """

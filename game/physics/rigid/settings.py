@@ -7,13 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.effects import effects_of
-from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
+from game.physics.rigid.effects import BODIES
 from game.physics.rigid.motion import METHODS
 from game.physics.rigid.window import WALLS
 
-KNOWN = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES
 LARGEST = 1e150  # of any number given, so that squares are numbers
 _LIMITS = {"gravity": (-1e6, 1e6), "damping": (0.0, 1e6), "restitution": (0.0, 1.0)}
 _OPTIONS = {"method": METHODS, "wall": WALLS}
@@ -36,7 +33,7 @@ def checked_setting(name: str, value: Any) -> Any:
         return bool(value)
     if name != "effects":
         raise ValueError(f"{name}: a rigid body has no such setting")
-    return effects_of(value, KNOWN, "a rigid body knows")
+    return BODIES.checked(value)
 
 
 def vector(name: str, value: ArrayLike) -> NDArray[np.float64]:

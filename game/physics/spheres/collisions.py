@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.broadphase import BroadPhase
 from game.physics.spheres.candidates import Candidates
 from game.physics.spheres.contact_buffers import TouchRoom
-from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, PUSHES, STRINGS
+from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, PUSHES, SPHERES, STRINGS
 from game.physics.spheres.impact_parts import divide_at_impacts
 from game.physics.spheres.impulses import collide_in_turn
 from game.physics.spheres.joint_impulses import collide_at_once
@@ -139,7 +139,7 @@ class CollidingSpheres:
         numbers = settings.numbers(left, nominal, float(self.counters[LAST_H]), self.smallest)
         first: float = first_impact(
             self._places, bodies.makeup, self._work, pairs, self.surroundings, self.tables,
-            settings.effects.mask, numbers, LAGS[settings.scheme], float(settings.fast),
+            SPHERES.mask(settings.effects), numbers, LAGS[settings.scheme], float(settings.fast),
         )  # fmt: skip
         return first
 
@@ -157,7 +157,7 @@ class CollidingSpheres:
 
     def _part(self, h: float, nominal: float) -> None:
         bodies, settings = self.bodies, self.settings
-        mask = settings.effects.mask
+        mask = SPHERES.mask(settings.effects)
         numbers = settings.numbers(h, nominal, float(self.counters[LAST_H]), self.smallest)
         planar = self.planar()
         work = self._flat if planar else self._work
@@ -252,7 +252,7 @@ class CollidingSpheres:
         self._place()
         self._find_candidates()
         room = TouchRoom(max(64, 4 * len(self._places), len(self._room.keys)))
-        mask = self.settings.effects.mask
+        mask = SPHERES.mask(self.settings.effects)
         count = room.find(self._places, bodies.makeup, self._candidates.pairs, self.surroundings, mask, 0.0)
         return float(deepest_overlap(room.touches, room.who, count)[0])
 

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.effects import EffectSet, effects_of
+from game.physics.effects import EffectSet
 from game.physics.spheres.composition import whole_numbers
-from game.physics.spheres.effects import DRAG_BIT, FRICTION_BIT, GRAVITY_BIT, KNOWN, USUAL
+from game.physics.spheres.effects import DRAG_BIT, FRICTION_BIT, GRAVITY_BIT, SPHERES, USUAL
 
 SCHEMES = ("explicit-euler", "semi-implicit", "exact-flight")
 LAGS = {"explicit-euler": 0.0, "semi-implicit": 1.0, "exact-flight": 0.5}  # c in x = v t - c g t²
@@ -73,11 +73,11 @@ class Numbers(NamedTuple):
 class CollisionSettings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
-    effects: one or several of KNOWN. scheme: of SCHEMES, for the motion. law: of LAWS, for collisions.
-    correction: of CORRECTIONS, of overlap. iterations: sweeps of bearing impulses; passes: sweeps of position
-    correction; rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop:
-    of the smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path:
-    of PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
+    effects: of `SPHERES`. scheme: of SCHEMES, for the motion. law: of LAWS, for collisions. correction: of
+    CORRECTIONS, of overlap. iterations: sweeps of bearing impulses; passes: sweeps of position correction;
+    rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop: of the
+    smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path: of
+    PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
     """
 
     effects: EffectSet = USUAL
@@ -97,8 +97,7 @@ class CollisionSettings:
     fast: float = 0.0
 
     def __post_init__(self) -> None:
-        effects = effects_of(self.effects, KNOWN, "colliding spheres know")
-        object.__setattr__(self, "effects", effects)
+        object.__setattr__(self, "effects", SPHERES.checked(self.effects))
         options = {"scheme": SCHEMES, "law": LAWS, "correction": CORRECTIONS, "path": PATHS}
         for name, allowed in options.items():
             if getattr(self, name) not in allowed:
@@ -128,7 +127,7 @@ class CollisionSettings:
             reach = 2.0 * SOFT_DAMPING + nominal * omega
             push, push_limit = omega / reach, SOFT_PUSH
             softness = 1.0 / (1.0 + nominal * omega * reach)
-        mask = self.effects.mask
+        mask = SPHERES.mask(self.effects)
         return Numbers(
             float(h), float(nominal),
             float(self.gravity) if mask & GRAVITY_BIT else 0.0,

@@ -52,7 +52,7 @@ TREE_KNOBS = ("volume", "fit", "angle_step", "leaf_size", "split")
 class BoundsScene(Scene):
     """Base of C08 and C09."""
 
-    effects = SHAPE_MOTION | EXACT_ANSWER | COHERENCE
+    effects = SHAPE_MOTION | COHERENCE | EXACT_ANSWER
     dt = 1.0 / 60.0
     content_type = OutlinesContent
     second_kind: ClassVar[str] = "aabb"  # of the trees that are counted beside

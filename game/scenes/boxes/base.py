@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from game.levels import Level
 from game.physics.broadphase import BroadPhase
-from game.physics.broadphase.effects import BOUNDARY, MOTION
+from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.physics.broadphase.workloads import MovingBoxes, make_boxes
 from game.scenes.boxes.arrays import LOWER, UPPER, ArraysOfBoxes
@@ -180,7 +180,7 @@ class BoxesScene(ArraysOfBoxes):
     @staticmethod
     def _warm_motion() -> None:
         corners, flags = np.zeros((1, 2)), np.ones(1, dtype=np.uint8)
-        move = move_boxes_kernel((MOTION | BOUNDARY).mask)
+        move = move_boxes_kernel(BOXES.mask(MOTION | BOUNDARY))
         move(corners, corners + 1.0, corners, np.zeros(1), flags, LOWER, UPPER, 0.1)
 
     # -- for subclasses -----------------------------------------------------------------------------
@@ -203,7 +203,7 @@ class BoxesScene(ArraysOfBoxes):
         self.steps += 1
         if self.swept:
             before = self.lowers.copy(), self.uppers.copy()
-        move = move_boxes_kernel(self.active.mask & (MOTION | BOUNDARY).mask)
+        move = move_boxes_kernel(BOXES.mask(self.active) & BOXES.mask(MOTION | BOUNDARY))
         move(self.lowers, self.uppers, self.velocities, self.growth, self.alive, LOWER, UPPER, dt)
         if self.leaps > 0.0:
             self._leap()

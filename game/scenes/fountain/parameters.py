@@ -10,7 +10,7 @@ from game.stage import Choice, Param, Scene, Toggle
 class FountainKnobs(Scene):
     """Base of the scene: what of the fountain can be chosen."""
 
-    effects = GRAVITY | OBSTACLES | GROUND | DRAG | WIND | QUADRATIC_DRAG | WHIRL
+    effects = GRAVITY | DRAG | WIND | QUADRATIC_DRAG | WHIRL | GROUND | OBSTACLES
 
     rate = Param(
         8_000.0, 0.0, 100_000.0, unit="1/s", step=100.0, group="Emitter", label="Emit rate",

@@ -19,7 +19,7 @@ SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "to
 class RigidBodyKnobs(Scene):
     """Base of the scene: what of the body, and of how it is seen, can be chosen."""
 
-    effects = ROTATION | WINDOW | PUSHES | GRAVITY | DRAG
+    effects = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES
 
     method = Choice(
         METHODS[0], METHODS, labels=LABELS, group="Method", label="Integrator",

@@ -25,7 +25,7 @@ CHOSEN_KNOBS = ("mass", "fixed", "own_stiffness")  # they say and set what is ch
 class MassSpringKnobs(Scene):
     """Base of both scenes: what they let one choose. Each adds how stiff its links are."""
 
-    effects = GRAVITY | GROUND | LINKS | DAMPING | AREAS | ATTACHMENTS | TEARING | CONTACTS
+    effects = GRAVITY | GROUND | LINKS | AREAS | ATTACHMENTS | TEARING | DAMPING | CONTACTS
 
     iterations = Param(
         20, 1, 500, whole=True, log=True, group="Solver",

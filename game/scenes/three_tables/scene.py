@@ -175,7 +175,7 @@ class ThreeTables(ThreeTablesKnobs):
         shot = self.shot[[PLAYING, SPEED, AIM, LEFT, UP, ELEVATION]].tobytes()
         balls = self.start.tobytes() + self.in_play.tobytes()
         steps = Steps(self.lecture_step, self.stepped_step, int(self.passes))
-        key = (shot, balls, steps, self.perturbation, self.active.mask)
+        key = (shot, balls, steps, self.perturbation, self.active)
         before = self.shelf.latest
         self.played = self.shelf.get(key, lambda: self._played_with(steps))
         if self.played is not before:

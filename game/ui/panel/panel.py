@@ -216,9 +216,9 @@ class Panel:
             self._idle = idle
             sheet.set_idle(idle)
             self._unrest_s = UNREST_S
-        values, mask = dict(scene.values), scene.active.mask
-        before, self._seen = self._seen, (values, mask)
-        if before is None or before[0].keys() != values.keys() or before[1] != mask:
+        values, active = dict(scene.values), scene.active
+        before, self._seen = self._seen, (values, active)
+        if before is None or before[0].keys() != values.keys() or before[1] != active:
             sheet.mark_stale()
         elif before[0] != values:
             sheet.mark_stale({name for name, value in values.items() if before[0][name] != value})

@@ -10,12 +10,12 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from game.physics.fields import DRAG, GRAVITY, GROUND
-from game.physics.particles import CALM, CONTACTS, METHODS, OBSTACLES, Discs
+from game.physics.particles import CALM, CONTACTS, METHODS, OBSTACLES, PARTICLES, Discs
 from game.physics.particles.contacts import Rules, fly_among_solids
 from game.physics.particles.shot import shoot as shoot_all
 
 STONE = Discs([(2, 1.2)], [0.5], 0.5)
-FALL = (GRAVITY | DRAG | OBSTACLES).mask
+FALL = PARTICLES.mask(GRAVITY | DRAG | OBSTACLES)
 LAW = CALM._replace(drag=0.7)
 # the shot (3, 8) with k = 0.7 meets the stone once; state at 1.6 s by root of the exact flight, impact and
 # exact flight again
@@ -71,7 +71,7 @@ def test_rebound_height_is_e_squared(e):
     """Dropped from 2 m on the top of a stone."""
     stone = Discs([(0, -1)], [1.0], e)
     up = math.sqrt(4.0 / 9.81) * (1.0 + e)  # instant of the first apex
-    x, y, vx, vy = shoot("verlet", "root", 64, up, stone, (GRAVITY | OBSTACLES).mask, (0, 2, 0, 0))
+    x, y, vx, vy = shoot("verlet", "root", 64, up, stone, PARTICLES.mask(GRAVITY | OBSTACLES), (0, 2, 0, 0))
     assert abs(y - 2.0 * e * e) < 1e-13
     assert abs(vy) < 1e-12
     assert (x, vx) == (0.0, 0.0)
@@ -79,7 +79,9 @@ def test_rebound_height_is_e_squared(e):
 
 def test_endless_bounces_end_when_they_should():
     """From 1 m with e = 0.5: all is still after 1.3546 s, on a way of 5/3 m."""
-    rules = Rules(CONTACTS.index("root"), METHODS.index("verlet"), (GRAVITY | GROUND).mask, 0.0, 0.5, 1e-4)
+    rules = Rules(
+        CONTACTS.index("root"), METHODS.index("verlet"), PARTICLES.mask(GRAVITY | GROUND), 0.0, 0.5, 1e-4
+    )
     none, state, way, time = Discs(), (0.0, 1.0, 0.0, 0.0), 0.0, 0.0
     while time < 2.0:
         before = state
@@ -113,7 +115,7 @@ def test_newtons_law_at_a_moving_stone(angle, aim, speed, e, ux, uy, contact):
     relative = speed * direction
     start = np.array([0.3, -0.2]) - 0.8 * direction + 0.4 * aim * side
     velocity = relative + np.array([ux, uy])
-    x, y, vx, vy = shoot("rk4", contact, 1, flight, stone, OBSTACLES.mask, (*start, *velocity))
+    x, y, vx, vy = shoot("rk4", contact, 1, flight, stone, PARTICLES.mask(OBSTACLES), (*start, *velocity))
     reach = 0.4 * math.sqrt(1.0 - aim * aim)
     normal = (-reach * direction + 0.4 * aim * side) / 0.4
     approach = -relative @ normal
@@ -127,10 +129,10 @@ def test_newtons_law_at_a_moving_stone(angle, aim, speed, e, ux, uy, contact):
 
 def test_the_first_of_two_stones_is_met():
     row = Discs([(3, 0), (1, 0)], [0.5, 0.5], 1.0)
-    x, y, vx, vy = shoot("verlet", "chord", 1, 1.0, row, OBSTACLES.mask, (0, 0, 4, 0))
+    x, y, vx, vy = shoot("verlet", "chord", 1, 1.0, row, PARTICLES.mask(OBSTACLES), (0, 0, 4, 0))
     assert (x, y, vx, vy) == (-3.0, 0.0, -4.0, 0.0)
 
 
 def test_off_means_off():
-    for mask, y in ((GRAVITY.mask, -1.0), ((GRAVITY | GROUND).mask, 0.0)):
+    for mask, y in ((PARTICLES.mask(GRAVITY), -1.0), (PARTICLES.mask(GRAVITY | GROUND), 0.0)):
         assert shoot("verlet", "end", 100, 2.0, Discs([(0, 0)], [0.1]), mask, (0, 0.5, 0, 0))[1] <= y

@@ -10,12 +10,12 @@ from scipy.integrate import solve_ivp
 from scipy.special import lambertw
 
 from game.physics.fields import ATTRACTOR, DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.particles import CALM, METHODS, ORDERS, STABILITY_LIMITS, Forces
+from game.physics.particles import CALM, METHODS, ORDERS, PARTICLES, STABILITY_LIMITS, Forces
 from game.physics.particles.flight import decay_over, fly_alone
 
 G = 9.81
 EPS = 2.0**-52
-ALL = (GRAVITY | DRAG | QUADRATIC_DRAG | WIND | WHIRL | ATTRACTOR).mask
+ALL = PARTICLES.mask(GRAVITY | DRAG | QUADRATIC_DRAG | WIND | WHIRL | ATTRACTOR)
 LAW = Forces(G, 0.7, 0.05, 2.0, -0.5, 1.0, 1.5, 1.3, 0.4, 0.5, 0.2, 3.0)
 
 
@@ -48,7 +48,7 @@ def closed_form(k, v0, t):
 def test_free_fall_is_off_by_half_a_step(method, factor):
     """Position off by +-g T dt / 2 for the Euler methods, by nothing for the rest; energy by N g² dt² / 2."""
     steps, dt = 100, 0.01
-    x, y, vx, vy = fly(method, GRAVITY.mask, CALM, (0, 0, 0, 5), dt, steps)
+    x, y, vx, vy = fly(method, PARTICLES.mask(GRAVITY), CALM, (0, 0, 0, 5), dt, steps)
     scale = 8 * steps * EPS * 10
     assert abs(y - (5 - G / 2) - factor * G * dt) < scale
     assert abs(vy - (5 - G)) < scale
@@ -60,7 +60,7 @@ def test_free_fall_is_off_by_half_a_step(method, factor):
 def test_state_of_a_shot_with_linear_drag():
     """v0 = (3, 8), k = 0.7: at 1 s, at the apex and back on the ground, to the digits of the closed form."""
     forces = CALM._replace(drag=0.7)
-    mask = (GRAVITY | DRAG).mask
+    mask = PARTICLES.mask(GRAVITY | DRAG)
     known = (2.15749155517967, 1.81759279300894, 1.48975591137423, -3.08231495510626)
     assert np.allclose(fly("exponential", mask, forces, (0, 0, 3, 8), 0.01, 100), known, rtol=0, atol=1e-13)
     assert np.allclose(closed_form(0.7, (3, 8), 1.0), known, rtol=0, atol=1e-13)
@@ -80,7 +80,7 @@ def test_state_of_a_shot_with_linear_drag():
 def test_fall_with_quadratic_drag():
     """Terminal speed 12 m/s: drop and speed after 2 s."""
     forces = CALM._replace(quadratic_drag=G / 144.0)
-    mask = (GRAVITY | QUADRATIC_DRAG).mask
+    mask = PARTICLES.mask(GRAVITY | QUADRATIC_DRAG)
     _, y, _, vy = fly("rk4", mask, forces, (0, 0, 0, 0), 2.0 / 2000, 2000)
     assert abs(-y - 14.3729144359903) < 1e-10
     assert abs(-vy - 11.1212441214122) < 1e-10
@@ -93,7 +93,9 @@ def test_order_with_linear_drag(method):
     exact = closed_form(0.7, (3, 8), 1.0)[:2]
     counts = np.array([10, 20, 40, 80, 160, 320])
     errors = [
-        np.linalg.norm(fly(method, (GRAVITY | DRAG).mask, forces, (0, 0, 3, 8), 1.0 / n, n)[:2] - exact)
+        np.linalg.norm(
+            fly(method, PARTICLES.mask(GRAVITY | DRAG), forces, (0, 0, 3, 8), 1.0 / n, n)[:2] - exact
+        )
         for n in counts.tolist()
     ]
     if method == "exponential":
@@ -118,7 +120,9 @@ def test_stormer_with_lagged_drag_is_of_first_order_and_semi_implicit_euler():
                 after = 2 * now - before + dt * dt * (np.array([0, -G]) - k * (now - before) / dt)
                 before, now = now, after
             errors.append(np.linalg.norm(now - exact))
-        twin = fly("semi-implicit-euler", (GRAVITY | DRAG).mask, CALM._replace(drag=k), (0, 0, 3, 8), dt, n)
+        twin = fly(
+            "semi-implicit-euler", PARTICLES.mask(GRAVITY | DRAG), CALM._replace(drag=k), (0, 0, 3, 8), dt, n
+        )
         assert abs(np.linalg.norm(twin[:2] - exact) - naive[-1]) < 1e-10
     assert abs(slope(counts, naive) - 1.0) < 0.15
     assert abs(slope(counts, taylor) - 1.0) < 0.15
@@ -162,7 +166,7 @@ def test_limit_of_stability(method):
     limit = STABILITY_LIMITS[METHODS.index(method)]
     for part in (0.999, 1.001) if math.isfinite(limit) else (1.0,):
         stiff = CALM._replace(drag=part * limit if math.isfinite(limit) else 200.0)
-        speed = abs(fly(method, DRAG.mask, stiff, (0, 0, 1, 0), 1.0, 3000)[2])
+        speed = abs(fly(method, PARTICLES.mask(DRAG), stiff, (0, 0, 1, 0), 1.0, 3000)[2])
         if math.isfinite(limit):
             assert speed < 0.9 if part < 1.0 else speed > 1.1
         else:
@@ -173,7 +177,7 @@ def test_a_spring_grows_by_a_known_factor_with_explicit_euler():
     """Amplitude times sqrt(1 + (w dt)²) each step: 3713.359 after 600 steps of 1/60 s, w = 10 rad/s."""
     forces = CALM._replace(pull=100.0)
     dt, w = 1.0 / 60.0, 10.0
-    x, y, vx, vy = fly("explicit-euler", ATTRACTOR.mask, forces, (1, 0, 0, 0), dt, 600)
+    x, y, vx, vy = fly("explicit-euler", PARTICLES.mask(ATTRACTOR), forces, (1, 0, 0, 0), dt, 600)
     amplitude = math.sqrt(x * x + (vx / w) ** 2)
     assert abs(amplitude / 3713.3594441784 - 1.0) < 1e-12
     assert (y, vy) == (0.0, 0.0)
@@ -182,9 +186,9 @@ def test_a_spring_grows_by_a_known_factor_with_explicit_euler():
 @pytest.mark.parametrize("method", METHODS)
 def test_wind_is_felt_only_by_way_of_drag(method):
     windy = CALM._replace(wind_x=50.0)
-    still = fly(method, GRAVITY.mask, CALM, (0, 0, 1, 2), 0.01, 50)
-    assert np.array_equal(fly(method, (GRAVITY | WIND).mask, windy, (0, 0, 1, 2), 0.01, 50), still)
-    assert fly(method, (GRAVITY | WIND | DRAG).mask, windy, (0, 0, 1, 2), 0.01, 50)[0] > still[0]
+    still = fly(method, PARTICLES.mask(GRAVITY), CALM, (0, 0, 1, 2), 0.01, 50)
+    assert np.array_equal(fly(method, PARTICLES.mask(GRAVITY | WIND), windy, (0, 0, 1, 2), 0.01, 50), still)
+    assert fly(method, PARTICLES.mask(GRAVITY | WIND | DRAG), windy, (0, 0, 1, 2), 0.01, 50)[0] > still[0]
 
 
 def test_decay_is_the_same_by_series_and_by_formula():

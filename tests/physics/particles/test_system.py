@@ -14,6 +14,7 @@ from game.physics.particles import (
     CALM,
     METHODS,
     OBSTACLES,
+    PARTICLES,
     REPORTS,
     Discs,
     Emitter,
@@ -54,7 +55,7 @@ def test_the_specialised_kernel_gives_the_very_bits_of_the_plain_one(method):
     for _ in range(3):
         system.step(0.01)
         twin = [
-            fly_alone(METHODS.index(method), FIELDS.mask, LAW, *row, 0.01)
+            fly_alone(METHODS.index(method), PARTICLES.mask(FIELDS), LAW, *row, 0.01)
             for row in np.asarray(twin).tolist()
         ]
     assert np.array_equal(system.positions, np.array(twin)[:, :2])
@@ -275,7 +276,7 @@ def test_no_instruction_that_rounds_otherwise_elsewhere():
 
     system = fountain()
     system.step(0.01)
-    kernel = make_advance(METHODS.index("verlet"), (EVERYTHING).mask)
+    kernel = make_advance(METHODS.index("verlet"), PARTICLES.mask(EVERYTHING))
     if not hasattr(kernel, "inspect_asm"):
         pytest.skip("kernels are not compiled")
     fresh = numba.njit(nogil=True, error_model="numpy")(kernel.py_func)  # code from the disk cannot be read
