@@ -22,7 +22,8 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent, Stamped
-from game.stage.parameters import Choice, Knob, KnobError, Param, Toggle
+from game.stage.parameters import Choice, Knob, KnobError, Param, Parameters, Toggle
+from game.stage.part import Part
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
@@ -53,6 +54,8 @@ __all__ = [
     "Knob",
     "KnobError",
     "Param",
+    "Parameters",
+    "Part",
     "Pointer",
     "Readout",
     "Recording",

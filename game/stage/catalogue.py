@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from difflib import get_close_matches
 from importlib import import_module
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from game.stage.scene import Scene
 
@@ -22,13 +22,33 @@ class Entry(NamedTuple):
     class_name: str
     keywords: str = ""
     roomy: bool = False  # a game: all of the window is its stage until the panel is asked for
+    card: str = ""  # function in card.py beside the module that draws its card with a ui.canvas.pen.Pen
+
+    @property
+    def names(self) -> tuple[str, str, str]:
+        """What the scene is called: ``name, task, title = ENTRY.names`` in its class says it once."""
+        return self.name, self.task, self.title
 
     def load(self) -> type[Scene]:
-        """Import the scene's class; ValueError unless it says the same of itself as this row."""
+        """Import the scene's class; ValueError, naming what differs, unless it is called as in this row."""
         scene_type: type[Scene] = getattr(import_module(self.module), self.class_name)
-        if (scene_type.name, scene_type.task, scene_type.title) != (self.name, self.task, self.title):
-            raise ValueError(f"catalogue row {self.name} differs from {self.module}.{self.class_name}")
+        for field in ("name", "task", "title"):
+            said, row = getattr(scene_type, field), getattr(self, field)
+            if said != row:
+                raise ValueError(
+                    f"{self.module}.{self.class_name}.{field} is {said!r}, in the catalogue {row!r}; "
+                    "write `name, task, title = ENTRY.names` in the class"
+                )
         return scene_type
+
+    def card_painter(self) -> Callable[[Any], None] | None:
+        """The function that draws its card; None for a scene without a drawing of its own."""
+        if not self.card:
+            return None
+        painter: Callable[[Any], None] = getattr(
+            import_module(f"{self.module.rpartition('.')[0]}.card"), self.card
+        )
+        return painter
 
 
 class Catalogue:

@@ -177,12 +177,32 @@ class Toggle(Knob[bool]):
         raise self._refuse(text, "true or false is wanted")
 
 
-def knobs_of(scene_type: type) -> dict[str, Knob[Any]]:
-    """All knobs that a scene class declares or inherits, in the order of declaration."""
+def knobs_of(owner: type) -> dict[str, Knob[Any]]:
+    """All knobs that a class declares or inherits, in the order of declaration."""
     found: dict[str, Knob[Any]] = {}
-    for owner in reversed(scene_type.__mro__):
-        found.update(_own_knobs(owner))
+    for base in reversed(owner.__mro__):
+        found.update(_own_knobs(base))
     return found
+
+
+class Parameters:
+    """Declared parameters and their values, apart from the scene, so that its parts can share them.
+
+        class FountainParameters(Parameters):
+            rate = Param(8_000.0, 0.0, 100_000.0, unit="1/s")
+
+        class Fountain(Scene):
+            parameters_type = FountainParameters
+            parameters: FountainParameters
+
+    A part that is given ``scene.parameters`` always sees the present values. ``values``: by name, each
+    checked already; None for the defaults. The dict is shared, not copied.
+    """
+
+    def __init__(self, values: dict[str, Any] | None = None):
+        self.values = {name: knob.default for name, knob in knobs_of(type(self)).items()}
+        if values is not None:
+            self.values = values
 
 
 def _own_knobs(owner: type) -> Iterator[tuple[str, Knob[Any]]]:

@@ -28,13 +28,12 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent, Stamped
-from game.stage.parameters import Knob, KnobError, knobs_of
+from game.stage.parameters import Knob, KnobError, Parameters, knobs_of
+from game.stage.part import structures_of
+from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
     from game.lab import Study
-
-
-_OWN = frozenset(("values", "active", "previous", "level", "seed"))  # attributes that each scene object has
 
 
 class Scene:
@@ -44,6 +43,8 @@ class Scene:
     task: ClassVar[str] = ""  # id of the task, e.g. "C04"
     title: ClassVar[str] = ""
     effects: ClassVar[EffectSet] = EffectSet(())  # all that is ever computed
+    parameters_type: ClassVar[type[Parameters]] = Parameters  # beside those declared on the scene itself
+    parameters: Parameters
     dt: ClassVar[float] = (
         1.0 / 120.0
     )  # s, default length of a step; a knob "step_length" (s) stands in for it
@@ -65,10 +66,15 @@ class Scene:
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
     def __init_subclass__(cls) -> None:
-        """Refuse a knob whose name would hide something that every scene has."""
+        """Refuse a knob whose name would hide something that every scene has, or that is declared twice."""
         for name, value in vars(cls).items():
-            if isinstance(value, Knob) and (hasattr(Scene, name) or name in _OWN):
+            if isinstance(value, Knob) and (hasattr(Scene, name) or name in OWN):
                 raise TypeError(f"{cls.__name__}.{name}: a parameter cannot have this name")
+        twice = knobs_of(cls).keys() & knobs_of(cls.parameters_type).keys()
+        if twice:
+            raise TypeError(
+                f"{cls.__name__}.{min(twice)}: {cls.parameters_type.__name__} declares it as well"
+            )
 
     def __init__(
         self,
@@ -85,7 +91,15 @@ class Scene:
         level switches off; ``effects`` are active exactly, whatever the level says. Raises LevelError if the
         level says what the scene refuses, KnobError if the other arguments do.
         """
+        missing = [
+            name
+            for name in ("build", "advance", "state")
+            if getattr(type(self), name) is getattr(Scene, name)
+        ]
+        if missing:
+            raise TypeError(f"{type(self).__name__} must define {', '.join(missing)}; see the class Scene")
         self.values: dict[str, Any] = {name: knob.default for name, knob in self.knobs().items()}
+        self.parameters = self.parameters_type(self.values)
         self.active = self.effects
         self.previous: Any = None  # state before the last step, kept by the stage for the picture
         self.level = level
@@ -111,6 +125,15 @@ class Scene:
             field = "content" if level.content is not None else "parameters"
             raise LevelError(level.path, field, str(error)) from error
 
+    def _check_definition(self) -> None:
+        """TypeError, saying what to write, for a class that lacks what each scene must define."""
+        own = type(self)
+        missing = [
+            name for name in ("build", "advance", "state") if getattr(own, name) is getattr(Scene, name)
+        ]
+        if missing:
+            raise TypeError(f"{own.__name__}: define {', '.join(missing)} (see the class Scene)")
+
     def _take_over(self, level: Level) -> None:
         """Set knobs and effects as the level says; LevelError naming its file and field."""
         if level.scene != self.name:
@@ -133,7 +156,7 @@ class Scene:
     @classmethod
     def knobs(cls) -> dict[str, Knob[Any]]:
         """Knobs by name, in the order of declaration."""
-        return knobs_of(cls)
+        return {**knobs_of(cls.parameters_type), **knobs_of(cls)}
 
     @classmethod
     def knob(cls, name: str) -> Knob[Any]:
@@ -285,7 +308,7 @@ class Scene:
 
     def check(self) -> None:
         """Check the invariants of the structures that it owns; AssertionError says which one is broken."""
-        for structure in vars(self).values():
+        for structure in structures_of(self):
             if callable(getattr(type(structure), "check", None)):
                 structure.check()
 

@@ -11,7 +11,7 @@ from game.app.menu.behind import Behind
 from game.app.menu.foot import paint_foot
 from game.app.menu.header import Header
 from game.app.menu.items import Offer
-from game.app.menu.sketches import sketch
+from game.app.menu.sketch import sketch
 from game.app.screens.screen import Screen
 from game.app.stagehand.level_index import LevelHead
 from game.stage.catalogue import Entry
@@ -264,7 +264,7 @@ class MenuScreen(Screen):
             picture = pygame.Surface(size, 0, 32)
             picture.fill(self.app.look.theme.stage)
             with self.app.guard.over(f"The drawing of {item.entry.title}", self._tell_undrawn):
-                picture = sketch(item.entry.name, size, self.app.look)
+                picture = sketch(item.entry, size, self.app.look)
         return picture
 
     def _tell_undrawn(self, failure: Failure) -> None:

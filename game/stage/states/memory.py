@@ -1,9 +1,9 @@
 """What a scene remembers beside its state: plain attributes such as a ball held by the pointer or a score.
 
 A scene may keep such things as ordinary attributes; the stage remembers them with each snapshot, so that
-stepping back undoes a drag as well. Numbers, words, None, enumerations, frozen structs, and lists, tuples,
-sets, dicts and deques of these count as plain, and random generators (their state). Arrays do not: an
-array that later steps depend on belongs into the state.
+stepping back undoes a drag as well. So may its parts (part.py). Numbers, words, None, enumerations, frozen
+structs, and lists, tuples, sets, dicts and deques of these count as plain, and random generators (their
+state). Arrays do not: an array that later steps depend on belongs into the state.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 import msgspec
 import numpy as np
 
-KEPT_ELSEWHERE = frozenset(("values", "active", "previous", "level", "seed"))
+from game.stage.part import Part
+
+OWN = frozenset(("values", "parameters", "active", "previous", "level", "seed"))  # kept by the stage itself
 _ATOMS = (type(None), bool, int, float, complex, str, bytes, np.generic, enum.Enum, range)
 _CONTAINERS = (list, set, frozenset, dict, deque)  # these very types: subclasses may hide more
 _MAX_DEPTH = 6
@@ -35,12 +37,19 @@ class _GeneratorState(NamedTuple):
     state: dict[str, Any]
 
 
-def remember(scene: Any) -> Memory:
-    """Copies of the plain attributes of a scene."""
+def remember(scene: Any, seen: set[int] | None = None) -> Memory:
+    """Copies of the plain attributes of a scene and of its parts; ``seen``: ids of parts kept already."""
     kept: dict[str, Any] = {}
     weight = 0
+    seen = set() if seen is None else seen
     for name, value in vars(scene).items():
-        if name in KEPT_ELSEWHERE:
+        if name in OWN:
+            continue
+        if isinstance(value, Part):
+            if id(value) not in seen:
+                seen.add(id(value))
+                kept[name] = remember(value, seen)
+                weight += kept[name].bytes
             continue
         if isinstance(value, np.random.Generator):
             kept[name] = _GeneratorState(copy.deepcopy(dict(value.bit_generator.state)))
@@ -56,11 +65,13 @@ def remember(scene: Any) -> Memory:
 def recall(scene: Any, memory: Memory) -> None:
     """Set a scene's plain attributes to what they were; those made since are removed."""
     for name, value in memory.attributes.items():
-        if isinstance(value, _GeneratorState):
+        if isinstance(value, Memory):
+            recall(getattr(scene, name), value)
+        elif isinstance(value, _GeneratorState):
             getattr(scene, name).bit_generator.state = value.state
         else:
             setattr(scene, name, _copied(value))
-    since = set(vars(scene)) - set(memory.attributes) - KEPT_ELSEWHERE
+    since = set(vars(scene)) - set(memory.attributes) - OWN
     for name in sorted(since):
         if _count(vars(scene)[name], _MAX_DEPTH):
             delattr(scene, name)
