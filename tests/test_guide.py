@@ -16,7 +16,6 @@ GUIDE = (ROOT / "assets" / "GUIDE.md").read_text(encoding="utf-8")
 @pytest.fixture
 def no_trace(monkeypatch: pytest.MonkeyPatch):
     """Effects declared by the guide are forgotten again."""
-    monkeypatch.setattr(effects, "_by_bit", dict(effects._by_bit))
     monkeypatch.setattr(effects, "_by_name", dict(effects._by_name))
 
 

@@ -36,6 +36,7 @@ class Strip(NamedTuple):
     unit: str
     series: tuple[str, ...]
     exact: tuple[str, ...] = ()  # of these, the ones drawn dashed as a reference
+    sometimes: tuple[str, ...] = ()  # of these, the ones that are not always measured
 
 
 class Equation(NamedTuple):

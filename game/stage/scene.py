@@ -91,13 +91,7 @@ class Scene:
         level switches off; ``effects`` are active exactly, whatever the level says. Raises LevelError if the
         level says what the scene refuses, KnobError if the other arguments do.
         """
-        missing = [
-            name
-            for name in ("build", "advance", "state")
-            if getattr(type(self), name) is getattr(Scene, name)
-        ]
-        if missing:
-            raise TypeError(f"{type(self).__name__} must define {', '.join(missing)}; see the class Scene")
+        self._check_definition()
         self.values: dict[str, Any] = {name: knob.default for name, knob in self.knobs().items()}
         self.parameters = self.parameters_type(self.values)
         self.active = self.effects
@@ -174,6 +168,17 @@ class Scene:
                 return effect
         declared = ", ".join(cls.effects.names) or "none"
         raise KnobError(f"{name}: {cls.name} declares no such effect; it has {declared}")
+
+    def check_strips(self) -> None:
+        """ValueError, naming strip and readout, if a chart asks for a value that is never measured."""
+        measured = [readout.name for readout in self.readouts()]
+        for strip in self.strips:
+            for name in strip.series:
+                if name not in measured and name not in strip.sometimes:
+                    raise ValueError(
+                        f"{type(self).__name__}.strips: {strip.title!r} charts {name!r}, but readouts() gives "
+                        + (", ".join(measured) or "nothing")
+                    )
 
     # -- to override --------------------------------------------------------------------------------
 

@@ -49,7 +49,13 @@ class Session:
         self._record = record
         self._repeating = False  # stepping through a future that is remembered
         self._watch = FiniteWatch(scene.may_be_infinite)
-        bad = self._watch.first_bad(scene.state())
+        state = scene.state()
+        if not hasattr(state, "_fields"):
+            kind = type(state).__name__
+            raise TypeError(
+                f"{type(scene).__name__}.state() gives a {kind}: a NamedTuple of arrays is expected"
+            )
+        bad = self._watch.first_bad(state)
         if bad is not None:
             raise ValueError(f"{scene.name}: {bad} is not finite in the state it begins with")
         self._ring = SnapshotRing(snapshot_bytes)

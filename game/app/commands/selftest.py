@@ -139,6 +139,7 @@ def check_level(scene_type: type[Scene], file: Path | None) -> Result:
         trouble = _compare(first, other, straight)
         if not trouble:
             other.scene.check()
+            other.scene.check_strips()
     except Exception as error:  # whatever a scene raises is its result, and the next one is still tested
         return Result(scene_type.name, name, "", f"{type(error).__name__}: " + " ".join(str(error).split()))
     return Result(scene_type.name, name, straight, trouble, first.step_cost_s)

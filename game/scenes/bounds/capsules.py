@@ -73,7 +73,7 @@ class Capsules(BoundsScene):
         return [*super().warm_ups(), WarmUp("least capsule", lambda: near_least_capsule(square))]
 
     strips = (
-        Strip("Volume tests", "", ("tests", "with boxes", "upright")),
+        Strip("Volume tests", "", ("tests", "with boxes", "upright"), sometimes=("with boxes", "upright")),
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )

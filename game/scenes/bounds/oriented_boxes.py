@@ -29,7 +29,7 @@ class OrientedBoxes(BoundsScene):
     study = box_study
 
     strips = (
-        Strip("Box tests", "", ("tests", "upright", "with boxes")),
+        Strip("Box tests", "", ("tests", "upright", "with boxes"), sometimes=("with boxes", "upright")),
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )

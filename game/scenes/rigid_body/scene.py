@@ -81,9 +81,9 @@ class RigidBodyScene(RigidBodyKnobs):
         SceneAction("meet", "all as A is", "m"),
     )
     strips = (
-        Strip("Energy of rotation", "J", ("A", "B", "exact", "bound"), exact=("exact", "bound")),
-        Strip("Angular momentum made", "", ("L of A", "L of B")),
-        Strip("Length of q, off 1", "", ("q of A", "q of B")),
+        Strip("Energy of rotation", "J", ("A", "B", "exact", "bound"), ("exact", "bound"), sometimes=("B",)),
+        Strip("Angular momentum made", "", ("L of A", "L of B"), sometimes=("L of B",)),
+        Strip("Length of q, off 1", "", ("q of A", "q of B"), sometimes=("q of B",)),
     )
     figure = staticmethod(draw_momentum_sphere)
     equations = (
