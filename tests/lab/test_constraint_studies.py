@@ -57,7 +57,7 @@ def test_too_much_over_relaxation_is_marked_where_it_fails():
 
 
 def test_present_settings_can_be_placed():
-    rigid = {"substeps": 4, "iterations": 20, "relaxation": 1.0}
+    rigid = {"substeps": 4, "iterations": 20, "relaxation": 1.0, "solver": "gauss-seidel"}
     trial = stretch_study.trial(present_stretch(rigid))
     trial.reset()
     trial.run()
