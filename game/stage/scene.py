@@ -176,7 +176,7 @@ class Scene:
             for name in strip.series:
                 if name not in measured and name not in strip.sometimes:
                     raise ValueError(
-                        f"{type(self).__name__}.strips: {strip.title!r} charts {name!r}, but readouts() gives "
+                        f"{type(self).__name__}.strips: {strip.title!r} charts {name!r}; readouts() gives "
                         + (", ".join(measured) or "nothing")
                     )
 

@@ -1,1 +1,17 @@
 """The billiard game on the exact table."""
+
+from game.stage.catalogue import Entry
+
+BILLIARDS = Entry(
+    name="billiards",
+    task="L.10",
+    title="Billiards",
+    fact="8-ball, 9-ball, trick shots",
+    category="Billiards",
+    module="game.scenes.billiards.scene",
+    class_name="Billiards",
+    keywords="pool eight-ball nine-ball combination match trick shots puzzles drills opponents A02 exact cue",
+    roomy=True,
+    card="draw_billiards",
+)
+ENTRIES = (BILLIARDS,)

@@ -20,9 +20,10 @@ from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of
 from game.lab.studies.billiards.effects import effects_study
 from game.levels import Level
-from game.scenes.billiards import buttons, deciding, hand, modes, view
+from game.scenes.billiards import BILLIARDS, buttons, deciding, hand, modes, view
 from game.scenes.billiards import play as moves
 from game.scenes.billiards.actions import ACTIONS, HINTS
+from game.scenes.billiards.figure import draw_aim
 from game.scenes.billiards.kept import Kept
 from game.scenes.billiards.layout import FRAME
 from game.scenes.billiards.level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
@@ -33,7 +34,6 @@ from game.scenes.billiards.round import Conditions, Played, Round, begin
 from game.scenes.billiards.sounds import hearing_of
 from game.scenes.billiards.stroke_motion import warm_ups as cue_warm_ups
 from game.scenes.billiards.thinker import Thinker
-from game.scenes.figures.balls import draw_aim
 from game.scenes.shared.tables.cue import CueControl
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
@@ -80,9 +80,7 @@ class Billiards(BilliardsKnobs):
     stars.
     """
 
-    name = "billiards"
-    task = "L.10"
-    title = "Billiards"
+    name, task, title = BILLIARDS.names
     study = effects_study
     covers = True
     quarter_turns = 1

@@ -8,9 +8,10 @@ from game.lab.studies.bounds.fits import capsule_study
 from game.physics.bounds import FITS, KINDS, near_least_capsule
 from game.physics.kernels.limits import LimitError
 from game.physics.proximity_effects import EXACT_ANSWER
+from game.scenes.bounds import C09
 from game.scenes.bounds.base import BoundsScene
+from game.scenes.bounds.figure import draw_capsules
 from game.scenes.bounds.pair import Pane
-from game.scenes.figures.bounds import draw_capsules
 from game.stage import Choice, Equation, Strip, Toggle, WarmUp
 
 TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Upright boxes"}
@@ -31,9 +32,7 @@ class Capsules(BoundsScene):
     takes some milliseconds for each volume.
     """
 
-    name = "c09"
-    task = "C09"
-    title = "Capsules"
+    name, task, title = C09.names
     study = capsule_study
     second_kind: ClassVar[str] = "obb"
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from game.lab.studies.bounds.fits import box_study
+from game.scenes.bounds import C08
 from game.scenes.bounds.base import BoundsScene
-from game.scenes.figures.bounds import draw_separating_axis
+from game.scenes.bounds.figure import draw_separating_axis
 from game.stage import Equation, Strip
 
 
@@ -23,9 +24,7 @@ class OrientedBoxes(BoundsScene):
     Red boxes are leaves that overlap, green ones their ancestors up to the root, grey ones all the others.
     """
 
-    name = "c08"
-    task = "C08"
-    title = "Oriented boxes"
+    name, task, title = C08.names
     study = box_study
 
     strips = (

@@ -11,13 +11,13 @@ import numpy as np
 from game.lab.studies.broadphase.workloads import hierarchy_study
 from game.physics.broadphase import HierarchicalGrid, NaiveBroadPhase
 from game.physics.broadphase.hash_levels import TOP
-from game.scenes.boxes import view
+from game.scenes.boxes import C06, view
 from game.scenes.boxes.base import KIND_LABELS, KINDS, RATIO, SHARE
 from game.scenes.boxes.compared import ComparedScene, manager_for
+from game.scenes.boxes.figure import draw_levels
 from game.scenes.boxes.levels_look import Look, draw_look, look_into, tell_look
 from game.scenes.boxes.look import draw_names
 from game.scenes.boxes.stack import MOST_BOXES, Sheet, draw_stack, sheet_at, sheets_of
-from game.scenes.figures.broad_phase import draw_levels
 from game.stage import Choice, Equation, Param, Pointer, Readout, Strip, Toggle
 from game.ui.look.numerals import format_si
 from game.ui.painters.boxes import BoxPainter
@@ -40,9 +40,7 @@ class HierarchicalGridScene(ComparedScene):
     box against every other, does the same beside it and judges the answer.
     """
 
-    name = "c06"
-    task = "C06"
-    title = "Hierarchical grids"
+    name, task, title = C06.names
     study = hierarchy_study
 
     step_ratio = Choice(

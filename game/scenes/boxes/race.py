@@ -20,12 +20,12 @@ from game.physics.broadphase import (
     UniformGrid,
 )
 from game.physics.broadphase.workloads import WORKLOADS
-from game.scenes.boxes import view
+from game.scenes.boxes import BROAD_PHASE_RACE, view
 from game.scenes.boxes.base import RATIO, SHARE, BoxesScene
 from game.scenes.boxes.compared import MOST_IN_MATRIX, MOST_NAIVE
+from game.scenes.boxes.figure import draw_costs
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.race_table import TABLE_RIGHT, Contestant, RaceTable, short
-from game.scenes.figures.broad_phase import draw_costs
 from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
 
 MOST_CELLS = 1 << 22
@@ -54,9 +54,7 @@ class BroadPhaseRace(BoxesScene):
     matrix above 4096.
     """
 
-    name = "broad-phase-race"
-    task = "C05–C07"
-    title = "Broad-phase race"
+    name, task, title = BROAD_PHASE_RACE.names
     study = count_study
     groups = ("Workload", "Boxes", "Contestants", "Step", "Disturbance", "Shown")
 

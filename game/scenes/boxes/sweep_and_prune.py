@@ -11,8 +11,9 @@ from game.lab.studies.broadphase.speed import sweep_study
 from game.physics.broadphase import NaiveBroadPhase, SweepAndPrune
 from game.physics.broadphase.effects import MOTION
 from game.physics.broadphase.workloads import expected_swaps
-from game.scenes.boxes import view
+from game.scenes.boxes import C07, view
 from game.scenes.boxes.compared import MOST_IN_MATRIX, ComparedScene, manager_for
+from game.scenes.boxes.figure import draw_swap
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.look import draw_names, named
 from game.scenes.boxes.swap_story import (
@@ -24,7 +25,6 @@ from game.scenes.boxes.swap_story import (
     tell_story,
     tell_swaps,
 )
-from game.scenes.figures.broad_phase import draw_swap
 from game.stage import Equation, Frame, Param, Readout, Strip, Toggle
 
 MOST_TICKS = 1_500  # boxes whose end points are drawn
@@ -44,9 +44,7 @@ class SweepAndPruneScene(ComparedScene):
     sweep once, which is done unless it is switched off. The naive way does the same beside it.
     """
 
-    name = "c07"
-    task = "C07"
-    title = "Sweep and prune"
+    name, task, title = C07.names
     study = sweep_study
 
     resort = Toggle(

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from game.lab.studies.broadphase.workloads import cell_size_study
 from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, PairEvents, UniformGrid
 from game.physics.broadphase.effects import BOUNDARY, HASHED_PAIRS, MATRIX_PAIRS, MOTION
-from game.scenes.boxes import view
+from game.scenes.boxes import C05, view
 from game.scenes.boxes.base import BoxesScene
+from game.scenes.boxes.figure import draw_cells
 from game.scenes.boxes.grid_look import Look, draw_look, look_into, mark_matrix, mark_table, tell_look
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.look import draw_names
-from game.scenes.figures.broad_phase import draw_cells
 from game.stage import Choice, Equation, Param, Readout, Strip, Toggle
 
 MOST_IN_MATRIX = 4096  # boxes; the matrix takes 32 MB then, and four times as much at twice as many
@@ -42,9 +42,7 @@ class UniformGridScene(BoxesScene):
     of its lower corner alone, and look further for its partners.
     """
 
-    name = "c05"
-    task = "C05"
-    title = "Uniform grid and pairs"
+    name, task, title = C05.names
     effects = MOTION | BOUNDARY | MATRIX_PAIRS | HASHED_PAIRS
     study = cell_size_study
 

@@ -22,9 +22,10 @@ from game.physics.narrowphase import (
 from game.physics.narrowphase.gjk import METHODS
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.physics.proximity_effects import EXACT_ANSWER
+from game.scenes.convex import C11
 from game.scenes.convex import gjk_view as view
 from game.scenes.convex.base import ConvexPairScene
-from game.scenes.figures.convex import draw_difference
+from game.scenes.convex.figure import draw_difference
 from game.stage import Choice, Equation, Frame, Param, Readout, Strip, Toggle
 
 
@@ -42,9 +43,7 @@ class Gjk(ConvexPairScene):
     edge is the depth of the overlap.
     """
 
-    name = "c11"
-    task = "C11"
-    title = "GJK"
+    name, task, title = C11.names
     study = gjk_study
 
     exponent = Param(

@@ -12,9 +12,10 @@ from game.lab.studies.narrowphase.distance import vclip_study
 from game.physics.narrowphase import ConvexPolygon, Feature, PolygonSet, Proximity, vclip, vclip_batch
 from game.physics.narrowphase.queries import FeatureStep, vclip_trace
 from game.physics.proximity_effects import EXACT_ANSWER
+from game.scenes.convex import C10
 from game.scenes.convex import vclip_view as view
 from game.scenes.convex.base import ConvexPairScene
-from game.scenes.figures.convex import draw_regions
+from game.scenes.convex.figure import draw_regions
 from game.stage import Equation, Toggle
 
 
@@ -31,9 +32,7 @@ class VClip(ConvexPairScene):
     An outline that is not convex is refused, and its hull offered.
     """
 
-    name = "c10"
-    task = "C10"
-    title = "V-Clip"
+    name, task, title = C10.names
     study = vclip_study
 
     regions = Toggle(

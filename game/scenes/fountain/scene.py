@@ -15,9 +15,9 @@ from game.physics.fields import DRAG, GRAVITY, WIND
 from game.physics.kernels.limits import LimitError
 from game.physics.particles import CALM, OBSTACLES, Discs, Emitter, Forces, ParticleSystem
 from game.physics.particles.encounters import STEP
-from game.scenes.figures.fountain import draw_impact
-from game.scenes.fountain import hand
+from game.scenes.fountain import C04, hand
 from game.scenes.fountain import readouts as findings
+from game.scenes.fountain.figure import draw_impact
 from game.scenes.fountain.level import MOST_STONES, FountainContent, Stone
 from game.scenes.fountain.parameters import FountainKnobs
 from game.scenes.fountain.view import FountainView
@@ -52,9 +52,7 @@ class Fountain(FountainKnobs):
     chord restores the second, and solving for the instant of the impact the full order.
     """
 
-    name = "c04"
-    task = "C04"
-    title = "Particle fountain"
+    name, task, title = C04.names
     content_type = FountainContent
     study = bounce_study
     takes = frozenset(("right",))

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from game.lab.studies.animation.keyframing import keyframing_study
 from game.levels import Level
 from game.physics.animation import EASING, INTERPOLATIONS, CubicBezier, Easing, Keyframes
-from game.scenes.figures.animation import draw_casteljau
-from game.scenes.key_frames import editing, hand
+from game.scenes.key_frames import C01, editing, hand
 from game.scenes.key_frames.clock import frame_of
 from game.scenes.key_frames.document import CHOSEN, LABELS, SHAPING, Edit
+from game.scenes.key_frames.figure import draw_casteljau
 from game.scenes.key_frames.level import Motion
 from game.scenes.key_frames.playing import PlayedScene
 from game.scenes.key_frames.view import KeyFramingView
@@ -59,9 +59,7 @@ class KeyFraming(PlayedScene):
     where it is jolted. Even speed spreads the time by the length of the path, easing by a timing curve.
     """
 
-    name = "c01"
-    task = "C01"
-    title = "Key-frames"
+    name, task, title = C01.names
     study = keyframing_study
     takes = frozenset(("right", "wheel"))
 

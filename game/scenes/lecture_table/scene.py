@@ -19,9 +19,9 @@ from game.billiards.lecture.table import warm_ups as table_warm_ups
 from game.billiards.table.passing import warm_up as warm_passing
 from game.lab.studies.billiards.lecture_table import lecture_table_study
 from game.levels import Level
-from game.scenes.figures.tables import draw_tunnelling
-from game.scenes.lecture_table import marks, turns
+from game.scenes.lecture_table import LECTURE_TABLE, marks, turns
 from game.scenes.lecture_table import sounds as lecture_table_sounds
+from game.scenes.lecture_table.figure import draw_tunnelling
 from game.scenes.lecture_table.level import LectureTableContent, content_of, layout_of
 from game.scenes.lecture_table.parameters import LectureTableModel
 from game.scenes.shared.tables import view as table_view
@@ -75,9 +75,7 @@ class LectureTable(LectureTableModel):
     second mend each of them, at the price shown under "What accuracy costs".
     """
 
-    name = "lecture-table"
-    task = "L"
-    title = "Lecture table"
+    name, task, title = LECTURE_TABLE.names
     effects = LECTURE_EFFECTS
     quarter_turns = 1
     takes = frozenset(("right",))

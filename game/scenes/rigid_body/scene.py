@@ -15,10 +15,10 @@ from game.physics.rigid import METHODS
 from game.physics.rigid.free_top import turn_freely
 from game.physics.rigid.motion import INVERSES, MOMENTS, P
 from game.physics.rigid.turning import measure
-from game.scenes.figures.rigid import draw_momentum_sphere
-from game.scenes.rigid_body import hand
+from game.scenes.rigid_body import C12, hand
 from game.scenes.rigid_body.bodies import EXACT, FLIPS, A, B, Bodies, is_about_middle_axis
 from game.scenes.rigid_body.camera import box_edges, camera_matrix
+from game.scenes.rigid_body.figure import draw_momentum_sphere
 from game.scenes.rigid_body.level import RigidContent, SphereEntry, design_of
 from game.scenes.rigid_body.parameters import HOME, LABELS, SHOWN_ONLY, RigidBodyKnobs
 from game.scenes.rigid_body.readouts import readouts_of
@@ -58,9 +58,7 @@ class RigidBodyScene(RigidBodyKnobs):
     that makes energy spirals outwards to an end of axis 1.
     """
 
-    name = "c12"
-    task = "C12"
-    title = "Rigid body"
+    name, task, title = C12.names
     dt = 1.0 / 60.0
     content_type = RigidContent
     study = rotation_study

@@ -14,11 +14,12 @@ from game.lab.studies.animation.inverse_kinematics import reaching_study
 from game.levels import Level
 from game.physics.animation import JOINT_LIMITS, SKINNING, Solution, Solver
 from game.physics.animation.ik.solver import METHODS
-from game.scenes.figures.animation import draw_ccd
+from game.scenes.skeletons import C03
 from game.scenes.skeletons import bench as skeleton_bench
 from game.scenes.skeletons import hand as editor
 from game.scenes.skeletons.base import EDITING, FigureScene, warm_ups_of_figures
 from game.scenes.skeletons.chain_view import ChainView, cell_at, cells_of
+from game.scenes.skeletons.figure import draw_ccd
 from game.scenes.skeletons.level import BoneEntry, ChainEntry, FigureContent, PathEntry, View, bone_named
 from game.stage import (
     Choice,
@@ -67,9 +68,7 @@ class InverseKinematics(FigureScene):
     short of a target that another pose would reach: turn the joints by hand, and they begin from there.
     """
 
-    name = "c03"
-    task = "C03"
-    title = "Inverse kinematics"
+    name, task, title = C03.names
     study = reaching_study
     shown_methods: ClassVar[tuple[str, ...]] = SHOWN
     tools: ClassVar[tuple[str, ...]] = ("pull", "pose", "bone", "chain", "skin")

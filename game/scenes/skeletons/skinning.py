@@ -13,9 +13,10 @@ from game.lab.studies.animation.skinning import skinning_study
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.physics.animation.skinning import BLENDS
-from game.scenes.figures.animation import draw_bend
+from game.scenes.skeletons import C02
 from game.scenes.skeletons.base import EDITING, FigureScene, warm_ups_of_figures
 from game.scenes.skeletons.cells import WHOLE
+from game.scenes.skeletons.figure import draw_bend
 from game.scenes.skeletons.view import (
     bone_tokens,
     draw_bones,
@@ -50,9 +51,7 @@ class Skinning(FigureScene):
     Make your own: New bone, click the parent, then where the bone is to end; Skin, click around the bones.
     """
 
-    name = "c02"
-    task = "C02"
-    title = "Skeleton and skinning"
+    name, task, title = C02.names
     study = skinning_study
 
     compare = Toggle(False, group="Shown", label="The other blend", help="as a dashed outline")

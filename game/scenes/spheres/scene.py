@@ -16,11 +16,11 @@ from game.physics.fields import GRAVITY
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.smooth_spheres import SmoothSpheres
 from game.physics.spheres.spheres import SphereBodies
-from game.scenes.figures.rigid import draw_friction_cone
-from game.scenes.spheres import hand
+from game.scenes.spheres import C13, hand
 from game.scenes.spheres import readouts as findings
 from game.scenes.spheres import sounds as c13_sounds
 from game.scenes.spheres.building import bodies_of, makings_of, tables_of
+from game.scenes.spheres.figure import draw_friction_cone
 from game.scenes.spheres.ledger import ledger_table
 from game.scenes.spheres.level import CollisionContent, SphereEntry
 from game.scenes.spheres.parameters import NOT_SETTINGS, TABLE_KNOBS, CollisionKnobs
@@ -61,9 +61,7 @@ class SphereCollisions(CollisionKnobs):
     which enters the energy of each collision and the momentum that all of one moment have lost together.
     """
 
-    name = "c13"
-    task = "C13"
-    title = "Sphere collisions"
+    name, task, title = C13.names
     study = impact_study
     dt = 1.0 / 120.0
     may_be_infinite = frozenset(("masses",))

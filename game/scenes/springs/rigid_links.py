@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.lab.studies.constraints import stretch_study
-from game.scenes.figures.springs import draw_projection
+from game.scenes.springs import C14
 from game.scenes.springs.base import MassSpringScene
+from game.scenes.springs.figure import draw_projection
 from game.stage import Choice, Equation, Param
 
 Array = NDArray[np.float64]
@@ -29,9 +30,7 @@ class RigidLinks(MassSpringScene):
     overstretched.
     """
 
-    name = "c14"
-    task = "C14"
-    title = "Rigid links"
+    name, task, title = C14.names
     study = stretch_study
 
     model = Choice(

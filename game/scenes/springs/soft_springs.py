@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 from game.lab.studies.springs import spring_study
 from game.physics.constraints import MODELS
 from game.physics.constraints.areas import COMPLIANCE, INTACT, STIFFNESS
-from game.scenes.figures.springs import draw_sweeps
+from game.scenes.springs import C15
 from game.scenes.springs.base import MassSpringScene
+from game.scenes.springs.figure import draw_sweeps
 from game.scenes.springs.level import NOT_OWN
 from game.stage import Choice, Equation, Param, Readout, Strip
 
@@ -31,9 +32,7 @@ class Springs(MassSpringScene):
     lost.
     """
 
-    name = "c15"
-    task = "C15"
-    title = "Soft springs"
+    name, task, title = C15.names
     study = spring_study
 
     model = Choice(

@@ -17,11 +17,11 @@ from game.billiards.shot_effects import physics_of, table_of
 from game.billiards.table.table import Table
 from game.lab.studies.billiards.tables import billiards_study
 from game.levels import Level
-from game.scenes.figures.tables import draw_chaos
 from game.scenes.shared.tables import view as table_view
 from game.scenes.shared.tables.cue import AIMING, CueControl
 from game.scenes.shared.tables.demo_shots import choose_stroke
-from game.scenes.three_tables import view
+from game.scenes.three_tables import THREE_TABLES, view
+from game.scenes.three_tables.figure import draw_chaos
 from game.scenes.three_tables.layout import free_spot, laid_out
 from game.scenes.three_tables.level import ThreeTablesContent
 from game.scenes.three_tables.parameters import ThreeTablesKnobs
@@ -65,9 +65,7 @@ class ThreeTables(ThreeTablesKnobs):
     a hundred contacts. No table can be predicted for longer, however small its step.
     """
 
-    name = "three-tables"
-    task = "L"
-    title = "Three tables"
+    name, task, title = THREE_TABLES.names
     quarter_turns = 1
     takes = frozenset(("right",))
     content_type = ThreeTablesContent

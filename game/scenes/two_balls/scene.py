@@ -16,8 +16,8 @@ from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEE
 from game.billiards.table import passing
 from game.lab.studies.billiards.lecture_table import one_collision_study
 from game.levels import Level
-from game.scenes.figures.balls import draw_exchange
-from game.scenes.two_balls import hand, record, view
+from game.scenes.two_balls import LECTURE_BALLS, hand, record, view
+from game.scenes.two_balls.figure import draw_exchange
 from game.scenes.two_balls.level import HEIGHT, WIDTH, LectureBallsContent, entry_of
 from game.scenes.two_balls.parameters import LectureBallsKnobs
 from game.stage import (
@@ -66,9 +66,7 @@ class LectureBalls(LectureBallsKnobs):
     rounding.
     """
 
-    name = "lecture-balls"
-    task = "L"
-    title = "Two balls"
+    name, task, title = LECTURE_BALLS.names
     study = one_collision_study
     dt = 1.0 / FRAME_RATE
     unit = "px"

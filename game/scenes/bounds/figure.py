@@ -1,10 +1,10 @@
-"""Bounding volumes: the separating axis of two oriented boxes, the distance of two capsules' cores."""
+"""The help figures: a separating axis (C08), two capsules (C09)."""
 
 from __future__ import annotations
 
 import math
 
-from game.scenes.figures.marks import ahead, between, dot, outline, span
+from game.scenes.shared.marks import ahead, between, dot, outline, span
 from game.ui.canvas.pen import Pen, Point
 
 TURN = 12.0  # degrees, of the first box and of the axis
@@ -61,9 +61,6 @@ def _shadow(at: Point) -> Point:
     angle, start = math.radians(TURN), (20.0, 170.0)
     way = (at[0] - start[0]) * math.cos(angle) - (at[1] - start[1]) * math.sin(angle)
     return ahead(start, TURN, way)
-
-
-# -- capsules -----------------------------------------------------------------------------------------
 
 
 def draw_capsules(pen: Pen) -> None:

@@ -1,11 +1,10 @@
-"""Drawings of the broad phases: boxes, those that overlap in the colour of overlap, and what sorts them."""
+"""The cards of the broad phases (C05 to C07) and of their race."""
 
 from __future__ import annotations
 
 from game.ui.canvas.pen import Pen
 
 Box = tuple[float, float, float]  # left, top, side
-
 SMALL: tuple[Box, ...] = (
     (14, 12, 13), (22, 19, 13), (48, 9, 13), (70, 26, 13), (64, 34, 13), (98, 12, 13), (126, 20, 13),
     (134, 28, 13), (12, 56, 13), (36, 44, 13), (44, 76, 13), (86, 56, 13), (93, 64, 13), (112, 46, 13),

@@ -1,11 +1,11 @@
-"""Links and springs: the projection of two particles, and what is left of it after some sweeps."""
+"""The help figures: a projected link (C14), sweeps over a chain (C15)."""
 
 from __future__ import annotations
 
 import math
 from itertools import pairwise
 
-from game.scenes.figures.marks import ahead, between, dot, span
+from game.scenes.shared.marks import ahead, between, dot, span
 from game.ui.canvas.pen import Pen, Point
 
 

@@ -1,13 +1,11 @@
-"""Broad phases: cells that a box covers and visits, grids of all sizes, end points that swap, the costs."""
+"""The help figures: cells (C05), levels (C06), a swap (C07), costs (the race)."""
 
 from __future__ import annotations
 
 import math
 
-from game.scenes.figures.marks import curve, outline, span
+from game.scenes.shared.marks import curve, outline, span
 from game.ui.canvas.pen import Pen, Point
-
-# -- uniform grid -------------------------------------------------------------------------------------
 
 
 def draw_cells(pen: Pen) -> None:
@@ -51,9 +49,6 @@ def _box(pen: Pen, corner: Point, size: float, color: str) -> None:
     outline(
         pen, square, color, 1.6, color if color == "vermilion" else "body", 0.72 if color != "text2" else 0.1
     )
-
-
-# -- hierarchical grids -------------------------------------------------------------------------------
 
 
 COLUMNS, ROWS = 12, 8  # finest cells
@@ -113,9 +108,6 @@ def _oblique(x: float, y: float, front: float) -> Point:
     return 52.0 + 15.2 * x + 6.4 * y, front - 6.0 * y
 
 
-# -- sweep and prune ----------------------------------------------------------------------------------
-
-
 BOXES = {"A": (46.0, 112.0, 22.0, 62.0), "B": (138.0, 200.0, 50.0, 90.0), "C": (222.0, 274.0, 26.0, 62.0)}
 MOVE = 46.0  # of box A
 
@@ -150,9 +142,6 @@ def _draw_ways(pen: Pen, name: str, x: float, inwards: float, first: float, seco
     for at, y in ((x, first), (later, second)):
         ends = ((at + 4.0 * inwards, y - 7.0), (at, y - 7.0), (at, y + 7.0), (at + 4.0 * inwards, y + 7.0))
         pen.line(ends, "amber" if swapped else "text1", 2.0)
-
-
-# -- race ---------------------------------------------------------------------------------------------
 
 
 def draw_costs(pen: Pen) -> None:

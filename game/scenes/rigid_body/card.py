@@ -1,4 +1,4 @@
-"""Drawings of rigid bodies."""
+"""The card: a hammer of spheres."""
 
 from __future__ import annotations
 
@@ -28,21 +28,3 @@ def _ball_of_body(pen: Pen, x: float, y: float, radius: float, color: pygame.Col
     pen.disc(x, y, radius, color.lerp(pygame.Color("black"), 0.45))
     pen.disc(x - 0.06 * radius, y - 0.08 * radius, 0.9 * radius, color)
     pen.disc(x - 0.3 * radius, y - 0.36 * radius, 0.28 * radius, color.lerp(pygame.Color("white"), 0.6))
-
-
-def draw_cradle(pen: Pen) -> None:
-    """Newton's cradle, the first ball coming down."""
-    pen.fill("stage")
-    pen.line(((46.0, 18.0), (126.0, 18.0)), "line2", 2.4)
-    balls = [(62.0 + 16.0 * i, 76.0, 62.0 + 16.0 * i) for i in range(1, 4)]
-    balls.append((62.0 - 44.0 * 0.68, 18.0 + 58.0 * 0.87, 62.0))
-    for x, y, tie in balls:
-        pen.line(((tie, 18.0), (x, y)), "ghost", 0.8)
-    for i, (x, y, _) in enumerate(balls):
-        tone = "chalk" if i == 3 else "text1"
-        pen.disc(x, y, 8.0, "body")
-        pen.disc(x, y, 8.0, tone, ring=1.5)
-        pen.line(((x, y), (x + 7.0, y)), tone, 1.1)
-    pen.arrow((40.0, 76.0), (58.0, 83.0), "chalk")
-    pen.arrow((120.0, 76.0), (142.0, 76.0), "amber")
-    pen.disc(118.0, 76.0, 2.2, "amber")

@@ -1,4 +1,4 @@
-"""An impact on the stone: velocities before and after it, and the normal."""
+"""The help figure: an impact on a stone."""
 
 from __future__ import annotations
 

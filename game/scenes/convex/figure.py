@@ -1,13 +1,11 @@
-"""Convex polygons: Voronoi regions of their features, and the Minkowski difference."""
+"""The help figures: Voronoi regions (C10), Minkowski difference (C11)."""
 
 from __future__ import annotations
 
 import math
 
-from game.scenes.figures.marks import ahead, between, dot, outline, right_angle
+from game.scenes.shared.marks import ahead, between, dot, outline, right_angle
 from game.ui.canvas.pen import Pen, Point
-
-# -- V-Clip -------------------------------------------------------------------------------------------
 
 
 def draw_regions(pen: Pen) -> None:
@@ -52,8 +50,6 @@ def _along(start: Point, at: Point, degrees: float) -> float:
     angle = math.radians(degrees)
     return (at[0] - start[0]) * math.cos(angle) - (at[1] - start[1]) * math.sin(angle)
 
-
-# -- GJK ----------------------------------------------------------------------------------------------
 
 A = ((0.0, 0.0), (40.0, -6.0), (56.0, 20.0), (30.0, 46.0), (4.0, 36.0))  # px, y up
 B = ((62.0, 46.0), (96.0, 60.0), (70.0, 84.0))

@@ -1,1 +1,0 @@
-"""Figures of the help pages: what a scene's words and equations speak of, drawn with a pen."""
