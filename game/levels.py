@@ -8,7 +8,7 @@ wrong is answered by one LevelError: file, field, reason.
     about = "What is to be seen."
     hard_case = "C14.H3"          # only for those of the gallery
     seed = 7
-    [parameters]                  # the scene's knobs
+    [parameters]                  # the scene's parameters
     iterations = 20
     [effects]
     off = ["gravity"]

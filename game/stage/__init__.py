@@ -21,8 +21,8 @@ from game.stage.declarations import (
     Table,
     WarmUp,
 )
-from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent, Stamped
-from game.stage.parameters import Choice, Knob, KnobError, Param, Parameters, Toggle
+from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
+from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle
 from game.stage.part import Part
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
@@ -51,9 +51,9 @@ __all__ = [
     "Frame",
     "Hearing",
     "Hint",
-    "Knob",
-    "KnobError",
     "Param",
+    "Parameter",
+    "ParameterError",
     "Parameters",
     "Part",
     "Pointer",
@@ -63,7 +63,7 @@ __all__ = [
     "Scene",
     "SceneAction",
     "SetEffect",
-    "SetKnob",
+    "SetParameter",
     "Sound",
     "Stage",
     "StageEvent",

@@ -1,4 +1,4 @@
-"""What comes in to a scene, and all that comes in: pointer, action, decision, knob set, effect switched.
+"""What comes in to a scene, and all that comes in: pointer, action, decision, parameter set, effect switched.
 
 Each is stamped with the number of steps made before it acts, so a list of them is a replay (HARD_CASES
 K-H8), and a story or a test is written in the same words as a person's hand.
@@ -42,7 +42,7 @@ class Decision(msgspec.Struct, frozen=True, tag="decision", forbid_unknown_field
     values: tuple[float, ...] = ()
 
 
-class SetKnob(msgspec.Struct, frozen=True, tag="knob", forbid_unknown_fields=True):
+class SetParameter(msgspec.Struct, frozen=True, tag="knob", forbid_unknown_fields=True):
     """A parameter, choice or switch set to a value."""
 
     name: str
@@ -56,7 +56,7 @@ class SetEffect(msgspec.Struct, frozen=True, tag="effect", forbid_unknown_fields
     on: bool
 
 
-StageEvent = Pointer | Action | Decision | SetKnob | SetEffect
+StageEvent = Pointer | Action | Decision | SetParameter | SetEffect
 
 
 class Stamped(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

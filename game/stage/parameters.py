@@ -1,6 +1,6 @@
 """What a person may change about a scene: numbers, choices and switches, declared as class attributes.
 
-A declared knob checks every value at one door, whoever brings it: panel, level file, command line or
+A declared parameter checks every value at one door, whoever brings it: panel, level file, command line or
 replay. Controls, help page, level file and command line are made from the declarations alone.
 """
 
@@ -14,11 +14,11 @@ from typing import Any, Generic, TypeVar, overload
 T = TypeVar("T")
 
 
-class KnobError(ValueError):
-    """A value that a knob refuses; the message names the knob, the value and what is allowed."""
+class ParameterError(ValueError):
+    """A value that a parameter refuses; the message names the parameter, the value and what is allowed."""
 
 
-class Knob(Generic[T]):
+class Parameter(Generic[T]):
     """One thing that may be changed: a descriptor whose values live in ``scene.values``."""
 
     name: str = ""
@@ -34,7 +34,9 @@ class Knob(Generic[T]):
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
-        self.default = self.check(self.default)  # in the knob's own type, so that kernels see one type only
+        self.default = self.check(
+            self.default
+        )  # in the parameter's own type, so that kernels see one type only
 
     @property
     def label(self) -> str:
@@ -42,7 +44,7 @@ class Knob(Generic[T]):
         return self._label or self.name.replace("_", " ").capitalize()
 
     @overload
-    def __get__(self, scene: None, owner: type) -> Knob[T]: ...
+    def __get__(self, scene: None, owner: type) -> Parameter[T]: ...
     @overload
     def __get__(self, scene: Any, owner: type) -> T: ...
     def __get__(self, scene: Any, owner: type) -> Any:
@@ -52,18 +54,18 @@ class Knob(Generic[T]):
         scene.values[self.name] = self.check(value)
 
     def check(self, value: Any) -> T:
-        """Return the value in the knob's own type, or raise KnobError."""
+        """Return the value in the parameter's own type, or raise ParameterError."""
         raise NotImplementedError
 
     def parse(self, text: str) -> T:
-        """Value of a command line or text field word; KnobError if it is none."""
+        """Value of a command line or text field word; ParameterError if it is none."""
         raise NotImplementedError
 
-    def _refuse(self, value: Any, reason: str) -> KnobError:
-        return KnobError(f"{self.name} = {value!r}: {reason}")
+    def _refuse(self, value: Any, reason: str) -> ParameterError:
+        return ParameterError(f"{self.name} = {value!r}: {reason}")
 
 
-class Param(Knob[float]):
+class Param(Parameter[float]):
     """A number in a closed range, with its unit.
 
     ``log`` spreads the slider over decades, ``whole`` admits integers only, ``step`` is the slider's grain.
@@ -100,7 +102,7 @@ class Param(Knob[float]):
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> float:
-        """The value as a number; KnobError if it is none, out of range, or not whole where that is wanted."""
+        """The value as a number; ParameterError if it is none, out of range, or not whole if it must be."""
         if isinstance(value, bool) or not isinstance(value, Real):
             raise self._refuse(value, "a number is wanted")
         try:
@@ -117,17 +119,17 @@ class Param(Knob[float]):
         return int(number) if self.whole else number
 
     def parse(self, text: str) -> float:
-        """The number that a text says, with a point or a comma; KnobError as for `check`."""
+        """The number that a text says, with a point or a comma; ParameterError as for `check`."""
         cleaned = text.strip().replace("\u202f", "").replace("\u2212", "-").replace(",", ".")
         try:
             return self.check(float(cleaned))
         except ValueError as error:
-            if isinstance(error, KnobError):
+            if isinstance(error, ParameterError):
                 raise
             raise self._refuse(text, "a number is wanted") from None
 
 
-class Choice(Knob[str]):
+class Choice(Parameter[str]):
     """One of a few named options. ValueError for more or fewer labels than options."""
 
     def __init__(
@@ -148,27 +150,27 @@ class Choice(Knob[str]):
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> str:
-        """The option; KnobError, naming all, if it is none."""
+        """The option; ParameterError, naming all, if it is none."""
         if not isinstance(value, str) or value not in self.options:
             raise self._refuse(value, "one of " + ", ".join(self.options) + " is wanted")
         return str(value)
 
     def parse(self, text: str) -> str:
-        """The option that a text names; KnobError if it is none."""
+        """The option that a text names; ParameterError if it is none."""
         return self.check(text.strip())
 
 
-class Toggle(Knob[bool]):
+class Toggle(Parameter[bool]):
     """A switch."""
 
     def check(self, value: Any) -> bool:
-        """The value; KnobError unless it is True or False."""
+        """The value; ParameterError unless it is True or False."""
         if not isinstance(value, bool):
             raise self._refuse(value, "true or false is wanted")
         return value
 
     def parse(self, text: str) -> bool:
-        """True for "on", "yes", "true" or "1", False for their opposites; KnobError for another word."""
+        """True for "on", "yes", "true" or "1", False for their opposites; ParameterError for another word."""
         word = text.strip().lower()
         if word in ("true", "on", "yes", "1"):
             return True
@@ -177,11 +179,11 @@ class Toggle(Knob[bool]):
         raise self._refuse(text, "true or false is wanted")
 
 
-def knobs_of(owner: type) -> dict[str, Knob[Any]]:
-    """All knobs that a class declares or inherits, in the order of declaration."""
-    found: dict[str, Knob[Any]] = {}
+def parameters_of(owner: type) -> dict[str, Parameter[Any]]:
+    """All parameters that a class declares or inherits, in the order of declaration."""
+    found: dict[str, Parameter[Any]] = {}
     for base in reversed(owner.__mro__):
-        found.update(_own_knobs(base))
+        found.update(_own_parameters(base))
     return found
 
 
@@ -200,10 +202,10 @@ class Parameters:
     """
 
     def __init__(self, values: dict[str, Any] | None = None):
-        self.values = {name: knob.default for name, knob in knobs_of(type(self)).items()}
+        self.values = {name: parameter.default for name, parameter in parameters_of(type(self)).items()}
         if values is not None:
             self.values = values
 
 
-def _own_knobs(owner: type) -> Iterator[tuple[str, Knob[Any]]]:
-    return ((name, value) for name, value in vars(owner).items() if isinstance(value, Knob))
+def _own_parameters(owner: type) -> Iterator[tuple[str, Parameter[Any]]]:
+    return ((name, value) for name, value in vars(owner).items() if isinstance(value, Parameter))

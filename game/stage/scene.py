@@ -28,7 +28,7 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent, Stamped
-from game.stage.parameters import Knob, KnobError, Parameters, knobs_of
+from game.stage.parameters import Parameter, ParameterError, Parameters, parameters_of
 from game.stage.part import structures_of
 from game.stage.states.memory import OWN
 
@@ -47,7 +47,7 @@ class Scene:
     parameters: Parameters
     dt: ClassVar[float] = (
         1.0 / 120.0
-    )  # s, default length of a step; a knob "step_length" (s) stands in for it
+    )  # s, default length of a step; a parameter "step_length" (s) stands in for it
     may_be_infinite: ClassVar[frozenset[str]] = frozenset()  # fields of the state where inf or NaN is meant
     unit: ClassVar[str] = "m"
     y_up: ClassVar[bool] = True
@@ -66,11 +66,11 @@ class Scene:
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
     def __init_subclass__(cls) -> None:
-        """Refuse a knob whose name would hide something that every scene has, or that is declared twice."""
+        """Refuse a parameter that would hide something that every scene has, or that is declared twice."""
         for name, value in vars(cls).items():
-            if isinstance(value, Knob) and (hasattr(Scene, name) or name in OWN):
+            if isinstance(value, Parameter) and (hasattr(Scene, name) or name in OWN):
                 raise TypeError(f"{cls.__name__}.{name}: a parameter cannot have this name")
-        twice = knobs_of(cls).keys() & knobs_of(cls.parameters_type).keys()
+        twice = parameters_of(cls).keys() & parameters_of(cls.parameters_type).keys()
         if twice:
             raise TypeError(
                 f"{cls.__name__}.{min(twice)}: {cls.parameters_type.__name__} declares it as well"
@@ -85,14 +85,16 @@ class Scene:
         effects_off: Iterable[str] = (),
         effects: EffectSet | None = None,
     ):
-        """Make the scene from a level (None: its defaults), with some knobs set otherwise.
+        """Make the scene from a level (None: its defaults), with some parameters set otherwise.
 
         ``seed`` stands in for the level's if given; ``effects_off`` are switched off beside those that the
         level switches off; ``effects`` are active exactly, whatever the level says. Raises LevelError if the
-        level says what the scene refuses, KnobError if the other arguments do.
+        level says what the scene refuses, ParameterError if the other arguments do.
         """
         self._check_definition()
-        self.values: dict[str, Any] = {name: knob.default for name, knob in self.knobs().items()}
+        self.values: dict[str, Any] = {
+            name: parameter.default for name, parameter in self.declared_parameters().items()
+        }
         self.parameters = self.parameters_type(self.values)
         self.active = self.effects
         self.previous: Any = None  # state before the last step, kept by the stage for the picture
@@ -101,14 +103,14 @@ class Scene:
         if level is not None:
             self._take_over(level)
         for key, value in (parameters or {}).items():
-            self.knob(key).__set__(self, value)
+            self.parameter(key).__set__(self, value)
         if effects is not None:
             self.active = effects
         for name in effects_off:
             self.active = self.active.without(self.effect(name))
         try:
             self.build(level)
-        except (LevelError, KnobError):
+        except (LevelError, ParameterError):
             raise
         except ValueError as error:
             asked_beside = bool(parameters) and isinstance(error, LimitError)
@@ -129,45 +131,47 @@ class Scene:
             raise TypeError(f"{own.__name__}: define {', '.join(missing)} (see the class Scene)")
 
     def _take_over(self, level: Level) -> None:
-        """Set knobs and effects as the level says; LevelError naming its file and field."""
+        """Set parameters and effects as the level says; LevelError naming its file and field."""
         if level.scene != self.name:
             raise LevelError(level.path, "scene", f"is {level.scene!r}, but {self.name!r} is wanted")
         for key, value in level.parameters.items():
             try:
-                self.knob(key).__set__(self, value)
-            except KnobError as error:
+                self.parameter(key).__set__(self, value)
+            except ParameterError as error:
                 raise LevelError(
                     level.path, f"parameters.{key}", str(error).removeprefix(f"{key}: ")
                 ) from None
         for name in level.effects_off:
             try:
                 self.active = self.active.without(self.effect(name))
-            except KnobError as error:
+            except ParameterError as error:
                 raise LevelError(level.path, "effects.off", str(error)) from None
 
     # -- declared things ----------------------------------------------------------------------------
 
     @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, in the order of declaration."""
-        return {**knobs_of(cls.parameters_type), **knobs_of(cls)}
+    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
+        """Parameters by name, in the order of declaration."""
+        return {**parameters_of(cls.parameters_type), **parameters_of(cls)}
 
     @classmethod
-    def knob(cls, name: str) -> Knob[Any]:
-        """The knob of that name; KnobError if there is none."""
-        knobs = cls.knobs()
-        if name not in knobs:
-            raise KnobError(f"{name}: {cls.name} has no such parameter; it has {', '.join(knobs) or 'none'}")
-        return knobs[name]
+    def parameter(cls, name: str) -> Parameter[Any]:
+        """The parameter of that name; ParameterError if there is none."""
+        declared = cls.declared_parameters()
+        if name not in declared:
+            raise ParameterError(
+                f"{name}: {cls.name} has no such parameter; it has {', '.join(declared) or 'none'}"
+            )
+        return declared[name]
 
     @classmethod
     def effect(cls, name: str) -> Effect:
-        """The declared effect of that name; KnobError if there is none."""
+        """The declared effect of that name; ParameterError if there is none."""
         for effect in cls.effects:
             if effect.name == name:
                 return effect
         declared = ", ".join(cls.effects.names) or "none"
-        raise KnobError(f"{name}: {cls.name} declares no such effect; it has {declared}")
+        raise ParameterError(f"{name}: {cls.name} declares no such effect; it has {declared}")
 
     def check_strips(self) -> None:
         """ValueError, naming strip and readout, if a chart asks for a value that is never measured."""
@@ -183,7 +187,7 @@ class Scene:
     # -- to override --------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        """Make the state from the level's content and the knobs. Called by the constructor and on reset."""
+        """Make the state from the level's content and the parameters. Called on opening and on reset."""
         raise NotImplementedError
 
     def advance(self, dt: float) -> None:
@@ -193,7 +197,7 @@ class Scene:
     def state(self) -> NamedTuple:
         """A NamedTuple of the arrays (and numbers) that are the state: snapshot, digest, step back.
 
-        All that later steps depend on, but for knobs and effects and for plain attributes of the scene
+        All that later steps depend on, but for parameters and effects and for plain attributes of the scene
         (numbers, words, and lists of them; see memory.py), which the stage remembers by itself. Arrays are
         given as they are, not copied. Floats must be finite, but for fields named in ``may_be_infinite``.
         """
@@ -243,14 +247,15 @@ class Scene:
         """A decision of ``decisions``; ValueError for one that cannot be."""
         raise ValueError(f"{event.name}: {self.name} takes no decisions")
 
-    def knob_changed(self, name: str) -> None:
-        """A knob without ``rebuild`` has a new value."""
+    def parameter_changed(self, name: str) -> None:
+        """A parameter without ``rebuild`` has a new value."""
 
     def why_idle(self, name: str) -> str:
-        """Why the knob of that name changes nothing as the scene stands, in a sentence; "" if it acts.
+        """Why the parameter of that name changes nothing as the scene stands, in a sentence; "" if it acts.
 
-        The panel shows such a knob grey and takes no hand to it; its tool tip begins with the sentence. It is
-        asked for in every frame, so it must be quick. A value that comes another way is taken all the same.
+        The panel shows such a parameter grey and takes no hand to it; its tool tip begins with the sentence.
+        It is asked for in every frame, so it must be quick. A value that comes another way is taken all the
+        same.
         """
         return ""
 
@@ -276,7 +281,7 @@ class Scene:
         return ()
 
     def standing(self) -> Mapping[str, float]:
-        """Figures of the state from which studies tell where the scene is, beside its knobs and effects."""
+        """Figures of the state from which studies tell where the scene is, beside parameters and effects."""
         return {}
 
     def legend(self) -> Sequence[tuple[str, str, str]]:

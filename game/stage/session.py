@@ -1,7 +1,7 @@
 """A session: the sequence of a scene's states, which steps and events alone decide. No real time in here.
 
 Going back restores the last snapshot before a step and steps again, with the events that acted since; so
-what a knob, an effect or a drag did is undone as well. A step or event that fails (a state that is not
+what a parameter, an effect or a drag did is undone as well. A step or event that fails (a state that is not
 finite, an exception) is undone the same way: the scene stands at its last good state, and `fault` says why.
 """
 
@@ -14,9 +14,9 @@ from typing import Any
 
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.events import Action, Decision, Pointer, SetEffect, SetKnob, StageEvent
+from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent
 from game.stage.fault import Fault, fault_at, fault_in
-from game.stage.parameters import KnobError
+from game.stage.parameters import ParameterError
 from game.stage.records.recording import CHECK_INTERVAL, MAX_EVENTS, Check
 from game.stage.scene import Scene
 from game.stage.states.memory import recall, remember
@@ -26,13 +26,13 @@ from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
 from game.stage.watch import FiniteWatch
 
-STEP_LENGTH = "step_length"  # a knob of this name (s) is the length of a step
+STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
 
 Build = Callable[[Mapping[str, Any], EffectSet], Scene]
 
 
 class Session:
-    """A scene from its step 0 on. ``build`` makes it anew with other knobs; ``dt``: s."""
+    """A scene from its step 0 on. ``build`` makes it anew with other parameters; ``dt``: s."""
 
     def __init__(self, scene: Scene, build: Build, dt: float, record: bool, snapshot_bytes: int):
         self.scene = scene
@@ -132,7 +132,7 @@ class Session:
         return True
 
     def let_in(self, event: StageEvent) -> None:
-        """Let a checked event act now. KnobError if the scene refuses it; then nothing has changed."""
+        """Let a checked event act now. ParameterError if the scene refuses it; then nothing has changed."""
         if self.timeline.has_future:
             held = self.timeline.held()
             self._give_up_future()
@@ -146,7 +146,7 @@ class Session:
             self._act(event)
         except ValueError as error:
             self._return_to(self.step)
-            raise error if isinstance(error, KnobError) else KnobError(str(error)) from error
+            raise error if isinstance(error, ParameterError) else ParameterError(str(error)) from error
         except Exception as error:
             self._stop(self.step, type(error).__name__, error, self.step)
             return
@@ -174,17 +174,17 @@ class Session:
             scene.active = scene.active.with_(event.name) if event.on else scene.active.without(event.name)
             scene.effects_changed()
         else:
-            self._set_knob(event)
+            self._set_parameter(event)
 
-    def _set_knob(self, event: SetKnob) -> None:
+    def _set_parameter(self, event: SetParameter) -> None:
         scene = self.scene
-        knob = scene.knob(event.name)
-        value = knob.check(event.value)
-        if knob.rebuild:
+        parameter = scene.parameter(event.name)
+        value = parameter.check(event.value)
+        if parameter.rebuild:
             self.scene = self._build({**scene.values, event.name: value}, scene.active)
         else:
             scene.values[event.name] = value
-            scene.knob_changed(event.name)
+            scene.parameter_changed(event.name)
         if event.name == STEP_LENGTH:
             self._time_base_s, self._time_base_step = self.time_s, self.step
             self._dt = float(value)
@@ -234,16 +234,18 @@ class Session:
         self._schedule()
 
     def _put_back(self, snapshot: Snapshot) -> None:
-        """Make the scene what it was; built anew if a knob that shapes it has changed since."""
-        scene, knobs = self.scene, self.scene.knobs()
+        """Make the scene what it was; built anew if a parameter that shapes it has changed since."""
+        scene, declared = self.scene, self.scene.declared_parameters()
         changed = [name for name, value in snapshot.values.items() if scene.values[name] != value]
-        if any(knobs[name].rebuild for name in changed):
+        if any(declared[name].rebuild for name in changed):
             scene = self.scene = self._build(snapshot.values, snapshot.active)
         else:
             scene.values.update(snapshot.values)
             for name in changed:
-                with suppress(LimitError):  # what knobs alone would lead to may be too much; the state is not
-                    scene.knob_changed(name)
+                with suppress(
+                    LimitError
+                ):  # what parameters alone would lead to may be too much; the state is not
+                    scene.parameter_changed(name)
         if scene.active != snapshot.active:
             scene.active = snapshot.active
             with suppress(LimitError):

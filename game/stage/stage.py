@@ -37,7 +37,7 @@ class Stage:
     the scene's own. ``record``: keep all events for a recording. ``snapshot_bytes``: what snapshots may take.
     ``max_steps``: the most steps that one frame makes.
 
-    Raises KnobError, LevelError or ValueError for what the scene refuses.
+    Raises ParameterError, LevelError or ValueError for what the scene refuses.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class Stage:
 
     @property
     def scene(self) -> Scene:
-        """The scene; another object after a reset, a new level or a knob that builds it anew."""
+        """The scene; another object after a reset, a new level or a parameter that builds it anew."""
         return self._session.scene
 
     @property
@@ -285,7 +285,7 @@ class Stage:
     def post(self, event: StageEvent) -> None:
         """Let an event act now, before the next step, and record it.
 
-        Raises KnobError for what is refused; then nothing has changed and nothing is recorded.
+        Raises ParameterError for what is refused; then nothing has changed and nothing is recorded.
         """
         self._session.let_in(checked_event(event, self.scene_type))
         self._follow_session()
@@ -293,7 +293,7 @@ class Stage:
     def listen(self, at_once: bool = False) -> None:
         """Post what the scene's own players have decided, unless a remembered future will say it.
 
-        ``at_once``: wait for those that think, see `Scene.decisions`. KnobError for what is refused.
+        ``at_once``: wait for those that think, see `Scene.decisions`. ParameterError for what is refused.
         """
         if self._paused or self._session.fault is not None or self._session.repeating:
             return
@@ -309,9 +309,9 @@ class Stage:
     # -- beginning ----------------------------------------------------------------------------------
 
     def reset(self) -> None:
-        """Build the scene anew with the present knobs and effects, and begin a new recording.
+        """Build the scene anew with the present parameters and effects, and begin a new recording.
 
-        LevelError, KnobError or ValueError if it cannot be built so; then it goes on with what it had.
+        LevelError, ParameterError or ValueError if it cannot be built so; then it goes on with what it had.
         """
         self._begin(self.build_scene(self.scene.values, self.scene.active))
 
@@ -320,7 +320,7 @@ class Stage:
         return self._recipe.of_level(level)
 
     def load_level(self, level: Level | None, scene: Scene | None = None) -> None:
-        """Begin anew with a level, its knobs and its effects (None: the scene's defaults).
+        """Begin anew with a level, its parameters and its effects (None: the scene's defaults).
 
         ``scene``: what `scene_of` has built for it, if it has. LevelError if the scene refuses the level;
         then it goes on with what it had.
@@ -336,7 +336,7 @@ class Stage:
             raise LevelError(level.path if level else None, "content", str(error)) from None
 
     def build_scene(self, values: Mapping[str, Any], active: EffectSet) -> Scene:
-        """A new scene of the same level and seed, with the given knobs and effects."""
+        """A new scene of the same level and seed, with the given parameters and effects."""
         return self._recipe.scene(values, active)
 
     def copy_scene(self, active: EffectSet | None = None) -> Scene:

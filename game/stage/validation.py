@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import get_args
 
-from game.stage.events import Action, Decision, Pointer, PointerKind, SetEffect, SetKnob, StageEvent
-from game.stage.parameters import KnobError
+from game.stage.events import Action, Decision, Pointer, PointerKind, SetEffect, SetParameter, StageEvent
+from game.stage.parameters import ParameterError
 from game.stage.scene import Scene
 
 MOST_VALUES = 64  # numbers of a decision
@@ -14,41 +14,41 @@ _POINTER_KINDS: tuple[str, ...] = get_args(PointerKind)
 
 
 def checked_event(event: StageEvent, scene_type: type[Scene]) -> StageEvent:
-    """The event in plain numbers; KnobError for one that the scene cannot know."""
+    """The event in plain numbers; ParameterError for one that the scene cannot know."""
     if isinstance(event, Pointer):
         return _checked_pointer(event)
     if isinstance(event, Action):
         if event.name not in [action.name for action in scene_type.actions]:
-            raise KnobError(f"{event.name}: {scene_type.name} has no such action")
+            raise ParameterError(f"{event.name}: {scene_type.name} has no such action")
         return event
     if isinstance(event, Decision):
         return _checked_decision(event)
-    if isinstance(event, SetKnob):
-        return SetKnob(event.name, scene_type.knob(event.name).check(event.value))
+    if isinstance(event, SetParameter):
+        return SetParameter(event.name, scene_type.parameter(event.name).check(event.value))
     if isinstance(event, SetEffect):
         return SetEffect(scene_type.effect(event.name).name, bool(event.on))
-    raise KnobError(f"{type(event).__name__} is no stage event")
+    raise ParameterError(f"{type(event).__name__} is no stage event")
 
 
 def _checked_decision(event: Decision) -> Decision:
-    """The event in plain numbers; KnobError if there are too many or one is not finite."""
+    """The event in plain numbers; ParameterError if there are too many or one is not finite."""
     try:
         values = tuple(float(value) for value in event.values)
     except (TypeError, ValueError, OverflowError):
-        raise KnobError("decision: numbers are wanted") from None
+        raise ParameterError("decision: numbers are wanted") from None
     if len(values) > MOST_VALUES or not all(map(math.isfinite, values)):
-        raise KnobError(f"decision: at most {MOST_VALUES} finite numbers are wanted")
+        raise ParameterError(f"decision: at most {MOST_VALUES} finite numbers are wanted")
     return Decision(str(event.name), values)
 
 
 def _checked_pointer(event: Pointer) -> Pointer:
-    """The event in plain numbers; KnobError if its kind is none or a number is not finite."""
+    """The event in plain numbers; ParameterError if its kind is none or a number is not finite."""
     if event.kind not in _POINTER_KINDS:
-        raise KnobError(f"pointer: {event.kind!r} is not one of {', '.join(_POINTER_KINDS)}")
+        raise ParameterError(f"pointer: {event.kind!r} is not one of {', '.join(_POINTER_KINDS)}")
     try:
         x, y, wheel, button = float(event.x), float(event.y), float(event.wheel), int(event.button)
     except (TypeError, ValueError, OverflowError):
-        raise KnobError("pointer: numbers are wanted") from None
+        raise ParameterError("pointer: numbers are wanted") from None
     if not all(map(math.isfinite, (x, y, wheel))):
-        raise KnobError("pointer: finite coordinates are wanted")
+        raise ParameterError("pointer: finite coordinates are wanted")
     return Pointer(event.kind, x, y, button, wheel, bool(event.shift), bool(event.control))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.levels import Level, LevelError, parse_level
-from game.stage import FixedStep, KnobError, Pointer, SetKnob, Stage
+from game.stage import FixedStep, ParameterError, Pointer, SetParameter, Stage
 from tests.stage.example_scene import BallState, BouncingBall, step_ball
 from tests.stage.odd_scenes import Cloud, CloudContent, Fragile
 
@@ -22,7 +22,7 @@ class TestNotFinite:
     def test_at_every_door(self, value: float) -> None:
         stage = Stage(BouncingBall)
         with pytest.raises(ValueError, match="finite"):
-            stage.post(SetKnob("gravity", value))
+            stage.post(SetParameter("gravity", value))
         with pytest.raises(ValueError, match="finite"):
             stage.post(Pointer("move", value, 0.0))
         with pytest.raises(ValueError, match="finite"):
@@ -52,11 +52,11 @@ class TestNegativeAndZero:
             FixedStep(value)
         with pytest.raises(ValueError, match="dt = "):
             Stage(BouncingBall, dt=value)
-        with pytest.raises(KnobError, match="step_length"):
+        with pytest.raises(ParameterError, match="step_length"):
             Stage(Cloud, dt=value)
 
     def test_counts(self) -> None:
-        with pytest.raises(KnobError, match="first"):
+        with pytest.raises(ParameterError, match="first"):
             Stage(Cloud, parameters={"first": -1})
         assert len(Stage(Cloud, parameters={"first": 0}).scene.state().points) == 0
 
@@ -111,7 +111,7 @@ class TestExtremes:
 class TestKindsOfNumbers:
     """G-N5"""
 
-    def test_knobs(self) -> None:
+    def test_parameters(self) -> None:
         digests = set()
         for value in (4, 4.0, np.float32(4.0), np.int16(4), np.float64(4.0)):
             stage = Stage(BouncingBall, parameters={"height": value, "gravity": value})
@@ -123,7 +123,7 @@ class TestKindsOfNumbers:
         digests = set()
         for value in (0.0, -0.0, 0):
             stage = Stage(BouncingBall)
-            stage.post(SetKnob("gravity", value))
+            stage.post(SetParameter("gravity", value))
             stage.run(100)
             digests.add(stage.digest())
         assert len(digests) == 1

@@ -15,7 +15,7 @@ from game.stage import (
     FixedStep,
     Pointer,
     SetEffect,
-    SetKnob,
+    SetParameter,
     Stage,
     blend,
     blend_angles,
@@ -283,14 +283,14 @@ class TestInput:
     """K-H8: events belong to steps, so a replay at any frame rate comes to the same state"""
 
     events = (
-        (0, SetKnob("gravity", 3.0)),
+        (0, SetParameter("gravity", 3.0)),
         (5, Pointer("down", 0.2, 0.7, 1)),
         (9, Pointer("move", 0.3, 0.9, 1)),
         (12, Pointer("up", 0.3, 0.9, 1)),
         (12, KICK),
         (40, SetEffect("test-ground", False)),
         (90, SetEffect("test-ground", True)),
-        (100, SetKnob("height", 2.5)),
+        (100, SetParameter("height", 2.5)),
     )
 
     @pytest.mark.parametrize("frame", [1 / 24, 1 / 60, 1 / 144, 1 / 1000])

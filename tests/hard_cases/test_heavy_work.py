@@ -19,7 +19,7 @@ from game.physics.particles import OBSTACLES, contacts
 from game.physics.particles.flight import METHODS
 from game.scenes import CATALOGUE
 from game.scenes.bounds import pair as bounds_pair
-from game.stage import KnobError, SetEffect, SetKnob, Stage
+from game.stage import ParameterError, SetEffect, SetParameter, Stage
 
 WORLD = (11.2, 8.0)
 
@@ -91,13 +91,13 @@ class TestPlacesAndSubsteps:
 
     def test_so_is_what_would_lead_there(self) -> None:
         stage = opened(self.HEAVY + '[effects]\noff = ["drag"]\n')
-        for event in (SetEffect("drag", True), SetKnob("fast_drag", 10.0)):
-            with pytest.raises(KnobError, match="too many for"):
+        for event in (SetEffect("drag", True), SetParameter("fast_drag", 10.0)):
+            with pytest.raises(ParameterError, match="too many for"):
                 stage.post(event)
             assert stage.fault is None
         assert "drag" not in stage.scene.active.names
         assert stage.scene.fast_drag == 0.05
-        stage.post(SetKnob("places", 1000.0))
+        stage.post(SetParameter("places", 1000.0))
         stage.post(SetEffect("drag", True))
         assert stage.run(2) == 2
 
@@ -219,8 +219,8 @@ class TestNets:
         with pytest.raises(LevelError, match=r"^level: content: iterations, substeps: 500 x 200 sweeps over"):
             opened(text)
         stage = opened(text.replace("500.0", "10.0").replace("200.0", "1.0"))
-        stage.post(SetKnob("substeps", 200.0))
-        with pytest.raises(KnobError, match="iterations, substeps"):
-            stage.post(SetKnob("iterations", 500.0))
+        stage.post(SetParameter("substeps", 200.0))
+        with pytest.raises(ParameterError, match="iterations, substeps"):
+            stage.post(SetParameter("iterations", 500.0))
         assert stage.scene.iterations == 10 and stage.scene.system.settings.iterations == 10
         assert stage.fault is None

@@ -24,21 +24,21 @@ AS_LECTURED = {
 COLLISIONS = WALLS | BALL_COLLISIONS
 
 
-def table_with(positions, velocities=None, table=None, radii=R, masses=1.0, effects=COLLISIONS, **knobs):
+def table_with(positions, velocities=None, table=None, radii=R, masses=1.0, effects=COLLISIONS, **declared):
     """A bare table 1.27 x 2.54 m unless another is given, no friction, nothing lost."""
-    settings = LectureSettings(**{**NO_LOSS, **knobs})
+    settings = LectureSettings(**{**NO_LOSS, **declared})
     table = Table.bare(1.27, 2.54) if table is None else table
     return LectureTable(table, positions, radii, masses, velocities, effects, settings)
 
 
-def head_on(speed, start, dt, **knobs):
+def head_on(speed, start, dt, **declared):
     """True if a ball that starts `start` m before contact passes on its momentum."""
     balls = table_with(
         [[0.5, 0.6], [0.5, 0.6 + 2 * R + start]],
         [[0, speed], [0, 0]],
         Table.open(),
         effects=BALL_COLLISIONS,
-        **knobs,
+        **declared,
     )
     for _ in range(math.ceil(0.4 / (speed * dt)) + 1):
         balls.step(dt)
@@ -101,13 +101,13 @@ def test_h2_grazing_hits_are_missed_as_the_formula_says(speed, dt):
 @pytest.mark.parametrize(("repositioning", "place"), [("exact", 0.906), ("mirror", 0.89), ("clamp", 0.97)])
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 def test_h3_overshoot_at_a_wall(repositioning, place, order):
-    knobs = {**NO_LOSS, "bounce": 0.8}
+    declared = {**NO_LOSS, "bounce": 0.8}
     balls = table_with(
         [[0.95, 1.0]],
         [[6.0, 0.0]],
         Table.bare(1.0, 2.0),
         radii=0.03,
-        **{**knobs, "substeps": 1, "repositioning": repositioning, "order": order},
+        **{**declared, "substeps": 1, "repositioning": repositioning, "order": order},
     )
     balls.step(FRAME)
     assert abs(balls.positions[0, 0] - place) < 16 * EPS
@@ -146,12 +146,12 @@ def test_h4_corner_turns_both_parts_round(corner):
 
 
 # H5
-def pressed_depth(**knobs):
+def pressed_depth(**declared):
     """How far beyond the rail the centre of a ball gets that another presses on it at 5 m/s, in radii."""
     deepest = 0.0
     for phase in np.linspace(0.0, 1.0, 30):
         start = R + 2 * R + 1e-4 + phase * 5.0 * FRAME
-        balls = table_with([[R, 1.0], [start, 1.0]], [[0.0, 0.0], [-5.0, 0.0]], **knobs)
+        balls = table_with([[R, 1.0], [start, 1.0]], [[0.0, 0.0], [-5.0, 0.0]], **declared)
         for _ in range(3):
             balls.step(FRAME)
             deepest = max(deepest, R - balls.positions[:, 0].min())
@@ -377,9 +377,9 @@ def test_h13_bounce_factor_at_its_ends(e):
 
 @pytest.mark.parametrize("e", [1.0000001, 2.0, -0.1, math.nan, math.inf])
 @pytest.mark.parametrize("knob", ["bounce", "restitution", "friction"])
-def test_h13_factors_that_would_feed_energy_are_refused(knob, e):
-    with pytest.raises(ValueError, match=knob):
-        LectureSettings(**{knob: e})
+def test_h13_factors_that_would_feed_energy_are_refused(parameter, e):
+    with pytest.raises(ValueError, match=parameter):
+        LectureSettings(**{parameter: e})
 
 
 # H14

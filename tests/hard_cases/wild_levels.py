@@ -56,24 +56,26 @@ class Writer:
         """Some parameters, few or most of them."""
         share = self.hand.choice((0.0, 0.3, 1.0))
         values: dict[str, Any] = {}
-        for name, knob in self.scene_type.knobs().items():
+        for name, parameter in self.scene_type.declared_parameters().items():
             if self.hand.random() >= share:
                 continue
-            if isinstance(knob, Param):
-                values[name] = self._parameter(knob)
-            elif isinstance(knob, Toggle):
+            if isinstance(parameter, Param):
+                values[name] = self._parameter(parameter)
+            elif isinstance(parameter, Toggle):
                 values[name] = self.hand.random() < 0.5
-            elif isinstance(knob, Choice) and not self.tame:
-                values[name] = self.hand.choice(knob.options)
+            elif isinstance(parameter, Choice) and not self.tame:
+                values[name] = self.hand.choice(parameter.options)
         return values
 
-    def _parameter(self, knob: Param) -> float:
+    def _parameter(self, parameter: Param) -> float:
         """A number that the parameter may have: at an end, as by default, or between."""
-        low, high, hand = knob.minimum, knob.maximum, self.hand
-        value = hand.choice((low, high, high, knob.default, hand.uniform(low, high), hand.uniform(low, high)))
-        if knob.log and hand.random() < 0.5:
+        low, high, hand = parameter.minimum, parameter.maximum, self.hand
+        value = hand.choice(
+            (low, high, high, parameter.default, hand.uniform(low, high), hand.uniform(low, high))
+        )
+        if parameter.log and hand.random() < 0.5:
             value = min(max(math.exp(hand.uniform(math.log(low), math.log(high))), low), high)
-        return float(round(value)) if knob.whole else float(value)
+        return float(round(value)) if parameter.whole else float(value)
 
     def value(self, info: Any, meta: Any = None, optional: bool = False) -> Any:
         """A value of a type, as the parser has it."""

@@ -23,7 +23,7 @@ from numba.core import event
 from game.levels import LevelError, parse_level
 from game.physics.kernels.limits import LimitError
 from game.scenes import CATALOGUE
-from game.stage import KnobError, Stage
+from game.stage import ParameterError, Stage
 from tests.hard_cases.wild_levels import wild_level
 
 MEMORY = 2 << 30  # bytes, of a level
@@ -76,7 +76,7 @@ def try_level(name: str, text: str, steps: int, watch: Stopwatch) -> dict[str, A
     try:
         level = parse_level(text, name, scene_type.content_type)
         stage = Stage(scene_type, level=level)
-    except (LevelError, KnobError, LimitError) as error:
+    except (LevelError, ParameterError, LimitError) as error:
         return {"refused": str(error), "build_s": watch.now() - began}
     except ValueError as error:
         return {"refused": str(error), "plain": True, "build_s": watch.now() - began}

@@ -15,15 +15,17 @@ from game.scenes.three_tables.scene import ThreeTables
 from game.scenes.three_tables.view import ORIGINS
 from game.scenes.two_balls.scene import LectureBalls
 from game.stage import Action, Param, Pointer, Stage
-from game.stage.parameters import knobs_of
+from game.stage.parameters import parameters_of
 from tests.scenes.billiards.billiards_stages import aim
 
 
 def ends_of(scene):
     """(name, value) for both ends of every number that the scene declares."""
-    numbers = [(name, knob) for name, knob in knobs_of(scene).items() if isinstance(knob, Param)]
+    numbers = [
+        (name, parameter) for name, parameter in parameters_of(scene).items() if isinstance(parameter, Param)
+    ]
     assert len(numbers) > 5
-    return [(name, value) for name, knob in numbers for value in (knob.minimum, knob.maximum)]
+    return [(name, value) for name, parameter in numbers for value in (parameter.minimum, parameter.maximum)]
 
 
 def cases_of(scene):

@@ -15,7 +15,7 @@ from game.scenes.shared.outlines.level import FARTHEST
 from game.scenes.spheres.level import FARTHEST as FARTHEST_SPHERE
 from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.two_balls.scene import LectureBalls
-from game.stage import SetKnob, Stage
+from game.stage import SetParameter, Stage
 
 
 def stage_of(scene_type, content: str) -> Stage:
@@ -90,7 +90,7 @@ def test_an_outline_that_sways_at_the_end_of_the_world_is_kept(scene_type, tmp_p
         scene_type,
         f"{outline}{outline}position = [{FARTHEST}, {-FARTHEST}]",
     )
-    stage.post(SetKnob("sway", stage.scene.knob("sway").maximum))
+    stage.post(SetParameter("sway", stage.scene.parameter("sway").maximum))
     for _ in range(40):
         stage.run(10)
         x, y = kept(stage, tmp_path).outlines[1].position

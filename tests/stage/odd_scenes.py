@@ -150,7 +150,7 @@ class CrowdState(NamedTuple):
 
 
 class Crowd(Scene):
-    """Newcomers are as broad as the knob says; those who are there stay as they are. Room is limited."""
+    """Newcomers are as broad as the parameter says; those who are there stay as they are. Room is limited."""
 
     name, task, title = "crowd", "X03", "Crowd"
     room = 100.0  # m
@@ -159,9 +159,9 @@ class Crowd(Scene):
 
     def build(self, level):
         self.breadths, self.places = np.empty(0), np.empty(0)
-        self.knob_changed("count")
+        self.parameter_changed("count")
 
-    def knob_changed(self, name):
+    def parameter_changed(self, name):
         if name == "count":
             if self.count * self.breadth > self.room:
                 raise LimitError(f"no room for {self.count} of {self.breadth} m")

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from game.stage import Decision, KnobError, Recording, Scene, Stage, replay_scene
+from game.stage import Decision, ParameterError, Recording, Scene, Stage, replay_scene
 
 
 class Chooser(Scene):
@@ -98,7 +98,7 @@ def test_what_cannot_be_is_refused_and_changes_nothing():
         Decision("add", ("x",)),
         Decision("multiply", (2.0,)),
     ):
-        with pytest.raises(KnobError):
+        with pytest.raises(ParameterError):
             stage.post(event)
     assert stage.digest() == before
 
@@ -111,5 +111,5 @@ def test_a_scene_without_players_takes_none():
 
     stage = Stage(Plain)
     stage.listen()
-    with pytest.raises(KnobError, match="takes no decisions"):
+    with pytest.raises(ParameterError, match="takes no decisions"):
         stage.post(Decision("add", (1.0,)))

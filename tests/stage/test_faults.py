@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.stage import Action, KnobError, Pointer, SetKnob, Stage
+from game.stage import Action, ParameterError, Pointer, SetParameter, Stage
 from tests.stage.odd_scenes import BURST, Crowd, Fragile
 
 
@@ -45,10 +45,10 @@ class TestStep:
         assert stage.step_number == 49
         assert stage.fault is not None
 
-    def test_reset_goes_on_with_the_knobs_of_now(self, how, quantity, message) -> None:
+    def test_reset_goes_on_with_the_parameters_of_now(self, how, quantity, message) -> None:
         stage = broken(how)
-        stage.post(SetKnob("break_at", 1e9))
-        stage.post(SetKnob("weight", 2.0))
+        stage.post(SetParameter("break_at", 1e9))
+        stage.post(SetParameter("weight", 2.0))
         stage.reset()
         assert stage.fault is None
         assert stage.run(100) == 100
@@ -117,7 +117,7 @@ class TestEvents:
         stage, twin = Stage(Fragile), Stage(Fragile)
         stage.run(40)
         twin.run(40)
-        with pytest.raises(KnobError, match="not now"):
+        with pytest.raises(ParameterError, match="not now"):
             stage.post(Action("refuse"))
         assert stage.fault is None
         assert stage.digest() == twin.digest()
@@ -127,21 +127,21 @@ class TestEvents:
         stage = Stage(Fragile)
         stage.run(10)
         digest = stage.digest()
-        with pytest.raises(KnobError, match="seven"):
-            stage.post(SetKnob("size", 7))
+        with pytest.raises(ParameterError, match="seven"):
+            stage.post(SetParameter("size", 7))
         assert stage.digest() == digest
         assert stage.scene.size == 4
-        stage.post(SetKnob("size", 5))
+        stage.post(SetParameter("size", 5))
         assert stage.scene.field.shape == (5, 5)
 
-    def test_a_state_comes_back_that_its_knobs_alone_would_not_allow(self) -> None:
-        """Twenty who are slim have room; twenty as broad as the knob now says would not."""
+    def test_a_state_comes_back_that_its_parameters_alone_would_not_allow(self) -> None:
+        """Twenty who are slim have room; twenty as broad as the parameter now says would not."""
         stage, twin = Stage(Crowd), Stage(Crowd)
         for one in (stage, twin):
-            one.post(SetKnob("breadth", 10.0))
+            one.post(SetParameter("breadth", 10.0))
             one.run(200)
-        with pytest.raises(KnobError, match="no room for 30"):
-            stage.post(SetKnob("count", 30))
+        with pytest.raises(ParameterError, match="no room for 30"):
+            stage.post(SetParameter("count", 30))
         assert stage.fault is None
         assert (stage.scene.values, stage.digest()) == (twin.scene.values, twin.digest())
         stage.run(50)

@@ -1,4 +1,4 @@
-"""Knobs: one door for every value, whoever brings it."""
+"""Parameters: one door for every value, whoever brings it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.stage import Choice, KnobError, Param, Scene, Toggle
+from game.stage import Choice, Param, ParameterError, Scene, Toggle
 
 
 class Owner:
@@ -67,19 +67,19 @@ class TestParam:
         ],
     )
     def test_what_is_refused(self, value, message) -> None:
-        with pytest.raises(KnobError) as caught:
+        with pytest.raises(ParameterError) as caught:
             Owner.size.check(value)
         assert message in str(caught.value)
 
     def test_fractions_are_no_counts(self) -> None:
-        with pytest.raises(KnobError, match="whole number"):
+        with pytest.raises(ParameterError, match="whole number"):
             Owner.count.check(2.5)
 
     @given(st.floats() | st.integers() | st.text() | st.none() | st.booleans() | st.binary())
     def test_it_accepts_or_refuses_and_nothing_else(self, value) -> None:
         try:
             checked = Owner.size.check(value)
-        except KnobError as error:
+        except ParameterError as error:
             assert str(error).startswith("size = ")
         else:
             assert 0.5 <= checked <= 100.0
@@ -88,7 +88,7 @@ class TestParam:
     def test_parsing_accepts_or_refuses(self, text: str) -> None:
         try:
             checked = Owner.size.parse(text)
-        except KnobError:
+        except ParameterError:
             return
         assert 0.5 <= checked <= 100.0
 
@@ -99,7 +99,7 @@ class TestParam:
         assert Owner.size.parse(text) == value
 
     def test_a_true_minus(self) -> None:
-        with pytest.raises(KnobError, match=r"size = -1\.0: outside"):
+        with pytest.raises(ParameterError, match=r"size = -1\.0: outside"):
             Owner.size.parse("\u22121")
 
     @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ class TestOthers:
         assert Owner.method.parse(" explicit\n") == "explicit"
         assert Owner.method.labels == ("Explicit", "Semi implicit")
         for value in ("Explicit", 1, None, ["explicit"], np.array(["explicit", "explicit"])):
-            with pytest.raises(KnobError, match="one of explicit, semi-implicit is wanted"):
+            with pytest.raises(ParameterError, match="one of explicit, semi-implicit is wanted"):
                 Owner.method.check(value)
 
     def test_a_label_for_each_option(self) -> None:
@@ -134,9 +134,9 @@ class TestOthers:
             False
         ] * 2
         for value in (1, 0.0, "on", None):
-            with pytest.raises(KnobError, match="true or false"):
+            with pytest.raises(ParameterError, match="true or false"):
                 Owner.on.check(value)
-        with pytest.raises(KnobError, match="true or false"):
+        with pytest.raises(ParameterError, match="true or false"):
             Owner.on.parse("maybe")
 
     def test_setting_goes_by_the_same_door(self) -> None:
@@ -144,7 +144,7 @@ class TestOthers:
         owner.size = 3
         assert owner.values == {"size": 3.0}
         assert owner.size == 3.0
-        with pytest.raises(KnobError):
+        with pytest.raises(ParameterError):
             owner.size = math.nan
         assert owner.size == 3.0
 
@@ -157,8 +157,8 @@ class TestOthers:
             third = Toggle(True)
             first = Param(1.0, 0.0, 2.0)
 
-        assert list(Derived.knobs()) == ["first", "second", "third"]
-        assert isinstance(Derived.knobs()["first"], Param)
+        assert list(Derived.declared_parameters()) == ["first", "second", "third"]
+        assert isinstance(Derived.declared_parameters()["first"], Param)
 
     @pytest.mark.parametrize("name", ["dt", "state", "name", "values", "seed", "previous"])
     def test_a_name_that_every_scene_has_is_refused(self, name: str) -> None:

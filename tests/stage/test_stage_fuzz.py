@@ -7,7 +7,7 @@ import math
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage, replay_scene
+from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage, replay_scene
 from game.stage.watch import FiniteWatch
 from tests.stage.example_scene import BouncingBall
 from tests.stage.odd_scenes import Cloud, Fragile
@@ -21,12 +21,19 @@ pointers = st.builds(
     button=st.integers(0, 3),
 )
 names = st.sampled_from(
-    [*BouncingBall.knobs(), *Cloud.knobs(), *Fragile.knobs(), "nothing", "test-ground", "test-gravity"]
+    [
+        *BouncingBall.declared_parameters(),
+        *Cloud.declared_parameters(),
+        *Fragile.declared_parameters(),
+        "nothing",
+        "test-ground",
+        "test-gravity",
+    ]
 )
 numbers = st.floats() | st.sampled_from([0.0, 1.0, 0.5, 3.0, 7, 100.0, 1e-4, 0.1, 1e6, 1e9])
 events = st.one_of(
     pointers,
-    st.builds(SetKnob, names, numbers | st.booleans() | st.text(max_size=3)),
+    st.builds(SetParameter, names, numbers | st.booleans() | st.text(max_size=3)),
     st.builds(SetEffect, names, st.booleans()),
     st.builds(Action, st.sampled_from(["kick", "burst", "clear", "nan", "raise", "refuse", "fly"])),
 )
@@ -59,7 +66,7 @@ def do(stage: Stage, move) -> None:
         before = stage.digest(), dict(stage.scene.values), stage.scene.active
         try:
             stage.post(move)
-        except KnobError as error:
+        except ParameterError as error:
             assert "\n" not in str(error)
             assert (stage.digest(), stage.scene.values, stage.scene.active) == before
 

@@ -9,7 +9,17 @@ import numpy as np
 import pytest
 
 from game.levels import Level, LevelError
-from game.stage import Action, Catalogue, Entry, KnobError, Pointer, SetEffect, SetKnob, Stage, replay_scene
+from game.stage import (
+    Action,
+    Catalogue,
+    Entry,
+    ParameterError,
+    Pointer,
+    SetEffect,
+    SetParameter,
+    Stage,
+    replay_scene,
+)
 from tests.stage.example_scene import GROUND, KICK, BouncingBall
 from tests.stage.odd_scenes import Cloud, CloudContent, Fragile, FragileState
 
@@ -32,12 +42,16 @@ class TestBeginning:
         [
             (
                 {"parameters": {"colour": 1.0}},
-                KnobError,
+                ParameterError,
                 "colour: example has no such parameter; it has gravity",
             ),
-            ({"parameters": {"gravity": math.nan}}, KnobError, "gravity = nan: a finite number is wanted"),
-            ({"parameters": {"gravity": "9"}}, KnobError, "gravity = '9': a number is wanted"),
-            ({"effects_off": ["wind"]}, KnobError, "wind: example declares no such effect"),
+            (
+                {"parameters": {"gravity": math.nan}},
+                ParameterError,
+                "gravity = nan: a finite number is wanted",
+            ),
+            ({"parameters": {"gravity": "9"}}, ParameterError, "gravity = '9': a number is wanted"),
+            ({"effects_off": ["wind"]}, ParameterError, "wind: example declares no such effect"),
             ({"dt": 0.0}, ValueError, "dt = 0.0"),
             ({"dt": math.nan}, ValueError, "dt = nan"),
             ({"seed": -1}, ValueError, "seed = -1"),
@@ -66,7 +80,7 @@ class TestBeginning:
 
 
 class TestLevels:
-    def test_a_level_brings_knobs_effects_and_content(self) -> None:
+    def test_a_level_brings_parameters_effects_and_content(self) -> None:
         stage = Stage(Cloud)
         stage.run(10)
         content = CloudContent(points=[(1.0, 2.0)])
@@ -108,17 +122,17 @@ class TestLevels:
 
 
 class TestStepLength:
-    def test_the_scene_the_caller_and_the_knob(self) -> None:
+    def test_the_scene_the_caller_and_the_parameter(self) -> None:
         assert Stage(BouncingBall).dt == 1.0 / 120.0
         assert Stage(BouncingBall, dt=0.01).dt == 0.01
         assert Stage(Cloud).dt == 0.01
         stage = Stage(Cloud, dt=0.02)
         assert (stage.dt, stage.scene.step_length) == (0.02, 0.02)
 
-    def test_the_clock_follows_the_knob(self) -> None:
+    def test_the_clock_follows_the_parameter(self) -> None:
         stage = Stage(Cloud)
         assert stage.advance(0.1) in (9, 10)
-        stage.post(SetKnob("step_length", 0.05))
+        stage.post(SetParameter("step_length", 0.05))
         assert stage.clock.dt == stage.dt == 0.05
         before = stage.step_number
         stage.advance(0.1)
@@ -127,7 +141,7 @@ class TestStepLength:
     def test_time_goes_on_from_where_it_was(self) -> None:
         stage = Stage(Cloud)
         stage.run(100)
-        stage.post(SetKnob("step_length", 0.05))
+        stage.post(SetParameter("step_length", 0.05))
         assert stage.time_s == 100 * 0.01
         stage.run(10)
         assert stage.time_s == 100 * 0.01 + 10 * 0.05
@@ -137,7 +151,7 @@ class TestStepLength:
         assert stage.dt == 0.01
 
     def test_a_step_that_is_refused(self) -> None:
-        with pytest.raises(KnobError, match=r"step_length = 1\.0: outside 0\.0001 to 0\.1 s"):
+        with pytest.raises(ParameterError, match=r"step_length = 1\.0: outside 0\.0001 to 0\.1 s"):
             Stage(Cloud, dt=1.0)
 
 
@@ -207,10 +221,10 @@ class TestEvents:
             (Pointer("wheel", 0.0, 0.0, wheel=math.nan), "finite coordinates"),
             (Pointer("poke", 0.0, 0.0), "'poke' is not one of move, down, up, wheel, cancel"),
             (Action("fly"), "fly: example has no such action"),
-            (SetKnob("colour", 1.0), "no such parameter"),
-            (SetKnob("gravity", 101.0), "gravity = 101.0: outside 0 to 100 m/s²"),
-            (SetKnob("gravity", True), "a number is wanted"),
-            (SetKnob("frozen", 1), "true or false is wanted"),
+            (SetParameter("colour", 1.0), "no such parameter"),
+            (SetParameter("gravity", 101.0), "gravity = 101.0: outside 0 to 100 m/s²"),
+            (SetParameter("gravity", True), "a number is wanted"),
+            (SetParameter("frozen", 1), "true or false is wanted"),
             (SetEffect("wind", True), "declares no such effect"),
             ("kick", "str is no stage event"),
             (Pointer("move", "left", 0.0), "pointer: numbers are wanted"),
@@ -222,7 +236,7 @@ class TestEvents:
         stage = Stage(BouncingBall)
         stage.run(5)
         before = stage.digest(), dict(stage.scene.values), stage.scene.active
-        with pytest.raises(KnobError) as caught:
+        with pytest.raises(ParameterError) as caught:
             stage.post(event)
         assert message in str(caught.value)
         assert (stage.digest(), stage.scene.values, stage.scene.active) == before
@@ -235,12 +249,12 @@ class TestEvents:
         stage.post(SetEffect("test-ground", True))
         assert GROUND in stage.scene.active
 
-    def test_knobs_that_shape_the_scene_build_it_anew(self) -> None:
+    def test_parameters_that_shape_the_scene_build_it_anew(self) -> None:
         stage = Stage(BouncingBall)
         stage.run(50)
         scene = stage.scene
         stage.post(SetEffect("test-ground", False))
-        stage.post(SetKnob("height", 9.0))
+        stage.post(SetParameter("height", 9.0))
         assert stage.scene is not scene
         assert stage.scene.state().position[1] == 9.0
         assert GROUND not in stage.scene.active
@@ -250,7 +264,7 @@ class TestEvents:
     def test_numbers_of_any_kind_can_be_kept(self) -> None:
         stage = Stage(BouncingBall)
         stage.post(Pointer("down", np.float32(0.5), np.int64(1), np.int64(1)))
-        stage.post(SetKnob("gravity", np.float32(0.1)))
+        stage.post(SetParameter("gravity", np.float32(0.1)))
         stage.run(20)
         recording = msgspec.json.decode(msgspec.json.encode(stage.recording), type=type(stage.recording))
         assert replay_scene(recording, BouncingBall).digest() == stage.digest()

@@ -4,33 +4,33 @@ from __future__ import annotations
 
 import pytest
 
-from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from tests.stage.example_scene import KICK, BouncingBall
 from tests.stage.odd_scenes import BURST, Cloud
 
 CLOUD_EVENTS = [
-    SetKnob("births", 0.9),
+    SetParameter("births", 0.9),
     Pointer("down", 0.5, 0.5, 1),
     Pointer("move", 0.7, 0.1, 1),
     BURST,
-    SetKnob("step_length", 0.02),
+    SetParameter("step_length", 0.02),
     Pointer("up", 0.7, 0.1, 1),
-    SetKnob("first", 20),
+    SetParameter("first", 20),
     Action("clear"),
     BURST,
-    SetKnob("step_length", 0.005),
+    SetParameter("step_length", 0.005),
 ]
 BALL_EVENTS = [
-    SetKnob("gravity", 2.0),
+    SetParameter("gravity", 2.0),
     KICK,
     SetEffect("test-ground", False),
     Pointer("down", 0.0, 3.0, 1),
     Pointer("move", 1.0, 3.0, 1),
     Pointer("up", 1.0, 3.0, 1),
-    SetKnob("height", 7.0),
+    SetParameter("height", 7.0),
     SetEffect("test-ground", True),
-    SetKnob("frozen", True),
-    SetKnob("frozen", False),
+    SetParameter("frozen", True),
+    SetParameter("frozen", False),
 ]
 
 
@@ -87,10 +87,10 @@ class TestAnotherWay:
         stage.run(300)
         for _ in range(320):
             stage.step_back()
-        stage.post(SetKnob("gravity", 1.0))
+        stage.post(SetParameter("gravity", 1.0))
         stage.run(400)
         twin.run(30)
-        twin.post(SetKnob("gravity", 1.0))
+        twin.post(SetParameter("gravity", 1.0))
         twin.run(400)
         assert stage.digest() == twin.digest()
         assert stage.recording == twin.recording
@@ -104,7 +104,7 @@ class TestAnotherWay:
         for _ in range(8):
             stage.step_back()
         assert stage.scene.held
-        stage.post(SetKnob("gravity", 1.0))
+        stage.post(SetParameter("gravity", 1.0))
         assert not stage.scene.held
         kinds = [getattr(stamped.event, "kind", "knob") for stamped in stage.recording.events]
         assert kinds == ["down", "cancel", "knob"]
@@ -127,7 +127,7 @@ class TestAnotherWay:
         stage.step_back()
         digest = stage.digest()
         with pytest.raises(ValueError, match="gravity"):
-            stage.post(SetKnob("gravity", -1.0))
+            stage.post(SetParameter("gravity", -1.0))
         assert stage.digest() == digest
         assert stage.recording.events == []
 

@@ -51,7 +51,7 @@ def scene_type_named(name: str) -> type[Scene]:
 def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
     """The stage that the scene options describe."""
     from game.levels import LevelError
-    from game.stage import KnobError, Stage
+    from game.stage import ParameterError, Stage
 
     scene_type = scene_type_named(options.scene)
     named = options.level is not None
@@ -65,15 +65,15 @@ def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
             seed=read_seed(options.seed),
             **more,
         )
-    except (KnobError, LevelError) as error:
+    except (ParameterError, LevelError) as error:
         raise MistakeError(str(error)) from None
     except ValueError as error:
         raise MistakeError(f"{options.scene}: {error}") from None
 
 
 def read_parameters(scene_type: type[Scene], words: Iterable[str]) -> dict[str, Any]:
-    """Values by name from ``k=v`` words, each checked by its knob."""
-    from game.stage import KnobError
+    """Values by name from ``k=v`` words, each checked by its parameter."""
+    from game.stage import ParameterError
 
     values: dict[str, Any] = {}
     for word in words:
@@ -81,21 +81,21 @@ def read_parameters(scene_type: type[Scene], words: Iterable[str]) -> dict[str, 
         if not equals or not name.strip():
             raise MistakeError(f"--set {word}: NAME=VALUE is wanted")
         try:
-            values[name.strip()] = scene_type.knob(name.strip()).parse(text)
-        except KnobError as error:
+            values[name.strip()] = scene_type.parameter(name.strip()).parse(text)
+        except ParameterError as error:
             raise MistakeError(f"--set {error}") from None
     return values
 
 
 def read_effects(scene_type: type[Scene], text: str) -> tuple[str, ...]:
     """Effect names from a list with commas, each declared by the scene."""
-    from game.stage import KnobError
+    from game.stage import ParameterError
 
     names = tuple(word.strip() for word in text.split(",") if word.strip())
     for name in names:
         try:
             scene_type.effect(name)
-        except KnobError as error:
+        except ParameterError as error:
             raise MistakeError(f"--effects-off {error}") from None
     return names
 

@@ -46,21 +46,28 @@ def describe(entry: Entry) -> dict[str, Any]:
         "title": entry.title,
         "category": entry.category,
         "fact": entry.fact,
-        "parameters": [_describe_knob(knob) for knob in scene_type.knobs().values()],
+        "parameters": [
+            _describe_parameter(parameter) for parameter in scene_type.declared_parameters().values()
+        ],
         "effects": [{"name": e.name, "label": e.label, "help": e.help} for e in scene_type.effects],
         "levels": _describe_levels(entry.name),
     }
 
 
-def _describe_knob(knob: Any) -> dict[str, Any]:
+def _describe_parameter(parameter: Any) -> dict[str, Any]:
     from game.stage import Choice, Param
 
-    row = {"name": knob.name, "label": knob.label, "help": knob.help, "default": knob.default}
-    if isinstance(knob, Param):
-        row |= {"kind": "number", "minimum": knob.minimum, "maximum": knob.maximum, "unit": knob.unit,
-                "whole": knob.whole}  # fmt: skip
-    elif isinstance(knob, Choice):
-        row |= {"kind": "choice", "options": list(knob.options)}
+    row = {
+        "name": parameter.name,
+        "label": parameter.label,
+        "help": parameter.help,
+        "default": parameter.default,
+    }
+    if isinstance(parameter, Param):
+        row |= {"kind": "number", "minimum": parameter.minimum, "maximum": parameter.maximum}
+        row |= {"unit": parameter.unit, "whole": parameter.whole}
+    elif isinstance(parameter, Choice):
+        row |= {"kind": "choice", "options": list(parameter.options)}
     else:
         row |= {"kind": "switch"}
     return row
@@ -78,19 +85,21 @@ def _describe_levels(scene_name: str) -> list[dict[str, str]]:
 def print_scene(row: dict[str, Any], in_full: bool) -> None:
     """A scene for people."""
     say(f"{row['name']:<16} {row['task']:<5} {row['title']}")
-    for knob in row["parameters"]:
-        say(f"    {knob['name']:<22} {_range(knob)}" + (f"  {knob['help']}" if in_full else ""))
+    for parameter in row["parameters"]:
+        say(
+            f"    {parameter['name']:<22} {_range(parameter)}" + (f"  {parameter['help']}" if in_full else "")
+        )
     if row["effects"]:
         say("    effects: " + ", ".join(effect["name"] for effect in row["effects"]))
     if row["levels"]:
         say("    levels: " + ", ".join(level["name"] for level in row["levels"]))
 
 
-def _range(knob: dict[str, Any]) -> str:
-    """Default and range of a knob in few words."""
-    if knob["kind"] == "number":
-        unit = f" {knob['unit']}" if knob["unit"] else ""
-        return f"{knob['default']:g}{unit}  ({knob['minimum']:g} to {knob['maximum']:g})"
-    if knob["kind"] == "choice":
-        return f"{knob['default']}  (" + " | ".join(knob["options"]) + ")"
-    return "on" if knob["default"] else "off"
+def _range(parameter: dict[str, Any]) -> str:
+    """Default and range of a parameter in few words."""
+    if parameter["kind"] == "number":
+        unit = f" {parameter['unit']}" if parameter["unit"] else ""
+        return f"{parameter['default']:g}{unit}  ({parameter['minimum']:g} to {parameter['maximum']:g})"
+    if parameter["kind"] == "choice":
+        return f"{parameter['default']}  (" + " | ".join(parameter["options"]) + ")"
+    return "on" if parameter["default"] else "off"

@@ -24,7 +24,7 @@ from game.levels import LevelError, level_files, parse_level
 from game.physics.kernels.jit import compiling
 from game.physics.kernels.limits import LimitError
 from game.stage.catalogue import Catalogue
-from game.stage.events import SetEffect, SetKnob, StageEvent
+from game.stage.events import SetEffect, SetParameter, StageEvent
 
 SLOW_S = 0.1  # s of the drawing thread; an event whose frame takes more is felt as a hang
 SHOWN = 8  # one frame in so many is drawn: the others take their events and pass their time alone
@@ -35,7 +35,7 @@ AGAIN = 1000  # events after which the scene is opened anew, so that what broke 
 
 
 class FuzzReport(NamedTuple):
-    """What came of a scene: events posted, knob values refused, files refused, faults told to the user,
+    """What came of a scene: events posted, parameter values refused, files refused, faults told to the user,
     frames of no simulated time in which the drawing thread worked longer than SLOW_S (but for those in which
     a kernel was compiled) and the longest of them (s), growth of memory in the second half (bytes), and the
     trouble: empty, or what was raised, with the number of the event."""
@@ -171,16 +171,16 @@ class FuzzSession:
                 play.errands.update(0.0)
 
     def _set_something(self, play: Any) -> None:
-        """A knob to any value, or an effect on or off."""
+        """A parameter to any value, or an effect on or off."""
         scene, hand = play.stage.scene, self.hand
-        knobs = list(scene.knobs().items())
+        declared = list(scene.declared_parameters().items())
         effects = scene.effects.names
         self.events += 1
-        if effects and (not knobs or hand.random() < 0.2):
+        if effects and (not declared or hand.random() < 0.2):
             event: StageEvent = SetEffect(hand.choice(effects), hand.random() < 0.5)
-        elif knobs:
-            name, knob = hand.choice(knobs)
-            event = SetKnob(name, any_value(hand, knob))
+        elif declared:
+            name, parameter = hand.choice(declared)
+            event = SetParameter(name, any_value(hand, parameter))
         else:
             return
         taken: list[bool] = []

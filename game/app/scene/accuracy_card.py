@@ -10,7 +10,7 @@ import pygame
 from game.app.scene.study_run import StudyRun, accuracy_data
 from game.app.screens.page_screen import PageScreen
 from game.folders import user_folder
-from game.stage import SetEffect, SetKnob
+from game.stage import SetEffect, SetParameter
 from game.ui.charts.accuracy import AccuracyPage
 from game.ui.charts.accuracy_data import AccuracyData
 from game.ui.widgets.commands import Command
@@ -120,12 +120,12 @@ class AccuracyCard(PageScreen):
             self._set_scene(dict(wish.value))
 
     def _set_scene(self, parameters: dict[str, object]) -> None:
-        """Set the scene's knobs and effects to those of a point, and go back to it."""
+        """Set the scene's parameters and effects to those of a point, and go back to it."""
         scene = self.play.stage.scene
-        knobs, effects = scene.knobs(), scene.effects.names
+        declared, effects = scene.declared_parameters(), scene.effects.names
         for name, value in parameters.items():
-            if name in knobs:
-                self.play.post(SetKnob(name, value))  # type: ignore[arg-type]
+            if name in declared:
+                self.play.post(SetParameter(name, value))  # type: ignore[arg-type]
             elif name in effects:
                 self.play.post(SetEffect(name, bool(value)))
         self.close()

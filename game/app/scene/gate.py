@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from game.stage import KnobError, SetKnob, StageEvent
+from game.stage import ParameterError, SetParameter, StageEvent
 from game.stage.validation import checked_event
 
 if TYPE_CHECKING:
@@ -27,10 +27,10 @@ class Gate:
         play, taken = self._play, [True]
         try:
             event = checked_event(event, play.stage.scene_type)
-        except KnobError as error:
+        except ParameterError as error:
             self._refuse(error)
             return False
-        errands, name = play.errands, event.name if isinstance(event, SetKnob) else ""
+        errands, name = play.errands, event.name if isinstance(event, SetParameter) else ""
         if errands.behind and play.variants.concerns(event):
             errands.work(lambda: play.variants.prepare([event]))
             name = ""
@@ -45,7 +45,7 @@ class Gate:
         self._play.try_steps()
         try:
             self._play.stage.post(event)
-        except KnobError as error:
+        except ParameterError as error:
             refusal = error
             return lambda: self._refuse(refusal)
         return None
@@ -53,7 +53,7 @@ class Gate:
     def _let_in(self, event: StageEvent) -> bool:
         try:
             self._play.stage.post(event)
-        except KnobError as error:
+        except ParameterError as error:
             self._refuse(error)
             return False
         return True
@@ -70,17 +70,17 @@ class Gate:
         """Let the scene's own players have their say."""
         try:
             self._play.stage.listen()
-        except KnobError as error:
+        except ParameterError as error:
             self._refuse(error)
 
     def set_defaults(self) -> None:
-        """All knobs as the level has them, or as declared."""
+        """All parameters as the level has them, or as declared."""
         stage = self._play.stage
         given = dict(stage.level.parameters) if stage.level is not None else {}
-        for name, knob in stage.scene.knobs().items():
-            value = knob.check(given.get(name, knob.default))
+        for name, parameter in stage.scene.declared_parameters().items():
+            value = parameter.check(given.get(name, parameter.default))
             if stage.scene.values[name] != value:
-                self.post(SetKnob(name, value))
+                self.post(SetParameter(name, value))
 
     def command(self, name: str) -> bool:
         """A command that steps the scene, or lets it stand; False if it is none."""
@@ -97,7 +97,7 @@ class Gate:
         return True
 
     def reset(self) -> None:
-        """Build the scene anew with its present knobs."""
+        """Build the scene anew with its present parameters."""
         try:
             self._play.stage.reset()
         except ValueError as error:

@@ -186,7 +186,7 @@ class ScenePlay:
         self.stage.speed = SPEEDS[index]
 
     def reset(self) -> None:
-        """Build the scene anew with its present knobs."""
+        """Build the scene anew with its present parameters."""
         self.hand.cancel()
         self.hand.take()
         self.errands.act(self._reset)

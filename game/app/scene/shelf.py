@@ -15,13 +15,13 @@ from game.app.screens.choices import Row
 from game.app.stagehand import files
 from game.app.stagehand.opening import Opening
 from game.levels import Level, LevelError, load_level
-from game.stage import KnobError, Recording, RecordingError, Scene, Stage
+from game.stage import ParameterError, Recording, RecordingError, Scene, Stage
 
 if TYPE_CHECKING:
     from game.app.scene.play import ScenePlay
 
 Act = Callable[[], object]
-PROBLEMS = (LevelError, RecordingError, KnobError)
+PROBLEMS = (LevelError, RecordingError, ParameterError)
 
 
 class Shelf:

@@ -12,7 +12,7 @@ from typing import Any
 
 from game.levels import Level
 from game.physics.effects import EffectSet
-from game.stage import Choice, Scene, SetEffect, SetKnob, Stage, StageEvent, Toggle
+from game.stage import Choice, Scene, SetEffect, SetParameter, Stage, StageEvent, Toggle
 from game.stage.states.state import copy_state
 
 STEPS, ENOUGH_S = 24, 0.05  # of a trial: so many steps, but no more than so many seconds
@@ -27,8 +27,8 @@ class Variants:
 
     def concerns(self, event: StageEvent) -> bool:
         """Whether an event may lead to another variant; a number never does."""
-        if isinstance(event, SetKnob):
-            return isinstance(self._stage.scene.knobs().get(event.name), Choice | Toggle)
+        if isinstance(event, SetParameter):
+            return isinstance(self._stage.scene.declared_parameters().get(event.name), Choice | Toggle)
         return isinstance(event, SetEffect)
 
     def prepare(self, events: Iterable[StageEvent]) -> None:
@@ -36,7 +36,7 @@ class Variants:
         scene = self._stage.scene
         values, active = dict(scene.values), scene.active
         for event in events:
-            if isinstance(event, SetKnob):
+            if isinstance(event, SetParameter):
                 values[event.name] = event.value
             elif isinstance(event, SetEffect) and event.name in scene.effects:
                 active = active.with_(event.name) if event.on else active.without(event.name)
@@ -68,5 +68,7 @@ class Variants:
         scene.readouts()
 
     def _key(self, values: Mapping[str, Any], active: EffectSet) -> tuple[Any, ...]:
-        knobs = self._stage.scene.knobs().items()
-        return active, *(values[name] for name, knob in knobs if isinstance(knob, Choice | Toggle))
+        declared = self._stage.scene.declared_parameters().items()
+        return active, *(
+            values[name] for name, parameter in declared if isinstance(parameter, Choice | Toggle)
+        )

@@ -21,10 +21,12 @@ def recordings_folder() -> Path:
 
 
 def present_level(stage: Stage, title: str) -> Level:
-    """The scene as it is now: the knobs that are not at their defaults, effects, seed, content."""
+    """The scene as it is now: the parameters that are not at their defaults, effects, seed, content."""
     scene = stage.scene
     changed = {
-        name: scene.values[name] for name, knob in scene.knobs().items() if scene.values[name] != knob.default
+        name: scene.values[name]
+        for name, parameter in scene.declared_parameters().items()
+        if scene.values[name] != parameter.default
     }
     return Level(
         scene=scene.name,

@@ -1,4 +1,4 @@
-"""How a scene is opened: with which level, knobs, effects and seed, or as a recording to be watched."""
+"""How a scene is opened: with which level, parameters, effects and seed, or as a recording to be watched."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Opening(NamedTuple):
     recording: Recording | None = None
 
     def make_stage(self, scene_type: type[Scene]) -> Stage:
-        """The stage. Raises LevelError, KnobError, RecordingError or ValueError, each with one line."""
+        """The stage. Raises LevelError, ParameterError, RecordingError or ValueError, each with one line."""
         from game.stage import Stage, begin
 
         if self.recording is not None:

@@ -54,7 +54,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class LectureSettings:
-    """Knobs of the lecture's table. ValueError names the knob that is out of range.
+    """Settings of the lecture's table. ValueError names the one that is out of range.
 
     bounce: speed kept at a wall, 0 to 1 (the lecture's bounce factor; above 1 energy would grow for ever).
     restitution: of two balls, 0 to 1; the rules `scaled` and `as-printed` multiply whole velocities by it.

@@ -4,7 +4,7 @@ Move, take what is over a pocket, turn round what is beyond a wall, part what ov
 within one call. Slow down: once, at the end, as the lecture does once a frame.
 
 Arrays are those of `lecture_state`: offsets, velocities and rolled (n, 2) m and m/s, orientations (n, 4),
-radii (n,) m, knobs: the model's numbers.
+radii (n,) m, numbers: the model's numbers.
 """
 
 from __future__ import annotations
@@ -44,21 +44,21 @@ _MINIMUM, _POCKETS, _ROLLING = (LECTURE.bit(effect) for effect in (MINIMUM_SPEED
 
 
 @kernel
-def read_model(knobs):
+def read_model(numbers):
     """The settings from an array of them."""
     return LectureModel(
-        knobs[0],
-        knobs[1],
-        knobs[2],
-        knobs[3],
-        int(knobs[4]),
-        int(knobs[5]),
-        int(knobs[6]),
-        int(knobs[7]),
-        int(knobs[8]),
-        int(knobs[9]),
-        int(knobs[10]),
-        int(knobs[11]),
+        numbers[0],
+        numbers[1],
+        numbers[2],
+        numbers[3],
+        int(numbers[4]),
+        int(numbers[5]),
+        int(numbers[6]),
+        int(numbers[7]),
+        int(numbers[8]),
+        int(numbers[9]),
+        int(numbers[10]),
+        int(numbers[11]),
     )
 
 
@@ -141,12 +141,12 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
     @kernel
     def step_table(
         offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses,
-        knobs, half, cushions, jaws, pockets,
+        numbers, half, cushions, jaws, pockets,
         events, counters, rolled, links, columns, normals, work, sums, steps, dt,
     ):  # fmt: skip
         state = LectureState(offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses)
         geometry = LectureGeometry(half[0], half[1], cushions, jaws, pockets)
-        model = read_model(knobs)
+        model = read_model(numbers)
         journal = Journal(events, counters)
         contacts = ContactList(links[0], links[1], normals, columns[0], columns[1], columns[2], work, sums)
         counters[:] = 0

@@ -50,7 +50,7 @@ class LectureTable:
     """A table with balls on it. Owns the arrays, checks what comes in, steps.
 
     table: rails and pockets. positions (n, 2) m in the table's frame. radii m and masses kg: one number, or
-    one for each ball; mass inf is a ball that does not yield. effects: what is computed. settings: knobs.
+    one for each ball; mass inf is a ball that does not yield. effects: what is computed.
     ValueError names what is wrong: numbers that are not finite, shapes, measures out of range.
     """
 
@@ -86,7 +86,7 @@ class LectureTable:
         )
         self._scratch = scratch_for(n)
         self._settings = LectureSettings() if settings is None else settings
-        self._knobs = np.array(self._settings.model(), dtype=np.float64)
+        self._numbers = np.array(self._settings.model(), dtype=np.float64)
         self._set_effects(EffectSet() | effects)
 
     # -- what is computed, and how
@@ -114,18 +114,18 @@ class LectureTable:
 
     @property
     def settings(self) -> LectureSettings:
-        """The knobs as they are; see `configure`."""
+        """The settings as they are; see `configure`."""
         return self._settings
 
-    def configure(self, **knobs: Any) -> None:
-        """Change some knobs; ValueError names one that is out of range or unknown, and nothing changes."""
-        unknown = sorted(set(knobs) - set(LectureSettings.__dataclass_fields__))
+    def configure(self, **changes: Any) -> None:
+        """Change some settings; ValueError names one that is out of range or unknown, and nothing changes."""
+        unknown = sorted(set(changes) - set(LectureSettings.__dataclass_fields__))
         if unknown:
             raise ValueError(
-                f"{unknown[0]}: no such knob; there are {', '.join(LectureSettings.__dataclass_fields__)}"
+                f"{unknown[0]}: no such setting; there are {', '.join(LectureSettings.__dataclass_fields__)}"
             )
-        self._settings = replace(self._settings, **knobs)
-        self._knobs[:] = self._settings.model()
+        self._settings = replace(self._settings, **changes)
+        self._numbers[:] = self._settings.model()
         self._step = step_kernel(LECTURE.mask(self._effects), ORDERS.index(self._settings.order))
 
     # -- balls
@@ -214,7 +214,7 @@ class LectureTable:
             raise ValueError(f"dt: must be above 0 and at most 10 s, got {dt!r}")
         if isinstance(steps, bool) or not isinstance(steps, int | np.integer) or steps < 1:
             raise ValueError(f"steps: must be a whole number from 1, got {steps!r}")
-        self._step(*self.state, self._knobs, *self._geometry, *self._scratch, int(steps), float(dt))
+        self._step(*self.state, self._numbers, *self._geometry, *self._scratch, int(steps), float(dt))
 
     @property
     def counters(self) -> dict[str, int]:

@@ -1,4 +1,4 @@
-"""The knobs of the billiard game: who plays what, the stroke, the table and its balls."""
+"""The parameters of the billiard game: who plays what, the stroke, the table and its balls."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from game.scenes.billiards.players import GRADE_LABELS, GRADES
 from game.stage import Choice, Param, Scene, Toggle
 
 
-class BilliardsKnobs(Scene):
+class BilliardsParameters(Scene):
     """Base of the scene: what of game and table can be chosen."""
 
     effects = EXACT_EFFECTS

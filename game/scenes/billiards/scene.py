@@ -27,7 +27,7 @@ from game.scenes.billiards.figure import draw_aim
 from game.scenes.billiards.kept import Kept
 from game.scenes.billiards.layout import FRAME
 from game.scenes.billiards.level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
-from game.scenes.billiards.parameters import BilliardsKnobs
+from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, ROLLING, SET_UP, STRIKING
 from game.scenes.billiards.players import think, warm_up
 from game.scenes.billiards.round import Conditions, Played, Round, begin
@@ -69,7 +69,7 @@ class BilliardsState(NamedTuple):
     word: str
 
 
-class Billiards(BilliardsKnobs):
+class Billiards(BilliardsParameters):
     """A pool table to play on. Every stroke is computed to its end at the moment when the tip meets the ball,
     from one event to the next: ball meets ball, cushion, jaw or pocket, sliding turns into rolling. What you
     see afterwards is that computation looked at in its time, and so is the line before you strike: it is no
@@ -149,7 +149,7 @@ class Billiards(BilliardsKnobs):
         moves.lay_out(self)
 
     def conditions(self, radii: tuple[float, ...], masses: tuple[float, ...]) -> Conditions:
-        """What knobs and effects make of the table."""
+        """What parameters and effects make of the table."""
         physics = Physics(
             sliding=self.sliding, rolling=self.rolling,
             ball_restitution=self.ball_restitution, cushion_restitution=self.cushion_restitution,
@@ -170,7 +170,7 @@ class Billiards(BilliardsKnobs):
         """A word that stands for the round, for the digest: equal rounds, equal words."""
         return f"{self.phase} {self.kept.word(self.round)}"
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name in ("sliding", "rolling", "ball_restitution", "cushion_restitution"):
             self.effects_changed()
 

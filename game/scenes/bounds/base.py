@@ -46,7 +46,7 @@ from game.stage import (
 Array = NDArray[np.float64]
 GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that it does not repeat soon
 BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "upright"}  # tests of the other trees
-TREE_KNOBS = ("volume", "fit", "angle_step", "leaf_size", "split")
+TREE_PARAMETERS = ("volume", "fit", "angle_step", "leaf_size", "split")
 
 
 class BoundsScene(Scene):
@@ -256,8 +256,8 @@ class BoundsScene(Scene):
     def action(self, name: str) -> None:
         hand.act(self, name)
 
-    def knob_changed(self, name: str) -> None:
-        if name in TREE_KNOBS:
+    def parameter_changed(self, name: str) -> None:
+        if name in TREE_PARAMETERS:
             self._make_pairs()
             self.ask(coherent=False)
             self.cursor = min(self.cursor, walk.length_of(self))

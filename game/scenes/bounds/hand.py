@@ -36,7 +36,7 @@ def act(scene: BoundsScene, name: str) -> None:
     """One of the scene's named actions, or the editor's own."""
     if name in editor.TOOLS:
         scene.values["tool"] = name
-        scene.knob_changed("tool")
+        scene.parameter_changed("tool")
     elif name == "hierarchy":
         scene.values["hierarchy"] = not scene.hierarchy
     elif name in ("level-up", "level-down"):
@@ -45,14 +45,14 @@ def act(scene: BoundsScene, name: str) -> None:
     elif name == "walk":
         following = walk.WALKS[(walk.WALKS.index(scene.walked) + 1) % len(walk.WALKS)]
         scene.values["walked"] = following
-        scene.knob_changed("walked")
+        scene.parameter_changed("walked")
     elif name in ("walk-on", "walk-back"):
         walk.stand_at(scene, scene.cursor + (1 if name == "walk-on" else -1))
     elif name == "walk-start":
         walk.stand_at(scene, 0)
     elif name == "walk-play":
         scene.values["playing"] = not scene.playing
-        scene.knob_changed("playing")
+        scene.parameter_changed("playing")
     else:
         _take_board(scene, editor.act(scene.board, name, RULES))
 

@@ -70,9 +70,9 @@ class ArraysOfBoxes(HandOnBoxes):
         self.swept_lowers = self.swept_uppers = np.empty((0, 2))
 
     def note_ids(self) -> None:
-        """Ids in use, and their number in the knob."""
+        """Ids in use, and their number in the parameter."""
         self.ids = np.flatnonzero(self.alive)
-        self.values["count"] = max(len(self.ids), 1)  # the knob's least value
+        self.values["count"] = max(len(self.ids), 1)  # the parameter's least value
 
     def typical_size(self) -> float:
         """Median size of the boxes that are not infinite, m; never nothing."""

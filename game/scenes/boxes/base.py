@@ -25,11 +25,11 @@ from game.stage import (
     Choice,
     Frame,
     Hint,
-    Knob,
     Param,
+    Parameter,
     Pointer,
     SceneAction,
-    SetKnob,
+    SetParameter,
     StageEvent,
     Toggle,
     WarmUp,
@@ -39,9 +39,9 @@ from game.ui.painters.boxes import warm_up as warm_up_painter
 Array = NDArray[np.float64]
 KINDS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice")
 KIND_LABELS = ("Equal sizes", "Two sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice")
-RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without knobs for them
+RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without parameters for them
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
-MAKING = ("workload", "fill", "ratio", "share")  # knobs by which random boxes are made
+MAKING = ("workload", "fill", "ratio", "share")  # parameters by which random boxes are made
 BATCH = 50  # boxes added or removed by one key
 MANY = 10_000  # boxes; to make all structures anew takes longer than a frame from here on
 
@@ -111,10 +111,12 @@ class BoxesScene(ArraysOfBoxes):
     )  # as the panel has them
 
     @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, group by group: a subclass's own groups come first."""
+    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
+        """Parameters by name, group by group: a subclass's own groups come first."""
         order = {group: i for i, group in enumerate(cls.groups, start=1)}
-        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
+        return dict(
+            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
+        )
 
     hints = (
         Hint(("Point", "Click"), "look into a box"),
@@ -267,7 +269,7 @@ class BoxesScene(ArraysOfBoxes):
             self.chosen = -1 if self.chosen in gone else self.chosen
         self.begin_anew()
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name == "count":
             self._set_count(int(self.count))
         elif name == "speed":
@@ -295,15 +297,15 @@ class BoxesScene(ArraysOfBoxes):
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Where there are many boxes, or will be, all that makes the structures anew; and steps back."""
-        after = float(event.value) if isinstance(event, SetKnob) and event.name == "count" else 0.0
+        after = float(event.value) if isinstance(event, SetParameter) and event.name == "count" else 0.0
         return not isinstance(event, Pointer) and max(len(self.ids), after) > MANY
 
     @property
     def most(self) -> int:
         """The greatest number of boxes."""
-        knob = self.knob("count")
-        assert isinstance(knob, Param)
-        return int(knob.maximum)
+        parameter = self.parameter("count")
+        assert isinstance(parameter, Param)
+        return int(parameter.maximum)
 
     # -- what is shown ------------------------------------------------------------------------------
 

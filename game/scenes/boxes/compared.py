@@ -60,8 +60,8 @@ class ComparedScene(BoxesScene):
         self.naive = NaiveBroadPhase()
         self.compared, self.same = False, True
 
-    def knob_changed(self, name: str) -> None:
-        super().knob_changed(name)
+    def parameter_changed(self, name: str) -> None:
+        super().parameter_changed(name)
         if name in self.shaping():
             counts = self.begun, self.ended
             self.begin_anew()
@@ -73,7 +73,7 @@ class ComparedScene(BoxesScene):
         return super().why_idle(name)
 
     def shaping(self) -> tuple[str, ...]:
-        """Knobs that the structures are made by."""
+        """Parameters that the structures are made by."""
         return ("manager",)
 
     def draw_comparison(self, column: view.Column, name: str, words: str, color: str) -> None:

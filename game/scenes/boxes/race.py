@@ -228,8 +228,8 @@ class BroadPhaseRace(BoxesScene):
         self.lowers[movable] = places[movable]
         self.uppers[movable] = (places + sizes)[movable]
 
-    def knob_changed(self, name: str) -> None:
-        super().knob_changed(name)
+    def parameter_changed(self, name: str) -> None:
+        super().parameter_changed(name)
         if name in ("cell", *(contestant.name for contestant in PHASES)):
             counts = self.begun, self.ended
             self.begin_anew()

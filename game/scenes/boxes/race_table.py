@@ -12,7 +12,7 @@ LEAST_S, MOST_S = 1e-6, 1.0  # s, ends of the bars
 
 
 class Contestant(NamedTuple):
-    """A row of the table: name of the knob, words, colour, what its work counts."""
+    """A row of the table: name of the parameter, words, colour, what its work counts."""
 
     name: str
     words: str

@@ -164,8 +164,8 @@ class UniformGridScene(BoxesScene):
                 manager.set_pairs(self.pairs)
                 manager.take_events()
 
-    def knob_changed(self, name: str) -> None:
-        super().knob_changed(name)
+    def parameter_changed(self, name: str) -> None:
+        super().parameter_changed(name)
         if name in ("cell", "storage"):
             counts = self.begun, self.ended
             self.begin_anew()

@@ -233,7 +233,7 @@ class ConvexPairScene(Scene):
         """Steps of the last query that can be shown."""
         raise NotImplementedError
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name in ("start_a", "start_b"):
             self.query(fresh=True)
         elif name == "tool":

@@ -87,7 +87,7 @@ class Gjk(ConvexPairScene):
         return epa(a, b, start, **self.options())
 
     def options(self) -> dict[str, Any]:
-        """What the knobs say to a query."""
+        """What the parameters say to a query."""
         return {
             "tolerance": 10.0**self.exponent,
             "method": self.method,

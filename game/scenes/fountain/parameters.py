@@ -1,4 +1,4 @@
-"""The knobs of the fountain: its nozzle, its method, its world and its air."""
+"""The parameters of the fountain: its nozzle, its method, its world and its air."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from game.physics.particles import CONTACTS, METHODS, OBSTACLES
 from game.stage import Choice, Param, Scene, Toggle
 
 
-class FountainKnobs(Scene):
+class FountainParameters(Scene):
     """Base of the scene: what of the fountain can be chosen."""
 
     effects = GRAVITY | DRAG | WIND | QUADRATIC_DRAG | WHIRL | GROUND | OBSTACLES

@@ -49,7 +49,7 @@ def open_nozzles(scene: Fountain) -> list[list[float]]:
 
 @lru_cache(maxsize=8)
 def _envelope(law: Forces, speed: float, life: float) -> NDArray[np.float64]:
-    """It is asked for in every picture and changes only with the knobs."""
+    """It is asked for in every picture and changes only with the parameters."""
     curve = envelope(law, speed, life)
     curve.flags.writeable = False
     return curve

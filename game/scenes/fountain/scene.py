@@ -19,7 +19,7 @@ from game.scenes.fountain import C04, hand
 from game.scenes.fountain import readouts as findings
 from game.scenes.fountain.figure import draw_impact
 from game.scenes.fountain.level import MOST_STONES, FountainContent, Stone
-from game.scenes.fountain.parameters import FountainKnobs
+from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.view import FountainView
 from game.stage import (
     Equation,
@@ -28,7 +28,7 @@ from game.stage import (
     Pointer,
     Readout,
     SceneAction,
-    SetKnob,
+    SetParameter,
     StageEvent,
     Strip,
 )
@@ -39,7 +39,7 @@ MOST_MEETINGS = 32_000_000  # of a particle and a solid in a step, each substep 
 TOUCH_TIME = 1.0 / 60.0  # s for which a particle counts as touching
 
 
-class Fountain(FountainKnobs):
+class Fountain(FountainParameters):
     """Each particle is a point of 1 kg. It leaves the nozzle at its own instant within a step, in a random
     direction inside the spread, falls, is slowed by the air, and bounces off the stone and the ground by
     Newton's law of impact.
@@ -149,7 +149,7 @@ class Fountain(FountainKnobs):
         )
 
     def configure(self) -> None:
-        """Hand all knobs to the system."""
+        """Hand all parameters to the system."""
         system = self.system
         system.effects = self.active
         system.method = self.method
@@ -170,7 +170,7 @@ class Fountain(FountainKnobs):
             system.solids.rows[j, 5] = self._restitution(own)
 
     def _bound_work(self) -> None:
-        """LimitError if the knobs ask for more work in a step than before and than there may be."""
+        """LimitError if the parameters ask for more work in a step than before and than there may be."""
         substeps = self.system.substeps_for(self.step_length)
         meetings = int(self.places) * substeps * (1 + len(self.own))
         if meetings > max(MOST_MEETINGS, self.meetings):
@@ -189,9 +189,9 @@ class Fountain(FountainKnobs):
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Very many places, which are all laid out anew."""
-        return isinstance(event, SetKnob) and event.name == "places" and float(event.value) > MANY_PLACES
+        return isinstance(event, SetParameter) and event.name == "places" and float(event.value) > MANY_PLACES
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name in ("rate", "speed", "spread"):
             self._change_emitters()
         else:

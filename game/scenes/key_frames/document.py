@@ -1,4 +1,4 @@
-"""A motion that is edited: the knobs that shape it, the chosen key, undo and redo."""
+"""A motion that is edited: the parameters that shape it, the chosen key, undo and redo."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from game.physics.animation import CONSTANT_SPEED, EASING, EASINGS, INTERPOLATIO
 from game.scenes.key_frames import editing
 from game.scenes.key_frames.animation import Animation, Settings
 from game.scenes.key_frames.level import Motion
-from game.stage import Choice, Knob, Param, Scene, Toggle
+from game.stage import Choice, Param, Parameter, Scene, Toggle
 
 LABELS = (
     "Nearest key", "Linear", "Bezier curves", "Rest at every key", "Catmull-Rom, uniform",
@@ -26,7 +26,7 @@ SHAPING = (
     "shortest",
     "turning",
     "easing",
-)  # knobs that an undo takes back as well
+)  # parameters that an undo takes back as well
 CHOSEN = ("key_time", "key_x", "key_y", "key_angle")
 MOST_UNDO = 200
 OWN = "own"
@@ -34,10 +34,10 @@ NOTHING = ("", -1)  # what an empty hand holds
 
 
 class Edit(NamedTuple):
-    """What undo and redo go between: the motion, and the knobs that shape it."""
+    """What undo and redo go between: the motion, and the parameters that shape it."""
 
     motion: Motion
-    knobs: tuple[Any, ...]
+    parameters: tuple[Any, ...]
 
 
 class MotionScene(Scene):
@@ -74,10 +74,12 @@ class MotionScene(Scene):
     groups: ClassVar[tuple[str, ...]] = ("Interpolation", "Time", "Timing curve", "Chosen key", "Shown")
 
     @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, group by group."""
+    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
+        """Parameters by name, group by group."""
         order = {group: i for i, group in enumerate(cls.groups)}
-        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
+        return dict(
+            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
+        )
 
     def begin_editing(self, motion: Motion) -> None:
         """Start with a motion that nobody has changed."""
@@ -93,7 +95,7 @@ class MotionScene(Scene):
         self.shaped = self.shaping()
 
     def shaping(self) -> tuple[Any, ...]:
-        """Values of the knobs that an undo takes back as well."""
+        """Values of the parameters that an undo takes back as well."""
         return tuple(self.values[name] for name in SHAPING)
 
     def animation(self, interpolation: str | None = None) -> Animation:
@@ -116,13 +118,13 @@ class MotionScene(Scene):
     def set_edit(self, edit: Edit) -> None:
         """Go to what there was."""
         self.motion = edit.motion
-        self.values.update(zip(SHAPING, edit.knobs, strict=True))
-        self.shaped = edit.knobs
+        self.values.update(zip(SHAPING, edit.parameters, strict=True))
+        self.shaped = edit.parameters
         self.choose(min(self.chosen, len(self.motion.keys) - 1))
 
-    def note(self, before: Edit, knobs: tuple[Any, ...] | None = None) -> None:
-        """Something has been changed; it can be undone to ``before``. knobs: those now; else the panel's."""
-        if before != Edit(self.motion, self.shaping() if knobs is None else knobs):
+    def note(self, before: Edit, parameters: tuple[Any, ...] | None = None) -> None:
+        """Something has been changed; undo leads to ``before``. parameters: those now; else the panel's."""
+        if before != Edit(self.motion, self.shaping() if parameters is None else parameters):
             self.past = [*self.past, before][-MOST_UNDO:]
             self.future = []
 

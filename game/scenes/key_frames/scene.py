@@ -155,16 +155,16 @@ class KeyFraming(PlayedScene):
     def build(self, level: Level | None) -> None:
         content = level.content if level is not None and level.content is not None else Motion()
         self.begin_editing(content)
-        self.reason = ""  # told last, why a knob does nothing
+        self.reason = ""  # told last, why a parameter does nothing
         self.clock = np.array([self.values["time"], 0.0, self.dt, float(self.playing)])
         self.pose = np.zeros(3)
         self._timing = np.array(self.motion.timing)
         self.view = KeyFramingView()
         self.place_box()
 
-    # -- knobs and actions --------------------------------------------------------------------------
+    # -- parameters and actions --------------------------------------------------------------------------
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name in SHAPING or name in CHOSEN:
             self.let_go()
         if name == "time":
@@ -188,7 +188,7 @@ class KeyFraming(PlayedScene):
         self.place_box()
 
     def _tell_once(self, words: str) -> None:
-        """Say why a knob does nothing, but not again with each pixel of its slider."""
+        """Say why a parameter does nothing, but not again with each pixel of its slider."""
         if words != self.reason:
             self.reason = words
             self.told.append(words)
@@ -214,11 +214,11 @@ class KeyFraming(PlayedScene):
             self.toggle_corner()
         elif name == "play":
             self.values["playing"] = not self.playing
-            self.knob_changed("playing")
+            self.parameter_changed("playing")
         elif name == "method":
             place = INTERPOLATIONS.index(self.interpolation)
             self.values["interpolation"] = INTERPOLATIONS[(place + 1) % len(INTERPOLATIONS)]
-            self.knob_changed("interpolation")
+            self.parameter_changed("interpolation")
         else:
             self._to_key(-1 if name == "earlier" else 1)
         self.place_box()

@@ -1,4 +1,4 @@
-"""The knobs of the lecture's model of a table, and the settings that they make together."""
+"""The parameters of the lecture's model of a table, and the settings that they make together."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The lecture's billiard table, playable: real proportions, a mouse cue, and every knob of the model."""
+"""The lecture's billiard table, playable: real proportions, a mouse cue, and every parameter of the model."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ class LectureTable(LectureTableModel):
         self.stroke = content.stroke
         self.told: deque[str] = deque(maxlen=8)
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name not in ("step_length", "aim_line"):
             self.table.configure(
                 **{field: getattr(self.settings(), field) for field in LectureSettings.__dataclass_fields__}

@@ -1,4 +1,4 @@
-"""The knobs of the rigid body: its method, its matter, the hand, its world, and what is shown."""
+"""The parameters of the rigid body: its method, its matter, the hand, its world, and what is shown."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in vie
 SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "tool", "pushing", "new_density")
 
 
-class RigidBodyKnobs(Scene):
+class RigidBodyParameters(Scene):
     """Base of the scene: what of the body, and of how it is seen, can be chosen."""
 
     effects = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES

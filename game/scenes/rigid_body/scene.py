@@ -20,7 +20,7 @@ from game.scenes.rigid_body.bodies import EXACT, FLIPS, A, B, Bodies, is_about_m
 from game.scenes.rigid_body.camera import box_edges, camera_matrix
 from game.scenes.rigid_body.figure import draw_momentum_sphere
 from game.scenes.rigid_body.level import RigidContent, SphereEntry, design_of
-from game.scenes.rigid_body.parameters import HOME, LABELS, SHOWN_ONLY, RigidBodyKnobs
+from game.scenes.rigid_body.parameters import HOME, LABELS, SHOWN_ONLY, RigidBodyParameters
 from game.scenes.rigid_body.readouts import readouts_of
 from game.scenes.rigid_body.state import TRAIL, RigidState, content_of, restore, state_of
 from game.scenes.rigid_body.view import RigidView
@@ -42,7 +42,7 @@ TITLE_ROOM = 0.25  # m
 GAP = 0.12  # m, between the panes of the twin view
 
 
-class RigidBodyScene(RigidBodyKnobs):
+class RigidBodyScene(RigidBodyParameters):
     """Spheres are joined to one body. Its mass, centre and inertia tensor follow from theirs by the offset
     theorem; its state is place, quaternion, momentum and angular momentum, and velocity and spin follow from
     those.
@@ -188,7 +188,7 @@ class RigidBodyScene(RigidBodyKnobs):
         return LABELS[METHODS.index(self.second if pane == B else self.method)]
 
     def configure(self) -> None:
-        """Hand the knobs to the bodies."""
+        """Hand the parameters to the bodies."""
         half = self.half_sides()
         for index, body in enumerate(self.bodies.all):
             body.change(
@@ -203,7 +203,7 @@ class RigidBodyScene(RigidBodyKnobs):
                 upper=half,
             )
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name == "density":
             self.bodies.change_density(self.density, self.keep)
         if name not in SHOWN_ONLY:

@@ -18,7 +18,7 @@ from game.scenes.skeletons import hand as editor
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.skeletons.rig import Rig, WeightRules
 from game.scenes.skeletons.skin_painter import SkinPainter, warm_up_painter
-from game.stage import Choice, Frame, Knob, Param, Pointer, Scene, SceneAction, Toggle, WarmUp
+from game.stage import Choice, Frame, Param, Parameter, Pointer, Scene, SceneAction, Toggle, WarmUp
 
 Array = NDArray[np.float64]
 UNCHANGED: NDArray[np.uint8] = np.zeros(0, dtype=np.uint8)
@@ -75,9 +75,11 @@ class FigureScene(Scene):
     groups: ClassVar[tuple[str, ...]] = ("Hand", "Solver", "Skin", "Shown")  # as the panel has them
 
     @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, group by group."""
-        return dict(sorted(super().knobs().items(), key=lambda item: cls.groups.index(item[1].group)))
+    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
+        """Parameters by name, group by group."""
+        return dict(
+            sorted(super().declared_parameters().items(), key=lambda item: cls.groups.index(item[1].group))
+        )
 
     # -- building -----------------------------------------------------------------------------------
 
@@ -95,7 +97,7 @@ class FigureScene(Scene):
         self.begin_pose()
 
     def rules(self) -> WeightRules:
-        """How skins are bound, as the knobs say."""
+        """How skins are bound, as the parameters say."""
         return WeightRules(self.threshold, self.falloff, int(self.influences), self.smooth)
 
     def make_rig(self, figure: FigureContent) -> None:
@@ -129,7 +131,7 @@ class FigureScene(Scene):
     def figure_changed(self) -> None:
         """What a subclass does after an edit."""
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name in ("threshold", "falloff", "influences", "smooth"):
             now = self.poses()
             self.make_rig(self.bench.figure)

@@ -309,11 +309,11 @@ class InverseKinematics(FigureScene):
             self.note_target()
             super().action(name)
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name == "method":
             self.rig.pose(self.methods[self.master])
         else:
-            super().knob_changed(name)
+            super().parameter_changed(name)
 
     # -- what there is to see -----------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""The knobs of the sphere collisions: impacts, motion, bearing, world, tools, and what is shown."""
+"""The parameters of the sphere collisions: impacts, motion, bearing, world, tools, and what is shown."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.settings import CORRECTIONS, LAWS, SCHEMES
 from game.scenes.spheres.hand import TOOLS
-from game.stage import Choice, Knob, Param, Scene, Toggle
+from game.stage import Choice, Param, Parameter, Scene, Toggle
 
 BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
 NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
-TABLE_KNOBS = ("restitution", "friction", "wall_restitution", "wall_friction")
+TABLE_PARAMETERS = ("restitution", "friction", "wall_restitution", "wall_friction")
 
 
-class CollisionKnobs(Scene):
+class CollisionParameters(Scene):
     """Base of the scene: what of spheres and solver can be chosen."""
 
     effects = (
@@ -87,7 +87,9 @@ class CollisionKnobs(Scene):
     groups: ClassVar[tuple[str, ...]] = ("Collisions", "Motion", "Bearing", "World", "Tools", "Shown")
 
     @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, group by group."""
+    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
+        """Parameters by name, group by group."""
         order = {group: i for i, group in enumerate(cls.groups)}
-        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 99)))
+        return dict(
+            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 99))
+        )

@@ -23,7 +23,7 @@ from game.scenes.spheres.building import bodies_of, makings_of, tables_of
 from game.scenes.spheres.figure import draw_friction_cone
 from game.scenes.spheres.ledger import ledger_table
 from game.scenes.spheres.level import CollisionContent, SphereEntry
-from game.scenes.spheres.parameters import NOT_SETTINGS, TABLE_KNOBS, CollisionKnobs
+from game.scenes.spheres.parameters import NOT_SETTINGS, TABLE_PARAMETERS, CollisionParameters
 from game.scenes.spheres.saving import content_of
 from game.scenes.spheres.state import SphereState, restore, state_of
 from game.scenes.spheres.view import CollisionView
@@ -32,7 +32,7 @@ from game.stage import (
     Frame,
     Hearing,
     Hint,
-    KnobError,
+    ParameterError,
     Pointer,
     Readout,
     SceneAction,
@@ -47,7 +47,7 @@ MOST_EXACT = 2_000  # impacts in a step of the event-driven run
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
 
 
-class SphereCollisions(CollisionKnobs):
+class SphereCollisions(CollisionParameters):
     """Spheres fly, hit each other and the walls of the window, slide, roll and pile up. Each is a rigid body
     in space, with position, orientation, momentum and angular momentum; the picture shows the plane, and the
     line of a radius shows how each has turned.
@@ -188,7 +188,7 @@ class SphereCollisions(CollisionKnobs):
         return SweepAndPrune() if self.broad_phase == "sweep-and-prune" else None
 
     def _configure(self) -> None:
-        """Hand the knobs to the world; KnobError if it refuses one."""
+        """Hand the parameters to the world; ParameterError if it refuses one."""
         try:
             self.world.change(
                 effects=self.active,
@@ -205,12 +205,12 @@ class SphereCollisions(CollisionKnobs):
                 warm=self.warm,
             )
         except ValueError as error:
-            raise KnobError(str(error)) from None
+            raise ParameterError(str(error)) from None
         if self.exact is not None and self.exact.gravity != self._pull():
             self.end_exact("gravity is another")
 
-    def knob_changed(self, name: str) -> None:
-        if name in TABLE_KNOBS:
+    def parameter_changed(self, name: str) -> None:
+        if name in TABLE_PARAMETERS:
             self.world.tables = self._tables()
             self.end_exact("the spheres are others")
         elif name == "tool":

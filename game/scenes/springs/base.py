@@ -21,13 +21,13 @@ from game.scenes.springs.level import (
     SpringContent,
     build_network,
 )
-from game.scenes.springs.parameters import CHOSEN_KNOBS, MassSpringKnobs
+from game.scenes.springs.parameters import CHOSEN_PARAMETERS, MassSpringParameters
 from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
 from game.stage import (
     Frame,
     Hint,
-    KnobError,
+    ParameterError,
     Pointer,
     Readout,
     SceneAction,
@@ -58,7 +58,7 @@ class SpringState(NamedTuple):
     distances: Array
 
 
-class MassSpringScene(MassSpringKnobs):
+class MassSpringScene(MassSpringParameters):
     """Base of C14 and C15. A subclass says how stiff a link is."""
 
     dt = 1.0 / 60.0
@@ -134,7 +134,7 @@ class MassSpringScene(MassSpringKnobs):
         self._configure()
 
     def _configure(self) -> None:
-        """Hand the knobs to the system; KnobError if it refuses one."""
+        """Hand the parameters to the system; ParameterError if it refuses one."""
         try:
             self.system.change(
                 effects=self.active,
@@ -151,10 +151,10 @@ class MassSpringScene(MassSpringKnobs):
                 stretch_limit=self.strength,
             )
         except ValueError as error:
-            raise KnobError(str(error)) from None
+            raise ParameterError(str(error)) from None
 
     def _bound_work(self) -> None:
-        """LimitError if the knobs ask for more work in a step than before and than there may be."""
+        """LimitError if the parameters ask for more work in a step than before and than there may be."""
         system, settings = self.system, self.system.settings
         each = len(system.torn) + len(system.outlines.starts) - 1 + len(system.contacts.pairs)
         projections = each * settings.iterations * settings.substeps
@@ -176,9 +176,9 @@ class MassSpringScene(MassSpringKnobs):
         self.system, self.own, self.edited = system, own, True
         self._configure()
 
-    def knob_changed(self, name: str) -> None:
-        if name in CHOSEN_KNOBS:
-            hand.apply_knob(self, name)
+    def parameter_changed(self, name: str) -> None:
+        if name in CHOSEN_PARAMETERS:
+            hand.apply_parameter(self, name)
         elif name == "tool":
             hand.begin_anew(self)
         elif name not in ("strains", "points"):

@@ -79,7 +79,7 @@ def _press(scene: MassSpringScene, point: Point) -> None:
     elif scene.tool == "pin" and index != NOBODY:
         choose(scene, index)
         scene.values["fixed"] = not scene.values["fixed"]
-        apply_knob(scene, "fixed")
+        apply_parameter(scene, "fixed")
     else:
         choose(scene, index)
         if index != NOBODY:
@@ -88,7 +88,7 @@ def _press(scene: MassSpringScene, point: Point) -> None:
 
 
 def choose(scene: MassSpringScene, index: int) -> None:
-    """Let a particle be the chosen one (or nobody), and the knobs say what it is."""
+    """Let a particle be the chosen one (or nobody), and the parameters say what it is."""
     scene.chosen = index
     if index == NOBODY:
         return
@@ -108,8 +108,8 @@ def inverse_mass(scene: MassSpringScene, index: int) -> float:
     return float(system.hand[1]) if system.held == index else float(system.inverse_masses[index])
 
 
-def apply_knob(scene: MassSpringScene, name: str) -> None:
-    """Give what is chosen the mass, fixing or stiffness that the knobs say."""
+def apply_parameter(scene: MassSpringScene, name: str) -> None:
+    """Give what is chosen the mass, fixing or stiffness that the parameters say."""
     index, system = scene.chosen, scene.system
     if index == NOBODY:
         return

@@ -1,4 +1,4 @@
-"""The knobs of the two mass-spring scenes: their solver, their world, their tools, and what is shown."""
+"""The parameters of the two mass-spring scenes: their solver, their world, their tools, and what is shown."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from game.physics.constraints import (
 )
 from game.physics.fields import GRAVITY, GROUND
 from game.scenes.springs.hand import TOOLS
-from game.stage import Choice, Knob, Param, Scene, Toggle
+from game.stage import Choice, Param, Parameter, Scene, Toggle
 
-CHOSEN_KNOBS = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
+CHOSEN_PARAMETERS = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
 
 
-class MassSpringKnobs(Scene):
+class MassSpringParameters(Scene):
     """Base of both scenes: what they let one choose. Each adds how stiff its links are."""
 
     effects = GRAVITY | GROUND | LINKS | AREAS | ATTACHMENTS | TEARING | DAMPING | CONTACTS
@@ -81,7 +81,9 @@ class MassSpringKnobs(Scene):
     groups: ClassVar[tuple[str, ...]] = ("Solver", "World", "Tools", "Shown")  # as the panel has them
 
     @classmethod
-    def knobs(cls) -> dict[str, Knob[Any]]:
-        """Knobs by name, group by group: a subclass's own groups come first."""
+    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
+        """Parameters by name, group by group: a subclass's own groups come first."""
         order = {group: i for i, group in enumerate(cls.groups, start=1)}
-        return dict(sorted(super().knobs().items(), key=lambda item: order.get(item[1].group, 0)))
+        return dict(
+            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
+        )

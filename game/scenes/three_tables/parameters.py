@@ -1,4 +1,4 @@
-"""The knobs of the three tables: the stroke, the steps, how far the white ball is moved, what is shown."""
+"""The parameters of the three tables: the stroke, the steps, how far the cue ball is moved, what is shown."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from game.stage import Choice, Param, Scene, Toggle
 PERTURBATIONS = ("none", "1e-15", "1e-12", "1e-9", "1e-6", "1e-3")  # m, of the white ball
 
 
-class ThreeTablesKnobs(Scene):
+class ThreeTablesParameters(Scene):
     """Base of the scene: what of stroke and tables can be chosen."""
 
     effects = EXACT_EFFECTS

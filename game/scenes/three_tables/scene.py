@@ -24,7 +24,7 @@ from game.scenes.three_tables import THREE_TABLES, view
 from game.scenes.three_tables.figure import draw_chaos
 from game.scenes.three_tables.layout import free_spot, laid_out
 from game.scenes.three_tables.level import ThreeTablesContent
-from game.scenes.three_tables.parameters import ThreeTablesKnobs
+from game.scenes.three_tables.parameters import ThreeTablesParameters
 from game.scenes.three_tables.readouts import readouts_of
 from game.scenes.three_tables.shot import MODELS, PlayedShot, ShotShelf, Steps
 from game.scenes.three_tables.state import (
@@ -54,7 +54,7 @@ Array = NDArray[np.float64]
 NEXT_STROKE_S = 1.5  # s between the end of a shot and the next stroke that the table plays itself
 
 
-class ThreeTables(ThreeTablesKnobs):
+class ThreeTables(ThreeTablesParameters):
     """The same stroke on three tables. The first is the lecture's: a velocity added to the position in every
     step, no spin. The second steps too, but with all of the physics: balls slide, roll and spin, throw each
     other, and rebound as Han's cushion has it. The third does not step at all. It computes the times of the
@@ -132,7 +132,7 @@ class ThreeTables(ThreeTablesKnobs):
     def effects_changed(self) -> None:
         self._play()
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         self._play()
 
     @classmethod

@@ -1,4 +1,4 @@
-"""The knobs of the two-ball program: its collision, its balls, its window, and what is shown."""
+"""The parameters of the two-ball program: its collision, its balls, its window, and what is shown."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEE
 from game.stage import Choice, Param, Scene, Toggle
 
 
-class LectureBallsKnobs(Scene):
+class LectureBallsParameters(Scene):
     """Base of the scene: what of the program can be chosen."""
 
     effects = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED

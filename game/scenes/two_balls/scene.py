@@ -19,7 +19,7 @@ from game.levels import Level
 from game.scenes.two_balls import LECTURE_BALLS, hand, record, view
 from game.scenes.two_balls.figure import draw_exchange
 from game.scenes.two_balls.level import HEIGHT, WIDTH, LectureBallsContent, entry_of
-from game.scenes.two_balls.parameters import LectureBallsKnobs
+from game.scenes.two_balls.parameters import LectureBallsParameters
 from game.stage import (
     Equation,
     Frame,
@@ -52,7 +52,7 @@ class LectureBallsState(NamedTuple):
     walls: Array
 
 
-class LectureBalls(LectureBallsKnobs):
+class LectureBalls(LectureBallsParameters):
     """Two balls in a window, as the lecture's program has them: pixels, and a velocity added to the
     position in every frame. A ball beyond a wall is put back by its overshoot and turned round. When the
     circles overlap, the program finds the angle of the line of centres, moves both balls by half of the
@@ -164,7 +164,7 @@ class LectureBalls(LectureBallsKnobs):
         for ball, before in zip(self.balls, old, strict=True):
             ball.position, ball.velocity = before.position, before.velocity
 
-    def knob_changed(self, name: str) -> None:
+    def parameter_changed(self, name: str) -> None:
         if name in ("bounce", "friction", "minimum_speed"):
             self._renew_balls()
 

@@ -33,18 +33,18 @@ class Recipe(NamedTuple):
         return self._replace(level=level, seed=None)
 
     def scene(self, values: Mapping[str, Any], active: EffectSet) -> Scene:
-        """A scene with exactly these knobs and effects."""
+        """A scene with exactly these parameters and effects."""
         return self.scene_type(self.level, values, seed=self.seed, effects=active)
 
     def dt_of(self, scene: Scene) -> float:
-        """Length of a step as the scene's knob, the caller or the scene's class says."""
+        """Length of a step as the scene's parameter, the caller or the scene's class says."""
         if STEP_LENGTH in scene.values:
             return float(scene.values[STEP_LENGTH])
         return scene.dt if self.dt is None else self.dt
 
     def _step_length(self) -> dict[str, float]:
-        """The step that the caller gave, for a scene that has a knob for it."""
-        if self.dt is None or STEP_LENGTH not in self.scene_type.knobs():
+        """The step that the caller gave, for a scene that has a parameter for it."""
+        if self.dt is None or STEP_LENGTH not in self.scene_type.declared_parameters():
             return {}
         return {STEP_LENGTH: self.dt}
 

@@ -14,7 +14,7 @@ import msgspec
 
 from game import __version__
 from game.files import FileProblem, read_text, write_text
-from game.stage.events import Decision, Pointer, SetKnob, Stamped
+from game.stage.events import Decision, Pointer, SetParameter, Stamped
 
 MAX_BYTES = 256 << 20
 MAX_EVENTS = 1_000_000
@@ -94,7 +94,7 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
                 numbers = (event.x, event.y, event.wheel)
             elif isinstance(event, Decision):
                 numbers = event.values
-            elif isinstance(event, SetKnob) and isinstance(event.value, float):
+            elif isinstance(event, SetParameter) and isinstance(event.value, float):
                 numbers = (event.value,)
             if not all(map(math.isfinite, numbers)):
                 raise RecordingError(path, f"events[{index}]", "a finite number is wanted")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from game.levels import LevelError, parse_level
 from game.stage.catalogue import Catalogue
-from game.stage.parameters import KnobError
+from game.stage.parameters import ParameterError
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.stage import Stage
@@ -41,7 +41,7 @@ def replay_scene(
         while coming is not None and coming.step == step:
             try:
                 stage.post(coming.event)
-            except KnobError as error:
+            except ParameterError as error:
                 raise RecordingError(None, f"event at step {step}", str(error)) from None
             coming = next(events, None)
     if check and stage.digest() != recording.digest:
@@ -69,7 +69,7 @@ def begin(recording: Recording, scene_type: type[Scene], *, record: bool = True)
         )
     except LevelError as error:
         raise RecordingError(None, f"level.{error.field}".rstrip("."), error.reason) from None
-    except KnobError as error:
+    except ParameterError as error:
         raise RecordingError(None, "parameters", str(error)) from None
     except ValueError as error:
         raise RecordingError(None, "", str(error)) from None

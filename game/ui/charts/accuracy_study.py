@@ -115,10 +115,10 @@ def _decisive(study: Study, rows: list[Row]) -> list[Row]:
 
 
 @lru_cache(maxsize=8192)
-def setting_words(knob: Knob, value: float, others: tuple[tuple[str, float], ...] = ()) -> str:
-    """A point in words: its knob with unit, and what else tells it apart."""
-    number = format_si(value, knob.unit) if knob.unit else _plain(value)
-    return ", ".join([f"{knob.label} {number}", *(f"{name} {_plain(x)}" for name, x in others)])
+def setting_words(parameter: Knob, value: float, others: tuple[tuple[str, float], ...] = ()) -> str:
+    """A point in words: its parameter with unit, and what else tells it apart."""
+    number = format_si(value, parameter.unit) if parameter.unit else _plain(value)
+    return ", ".join([f"{parameter.label} {number}", *(f"{name} {_plain(x)}" for name, x in others)])
 
 
 def _plain(value: float) -> str:
@@ -156,7 +156,7 @@ def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting])
 
 
 def _in_turn(study: Study, rows: Sequence[Row]) -> list[Row]:
-    """Rows in the order in which they are joined, from the left: that of the knob, for cost is noisy."""
+    """Rows in the order in which they are joined, from the left: that of the parameter, for cost is noisy."""
     found = sorted(rows, key=lambda row: row.knob)
     return found[::-1] if found and study.across(found[0]) > study.across(found[-1]) else found
 
@@ -168,8 +168,8 @@ def _estimates(study: Study, rows: Sequence[Row], missing: Sequence[Setting]) ->
     good = [row for row in rows if row.error > study.floor and row.cpu_s > 0.0 and row.knob > 0.0]
     if not missing or len(missing) > MANY or len({row.knob for row in good}) < FEWEST:
         return []
-    knobs = np.log([row.knob for row in good])
-    error, cost = (np.polyfit(knobs, np.log(values), 1) for values in
+    declared = np.log([row.knob for row in good])
+    error, cost = (np.polyfit(declared, np.log(values), 1) for values in
                    ([row.error for row in good], [row.cpu_s for row in good]))  # fmt: skip
     last = max(row.cpu_s for row in good)
     found = []

@@ -1,4 +1,4 @@
-"""Which control stands for which knob, and where: rows put below each other from a scene's declarations."""
+"""Which control stands for which parameter, and where: rows below each other from a scene's declarations."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import pygame
 
-from game.stage import Choice, Knob, Param, Toggle
+from game.stage import Choice, Param, Parameter, Toggle
 from game.ui.look.look import Look
 from game.ui.panel.effects import COLORS, CostBar, EffectCosts, EffectRow
 from game.ui.panel.manager import DropDown, PanelManager
@@ -79,10 +79,10 @@ class Flow:
             self._row(Heading, title)
             for index in range(HEADER, room):
                 self._row(TableLine, index)
-        for title, knobs in grouped(source.scene.knobs().values()):
+        for title, declared in grouped(source.scene.declared_parameters().values()):
             self._row(Heading, title)
-            for knob in knobs:
-                self._knob(knob, title, source)
+            for parameter in declared:
+                self._parameter(parameter, title, source)
         effects = tuple(source.scene.effects)
         if effects:
             self._row(Heading, "Effects")
@@ -117,28 +117,28 @@ class Flow:
             self.menus[name] = DropDown(fitted, chosen, rect, manager, tip)
         self.space(32)
 
-    def _knob(self, knob: Knob[Any], group: str, source: Source) -> None:
-        """The control that suits a knob."""
-        if isinstance(knob, Param):
-            self._row(SliderRow, knob, source)
-        elif isinstance(knob, Toggle):
+    def _parameter(self, parameter: Parameter[Any], group: str, source: Source) -> None:
+        """The control that suits a parameter."""
+        if isinstance(parameter, Param):
+            self._row(SliderRow, parameter, source)
+        elif isinstance(parameter, Toggle):
             if self.context is not None:
-                self.rows.append(toggle_row(self.context, self.height, knob, source))
+                self.rows.append(toggle_row(self.context, self.height, parameter, source))
             self.space(32)
-        elif isinstance(knob, Choice):
-            if knob.label != group:
-                self._row(Caption, knob, source)
-            if fits_in_segments(self.look, knob, self.width):
-                self._row(SegmentsRow, knob, source)
+        elif isinstance(parameter, Choice):
+            if parameter.label != group:
+                self._row(Caption, parameter, source)
+            if fits_in_segments(self.look, parameter, self.width):
+                self._row(SegmentsRow, parameter, source)
             else:
-                options = list(zip(knob.labels, knob.options, strict=True))
-                self._menu(knob.name, options, source.values[knob.name], knob.help)
+                options = list(zip(parameter.labels, parameter.options, strict=True))
+                self._menu(parameter.name, options, source.values[parameter.name], parameter.help)
                 self.space(8)
 
 
-def grouped(knobs: Iterable[Knob[Any]]) -> list[tuple[str, list[Knob[Any]]]]:
-    """Knobs by group, groups in the order of their first knob."""
-    found: dict[str, list[Knob[Any]]] = {}
-    for knob in knobs:
-        found.setdefault(knob.group or UNGROUPED, []).append(knob)
+def grouped(declared: Iterable[Parameter[Any]]) -> list[tuple[str, list[Parameter[Any]]]]:
+    """Parameters by group, groups in the order of their first parameter."""
+    found: dict[str, list[Parameter[Any]]] = {}
+    for parameter in declared:
+        found.setdefault(parameter.group or UNGROUPED, []).append(parameter)
     return list(found.items())

@@ -1,4 +1,4 @@
-"""The panel at the right of a scene, made from its declarations: level, knobs by group, effects, measures.
+"""The panel at the right of a scene, from its declarations: level, parameters by group, effects, measures.
 
 Values come from the scene and go to it as stage events only, so a change from elsewhere (replay, step back,
 a level) shows at once. Scrolling moves the sheet of rows behind the panel's window; the foot stays.
@@ -11,6 +11,7 @@ from typing import Any
 
 import pygame
 
+from game.physics.effects import EffectSet
 from game.stage import Scene, Stage
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
@@ -43,8 +44,10 @@ class Panel:
         self._wishes: list[Wish] = []
         self._pointer = NOWHERE
         self._thumb_grip: int | None = None
-        self._seen: tuple[dict[str, Any], int] | None = None  # values of the knobs, effects that are on
-        self._idle: dict[str, str] = {}  # why knobs change nothing now
+        self._seen: tuple[dict[str, Any], EffectSet] | None = (
+            None  # values of the parameters, effects that are on
+        )
+        self._idle: dict[str, str] = {}  # why parameters change nothing now
         self._unmeasured = True
         self._unrest_s = UNREST_S  # time left until all that moves has come to rest
 

@@ -13,7 +13,7 @@ import pygame
 from pygame_gui import UIManager
 from pygame_gui.core import UIElement
 
-from game.stage import Choice, Knob, Scene, SetKnob, StageEvent
+from game.stage import Choice, Parameter, Scene, SetParameter, StageEvent
 from game.ui.look import motion
 from game.ui.look.look import Look
 from game.ui.look.numerals import quantity
@@ -42,20 +42,20 @@ class Source:
 
     @property
     def values(self) -> dict[str, Any]:
-        """Present values of the knobs."""
+        """Present values of the parameters."""
         return self.scene.values
 
-    def base(self, knob: Knob[Any]) -> Any:
-        """What a knob goes back to: the level's value, or its default."""
+    def base(self, parameter: Parameter[Any]) -> Any:
+        """What a parameter goes back to: the level's value, or its default."""
         level = self.scene.level
-        return knob.default if level is None else level.parameters.get(knob.name, knob.default)
+        return parameter.default if level is None else level.parameters.get(parameter.name, parameter.default)
 
-    def changed(self, knob: Knob[Any]) -> bool:
-        """Whether a knob is not at its base."""
-        return bool(self.scene.values[knob.name] != self.base(knob))
+    def changed(self, parameter: Parameter[Any]) -> bool:
+        """Whether a parameter is not at its base."""
+        return bool(self.scene.values[parameter.name] != self.base(parameter))
 
     def idle(self) -> dict[str, str]:
-        """Why knobs change nothing as the scene stands, by their names: those that do not act alone."""
+        """Why parameters change nothing as the scene stands, by their names: those that do not act alone."""
         reasons = {name: self.scene.why_idle(name) for name in self.scene.values}
         return {name: reason for name, reason in reasons.items() if reason}
 
@@ -67,7 +67,7 @@ class Row(UIElement):
     tip = ""
 
     def __init__(self, context: Context, top: int, follows: str = "") -> None:
-        """``follows``: name of the knob that it shows, if any."""
+        """``follows``: name of the parameter that it shows, if any."""
         self.context = context
         self.follows = follows
         self.idle = ""  # why it changes nothing now: shown grey, and taking no hand
@@ -191,19 +191,19 @@ class Caption(Row):
 
     height = 24
 
-    def __init__(self, context: Context, top: int, knob: Knob[Any], source: Source) -> None:
-        self.knob = knob
-        self.tip = knob.help
+    def __init__(self, context: Context, top: int, parameter: Parameter[Any], source: Source) -> None:
+        self.parameter = parameter
+        self.tip = parameter.help
         self.source = source
-        super().__init__(context, top, knob.name)
+        super().__init__(context, top, parameter.name)
 
     def shows(self) -> tuple[object, ...]:
-        return (self.source.changed(self.knob),)
+        return (self.source.changed(self.parameter),)
 
     def paint(self, surface: pygame.Surface) -> None:
         y = self.look.px(10)
-        self.look.text(surface, self.knob.label, (self.left, y), 13, "medium", "text2")
-        if self.source.changed(self.knob):
+        self.look.text(surface, self.parameter.label, (self.left, y), 13, "medium", "text2")
+        if self.source.changed(self.parameter):
             draw_changed(surface, self.look, y)
 
 
@@ -235,16 +235,16 @@ class SegmentsRow(Row):
 
     height = 40
 
-    def __init__(self, context: Context, top: int, knob: Choice, source: Source) -> None:
-        self.knob = knob
-        self.tip = knob.help
+    def __init__(self, context: Context, top: int, parameter: Choice, source: Source) -> None:
+        self.parameter = parameter
+        self.tip = parameter.help
         self.source = source
         self._place = float(self._index())
         self._under = -1
-        super().__init__(context, top, knob.name)
+        super().__init__(context, top, parameter.name)
 
     def _index(self) -> int:
-        return self.knob.options.index(self.source.values[self.knob.name])
+        return self.parameter.options.index(self.source.values[self.parameter.name])
 
     def _tray(self) -> pygame.Rect:
         return pygame.Rect(self.left, 0, self.right - self.left, self.look.px(32))
@@ -253,7 +253,7 @@ class SegmentsRow(Row):
         tray = self._tray()
         if not tray.collidepoint(x, y):
             return -1
-        return min(int((x - tray.x) / tray.w * len(self.knob.options)), len(self.knob.options) - 1)
+        return min(int((x - tray.x) / tray.w * len(self.parameter.options)), len(self.parameter.options) - 1)
 
     def advance(self, dt_s: float) -> bool:
         gap = self._index() - self._place
@@ -272,25 +272,25 @@ class SegmentsRow(Row):
     def release(self, x: float, y: float) -> None:
         i = self._segment_at(x, y)
         if i >= 0 and i != self._index():
-            self.context.send(SetKnob(self.knob.name, self.knob.options[i]))
+            self.context.send(SetParameter(self.parameter.name, self.parameter.options[i]))
 
     def key(self, key: int) -> None:
         i = self._index() + {pygame.K_LEFT: -1, pygame.K_RIGHT: 1}.get(key, 0)
-        if i != self._index() and 0 <= i < len(self.knob.options):
-            self.context.send(SetKnob(self.knob.name, self.knob.options[i]))
+        if i != self._index() and 0 <= i < len(self.parameter.options):
+            self.context.send(SetParameter(self.parameter.name, self.parameter.options[i]))
 
     def paint(self, surface: pygame.Surface) -> None:
         look, theme, px = self.look, self.look.theme, self.look.px
         tray = self._tray()
         draw_box(surface, tray, px(8), theme.inset)
         inner = tray.inflate(-2 * px(2), -2 * px(2))
-        width = inner.w / len(self.knob.options)
+        width = inner.w / len(self.parameter.options)
         if self._under >= 0 and self._under != self._index():
             hovered = pygame.Rect(round(inner.x + self._under * width), inner.y, round(width), inner.h)
             draw_box(surface, hovered, px(6), theme.hover)
         chosen = pygame.Rect(round(inner.x + self._place * width), inner.y, round(width), inner.h)
         draw_box(surface, chosen, px(6), theme.accent)
-        for i, label in enumerate(self.knob.labels):
+        for i, label in enumerate(self.parameter.labels):
             center = (inner.x + (i + 0.5) * width, inner.centery)
             lit = abs(i - self._place) < 0.5
             color = theme.on_accent if lit else theme.text1 if i == self._under else theme.text2
@@ -298,10 +298,12 @@ class SegmentsRow(Row):
             look.text(surface, label, center, 12, "medium", color, "center")
 
 
-def fits_in_segments(look: Look, knob: Choice, width: int) -> bool:
+def fits_in_segments(look: Look, parameter: Choice, width: int) -> bool:
     """Whether the options are few and short enough to stand side by side."""
-    room = (width - 2 * look.px(PADDING)) / max(len(knob.options), 1) - look.px(12)
-    return 2 <= len(knob.options) <= 3 and all(look.fonts.size(label, 12)[0] <= room for label in knob.labels)
+    room = (width - 2 * look.px(PADDING)) / max(len(parameter.options), 1) - look.px(12)
+    return 2 <= len(parameter.options) <= 3 and all(
+        look.fonts.size(label, 12)[0] <= room for label in parameter.labels
+    )
 
 
 def draw_changed(surface: pygame.Surface, look: Look, y: float) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 import pygame
 from pygame_gui.elements import UITextEntryLine
 
-from game.stage import Scene, SetKnob, StageEvent
+from game.stage import Scene, SetParameter, StageEvent
 from game.ui.look.look import Look
 from game.ui.look.numerals import NARROW_SPACE, NOTHING, format_si
 from game.ui.panel.effects import CostBar, EffectRow
@@ -162,7 +162,7 @@ class PanelSheet:
     def _send_choice(self, name: str, value: str) -> None:
         """Wish what was chosen of a list; the present level, if it is none of the scene's, stays as it is."""
         if name != LEVEL:
-            self._send(SetKnob(name, value))
+            self._send(SetParameter(name, value))
             return
         row = next((row for row in self.contents.levels if str(row.value) == value), None)
         if row is not None:
@@ -174,7 +174,7 @@ class PanelSheet:
         """Put a text field over the row's number, all of it chosen."""
         self.commit()
         field = UITextEntryLine(row.field_rect(), self.manager, object_id="#number")
-        text = shown_value(row.knob, row.value).number
+        text = shown_value(row.parameter, row.value).number
         field.set_text(text.replace(NARROW_SPACE, "").replace("−", "-"))
         self.manager.set_focus_set(field.get_focus_set())
         field.select_range = [0, len(field.get_text())]
@@ -245,13 +245,13 @@ class PanelSheet:
         return next((row.row_key for row in self.rows if isinstance(row, TableLine) and row.hovered), None)
 
     def mark_stale(self, names: Collection[str] | None = None) -> None:
-        """What rows show may have changed: those of the knobs named, or all."""
+        """What rows show may have changed: those of the parameters named, or all."""
         for row in self.rows:
             if names is None or row.follows in names:
                 row.stale = True
 
     def set_idle(self, reasons: Mapping[str, str]) -> None:
-        """Why knobs change nothing now, by name; the others act."""
+        """Why parameters change nothing now, by name; the others act."""
         for row in self.rows:
             reason = reasons.get(row.follows, "")
             if row.idle != reason:

@@ -1,7 +1,7 @@
 """A number in the panel: dragged along a track, typed into a field, put back by a double click.
 
-The track is linear or by decades, in whole numbers or in grains; what is typed goes through the knob's own
-check and is refused with its message, the old value staying.
+The track is linear or by decades, in whole numbers or in grains; what is typed goes through the parameter's
+own check and is refused with its message, the old value staying.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import math
 
 import pygame
 
-from game.stage import KnobError, Param, SetKnob
+from game.stage import Param, ParameterError, SetParameter
 from game.ui.look.look import Look
 from game.ui.look.numerals import NARROW_SPACE, Quantity, format_number, quantity
 from game.ui.look.shapes import draw_box, draw_disc
@@ -22,46 +22,53 @@ UNIT_INSET, NUMBER_GAP = 32, 10  # design px: the unit from the right edge, the 
 _MANY = 272  # places on a track at scale 1
 
 
-def value_at(knob: Param, share: float) -> float:
-    """The value ``share`` (0 to 1) along the track, rounded to the knob's grain or to a neat number."""
+def value_at(parameter: Param, share: float) -> float:
+    """The value ``share`` (0 to 1) along the track, rounded to the parameter's grain or to a neat number."""
     share = min(max(share, 0.0), 1.0)
-    low, high = knob.minimum, knob.maximum
-    if knob.log:
+    low, high = parameter.minimum, parameter.maximum
+    if parameter.log:
         value = low * (high / low) ** share
-        if knob.step is None:
+        if parameter.step is None:
             value = float(f"{value:.2e}")
     else:
         value = low + share * (high - low)
-        if knob.step is None:
+        if parameter.step is None:
             grain = 10.0 ** math.floor(math.log10((high - low) / _MANY))
             value = float(f"{round(value / grain) * grain:.12g}")
-    if knob.step is not None:
-        base = low if not knob.log else 0.0
-        value = float(f"{base + round((value - base) / knob.step) * knob.step:.12g}")
+    if parameter.step is not None:
+        base = low if not parameter.log else 0.0
+        value = float(f"{base + round((value - base) / parameter.step) * parameter.step:.12g}")
     return min(max(value, low), high)
 
 
-def share_of(knob: Param, value: float) -> float:
+def share_of(parameter: Param, value: float) -> float:
     """How far along the track a value is, 0 to 1."""
-    if knob.log:
-        share = math.log(max(value, knob.minimum) / knob.minimum) / math.log(knob.maximum / knob.minimum)
+    if parameter.log:
+        share = math.log(max(value, parameter.minimum) / parameter.minimum) / math.log(
+            parameter.maximum / parameter.minimum
+        )
     else:
-        share = (value - knob.minimum) / (knob.maximum - knob.minimum)
+        share = (value - parameter.minimum) / (parameter.maximum - parameter.minimum)
     return min(max(share, 0.0), 1.0)
 
 
-def shown_value(knob: Param, value: float) -> Quantity:
+def shown_value(parameter: Param, value: float) -> Quantity:
     """Number and unit as the panel writes them: whole, with the grain's decimals, or three digits.
 
-    A linear knob with a grain whose range reaches one of its unit keeps that unit all along its way.
+    A linear parameter with a grain whose range reaches one of its unit keeps that unit all along its way.
     """
-    if knob.whole:
-        return Quantity(format_number(int(value)), knob.unit)
-    number, unit = quantity(value, knob.unit)
-    if knob.step is not None and not knob.log and knob.step >= 1e-3 and 1.0 <= knob.maximum < 1e3:
-        unit = knob.unit
-    if knob.step is not None and unit == knob.unit and 1e-6 < knob.step < 1e6:
-        decimals = _decimals(knob.step, knob.minimum)
+    if parameter.whole:
+        return Quantity(format_number(int(value)), parameter.unit)
+    number, unit = quantity(value, parameter.unit)
+    if (
+        parameter.step is not None
+        and not parameter.log
+        and parameter.step >= 1e-3
+        and 1.0 <= parameter.maximum < 1e3
+    ):
+        unit = parameter.unit
+    if parameter.step is not None and unit == parameter.unit and 1e-6 < parameter.step < 1e6:
+        decimals = _decimals(parameter.step, parameter.minimum)
         sign = "−" if round(value, decimals) < 0 else ""
         whole, point, fraction = f"{abs(value):.{decimals}f}".partition(".")
         number = sign + f"{int(whole):,}".replace(",", NARROW_SPACE) + point + fraction
@@ -76,26 +83,28 @@ def _decimals(step: float, minimum: float) -> int:
     return 6
 
 
-def read_value(knob: Param, text: str, shown_unit: str) -> float:
+def read_value(parameter: Param, text: str, shown_unit: str) -> float:
     """The value of typed words; a unit may follow the number, else the one shown is meant.
 
-    Raises KnobError for what is no number or outside the knob's range.
+    Raises ParameterError for what is no number or outside the parameter's range.
     """
     words = text.strip().replace(NARROW_SPACE, "").replace(" ", "").replace("−", "-").replace("μ", "µ")
     for prefix, factor in _FACTORS.items():
-        unit = prefix + knob.unit
-        if knob.unit and words.endswith(unit) and words[: -len(unit)][-1:].isdigit():
-            return knob.check(_number(knob, words[: -len(unit)]) * factor)
-    factor = _FACTORS.get(shown_unit.removesuffix(knob.unit), 1.0) if knob.unit else 1.0
-    return knob.check(_number(knob, words) * factor)
+        unit = prefix + parameter.unit
+        if parameter.unit and words.endswith(unit) and words[: -len(unit)][-1:].isdigit():
+            return parameter.check(_number(parameter, words[: -len(unit)]) * factor)
+    factor = _FACTORS.get(shown_unit.removesuffix(parameter.unit), 1.0) if parameter.unit else 1.0
+    return parameter.check(_number(parameter, words) * factor)
 
 
-def _number(knob: Param, words: str) -> float:
+def _number(parameter: Param, words: str) -> float:
     try:
         number = float(words.replace(",", "."))
     except ValueError:
-        raise KnobError(f"{knob.label}: {words!r} is not a number") from None
-    return int(number) if knob.whole and number == math.floor(number) and math.isfinite(number) else number
+        raise ParameterError(f"{parameter.label}: {words!r} is not a number") from None
+    return (
+        int(number) if parameter.whole and number == math.floor(number) and math.isfinite(number) else number
+    )
 
 
 class SliderRow(Row):
@@ -103,27 +112,29 @@ class SliderRow(Row):
 
     height = 40
 
-    def __init__(self, context: Context, top: int, knob: Param, source: Source) -> None:
-        self.knob = knob
+    def __init__(self, context: Context, top: int, parameter: Param, source: Source) -> None:
+        self.parameter = parameter
         self.source = source
-        low, high = (" ".join(shown_value(knob, v)).strip() for v in (knob.minimum, knob.maximum))
-        self.tip = (f"{knob.help}\n" if knob.help else "") + f"{low} to {high}"
+        low, high = (
+            " ".join(shown_value(parameter, v)).strip() for v in (parameter.minimum, parameter.maximum)
+        )
+        self.tip = (f"{parameter.help}\n" if parameter.help else "") + f"{low} to {high}"
         self.typed = False  # the panel's text field is over the value
         self.wants_field = False
         self._pending: float | None = None  # dragged to, not yet sent: the scene would be built anew
         self._dragging = False
         self._click_age_s, self._click_at = math.inf, (0.0, 0.0)
         self._over_value = False
-        super().__init__(context, top, knob.name)
+        super().__init__(context, top, parameter.name)
 
     @property
     def value(self) -> float:
         """The value shown."""
-        return self._pending if self._pending is not None else self.source.values[self.knob.name]
+        return self._pending if self._pending is not None else self.source.values[self.parameter.name]
 
     def _unit_x(self) -> int:
         """Where the unit begins: 32 design px from the edge, or more for a long one."""
-        unit = shown_value(self.knob, self.value).unit
+        unit = shown_value(self.parameter, self.value).unit
         width = self.look.fonts.size(unit, 13)[0] if unit else 0
         return self.right - max(self.look.px(UNIT_INSET), width)
 
@@ -134,7 +145,7 @@ class SliderRow(Row):
         """Where the number stands, window px in the row."""
         px = self.look.px
         width = max(
-            self.look.fonts.size(shown_value(self.knob, self.value).number, 13, "semibold")[0], px(24)
+            self.look.fonts.size(shown_value(self.parameter, self.value).number, 13, "semibold")[0], px(24)
         )
         rect = pygame.Rect(0, px(-2), width + 2 * px(6), px(24))
         rect.right = self._number_right() + px(6)
@@ -162,7 +173,7 @@ class SliderRow(Row):
         if near and self._click_age_s < DOUBLE_CLICK_S:
             self._click_age_s = math.inf
             self._pending = None
-            self._send(self.source.base(self.knob))
+            self._send(self.source.base(self.parameter))
             return
         if self.value_rect().collidepoint(x, y):
             self.wants_field = True
@@ -176,17 +187,17 @@ class SliderRow(Row):
         if not self._dragging:
             return
         start, end = self.left + self.look.px(8), self.right - self.look.px(8)
-        value = value_at(self.knob, (x - start) / max(end - start, 1))
-        if self.knob.rebuild:
+        value = value_at(self.parameter, (x - start) / max(end - start, 1))
+        if self.parameter.rebuild:
             self._pending = value
-        elif value != self.source.values[self.knob.name]:
+        elif value != self.source.values[self.parameter.name]:
             self._send(value)
 
     def release(self, x: float, y: float) -> None:
         self._dragging = False
         if self._pending is not None:
             pending, self._pending = self._pending, None
-            if pending != self.source.values[self.knob.name]:
+            if pending != self.source.values[self.parameter.name]:
                 self._send(pending)
 
     def cancel(self) -> None:
@@ -200,9 +211,9 @@ class SliderRow(Row):
             return
         direction = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1}.get(key, 0)
         if direction:
-            here = self.source.values[self.knob.name]
+            here = self.source.values[self.parameter.name]
             for places in (1, 2, 4, 8, 16, 32, 64, 128, 256):  # until a coarse grain moves
-                value = value_at(self.knob, share_of(self.knob, here) + direction * places / _MANY)
+                value = value_at(self.parameter, share_of(self.parameter, here) + direction * places / _MANY)
                 if value != here:
                     self._send(value)
                     return
@@ -210,19 +221,19 @@ class SliderRow(Row):
     def type(self, text: str) -> None:
         """Take over what was typed, or say why not."""
         try:
-            value = read_value(self.knob, text, shown_value(self.knob, self.value).unit)
-        except KnobError as error:
+            value = read_value(self.parameter, text, shown_value(self.parameter, self.value).unit)
+        except ParameterError as error:
             self.context.send(Command("refused", str(error)))
             return
-        if value != self.source.values[self.knob.name]:
+        if value != self.source.values[self.parameter.name]:
             self._send(value)
 
     def _send(self, value: float) -> None:
-        self.context.send(SetKnob(self.knob.name, int(value) if self.knob.whole else value))
+        self.context.send(SetParameter(self.parameter.name, int(value) if self.parameter.whole else value))
 
     def paint(self, surface: pygame.Surface) -> None:
         look, px, y = self.look, self.look.px, self.look.px(10)
-        number, unit = shown_value(self.knob, self.value)
+        number, unit = shown_value(self.parameter, self.value)
         if self._over_value and not self.typed:
             draw_box(surface, self.value_rect(), px(6), look.theme.inset, look.theme.line, look.border)
         if not self.typed:
@@ -231,16 +242,16 @@ class SliderRow(Row):
         room = self.value_rect().x - self.left
         look.text(
             surface,
-            look.fonts.fit(self.knob.label, 13, "medium", room),
+            look.fonts.fit(self.parameter.label, 13, "medium", room),
             (self.left, y),
             13,
             "medium",
             "text2",
         )
-        if self.value != self.source.base(self.knob):
+        if self.value != self.source.base(self.parameter):
             draw_changed(surface, look, y)
         draw_track(
-            surface, look, self.left, self.right, px(30), share_of(self.knob, self.value), self._grip()
+            surface, look, self.left, self.right, px(30), share_of(self.parameter, self.value), self._grip()
         )
 
     def _grip(self) -> float:
@@ -250,7 +261,7 @@ class SliderRow(Row):
 def draw_track(
     surface: pygame.Surface, look: Look, left: int, right: int, y: int, share: float, lit: float
 ) -> None:
-    """A track filled to ``share`` with its ivory knob."""
+    """A track filled to ``share`` with its ivory parameter."""
     theme, px = look.theme, look.px
     track = pygame.Rect(left, 0, right - left, px(4))
     track.centery = y

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pygame
 
-from game.stage import SetKnob, StageEvent, Toggle
+from game.stage import SetParameter, StageEvent, Toggle
 from game.ui.look import motion
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box, draw_disc, draw_polygon
@@ -54,14 +54,14 @@ class SwitchRow(Row):
             draw_changed(surface, self.look, middle)
 
 
-def toggle_row(context: Context, top: int, knob: Toggle, source: Source) -> SwitchRow:
-    """The switch of a knob."""
+def toggle_row(context: Context, top: int, parameter: Toggle, source: Source) -> SwitchRow:
+    """The switch of a parameter."""
     return SwitchRow(
-        context, top, knob.label, knob.help,
-        is_on=lambda: source.values[knob.name],
-        changed=lambda: source.changed(knob),
-        wish=lambda on: SetKnob(knob.name, on),
-        follows=knob.name,
+        context, top, parameter.label, parameter.help,
+        is_on=lambda: source.values[parameter.name],
+        changed=lambda: source.changed(parameter),
+        wish=lambda on: SetParameter(parameter.name, on),
+        follows=parameter.name,
     )  # fmt: skip
 
 

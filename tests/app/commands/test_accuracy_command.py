@@ -20,7 +20,7 @@ from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab import Knob, Method, Outcome, Row, Setting, Study, StudyTable
 from game.scenes import CATALOGUE
 
-KNOBS = [0.4, 0.2, 0.1, 0.05]
+PARAMETERS = [0.4, 0.2, 0.1, 0.05]
 
 
 class Trial:
@@ -49,7 +49,7 @@ def made_study(**more) -> Study:
     values = {
         "name": "made-up", "title": "Made <up>", "error": "distance", "error_unit": "m", "counter": "steps",
         "knob": Knob("step", "step", "s"), "methods": (Method("a", "a first", 1.0), Method("b", "b", 2.0)),
-        "settings": lambda: [Setting(method, knob) for method in "ab" for knob in KNOBS],
+        "settings": lambda: [Setting(method, parameter) for method in "ab" for parameter in PARAMETERS],
         "trial": Trial, "reference": "a closed form.",
     }  # fmt: skip
     return Study(**{**values, **more})
@@ -138,7 +138,7 @@ def measured_points(study: Study) -> list:
 def test_what_was_kept_and_cannot_be_read_is_measured_again(study: Study, tmp_path: Path, text: str):
     (tmp_path / "made-up.json").write_text(text, encoding="utf-8")
     assert run_command_line(["accuracy", "example", "--out", str(tmp_path)]) == 0
-    assert Trial.runs == 2 * len(KNOBS) * 8
+    assert Trial.runs == 2 * len(PARAMETERS) * 8
 
 
 def test_a_scene_without_a_study_has_its_prices_on_the_page(study: Study, tmp_path: Path, monkeypatch):
@@ -154,7 +154,7 @@ def test_a_study_of_two_scenes_is_measured_once(study: Study, tmp_path: Path):
         accuracy._measure(
             example_scene.BouncingBall, tmp_path, name, "", threading.Event(), anew=True, known=known
         )
-    assert Trial.runs == 2 * len(KNOBS) * 8
+    assert Trial.runs == 2 * len(PARAMETERS) * 8
     assert (tmp_path / "other" / "made-up.png").exists()
 
 
@@ -202,8 +202,8 @@ def test_a_page_without_numbers(tmp_path: Path):
 
 
 def test_a_page_tells_which_orders_are_as_expected(tmp_path: Path):
-    rows = [Row("a", h, h, 1.0 / h, round(1 / h), "", {}, {}) for h in KNOBS]
-    rows += [Row("b", h, h, 1.0 / h, round(1 / h), "", {}, {}) for h in KNOBS]
+    rows = [Row("a", h, h, 1.0 / h, round(1 / h), "", {}, {}) for h in PARAMETERS]
+    rows += [Row("b", h, h, 1.0 / h, round(1 / h), "", {}, {}) for h in PARAMETERS]
     found = Prices(1e-6, 1e-7, (Price("Gravity", 1.2e-6, 1.1e-6, 1.11e-6), Price("Drag", 1e-6, 1e-6, 1e-6)))
     report = SceneReport(
         example_scene.BouncingBall, (StudyTable(made_study(), rows, True),), "example", found

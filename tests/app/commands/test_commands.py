@@ -48,7 +48,7 @@ def test_run_writes_what_it_measured(capsys, tmp_path: Path):
     assert report["digest"] in out
 
 
-def test_two_runs_have_one_digest_and_another_knob_another(capsys, tmp_path: Path):
+def test_two_runs_have_one_digest_and_another_parameter_another(capsys, tmp_path: Path):
     digests = []
     for extra in ([], [], ["--set", "restitution=0.5"], ["--effects-off", "test-ground"]):
         file = tmp_path / "s.json"
@@ -346,7 +346,7 @@ def test_a_terminal_that_is_not_unicode(words: dict[str, str]):
         if "-" in arguments:
             rows = {row["name"]: row for row in json.loads(text)["scenes"]}
             assert "\N{DEGREE SIGN}" in {
-                knob.get("unit") for row in rows.values() for knob in row["parameters"]
+                parameter.get("unit") for row in rows.values() for parameter in row["parameters"]
             }
 
 

@@ -19,7 +19,7 @@ from game.app.fuzz.session import FuzzSession
 from game.app.fuzz.values import any_value
 from game.app.window.settings import load_settings
 from game.levels import LevelError, load_level, parse_level
-from game.stage import KnobError
+from game.stage import ParameterError
 from game.stage.records.recording import Recording, RecordingError
 from tests.app.tests_app import CATALOGUE, example_entry
 from tests.paths import ROOT
@@ -58,14 +58,14 @@ def test_what_a_scene_raises_is_told_with_the_event(home: Path, monkeypatch: pyt
 def test_values_at_and_beyond_the_limits(home: Path):
     scene_type = example_entry().load()
     hand = random.Random(1)
-    for knob in scene_type.knobs().values():
+    for parameter in scene_type.declared_parameters().values():
         taken = refused = 0
         for _ in range(300):
             try:
-                value = knob.check(any_value(hand, knob))
+                value = parameter.check(any_value(hand, parameter))
                 taken += 1
                 assert not isinstance(value, float) or math.isfinite(value)
-            except KnobError as error:
+            except ParameterError as error:
                 refused += 1
                 assert "\n" not in str(error)
         assert taken > 50 and refused > 10

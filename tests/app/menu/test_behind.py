@@ -7,7 +7,7 @@ import pytest
 from game.app.scene import play as play_module
 from game.levels import level_files
 from game.scenes import CATALOGUE
-from game.stage import Action, SetKnob, Stage
+from game.stage import Action, SetParameter, Stage
 
 LONG_S = 120.0
 STEPS = 24
@@ -44,7 +44,12 @@ def test_many_boxes_are_made_in_a_thread_and_are_the_same(opened, name, monkeypa
     monkeypatch.setattr(play.stage, "post", lambda event: threads.append(current_thread()) or post(event))
     play.command("pause")
     settled(driver)
-    events = (SetKnob("count", 10_100), Action("fewer"), SetKnob("fill", 0.05), SetKnob("count", 60))
+    events = (
+        SetParameter("count", 10_100),
+        Action("fewer"),
+        SetParameter("fill", 0.05),
+        SetParameter("count", 60),
+    )
     for event in events:
         play.post(event)
         assert play.errands.inside
@@ -63,9 +68,9 @@ def test_many_boxes_are_made_in_a_thread_and_are_the_same(opened, name, monkeypa
 def test_a_refusal_in_the_thread_is_told_in_the_window(opened):
     driver = opened("c06")
     play = driver.top.play
-    play.post(SetKnob("count", 10_100))
-    play.post(SetKnob("fill", 0.04))
-    play.post(SetKnob("ratio", 1e9))
+    play.post(SetParameter("count", 10_100))
+    play.post(SetParameter("fill", 0.04))
+    play.post(SetParameter("ratio", 1e9))
     settled(driver)
     assert play.stage.scene.fill == 0.04 and play.stage.scene.ratio != 1e9
     assert any("ratio" in toast.consequence for toast in (driver.app.toasts.shown,) if toast)
@@ -103,7 +108,7 @@ def test_slow_steps_are_made_in_a_thread_and_each_is_shown(opened, monkeypatch):
 def test_step_back_goes_behind_the_window_as_well(opened):
     driver = opened("c06")
     play = driver.top.play
-    play.post(SetKnob("count", 10_100))
+    play.post(SetParameter("count", 10_100))
     settled(driver)
     play.command("step")
     assert play.errands.inside
@@ -136,9 +141,9 @@ def test_figures_go_on_while_steps_are_made_in_a_thread(opened, monkeypatch):
 
 @pytest.mark.parametrize(("name", "knob"), (("c05", "count"), ("c04", "places")))
 @pytest.mark.parametrize("value", (None, (1, 2), "many", float("nan"), -1.0))
-def test_what_is_no_value_of_a_knob_is_refused_at_once(opened, name, knob, value):
+def test_what_is_no_value_of_a_parameter_is_refused_at_once(opened, name, parameter, value):
     play = opened(name).top.play
-    before = play.stage.scene.values[knob]
-    assert not play.post(SetKnob(knob, value))
+    before = play.stage.scene.values[parameter]
+    assert not play.post(SetParameter(parameter, value))
     assert not play.errands.busy
-    assert play.stage.scene.values[knob] == before
+    assert play.stage.scene.values[parameter] == before

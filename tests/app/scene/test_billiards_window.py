@@ -7,7 +7,7 @@ import pytest
 from game.app.scene.keeping import kept_path
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
-from game.stage import Action, Decision, SetKnob
+from game.stage import Action, Decision, SetParameter
 from tests.app.tests_app import Driver
 
 
@@ -78,7 +78,7 @@ def test_every_phase_is_drawn_at_every_size(driver, size):
     pictures = [drawn(driver)]
     stage = driver.stage
     for event in (
-        Decision("white", (0.4, 0.4)), SetKnob("tip_up", -0.4), SetKnob("elevation", 35.0),
+        Decision("white", (0.4, 0.4)), SetParameter("tip_up", -0.4), SetParameter("elevation", 35.0),
         Decision("stroke", (5.0, 1.5, 0.1, 0.1, -0.2, -1.0, -1.0, 0.0, 0.0)),
     ):  # fmt: skip
         stage.post(event)

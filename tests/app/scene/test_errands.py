@@ -7,7 +7,7 @@ import pytest
 
 from game.app.scene.errands import Errands
 from game.app.scene.standstill import PATIENCE_S, Standstill
-from game.stage import SetEffect, SetKnob
+from game.stage import SetEffect, SetParameter
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
 
@@ -105,7 +105,7 @@ def test_an_effect_acts_at_the_step_at_which_it_was_switched_however_long_its_co
             go_on.set()
         at = play.stage.step_number
         play.post(SetEffect("test-gravity", False))
-        play.post(SetKnob("restitution", 0.5))
+        play.post(SetParameter("restitution", 0.5))
         if driver is slow:
             driver.frames(7)
             assert play.stage.step_number == at and "test-gravity" in play.stage.scene.active

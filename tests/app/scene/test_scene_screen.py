@@ -11,7 +11,7 @@ from game.app.scene.play import SPEEDS
 from game.app.screens.choices import ChoiceCard
 from game.folders import pictures_folder
 from game.levels import Level, save_level
-from game.stage import Pointer, SetEffect, SetKnob
+from game.stage import Pointer, SetEffect, SetParameter
 from game.stage.catalogue import Catalogue
 from game.ui.panel.flow import LEVEL
 from tests.app.tests_app import Driver, example_entry
@@ -230,10 +230,10 @@ def test_own_action_by_its_key(scene: Driver):
     assert scene.stage.scene.ball.velocity[1] == pytest.approx(speed + 3.0)
 
 
-def test_knob_by_the_panel_and_refused_value(scene: Driver):
+def test_parameter_by_the_panel_and_refused_value(scene: Driver):
     play = scene.top.play
-    assert play.post(SetKnob("gravity", 5.0))
-    assert not play.post(SetKnob("gravity", 1e9))
+    assert play.post(SetParameter("gravity", 5.0))
+    assert not play.post(SetParameter("gravity", 1e9))
     assert scene.stage.scene.gravity == 5.0
     assert scene.app.toasts.shown.cause == "Not taken."
     assert "gravity" in scene.app.toasts.shown.consequence

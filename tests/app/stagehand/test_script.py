@@ -6,10 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.app.stagehand.script import Script, demo_of, demo_steps
-from game.stage import Action, Decision, Pointer, SetKnob, Stage, Stamped, replay_scene
+from game.stage import Action, Decision, Pointer, SetParameter, Stage, Stamped, replay_scene
 
 EVENTS = (
-    Stamped(0, SetKnob("gravity", 5.0)),
+    Stamped(0, SetParameter("gravity", 5.0)),
     Stamped(10, Pointer("down", 0.0, 2.0, 1)),
     Stamped(25, Pointer("up", 0.3, 2.0, 1)),
     Stamped(25, Action("kick")),

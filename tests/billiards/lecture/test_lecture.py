@@ -33,10 +33,10 @@ FRAME = 1.0 / 60.0
 LOSSLESS = LectureSettings(bounce=1.0, restitution=1.0, friction=1.0, minimum_speed=0.0)
 
 
-def free_balls(positions, velocities, radii=R, masses=1.0, **knobs):
+def free_balls(positions, velocities, radii=R, masses=1.0, **declared):
     """Balls on cloth without an edge."""
     balls = LectureTable(Table.open(), positions, radii, masses, velocities, BALL_COLLISIONS, LOSSLESS)
-    balls.configure(**knobs)
+    balls.configure(**declared)
     return balls
 
 
@@ -229,8 +229,8 @@ def test_effects_switch_what_is_computed():
         balls.effects = WALLS | GRAVITY
 
 
-def broken_rack(**knobs):
-    balls = LectureTable(Table.pool(), eight_ball_rack(Table.pool()), settings=LectureSettings(**knobs))
+def broken_rack(**declared):
+    balls = LectureTable(Table.pool(), eight_ball_rack(Table.pool()), settings=LectureSettings(**declared))
     balls.strike(0, (0.4, 8.0))
     return balls
 
@@ -399,11 +399,11 @@ def test_bad_steps_are_refused(dt):
         ("rule", "scaled"),  # needs the order pairwise
     ],
 )
-def test_bad_knobs_are_refused_and_change_nothing(knob, value):
+def test_bad_parameters_are_refused_and_change_nothing(parameter, value):
     balls = LectureTable(Table.bare(1.0, 2.0), [[0.5, 0.5]])
     before = balls.settings
-    with pytest.raises(ValueError, match=knob if value != "scaled" else "order"):
-        balls.configure(**{knob: value})
+    with pytest.raises(ValueError, match=parameter if value != "scaled" else "order"):
+        balls.configure(**{parameter: value})
     with pytest.raises(ValueError, match="colour"):
         balls.configure(colour=3)
     assert balls.settings == before

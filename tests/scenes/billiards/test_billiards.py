@@ -17,7 +17,7 @@ from game.scenes.billiards.score_board import standing_of
 from game.scenes.billiards.stroke_motion import pull_of, stroke_motion
 from game.scenes.billiards.view import foul_of
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED
-from game.stage import Action, Decision, KnobError, SetEffect, SetKnob
+from game.stage import Action, Decision, ParameterError, SetEffect, SetParameter
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,
     aim,
@@ -66,7 +66,7 @@ def test_pulling_the_cue_back_strikes_as_hard_as_it_was_pulled():
 def test_after_a_pull_the_power_is_again_what_was_set():
     stage = straight_pot()
     scene = stage.scene
-    stage.post(SetKnob("power", 2.5))
+    stage.post(SetParameter("power", 2.5))
     aim(stage, AT_THE_CORNER)
     x, y = scene.round.white
     ux, uy = math.cos(AT_THE_CORNER), math.sin(AT_THE_CORNER)
@@ -322,7 +322,7 @@ def test_an_illegal_break_gives_a_choice_by_click_and_key():
         stage = open_level()
         scene = stage.scene
         aim(stage, 0.5 * math.pi)
-        stage.post(SetKnob("power", 1.0))
+        stage.post(SetParameter("power", 1.0))
         stage.post(Action("strike"))
         until_aiming(stage)
         options = scene.round.game.options
@@ -388,9 +388,9 @@ def test_a_drill_puts_its_balls_back_and_gives_stars():
     stage.post(Action("strike"))
     until_aiming(stage)
     assert scene.round.game.best == 0 and scene.round.places == start
-    stage.post(SetKnob("tip_up", -0.3))  # else the white ball follows into the pocket
+    stage.post(SetParameter("tip_up", -0.3))  # else the white ball follows into the pocket
     aim(stage, AT_THE_CORNER)
-    stage.post(SetKnob("power", 2.5))
+    stage.post(SetParameter("power", 2.5))
     stage.post(Action("strike"))
     until_aiming(stage)
     assert scene.round.game.best == 2 and scene.round.game.attempts == 2
@@ -425,7 +425,7 @@ def test_effects_and_measures_of_the_table_hold_for_the_next_stroke():
     stage = straight_pot()
     stage.post(SetEffect("cloth", False))
     stage.post(SetEffect("pockets", False))
-    stage.post(SetKnob("cushion_restitution", 1.0))
+    stage.post(SetParameter("cushion_restitution", 1.0))
     scene = stage.scene
     assert scene.round.conditions.physics.sliding == 0.0 and len(scene.round.conditions.table.pockets) == 0
     aim(stage, AT_THE_CORNER)
@@ -442,7 +442,7 @@ def test_balls_of_different_sizes_are_racked_and_played():
     assert radii[0] == BALL_RADIUS and len(set(radii)) > 10 and len(set(masses)) > 10
     assert max(radii) == BALL_RADIUS
     aim(stage, 0.5 * math.pi)
-    stage.post(SetKnob("power", 9.0))
+    stage.post(SetParameter("power", 9.0))
     stage.post(Action("strike"))
     until_aiming(stage)
     check_balls(stage)
@@ -472,10 +472,10 @@ def test_decisions_that_cannot_be_are_refused():
         Decision("stroke", (2.0, math.nan, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0)),
         Decision("stroke", (2.0, 1.0, 0.0, 2.0, 0.0, -1.0, -1.0, 0.0, 0.0)),
     ):
-        with pytest.raises(KnobError):
+        with pytest.raises(ParameterError):
             stage.post(event)
     straight = straight_pot()
-    with pytest.raises(KnobError):
+    with pytest.raises(ParameterError):
         straight.post(Decision("white", (0.5, 0.5)))
     stage.post(Decision("white", (0.4, 0.4)))
     assert stage.scene.round.white == pytest.approx((0.4, 0.4))

@@ -9,7 +9,7 @@ import pytest
 from game.levels import level_files
 from game.scenes.billiards import layout
 from game.scenes.billiards.scene import Billiards
-from game.stage import Action, Decision, KnobError, Pointer, SetEffect, SetKnob, replay_scene
+from game.stage import Action, Decision, ParameterError, Pointer, SetEffect, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import check_balls, open_level
 
 LEVELS = ("default", "nine-ball", "combination", "practice", "called-pockets")
@@ -54,7 +54,7 @@ def random_event(random: np.random.Generator, scene: Billiards):
             ("power", 0.1, 10.0), ("tip_left", -0.6, 0.6), ("tip_up", -0.6, 0.6), ("elevation", 0.0, 80.0),
             ("rolling", 0.002, 0.05),
         )[random.integers(5)]  # fmt: skip
-        return SetKnob(name, float(random.uniform(low, high)))
+        return SetParameter(name, float(random.uniform(low, high)))
     if chance < 0.97:
         return SetEffect(str(random.choice(("cloth", "throw", "pockets"))), bool(random.random() < 0.7))
     values = (
@@ -76,7 +76,7 @@ def test_random_sequences_lose_no_ball(seed):
     random = np.random.default_rng(seed)
     stage = open_level(LEVELS[seed % len(LEVELS)])
     for number in range(60):
-        with contextlib.suppress(KnobError):  # refused: a decision where none is due
+        with contextlib.suppress(ParameterError):  # refused: a decision where none is due
             stage.post(random_event(random, stage.scene))
         stage.run(int(random.choice((0, 1, 5, 40, 240), p=(0.4, 0.3, 0.15, 0.1, 0.05))))
         assert stage.fault is None, (number, stage.fault)

@@ -13,7 +13,7 @@ from game.app.scene.keeping import Keeper, kept_path
 from game.app.stagehand.files import present_level
 from game.levels import format_level, load_level, parse_level
 from game.scenes.billiards.scene import Billiards
-from game.stage import Action, Pointer, SetKnob, Stage
+from game.stage import Action, Pointer, SetParameter, Stage
 from tests.scenes.billiards.billiards_stages import aim, check_balls, open_level, until_aiming
 
 
@@ -21,7 +21,7 @@ def broken_off(level: str = "default", **parameters) -> Stage:
     """A game after its break."""
     stage = open_level(level, **parameters)
     aim(stage, 0.5 * math.pi + 0.02)
-    stage.post(SetKnob("power", 8.5))
+    stage.post(SetParameter("power", 8.5))
     stage.post(Action("strike"))
     return until_aiming(stage)
 

@@ -13,7 +13,7 @@ from game.scenes.billiards import deciding
 from game.scenes.billiards.players import GRADES, decision_of, simple_stroke, think
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.thinker import Question, Thinker, Thought
-from game.stage import Action, Decision, SetKnob, replay_scene
+from game.stage import Action, Decision, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import check_balls, open_level, seconds, until_aiming
 
 
@@ -52,7 +52,7 @@ def test_a_recording_of_two_computer_players_replays_to_the_same_digest():
     stage = open_level("nine-ball")
     stage.scene.thinker = Thinker(simply, lambda: None)
     for name in ("first_player", "second_player"):
-        stage.post(SetKnob(name, "club"))
+        stage.post(SetParameter(name, "club"))
     play_on(stage, 5)
     check_balls(stage)
     recording = msgspec.json.decode(msgspec.json.encode(stage.recording), type=type(stage.recording))
@@ -67,7 +67,7 @@ def test_stepping_back_over_a_stroke_does_not_ask_again():
     asked = []
     stage.scene.thinker = Thinker(lambda q: asked.append(q.key) or simply(q), lambda: None)
     for name in ("first_player", "second_player"):
-        stage.post(SetKnob(name, "club"))
+        stage.post(SetParameter(name, "club"))
     play_on(stage, 1)
     end, first = stage.digest(), asked[0]
     steps = stage.step_number
@@ -90,12 +90,12 @@ def test_frames_go_on_while_a_player_thinks_and_an_old_answer_is_forgotten():
         return simply(question)
 
     stage.scene.thinker = Thinker(slowly, lambda: None)
-    stage.post(SetKnob("first_player", "club"))
+    stage.post(SetParameter("first_player", "club"))
     for _ in range(50):
         stage.listen()
         seconds(stage, 0.02)
     assert stage.scene.phase == "aiming" and stage.scene.thinker.thinking
-    stage.post(SetKnob("first_player", "person"))
+    stage.post(SetParameter("first_player", "person"))
     stage.listen()
     gate.set()
     thought_over(stage.scene.thinker)
@@ -120,7 +120,7 @@ def test_without_a_window_time_stands_still_while_players_think():
         stage = open_level("nine-ball")
         stage.scene.thinker = Thinker(slowly, lambda: None)
         for name in ("first_player", "second_player"):
-            stage.post(SetKnob(name, "club"))
+            stage.post(SetParameter(name, "club"))
         assert stage.scene.plays_alone
         stage.run(round(25.0 / stage.dt), players=True)
         assert stage.scene.round.strokes >= 2
@@ -147,7 +147,7 @@ def test_a_player_that_fails_does_not_stop_the_game():
         raise RuntimeError("no idea")
 
     stage.scene.thinker = Thinker(failing, lambda: None)
-    stage.post(SetKnob("first_player", "club"))
+    stage.post(SetParameter("first_player", "club"))
     play_on(stage, 1)
     assert "no idea" in stage.scene.thinker.failure
     check_balls(stage)

@@ -16,7 +16,7 @@ from game.scenes.bounds.oriented_boxes import OrientedBoxes
 from game.scenes.shared.outlines import shapes
 from game.scenes.shared.outlines.level import OutlinesContent
 from game.scenes.shared.outlines.outline import placed
-from game.stage import Action, SetEffect, SetKnob, replay_scene
+from game.stage import Action, SetEffect, SetParameter, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 SCENES = (OrientedBoxes, Capsules)
@@ -88,7 +88,7 @@ def test_outlines_are_turned_and_trees_turn_with_them(scene_type):
     assert scene.outlines[0].angle == pytest.approx(math.pi / 2)
     assert scene.pair.trees[0] is trees[0]
     scene.check()
-    stage.post(SetKnob("volume", "aabb"))
+    stage.post(SetParameter("volume", "aabb"))
     assert scene.pair.trees[0].points[0] == pytest.approx(placed(scene.outlines[0])[0] - (x, y))
     scene.check()
     stage.post(Action("undo"))
@@ -104,8 +104,8 @@ def test_every_kind_of_tree_finds_the_same_crossings(scene_type):
     found = {}
     for volume in ("obb", "capsule", "aabb"):
         for fit in FITS:
-            stage.post(SetKnob("volume", volume))
-            stage.post(SetKnob("fit", fit))
+            stage.post(SetParameter("volume", volume))
+            stage.post(SetParameter("fit", fit))
             found[volume, fit] = {tuple(pair) for pair in stage.scene.pair.query.crossings.tolist()}
             stage.scene.check()
     assert len(set(map(frozenset, found.values()))) == 1 and found["obb", "search"]
@@ -178,7 +178,7 @@ def test_a_walk_plays_three_to_four_steps_a_second_to_its_end(scene_type):
     stage.post(Action("walk-on"))
     stage.run(120)
     assert stage.scene.cursor == at + 1 and not stage.scene.playing
-    stage.post(SetKnob("pace", 60.0))
+    stage.post(SetParameter("pace", 60.0))
     stage.post(Action("walk-play"))
     stage.run(600)
     assert stage.scene.cursor == walk.length_of(stage.scene) and not stage.scene.playing
@@ -278,7 +278,7 @@ def test_a_recorded_session_with_edits_replays_exactly(scene_type):
     stage.post(SetEffect("coherence", True))
     stage.run(5)
     drag(stage, stage.scene.outlines[1].position, (0.5, 0.3), steps=6)
-    stage.post(SetKnob("leaf_size", 2))
+    stage.post(SetParameter("leaf_size", 2))
     stage.post(Action("points"))
     corner = placed(stage.scene.outlines[0])[3]
     drag(stage, corner, corner + 0.2, steps=3)
@@ -289,7 +289,7 @@ def test_a_recorded_session_with_edits_replays_exactly(scene_type):
     stage.post(Action("close"))
     stage.run(4)
     stage.post(Action("undo"))
-    stage.post(SetKnob("walked", "query"))
+    stage.post(SetParameter("walked", "query"))
     stage.post(Action("walk-play"))
     stage.run(30)
     assert replay_scene(stage.recording, scene_type).digest() == stage.digest()
@@ -312,7 +312,7 @@ def test_stepping_back_undoes_edits(scene_type):
     assert stage.digest() == after and stage.scene.board.drawn == ((3.0, 2.0),)
     while stage.step_number > 3:
         stage.step_back()
-    stage.post(SetKnob("axes", True))  # another future
+    stage.post(SetParameter("axes", True))  # another future
     stage.step()
     assert stage.digest() == before
     assert [outline.position for outline in stage.scene.outlines] == places

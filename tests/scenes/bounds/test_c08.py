@@ -8,7 +8,7 @@ import pytest
 from game.physics.bounds import fit_obb, minimal_obb
 from game.scenes.bounds import walk
 from game.scenes.bounds.oriented_boxes import OrientedBoxes
-from game.stage import Action, SetKnob
+from game.stage import Action, SetParameter
 from tests.scenes.particle_stages import open_level, readouts
 
 
@@ -33,9 +33,9 @@ def test_the_exact_box_is_the_reference():
     """Beyond: area above exact is nothing with calipers, more with a coarser step."""
     stage = open_level(OrientedBoxes, "default", angle_step=15.0)
     coarse = readouts(stage)["area above exact"]
-    stage.post(SetKnob("angle_step", 1.0))
+    stage.post(SetParameter("angle_step", 1.0))
     fine = readouts(stage)["area above exact"]
-    stage.post(SetKnob("fit", "exact"))
+    stage.post(SetParameter("fit", "exact"))
     assert 0.0 <= readouts(stage)["area above exact"] < 1e-12 < fine < coarse
     assert stage.scene.pair.trees[0].areas()[0] == pytest.approx(
         minimal_obb(stage.scene.pair.trees[0].points).area, rel=1e-12
@@ -48,7 +48,7 @@ def test_tests_are_counted_against_upright_boxes():
     told = readouts(stage)
     assert told["crossings"] == 0 and told["gap"] == pytest.approx(0.02, rel=1e-3)
     assert told["upright"] > 8 * told["tests"]
-    stage.post(SetKnob("compare", False))
+    stage.post(SetParameter("compare", False))
     assert "upright" not in readouts(stage)
 
 

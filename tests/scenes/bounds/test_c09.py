@@ -7,7 +7,7 @@ import pytest
 
 from game.physics.bounds import fit_capsule, minimal_capsule
 from game.scenes.bounds.capsules import Capsules
-from game.stage import SetKnob
+from game.stage import SetParameter
 from tests.scenes.particle_stages import drag, open_level, readouts
 
 HELD = {
@@ -39,9 +39,9 @@ def test_the_least_capsule_of_a_square_is_no_circle():
     assert least.area < 0.98 * tree.areas()[0]
     assert stage.scene.pair.exact_area(0) == pytest.approx(least.area, rel=1e-6)
     assert readouts(stage)["area above exact"] > 0.02
-    stage.post(SetKnob("fit", "thinnest"))
+    stage.post(SetParameter("fit", "thinnest"))
     assert readouts(stage)["area above exact"] > 0.05
-    stage.post(SetKnob("fit", "exact"))
+    stage.post(SetParameter("fit", "exact"))
     assert 0.0 <= readouts(stage)["area above exact"] <= 1e-3
     labels = dict(zip(Capsules.fit.options, Capsules.fit.labels, strict=True))
     assert labels["thinnest"] == "Least radius" and labels["exact"] == "Exact"
@@ -60,7 +60,7 @@ def test_capsules_and_boxes_side_by_side():
         start = pane.point((x, y))
         drag(stage, start, (start[0], start[1] + 0.1), run=0)
         assert scene.outlines[0].position == pytest.approx((x, y + 0.2))
-    stage.post(SetKnob("side_by_side", False))
+    stage.post(SetParameter("side_by_side", False))
     assert len(scene.panes()) == 1
 
 

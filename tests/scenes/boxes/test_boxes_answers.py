@@ -9,7 +9,7 @@ from game.levels import LevelError, parse_level
 from game.scenes.boxes.race import BroadPhaseRace
 from game.scenes.boxes.uniform_grid import UniformGridScene
 from game.scenes.boxes.view import Column
-from game.stage import Choice, SetEffect, SetKnob, Stage
+from game.stage import Choice, SetEffect, SetParameter, Stage
 from tests.scenes.boxes.box_stages import SCENES, brute_pairs, drag, level_id, open_level
 
 
@@ -63,7 +63,7 @@ def test_answers_that_differ_are_told_by_the_grid_scene_and_the_race():
 def test_a_lone_contestant_of_the_race_agrees_with_nobody():
     stage = Stage(BroadPhaseRace, parameters={"count": 50})
     assert stage.scene.managers_agree() is True
-    stage.post(SetKnob("count", 5000))
+    stage.post(SetParameter("count", 5000))
     stage.run(1)
     assert stage.scene.managers_agree() is None
 
@@ -110,25 +110,25 @@ def test_wide_and_endless_boxes_grow_and_are_dragged_without_an_error(scene_type
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
-def test_knobs_that_make_random_boxes_are_idle_where_a_level_lists_them(scene_type):
+def test_parameters_that_make_random_boxes_are_idle_where_a_level_lists_them(scene_type):
     listed = stage_with(scene_type, "{ lower = [1.0, 1.0], upper = [2.0, 2.0] }")
-    making = {"workload", "fill", "ratio", "share"} & set(scene_type.knobs())
+    making = {"workload", "fill", "ratio", "share"} & set(scene_type.declared_parameters())
     if scene_type is BroadPhaseRace:
         making.discard("workload")  # which also says that boxes leap
     for name in making:
         assert "lists its boxes" in listed.scene.why_idle(name)
-        knob, now = scene_type.knob(name), listed.scene.values[name]
-        others = knob.options if isinstance(knob, Choice) else (1.5 * knob.default,)
+        parameter, now = scene_type.parameter(name), listed.scene.values[name]
+        others = parameter.options if isinstance(parameter, Choice) else (1.5 * parameter.default,)
         other = next(value for value in others if value != now)
         before = listed.digest()
-        listed.post(SetKnob(name, other))
+        listed.post(SetParameter(name, other))
         assert listed.digest() == before  # so it is rightly called idle
     assert not listed.scene.why_idle("speed") and not listed.scene.why_idle("count")
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
-def test_the_heavy_tails_knobs_act_where_there_is_one(scene_type):
-    if "ratio" not in scene_type.knobs():
+def test_the_heavy_tails_parameters_act_where_there_is_one(scene_type):
+    if "ratio" not in scene_type.declared_parameters():
         return
     for workload, idle in (("heavy-tail", ()), ("power-law", ("share",)), ("lattice", ("ratio", "share"))):
         scene = Stage(scene_type, parameters={"workload": workload, "count": 50}).scene
@@ -145,8 +145,8 @@ def test_the_heavy_tails_knobs_act_where_there_is_one(scene_type):
         ("broad-phase-race", 4001, "naive"),
     ],
 )
-def test_what_is_left_out_for_the_number_of_boxes_is_idle_with_the_number_named(name, count, knob):
+def test_what_is_left_out_for_the_number_of_boxes_is_idle_with_the_number_named(name, count, parameter):
     scene_type = next(s for s in SCENES if s.name == name)
     scene = Stage(scene_type, parameters={"count": count, "fill": 0.01}).scene
-    assert str(count - 1)[-3:] in scene.why_idle(knob)
-    assert not Stage(scene_type, parameters={"count": 50}).scene.why_idle(knob)
+    assert str(count - 1)[-3:] in scene.why_idle(parameter)
+    assert not Stage(scene_type, parameters={"count": 50}).scene.why_idle(parameter)

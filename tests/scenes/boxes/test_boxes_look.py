@@ -15,7 +15,7 @@ from game.scenes.boxes.stack import sheet_at
 from game.scenes.boxes.sweep_and_prune import SweepAndPruneScene
 from game.scenes.boxes.uniform_grid import UniformGridScene
 from game.scenes.boxes.view import Column
-from game.stage import Pointer, SetKnob, Stage
+from game.stage import Pointer, SetParameter, Stage
 from tests.scenes.boxes.box_stages import SCENES, brute_pairs, click, drag, level_id, open_level
 
 SMALL = [
@@ -69,7 +69,7 @@ def test_pointing_shows_a_box_clicking_keeps_it_and_neither_changes_the_state(sc
 def test_a_chosen_box_that_goes_is_looked_into_no_more(scene_type):
     stage = Stage(scene_type, parameters={"count": 12, "workload": "equal"})
     stage.scene.chosen = 11
-    stage.post(SetKnob("count", 11))
+    stage.post(SetParameter("count", 11))
     assert stage.scene.looked == stage.scene.chosen == -1
     stage.scene.chosen = 3
     stage.scene.remove(np.array([3]))
@@ -176,7 +176,7 @@ def test_a_place_on_a_tilted_sheet_is_one_in_the_world_and_boxes_of_its_level_ar
     stage.post(Pointer("down", 9.0, 4.0, button=1))
     stage.post(Pointer("up", 9.0, 4.0, button=1))
     assert len(scene.ids) == 10  # no box is drawn beside the sheets
-    stage.post(SetKnob("stack", False))
+    stage.post(SetParameter("stack", False))
     stage.post(Pointer("move", 9.0, 7.0))
     assert scene.looked == 6
 

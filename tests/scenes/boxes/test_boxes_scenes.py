@@ -10,7 +10,7 @@ import pytest
 from game.levels import LevelError, parse_level
 from game.scenes import CATALOGUE
 from game.scenes.boxes.arrays import ArraysOfBoxes
-from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.boxes.box_stages import (
     LEVELS,
     SCENES,
@@ -118,7 +118,7 @@ def test_boxes_are_added_and_removed_by_number_while_the_others_go_on(scene_type
     area = float(((scene.uppers - scene.lowers)[scene.ids]).prod(axis=1).sum())
     stage.post(Action("more"))
     assert len(scene.ids) == scene.count == 110
-    stage.post(SetKnob("count", 300))
+    stage.post(SetParameter("count", 300))
     assert len(scene.ids) == 300
     if scene.workload == "equal":
         now = float(((scene.uppers - scene.lowers)[scene.ids]).prod(axis=1).sum())
@@ -126,17 +126,17 @@ def test_boxes_are_added_and_removed_by_number_while_the_others_go_on(scene_type
     stage.run(3)
     assert scene.pairs.tolist() == brute_pairs(scene)
     stage.post(Action("fewer"))
-    stage.post(SetKnob("count", 7))
+    stage.post(SetParameter("count", 7))
     assert len(scene.ids) == 7
     for _ in range(3):
         stage.post(Action("fewer"))
     assert len(scene.ids) == 1
     stage.run(3)
     assert len(scene.pairs) == 0
-    with pytest.raises(KnobError):
-        stage.post(SetKnob("count", 0))
-    with pytest.raises(KnobError):
-        stage.post(SetKnob("count", 100_001))
+    with pytest.raises(ParameterError):
+        stage.post(SetParameter("count", 0))
+    with pytest.raises(ParameterError):
+        stage.post(SetParameter("count", 100_001))
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
@@ -182,7 +182,7 @@ def test_swept_boxes_are_what_was_covered_in_the_step(scene_type):
     assert np.array_equal(scene.swept_uppers, np.maximum(before[1], scene.uppers))
     assert scene.pairs.tolist() == brute_pairs(scene)
     swept = len(scene.pairs)
-    stage.post(SetKnob("swept", False))
+    stage.post(SetParameter("swept", False))
     assert scene.pairs.tolist() == brute_pairs(scene)
     assert len(scene.pairs) < swept
 
@@ -207,7 +207,7 @@ def test_stepping_back_and_forth_repeats_hand_numbers_and_pairs(scene_type):
         if step == 12:
             click(stage, tuple(0.5 * (stage.scene.lowers[3] + stage.scene.uppers[3])), button=3)
         if step == 15:
-            stage.post(SetKnob("count", 80))
+            stage.post(SetParameter("count", 80))
         trail.append(seen())
         stage.run(1)
     for step in range(29, 3, -1):
@@ -265,7 +265,7 @@ def test_pictures_are_drawn_in_both_themes_whatever_there_is_to_see(scene_type):
     light = picture_of_stage(stage, (320, 240), "light")
     assert light.get_size() == (320, 240)
     for name, value in (("count", 3000), ("count", 1)):
-        stage.post(SetKnob(name, value))
+        stage.post(SetParameter(name, value))
         stage.run(1)
         picture_of_stage(stage, (200, 150), "light")
 
@@ -301,8 +301,8 @@ def test_so_many_boxes_that_all_of_them_overlap_are_refused_at_once(name: str):
     stage = Stage(scene_type, level=level)
     stage.run(2)
     before = stage.digest()
-    with pytest.raises(KnobError, match="too many pairs"):
-        stage.post(SetKnob("count", 2000))
+    with pytest.raises(ParameterError, match="too many pairs"):
+        stage.post(SetParameter("count", 2000))
     assert stage.digest() == before and stage.fault is None
     assert stage.run(2) == 2
 
@@ -313,9 +313,9 @@ def test_times_of_many_other_boxes_are_forgotten(scene_type):
     stage.run(10)
     measured = {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
     assert measured
-    stage.post(SetKnob("count", SMALL["count"] + 1))
+    stage.post(SetParameter("count", SMALL["count"] + 1))
     assert measured <= {r.name for r in stage.readouts() if r.unit == "s" and np.isfinite(r.value)}
-    stage.post(SetKnob("count", 3 * SMALL["count"]))
+    stage.post(SetParameter("count", 3 * SMALL["count"]))
     assert not any(np.isfinite(r.value) for r in stage.readouts() if r.name in measured)
 
 

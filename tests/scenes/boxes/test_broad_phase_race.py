@@ -9,7 +9,7 @@ import pytest
 
 from game.physics.broadphase.workloads import WORKLOADS
 from game.scenes.boxes.race import BroadPhaseRace
-from game.stage import SetKnob, Stage
+from game.stage import SetParameter, Stage
 from tests.scenes.boxes.box_stages import brute_pairs, open_level, readouts
 
 
@@ -37,13 +37,13 @@ def test_contestants_are_switched_off_and_one_always_stays():
     stage = Stage(BroadPhaseRace, parameters={"count": 100})
     stage.run(2)
     for name in ("naive", "uniform", "covering", "sweep", "hierarchical"):
-        stage.post(SetKnob(name, False))
+        stage.post(SetParameter(name, False))
         stage.run(1)
         assert bool(stage.scene.messages()) == (name == "hierarchical")  # all switches are off, one stays
     assert list(stage.scene.phases) == ["hierarchical"]
     stage.run(2)
     assert math.isnan(readouts(stage)["naive"])
-    stage.post(SetKnob("sweep", True))
+    stage.post(SetParameter("sweep", True))
     stage.run(2)
     assert list(stage.scene.phases) == ["sweep"]
     assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
@@ -65,7 +65,7 @@ def test_all_leaping_is_sorted_anew_in_every_step_and_one_line_only_at_first():
 
 def test_what_is_too_dear_is_left_out():
     stage = open_level(BroadPhaseRace, "default")
-    stage.post(SetKnob("count", 4500))
+    stage.post(SetParameter("count", 4500))
     stage.run(3)
     assert "naive" not in stage.scene.phases and stage.scene.managers["matrix"] is None
     values = readouts(stage)

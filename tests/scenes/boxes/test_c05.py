@@ -9,7 +9,7 @@ import pytest
 
 from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs, UniformGrid
 from game.scenes.boxes.uniform_grid import MOST_IN_MATRIX, UniformGridScene
-from game.stage import SetEffect, SetKnob, Stage
+from game.stage import SetEffect, SetParameter, Stage
 from tests.scenes.boxes.box_stages import brute_pairs, open_level, readouts
 
 
@@ -25,10 +25,10 @@ def test_the_grid_is_a_dense_matrix_that_follows_boxes_in_the_cell_size_asked_fo
     stage = open_level(UniformGridScene, "default")
     scene = stage.scene
     for storage, kind in (("corner", UniformGrid), ("covered", CoveringGrid)):
-        stage.post(SetKnob("storage", storage))
+        stage.post(SetParameter("storage", storage))
         assert type(scene.grid) is kind
         for cell in (0.25, 2.0, 32.0):
-            stage.post(SetKnob("cell", cell))
+            stage.post(SetParameter("cell", cell))
             stage.run(2)
             assert scene.grid.cell == pytest.approx(cell * scene.size)
             assert scene.grid.loads().shape == (scene.grid.rows, scene.grid.columns)
@@ -72,7 +72,7 @@ def test_a_manager_that_is_switched_off_costs_nothing_and_comes_back_right():
 
 def test_the_matrix_is_left_out_where_it_would_be_too_large_and_comes_back():
     stage = open_level(UniformGridScene, "default")
-    stage.post(SetKnob("count", MOST_IN_MATRIX + 1))
+    stage.post(SetParameter("count", MOST_IN_MATRIX + 1))
     assert stage.scene.matrix is None
     stage.run(2)
     assert len(stage.scene.hashed) == len(stage.scene.pairs)

@@ -10,7 +10,7 @@ from game.physics.broadphase import HashedPairs, HierarchicalGrid, MatrixPairs, 
 from game.scenes.boxes.compared import MOST_NAIVE
 from game.scenes.boxes.hierarchical_grids import HierarchicalGridScene
 from game.scenes.boxes.level import HEIGHT, WIDTH
-from game.stage import SetEffect, SetKnob, Stage
+from game.stage import SetEffect, SetParameter, Stage
 from tests.scenes.boxes.box_stages import brute_pairs, click, open_level, readouts
 
 
@@ -39,10 +39,10 @@ def test_with_half_of_the_boxes_large_one_grid_for_these_makes_fewer_tests():
 def test_levels_follow_the_sizes():
     stage = open_level(HierarchicalGridScene, "default")
     assert [count for _, count in stage.scene.grid.levels()] == [495, 5]
-    stage.post(SetKnob("ratio", 1.0))
+    stage.post(SetParameter("ratio", 1.0))
     assert [count for _, count in stage.scene.grid.levels()] == [500]
-    stage.post(SetKnob("ratio", 20.0))
-    stage.post(SetKnob("step_ratio", "16"))
+    stage.post(SetParameter("ratio", 20.0))
+    stage.post(SetParameter("step_ratio", "16"))
     assert stage.scene.grid.ratio == 16
     stage.run(3)
     assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
@@ -52,12 +52,12 @@ def test_pairs_are_kept_in_the_manager_asked_for():
     stage = open_level(HierarchicalGridScene, "default")
     assert isinstance(stage.scene.keeper, MatrixPairs)
     stage.run(3)
-    stage.post(SetKnob("manager", "hash"))
+    stage.post(SetParameter("manager", "hash"))
     assert isinstance(stage.scene.keeper, HashedPairs)
     stage.run(3)
     assert np.array_equal(stage.scene.keeper.pairs(), stage.scene.pairs)
-    stage.post(SetKnob("manager", "matrix"))
-    stage.post(SetKnob("count", 4097))
+    stage.post(SetParameter("manager", "matrix"))
+    stage.post(SetParameter("count", 4097))
     assert isinstance(stage.scene.keeper, HashedPairs)
 
 

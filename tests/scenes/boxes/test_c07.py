@@ -6,7 +6,7 @@ import numpy as np
 
 from game.physics.broadphase import HashedPairs, MatrixPairs
 from game.scenes.boxes.sweep_and_prune import SweepAndPruneScene
-from game.stage import SetKnob, Stage
+from game.stage import SetParameter, Stage
 from tests.scenes.boxes.box_stages import brute_pairs, open_level, readouts
 
 
@@ -46,7 +46,7 @@ def test_a_leap_of_all_is_finished_by_sorting_unless_that_is_switched_off():
     stage.run(4)
     assert stage.scene.sap.resorts == 4
     assert abs(stage.scene.swaps / (2 * 1000 * 999) - 1.0) < 0.1
-    stage.post(SetKnob("resort", False))
+    stage.post(SetParameter("resort", False))
     stage.run(2)
     assert stage.scene.sap.resorts == 0
     assert abs(stage.scene.swaps / (2 * 1000 * 999) - 1.0) < 0.1
@@ -62,10 +62,10 @@ def test_pairs_are_kept_in_a_matrix_and_in_a_hash_table_where_that_is_too_small(
     assert stage.scene.sap.manager.greatest == 511
     stage.run(5)
     assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
-    stage.post(SetKnob("manager", "hash"))
+    stage.post(SetParameter("manager", "hash"))
     assert isinstance(stage.scene.sap.manager, HashedPairs)
-    stage.post(SetKnob("manager", "matrix"))
-    stage.post(SetKnob("count", 4097))
+    stage.post(SetParameter("manager", "matrix"))
+    stage.post(SetParameter("count", 4097))
     assert isinstance(stage.scene.sap.manager, HashedPairs)
 
 

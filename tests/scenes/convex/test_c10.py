@@ -9,7 +9,7 @@ from game.physics.narrowphase import ConvexPolygon, Feature
 from game.scenes.convex.vclip import VClip
 from game.scenes.convex.vclip_view import region
 from game.scenes.convex.vclip_words import WORDS, caption_of, case_of, distance_of, function_of
-from game.stage import SetEffect, SetKnob
+from game.stage import SetEffect, SetParameter
 from tests.scenes.particle_stages import open_level, readouts
 
 
@@ -19,8 +19,8 @@ def test_clip_vertex_and_clip_edge_take_the_steps():
     stage.post(SetEffect("coherence", False))
     kinds = set()
     for i in range(18):
-        stage.post(SetKnob("start_a", i))
-        stage.post(SetKnob("start_b", (5 * i) % 14))
+        stage.post(SetParameter("start_a", i))
+        stage.post(SetParameter("start_b", (5 * i) % 14))
         for step in stage.scene.trace():
             kinds.add(step.feature_a.kind[0] + step.feature_b.kind[0])
             assert step.verdict in WORDS
@@ -66,8 +66,8 @@ def test_captions_name_case_function_border_and_distance():
     stage.post(SetEffect("coherence", False))
     scene, seen = stage.scene, set()
     for i in range(40):
-        stage.post(SetKnob("start_a", i % 14))
-        stage.post(SetKnob("start_b", (3 * i) % 10))
+        stage.post(SetParameter("start_a", i % 14))
+        stage.post(SetParameter("start_b", (3 * i) % 10))
         trace = scene.trace()
         shapes = [scene.drawn_corners(k) for k in (0, 1)]
         for k, step in enumerate(trace):

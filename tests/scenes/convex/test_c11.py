@@ -10,7 +10,7 @@ from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.scenes.convex.gjk import Gjk
 from game.scenes.convex.gjk_view import frame_of, inset_for, words_of
-from game.stage import SetEffect, SetKnob
+from game.stage import SetEffect, SetParameter
 from game.ui.canvas.canvas import Canvas
 from tests.scenes.particle_stages import open_level, readouts
 
@@ -42,7 +42,7 @@ def test_a_loose_tolerance_ends_early_with_too_much():
     stage.post(SetEffect("shape-motion", False))
     stage.post(SetEffect("coherence", False))
     exact = readouts(stage)
-    stage.post(SetKnob("exponent", -1.0))
+    stage.post(SetParameter("exponent", -1.0))
     loose = readouts(stage)
     assert exact["distance"] < loose["distance"] < 1.12 * exact["distance"]
     assert loose["steps"] < exact["steps"]
@@ -52,7 +52,7 @@ def test_climbing_and_scanning_agree():
     stage = open_level(Gjk, "coins")
     stage.run(5)
     climbed = readouts(stage)["distance"]
-    stage.post(SetKnob("method", "scan"))
+    stage.post(SetParameter("method", "scan"))
     assert readouts(stage)["distance"] == pytest.approx(climbed, rel=0, abs=1e-15)
 
 
@@ -68,7 +68,7 @@ def test_the_difference_and_the_origin_fit_beside_the_polygons():
         placed = np.vstack((inset.place(difference), [(inset.x, inset.y)]))
         assert (placed >= (seen.right, frame.bottom)).all()
         assert (placed <= (frame.right, frame.top)).all()
-    stage.post(SetKnob("minkowski", False))
+    stage.post(SetParameter("minkowski", False))
     assert scene.frame().right == seen.right
 
 
@@ -76,8 +76,8 @@ def test_corners_are_named_and_the_bounds_are_circles_about_the_origin(monkeypat
     """In every step of a walk: a_i - b_j at the simplex, w by its name, |v| and v·w / |v| as radii."""
     stage = open_level(Gjk, "default")
     stage.post(SetEffect("coherence", False))
-    stage.post(SetKnob("start_a", 9))
-    stage.post(SetKnob("start_b", 6))
+    stage.post(SetParameter("start_a", 9))
+    stage.post(SetParameter("start_b", 6))
     scene, drawn, words = stage.scene, [], []
     monkeypatch.setattr(Canvas, "polyline", lambda self, points, *more: drawn.append(np.asarray(points)))
     monkeypatch.setattr(Canvas, "label", lambda self, place, text, *more, **options: words.append(text))

@@ -12,7 +12,7 @@ from game.physics.narrowphase import vclip
 from game.scenes.convex.gjk import Gjk
 from game.scenes.convex.level import PairContent
 from game.scenes.convex.vclip import VClip
-from game.stage import Action, Pointer, SetEffect, SetKnob, replay_scene
+from game.stage import Action, Pointer, SetEffect, SetParameter, replay_scene
 from tests.physics.narrowphase.exact_pair import exact_distance
 from tests.scenes.particle_stages import click, drag, open_level, press, readouts, release, stage_of
 
@@ -24,8 +24,8 @@ TRIANGLE = ((-3.0, 1.2), (-2.0, 0.4), (-1.2, 1.6))
 STAR = [(2 + 0.9 * math.cos(0.8 * math.pi * k), 0.9 * math.sin(0.8 * math.pi * k)) for k in range(5)]
 
 
-def still(scene_type, name="default", **knobs):
-    stage = open_level(scene_type, name, **knobs)
+def still(scene_type, name="default", **declared):
+    stage = open_level(scene_type, name, **declared)
     stage.post(SetEffect("shape-motion", False))
     return stage
 
@@ -35,7 +35,7 @@ def distance(stage):
 
 
 def draw(stage, points):
-    stage.post(SetKnob("tool", "draw"))
+    stage.post(SetParameter("tool", "draw"))
     for point in points:
         click(stage, point)
     click(stage, points[0])
@@ -156,7 +156,7 @@ def test_closest_points_and_features_are_found(scene_type):
 def test_a_corner_is_dragged_added_and_taken_away(scene_type):
     stage = still(scene_type)
     scene = stage.scene
-    stage.post(SetKnob("tool", "points"))
+    stage.post(SetParameter("tool", "points"))
     corner = scene.drawn_corners(0)[3]
     drag(stage, corner, np.add(corner, (0.2, 0.0)), run=0)
     assert np.allclose(scene.drawn_corners(0)[3], np.add(corner, (0.2, 0.0)), rtol=0, atol=1e-12)
@@ -175,7 +175,7 @@ def test_one_polygon_alone_and_none_can_be_looked_at_and_acted_on(scene_type):
         for action in scene_type.actions:
             if action.name not in ("delete", "undo", "redo"):
                 stage.post(Action(action.name))
-        stage.post(SetKnob("start_b", 3))
+        stage.post(SetParameter("start_b", 3))
         stage.run(2)
         assert stage.fault is None and math.isnan(readouts(stage)["query"])
 
@@ -207,8 +207,8 @@ def test_the_walk_is_stepped_forward_and_backward(scene_type):
     stage = still(scene_type)
     stage.post(SetEffect("coherence", False))
     scene = stage.scene
-    stage.post(SetKnob("start_a", 11))
-    stage.post(SetKnob("start_b", 7))
+    stage.post(SetParameter("start_a", 11))
+    stage.post(SetParameter("start_b", 7))
     length = scene.trace_length()
     assert length > 2 and scene.shown == -1
     digest = stage.digest()
@@ -253,7 +253,7 @@ def test_a_recorded_session_replays_exactly(scene_type):
     stage.run(3)
     stage.post(Action("hull"))
     stage.post(SetEffect("coherence", False))
-    stage.post(SetKnob("start_b", 3))
+    stage.post(SetParameter("start_b", 3))
     stage.post(Action("later"))
     stage.run(10)
     twin = replay_scene(stage.recording, scene_type)

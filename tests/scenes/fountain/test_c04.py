@@ -14,7 +14,7 @@ from game.scenes.fountain.hand import rim_handle
 from game.scenes.fountain.level import FountainContent
 from game.scenes.fountain.readouts import exact_envelope
 from game.scenes.fountain.scene import Fountain
-from game.stage import Action, KnobError, SetEffect, SetKnob, replay_scene
+from game.stage import Action, ParameterError, SetEffect, SetParameter, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 LEVELS = level_files("c04")
@@ -45,14 +45,14 @@ def test_rate_angle_life_and_speed():
     angles = np.degrees(np.arctan2(v[aloft, 0], v[aloft, 1]))
     assert 9.5 < np.abs(angles).max() <= 10.0 + 1e-9
     assert np.allclose(np.linalg.norm(v[aloft], axis=1), 5.0, rtol=0, atol=1e-9)
-    stage.post(SetKnob("rate", 2000.0))
+    stage.post(SetParameter("rate", 2000.0))
     stage.run(60)
     assert readouts(stage)["born"] == 3000
     assert readouts(stage)["particles"] == 2000
-    stage.post(SetKnob("life", 0.25))
+    stage.post(SetParameter("life", 0.25))
     stage.run(1)
     assert readouts(stage)["particles"] == 500
-    stage.post(SetKnob("speed", 9.0))
+    stage.post(SetParameter("speed", 9.0))
     stage.run(60)
     assert readouts(stage)["highest"] == pytest.approx(9.0 * 0.25 - 4.905 / 16, abs=0.05)
 
@@ -62,7 +62,7 @@ def test_methods_are_chosen_live():
     stage = open_level(Fountain, "default", **FAST)
     outside = {}
     for method in METHODS:
-        stage.post(SetKnob("method", method))
+        stage.post(SetParameter("method", method))
         stage.run(200)
         outside[method] = readouts(stage)["outside the curve"]
         assert stage.fault is None
@@ -281,11 +281,11 @@ def test_a_recorded_session_replays_exactly():
     stage = open_level(Fountain, "default", **FAST)
     stage.run(20)
     drag(stage, (0.2, 2.42), (0.9, 2.0))
-    stage.post(SetKnob("method", "rk4"))
+    stage.post(SetParameter("method", "rk4"))
     stage.post(SetEffect("drag", True))
     click(stage, (-1.0, 2.0), shift=True)
     drag(stage, (0.0, 0.0), (0.4, 0.0))
-    stage.post(SetKnob("rate", 3000.0))
+    stage.post(SetParameter("rate", 3000.0))
     stage.run(40)
     twin = replay_scene(stage.recording, Fountain)
     assert twin.digest() == stage.digest()
@@ -338,10 +338,10 @@ def test_what_is_broken_in_a_level_is_named(text, field):
 @pytest.mark.parametrize(
     ("knob", "value"), [("rate", -1.0), ("life", 0.0), ("method", "magic"), ("places", 0)]
 )
-def test_values_out_of_range_are_refused(knob, value):
+def test_values_out_of_range_are_refused(parameter, value):
     stage = open_level(Fountain, "default", **FAST)
-    with pytest.raises(KnobError, match=knob):
-        stage.post(SetKnob(knob, value))
+    with pytest.raises(ParameterError, match=parameter):
+        stage.post(SetParameter(parameter, value))
     stage.run(1)
     assert stage.fault is None
 

@@ -13,7 +13,7 @@ from game.scenes.key_frames.hand import turning_handle
 from game.scenes.key_frames.level import Motion
 from game.scenes.key_frames.scene import KeyFraming
 from game.scenes.key_frames.timeline import places_of, x_of
-from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, replay_scene
+from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 LEVELS = level_files("c01")
@@ -21,7 +21,7 @@ FREE = (-2.0, 2.6)  # nothing is there in any level used here
 
 
 def box_at(stage, time):
-    stage.post(SetKnob("time", time))
+    stage.post(SetParameter("time", time))
     return stage.scene.pose.copy()
 
 
@@ -34,9 +34,9 @@ def on_axis(stage, time):
     return x_of(places, time), places.axis
 
 
-def track(**knobs):
+def track(**declared):
     """The bend of one Bezier curve, at rest at time 0."""
-    return open_level(KeyFraming, "one-bezier-curve", playing=False, **knobs)
+    return open_level(KeyFraming, "one-bezier-curve", playing=False, **declared)
 
 
 # -- the points of the task ---------------------------------------------------------------------------------
@@ -81,7 +81,7 @@ def test_4_one_bezier_curve_whose_control_points_are_dragged():
 @pytest.mark.parametrize("name", INTERPOLATIONS)
 def test_5_every_interpolation_meets_every_key(name):
     stage = open_level(KeyFraming, "hard-04-unsorted", playing=False)
-    stage.post(SetKnob("interpolation", name))
+    stage.post(SetParameter("interpolation", name))
     for time, x, y, angle in keys(stage):
         assert box_at(stage, time) == pytest.approx([x, y, math.radians(angle)], abs=1e-15)
 
@@ -94,7 +94,7 @@ def test_5_keys_are_made_by_clicks():
     assert [key[:3] for key in keys(stage)] == [
         (0.0, 0.0, 0.0), (pytest.approx(1 / 3), 2.0, 1.0), (pytest.approx(2 / 3), 3.0, -0.5), (1.0, -3.0, 1.0)
     ]  # fmt: skip
-    stage.post(SetKnob("time", 0.5))
+    stage.post(SetParameter("time", 0.5))
     click(stage, FREE)
     assert keys(stage)[2][:3] == (0.5, *FREE)
     assert stage.scene.pose[:2].tolist() == list(FREE)
@@ -113,7 +113,7 @@ def test_5_keys_are_moved_turned_retimed_and_deleted():
     assert keys(stage)[1][3] == pytest.approx(135.0)
     drag(stage, on_axis(stage, 1.0), on_axis(stage, 0.6), run=0)
     assert keys(stage)[1][0] == pytest.approx(0.6)
-    stage.post(SetKnob("time", 0.3))
+    stage.post(SetParameter("time", 0.3))
     click(stage, FREE)
     drag(stage, on_axis(stage, 0.3), on_axis(stage, 0.9), run=0)  # past another one
     assert [key[0] for key in keys(stage)] == pytest.approx([0.0, 0.6, 0.9])
@@ -138,26 +138,26 @@ def test_5_the_chosen_key_in_numbers():
         10,
     ]
     for name, value in (("key_x", 1.0), ("key_y", -0.25), ("key_angle", 720.0), ("key_time", 0.7)):
-        stage.post(SetKnob(name, value))
+        stage.post(SetParameter(name, value))
     assert keys(stage)[3] == (0.7, 1.0, -0.25, 720.0)
-    with pytest.raises(KnobError):
-        stage.post(SetKnob("key_time", 1.5))
+    with pytest.raises(ParameterError):
+        stage.post(SetParameter("key_time", 1.5))
 
 
 def test_6_a_slider_from_nought_to_one():
     stage = open_level(KeyFraming, "default")
-    knob = KeyFraming.knob("time")
-    assert (knob.minimum, knob.maximum, knob.unit) == (0.0, 1.0, "s")
+    parameter = KeyFraming.parameter("time")
+    assert (parameter.minimum, parameter.maximum, parameter.unit) == (0.0, 1.0, "s")
     stage.run(30)
     moving = stage.scene.values["time"]
     assert moving == pytest.approx(30 / 120 / 3.5)
-    stage.post(SetKnob("time", 0.4))  # takes over from playback
+    stage.post(SetParameter("time", 0.4))  # takes over from playback
     stage.run(30)
     assert stage.scene.values["time"] == 0.4
     assert not stage.scene.playing
     drag(stage, on_axis(stage, 0.05), on_axis(stage, 0.8), run=0)
     assert stage.scene.values["time"] == pytest.approx(0.8)
-    stage.post(SetKnob("playing", True))
+    stage.post(SetParameter("playing", True))
     stage.run(30)
     assert stage.scene.values["time"] == pytest.approx(0.8 + 30 / 120 / 3.5)
 
@@ -181,7 +181,7 @@ def test_7_playback_looks_at_the_curve_so_often():
     for i in range(8):
         expected = scene.animation().pose(i / 8)
         assert np.abs(np.array(sorted(set(seen))) - expected).sum(axis=1).min() < 1e-12
-    stage.post(SetKnob("fps", 24))
+    stage.post(SetParameter("fps", 24))
     more = set()
     for _ in range(120):
         stage.run(1)
@@ -226,7 +226,7 @@ def test_the_box_is_grabbed_in_flight():
 
 def test_the_box_is_turned_in_flight():
     stage = track()
-    stage.post(SetKnob("time", 0.5))
+    stage.post(SetParameter("time", 0.5))
     x, y, angle = stage.scene.pose.tolist()
     handle = turning_handle(stage.scene, x, y, angle)
     press(stage, handle)
@@ -239,7 +239,7 @@ def test_a_key_on_a_bezier_curve_leaves_it_as_it_is():
     stage = track()
     times = np.linspace(0, 1, 41)
     before = stage.scene.animation().poses(times)
-    stage.post(SetKnob("time", 0.37))
+    stage.post(SetParameter("time", 0.37))
     stage.post(Action("insert"))
     assert len(keys(stage)) == 3
     assert np.abs(stage.scene.animation().poses(times)[:, :2] - before[:, :2]).max() < 1e-12
@@ -292,7 +292,7 @@ def test_easing_and_a_timing_curve_of_ones_own():
     stage = open_level(KeyFraming, "hard-07-steep-timing", playing=False)
     scene = stage.scene
     assert box_at(stage, 0.25)[0] == pytest.approx(-4.0 + 7.6 * Easing((1, 0, 0, 1))(0.25), abs=1e-12)
-    stage.post(SetKnob("easing", "ease"))
+    stage.post(SetParameter("easing", "ease"))
     assert box_at(stage, 0.5)[0] == pytest.approx(-4.0 + 7.6 * 0.802403387584857, abs=1e-10)
     box = places_of(scene.motion.view).timing
     drag(stage, box.at(0.25, 0.1), box.at(0.5, 0.9), run=0)
@@ -322,7 +322,7 @@ def test_the_box_turns_along_its_path():
 @pytest.mark.parametrize("name", INTERPOLATIONS)
 def test_closed_curves_come_back(name):
     stage = open_level(KeyFraming, "default", playing=False)
-    stage.post(SetKnob("interpolation", name))
+    stage.post(SetParameter("interpolation", name))
     first, last = box_at(stage, 0.0), box_at(stage, 1.0)
     assert np.array_equal(first, last)
     near = box_at(stage, 1.0 - 1e-9)
@@ -333,14 +333,14 @@ def test_what_happens_at_the_end():
     stage = open_level(KeyFraming, "hop", duration=1.0, fps=240)
     stage.run(150)
     assert stage.scene.present() == pytest.approx(0.25)
-    stage.post(SetKnob("repeat", "once"))
+    stage.post(SetParameter("repeat", "once"))
     stage.run(200)
     assert stage.scene.present() == 1.0
     assert not stage.scene.playing
     stage.post(Action("play"))
     stage.run(12)
     assert stage.scene.present() == pytest.approx(0.1)
-    stage.post(SetKnob("repeat", "there-and-back"))
+    stage.post(SetParameter("repeat", "there-and-back"))
     stage.run(120)
     assert stage.scene.present() == pytest.approx(0.9)
 
@@ -353,16 +353,16 @@ def test_from_key_to_key():
         assert stage.scene.motion.keys[stage.scene.chosen].time == time
 
 
-def test_knobs_that_do_nothing_say_why_once():
+def test_parameters_that_do_nothing_say_why_once():
     stage = open_level(KeyFraming, "default", playing=False)
     for x in (1.0, 2.0, 3.0):
-        stage.post(SetKnob("key_x", x))
-    stage.post(SetKnob("easing", "swing"))
+        stage.post(SetParameter("key_x", x))
+    stage.post(SetParameter("easing", "swing"))
     no_key, no_easing = stage.scene.messages()
     assert "click" in no_key and "easing" in no_easing
     stage.post(Pointer("down", *stage.scene.motion.keys[2].position, button=1))
     stage.post(Pointer("up", *stage.scene.motion.keys[2].position, button=1))
-    stage.post(SetKnob("key_x", 1.5))
+    stage.post(SetParameter("key_x", 1.5))
     assert stage.scene.messages() == () and stage.scene.motion.keys[2].position[0] == 1.5
 
 
@@ -390,13 +390,13 @@ def test_undo_and_redo_of_every_edit():
         elif what == 2:
             click(stage, point, button=3)
         elif what == 3:
-            stage.post(SetKnob("interpolation", INTERPOLATIONS[rng.integers(len(INTERPOLATIONS))]))
+            stage.post(SetParameter("interpolation", INTERPOLATIONS[rng.integers(len(INTERPOLATIONS))]))
         elif what == 4:
             stage.post(Action(["delete", "insert", "corner", "method", "later"][rng.integers(5)]))
         elif what == 5:
-            stage.post(SetKnob("key_x", float(rng.uniform(-5, 5))))
+            stage.post(SetParameter("key_x", float(rng.uniform(-5, 5))))
         else:
-            stage.post(SetKnob("closed", bool(rng.integers(2))))
+            stage.post(SetParameter("closed", bool(rng.integers(2))))
         look()
     assert stage.fault is None
     assert len(scene.past) == len(story) - 1 > 40
@@ -431,8 +431,8 @@ def test_whatever_happens_in_the_middle_of_a_drag():
     for event, edits in (
         (Action("delete"), 2),
         (Action("undo"), 0),
-        (SetKnob("interpolation", "linear"), 2),
-        (SetKnob("key_x", 1.0), 2),
+        (SetParameter("interpolation", "linear"), 2),
+        (SetParameter("key_x", 1.0), 2),
         (Pointer("down", -3.0, 0.0, button=3), 2),
     ):
         stage = track()
@@ -448,17 +448,17 @@ def test_whatever_happens_in_the_middle_of_a_drag():
         assert stage.scene.edit() == track().scene.edit()
     stage = track()
     press(stage, (-4.2, -0.9))
-    stage.post(SetKnob("interpolation", "linear"))
+    stage.post(SetParameter("interpolation", "linear"))
     assert len(stage.scene.past) == 1
 
 
 def test_there_is_an_end_to_keys():
     stage = open_level(KeyFraming, "one-box")
     for i in range(199):
-        stage.post(SetKnob("time", (i + 1) / 200))
+        stage.post(SetParameter("time", (i + 1) / 200))
         stage.post(Action("insert"))
     assert len(keys(stage)) == 200
-    stage.post(SetKnob("time", 0.9975))
+    stage.post(SetParameter("time", 0.9975))
     click(stage, FREE)
     assert len(keys(stage)) == 200
     assert any("room for 200" in words for words in stage.scene.messages())
@@ -470,7 +470,7 @@ def test_there_is_an_end_to_keys():
 def test_saved_and_read_back():
     stage = open_level(KeyFraming, "bezier-track", playing=False)
     drag(stage, stage.scene.animation().handles()[2, 0], (-0.5, 1.9), run=0)
-    stage.post(SetKnob("time", 0.3))
+    stage.post(SetParameter("time", 0.3))
     click(stage, FREE)
     text = format_level(Level(scene="c01", content=stage.scene.save_content()))
     back = parse_level(text, "c01", Motion)
@@ -507,7 +507,7 @@ def test_every_level_runs_and_comes_back(path):
         stage = stage_of(KeyFraming, path)
         stage.run(40)
         drag(stage, stage.scene.pose[:2], (1.0, 2.2), steps=4)
-        stage.post(SetKnob("interpolation", "bezier"))
+        stage.post(SetParameter("interpolation", "bezier"))
         stage.post(SetEffect("constant-speed", way == 5))
         stage.run(30)
         if way:
@@ -573,7 +573,7 @@ def test_hard_levels_show_what_they_say():
 def test_hard_turns():
     short = open_level(KeyFraming, "hard-09-the-short-way", playing=False)
     assert math.cos(box_at(short, 0.5)[2]) == pytest.approx(1.0, abs=1e-15)
-    short.post(SetKnob("shortest", False))
+    short.post(SetParameter("shortest", False))
     assert math.degrees(box_at(short, 0.5)[2]) == pytest.approx(180.0)
     half = open_level(KeyFraming, "hard-10-half-turn", playing=False)
     assert math.degrees(box_at(half, 0.5)[2]) == pytest.approx(90.0)

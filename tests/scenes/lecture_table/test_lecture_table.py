@@ -9,7 +9,7 @@ import pytest
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.levels import LevelError, level_files, load_level
 from game.scenes.lecture_table.scene import LectureTable
-from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 
 MASS = 0.170097
 
@@ -134,7 +134,7 @@ def test_two_runs_and_a_run_saved_half_way_give_one_digest():
         stage.run(100)
         pull_and_release(stage, 0.3)
         stage.run(200)
-        stage.post(SetKnob("restitution", 0.8))
+        stage.post(SetParameter("restitution", 0.8))
         stage.run(200)
         return stage
 

@@ -16,13 +16,13 @@ from game.scenes.rigid_body.level import RigidContent
 from game.scenes.rigid_body.momentum_sphere import separatrix, trail_of
 from game.scenes.rigid_body.scene import TRAIL, RigidBodyScene
 from game.scenes.rigid_body.view import hull_of_discs
-from game.stage import Action, SetEffect, SetKnob, Stage, replay_scene
+from game.stage import Action, SetEffect, SetParameter, Stage, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 LEVELS = level_files("c12")
 
 
-def plain(**knobs) -> Stage:
+def plain(**declared) -> Stage:
     """Two spheres at rest side by side, looked at from the front."""
     level = parse_level(
         'scene = "c12"\n[effects]\noff = ["gravity", "drag"]\n[content]\nspheres = [\n'
@@ -30,8 +30,8 @@ def plain(**knobs) -> Stage:
         "c12",
         RigidContent,
     )
-    knobs = {"turn": 0.0, "tilt": 0.0, "density": 100.0, **knobs}
-    return Stage(RigidBodyScene, level=level, parameters=knobs)
+    declared = {"turn": 0.0, "tilt": 0.0, "density": 100.0, **declared}
+    return Stage(RigidBodyScene, level=level, parameters=declared)
 
 
 def body(stage, index=A):
@@ -172,13 +172,13 @@ def test_density_is_changed_while_it_runs():
     stage = open_level(RigidBodyScene, "default")
     stage.run(10)
     before = readouts(stage)
-    stage.post(SetKnob("density", 1400.0))
+    stage.post(SetParameter("density", 1400.0))
     after = readouts(stage)
     assert after["mass"] == pytest.approx(2.0 * before["mass"])
     assert after["I2"] == pytest.approx(2.0 * before["I2"])
     assert after["spin"] == pytest.approx(0.5 * before["spin"])
-    stage.post(SetKnob("keep", "velocity"))
-    stage.post(SetKnob("density", 700.0))
+    stage.post(SetParameter("keep", "velocity"))
+    stage.post(SetParameter("density", 700.0))
     assert readouts(stage)["spin"] == pytest.approx(0.5 * before["spin"])
     assert readouts(stage)["mass"] == before["mass"]
     stage.run(5)
@@ -241,7 +241,7 @@ def test_twin_view_and_accounts():
     assert now["L of B"] < -0.01
     assert now["q of A"] == 0.0
     assert now["exact"] == pytest.approx(now["A"] / (1.0 + now["E of A"]), rel=1e-9)
-    stage.post(SetKnob("normalizing", False))
+    stage.post(SetParameter("normalizing", False))
     stage.run(60)
     assert readouts(stage)["q of A"] > 0.01
     stage.post(Action("meet"))
@@ -295,8 +295,8 @@ def test_a_recorded_session_with_edits_replays_exactly():
     stage.run(3)
     stage.post(Action("sphere"))
     drag(stage, (2.0, 0.6), (2.3, 0.6), steps=3)
-    stage.post(SetKnob("density", 900.0))
-    stage.post(SetKnob("method", "rk4"))
+    stage.post(SetParameter("density", 900.0))
+    stage.post(SetParameter("method", "rk4"))
     drag(stage, (0.0, 1.0), (0.7, 1.2), button=3, steps=4)
     stage.post(Action("undo"))
     stage.post(SetEffect("window", False))
@@ -350,7 +350,7 @@ def test_a_method_that_explodes_is_stopped_at_its_last_finite_state():
     assert stage.fault is not None
     assert np.isfinite(body(stage).state).all()
     stage.reset()
-    stage.post(SetKnob("method", "splitting"))
+    stage.post(SetParameter("method", "splitting"))
     stage.run(50)
     assert stage.fault is None
 

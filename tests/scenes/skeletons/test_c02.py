@@ -10,12 +10,12 @@ import pytest
 from game.levels import Level, format_level, level_files, parse_level
 from game.scenes.skeletons.level import FigureContent, bone_named
 from game.scenes.skeletons.skinning import Skinning
-from game.stage import Action, Pointer, SetEffect, SetKnob, Stage, replay_scene
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release
 
 
-def still(name="default", **knobs):
-    return open_level(Skinning, name, motion=False, **knobs)
+def still(name="default", **declared):
+    return open_level(Skinning, name, motion=False, **declared)
 
 
 def end_of(stage, name):
@@ -44,7 +44,7 @@ def test_a_bone_is_made_by_clicking_its_parent_and_then_its_end():
     """C02.2, .3: also while it stands still; a bone may have several children."""
     stage = still("draw")
     stage.pause()
-    stage.post(SetKnob("tool", "bone"))
+    stage.post(SetParameter("tool", "bone"))
     click(stage, (0.0, 0.8))
     assert stage.scene.bench.chosen == 0
     click(stage, (0.4, 1.3))
@@ -84,7 +84,7 @@ def test_bones_hold_place_angle_and_length():
 def test_a_skin_is_drawn_by_clicking_around_and_follows():
     """C02.5, .6, .7: closed by a click on its first corner; no weights beyond the threshold."""
     stage = still("bent-bar", threshold=0.5)
-    stage.post(SetKnob("tool", "skin"))
+    stage.post(SetParameter("tool", "skin"))
     corners = [(-1.1, -0.3), (0.0, -0.35), (1.1, -0.3), (1.1, 0.3), (0.0, 0.35), (-1.1, 0.3)]
     for corner in corners:
         click(stage, corner)
@@ -97,7 +97,7 @@ def test_a_skin_is_drawn_by_clicking_around_and_follows():
     weights = rig.weights[rig.outline(1)]
     right = points[:, 0] > 0.6
     assert np.all(weights[right, 0] == 0.0)
-    stage.post(SetKnob("tool", "pose"))
+    stage.post(SetParameter("tool", "pose"))
     drag(stage, (0.8, 0.0), (0.0, 0.8), steps=6)
     stage.run(1)
     moved = stage.scene.rig.skinned[stage.scene.rig.outline(1)]
@@ -171,11 +171,11 @@ def test_every_edit_is_undone_and_done_again():
     stage = still("bent-bar")
     scene = stage.scene
     states = [scene.save_content()]
-    stage.post(SetKnob("tool", "bone"))
+    stage.post(SetParameter("tool", "bone"))
     click(stage, scene.rig.skeleton.ends[1] * 0.5 + scene.rig.skeleton.bases[1] * 0.5)
     click(stage, (1.0, 1.0))
     states.append(scene.save_content())
-    stage.post(SetKnob("tool", "pose"))
+    stage.post(SetParameter("tool", "pose"))
     drag(stage, scene.rig.skeleton.ends[1] * 0.5 + scene.rig.skeleton.bases[1] * 0.5, (0.3, -0.4), steps=3)
     states.append(scene.save_content())
     stage.post(Action("stand"))
@@ -214,9 +214,9 @@ def test_weights_follow_their_parameters():
     """Beyond: falloff and influences; weights as colours are of the same numbers."""
     stage = still("bent-bar", smooth=False)
     soft = stage.scene.rig.weights.copy()
-    stage.post(SetKnob("falloff", 1.0))
+    stage.post(SetParameter("falloff", 1.0))
     assert np.abs(stage.scene.rig.weights - soft).max() > 0.1
-    stage.post(SetKnob("influences", 1))
+    stage.post(SetParameter("influences", 1))
     assert np.count_nonzero(stage.scene.rig.weights, axis=1).max() == 1
     stage.post(Action("show-weights"))
     assert stage.scene.weights
@@ -231,7 +231,7 @@ def test_matrices_lose_area_and_rotors_keep_it():
     assert abs(values["rotor"] - 100.0) < 0.5
     assert values["apart"] > 0.03
     assert values["area kept"] == values["linear"]
-    stage.post(SetKnob("blend", "rotor"))
+    stage.post(SetParameter("blend", "rotor"))
     stage.run(1)
     assert readouts(stage)["area kept"] == pytest.approx(readouts(stage)["rotor"])
 
@@ -250,7 +250,7 @@ def test_stepping_back_undoes_edits_and_replays_exactly():
     stage.run(3)
     digest = stage.digest()
     bone = 0.5 * (stage.scene.rig.skeleton.bases[1] + stage.scene.rig.skeleton.ends[1])
-    stage.post(SetKnob("tool", "bone"))
+    stage.post(SetParameter("tool", "bone"))
     click(stage, bone)
     click(stage, (1.2, 1.1))
     stage.run(2)

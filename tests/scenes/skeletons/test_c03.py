@@ -12,12 +12,12 @@ from game.levels import Level, format_level, level_files, parse_level
 from game.scenes.skeletons.chain_view import cell_at, cells_of
 from game.scenes.skeletons.inverse_kinematics import NAMES, SHOWN, InverseKinematics
 from game.scenes.skeletons.level import FigureContent, bone_named
-from game.stage import Action, SetEffect, SetKnob, Stage, replay_scene
+from game.stage import Action, SetEffect, SetParameter, Stage, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release
 
 
-def still(name="default", **knobs):
-    return open_level(InverseKinematics, name, motion=False, **knobs)
+def still(name="default", **declared):
+    return open_level(InverseKinematics, name, motion=False, **declared)
 
 
 def outside(stage, point, k=None):
@@ -72,16 +72,16 @@ def test_bones_are_made_and_turned_as_in_c02():
     click(stage, outside(stage, (0.5, 1.0)))
     click(stage, outside(stage, (0.9, 1.1)))
     assert stage.scene.rig.skeleton.parents.tolist() == [-1, 0, 1]
-    stage.post(SetKnob("tool", "chain"))
+    stage.post(SetParameter("tool", "chain"))
     click(stage, outside(stage, middle_of(stage, "root")))
     click(stage, outside(stage, middle_of(stage, "bone 2")))
     assert stage.scene.inside.tolist() == [0, 1, 2]
-    stage.post(SetKnob("tool", "pull"))
+    stage.post(SetParameter("tool", "pull"))
     press(stage, outside(stage, (0.2, 0.9)))
     release(stage, outside(stage, (0.2, 0.9)))
     stage.run(80)
     assert np.allclose(stage.scene.rig.skeleton.ends[2], (0.2, 0.9), rtol=0, atol=1e-5)
-    stage.post(SetKnob("tool", "pose"))
+    stage.post(SetParameter("tool", "pose"))
     before = stage.scene.rig.skeleton.angles.copy()
     at = middle_of(stage, "bone 1")
     press(stage, outside(stage, at))
@@ -124,8 +124,8 @@ def test_out_of_reach_nobody_shakes():
     assert np.abs(stage.scene.methods - before).max() < 2e-3
     for name in NAMES:
         assert readouts(stage)[name] == pytest.approx(1.20555127546399, abs=1e-5)
-    stage.post(SetKnob("adaptive", False))
-    stage.post(SetKnob("damping", 0.01))
+    stage.post(SetParameter("adaptive", False))
+    stage.post(SetParameter("damping", 0.01))
     turns = []
     for _ in range(20):
         stage.run(1)
@@ -179,7 +179,7 @@ def test_pulls_and_picks_are_undone():
     stage.post(Action("redo"))
     assert (stage.scene.target == pulled).all()
     stage.post(Action("undo"))
-    stage.post(SetKnob("tool", "chain"))
+    stage.post(SetParameter("tool", "chain"))
     chain = stage.scene.rig.figure.chain
     click(stage, outside(stage, middle_of(stage, "left thigh")))
     click(stage, outside(stage, middle_of(stage, "left foot")))

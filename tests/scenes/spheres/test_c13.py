@@ -15,7 +15,7 @@ from game.scenes.spheres import view as c13_view
 from game.scenes.spheres.ledger import entry_of, momentum_lost
 from game.scenes.spheres.level import CollisionContent
 from game.scenes.spheres.scene import SphereCollisions
-from game.stage import Action, KnobError, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage
 from game.stage.states.state import copy_state
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
@@ -92,8 +92,8 @@ def test_spheres_are_clicked_and_taken_away():
 def test_real_masses():
     """C13.3: density times volume and 2/5 m r², live; a mass of its own is kept."""
     stage = opened("hard-05-mass-ratio")
-    stage.post(SetKnob("density", 3.0))
-    stage.post(SetKnob("real", True))
+    stage.post(SetParameter("density", 3.0))
+    stage.post(SetParameter("real", True))
     makeup = bodies_of(stage).makeup
     mass = 3.0 * 4.0 / 3.0 * math.pi * 0.2**3
     assert makeup.masses[0] == pytest.approx(mass)
@@ -202,7 +202,7 @@ def test_pointing_at_a_row_lights_its_pair(monkeypatch):
         named = [int(word) for word in row[0].split(", ") if word != "wall"]
         assert rings == [tuple(place[:2]) for place in bodies_of(stage).places()[named].tolist()]
     assert stage.digest() == digest
-    stage.post(SetKnob("ledger", False))
+    stage.post(SetParameter("ledger", False))
     words.clear(), rings.clear()
     stage.scene.draw(canvas, 1.0)
     assert not words and not rings
@@ -214,7 +214,7 @@ def test_a_force_by_click_and_drag_moves_and_turns():
     stage = opened("two-spheres")
     stage.post(SetEffect("window", False))
     start = bodies_of(stage).state.positions[0, :2].copy()
-    stage.post(SetKnob("push_time", stage.dt))
+    stage.post(SetParameter("push_time", stage.dt))
     before = bodies_of(stage).state.momenta[0].copy()
     press(stage, beside(start, 0.0, 0.5))
     move(stage, beside(start, 1.0, 0.5))
@@ -317,7 +317,7 @@ def test_beside_the_event_driven_run():
     stage.post(SetEffect("impact-times", False))
     wait(stage, 1.0)
     assert readouts(stage)["beside exact"] > 1e-3
-    stage.post(SetKnob("restitution", 0.5))
+    stage.post(SetParameter("restitution", 0.5))
     assert stage.scene.exact is None
 
 
@@ -341,7 +341,7 @@ def test_the_event_driven_run_is_drawn_at_the_instant_of_the_spheres(monkeypatch
     assert np.allclose(discs, dashed, rtol=0, atol=1e-6)
 
 
-@pytest.mark.parametrize("event", [SetKnob("gravity", 3.0), SetEffect("gravity", False)])
+@pytest.mark.parametrize("event", [SetParameter("gravity", 3.0), SetEffect("gravity", False)])
 def test_the_exact_run_ends_with_its_gravity(event):
     """Else it would go on with the old one, but with the new one after a step back."""
     stage = opened("bouncing")
@@ -424,8 +424,8 @@ def test_what_hard_levels_show():
 def test_restitution_out_of_range_is_refused():
     stage = opened("default")
     for value in (-0.1, 1.1, math.nan):
-        with pytest.raises(KnobError, match="restitution"):
-            stage.post(SetKnob("restitution", value))
+        with pytest.raises(ParameterError, match="restitution"):
+            stage.post(SetParameter("restitution", value))
 
 
 # -- files, memory --------------------------------------------------------------------------------------

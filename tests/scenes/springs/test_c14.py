@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game.scenes.springs.rigid_links import RigidLinks
-from game.stage import SetEffect, SetKnob
+from game.stage import SetEffect, SetParameter
 from tests.scenes.particle_stages import drag, move, open_level, press, readouts
 
 
@@ -108,6 +108,6 @@ def test_compliance_makes_a_link_a_spring():
     stage = open_level(RigidLinks, "pendulum", model="xpbd", compliance=0.01, damping=20.0, iterations=4)
     stage.run(1200)
     assert math.dist(*stage.scene.system.positions) - 2.0 == pytest.approx(0.0981, abs=1e-6)
-    stage.post(SetKnob("compliance", 0.001))
+    stage.post(SetParameter("compliance", 0.001))
     stage.run(600)
     assert math.dist(*stage.scene.system.positions) - 2.0 == pytest.approx(0.00981, abs=1e-6)

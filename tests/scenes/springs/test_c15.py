@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from game.scenes.springs.soft_springs import Springs
-from game.stage import SetEffect, SetKnob
+from game.stage import SetEffect, SetParameter
 from tests.scenes.particle_stages import click, open_level, readouts
 
 G = 9.81
@@ -58,7 +58,7 @@ def test_a_spring_gets_a_stiffness_of_its_own():
     stage = open_level(Springs, "three-springs", damping=20.0)
     click(stage, stage.scene.system.positions[1])
     assert stage.scene.values["own_stiffness"] == 0.02
-    stage.post(SetKnob("own_stiffness", 1.0))
+    stage.post(SetParameter("own_stiffness", 1.0))
     stage.run(600)
     assert stretches(stage)[0] == pytest.approx(0.0, abs=1e-9)
     assert stretches(stage)[1] > 5e-4

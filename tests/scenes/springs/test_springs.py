@@ -11,7 +11,7 @@ from game.levels import Level, LevelError, format_level, level_files, parse_leve
 from game.scenes.springs.level import SpringContent
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
-from game.stage import Action, KnobError, SetEffect, SetKnob, replay_scene
+from game.stage import Action, ParameterError, SetEffect, SetParameter, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 SCENES = (RigidLinks, Springs)
@@ -19,9 +19,9 @@ LEVELS = [(scene, path) for scene in SCENES for path in level_files(scene.name)]
 both = pytest.mark.parametrize("scene_type", SCENES, ids=lambda scene: scene.name)
 
 
-def sheet(scene_type, **knobs):
+def sheet(scene_type, **declared):
     """Two particles and a link, the first of them fixed."""
-    return open_level(scene_type, "draw", tool="hand", **knobs)
+    return open_level(scene_type, "draw", tool="hand", **declared)
 
 
 @both
@@ -29,14 +29,14 @@ def test_particles_and_links_are_clicked_together(scene_type):
     """C14.1, C15.1: also while it stands still, and saved and read back."""
     stage = sheet(scene_type)
     stage.pause()
-    stage.post(SetKnob("tool", "particle"))
-    stage.post(SetKnob("mass", 3.0))
+    stage.post(SetParameter("tool", "particle"))
+    stage.post(SetParameter("mass", 3.0))
     for point in ((-2.0, 2.0), (-1.0, 2.0), (-1.5, 3.0)):
         click(stage, point)
     scene = stage.scene
     assert scene.system.count == 5
     assert np.allclose(scene.system.inverse_masses[2:], 1 / 3)
-    stage.post(SetKnob("tool", "link"))
+    stage.post(SetParameter("tool", "link"))
     click(stage, (-2.0, 2.0))
     click(stage, (-1.0, 2.0))
     drag(stage, (-1.0, 2.0), (-1.5, 3.0), steps=2, run=0)
@@ -58,7 +58,7 @@ def test_particles_and_links_are_clicked_together(scene_type):
 
 @both
 def test_inverse_mass_nought_is_fixed_and_masses_are_typed(scene_type):
-    """C14.2, C15.2: pinned and freed by a click; the mass of the chosen one by its knob."""
+    """C14.2, C15.2: pinned and freed by a click; the mass of the chosen one by its parameter."""
     stage = sheet(scene_type)
     scene = stage.scene
     stage.run(30)
@@ -71,9 +71,9 @@ def test_inverse_mass_nought_is_fixed_and_masses_are_typed(scene_type):
     stage.post(Action("hand"))
     click(stage, scene.system.positions[1])
     assert scene.chosen == 1
-    stage.post(SetKnob("mass", 50.0))
+    stage.post(SetParameter("mass", 50.0))
     assert scene.system.inverse_masses[1] == pytest.approx(0.02)
-    stage.post(SetKnob("fixed", True))
+    stage.post(SetParameter("fixed", True))
     there = scene.system.positions[1].copy()
     stage.run(20)
     assert np.array_equal(scene.system.positions[1], there)
@@ -90,7 +90,7 @@ def test_the_ground_pushes_up_and_gravity_pulls_down(scene_type):
     stage.post(SetEffect("ground", False))
     stage.run(60)
     assert stage.scene.system.positions[:, 1].max() < -3.0
-    stage.post(SetKnob("gravity", -10.0))
+    stage.post(SetParameter("gravity", -10.0))
     stage.run(240)
     assert stage.scene.system.positions[:, 1].min() > 0.0
 
@@ -195,11 +195,11 @@ def test_a_recorded_session_with_edits_replays_exactly(scene_type):
     stage = open_level(scene_type, "default")
     stage.run(5)
     drag(stage, stage.scene.system.positions[9], (0.0, 4.0), steps=6)
-    stage.post(SetKnob("tool", "particle"))
+    stage.post(SetParameter("tool", "particle"))
     click(stage, (0.0, 4.2))
-    stage.post(SetKnob("iterations", 5))
+    stage.post(SetParameter("iterations", 5))
     stage.run(3)
-    stage.post(SetKnob("tool", "link"))
+    stage.post(SetParameter("tool", "link"))
     click(stage, stage.scene.system.positions[-1])
     click(stage, stage.scene.system.positions[3])
     drag(stage, (-3.0, 3.5), (3.0, 0.5), button=3, steps=4)
@@ -269,8 +269,8 @@ def test_what_is_broken_in_a_level_is_named(text, field):
 
 def test_a_solver_that_does_not_fit_is_refused_and_the_old_one_goes_on():
     stage = open_level(RigidLinks, "default")
-    with pytest.raises(KnobError, match="fork"):
-        stage.post(SetKnob("solver", "direct"))
+    with pytest.raises(ParameterError, match="fork"):
+        stage.post(SetParameter("solver", "direct"))
     assert stage.scene.solver == "gauss-seidel"
     stage.run(2)
     assert stage.fault is None

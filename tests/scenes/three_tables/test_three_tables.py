@@ -8,7 +8,7 @@ import pytest
 from game.levels import level_files, load_level
 from game.scenes.three_tables.scene import ThreeTables
 from game.scenes.three_tables.view import ORIGINS, table_at
-from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.stage.states.memory import remember
 
 
@@ -90,7 +90,7 @@ def test_a_stroke_is_computed_as_time_goes_on_and_not_before():
 
 def test_time_stands_still_until_a_shorter_step_has_caught_up():
     stage = seconds(open_level("hard-01-chaos"), 3.0)
-    stage.post(SetKnob("stepped_step", LONG["stepped_step"]))
+    stage.post(SetParameter("stepped_step", LONG["stepped_step"]))
     time = float(stage.scene.shot[1])
     stage.run(1)
     assert stage.scene.shot[1] == time
@@ -104,7 +104,7 @@ def test_what_has_been_computed_before_leaves_no_trace():
     def digests(far: bool) -> list[str]:
         stage = seconds(open_level("hard-01-chaos"), 2.5)
         for step in (1 / 4000, 1 / 20000, 1 / 4000):
-            stage.post(SetKnob("stepped_step", step))
+            stage.post(SetParameter("stepped_step", step))
             if far:
                 stage.scene.played.compute(4.0)
             stage.run(5)
@@ -162,7 +162,7 @@ def test_digests_agree_on_two_runs_and_after_stepping_back():
     def played() -> Stage:
         stage = open_level("default")
         seconds(stage, 2.0)
-        stage.post(SetKnob("stepped_step", 1 / 100))
+        stage.post(SetParameter("stepped_step", 1 / 100))
         seconds(stage, 1.0)
         stage.post(SetEffect("throw", False))
         return seconds(stage, 1.0)

@@ -8,7 +8,7 @@ import pytest
 from game.levels import level_files, load_level
 from game.scenes.two_balls import record
 from game.scenes.two_balls.scene import LectureBalls
-from game.stage import Action, Pointer, SetEffect, SetKnob, Stage
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 
 
 def open_level(name: str = "default", **parameters) -> Stage:
@@ -125,7 +125,7 @@ def test_two_runs_and_a_way_back_give_one_digest():
     def played() -> Stage:
         stage = open_level()
         stage.run(60)
-        stage.post(SetKnob("mass_ratio", 3.0))
+        stage.post(SetParameter("mass_ratio", 3.0))
         stage.run(40)
         stage.post(Pointer("down", *stage.scene.balls[0].position, button=1))
         stage.post(Pointer("move", 200.0, 150.0, button=1))

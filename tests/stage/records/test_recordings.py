@@ -16,7 +16,7 @@ from game.stage import (
     Recording,
     RecordingError,
     SetEffect,
-    SetKnob,
+    SetParameter,
     Stage,
     replay,
     replay_scene,
@@ -37,7 +37,7 @@ def played() -> Stage:
     stage.post(KICK)
     stage.run(100)
     stage.post(Pointer("down", 0.1, 0.2, 1))
-    stage.post(SetKnob("height", 3.0))
+    stage.post(SetParameter("height", 3.0))
     stage.run(45)
     stage.post(KICK)
     return stage
@@ -73,10 +73,10 @@ class TestRoundTrip:
         content = CloudContent(points=[(1.0 / 3.0, -2.5e-17), (1e100 * 1e-99, 5.0)], speed=0.1)
         level = Level(scene="cloud", title="Two", seed=12, parameters={"births": 0.25}, content=content)
         stage = Stage(Cloud, level=level, parameters={"first": 4}, seed=99)
-        stage.post(SetKnob("step_length", 0.02))
+        stage.post(SetParameter("step_length", 0.02))
         stage.run(200)
         stage.post(BURST)
-        stage.post(SetKnob("first", 9))
+        stage.post(SetParameter("first", 9))
         stage.run(20)
         stage.recording.save(tmp_path / "r.json")
         again = replay_scene(Recording.load(tmp_path / "r.json"), Cloud)

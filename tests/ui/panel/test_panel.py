@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.levels import Level
-from game.stage import KnobError, Param, SetEffect, SetKnob, Stage, Table
+from game.stage import Param, ParameterError, SetEffect, SetParameter, Stage, Table
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
 from game.ui.panel.effects import EffectRow
@@ -48,7 +48,7 @@ class Desk:
     def row(self, kind, name):
         for row in self.panel._sheet.rows:
             if isinstance(row, kind) and name in (
-                getattr(getattr(row, "knob", None), "name", None),
+                getattr(getattr(row, "parameter", None), "name", None),
                 getattr(getattr(row, "effect", None), "name", None),
                 getattr(row, "label", None),
             ):
@@ -88,9 +88,9 @@ def desk():
 
 def test_a_click_on_the_track_sets_the_value(desk):
     row = desk.row(SliderRow, "restitution")
-    assert click(desk.panel, desk.place(row, 16 + 8 + 272, 30)) == [SetKnob("restitution", 1.0)]
+    assert click(desk.panel, desk.place(row, 16 + 8 + 272, 30)) == [SetParameter("restitution", 1.0)]
     wishes = click(desk.panel, desk.place(row, 16 + 8, 30))
-    assert wishes == [SetKnob("restitution", 0.0)]
+    assert wishes == [SetParameter("restitution", 0.0)]
     desk.apply(wishes)
     assert row.value == 0.0
 
@@ -106,12 +106,12 @@ def test_a_drag_follows_the_pointer_even_outside_and_ends_with_the_button(desk):
     assert desk.stage.scene.restitution == 1.0
 
 
-def test_a_knob_that_rebuilds_is_sent_on_release(desk):
+def test_a_parameter_that_rebuilds_is_sent_on_release(desk):
     row = desk.row(SliderRow, "drop")
     x, y = desk.place(row, 24, 30)
     assert desk.panel.handle(down(x, y)) == []
     assert row.value == 0.5  # shown while dragged
-    assert desk.panel.handle(up(x, y)) == [SetKnob("drop", 0.5)]
+    assert desk.panel.handle(up(x, y)) == [SetParameter("drop", 0.5)]
 
 
 def test_losing_the_window_drops_a_drag(desk):
@@ -125,10 +125,10 @@ def test_losing_the_window_drops_a_drag(desk):
 
 def test_a_double_click_goes_back_to_the_default(desk):
     row = desk.row(SliderRow, "restitution")
-    desk.apply([SetKnob("restitution", 0.9)])
+    desk.apply([SetParameter("restitution", 0.9)])
     place = desk.place(row, 60, 10)
     assert click(desk.panel, place) == []
-    assert click(desk.panel, place) == [SetKnob("restitution", 0.5)]
+    assert click(desk.panel, place) == [SetParameter("restitution", 0.5)]
 
 
 def type_in(desk, row, text, key=pygame.K_RETURN):
@@ -144,9 +144,9 @@ def type_in(desk, row, text, key=pygame.K_RETURN):
 
 def test_a_number_is_typed_in_the_unit_shown(desk):
     row = desk.row(SliderRow, "hold")
-    assert shown_value(row.knob, row.value) == ("4.00", "ms")
-    assert type_in(desk, row, "25") == [SetKnob("hold", 0.025)]
-    assert type_in(desk, row, "0.05 s") == [SetKnob("hold", 0.05)]
+    assert shown_value(row.parameter, row.value) == ("4.00", "ms")
+    assert type_in(desk, row, "25") == [SetParameter("hold", 0.025)]
+    assert type_in(desk, row, "0.05 s") == [SetParameter("hold", 0.05)]
     assert type_in(desk, row, "7", pygame.K_ESCAPE) == []
 
 
@@ -163,15 +163,15 @@ def test_a_click_elsewhere_takes_over_what_was_typed(desk):
     click(desk.panel, desk.place(row, 262, 10))
     desk.panel.handle(event(pygame.TEXTINPUT, text="1"))
     wishes = click(desk.panel, desk.place(desk.row(SliderRow, "rate"), 40, 10))
-    assert SetKnob("restitution", 1.0) in wishes and not desk.panel.typing
+    assert SetParameter("restitution", 1.0) in wishes and not desk.panel.typing
 
 
 def test_segments_switches_and_effects(desk):
     row = desk.row(SegmentsRow, "method")
-    assert click(desk.panel, desk.place(row, 40, 16)) == [SetKnob("method", "explicit-euler")]
+    assert click(desk.panel, desk.place(row, 40, 16)) == [SetParameter("method", "explicit-euler")]
     assert click(desk.panel, desk.place(row, 280, 16)) == []  # already chosen
     assert click(desk.panel, desk.place(desk.row(SwitchRow, "shadow".capitalize()), 30, 16)) == [
-        SetKnob("shadow", False)
+        SetParameter("shadow", False)
     ]
     row = desk.row(EffectRow, "test-gravity")
     wishes = click(desk.panel, desk.place(row, 30, 16))
@@ -241,7 +241,7 @@ def test_a_long_choice_is_a_list_and_opens_within_reach(desk):
     desk.panel.handle(move(*place))
     assert menu.is_open and menu.foot <= desk.panel.scroll + desk.panel.view.h
     row = (RECT.x + 100, RECT.y + menu.rect.bottom + 32 * 3 + 16 - desk.panel.scroll)
-    assert click(desk.panel, row) == [SetKnob("order", "as-printed")]
+    assert click(desk.panel, row) == [SetParameter("order", "as-printed")]
 
 
 def test_the_value_that_stands_closes_the_list_too(desk):
@@ -268,14 +268,14 @@ def test_escape_closes_an_open_list(desk):
 
 def test_values_from_elsewhere_show(desk):
     before = desk.picture()
-    desk.stage.post(SetKnob("restitution", 0.9))
+    desk.stage.post(SetParameter("restitution", 0.9))
     changed = desk.picture()
     assert changed != before
-    desk.stage.post(SetKnob("order", "joint"))
+    desk.stage.post(SetParameter("order", "joint"))
     desk.picture()
     assert desk.panel._sheet.menus["order"].selected_option[1] == "joint"
-    desk.stage.post(SetKnob("order", "pairwise"))
-    desk.stage.post(SetKnob("restitution", 0.5))
+    desk.stage.post(SetParameter("order", "pairwise"))
+    desk.stage.post(SetParameter("restitution", 0.5))
     assert desk.picture() == before
 
 
@@ -285,8 +285,8 @@ def test_a_quiet_panel_that_follows_the_scene_shows_what_a_new_one_shows(desk):
         desk.frame()  # at rest
     sheet = desk.panel._sheet
     for value, method in ((0.9, "explicit-euler"), (0.2, "explicit-euler"), (0.7, desk.stage.scene.method)):
-        desk.stage.post(SetKnob("restitution", value))
-        desk.stage.post(SetKnob("method", method))
+        desk.stage.post(SetParameter("restitution", value))
+        desk.stage.post(SetParameter("method", method))
         for _ in range(40):
             desk.frame()
     assert desk.panel._sheet is sheet
@@ -298,7 +298,7 @@ def test_a_quiet_panel_that_follows_the_scene_shows_what_a_new_one_shows(desk):
 
 def test_two_clicks_far_apart_in_time_are_no_double_click(desk):
     row = desk.row(SliderRow, "restitution")
-    desk.apply([SetKnob("restitution", 0.9)])
+    desk.apply([SetParameter("restitution", 0.9)])
     place = desk.place(row, 60, 10)
     click(desk.panel, place)
     for _ in range(60):
@@ -306,7 +306,7 @@ def test_two_clicks_far_apart_in_time_are_no_double_click(desk):
     assert click(desk.panel, place) == []
 
 
-def test_a_linear_knob_with_a_grain_keeps_its_unit():
+def test_a_linear_parameter_with_a_grain_keeps_its_unit():
     time = Param(0.0, 0.0, 1.0, unit="s", step=0.001)
     time.name = "time"
     assert shown_value(time, 0.004) == ("0.004", "s")
@@ -319,7 +319,7 @@ def test_another_scene_of_the_type_takes_over_without_a_new_sheet(desk):
     desk.stage.reset()
     desk.frame(0.3)
     assert desk.panel._sheet is sheet
-    desk.stage.post(SetKnob("restitution", 0.25))
+    desk.stage.post(SetParameter("restitution", 0.25))
     desk.frame()
     assert desk.row(SliderRow, "restitution").value == 0.25
 
@@ -333,7 +333,7 @@ def test_measures_show_what_the_bar_has_no_room_for(desk):
 
 def test_keys_move_the_focused_control(desk):
     assert desk.panel.focus_next()
-    assert desk.panel.handle(press(pygame.K_RIGHT)) == [SetKnob("drop", 3.1)]
+    assert desk.panel.handle(press(pygame.K_RIGHT)) == [SetParameter("drop", 3.1)]
     assert desk.panel.focus_next()
     wishes = desk.panel.handle(press(pygame.K_LEFT))
     assert wishes[0].name == "rate" and wishes[0].value < 8000
@@ -409,7 +409,10 @@ def test_a_thousand_random_events(desk):
             )
         desk.apply(desk.panel.handle(made))
     scene = desk.stage.scene
-    assert all(knob.check(scene.values[name]) == scene.values[name] for name, knob in scene.knobs().items())
+    assert all(
+        parameter.check(scene.values[name]) == scene.values[name]
+        for name, parameter in scene.declared_parameters().items()
+    )
     assert desk.stage.fault is None
 
 
@@ -426,27 +429,27 @@ PARAMS = (
 
 
 @given(st.sampled_from(PARAMS), st.floats(-0.5, 1.5))
-def test_every_place_on_a_track_is_a_value_the_knob_takes(knob, share):
-    value = value_at(knob, share)
-    assert knob.check(int(value) if knob.whole else value) == value
-    assert abs(share_of(knob, value) - min(max(share, 0.0), 1.0)) < 0.5
+def test_every_place_on_a_track_is_a_value_the_parameter_takes(parameter, share):
+    value = value_at(parameter, share)
+    assert parameter.check(int(value) if parameter.whole else value) == value
+    assert abs(share_of(parameter, value) - min(max(share, 0.0), 1.0)) < 0.5
 
 
 @given(st.sampled_from(PARAMS))
-def test_the_ends_of_a_track_are_the_ends_of_the_range(knob):
-    assert value_at(knob, 0.0) == knob.minimum
-    assert knob.maximum - value_at(knob, 1.0) < (knob.step or 1e-9)
+def test_the_ends_of_a_track_are_the_ends_of_the_range(parameter):
+    assert value_at(parameter, 0.0) == parameter.minimum
+    assert parameter.maximum - value_at(parameter, 1.0) < (parameter.step or 1e-9)
 
 
 @given(st.sampled_from(PARAMS), st.floats(0.0, 1.0))
-def test_what_is_shown_can_be_typed_back(knob, share):
-    value = value_at(knob, share)
-    number, unit = shown_value(knob, value)
+def test_what_is_shown_can_be_typed_back(parameter, share):
+    value = value_at(parameter, share)
+    number, unit = shown_value(parameter, value)
     for text in (number, f"{number} {unit}"):
         try:
-            back = read_value(knob, text, unit)
-        except KnobError:
-            assert abs(value - knob.minimum) < 1e-6  # three digits of it may lie below the range
+            back = read_value(parameter, text, unit)
+        except ParameterError:
+            assert abs(value - parameter.minimum) < 1e-6  # three digits of it may lie below the range
             continue
         assert abs(back - value) <= 6e-3 * abs(value) + 1e-12
 

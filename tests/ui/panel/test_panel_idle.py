@@ -5,7 +5,7 @@ from __future__ import annotations
 import pygame
 import pytest
 
-from game.stage import SetKnob, Stage
+from game.stage import SetParameter, Stage
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK, LIGHT
 from game.ui.panel.panel import Panel
@@ -19,7 +19,7 @@ WHY = "Nothing emits."
 
 
 class Still(Sample):
-    """While the ball keeps all its speed, four knobs of every kind do nothing."""
+    """While the ball keeps all its speed, four parameters of every kind do nothing."""
 
     name = "still"
 
@@ -43,7 +43,7 @@ class Desk:
 
     def set(self, **values):
         for name, value in values.items():
-            self.stage.post(SetKnob(name, value))
+            self.stage.post(SetParameter(name, value))
         self.frame()
 
     def thing(self, name):
@@ -88,7 +88,7 @@ def test_an_idle_control_is_grey_takes_no_hand_and_says_why(desk, name):
     desk.panel.handle(move(*place))
     assert not (desk.panel.tip() or ("",))[0].startswith(WHY)
     wishes = click(desk.panel, place)
-    assert desk.panel.has_open_list if name == "order" else isinstance(wishes[0], SetKnob)
+    assert desk.panel.has_open_list if name == "order" else isinstance(wishes[0], SetParameter)
 
 
 def test_the_keyboard_passes_over_idle_controls_and_leaves_one_that_falls_idle(desk):
@@ -108,4 +108,4 @@ def test_the_keyboard_passes_over_idle_controls_and_leaves_one_that_falls_idle(d
 
 
 def test_a_scene_that_says_nothing_has_no_idle_control():
-    assert all(not Stage(Sample).scene.why_idle(name) for name in Sample.knobs())
+    assert all(not Stage(Sample).scene.why_idle(name) for name in Sample.declared_parameters())
