@@ -24,7 +24,7 @@ FOLDERS = {
         "effects integrators",
         "fields proximity_effects",
         "animation bounds broadphase constraints narrowphase particles rigid",
-        "spheres",
+        "spheres oscillators",
     ),
     "billiards": (
         "table",

@@ -9,6 +9,7 @@ from game.scenes import (
     bounds,
     boxes,
     convex,
+    examples,
     fountain,
     key_frames,
     lecture_table,
@@ -36,5 +37,6 @@ CATALOGUE = Catalogue(
         *convex.ENTRIES,
         *rigid_body.ENTRIES,
         *spheres.ENTRIES,
+        *examples.ENTRIES,
     )
 )
