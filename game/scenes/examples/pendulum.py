@@ -35,7 +35,7 @@ class Pendulum(Scene):
     start = Param(60.0, -179.0, 179.0, unit="°", rebuild=True, help="angle at which it is let go")
     step_length = Param(1.0 / 120.0, 1.0 / 2000.0, 0.1, unit="s", log=True, help="of time")
     strips = (Strip("Energy", "J/kg", ("energy",)), Strip("Error", "°", ("error",)))
-    equations = (Equation("Motion", r"\ddot{\varphi} = -\frac{g}{l} \sin \varphi", "Newton 1687"),)
+    equations = (Equation("Motion", r"\ddot{\phi} = -\frac{g}{l} \sin \phi", "Newton 1687"),)
     try_this = ("Choose explicit Euler: the energy grows, until the pendulum turns over.",)
     figure = staticmethod(draw_forces)
     study = swing_study("pendulum")
