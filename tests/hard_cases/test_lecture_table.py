@@ -376,7 +376,7 @@ def test_h13_bounce_factor_at_its_ends(e):
 
 
 @pytest.mark.parametrize("e", [1.0000001, 2.0, -0.1, math.nan, math.inf])
-@pytest.mark.parametrize("knob", ["bounce", "restitution", "friction"])
+@pytest.mark.parametrize("parameter", ["bounce", "restitution", "friction"])
 def test_h13_factors_that_would_feed_energy_are_refused(parameter, e):
     with pytest.raises(ValueError, match=parameter):
         LectureSettings(**{parameter: e})

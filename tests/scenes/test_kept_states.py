@@ -108,7 +108,7 @@ def test_points_that_come_to_stand_above_each_other(kind):
         for turn in range(4):
             points = np.array(places) @ np.linalg.matrix_power([[0.0, 1.0], [-1.0, 0.0]], turn)
             build_tree(points, kind, 4).check()
-            build_tree(points, kind, 1, fit="calipers").check()
+            build_tree(points, kind, 1, fit="thinnest").check()
 
 
 @pytest.mark.parametrize("kind", ["obb", "capsule", "aabb"])

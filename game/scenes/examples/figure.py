@@ -21,7 +21,7 @@ def draw_forces(pen: Pen) -> None:
     pen.formula(r"m g", mass[0] + 20.0, mass[1] + 50.0, "chalk")
     along = 58.0 * math.sin(angle)
     pen.arrow(mass, (mass[0] - along * math.cos(angle), mass[1] + along * math.sin(angle)), "amber", 2.2)
-    pen.formula(r"m g \sin \phi", mass[0] - 68.0, mass[1] + 26.0, "amber")
+    pen.formula(r"m g \sin \phi", 108.0, mass[1] + 30.0, "amber")
     pen.disc(*mass, 11.0, "body")
     pen.disc(*mass, 11.0, "text1", ring=1.4)
     dot(pen, pivot)

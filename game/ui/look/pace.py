@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from game.stage import Stage
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # a menu needs no compiler
+    from game.stage import Stage
 
 WINDOW_S = 1.0  # of real time over which it is measured, at least
 WINDOW_STEPS = 10  # of the scene, at least: time goes on by whole steps

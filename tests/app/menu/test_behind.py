@@ -139,7 +139,7 @@ def test_figures_go_on_while_steps_are_made_in_a_thread(opened, monkeypatch):
     assert sum(elapsed) == pytest.approx(frames / 60.0, abs=3.0 / 60.0)
 
 
-@pytest.mark.parametrize(("name", "knob"), (("c05", "count"), ("c04", "places")))
+@pytest.mark.parametrize(("name", "parameter"), (("c05", "count"), ("c04", "places")))
 @pytest.mark.parametrize("value", (None, (1, 2), "many", float("nan"), -1.0))
 def test_what_is_no_value_of_a_parameter_is_refused_at_once(opened, name, parameter, value):
     play = opened(name).top.play

@@ -249,7 +249,7 @@ def test_slider_is_dragged_with_the_mouse(scene: Driver):
     y = next(
         row.rect.y
         for row in scene.top.shell.panel._sheet.rows
-        if getattr(getattr(row, "knob", None), "name", "") == "gravity"
+        if getattr(getattr(row, "parameter", None), "name", "") == "gravity"
     )
     at = (panel.x + 160, panel.y + y + 28)
     scene.move(*at)

@@ -387,7 +387,7 @@ def test_bad_steps_are_refused(dt):
 
 
 @pytest.mark.parametrize(
-    ("knob", "value"),
+    ("parameter", "value"),
     [
         ("minimum_speed", -1.0),
         ("substeps", -1),

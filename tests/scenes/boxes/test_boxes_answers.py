@@ -137,7 +137,7 @@ def test_the_heavy_tails_parameters_act_where_there_is_one(scene_type):
 
 
 @pytest.mark.parametrize(
-    ("name", "count", "knob"),
+    ("name", "count", "parameter"),
     [
         ("c06", 4097, "manager"),
         ("c06", 4001, "cells"),

@@ -336,7 +336,7 @@ def test_what_is_broken_in_a_level_is_named(text, field):
 
 
 @pytest.mark.parametrize(
-    ("knob", "value"), [("rate", -1.0), ("life", 0.0), ("method", "magic"), ("places", 0)]
+    ("parameter", "value"), [("rate", -1.0), ("life", 0.0), ("method", "magic"), ("places", 0)]
 )
 def test_values_out_of_range_are_refused(parameter, value):
     stage = open_level(Fountain, "default", **FAST)
