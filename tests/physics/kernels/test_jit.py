@@ -69,6 +69,8 @@ print(json.dumps({
 }))
 """
 
+COMPILER = ("jit", "jit_cache", "jit_sources")
+
 
 class Answer(NamedTuple):
     """What a probing process says."""
@@ -90,12 +92,12 @@ class Copy:
         self.folder = folder
         self.cache = folder / "cache"
         source = Path(game.__file__).parent
-        physics = folder / "game" / "physics"
-        physics.mkdir(parents=True)
+        kernels = folder / "game" / "physics" / "kernels"
+        kernels.mkdir(parents=True)
         for name in ("__init__.py", "folders.py", "trust.py"):
             shutil.copy(source / name, folder / "game" / name)
-        for name in ("__init__.py", "jit.py", "jit_cache.py", "jit_sources.py"):
-            shutil.copy(source / "physics" / name, physics / name)
+        for name in ("__init__.py", "kernels/__init__.py", *(f"kernels/{file}.py" for file in COMPILER)):
+            shutil.copy(source / "physics" / name, folder / "game" / "physics" / name)
         self.write("physics/helping.py", HELPER)
         self.write("physics/using.py", USER)
         self.write("constants.py", CONSTANTS)
