@@ -7,7 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from game.billiards.laws.contacts import CUSHION_MODELS
+from game.levels import parse_level
 from game.physics import effects
+from game.scenes import CATALOGUE
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.theme import DARK
 
 ROOT = Path(__file__).resolve().parents[1]
 GUIDE = (ROOT / "assets" / "GUIDE.md").read_text(encoding="utf-8")
@@ -34,7 +39,9 @@ def run(heading: str) -> dict:
 
 def test_a_scene(capsys):
     names = run("Add a scene")
-    assert "240 steps, digest" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "240 steps, digest" in said and "1.592 turns" in said
+    assert names["PENDULUM"].names == ("pendulum", "X01", "Pendulum")
     stage = names["stage"]
     before = stage.digest()
     assert stage.step_back()
@@ -45,6 +52,28 @@ def test_a_scene(capsys):
 def test_an_effect(capsys, no_trace):
     run("Add an effect")
     assert capsys.readouterr().out.strip() == "[0.05 0.05 0.05]"
+
+
+def test_a_contact_model(capsys):
+    run("Add a contact model")
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == len(CUSHION_MODELS)
+    assert all(float(line.split()[-2]) > 1.0 for line in lines)
+
+
+def test_levels_it_shows_are_read():
+    (text,) = re.findall(r"```toml\n(.*?)```", GUIDE, re.S)
+    level = parse_level(text.replace("[content]", "# [content]"), "pendulum", None)
+    assert (level.seed, level.parameters, level.effects_off) == (7, {"start": 3.0}, ("gravity",))
+    assert CATALOGUE["pendulum"].load()(level).active.names == ()
+
+
+def test_verbs_and_colours_it_names_are_there():
+    table = GUIDE[GUIDE.index("### The canvas") : GUIDE.index("### Into the program")]
+    for verb in re.findall(r"`([a-z_]+)\(", table):
+        assert callable(getattr(Canvas, verb)), verb
+    for color in re.findall(r"`([a-z]+\d?)`", table.split("| verb")[0]):
+        assert color == "unit" or hasattr(DARK, color), color
 
 
 def test_an_integrator(capsys):
