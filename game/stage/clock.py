@@ -1,7 +1,7 @@
 """The fixed-step clock: real time in, whole steps out (Fiedler 2004, "Fix your timestep").
 
 Time that is too much for one frame is dropped and counted, so a slow step cannot ask for ever more steps
-(HARD_CASES K-H3); simulated time is an integer number of steps, never a running sum (K-H7).
+(HARD_CASES K-H3); simulated time is an integer number of steps, never a running sum.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import math
 def checked_dt(dt: float) -> float:
     """The length of a step, s; ValueError unless it is a finite number above 0."""
     if isinstance(dt, bool) or not isinstance(dt, (int, float)) or not (math.isfinite(dt) and dt > 0.0):
-        raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+        raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
     return float(dt)
 
 
@@ -25,7 +25,7 @@ class FixedStep:
 
     def __init__(self, dt: float, max_steps: int = 15):
         if isinstance(max_steps, bool) or not isinstance(max_steps, int) or max_steps < 1:
-            raise ValueError(f"max_steps = {max_steps!r}: a whole number of at least 1 is wanted")
+            raise ValueError(f"max_steps = {max_steps!r}: expected a whole number of at least 1")
         self.dt = checked_dt(dt)
         self.max_steps = max_steps
         self.steps = 0

@@ -31,7 +31,7 @@ class EffectMeter:
 
     `costs`: s per step by effect, for one that is on the time saved without it, for one that is off the
     time added with it; effects not measured yet are missing. `bare`: s of a step with all effects off, NaN
-    until measured. `done`: True when all have been measured; changing parameters or effects begins anew.
+    until measured. `done`: True when all have been measured; changing parameters or effects begins again.
 
     ``clock`` gives s. Copies are built, and code of a new variant compiles, in a thread meanwhile.
     """

@@ -1,7 +1,7 @@
 """What comes in to a scene, and all that comes in: pointer, action, decision, parameter set, effect switched.
 
-Each is stamped with the number of steps made before it acts, so a list of them is a replay (HARD_CASES
-K-H8), and a story or a test is written in the same words as a person's hand.
+Each is stamped with the number of steps made before it acts, so a list of them is a replay, and
+a story or a test is written in the same words as a person's hand.
 """
 
 from __future__ import annotations

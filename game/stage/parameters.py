@@ -30,7 +30,7 @@ class Parameter(Generic[T]):
         self._label = label
         self.help = help
         self.group = group
-        self.rebuild = rebuild  # a change builds the scene anew
+        self.rebuild = rebuild  # a change builds the scene again
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
@@ -104,18 +104,18 @@ class Param(Parameter[float]):
     def check(self, value: Any) -> float:
         """The value as a number; ParameterError if it is none, out of range, or not whole if it must be."""
         if isinstance(value, bool) or not isinstance(value, Real):
-            raise self._refuse(value, "a number is wanted")
+            raise self._refuse(value, "expected a number")
         try:
             number = float(value) + 0.0  # no negative zero
         except OverflowError:
             raise self._refuse(math.inf, "too large") from None
         if not math.isfinite(number):
-            raise self._refuse(value, "a finite number is wanted")
+            raise self._refuse(value, "expected a finite number")
         if not self.minimum <= number <= self.maximum:
             unit = f" {self.unit}" if self.unit else ""
             raise self._refuse(value, f"outside {self.minimum:g} to {self.maximum:g}{unit}")
         if self.whole and number != int(number):
-            raise self._refuse(value, "a whole number is wanted")
+            raise self._refuse(value, "expected a whole number")
         return int(number) if self.whole else number
 
     def parse(self, text: str) -> float:
@@ -126,7 +126,7 @@ class Param(Parameter[float]):
         except ValueError as error:
             if isinstance(error, ParameterError):
                 raise
-            raise self._refuse(text, "a number is wanted") from None
+            raise self._refuse(text, "expected a number") from None
 
 
 class Choice(Parameter[str]):
@@ -146,13 +146,13 @@ class Choice(Parameter[str]):
         self.options = options
         self.labels = labels or tuple(option.replace("-", " ").capitalize() for option in options)
         if len(self.labels) != len(options):
-            raise ValueError("Choice: as many labels as options are wanted")
+            raise ValueError("Choice: expected as many labels as options")
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> str:
         """The option; ParameterError, naming all, if it is none."""
         if not isinstance(value, str) or value not in self.options:
-            raise self._refuse(value, "one of " + ", ".join(self.options) + " is wanted")
+            raise self._refuse(value, "expected one of " + ", ".join(self.options))
         return str(value)
 
     def parse(self, text: str) -> str:
@@ -166,7 +166,7 @@ class Toggle(Parameter[bool]):
     def check(self, value: Any) -> bool:
         """The value; ParameterError unless it is True or False."""
         if not isinstance(value, bool):
-            raise self._refuse(value, "true or false is wanted")
+            raise self._refuse(value, "expected true or false")
         return value
 
     def parse(self, text: str) -> bool:
@@ -176,7 +176,7 @@ class Toggle(Parameter[bool]):
             return True
         if word in ("false", "off", "no", "0"):
             return False
-        raise self._refuse(text, "true or false is wanted")
+        raise self._refuse(text, "expected true or false")
 
 
 def parameters_of(owner: type) -> dict[str, Parameter[Any]]:

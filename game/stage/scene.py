@@ -133,7 +133,7 @@ class Scene:
     def _take_over(self, level: Level) -> None:
         """Set parameters and effects as the level says; LevelError naming its file and field."""
         if level.scene != self.name:
-            raise LevelError(level.path, "scene", f"is {level.scene!r}, but {self.name!r} is wanted")
+            raise LevelError(level.path, "scene", f"is {level.scene!r}, expected {self.name!r}")
         for key, value in level.parameters.items():
             try:
                 self.parameter(key).__set__(self, value)
@@ -277,7 +277,7 @@ class Scene:
         return Frame(-1.0, -1.0, 1.0, 1.0)
 
     def readouts(self) -> Sequence[Readout]:
-        """Measured values; the first four are shown in the top bar, those named in strips are charted."""
+        """Measured values; the first is shown in the top bar, those named in strips are charted."""
         return ()
 
     def standing(self) -> Mapping[str, float]:

@@ -32,7 +32,7 @@ Build = Callable[[Mapping[str, Any], EffectSet], Scene]
 
 
 class Session:
-    """A scene from its step 0 on. ``build`` makes it anew with other parameters; ``dt``: s."""
+    """A scene from its step 0 on. ``build`` makes it again with other parameters; ``dt``: s."""
 
     def __init__(self, scene: Scene, build: Build, dt: float, record: bool, snapshot_bytes: int):
         self.scene = scene
@@ -234,7 +234,7 @@ class Session:
         self._schedule()
 
     def _put_back(self, snapshot: Snapshot) -> None:
-        """Make the scene what it was; built anew if a parameter that shapes it has changed since."""
+        """Make the scene what it was; built again if a parameter that shapes it has changed since."""
         scene, declared = self.scene, self.scene.declared_parameters()
         changed = [name for name, value in snapshot.values.items() if scene.values[name] != value]
         if any(declared[name].rebuild for name in changed):

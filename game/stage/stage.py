@@ -79,7 +79,7 @@ class Stage:
 
     @property
     def scene(self) -> Scene:
-        """The scene; another object after a reset, a new level or a parameter that builds it anew."""
+        """The scene; another object after a reset, a new level or a parameter that builds it again."""
         return self._session.scene
 
     @property
@@ -218,7 +218,7 @@ class Stage:
         while they think, so that what they do does not depend on the machine.
         """
         if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
-            raise ValueError(f"steps = {steps!r}: a whole number, 0 or more, is wanted")
+            raise ValueError(f"steps = {steps!r}: expected a whole number, 0 or more")
         # readouts that the charts can no longer show at the end are not taken
         charted = int(min(self.series.window_s / self.dt, _MANY)) + 1
         self._next_sample = max(self._next_sample, self.step_number + steps - charted)
@@ -309,7 +309,7 @@ class Stage:
     # -- beginning ----------------------------------------------------------------------------------
 
     def reset(self) -> None:
-        """Build the scene anew with the present parameters and effects, and begin a new recording.
+        """Build the scene again with the present parameters and effects, and begin a new recording.
 
         LevelError, ParameterError or ValueError if it cannot be built so; then it goes on with what it had.
         """
@@ -320,7 +320,7 @@ class Stage:
         return self._recipe.of_level(level)
 
     def load_level(self, level: Level | None, scene: Scene | None = None) -> None:
-        """Begin anew with a level, its parameters and its effects (None: the scene's defaults).
+        """Begin again with a level, its parameters and its effects (None: the scene's defaults).
 
         ``scene``: what `scene_of` has built for it, if it has. LevelError if the scene refuses the level;
         then it goes on with what it had.

@@ -35,9 +35,9 @@ def _checked_decision(event: Decision) -> Decision:
     try:
         values = tuple(float(value) for value in event.values)
     except (TypeError, ValueError, OverflowError):
-        raise ParameterError("decision: numbers are wanted") from None
+        raise ParameterError("decision: expected numbers") from None
     if len(values) > MOST_VALUES or not all(map(math.isfinite, values)):
-        raise ParameterError(f"decision: at most {MOST_VALUES} finite numbers are wanted")
+        raise ParameterError(f"decision: expected at most {MOST_VALUES} finite numbers")
     return Decision(str(event.name), values)
 
 
@@ -48,7 +48,7 @@ def _checked_pointer(event: Pointer) -> Pointer:
     try:
         x, y, wheel, button = float(event.x), float(event.y), float(event.wheel), int(event.button)
     except (TypeError, ValueError, OverflowError):
-        raise ParameterError("pointer: numbers are wanted") from None
+        raise ParameterError("pointer: expected numbers") from None
     if not all(map(math.isfinite, (x, y, wheel))):
-        raise ParameterError("pointer: finite coordinates are wanted")
+        raise ParameterError("pointer: expected finite coordinates")
     return Pointer(event.kind, x, y, button, wheel, bool(event.shift), bool(event.control))

@@ -51,19 +51,19 @@ class TestParam:
     @pytest.mark.parametrize(
         ("value", "message"),
         [
-            (math.nan, "size = nan: a finite number is wanted"),
-            (math.inf, "a finite number is wanted"),
-            (-math.inf, "a finite number is wanted"),
+            (math.nan, "size = nan: expected a finite number"),
+            (math.inf, "expected a finite number"),
+            (-math.inf, "expected a finite number"),
             (0.4999, "size = 0.4999: outside 0.5 to 100 m"),
             (100.0000001, "outside 0.5 to 100 m"),
             (1e300, "outside"),
             (10**400, "too large"),
-            ("2", "a number is wanted"),
-            (True, "a number is wanted"),
-            (None, "a number is wanted"),
-            ([2.0], "a number is wanted"),
-            (2j, "a number is wanted"),
-            (np.array([1.0, 2.0]), "a number is wanted"),
+            ("2", "expected a number"),
+            (True, "expected a number"),
+            (None, "expected a number"),
+            ([2.0], "expected a number"),
+            (2j, "expected a number"),
+            (np.array([1.0, 2.0]), "expected a number"),
         ],
     )
     def test_what_is_refused(self, value, message) -> None:
@@ -121,7 +121,7 @@ class TestOthers:
         assert Owner.method.parse(" explicit\n") == "explicit"
         assert Owner.method.labels == ("Explicit", "Semi implicit")
         for value in ("Explicit", 1, None, ["explicit"], np.array(["explicit", "explicit"])):
-            with pytest.raises(ParameterError, match="one of explicit, semi-implicit is wanted"):
+            with pytest.raises(ParameterError, match="expected one of explicit, semi-implicit"):
                 Owner.method.check(value)
 
     def test_a_label_for_each_option(self) -> None:

@@ -52,5 +52,5 @@ class Recipe(NamedTuple):
 def checked_seed(seed: int | None) -> int | None:
     """The seed; ValueError unless it is None or a whole number, 0 or more, of 63 bits."""
     if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63):
-        raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
+        raise ValueError(f"seed = {seed!r}: expected a whole number, 0 or more")
     return seed

@@ -97,6 +97,6 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
             elif isinstance(event, SetParameter) and isinstance(event.value, float):
                 numbers = (event.value,)
             if not all(map(math.isfinite, numbers)):
-                raise RecordingError(path, f"events[{index}]", "a finite number is wanted")
+                raise RecordingError(path, f"events[{index}]", "expected a finite number")
         if not math.isfinite(self.dt):
-            raise RecordingError(path, "dt", "a finite number is wanted")
+            raise RecordingError(path, "dt", "expected a finite number")

@@ -47,7 +47,7 @@ class SnapshotRing:
 
     def __init__(self, budget: int):
         if isinstance(budget, bool) or not isinstance(budget, int) or budget < 0:
-            raise ValueError(f"snapshot_bytes = {budget!r}: a whole number of bytes, 0 or more, is wanted")
+            raise ValueError(f"snapshot_bytes = {budget!r}: expected a whole number of bytes, 0 or more")
         self.budget = budget
         self._rare = _Shelf(budget - int(budget * DENSE_SHARE))
         self._dense = _Shelf(int(budget * DENSE_SHARE))
