@@ -49,7 +49,7 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
 class FountainContent(
     msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True
 ):
-    """[content] of a fountain level. floor: m; whirl: its centre, m."""
+    """[content] of a fountain level. floor: m; whirl: centre of the vortex, m."""
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)
     stones: Annotated[tuple[Stone, ...], msgspec.Meta(max_length=MOST_STONES)] = (
