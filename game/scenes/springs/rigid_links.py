@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.lab.studies.constraints import stretch_study
 from game.scenes.springs import C14
 from game.scenes.springs.base import MassSpringScene
 from game.scenes.springs.figure import draw_projection
-from game.stage import Choice, Equation, Param
-
-Array = NDArray[np.float64]
+from game.scenes.springs.links import RigidLaw
+from game.scenes.springs.parameters import RigidLinkParameters
+from game.stage import Equation
 
 
 class RigidLinks(MassSpringScene):
@@ -32,14 +29,8 @@ class RigidLinks(MassSpringScene):
 
     name, task, title = C14.names
     study = stretch_study
-
-    model = Choice(
-        "pbd", ("pbd", "xpbd"), labels=("Position based", "With compliance"), group="Links",
-        help="the link's length put right, or a spring of a real stiffness",
-    )  # fmt: skip
-    compliance = Param(
-        1e-6, 1e-9, 1.0, unit="m/N", log=True, group="Links", help="inverse stiffness, with compliance only"
-    )
+    parameters_type = RigidLinkParameters
+    parameters: RigidLinkParameters
 
     figure = staticmethod(draw_projection)
     equations = (
@@ -73,8 +64,5 @@ class RigidLinks(MassSpringScene):
         "Choose the direct solver for the rope with the heavy end: no stretch, at the price of two sweeps.",
     )
 
-    def model_name(self) -> str:
-        return self.model
-
-    def link_numbers(self, own: Array) -> tuple[Array, Array]:
-        return np.ones_like(own), np.full_like(own, self.compliance)
+    def link_law(self) -> RigidLaw:
+        return RigidLaw(self.parameters)
