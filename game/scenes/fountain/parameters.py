@@ -52,7 +52,7 @@ class FountainParameters(Parameters):
     drag = Param(
         0.4, 0.001, 500.0, unit="1/s", log=True, group="Air", label="Air drag", help="k in a = −k (v − w)"
     )
-    wind = Param(2.5, -30.0, 30.0, unit="m/s", group="Air", help="w, to the right; felt by way of drag")
+    wind = Param(2.5, -30.0, 30.0, unit="m/s", group="Air", help="w, to the right; felt through drag")
     fast_drag = Param(
         0.05, 0.001, 10.0, unit="1/m", log=True, group="Air", label="Quadratic drag",
         help="q in a = −q |v − w| (v − w)",

@@ -16,17 +16,19 @@ SOFTEST = 1e12  # m/N
 
 
 class Firmness(NamedTuple):
-    """How firmly something holds: stiffness, 0 to 1, and compliance, m/N (of areas m³/N)."""
+    """How firmly links hold."""
 
-    stiffness: Array | float
-    compliance: Array | float
+    stiffness: Array  # (m,) 0 to 1
+    compliance: Array  # (m,) m/N
 
 
 class LinkLaw(Protocol):
-    """What the solver is told about links. noun: what they are called. area: how firmly outlines hold."""
+    """What the solver is to know about links. noun: what they are called. area_stiffness, 0 to 1, and
+    area_compliance, m³/N: how firmly outlines hold."""
 
     noun: str
-    area: Firmness
+    area_stiffness: float
+    area_compliance: float
 
     @property
     def model(self) -> str:
@@ -42,7 +44,7 @@ class RigidLaw:
     """Infinitely stiff links, or such with one compliance."""
 
     noun = "links"
-    area = Firmness(1.0, 0.0)
+    area_stiffness, area_compliance = 1.0, 0.0
 
     def __init__(self, parameters: RigidLinkParameters):
         self.parameters = parameters
@@ -59,7 +61,7 @@ class SoftLaw:
     """Springs with a stiffness k from 0 to 1; areas hold nearly as firmly as they can with each model."""
 
     noun = "springs"
-    area = Firmness(0.9, 1e-6)
+    area_stiffness, area_compliance = 0.9, 1e-6
 
     def __init__(self, parameters: SoftSpringParameters):
         self.parameters = parameters
