@@ -40,6 +40,7 @@ def readouts(model: FountainModel) -> list[Readout]:
         Readout("outside the curve", int(outside)),
         Readout("kinetic", kinetic, "J"),
         Readout("potential", potential, "J"),
+        Readout("total", kinetic + potential, "J"),
         Readout("in contact", int(in_contact)),
         Readout("born", int(system.born)),
         Readout("impacts", int(system.impacts)),

@@ -45,6 +45,9 @@ class Fountain(Scene):
 
     Handling an impact at the end of a step makes every method one of first order. Interpolating along the
     chord restores the second, and solving for the instant of the impact the full order.
+
+    In the equations: x position, v velocity, a acceleration, h time step, g gravity, k and q linear and
+    quadratic drag, w wind, n the normal of what is hit, e restitution; + after and − before an impact.
     """
 
     name, task, title = C04.names
@@ -56,7 +59,7 @@ class Fountain(Scene):
     takes = frozenset(("right",))
 
     strips = (
-        Strip("Energy", "J", ("potential", "kinetic")),
+        Strip("Energy", "J", ("potential", "kinetic", "total")),
         Strip("Highest particle", "m", ("exact", "highest"), ("exact",)),
         Strip("Error", "m", ("error",)),
     )
@@ -77,6 +80,21 @@ class Fountain(Scene):
             "Newton 1687",
         ),
         Equation(
+            "Explicit Euler",
+            r"\v{x}_{n+1} = \v{x}_n + h\v{v}_n,  \v{v}_{n+1} = \v{v}_n + h\v{a}(\v{x}_n, \v{v}_n)",
+            "Euler 1768",
+        ),
+        Equation(
+            "Midpoint",
+            r"\v{v}_{1/2} = \v{v}_n + \frac{1}{2}h\v{a}_n,  \v{x}_{1/2} = \v{x}_n + \frac{1}{2}h\v{v}_n",
+            "Runge 1895",
+        ),
+        Equation(
+            "",
+            r"\v{x}_{n+1} = \v{x}_n + h\v{v}_{1/2},  "
+            r"\v{v}_{n+1} = \v{v}_n + h\v{a}(\v{x}_{1/2}, \v{v}_{1/2})",
+        ),
+        Equation(
             "Velocity Verlet",
             r"\v{x}_{n+1} = \v{x}_n + h\v{v}_n + \frac{1}{2}h^2\v{a}_n",
             "Swope and others 1982",
@@ -90,7 +108,7 @@ class Fountain(Scene):
     )
     try_this = (
         "Choose explicit Euler and a long time step: the spray rises above the dashed curve.",
-        "Set the restitution to 1 and watch the energy strip stay level; then choose step end as impact.",
+        "Set both restitutions to 1 and wait 3 s: the total energy rises to what the nozzle gave.",
         "Switch drag and wind on: the bars show what each costs; the dashed curve is still exact.",
         "Raise the places to 100 000 and the emit rate to 40 000: see what a step costs then.",
     )

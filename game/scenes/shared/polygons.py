@@ -1,4 +1,4 @@
-"""Paints very many polygons in one call, each over a darker edge.
+"""Paints many polygons in one call, one after the other, each over a darker edge if it has one.
 
 The edge is the same polygon, its corners moved outwards by the edge's width, and lies below the fill; that
 costs a third of a line drawn around.

@@ -1,4 +1,4 @@
-"""Paints all skins, or all bones, of a figure in one call: polygon by polygon."""
+"""Paints all skins of a figure in one call, in their colours."""
 
 from __future__ import annotations
 

@@ -25,6 +25,10 @@ class RigidLinks(MassSpringScene):
     Links far from their length would shoot off: the speed limit slows each particle by itself, and what it
     takes of the momentum nobody gets. The catenary meets it in its first step, and so does what is
     overstretched.
+
+    In the equations: x position, p predicted position, v velocity, h substep, g gravity, k_d damping,
+    w inverse mass, C constraint, L length at rest, n direction of the link, α compliance, λ multiplier,
+    M mass at the end of a chain of N links over that of each other particle.
     """
 
     name, task, title = C14.names
@@ -58,7 +62,7 @@ class RigidLinks(MassSpringScene):
         Equation("Second order", r"\v{v} = (3\v{p} - 4\v{x} + \v{x}_-) / 2h", "English and Bridson 2008"),
     )
     try_this = (
-        "Open the long rope: 20 iterations in one substep, then 20 substeps of one: a tenth of the stretch.",
+        "Open the long rope: 20 iterations in one substep, then 20 substeps of one: a twentieth.",
         "Choose BDF2, let the pendulum swing: its energy stays; Euler loses three quarters in ten seconds.",
         "Take the cloth with the mouse and pull until it tears; cut it with the right button.",
         "Choose the direct solver for the rope with the heavy end: no stretch, at the price of two sweeps.",

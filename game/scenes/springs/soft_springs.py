@@ -24,6 +24,9 @@ class Springs(MassSpringScene):
 
     The speed limit slows each particle by itself: where springs far from their length meet it, momentum is
     lost.
+
+    In the equations: p position, w inverse mass, C excess length or area, n direction of the spring,
+    h substep of n sweeps, g gravity, α compliance, λ multiplier, k_N stiffness in N/m, A area.
     """
 
     name, task, title = C15.names

@@ -22,7 +22,7 @@ def test_stiffness_is_a_part_of_the_correction():
     """C15.3: rest stretch g dt² q / (1 - q) with q = (1 - k)^n, for three stiffnesses of their own."""
     stage = open_level(Springs, "three-springs", damping=20.0)
     stage.run(1500)
-    q = (1.0 - np.array([0.02, 0.06, 1.0])) ** 4
+    q = (1.0 - np.array([0.002, 0.006, 1.0])) ** 4
     assert np.allclose(stretches(stage), G / 3600 * q / (1 - q), rtol=0, atol=1e-9)
 
 
@@ -57,7 +57,7 @@ def test_the_three_models_agree_for_one_sweep_at_sixty_a_second():
 def test_a_spring_gets_a_stiffness_of_its_own():
     stage = open_level(Springs, "three-springs", damping=20.0)
     click(stage, stage.scene.model.system.positions[1])
-    assert stage.scene.parameters.own_stiffness == 0.02
+    assert stage.scene.parameters.own_stiffness == 0.002
     stage.post(SetParameter("own_stiffness", 1.0))
     stage.run(600)
     assert stretches(stage)[0] == pytest.approx(0.0, abs=1e-9)
@@ -105,5 +105,5 @@ def test_stepping_back_undoes_a_stiffness_of_its_own():
     assert stage.scene.save_content().links[1].stiffness == 1.0
     while stage.step_number > 61:
         assert stage.step_back()
-    assert stage.scene.save_content().links[1].stiffness == 0.06
-    assert stage.scene.model.system.links.stiffness[1] == 0.06
+    assert stage.scene.save_content().links[1].stiffness == 0.006
+    assert stage.scene.model.system.links.stiffness[1] == 0.006

@@ -276,3 +276,15 @@ def test_a_solver_that_does_not_fit_is_refused_and_the_old_one_goes_on():
     assert stage.scene.parameters.solver == "gauss-seidel"
     stage.run(2)
     assert stage.fault is None
+
+
+@both
+def test_the_next_click_is_named(scene_type):
+    stage = sheet(scene_type)
+    assert not any("click" in words for _, words, _ in stage.scene.legend())
+    for tool, words in (("particle", "new particle"), ("link", "both ends"), ("pin", "pin"), ("cut", "cut")):
+        stage.post(Action(tool))
+        assert any(words in label for _, label, _ in stage.scene.legend())
+    stage.post(Action("link"))
+    click(stage, (0.0, 3.0))
+    assert any("other end" in label for _, label, _ in stage.scene.legend())
