@@ -89,11 +89,8 @@ class Fountain(Scene):
             r"\v{v}_{1/2} = \v{v}_n + \frac{1}{2}h\v{a}_n,  \v{x}_{1/2} = \v{x}_n + \frac{1}{2}h\v{v}_n",
             "Runge 1895",
         ),
-        Equation(
-            "",
-            r"\v{x}_{n+1} = \v{x}_n + h\v{v}_{1/2},  "
-            r"\v{v}_{n+1} = \v{v}_n + h\v{a}(\v{x}_{1/2}, \v{v}_{1/2})",
-        ),
+        Equation("", r"\v{x}_{n+1} = \v{x}_n + h\v{v}_{1/2}"),
+        Equation("", r"\v{v}_{n+1} = \v{v}_n + h\v{a}(\v{x}_{1/2}, \v{v}_{1/2})"),
         Equation(
             "Velocity Verlet",
             r"\v{x}_{n+1} = \v{x}_n + h\v{v}_n + \frac{1}{2}h^2\v{a}_n",
