@@ -50,6 +50,7 @@ class MassSpringScene(Scene):
     default_content: ClassVar[SpringContent] = SpringContent(
         particles=(ParticleEntry(position=(0.0, 3.0), inverse_mass=0.0), ParticleEntry(position=(1.5, 3.0))),
         links=(LinkEntry(ends=(0, 1)),),
+        walls=(-4.6, 4.6),
     )
 
     def link_law(self) -> LinkLaw:

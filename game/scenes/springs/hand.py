@@ -11,6 +11,7 @@ from game.physics.constraints.editing import (
     with_particle,
     without_particle,
 )
+from game.physics.fields import GROUND
 from game.scenes.springs.level import Point
 from game.scenes.springs.model import SpringModel
 from game.scenes.springs.network import NOT_OWN
@@ -53,10 +54,15 @@ class SpringHand(Part):
             if self.knife is not None:
                 self._cut_from(self.knife, point)
             elif self.model.system.held != NOBODY:
-                self.model.system.drag(point)
+                self.model.system.drag(self._between_walls(point))
         elif event.kind in ("up", "cancel"):
             return self._let_go(point, cancelled=event.kind == "cancel")
         return ""
+
+    def _between_walls(self, point: Point) -> Point:
+        """The nearest place (m) that can be reached without passing a wall."""
+        left, right = self.model.walls if GROUND in self.model.active else (-FARTHEST, FARTHEST)
+        return min(max(point[0], left), right), point[1]
 
     def _let_go(self, point: Point, cancelled: bool) -> str:
         words = ""

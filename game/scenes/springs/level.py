@@ -118,6 +118,8 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
     """[content] of a mass-spring level. Particles are numbered as listed, those of shapes after them.
 
     areas: outlines of particles that keep their area. reference: exact places, drawn dashed. floor: m.
+    walls: m, at the left and the right of the ground. body_distance: m, between particles of different
+    bodies, with the effect "contacts"; 0: bodies pass through each other.
     """
 
     particles: Annotated[tuple[ParticleEntry, ...], msgspec.Meta(max_length=MOST_WRITTEN)] = ()
@@ -131,5 +133,7 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
     rings: Annotated[tuple[RingEntry, ...], msgspec.Meta(max_length=20)] = ()
     cradles: Annotated[tuple[CradleEntry, ...], msgspec.Meta(max_length=8)] = ()
     floor: Metre = 0.0
+    walls: tuple[Metre, Metre] | None = None
+    body_distance: Length = 0.0
     reference: Annotated[tuple[Point, ...], msgspec.Meta(max_length=1000)] = ()
     view: View = View()

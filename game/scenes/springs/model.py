@@ -12,10 +12,11 @@ from game.physics.constraints import PositionBasedDynamics
 from game.physics.constraints.areas import AREA
 from game.physics.constraints.editing import Topology, assemble, topology_of
 from game.physics.constraints.motion import VX
+from game.physics.constraints.settings import LARGEST
 from game.physics.constraints.system import PositionState
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.scenes.springs.level import SpringContent
+from game.scenes.springs.level import Point, SpringContent
 from game.scenes.springs.links import LinkLaw
 from game.scenes.springs.network import build_network
 from game.scenes.springs.parameters import MassSpringParameters
@@ -95,6 +96,9 @@ class SpringModel(Part):
                 gravity=parameters.gravity,
                 damping=parameters.damping,
                 floor=self.content.floor,
+                left=self.walls[0],
+                right=self.walls[1],
+                body_distance=self.content.body_distance,
                 relaxation=parameters.relaxation,
                 speed_limit=parameters.speed_limit,
                 stretch_limit=parameters.strength,
@@ -106,6 +110,8 @@ class SpringModel(Part):
         """LimitError if the parameters ask for more work in a step than before and than there may be."""
         system, settings = self.system, self.system.settings
         each = len(system.torn) + len(system.outlines.starts) - 1 + len(system.contacts.pairs)
+        if settings.body_distance > 0.0:
+            each += system.body_pairs
         projections = each * settings.iterations * settings.substeps
         if projections > max(MOST_PROJECTIONS, self.projections):
             raise LimitError(
@@ -113,6 +119,11 @@ class SpringModel(Part):
                 f"links, areas and contacts are too many, {MOST_PROJECTIONS // each} at most"
             )
         self.projections = projections
+
+    @property
+    def walls(self) -> Point:
+        """Where the left and the right wall are, m; far away where the level has none."""
+        return self.content.walls or (-LARGEST, LARGEST)
 
     # -- changes ------------------------------------------------------------------------------------
 

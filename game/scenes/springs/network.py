@@ -42,6 +42,8 @@ def build_network(content: SpringContent) -> Network:
     LimitError, before any is made, for more than MOST_PARTICLES.
     """
     _bound_particles(content)
+    if content.walls is not None and content.walls[0] >= content.walls[1]:
+        raise ValueError(f"walls: expected the left one first, not {list(content.walls)}")
     listed = _listed(content)
     parts = [listed[0]] if len(listed[0].positions) else []
     slacks = [listed[1]] if parts else []

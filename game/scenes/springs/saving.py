@@ -36,6 +36,8 @@ def content_of(model: SpringModel) -> SpringContent:
         areas=tuple(tuple(topology.corners[a:b].tolist()) for (a, b), intact in outlines if intact),
         contacts=tuple((a, b) for a, b in topology.contacts.tolist()),
         floor=model.content.floor,
+        walls=model.content.walls,
+        body_distance=model.content.body_distance,
         reference=model.content.reference,
         view=model.content.view,
     )

@@ -13,6 +13,7 @@ from game.physics.fields import GROUND
 from game.physics.kernels.jit import kernel
 from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.springs.hand import SpringHand
+from game.scenes.springs.level import Point
 from game.scenes.springs.model import SpringModel, SpringState
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
@@ -31,6 +32,7 @@ NEXT_CLICK = {  # what the left button does with each tool; moving needs no word
     "cut": "drag across links: cut",
 }
 OTHER_END = "now click the other end"
+WALL_THICKNESS = 0.12  # m
 LARGEST_DOT = 15.0  # design px, of a very heavy particle
 
 
@@ -82,6 +84,8 @@ class SpringView:
         canvas.grid(None, "y")
         if GROUND in on:
             canvas.ground(content.floor)
+            if content.walls is not None:
+                self._draw_walls(canvas, content.walls)
         if len(content.reference):
             canvas.polyline(np.array(content.reference), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
         if AREAS in on:
@@ -100,6 +104,15 @@ class SpringView:
             return now
         then = before.fields[:2, : len(now)].T
         return then + alpha * (now - then)
+
+    def _draw_walls(self, canvas: Canvas, walls: Point) -> None:
+        """Slabs beside the ground, as high as they are seen."""
+        floor = self.model.content.floor
+        seen = canvas.camera.visible()
+        for x, thickness in zip(walls, (-WALL_THICKNESS, WALL_THICKNESS), strict=True):
+            corners = ((x, floor), (x + thickness, floor), (x + thickness, seen.top), (x, seen.top))
+            canvas.polygon(np.array(corners), fill="body", fill_alpha=0.75)
+            canvas.line((x, floor), (x, seen.top), "line2", 1.0)
 
     def _draw_areas(self, canvas: Canvas, places: Array) -> None:
         outlines = self.model.system.outlines

@@ -7,7 +7,7 @@ import pytest
 
 from game.scenes.springs.soft_springs import Springs
 from game.stage import SetEffect, SetParameter
-from tests.scenes.particle_stages import click, open_level, readouts
+from tests.scenes.particle_stages import click, move, open_level, press, readouts, release
 
 G = 9.81
 
@@ -107,3 +107,25 @@ def test_stepping_back_undoes_a_stiffness_of_its_own():
         assert stage.step_back()
     assert stage.scene.save_content().links[1].stiffness == 0.006
     assert stage.scene.model.system.links.stiffness[1] == 0.006
+
+
+def test_a_thrown_jelly_comes_back_and_does_not_pass_through_the_others():
+    stage = open_level(Springs, "default")
+    stage.run(120)
+    system = stage.scene.model.system
+    bodies = np.split(np.arange(system.count), (96, 168))
+    start = system.positions[120]
+    press(stage, start)
+    for i in range(12):
+        move(stage, start + i * np.array((0.6, 0.1)))
+        stage.run(1)
+    release(stage, start + np.array((6.6, 1.1)))
+    for _ in range(200):
+        stage.run(1)
+        places = system.positions
+        assert places[:, 0].min() >= -4.6 and places[:, 0].max() <= 4.6
+        for a, b in ((0, 1), (1, 2), (0, 2)):
+            gaps = places[bodies[a]][:, None] - places[bodies[b]][None]
+            assert np.sqrt((gaps * gaps).sum(axis=2)).min() > 0.1
+    assert stage.fault is None
+    assert stage.scene.save_content().walls == (-4.6, 4.6)

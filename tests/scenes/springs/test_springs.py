@@ -261,6 +261,8 @@ def test_stepping_back_undoes_edits(scene_type):
         ("[content]\nfloor = 0.0", "particles"),
         ("[parameters]\niterations = 0", "parameters.iterations"),
         ("[content]\nropse = []", "ropse"),
+        ("[content]\nwalls = [2.0, -2.0]\nparticles = [{ position = [0, 0] }]", "walls"),
+        ("[content]\nbody_distance = -0.1", "content.body_distance"),
     ],
 )
 def test_what_is_broken_in_a_level_is_named(text, field):
