@@ -210,5 +210,6 @@ class FountainModel(Part):
             ),
             floor=self.content.floor,
             whirl=self.vortex_centre,
+            expected=self.content.expected,
             view=self.content.view,
         )

@@ -18,6 +18,7 @@ from game.scenes.fountain.model import FountainModel
 from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
 from game.scenes.fountain.view import FountainView
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import (
     Equation,
     Frame,
@@ -118,6 +119,7 @@ class Fountain(Scene):
         self.hand = FountainHand(self.model)
         self.view = FountainView(self.model)
         self.unread: deque[str] = deque(maxlen=8)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Very many places, which are all laid out again."""
@@ -175,3 +177,7 @@ class Fountain(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        content = self.model.content
+        if content.expected:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

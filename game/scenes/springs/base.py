@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 from game.levels import Level
 from game.physics.constraints import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
 from game.physics.fields import GRAVITY, GROUND
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import LinkEntry, ParticleEntry, SpringContent
 from game.scenes.springs.links import LinkLaw
@@ -65,6 +66,7 @@ class MassSpringScene(Scene):
         self.hand = SpringHand(self.model)
         self.view = SpringView(self.model, self.hand)
         self.unread: deque[str] = deque(maxlen=8)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         if name in OF_CHOSEN:
@@ -125,3 +127,7 @@ class MassSpringScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        content = self.model.content
+        if content.expected:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

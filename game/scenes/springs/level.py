@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.expectations import Expectations
+
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
 Step = Annotated[float, msgspec.Meta(gt=0.0, le=1_000.0)]
@@ -119,7 +121,7 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
 
     areas: outlines of particles that keep their area. reference: exact places, drawn dashed. floor: m.
     walls: m, at the left and the right of the ground. body_distance: m, between particles of different
-    bodies, with the effect "contacts"; 0: bodies pass through each other.
+    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts.
     """
 
     particles: Annotated[tuple[ParticleEntry, ...], msgspec.Meta(max_length=MOST_WRITTEN)] = ()
@@ -136,4 +138,5 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
     walls: tuple[Metre, Metre] | None = None
     body_distance: Length = 0.0
     reference: Annotated[tuple[Point, ...], msgspec.Meta(max_length=1000)] = ()
+    expected: Expectations = ()
     view: View = View()

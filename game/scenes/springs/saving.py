@@ -38,6 +38,7 @@ def content_of(model: SpringModel) -> SpringContent:
         floor=model.content.floor,
         walls=model.content.walls,
         body_distance=model.content.body_distance,
+        expected=model.content.expected,
         reference=model.content.reference,
         view=model.content.view,
     )
