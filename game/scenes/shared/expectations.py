@@ -42,7 +42,7 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
             raise ValueError(f"expected[{i}].readout: no readout {entry.readout!r}; there are {known}")
         _, value, unit = measured[entry.readout]
         met = abs(value - entry.value) <= entry.within
-        counted = isinstance(value, int) and entry.value.is_integer()
+        counted = isinstance(value, int) and float(entry.value).is_integer()
         aim = int(entry.value) if counted else entry.value
         shown = aim if met else value  # no figures of rounding
         words = f"{entry.readout}: expected {format_si(aim, unit)}, measured {format_si(shown, unit)}"
