@@ -96,7 +96,7 @@ class TestPlacesAndSubsteps:
                 stage.post(event)
             assert stage.fault is None
         assert "drag" not in stage.scene.active.names
-        assert stage.scene.fast_drag == 0.05
+        assert stage.scene.parameters.fast_drag == 0.05
         stage.post(SetParameter("places", 1000.0))
         stage.post(SetEffect("drag", True))
         assert stage.run(2) == 2
@@ -222,5 +222,5 @@ class TestNets:
         stage.post(SetParameter("substeps", 200.0))
         with pytest.raises(ParameterError, match="iterations, substeps"):
             stage.post(SetParameter("iterations", 500.0))
-        assert stage.scene.iterations == 10 and stage.scene.system.settings.iterations == 10
+        assert stage.scene.parameters.iterations == 10 and stage.scene.model.system.settings.iterations == 10
         assert stage.fault is None

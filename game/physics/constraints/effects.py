@@ -12,7 +12,9 @@ ATTACHMENTS = declare_effect(
 )
 TEARING = declare_effect("tearing", "Tearing", "A link that is stretched too far breaks.")
 DAMPING = declare_effect("damping", "Damping", "A force -k v against each motion.")
-CONTACTS = declare_effect("contacts", "Contacts", "Listed pairs bounce off each other.")
+CONTACTS = declare_effect(
+    "contacts", "Contacts", "Listed pairs bounce off each other, and bodies keep apart."
+)
 
 LINKED = Room(
     "linked particles",

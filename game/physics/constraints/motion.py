@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from game.physics.constraints.areas import INTACT, sweep_areas
 from game.physics.constraints.areas import MULTIPLIER as AREA_MULTIPLIER
 from game.physics.constraints.attachments import pull_back
+from game.physics.constraints.bodies import push_bodies_apart
 from game.physics.constraints.chains import solve_chains
 from game.physics.constraints.contacts import bounce_pairs, push_apart
 from game.physics.constraints.effects import (
@@ -66,6 +67,9 @@ class Motion(NamedTuple):
     gravity: float  # m/s²
     damping: float  # k_d, N s/m
     floor: float  # m
+    left: float  # m, of the walls
+    right: float  # m
+    body_distance: float  # m, between particles of different bodies; 0: they pass through each other
     speed_limit: float  # m/s
     restitution: float  # of contacts
 
@@ -89,6 +93,9 @@ class Network(NamedTuple):
     work: NDArray[np.float64]  # (5, longest chain)
     pairs: NDArray[np.int64]  # (c, 2) that bounce off each other
     distances: NDArray[np.float64]  # (c,) m
+    members: NDArray[np.int64]  # (n,) particles body by body
+    body_starts: NDArray[np.int64]  # (b + 1,)
+    boxes: NDArray[np.float64]  # (4, b) m, scratch buffer
 
 
 @kernel
@@ -174,6 +181,14 @@ def lift(py, inverse_mass, floor):
 
 
 @kernel
+def confine(px, inverse_mass, left, right):
+    """Push particles between the walls; the fixed ones are where they were put."""
+    for i in range(px.shape[0]):
+        if inverse_mass[i] > 0.0:
+            px[i] = min(max(px[i], left), right)
+
+
+@kernel
 def carry_held(px, py, held, target, left, furthest):
     """Bring the particle that the hand holds nearer to the target: there in ``left`` substeps if it can."""
     dx = (target[0] - px[held]) / left
@@ -215,10 +230,15 @@ def project(motion, net, px, py, inverse_mass):
             )
         if motion.mask & CONTACTS_BIT:
             push_apart(px, py, inverse_mass, net.pairs, net.distances)
+            if motion.body_distance > 0.0:
+                push_bodies_apart(
+                    px, py, inverse_mass, net.members, net.body_starts, net.boxes, motion.body_distance
+                )
         if motion.mask & ATTACHMENTS_BIT:
             pull_back(px, py, inverse_mass, net.pins, net.reaches)
         if motion.mask & GROUND_BIT:
             lift(py, inverse_mass, motion.floor)
+            confine(px, inverse_mass, motion.left, motion.right)
 
 
 @kernel
@@ -258,7 +278,7 @@ def advance(fields, count, motion, net, held, target):
             settle_bdf2(x, y, vx, vy, ox, oy, ux, uy, fresh, px, py, h)
             if motion.mask & GROUND_BIT:
                 for i in range(count):
-                    if y[i] <= motion.floor:
+                    if y[i] <= motion.floor or x[i] <= motion.left or x[i] >= motion.right:
                         fresh[i] = 1.0
         if motion.speed_limit < math.inf:
             limit_speeds(vx, vy, fresh, motion.speed_limit)

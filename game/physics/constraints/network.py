@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from game.physics.constraints.bodies import bodies_of
 from game.physics.constraints.chains import WORK_ROWS, find_chains
 from game.physics.constraints.colours import arrange_links
 from game.physics.constraints.graph import Ints, Links, Outlines
@@ -33,9 +34,11 @@ def network_of(
     starts = np.zeros(1, dtype=np.int64)
     if direct:
         nodes, starts, some = find_chains(pairs, count)
+    members, body_starts = bodies_of(count, links.pairs, outlines.corners, outlines.starts)
     longest = int(np.max(np.diff(starts), initial=1))
     return Network(
         pairs, runs, rows, places, torn, outlines.corners, outlines.starts, outlines.rows,
         np.full(count, NOBODY, dtype=np.int64), np.full(count, math.inf), nodes, starts, some,
-        np.zeros((WORK_ROWS, longest)), contacts.pairs, contacts.rest,
+        np.zeros((WORK_ROWS, longest)), contacts.pairs, contacts.rest, members, body_starts,
+        np.zeros((4, len(body_starts) - 1)),
     )  # fmt: skip

@@ -22,9 +22,11 @@ class Settings:
 
     effects: of `LINKED`. model: of MODELS. scheme: of SCHEMES. solver: of SOLVERS. substeps of a step and
     iterations (sweeps over all links) of a substep: whole. gravity: m/s² downwards. damping: k_d, N s/m.
-    floor: m. relaxation: above 0, below 2; 1 is plain Gauss-Seidel. speed_limit: m/s, or infinity; it slows
-    each particle by itself, so momentum is lost where it is met. stretch_limit: strain at which a link tears.
-    restitution: of contacts.
+    floor: m. left, right: m, of walls beside the ground; GROUND switches all three. body_distance: m, least
+    distance between particles of different bodies, which are what links and outlines hold together, torn or
+    not; 0: bodies pass through each other; CONTACTS switches it. relaxation: above 0, below 2; 1 is plain
+    Gauss-Seidel. speed_limit: m/s, or infinity; it slows each particle by itself, so momentum is lost where
+    it is met. stretch_limit: strain at which a link tears. restitution: of contacts of listed pairs.
     """
 
     effects: EffectSet = GRAVITY | GROUND | LINKS | DAMPING
@@ -36,6 +38,9 @@ class Settings:
     gravity: float = 9.81
     damping: float = 0.0
     floor: float = -LARGEST
+    left: float = -LARGEST
+    right: float = LARGEST
+    body_distance: float = 0.0
     relaxation: float = 1.0
     speed_limit: float = math.inf
     stretch_limit: float = 1.0
@@ -54,6 +59,9 @@ class Settings:
             "gravity": (-1e4, 1e4),
             "damping": (0.0, 1e9),
             "floor": (-LARGEST, LARGEST),
+            "left": (-LARGEST, self.right),
+            "right": (-LARGEST, LARGEST),
+            "body_distance": (0.0, LARGEST),
             "relaxation": (1e-9, 2.0 - 1e-9),
             "speed_limit": (1e-9, math.inf),
             "stretch_limit": (0.0, 1e9),

@@ -175,6 +175,7 @@ class PositionBasedDynamics:
             LINKED.mask(settings.effects), MODELS.index(settings.model), SCHEMES.index(settings.scheme),
             int(settings.solver == "direct"), substeps, settings.iterations, ahead, h, soft_step,
             float(settings.gravity), float(settings.damping), float(settings.floor),
+            float(settings.left), float(settings.right), float(settings.body_distance),
             float(settings.speed_limit), float(settings.restitution),
         )  # fmt: skip
         advance(self.fields, self.count, motion, self._net, self.held, self.hand[2:4])
@@ -265,6 +266,12 @@ class PositionBasedDynamics:
         given = np.empty_like(self._strains)
         given[self._net.order] = self._strains
         return given
+
+    @property
+    def body_pairs(self) -> int:
+        """Pairs of particles of different bodies."""
+        sizes = np.diff(self._net.body_starts)
+        return int((self.count * self.count - (sizes * sizes).sum()) // 2)
 
     def areas(self) -> tuple[Floats, Floats]:
         """Areas (k,) m² of the outlines, now and at rest."""

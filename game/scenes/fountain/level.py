@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.expectations import Expectations
+
 Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]  # m/s
 Point = tuple[Metre, Metre]
@@ -49,7 +51,7 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
 class FountainContent(
     msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True
 ):
-    """[content] of a fountain level. floor: m; whirl: its centre, m."""
+    """[content] of a fountain level. floor: m; whirl: centre of the vortex, m; expected: of readouts."""
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)
     stones: Annotated[tuple[Stone, ...], msgspec.Meta(max_length=MOST_STONES)] = (
@@ -58,4 +60,5 @@ class FountainContent(
     particles: Annotated[tuple[Particle, ...], msgspec.Meta(max_length=1000)] = ()
     floor: Metre = 0.0
     whirl: Point = (2.2, 2.6)
+    expected: Expectations = ()
     view: View = View()

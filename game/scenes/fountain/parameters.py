@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.particles import CONTACTS, METHODS, OBSTACLES
-from game.stage import Choice, Param, Scene, Toggle
+from game.physics.particles import CONTACTS, METHODS
+from game.stage import Choice, Param, Parameters, Toggle
 
 
-class FountainParameters(Scene):
-    """Base of the scene: what of the fountain can be chosen."""
-
-    effects = GRAVITY | DRAG | WIND | QUADRATIC_DRAG | WHIRL | GROUND | OBSTACLES
+class FountainParameters(Parameters):
+    """What of the fountain can be chosen."""
 
     rate = Param(
         8_000.0, 0.0, 100_000.0, unit="1/s", step=100.0, group="Emitter", label="Emit rate",
@@ -55,11 +52,15 @@ class FountainParameters(Scene):
     drag = Param(
         0.4, 0.001, 500.0, unit="1/s", log=True, group="Air", label="Air drag", help="k in a = −k (v − w)"
     )
-    wind = Param(2.5, -30.0, 30.0, unit="m/s", group="Air", help="w, to the right; felt by way of drag")
+    wind = Param(2.5, -30.0, 30.0, unit="m/s", group="Air", help="w, to the right; felt through drag")
     fast_drag = Param(
-        0.05, 0.001, 10.0, unit="1/m", log=True, group="Air", help="q in a = −q |v − w| (v − w)"
-    )
-    whirl = Param(5.0, -50.0, 50.0, unit="m²/s", group="Air", help="strength of the whirl; drag its centre")
+        0.05, 0.001, 10.0, unit="1/m", log=True, group="Air", label="Quadratic drag",
+        help="q in a = −q |v − w| (v − w)",
+    )  # fmt: skip
+    whirl = Param(
+        5.0, -50.0, 50.0, unit="m²/s", group="Air", label="Vortex",
+        help="circulation over 2π, counter-clockwise; drag its centre",
+    )  # fmt: skip
     places = Param(
         40_000, 1, 1_000_000, whole=True, log=True, group="Pool", rebuild=True,
         help="particles that can live at a time; further births are dropped and counted",

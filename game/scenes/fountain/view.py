@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from game.physics.fields import DRAG, GROUND, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.particles import OBSTACLES
+from game.physics.particles import OBSTACLES, ParticleState
 from game.physics.particles.in_between import gather_touching, place_between
+from game.scenes.fountain.exact import exact_envelope, open_nozzles
 from game.scenes.fountain.hand import rim_handle
-from game.scenes.fountain.readouts import exact_envelope, open_nozzles
+from game.scenes.fountain.model import FountainModel
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.curves import thinned
-
-if TYPE_CHECKING:
-    from game.scenes.fountain.scene import Fountain
 
 FEW = 30  # particles that are drawn large: each is looked at by itself
 MOST_STREAKS = 30_000  # with more particles than that there is no room for trails
@@ -28,54 +25,70 @@ SPREAD_ARM = 0.85  # m, of the two lines that show the spread
 class FountainView:
     """Draws a fountain; keeps the arrays that drawing needs."""
 
-    def __init__(self) -> None:
+    def __init__(self, model: FountainModel):
+        self.model = model
         self._places = np.zeros((0, 2))
         self._speeds = np.zeros((0, 2))
         self._trails = np.zeros((0, 2))
-        self._touching = np.zeros((0, 2))
-        self._shown_touching = self._touching
+        self._in_contact = np.zeros((0, 2))
+        self._shown_in_contact = self._in_contact
 
-    def draw(self, scene: Fountain, canvas: Canvas, alpha: float) -> None:
-        """All of it, from the back to the front."""
+    def draw(self, canvas: Canvas, previous: ParticleState | None, alpha: float) -> None:
+        """All of it, from the back to the front, ``alpha`` of the way from the state ``previous`` to now."""
+        model, on = self.model, self.model.active
         canvas.grid(None, "y")
-        if GROUND in scene.active:
-            canvas.ground(scene.content.floor)
-        if WHIRL in scene.active:
-            self._draw_whirl(scene, canvas)
-        self._draw_envelope(scene, canvas)
-        self._draw_particles(scene, canvas, alpha)
-        if OBSTACLES in scene.active:
-            self._draw_stones(scene, canvas)
-            if len(self._shown_touching):
-                canvas.particles(self._shown_touching, "amber", 2.2)
-        for index in range(len(scene.content.nozzles)):
-            self._draw_nozzle(scene, canvas, index)
-        if WIND in scene.active and (DRAG in scene.active or QUADRATIC_DRAG in scene.active):
-            self._draw_wind(scene, canvas)
+        if GROUND in on:
+            canvas.ground(model.content.floor)
+        if WHIRL in on:
+            self._draw_vortex(canvas)
+        self._draw_envelope(canvas)
+        self._draw_particles(canvas, previous, alpha)
+        if OBSTACLES in on:
+            self._draw_stones(canvas)
+            if len(self._shown_in_contact):
+                canvas.particles(self._shown_in_contact, "amber", 2.2)
+        for index in range(len(model.content.nozzles)):
+            self._draw_nozzle(canvas, index)
+        if WIND in on and (DRAG in on or QUADRATIC_DRAG in on):
+            self._draw_wind(canvas)
 
-    def top_speed(self, scene: Fountain) -> float:
+    def legend(self) -> list[tuple[str, str, str]]:
+        """What the marks mean."""
+        model = self.model
+        rows = [("scale:slow:fast", "Speed", f"0 {self._top_speed():.3g} m/s")]
+        if OBSTACLES in model.active and len(model.own):
+            words = "in contact with the stone" if len(model.own) == 1 else "in contact with a stone"
+            rows.append(("disc:amber", words, ""))
+        if len(exact_envelope(model)):
+            older = 0.0 < model.since > model.system.time_s - model.parameters.life
+            rows.append(("dash:text1", "exact for those born since" if older else "exact envelope", ""))
+        return rows
+
+    def _top_speed(self) -> float:
         """m/s at the end of the colour scale, whose thirds are round as well."""
-        fall = math.sqrt(2.0 * scene.gravity * max(scene.frame().top - scene.content.floor, 0.0))
-        return _round_up(max(scene.speed, 0.5 * fall, 0.1))
+        content, parameters = self.model.content, self.model.parameters
+        fall = math.sqrt(2.0 * parameters.gravity * max(content.view.top - content.floor, 0.0))
+        return _round_up(max(parameters.speed, 0.5 * fall, 0.1))
 
-    def _draw_particles(self, scene: Fountain, canvas: Canvas, alpha: float) -> None:
-        system = scene.system
-        self._make_room(system.capacity)
-        before = scene.previous
-        same = before is not None and before.fields.shape == system.fields.shape
-        fields, tags = (before.fields, before.tags) if same else (system.fields, system.tags)
-        dt = scene.step_length
-        since, rows, found = scene.touching_since(), 0, 0
+    def _draw_particles(self, canvas: Canvas, before: ParticleState | None, alpha: float) -> None:
+        system = self.model.system
+        self._reserve(system.capacity)
+        if before is None or before.fields.shape != system.fields.shape:
+            before = system.state()
+        dt = self.model.parameters.step_length
+        first_step, rows, found = self.model.first_step_in_contact(), 0, 0
         for low, high in system.segments():
             begin = rows
             rows = place_between(
-                system.fields, fields, system.tags, tags, low, high, alpha, dt, system.time_s, TRAIL,
-                self._places, self._speeds, self._trails, rows,
+                system.fields, before.fields, system.tags, before.tags, low, high, alpha, dt,
+                system.time_s, TRAIL, self._places, self._speeds, self._trails, rows,
             )  # fmt: skip
-            found = gather_touching(system.tags, self._places, low, high, since, begin, found, self._touching)
+            found = gather_touching(
+                system.tags, self._places, low, high, first_step, begin, found, self._in_contact
+            )
         places, speeds = self._places[:rows], self._speeds[:rows]
-        self._shown_touching = self._touching[:found]
-        colors = canvas.speed_colors(speeds, self.top_speed(scene))
+        self._shown_in_contact = self._in_contact[:found]
+        colors = canvas.speed_colors(speeds, self._top_speed())
         if rows <= FEW:
             canvas.streaks(places, self._trails[:rows], colors, 3.5, TRAIL)
         elif rows <= MOST_STREAKS:
@@ -83,33 +96,34 @@ class FountainView:
         else:
             canvas.particles(places, colors, 1.0)
 
-    def _make_room(self, capacity: int) -> None:
+    def _reserve(self, capacity: int) -> None:
+        """Make the arrays large enough for so many particles."""
         if len(self._places) < capacity:
             self._places = np.zeros((capacity, 2))
             self._speeds = np.zeros((capacity, 2))
             self._trails = np.zeros((capacity, 2))
-            self._touching = np.zeros((capacity, 2))
+            self._in_contact = np.zeros((capacity, 2))
 
-    def _draw_envelope(self, scene: Fountain, canvas: Canvas) -> None:
-        curve = exact_envelope(scene)
+    def _draw_envelope(self, canvas: Canvas) -> None:
+        model, frame = self.model, self.model.content.view
+        curve = exact_envelope(model)
         if not len(curve):
             return
         named = False
-        for row in open_nozzles(scene):
+        for row in open_nozzles(model):
             points = curve + row[:2]
-            points = points[points[:, 1] >= scene.content.floor - 0.2]
+            points = points[points[:, 1] >= model.content.floor - 0.2]
             line = thinned(points, canvas.px(0.1))
             canvas.polyline(line, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
-            frame = scene.frame()
             right = points[(points[:, 0] > row[0] + 1.6) & (points[:, 0] < frame.right - 1.0)]
-            if len(right) and not named and len(scene.content.nozzles) == 1:
+            if len(right) and not named and len(model.content.nozzles) == 1:
                 place = right[0]
                 words = "exact envelope of free flight"
                 canvas.label(tuple(place), words, "text1", anchor="left", offset=(14.0, -10.0))
                 named = True
 
-    def _draw_stones(self, scene: Fountain, canvas: Canvas) -> None:
-        for x, y, radius, _, _, e in scene.system.solids.rows.tolist():
+    def _draw_stones(self, canvas: Canvas) -> None:
+        for x, y, radius, _, _, e in self.model.system.solids.rows.tolist():
             canvas.circle((x, y), radius, "body", 1.0, "text2", 2.0)
             handle = rim_handle(x, y, radius)
             canvas.line((x, y), handle, "text2", 1.4)
@@ -119,13 +133,14 @@ class FountainView:
                 canvas.label((x, y), f"r {radius:.2f} m", "text1", offset=(0.0, 11.0), halo=False)
                 canvas.label((x, y), f"e {e:.2f}", "text1", offset=(0.0, 25.0), halo=False)
 
-    def _draw_nozzle(self, scene: Fountain, canvas: Canvas, index: int) -> None:
-        x, y, _, _, axis, spread = scene.system.state().emitters[index, :6].tolist()
+    def _draw_nozzle(self, canvas: Canvas, index: int) -> None:
+        model = self.model
+        x, y, _, _, axis, spread = model.system.state().emitters[index, :6].tolist()
         ux, uy = math.sin(axis), math.cos(axis)
         body = [(-0.13, -0.13), (0.13, -0.13), (0.1, 0.0), (-0.1, 0.0)]
         corners = np.array([(x + a * uy + b * ux, y - a * ux + b * uy) for a, b in body])
         canvas.polygon(corners, fill="ghost", outline="text2", width=1.2)
-        if spread < 0.5 * math.pi and scene.emitting:
+        if spread < 0.5 * math.pi and model.emitting:
             for side in (-1.0, 1.0):
                 angle = axis + side * spread
                 tip = (x + SPREAD_ARM * math.sin(angle), y + SPREAD_ARM * math.cos(angle))
@@ -135,28 +150,29 @@ class FountainView:
         edge = axis + min(spread, 0.5 * math.pi)
         place = (x + SPREAD_ARM * math.sin(edge), y + SPREAD_ARM * math.cos(edge))
         if index == 0:
-            canvas.label(place, f"±{scene.spread:.3g}°", "text1", size=13, anchor="left", offset=(14.0, 6.0))
+            words = f"±{model.parameters.spread:.3g}°"
+            canvas.label(place, words, "text1", size=13, anchor="left", offset=(14.0, 6.0))
 
-    def _draw_wind(self, scene: Fountain, canvas: Canvas) -> None:
-        frame = scene.frame()
+    def _draw_wind(self, canvas: Canvas) -> None:
+        frame, wind = self.model.content.view, self.model.parameters.wind
         middle = 0.5 * (frame.left + frame.right)
         length = 0.12 * (frame.right - frame.left)
         tail = (
-            middle - 0.5 * math.copysign(length, scene.wind),
+            middle - 0.5 * math.copysign(length, wind),
             frame.top - 0.1 * (frame.top - frame.bottom),
         )
-        part = scene.wind / max(abs(scene.wind), 4.0)
+        part = wind / max(abs(wind), 4.0)
         canvas.arrow(tail, (part * length, 0.0), "green", "w")
 
-    def _draw_whirl(self, scene: Fountain, canvas: Canvas) -> None:
-        x, y = scene.whirl_centre
-        turn = math.copysign(1.0, scene.whirl)
+    def _draw_vortex(self, canvas: Canvas) -> None:
+        x, y = self.model.vortex_centre
+        turn = math.copysign(1.0, self.model.parameters.whirl)
         for ring in range(1, 4):
             radius = 0.22 * ring
             start = 0.9 * ring
             canvas.arc((x, y), radius, start, start + turn * 4.6, "green", 1.4, alpha=0.9 - 0.2 * ring)
         canvas.handle((x, y))
-        canvas.label((x, y), "whirl", "green", offset=(0.0, -16.0))
+        canvas.label((x, y), "vortex", "green", offset=(0.0, -16.0))
 
 
 def _round_up(speed: float) -> float:

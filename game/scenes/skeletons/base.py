@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
+from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.skeletons import bench as skeleton_bench
 from game.scenes.skeletons import hand as editor
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.skeletons.rig import Rig, WeightRules
-from game.scenes.skeletons.skin_painter import SkinPainter, warm_up_painter
+from game.scenes.skeletons.skin_painter import SkinPainter
 from game.stage import Choice, Frame, Param, Parameter, Pointer, Scene, SceneAction, Toggle, WarmUp
 
 Array = NDArray[np.float64]

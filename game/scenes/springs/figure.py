@@ -22,8 +22,8 @@ def draw_projection(pen: Pen) -> None:
     pen.line((pa, pb), "text2", 1.1, dash=3.5)
     for start, end, size in ((a, pa, sizes[0]), (b, pb, sizes[1])):
         pen.disc(*start, size, "ghost", ring=1.3)
-        way = math.degrees(math.atan2(start[1] - end[1], end[0] - start[0]))
-        pen.arrow(ahead(start, way, size), ahead(end, way, -size - 1.0), "chalk", 1.8)
+        heading = math.degrees(math.atan2(start[1] - end[1], end[0] - start[0]))
+        pen.arrow(ahead(start, heading, size), ahead(end, heading, -size - 1.0), "chalk", 1.8)
     pen.line((qa, qb), "green", 2.0)
     for at, after, size in ((pa, qa, sizes[0]), (pb, qb, sizes[1])):
         dot(pen, at, "text2", size, ring=1.3)

@@ -1,12 +1,6 @@
-"""The hand in the mass-spring scenes: moving, making, linking, pinning and cutting while it runs.
-
-The scene keeps what the hand remembers as plain attributes, so that the stage can undo it: ``chosen`` (a
-particle or -1), ``first`` (the first end of a link or -1), ``knife`` (where a cut has come to, or None).
-"""
+"""The hand in the mass-spring scenes: moving, making, linking, pinning and cutting while it runs."""
 
 from __future__ import annotations
-
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,164 +11,166 @@ from game.physics.constraints.editing import (
     with_particle,
     without_particle,
 )
-from game.scenes.springs.level import NOT_OWN
-from game.stage import Pointer
+from game.physics.fields import GROUND
+from game.scenes.springs.level import Point
+from game.scenes.springs.model import SpringModel
+from game.scenes.springs.network import NOT_OWN
+from game.scenes.springs.parameters import SoftSpringParameters
+from game.stage import Part, Pointer
 
-if TYPE_CHECKING:
-    from game.scenes.springs.base import MassSpringScene
-
-TOOLS = ("hand", "particle", "link", "pin", "cut")
 REACH = 0.045  # of the height in view: how near to a particle the pointer takes it
+FARTHEST = 1e4  # m
 MOST_PARTICLES = 20_000  # that clicks can make
 NOBODY = -1
-Point = tuple[float, float]
 
 
-def begin_anew(scene: MassSpringScene) -> None:
-    """Forget what was begun; what is chosen stays."""
-    scene.first = NOBODY
-    scene.knife = None
-    scene.system.release()
+class SpringHand(Part):
+    """What is chosen (a particle or NOBODY), the first end of a link (or NOBODY), and where a cut has come to
+    (m, or None). What it holds is in the system.
 
+    Methods give what there is to say about what was done, or "".
+    """
 
-def take_pointer(scene: MassSpringScene, event: Pointer) -> None:
-    """A pointer event in world coordinates."""
-    point = (min(max(event.x, -1e4), 1e4), min(max(event.y, -1e4), 1e4))
-    if event.kind == "down" and event.button == 3:
-        scene.knife = point
-    elif event.kind == "down" and event.button == 1:
-        _press(scene, point)
-    elif event.kind == "move":
-        if scene.knife is not None:
-            _cut(scene, point)
-        elif scene.system.held != NOBODY:
-            scene.system.drag(point)
-    elif event.kind in ("up", "cancel"):
-        if event.kind == "up" and scene.first != NOBODY:
-            _link_to(scene, _at(scene, point), released=True)
-        scene.knife = None
-        scene.system.release()
-        if event.kind == "cancel":
-            scene.first = NOBODY
+    def __init__(self, model: SpringModel):
+        self.model = model
+        self.parameters = model.parameters
+        self.chosen = self.first = NOBODY
+        self.knife: Point | None = None
 
+    def begin_again(self) -> None:
+        """Forget what was begun; what is chosen stays."""
+        self.first = NOBODY
+        self.knife = None
+        self.model.system.release()
 
-def _at(scene: MassSpringScene, point: Point) -> int:
-    """The particle at a point, or NOBODY."""
-    frame = scene.frame()
-    return nearest_particle(scene.system, point, REACH * (frame.top - frame.bottom))
+    def take(self, event: Pointer) -> str:
+        """A pointer event in world coordinates."""
+        point = min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST)
+        if event.kind == "down" and event.button == 3:
+            self.knife = point
+        elif event.kind == "down" and event.button == 1:
+            return self._press(point)
+        elif event.kind == "move":
+            if self.knife is not None:
+                self._cut_from(self.knife, point)
+            elif self.model.system.held != NOBODY:
+                self.model.system.drag(self._between_walls(point))
+        elif event.kind in ("up", "cancel"):
+            return self._let_go(point, cancelled=event.kind == "cancel")
+        return ""
 
+    def _between_walls(self, point: Point) -> Point:
+        """The nearest place (m) that can be reached without passing a wall."""
+        left, right = self.model.walls if GROUND in self.model.active else (-FARTHEST, FARTHEST)
+        return min(max(point[0], left), right), point[1]
 
-def _press(scene: MassSpringScene, point: Point) -> None:
-    index = _at(scene, point)
-    if scene.tool == "cut":
-        scene.knife = point
-    elif scene.tool == "particle" and index == NOBODY:
-        _make_particle(scene, point)
-    elif scene.tool == "link":
-        if scene.first == NOBODY:
-            scene.first = index
-            choose(scene, index)
+    def _let_go(self, point: Point, cancelled: bool) -> str:
+        words = ""
+        if not cancelled and self.first != NOBODY:
+            words = self._link_to(self._at(point), released=True)
+        self.knife = None
+        self.model.system.release()
+        if cancelled:
+            self.first = NOBODY
+        return words
+
+    def _at(self, point: Point) -> int:
+        """The particle at a point, or NOBODY."""
+        view = self.model.content.view
+        return nearest_particle(self.model.system, point, REACH * (view.top - view.bottom))
+
+    def _press(self, point: Point) -> str:
+        index, tool = self._at(point), self.parameters.tool
+        if tool == "cut":
+            self.knife = point
+        elif tool == "particle" and index == NOBODY:
+            return self._make_particle(point)
+        elif tool == "link":
+            if self.first != NOBODY:
+                return self._link_to(index, released=False)
+            self.first = index
+            self._choose(index)
+        elif tool == "pin" and index != NOBODY:
+            self._choose(index)
+            self.parameters.fixed = not self.parameters.fixed
+            self.apply_parameter("fixed")
         else:
-            _link_to(scene, index, released=False)
-    elif scene.tool == "pin" and index != NOBODY:
-        choose(scene, index)
-        scene.values["fixed"] = not scene.values["fixed"]
-        apply_parameter(scene, "fixed")
-    else:
-        choose(scene, index)
-        if index != NOBODY:
-            scene.system.grab(index)
-            scene.system.drag(tuple(scene.system.positions[index].tolist()))
+            self._choose(index)
+            if index != NOBODY:
+                system = self.model.system
+                system.grab(index)
+                system.drag(system.positions[index])
+        return ""
 
+    def _choose(self, index: int) -> None:
+        """Let a particle be the chosen one (or nobody), and the parameters say what it is."""
+        self.chosen, parameters = index, self.parameters
+        if index == NOBODY:
+            return
+        weight = self.model.inverse_mass(index)
+        parameters.fixed = weight == 0.0
+        if weight > 0.0:
+            parameters.mass = min(max(1.0 / weight, 1e-6), 1e6)
+        if isinstance(parameters, SoftSpringParameters):
+            own = self.model.own[np.any(self.model.system.links.pairs == index, axis=1)]
+            if len(own):
+                parameters.own_stiffness = float(own[0]) if own[0] != NOT_OWN else parameters.stiffness
 
-def choose(scene: MassSpringScene, index: int) -> None:
-    """Let a particle be the chosen one (or nobody), and the parameters say what it is."""
-    scene.chosen = index
-    if index == NOBODY:
-        return
-    weight = inverse_mass(scene, index)
-    scene.values["fixed"] = weight == 0.0
-    if weight > 0.0:
-        scene.values["mass"] = min(max(1.0 / weight, 1e-6), 1e6)
-    links = np.flatnonzero(np.any(scene.system.links.pairs == index, axis=1))
-    if "own_stiffness" in scene.values and len(links):
-        own = scene.own[links[0]]
-        scene.values["own_stiffness"] = float(own) if own != NOT_OWN else scene.values["stiffness"]
+    def apply_parameter(self, name: str) -> None:
+        """Give what is chosen the mass, fixing or stiffness that the parameters say."""
+        if self.chosen == NOBODY:
+            return
+        if name == "own_stiffness" and isinstance(self.parameters, SoftSpringParameters):
+            self.model.give_own_stiffness(self.chosen, self.parameters.own_stiffness)
+        else:
+            self.model.give_inverse_mass(self.chosen, self._weight())
 
+    def _weight(self) -> float:
+        """The inverse mass (1/kg) that the parameters say."""
+        return 0.0 if self.parameters.fixed else 1.0 / self.parameters.mass
 
-def inverse_mass(scene: MassSpringScene, index: int) -> float:
-    """Inverse mass (1/kg) of a particle, also while the hand holds it."""
-    system = scene.system
-    return float(system.hand[1]) if system.held == index else float(system.inverse_masses[index])
+    def _make_particle(self, point: Point) -> str:
+        model = self.model
+        if model.system.count >= MOST_PARTICLES:
+            return f"There is room for {MOST_PARTICLES} particles."
+        model.take_system(with_particle(model.system, point, self._weight()), model.own)
+        self.chosen = model.system.count - 1
+        return ""
 
+    def _link_to(self, index: int, released: bool) -> str:
+        """End a link at a particle; a click that is released where it began waits for another one."""
+        model, first = self.model, self.first
+        if released and index == first:
+            return ""
+        self.first = NOBODY
+        if index in (NOBODY, first):
+            return ""
+        try:
+            system = with_link(model.system, first, index)
+        except ValueError as error:
+            return f"{str(error).capitalize()}."
+        model.take_system(system, np.append(model.own, NOT_OWN))
+        model.renew_links()
+        self.chosen = index
+        return ""
 
-def apply_parameter(scene: MassSpringScene, name: str) -> None:
-    """Give what is chosen the mass, fixing or stiffness that the parameters say."""
-    index, system = scene.chosen, scene.system
-    if index == NOBODY:
-        return
-    if name == "own_stiffness":
-        scene.own[np.any(system.links.pairs == index, axis=1)] = scene.values["own_stiffness"]
-        scene.edited = True
-        scene.renew_links()
-        return
-    weight = 0.0 if scene.fixed else 1.0 / scene.mass
-    if system.held == index:
-        system.hand[1] = weight
-    else:
-        system.inverse_masses[index] = weight
-        if weight == 0.0:
-            system.fields[2:4, index] = 0.0
-    system.masses_changed()
+    def _cut_from(self, start: Point, point: Point) -> None:
+        """Cut all links between where the knife was and where it is now."""
+        for link in links_across(self.model.system, start, point):
+            self.model.system.cut(link)
+        self.knife = point
 
-
-def _make_particle(scene: MassSpringScene, point: Point) -> None:
-    if scene.system.count >= MOST_PARTICLES:
-        scene.told.append(f"There is room for {MOST_PARTICLES} particles.")
-        return
-    weight = 0.0 if scene.fixed else 1.0 / scene.mass
-    system = with_particle(scene.system, point, weight)
-    scene.take_system(system, scene.own)
-    scene.chosen = system.count - 1
-
-
-def _link_to(scene: MassSpringScene, index: int, released: bool) -> None:
-    """End a link at a particle; a click that is released where it began waits for another one."""
-    first = scene.first
-    if released and index == first:
-        return
-    scene.first = NOBODY
-    if index in (NOBODY, first):
-        return
-    try:
-        system = with_link(scene.system, first, index)
-    except ValueError as error:
-        scene.told.append(f"{str(error).capitalize()}.")
-        return
-    scene.take_system(system, np.append(scene.own, NOT_OWN))
-    scene.renew_links()
-    scene.chosen = index
-
-
-def _cut(scene: MassSpringScene, point: Point) -> None:
-    """Cut all links between where the knife was and where it is now."""
-    assert scene.knife is not None
-    for link in links_across(scene.system, scene.knife, point):
-        scene.system.cut(link)
-    scene.knife = point
-
-
-def delete(scene: MassSpringScene) -> None:
-    """Take the chosen particle away, with its links."""
-    index = scene.chosen
-    if index == NOBODY:
-        return
-    begin_anew(scene)
-    kept = np.all(scene.system.links.pairs != index, axis=1)
-    try:
-        system = without_particle(scene.system, index)
-    except ValueError as error:
-        scene.told.append(f"{str(error).capitalize()}.")
-        return
-    scene.take_system(system, scene.own[kept])
-    scene.chosen = NOBODY
+    def delete(self) -> str:
+        """Take the chosen particle away, with its links."""
+        model, index = self.model, self.chosen
+        if index == NOBODY:
+            return ""
+        self.begin_again()
+        kept = np.all(model.system.links.pairs != index, axis=1)
+        try:
+            system = without_particle(model.system, index)
+        except ValueError as error:
+            return f"{str(error).capitalize()}."
+        model.take_system(system, model.own[kept])
+        self.chosen = NOBODY
+        return ""

@@ -1,31 +1,18 @@
-"""The parameters of the two mass-spring scenes: their solver, their world, their tools, and what is shown."""
+"""The parameters of the two mass-spring scenes: their links, their solver, their world, their tools, and what
+is shown."""
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from game.physics.constraints import MODELS, ORDERS, SCHEMES, SOLVERS
+from game.stage import Choice, Param, Parameters, Toggle
 
-from game.physics.constraints import (
-    AREAS,
-    ATTACHMENTS,
-    CONTACTS,
-    DAMPING,
-    LINKS,
-    ORDERS,
-    SCHEMES,
-    SOLVERS,
-    TEARING,
-)
-from game.physics.fields import GRAVITY, GROUND
-from game.scenes.springs.hand import TOOLS
-from game.stage import Choice, Param, Parameter, Scene, Toggle
-
-CHOSEN_PARAMETERS = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
+TOOLS = ("hand", "particle", "link", "pin", "cut")
+OF_CHOSEN = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
+OF_PICTURE = ("strains", "points")
 
 
-class MassSpringParameters(Scene):
-    """Base of both scenes: what they let one choose. Each adds how stiff its links are."""
-
-    effects = GRAVITY | GROUND | LINKS | AREAS | ATTACHMENTS | TEARING | DAMPING | CONTACTS
+class MassSpringParameters(Parameters):
+    """What both scenes let one choose. Each adds how stiff its links are."""
 
     iterations = Param(
         20, 1, 500, whole=True, log=True, group="Solver",
@@ -46,12 +33,9 @@ class MassSpringParameters(Scene):
     )  # fmt: skip
     order = Choice("coloured", ORDERS, group="Solver", rebuild=True, help="in which links are solved")
     relaxation = Param(
-        1.0,
-        0.1,
-        1.95,
-        group="Solver",
+        1.0, 0.1, 1.95, group="Solver",
         help="above 1 each correction goes further than it should; far above, the net shakes itself apart",
-    )
+    )  # fmt: skip
     damping = Param(0.4, 0.0, 50.0, unit="N s/m", group="World", help="k_d in the force −k_d v")
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
     strength = Param(
@@ -61,7 +45,7 @@ class MassSpringParameters(Scene):
         log=True,
         group="World",
         label="Tears at",
-        help="stretch over length that tears a link",
+        help="stretch over length that tears one",
     )
     speed_limit = Param(
         60.0, 1.0, 10_000.0, unit="m/s", log=True, group="World",
@@ -78,12 +62,37 @@ class MassSpringParameters(Scene):
     strains = Toggle(True, group="Shown", label="Stretch", help="links coloured by their stretch")
     points = Toggle(True, group="Shown", label="Particles")
 
-    groups: ClassVar[tuple[str, ...]] = ("Solver", "World", "Tools", "Shown")  # as the panel has them
 
-    @classmethod
-    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
-        """Parameters by name, group by group: a subclass's own groups come first."""
-        order = {group: i for i, group in enumerate(cls.groups, start=1)}
-        return dict(
-            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
-        )
+class RigidLinkChoices(Parameters):
+    """How stiff the links of C14 are."""
+
+    model = Choice(
+        "pbd", ("pbd", "xpbd"), labels=("Position based", "With compliance"), group="Links",
+        help="the link's length put right, or a spring of a real stiffness",
+    )  # fmt: skip
+    compliance = Param(
+        1e-6, 1e-9, 1.0, unit="m/N", log=True, group="Links", help="inverse stiffness, with compliance only"
+    )
+
+
+class SoftSpringChoices(Parameters):
+    """How stiff the springs of C15 are."""
+
+    model = Choice(
+        "pbd", MODELS, labels=("k", "k′", "Compliance"), group="Springs",
+        help="k each sweep; k spread over the sweeps; or a real stiffness",
+    )  # fmt: skip
+    stiffness = Param(
+        0.2, 0.0, 1.0, group="Springs", label="Stiffness k_s", help="of all springs without one of their own"
+    )
+    own_stiffness = Param(
+        0.2, 0.0, 1.0, group="Springs", label="Of the chosen", help="springs at the chosen particle"
+    )
+
+
+class RigidLinkParameters(MassSpringParameters, RigidLinkChoices):
+    """All of C14: what the last base declares comes first in the panel."""
+
+
+class SoftSpringParameters(MassSpringParameters, SoftSpringChoices):
+    """All of C15."""

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.lab.studies.constraints import stretch_study
 from game.scenes.springs import C14
 from game.scenes.springs.base import MassSpringScene
 from game.scenes.springs.figure import draw_projection
-from game.stage import Choice, Equation, Param
-
-Array = NDArray[np.float64]
+from game.scenes.springs.links import RigidLaw
+from game.scenes.springs.parameters import RigidLinkParameters
+from game.stage import Equation
 
 
 class RigidLinks(MassSpringScene):
@@ -28,18 +25,16 @@ class RigidLinks(MassSpringScene):
     Links far from their length would shoot off: the speed limit slows each particle by itself, and what it
     takes of the momentum nobody gets. The catenary meets it in its first step, and so does what is
     overstretched.
+
+    In the equations: x position, p predicted position, v velocity, h substep, g gravity, k_d damping,
+    w inverse mass, C constraint, L length at rest, n direction of the link, α compliance, λ multiplier,
+    M mass at the end of a chain of N links over that of each other particle.
     """
 
     name, task, title = C14.names
     study = stretch_study
-
-    model = Choice(
-        "pbd", ("pbd", "xpbd"), labels=("Position based", "With compliance"), group="Links",
-        help="the link's length put right, or a spring of a real stiffness",
-    )  # fmt: skip
-    compliance = Param(
-        1e-6, 1e-9, 1.0, unit="m/N", log=True, group="Links", help="inverse stiffness, with compliance only"
-    )
+    parameters_type = RigidLinkParameters
+    parameters: RigidLinkParameters
 
     figure = staticmethod(draw_projection)
     equations = (
@@ -67,14 +62,11 @@ class RigidLinks(MassSpringScene):
         Equation("Second order", r"\v{v} = (3\v{p} - 4\v{x} + \v{x}_-) / 2h", "English and Bridson 2008"),
     )
     try_this = (
-        "Open the long rope: 20 iterations in one substep, then 20 substeps of one: a tenth of the stretch.",
+        "Open the long rope: 20 iterations in one substep, then 20 substeps of one: a twentieth.",
         "Choose BDF2, let the pendulum swing: its energy stays; Euler loses three quarters in ten seconds.",
         "Take the cloth with the mouse and pull until it tears; cut it with the right button.",
         "Choose the direct solver for the rope with the heavy end: no stretch, at the price of two sweeps.",
     )
 
-    def model_name(self) -> str:
-        return self.model
-
-    def link_numbers(self, own: Array) -> tuple[Array, Array]:
-        return np.ones_like(own), np.full_like(own, self.compliance)
+    def link_law(self) -> RigidLaw:
+        return RigidLaw(self.parameters)

@@ -3,29 +3,25 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from game.physics.constraints.areas import INTACT
 from game.physics.constraints.editing import topology_of
-from game.scenes.springs.level import MOST_WRITTEN, NOT_OWN, LinkEntry, ParticleEntry, SpringContent
+from game.scenes.springs.level import MOST_WRITTEN, LinkEntry, ParticleEntry, SpringContent
+from game.scenes.springs.model import SpringModel
+from game.scenes.springs.network import NOT_OWN
 
-if TYPE_CHECKING:
-    from game.scenes.springs.base import MassSpringScene
 
-
-def content_of(scene: MassSpringScene) -> SpringContent:
+def content_of(model: SpringModel) -> SpringContent:
     """The network particle by particle; one too large for that as its level has it."""
-    system = scene.system
+    system = model.system
     if system.count > MOST_WRITTEN or len(system.torn) > 4 * MOST_WRITTEN:
-        return scene.content
+        return model.content
     topology = topology_of(system)
-    weights = system.inverse_masses.tolist()
-    if system.held >= 0:
-        weights[system.held] = float(system.hand[1])
+    weights = [model.inverse_mass(i) for i in range(system.count)]
     rows = zip(system.positions.tolist(), system.velocities.tolist(), weights, strict=True)
     whole = topology.torn == 0
     links = zip(
-        topology.pairs[whole].tolist(), topology.rest[whole].tolist(), scene.own[whole].tolist(), strict=True
+        topology.pairs[whole].tolist(), topology.rest[whole].tolist(), model.own[whole].tolist(), strict=True
     )
     outlines = zip(pairwise(topology.starts.tolist()), topology.areas[INTACT].tolist(), strict=True)
     return SpringContent(
@@ -39,7 +35,10 @@ def content_of(scene: MassSpringScene) -> SpringContent:
         ),
         areas=tuple(tuple(topology.corners[a:b].tolist()) for (a, b), intact in outlines if intact),
         contacts=tuple((a, b) for a, b in topology.contacts.tolist()),
-        floor=scene.content.floor,
-        reference=scene.content.reference,
-        view=scene.content.view,
+        floor=model.content.floor,
+        walls=model.content.walls,
+        body_distance=model.content.body_distance,
+        expected=model.content.expected,
+        reference=model.content.reference,
+        view=model.content.view,
     )

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.lab.studies.springs import spring_study
-from game.physics.constraints import MODELS
-from game.physics.constraints.areas import COMPLIANCE, INTACT, STIFFNESS
 from game.scenes.springs import C15
 from game.scenes.springs.base import MassSpringScene
 from game.scenes.springs.figure import draw_sweeps
-from game.scenes.springs.level import NOT_OWN
-from game.stage import Choice, Equation, Param, Readout, Strip
-
-Array = NDArray[np.float64]
-REFERENCE_HZ = 60.0  # 1/s: at one sweep of a step of 1/60 s all three models agree for a bead of 1 kg
+from game.scenes.springs.links import SoftLaw
+from game.scenes.springs.parameters import SoftSpringParameters
+from game.scenes.springs.readouts import area_kept
+from game.stage import Equation, Readout, Strip
 
 
 class Springs(MassSpringScene):
@@ -30,24 +24,18 @@ class Springs(MassSpringScene):
 
     The speed limit slows each particle by itself: where springs far from their length meet it, momentum is
     lost.
+
+    In the equations: p position, w inverse mass, C excess length or area, n direction of the spring,
+    h substep of n sweeps, g gravity, α compliance, λ multiplier, k_N stiffness in N/m, A area.
     """
 
     name, task, title = C15.names
     study = spring_study
-
-    model = Choice(
-        "pbd", MODELS, labels=("k", "k′", "Compliance"), group="Springs",
-        help="k each sweep; k spread over the sweeps; or a real stiffness",
-    )  # fmt: skip
-    stiffness = Param(
-        0.2, 0.0, 1.0, group="Springs", label="Stiffness k_s", help="of all springs without one of their own"
-    )
-    own_stiffness = Param(
-        0.2, 0.0, 1.0, group="Springs", label="Of the chosen", help="springs at the chosen particle"
-    )
+    parameters_type = SoftSpringParameters
+    parameters: SoftSpringParameters
 
     strips = (
-        Strip("Stretch", "", ("worst", "in all")),
+        Strip("Stretch", "", ("worst", "overall")),
         Strip("Energy", "J", ("kinetic", "elastic", "sum")),
         Strip("Area", "", ("area kept",)),
     )
@@ -75,23 +63,8 @@ class Springs(MassSpringScene):
         "Set the stiffness to 1: the springs are the rigid links of C14.",
     )
 
-    def model_name(self) -> str:
-        return self.model
-
-    def link_numbers(self, own: Array) -> tuple[Array, Array]:
-        k = np.where(own == NOT_OWN, self.stiffness, own)
-        soft = np.where(k > 0.0, (1.0 - k) / np.maximum(k, 1e-300) / REFERENCE_HZ**2, 1e12)
-        return k, np.minimum(soft, 1e12)
+    def link_law(self) -> SoftLaw:
+        return SoftLaw(self.parameters)
 
     def readouts(self) -> list[Readout]:
-        now, rest = self.system.areas()
-        whole = self.system.outlines.rows[INTACT] > 0.0
-        total = float(np.abs(rest[whole]).sum())
-        kept = float(np.abs(now[whole]).sum()) / total if total > 0.0 else 1.0
-        return [*super().readouts(), Readout("area kept", kept)]
-
-    def make_system(self) -> None:
-        super().make_system()
-        # areas hold nearly as firmly as they can with each model
-        self.system.outlines.rows[STIFFNESS] = 0.9
-        self.system.outlines.rows[COMPLIANCE] = 1e-6
+        return [*super().readouts(), area_kept(self.model)]

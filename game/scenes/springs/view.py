@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,28 +11,37 @@ from game.physics.constraints import AREAS, CONTACTS
 from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
 from game.physics.kernels.jit import kernel
-from game.scenes.skeletons.skin_painter import NO_EDGE, paint
+from game.scenes.shared.polygons import NO_EDGE, paint
+from game.scenes.springs.hand import SpringHand
+from game.scenes.springs.level import Point
+from game.scenes.springs.model import SpringModel, SpringState
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
 
-if TYPE_CHECKING:
-    from game.scenes.springs.base import MassSpringScene
-
-FULL_STRAIN = 0.05  # at which a link has the full colour of stretch or of pressure
+Array = NDArray[np.float64]
+FULL_STRAIN = 0.05  # at which a link has the full colour of stretch or of compression
 MOST_POINTS = 1_500  # particles drawn as points; more would cover their links
 MOST_STROKES = 2_500  # links drawn as strokes; more are drawn as threads
 THREAD_OPACITY = 0.8
 MOST_OUTLINES = 1_500
 AREA_OPACITY = 0.22
+NEXT_CLICK = {  # what the left button does with each tool; moving needs no words
+    "particle": "click: a new particle",
+    "link": "click both ends of a new link",
+    "pin": "click: pin or free",
+    "cut": "drag across links: cut",
+}
+OTHER_END = "now click the other end"
+WALL_THICKNESS = 0.12  # m
 LARGEST_DOT = 15.0  # design px, of a very heavy particle
 
 
 @kernel
-def color_by_strain(strains, full, calm, stretched, pressed, colors):
-    """Write colours (0xRRGGBB): calm at rest, ``stretched`` or ``pressed`` at a strain of ``full``."""
+def color_by_strain(strains, full, calm, stretched, compressed, colors):
+    """Write colours (0xRRGGBB): calm at rest, ``stretched`` or ``compressed`` at a strain of ``full``."""
     for i in range(strains.shape[0]):
         part = min(abs(strains[i]) / full, 1.0)
-        end = stretched if strains[i] > 0.0 else pressed
+        end = stretched if strains[i] > 0.0 else compressed
         mixed = 0
         for shift in (0, 8, 16):
             a = calm >> shift & 255
@@ -46,54 +53,69 @@ def color_by_strain(strains, full, calm, stretched, pressed, colors):
 class SpringView:
     """Draws a network; keeps the arrays that drawing needs."""
 
-    def __init__(self) -> None:
+    def __init__(self, model: SpringModel, hand: SpringHand):
+        self.model, self.hand = model, hand
         self._colors = np.zeros(0, dtype=np.uint32)
 
-    def legend(self, scene: MassSpringScene) -> Sequence[tuple[str, str, str]]:
+    def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
-        system = scene.system
+        system = self.model.system
         whole = len(system.torn) - int(system.torn.sum())
-        rows = [("line:text2", "links" if scene.task == "C14" else "springs", f"{whole:,}".replace(",", " "))]
-        if scene.strains:
+        rows = [("line:text2", self.model.law.noun, f"{whole:,}".replace(",", " "))]
+        if self.model.parameters.strains:
             rows.append(("line:vermilion", "stretched by 5 %", ""))
-            rows.append(("line:chalk", "pressed by 5 %", ""))
+            rows.append(("line:chalk", "compressed by 5 %", ""))
         fixed = int(np.count_nonzero(system.inverse_masses == 0.0)) - int(system.held >= 0)
         rows.append(("square:text1", "fixed in space", str(max(fixed, 0))))
         if system.held >= 0:
             rows.append(("ring:amber", "in your hand", ""))
-        if len(scene.content.reference):
+        next_click = OTHER_END if self.hand.first >= 0 else NEXT_CLICK.get(self.model.parameters.tool, "")
+        if next_click:
+            rows.append(("ring:accent", next_click, ""))
+        if len(self.model.content.reference):
             rows.append(("dash:text1", "exact", ""))
         return rows
 
-    def draw(self, scene: MassSpringScene, canvas: Canvas, alpha: float) -> None:
-        """All of it, from the back to the front."""
-        system = scene.system
-        places = self._between(scene, alpha)
+    def draw(self, canvas: Canvas, previous: SpringState | None, alpha: float) -> None:
+        """All of it, from the back to the front, ``alpha`` of the way from the state ``previous`` to now."""
+        model = self.model
+        content, on = model.content, model.active
+        places = self._between(previous, alpha)
         canvas.grid(None, "y")
-        if GROUND in scene.active:
-            canvas.ground(scene.content.floor)
-        if len(scene.content.reference):
-            canvas.polyline(np.array(scene.content.reference), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
-        if AREAS in scene.active:
-            self._draw_areas(scene, canvas, places)
-        self._draw_links(scene, canvas, places)
-        radii = self._radii(scene)
-        if scene.points and system.count <= MOST_POINTS:
-            self._draw_particles(scene, canvas, places, radii)
-        self._draw_fixed(scene, canvas, places)
-        self._draw_hand(scene, canvas, places)
+        if GROUND in on:
+            canvas.ground(content.floor)
+            if content.walls is not None:
+                self._draw_walls(canvas, content.walls)
+        if len(content.reference):
+            canvas.polyline(np.array(content.reference), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
+        if AREAS in on:
+            self._draw_areas(canvas, places)
+        self._draw_links(canvas, places)
+        radii = self._radii()
+        if model.parameters.points and model.system.count <= MOST_POINTS:
+            self._draw_particles(canvas, places, radii)
+        self._draw_fixed(canvas, places)
+        self._draw_hand(canvas, places)
 
-    def _between(self, scene: MassSpringScene, alpha: float) -> NDArray[np.float64]:
+    def _between(self, before: SpringState | None, alpha: float) -> Array:
         """Places (n, 2) m between the last two steps."""
-        now = scene.system.positions
-        before = scene.previous
-        if before is None or before.fields.shape != scene.system.fields.shape:
+        now = self.model.system.positions
+        if before is None or before.fields.shape != self.model.system.fields.shape:
             return now
         then = before.fields[:2, : len(now)].T
         return then + alpha * (now - then)
 
-    def _draw_areas(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
-        outlines = scene.system.outlines
+    def _draw_walls(self, canvas: Canvas, walls: Point) -> None:
+        """Slabs beside the ground, as high as they are seen."""
+        floor = self.model.content.floor
+        seen = canvas.camera.visible()
+        for x, thickness in zip(walls, (-WALL_THICKNESS, WALL_THICKNESS), strict=True):
+            corners = ((x, floor), (x + thickness, floor), (x + thickness, seen.top), (x, seen.top))
+            canvas.polygon(np.array(corners), fill="body", fill_alpha=0.75)
+            canvas.line((x, floor), (x, seen.top), "line2", 1.0)
+
+    def _draw_areas(self, canvas: Canvas, places: Array) -> None:
+        outlines = self.model.system.outlines
         count = len(outlines.starts) - 1
         if not 0 < count <= MOST_OUTLINES:
             return
@@ -102,8 +124,8 @@ class SpringView:
         none = np.full(count, NO_EDGE, dtype=np.int64)
         paint(canvas, places[outlines.corners], outlines.starts, inks, shares, none, np.zeros((4, 2)))
 
-    def _draw_links(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
-        system = scene.system
+    def _draw_links(self, canvas: Canvas, places: Array) -> None:
+        system = self.model.system
         pairs = system.links.pairs
         if not len(pairs):
             return
@@ -111,7 +133,7 @@ class SpringView:
             self._colors = np.zeros(len(pairs), dtype=np.uint32)
         system.measure()
         strains = system.strains
-        if not scene.strains:
+        if not self.model.parameters.strains:
             strains = np.zeros_like(strains)
         inks = (canvas.ink("text2"), canvas.ink("vermilion"), canvas.ink("chalk"))
         color_by_strain(strains, FULL_STRAIN, *inks, self._colors)
@@ -125,32 +147,30 @@ class SpringView:
         ends = places[pairs[whole]]
         canvas.segments(ends[:, 0], ends[:, 1], self._colors[whole], width)
 
-    def _radii(self, scene: MassSpringScene) -> NDArray[np.float64]:
+    def _radii(self) -> Array:
         """World radius of balls that bounce off each other, 0 for the rest."""
-        radii = np.zeros(scene.system.count)
-        if CONTACTS in scene.active:
-            contacts = scene.system.contacts
+        radii = np.zeros(self.model.system.count)
+        if CONTACTS in self.model.active:
+            contacts = self.model.system.contacts
             for column in (0, 1):
                 np.maximum.at(radii, contacts.pairs[:, column], 0.5 * contacts.rest)
         return radii
 
-    def _draw_particles(
-        self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64], radii: NDArray[np.float64]
-    ) -> None:
-        count = scene.system.count
+    def _draw_particles(self, canvas: Canvas, places: Array, radii: Array) -> None:
+        count = self.model.system.count
         size = 3.6 if count <= 60 else 2.4 if count <= 250 else 1.6
-        weights = scene.system.inverse_masses
+        weights = self.model.system.inverse_masses
         for i in np.flatnonzero(radii).tolist():
             canvas.circle(tuple(places[i].tolist()), float(radii[i]), "body", 1.0, "text1", 2.0)
         dots = (radii == 0.0) & (weights > 0.0)
         sizes = np.clip(size * np.power(weights[dots], -0.3), 1.4, LARGEST_DOT)
         canvas.discs(places[dots], canvas.px(1.0) * sizes, "text1")
 
-    def _draw_fixed(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
-        fixed = np.flatnonzero(scene.system.inverse_masses == 0.0)
+    def _draw_fixed(self, canvas: Canvas, places: Array) -> None:
+        fixed = np.flatnonzero(self.model.system.inverse_masses == 0.0)
         side = canvas.px(3.6 if len(fixed) < 40 else 2.4)
         for i in fixed.tolist():
-            if i != scene.system.held:
+            if i != self.model.system.held:
                 x, y = places[i].tolist()
                 corners = [
                     (x - side, y - side),
@@ -160,18 +180,20 @@ class SpringView:
                 ]
                 canvas.polygon(np.array(corners), fill="text1")
 
-    def _draw_hand(self, scene: MassSpringScene, canvas: Canvas, places: NDArray[np.float64]) -> None:
-        system = scene.system
-        if 0 <= scene.chosen < len(places):
-            place = tuple(places[scene.chosen].tolist())
+    def _draw_hand(self, canvas: Canvas, places: Array) -> None:
+        system = self.model.system
+        if 0 <= self.hand.chosen < len(places):
+            place = tuple(places[self.hand.chosen].tolist())
             canvas.ring(place, 9.0, "amber", 1.8)
-        if 0 <= scene.first < len(places):
-            canvas.ring(tuple(places[scene.first].tolist()), 12.0, "accent", 1.8)
+        if 0 <= self.hand.first < len(places):
+            end = tuple(places[self.hand.first].tolist())
+            canvas.ring(end, 12.0, "accent", 1.8)
+            canvas.label(end, OTHER_END, "accent", anchor="left", offset=(18.0, -12.0))
         if 0 <= system.held < len(places):
             place = tuple(places[system.held].tolist())
             target = tuple(system.hand[2:4].tolist())
             if math.dist(place, target) > canvas.px(12.0):
                 canvas.line(place, target, "amber", 1.4, dash=(8.0, 6.0))
             canvas.dot(place, 4.5, "amber")
-        if scene.knife is not None:
-            canvas.ring(scene.knife, 6.0, "vermilion", 1.8)
+        if self.hand.knife is not None:
+            canvas.ring(self.hand.knife, 6.0, "vermilion", 1.8)

@@ -10,9 +10,9 @@ import pytest
 from game.levels import LevelError, format_level, level_files, parse_level
 from game.physics.fields import DRAG, WIND
 from game.physics.particles import METHODS, OBSTACLES
+from game.scenes.fountain.exact import exact_envelope
 from game.scenes.fountain.hand import rim_handle
 from game.scenes.fountain.level import FountainContent
-from game.scenes.fountain.readouts import exact_envelope
 from game.scenes.fountain.scene import Fountain
 from game.stage import Action, ParameterError, SetEffect, SetParameter, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
@@ -25,8 +25,8 @@ def test_a_fountain_upwards_under_gravity_with_a_round_stone():
     """C04.1"""
     stage = open_level(Fountain, "default", **FAST)
     stage.run(90)
-    system = stage.scene.system
-    assert stage.scene.gravity == 9.81
+    system = stage.scene.model.system
+    assert stage.scene.parameters.gravity == 9.81
     assert stage.scene.y_up
     assert system.positions[:, 1].max() > 3.0
     assert len(system.solids) == 1
@@ -40,8 +40,8 @@ def test_rate_angle_life_and_speed():
     stage.post(SetEffect("obstacles", False))
     stage.run(60)
     assert readouts(stage)["born"] == 1000
-    v = stage.scene.system.velocities + np.array([[0.0, 9.81]]) * stage.scene.system.ages[:, None]
-    aloft = stage.scene.system.positions[:, 1] > 0.01
+    v = stage.scene.model.system.velocities + np.array([[0.0, 9.81]]) * stage.scene.model.system.ages[:, None]
+    aloft = stage.scene.model.system.positions[:, 1] > 0.01
     angles = np.degrees(np.arctan2(v[aloft, 0], v[aloft, 1]))
     assert 9.5 < np.abs(angles).max() <= 10.0 + 1e-9
     assert np.allclose(np.linalg.norm(v[aloft], axis=1), 5.0, rtol=0, atol=1e-9)
@@ -73,11 +73,11 @@ def test_methods_are_chosen_live():
 def test_newtons_law_with_restitution_one_half():
     """C04.7: a particle that falls on the top of the stone rises to a quarter of its height."""
     stage = open_level(Fountain, "hard-08-rest", method="verlet", restitution=0.5)
-    assert Fountain.restitution.default == 0.5
+    assert Fountain.parameter("restitution").default == 0.5
     heights = []
     for _ in range(90):
         stage.run(1)
-        heights.append(float(stage.scene.system.positions[0, 1]) - 2.5)
+        heights.append(float(stage.scene.model.system.positions[0, 1]) - 2.5)
     low = int(np.argmin(heights[:50]))
     assert max(heights[low:]) == pytest.approx(1.5 * 0.25, rel=0.02)
 
@@ -107,13 +107,13 @@ def test_the_stone_is_dragged_pushes_and_may_be_made_larger():
     stage = open_level(Fountain, "default", **FAST)
     stage.run(60)
     drag(stage, (0.2, 2.42), (1.7, 3.0), steps=30)
-    centre = stage.scene.system.solids.centres[0]
+    centre = stage.scene.model.system.solids.centres[0]
     assert np.allclose(centre, (1.7, 3.0), rtol=0, atol=1e-9)
-    assert stage.scene.system.solids.sample(stage.scene.system.positions)[0].min() > -1e-9
+    assert stage.scene.model.system.solids.sample(stage.scene.model.system.positions)[0].min() > -1e-9
     drag(stage, rim_handle(1.7, 3.0, 0.45), (1.7 + 0.9, 3.0), steps=5)
-    assert stage.scene.system.solids.radii[0] == pytest.approx(0.9, abs=1e-9)
+    assert stage.scene.model.system.solids.radii[0] == pytest.approx(0.9, abs=1e-9)
     stage.run(20)
-    assert stage.scene.system.solids.sample(stage.scene.system.positions)[0].min() > -1e-9
+    assert stage.scene.model.system.solids.sample(stage.scene.model.system.positions)[0].min() > -1e-9
 
 
 def test_a_fast_hand_does_not_shoot_particles_away():
@@ -121,58 +121,58 @@ def test_a_fast_hand_does_not_shoot_particles_away():
     stage.run(90)
     drag(stage, (0.2, 2.42), (-60.0, 2.4), steps=3)
     stage.run(30)
-    assert np.linalg.norm(stage.scene.system.velocities, axis=1).max() < 2 * 25.0 + 10.0
+    assert np.linalg.norm(stage.scene.model.system.velocities, axis=1).max() < 2 * 25.0 + 10.0
 
 
 def test_stones_come_and_go():
     stage = open_level(Fountain, "default", **FAST)
     click(stage, (-1.5, 3.0), shift=True)
-    assert len(stage.scene.system.solids) == 2
+    assert len(stage.scene.model.system.solids) == 2
     stage.run(60)
     click(stage, (0.2, 2.42), button=3)
-    assert len(stage.scene.system.solids) == 1
-    assert np.allclose(stage.scene.system.solids.centres[0], (-1.5, 3.0))
+    assert len(stage.scene.model.system.solids) == 1
+    assert np.allclose(stage.scene.model.system.solids.centres[0], (-1.5, 3.0))
     for i in range(40):
         click(stage, (30.0 + i, 30.0), shift=True)
-    assert len(stage.scene.system.solids) == 32
+    assert len(stage.scene.model.system.solids) == 32
     assert any("32 stones" in words for words in stage.scene.messages())
 
 
-def test_nozzle_and_whirl_are_dragged():
+def test_nozzle_and_vortex_are_dragged():
     stage = open_level(Fountain, "whirlwind", **FAST)
     drag(stage, (-1.2, 0.0), (1.5, 0.5))
     stage.run(3)
-    newest = stage.scene.system.positions[-1]
+    newest = stage.scene.model.system.positions[-1]
     assert min(math.dist(newest, place) for place in ((1.5, 0.5), (1.6, 0.0))) < 0.15
-    drag(stage, stage.scene.whirl_centre, (2.0, 3.0))
-    assert stage.scene.whirl_centre == (2.0, 3.0)
-    assert stage.scene.system.forces.whirl_x == 2.0
+    drag(stage, stage.scene.model.vortex_centre, (2.0, 3.0))
+    assert stage.scene.model.vortex_centre == (2.0, 3.0)
+    assert stage.scene.model.system.forces.whirl_x == 2.0
 
 
 def test_what_is_dragged_keeps_its_distance_from_the_pointer():
     stage = open_level(Fountain, "whirlwind", **FAST)
     drag(stage, (-1.15, -0.1), (0.85, 0.9))
-    assert stage.scene.system.state().emitters[0, :2] == pytest.approx((0.8, 1.0), abs=1e-12)
-    x, y = stage.scene.whirl_centre
+    assert stage.scene.model.system.state().emitters[0, :2] == pytest.approx((0.8, 1.0), abs=1e-12)
+    x, y = stage.scene.model.vortex_centre
     drag(stage, (x + 0.1, y - 0.2), (2.1, 2.8))
-    assert stage.scene.whirl_centre == pytest.approx((2.0, 3.0), abs=1e-12)
+    assert stage.scene.model.vortex_centre == pytest.approx((2.0, 3.0), abs=1e-12)
     press(stage, (30.0, 30.0), shift=True)
     release(stage, (30.0, 30.0))
-    x, y, radius = stage.scene.system.solids.rows[-1, :3].tolist()
+    x, y, radius = stage.scene.model.system.solids.rows[-1, :3].tolist()
     handle = rim_handle(x, y, radius)
     press(stage, (handle[0] + 0.08, handle[1] + 0.02))
     move(stage, (handle[0] + 0.08, handle[1] + 0.02))
-    assert stage.scene.system.solids.rows[-1, 2] == pytest.approx(radius, rel=1e-6)
+    assert stage.scene.model.system.solids.rows[-1, 2] == pytest.approx(radius, rel=1e-6)
 
 
 def test_the_nozzle_stays_above_the_ground():
     """Taken by its body, which is drawn below the point where particles are born, and pulled down."""
     stage = open_level(Fountain, "default", **FAST)
     drag(stage, (0.0, -0.1), (1.5, -0.4))
-    assert stage.scene.system.state().emitters[0, :2] == pytest.approx((1.5, 0.0), abs=1e-12)
+    assert stage.scene.model.system.state().emitters[0, :2] == pytest.approx((1.5, 0.0), abs=1e-12)
     stage.post(SetEffect("ground", False))
     drag(stage, (1.5, -0.1), (1.5, -0.4))
-    assert stage.scene.system.state().emitters[0, 1] == pytest.approx(-0.3, abs=1e-12)
+    assert stage.scene.model.system.state().emitters[0, 1] == pytest.approx(-0.3, abs=1e-12)
     stage.run(30)
     assert readouts(stage)["error"] < 1e-9
     stage.post(SetEffect("ground", True))  # it stands in the ground now: nothing is claimed
@@ -216,7 +216,7 @@ def test_nobody_passes_the_exact_envelope(drag_on):
     assert values["error"] < 1e-11
     assert values["outside the curve"] == 0
     assert values["exact"] - 0.1 < values["highest"] <= values["exact"] + 1e-9
-    curve = exact_envelope(stage.scene)
+    curve = exact_envelope(stage.scene.model)
     assert np.all(np.diff(curve[:, 0]) > 0.0)
 
 
@@ -231,13 +231,13 @@ def test_no_reference_where_none_is_known():
 def test_wind_blows_and_what_is_off_does_not():
     stage = open_level(Fountain, "default", **FAST, wind=20.0)
     stage.run(60)
-    still = stage.scene.system.positions[:, 0].mean()
+    still = stage.scene.model.system.positions[:, 0].mean()
     stage.post(SetEffect("wind", True))
     stage.run(60)
-    assert stage.scene.system.positions[:, 0].mean() < still + 0.5
+    assert stage.scene.model.system.positions[:, 0].mean() < still + 0.5
     stage.post(SetEffect("drag", True))
     stage.run(60)
-    assert stage.scene.system.positions[:, 0].mean() > still + 2.0
+    assert stage.scene.model.system.positions[:, 0].mean() > still + 2.0
 
 
 def test_energy_stays_level_without_loss():
@@ -274,7 +274,7 @@ def test_every_level_steps_restores_and_steps_again(path):
     again.run(20)
     assert again.digest() == stage.digest()
     assert stage.fault is None
-    stage.scene.system.check()
+    stage.scene.model.system.check()
 
 
 def test_a_recorded_session_replays_exactly():
@@ -303,7 +303,7 @@ def test_stepping_back_undoes_the_hand():
         stage.step_back()
     stage.step_back()
     stage.step()
-    assert len(stage.scene.system.solids) == 1
+    assert len(stage.scene.model.system.solids) == 1
     assert stage.digest() == before
 
 
@@ -350,7 +350,7 @@ def test_without_a_level_all_effects_are_on():
     scene = Fountain()
     assert OBSTACLES in scene.active
     for _ in range(5):
-        scene.advance(scene.step_length)
+        scene.advance(scene.parameters.step_length)
     assert len(scene.legend()) >= 2
 
 
@@ -359,10 +359,10 @@ def test_no_envelope_is_claimed_for_a_nozzle_within_a_stone():
     stage = open_level(Fountain, "hard-01-born-inside", **FAST)
     stage.run(60)
     values = readouts(stage)
-    assert len(exact_envelope(stage.scene)) == 0 and math.isnan(values["exact"])
+    assert len(exact_envelope(stage.scene.model)) == 0 and math.isnan(values["exact"])
     assert all(label != "exact envelope" for _, label, _ in stage.scene.legend())
     stage.post(SetEffect("obstacles", False))
     stage.run(1)
-    curve = exact_envelope(stage.scene)
-    nozzle = stage.scene.system.state().emitters[0, 1]
+    curve = exact_envelope(stage.scene.model)
+    nozzle = stage.scene.model.system.state().emitters[0, 1]
     assert readouts(stage)["exact"] == pytest.approx(nozzle + curve[:, 1].max())

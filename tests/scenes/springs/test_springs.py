@@ -34,49 +34,49 @@ def test_particles_and_links_are_clicked_together(scene_type):
     for point in ((-2.0, 2.0), (-1.0, 2.0), (-1.5, 3.0)):
         click(stage, point)
     scene = stage.scene
-    assert scene.system.count == 5
-    assert np.allclose(scene.system.inverse_masses[2:], 1 / 3)
+    assert scene.model.system.count == 5
+    assert np.allclose(scene.model.system.inverse_masses[2:], 1 / 3)
     stage.post(SetParameter("tool", "link"))
     click(stage, (-2.0, 2.0))
     click(stage, (-1.0, 2.0))
     drag(stage, (-1.0, 2.0), (-1.5, 3.0), steps=2, run=0)
-    assert scene.system.links.pairs.tolist()[-2:] == [[2, 3], [3, 4]]
-    assert scene.system.links.rest[-1] == pytest.approx(math.dist((-1, 2), (-1.5, 3)))
+    assert scene.model.system.links.pairs.tolist()[-2:] == [[2, 3], [3, 4]]
+    assert scene.model.system.links.rest[-1] == pytest.approx(math.dist((-1, 2), (-1.5, 3)))
     click(stage, (-2.0, 2.0))
     click(stage, (-1.0, 2.0))
-    assert len(scene.system.torn) == 3
+    assert len(scene.model.system.torn) == 3
     assert any("linked already" in words for words in scene.messages())
     text = format_level(Level(scene=scene_type.name, content=scene.save_content()))
     back = parse_level(text, scene_type.name, SpringContent)
     assert len(back.content.particles) == 5
     assert len(back.content.links) == 3
-    assert scene_type(back).system.links.pairs.tolist() == scene.system.links.pairs.tolist()
+    assert scene_type(back).model.system.links.pairs.tolist() == scene.model.system.links.pairs.tolist()
     stage.resume()
     stage.run(30)
     assert stage.fault is None
 
 
 @both
-def test_inverse_mass_nought_is_fixed_and_masses_are_typed(scene_type):
+def test_inverse_mass_zero_is_fixed_and_masses_are_typed(scene_type):
     """C14.2, C15.2: pinned and freed by a click; the mass of the chosen one by its parameter."""
     stage = sheet(scene_type)
     scene = stage.scene
     stage.run(30)
-    assert np.array_equal(scene.system.positions[0], (0.0, 3.0))
+    assert np.array_equal(scene.model.system.positions[0], (0.0, 3.0))
     stage.post(Action("pin"))
     click(stage, (0.0, 3.0))
-    assert scene.system.inverse_masses[0] > 0.0
+    assert scene.model.system.inverse_masses[0] > 0.0
     stage.run(10)
-    assert scene.system.positions[0, 1] < 3.0
+    assert scene.model.system.positions[0, 1] < 3.0
     stage.post(Action("hand"))
-    click(stage, scene.system.positions[1])
-    assert scene.chosen == 1
+    click(stage, scene.model.system.positions[1])
+    assert scene.hand.chosen == 1
     stage.post(SetParameter("mass", 50.0))
-    assert scene.system.inverse_masses[1] == pytest.approx(0.02)
+    assert scene.model.system.inverse_masses[1] == pytest.approx(0.02)
     stage.post(SetParameter("fixed", True))
-    there = scene.system.positions[1].copy()
+    there = scene.model.system.positions[1].copy()
     stage.run(20)
-    assert np.array_equal(scene.system.positions[1], there)
+    assert np.array_equal(scene.model.system.positions[1], there)
 
 
 @both
@@ -86,13 +86,13 @@ def test_the_ground_pushes_up_and_gravity_pulls_down(scene_type):
     stage.post(Action("pin"))
     click(stage, (0.0, 3.0))
     stage.run(120)
-    assert stage.scene.system.positions[:, 1].min() == 0.0
+    assert stage.scene.model.system.positions[:, 1].min() == 0.0
     stage.post(SetEffect("ground", False))
     stage.run(60)
-    assert stage.scene.system.positions[:, 1].max() < -3.0
+    assert stage.scene.model.system.positions[:, 1].max() < -3.0
     stage.post(SetParameter("gravity", -10.0))
     stage.run(240)
-    assert stage.scene.system.positions[:, 1].min() > 0.0
+    assert stage.scene.model.system.positions[:, 1].min() > 0.0
 
 
 @both
@@ -113,19 +113,21 @@ def test_particles_are_dragged_while_it_runs(scene_type):
     stage.run(10)
     scene = stage.scene
     index = 20
-    press(stage, scene.system.positions[index])
-    held = scene.system.held
+    press(stage, scene.model.system.positions[index])
+    held = scene.model.system.held
     assert held >= 0
     for i in range(20):
         move(stage, (0.05 * i, 2.0 + 0.05 * i))
         stage.run(1)
         if i > 10:
-            assert np.allclose(scene.system.positions[held], (0.05 * i, 2.0 + 0.05 * i), rtol=0, atol=1e-9)
+            assert np.allclose(
+                scene.model.system.positions[held], (0.05 * i, 2.0 + 0.05 * i), rtol=0, atol=1e-9
+            )
     release(stage, (1.0, 3.0))
-    assert scene.system.held == -1
-    assert scene.system.inverse_masses[held] > 0.0
+    assert scene.model.system.held == -1
+    assert scene.model.system.inverse_masses[held] > 0.0
     stage.run(240)
-    assert scene.system.positions[held, 1] < 2.9
+    assert scene.model.system.positions[held, 1] < 2.9
     assert stage.fault is None
 
 
@@ -135,8 +137,8 @@ def test_cutting_with_the_right_button_and_with_the_tool(scene_type):
     drag(stage, (0.7, 3.4), (0.7, 2.6), button=3, run=0)
     assert readouts(stage)["links"] == 0
     stage.run(60)
-    assert stage.scene.system.positions[1, 1] < 0.5
-    assert np.array_equal(stage.scene.system.positions[0], (0.0, 3.0))
+    assert stage.scene.model.system.positions[1, 1] < 0.5
+    assert np.array_equal(stage.scene.model.system.positions[0], (0.0, 3.0))
     again = sheet(scene_type)
     again.post(Action("cut"))
     drag(again, (0.7, 3.4), (0.7, 2.6), run=0)
@@ -147,20 +149,20 @@ def test_cutting_with_the_right_button_and_with_the_tool(scene_type):
 def test_what_is_chosen_is_deleted_with_its_links(scene_type):
     stage = open_level(scene_type, "default")
     scene = stage.scene
-    links = len(scene.system.torn)
-    click(stage, scene.system.positions[10])
-    at_it = int(np.any(scene.system.links.pairs == scene.chosen, axis=1).sum())
-    count = scene.system.count
+    links = len(scene.model.system.torn)
+    click(stage, scene.model.system.positions[10])
+    at_it = int(np.any(scene.model.system.links.pairs == scene.hand.chosen, axis=1).sum())
+    count = scene.model.system.count
     stage.post(Action("delete"))
-    assert stage.scene.system.count == count - 1
-    assert len(stage.scene.system.torn) == links - at_it
+    assert stage.scene.model.system.count == count - 1
+    assert len(stage.scene.model.system.torn) == links - at_it
     stage.run(30)
-    stage.scene.system.check()
+    stage.scene.model.system.check()
     alone = sheet(scene_type)
     for _ in range(2):
-        click(alone, alone.scene.system.positions[0])
+        click(alone, alone.scene.model.system.positions[0])
         alone.post(Action("delete"))
-    assert alone.scene.system.count == 1
+    assert alone.scene.model.system.count == 1
     assert any("last particle" in words for words in alone.scene.messages())
 
 
@@ -170,7 +172,7 @@ def test_points_and_lines_are_counted_in_the_legend(scene_type):
     stage = open_level(scene_type, "default")
     rows = {words: count for _, words, count in stage.scene.legend()}
     noun = "links" if scene_type is RigidLinks else "springs"
-    assert int(rows[noun].replace("\u202f", "").replace("\u2009", "")) == len(stage.scene.system.torn)
+    assert int(rows[noun].replace("\u202f", "").replace("\u2009", "")) == len(stage.scene.model.system.torn)
 
 
 @pytest.mark.parametrize(("scene_type", "path"), LEVELS, ids=lambda value: getattr(value, "name", value))
@@ -187,21 +189,21 @@ def test_every_level_steps_restores_and_steps_again(scene_type, path):
     again.run(8)
     assert again.digest() == stage.digest()
     assert stage.fault is None
-    stage.scene.system.check()
+    stage.scene.model.system.check()
 
 
 @both
 def test_a_recorded_session_with_edits_replays_exactly(scene_type):
     stage = open_level(scene_type, "default")
     stage.run(5)
-    drag(stage, stage.scene.system.positions[9], (0.0, 4.0), steps=6)
+    drag(stage, stage.scene.model.system.positions[9], (0.0, 4.0), steps=6)
     stage.post(SetParameter("tool", "particle"))
     click(stage, (0.0, 4.2))
     stage.post(SetParameter("iterations", 5))
     stage.run(3)
     stage.post(SetParameter("tool", "link"))
-    click(stage, stage.scene.system.positions[-1])
-    click(stage, stage.scene.system.positions[3])
+    click(stage, stage.scene.model.system.positions[-1])
+    click(stage, stage.scene.model.system.positions[3])
     drag(stage, (-3.0, 3.5), (3.0, 0.5), button=3, steps=4)
     stage.post(SetEffect("damping", False))
     stage.run(10)
@@ -213,13 +215,13 @@ def test_a_recorded_session_with_edits_replays_exactly(scene_type):
 def test_stepping_back_undoes_edits(scene_type):
     stage = open_level(scene_type, "default")
     stage.run(6)
-    before, count = stage.digest(), stage.scene.system.count
+    before, count = stage.digest(), stage.scene.model.system.count
     stage.post(Action("particle"))
     click(stage, (0.0, 4.3))
     stage.run(4)
     click(stage, (0.5, 4.3))
     stage.run(4)
-    assert stage.scene.system.count == count + 2
+    assert stage.scene.model.system.count == count + 2
     after = stage.digest()
     while stage.step_number > 6:
         assert stage.step_back()
@@ -233,7 +235,7 @@ def test_stepping_back_undoes_edits(scene_type):
         stage.step_back()
     stage.post(Action("hand"))
     stage.step()
-    assert stage.scene.system.count == count
+    assert stage.scene.model.system.count == count
     assert stage.digest() == before
 
 
@@ -259,6 +261,8 @@ def test_stepping_back_undoes_edits(scene_type):
         ("[content]\nfloor = 0.0", "particles"),
         ("[parameters]\niterations = 0", "parameters.iterations"),
         ("[content]\nropse = []", "ropse"),
+        ("[content]\nwalls = [2.0, -2.0]\nparticles = [{ position = [0, 0] }]", "walls"),
+        ("[content]\nbody_distance = -0.1", "content.body_distance"),
     ],
 )
 def test_what_is_broken_in_a_level_is_named(text, field):
@@ -271,6 +275,18 @@ def test_a_solver_that_does_not_fit_is_refused_and_the_old_one_goes_on():
     stage = open_level(RigidLinks, "default")
     with pytest.raises(ParameterError, match="fork"):
         stage.post(SetParameter("solver", "direct"))
-    assert stage.scene.solver == "gauss-seidel"
+    assert stage.scene.parameters.solver == "gauss-seidel"
     stage.run(2)
     assert stage.fault is None
+
+
+@both
+def test_the_next_click_is_named(scene_type):
+    stage = sheet(scene_type)
+    assert not any("click" in words for _, words, _ in stage.scene.legend())
+    for tool, words in (("particle", "new particle"), ("link", "both ends"), ("pin", "pin"), ("cut", "cut")):
+        stage.post(Action(tool))
+        assert any(words in label for _, label, _ in stage.scene.legend())
+    stage.post(Action("link"))
+    click(stage, (0.0, 3.0))
+    assert any("other end" in label for _, label, _ in stage.scene.legend())

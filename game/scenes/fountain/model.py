@@ -1,0 +1,215 @@
+"""The fountain itself: particles, stones, nozzles and the air, from the level and the parameters."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.physics.effects import EffectSet
+from game.physics.kernels.limits import LimitError
+from game.physics.particles import CALM, Discs, Emitter, ParticleSystem
+from game.physics.particles.encounters import STEP
+from game.scenes.fountain.level import MOST_STONES, FountainContent, Point, Stone
+from game.scenes.fountain.parameters import FountainParameters
+from game.stage import Part
+
+HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
+NEW_RADIUS = 0.25  # m, of an added stone
+MOST_MEETINGS = 32_000_000  # of a particle and a solid in a step, each substep again: a second or so at worst
+CONTACT_TIME = 1.0 / 60.0  # s for which a particle counts as in contact after an impact
+OF_EMITTERS = ("rate", "speed", "spread")  # parameters that the emitters take
+OF_FLIGHT = ("speed", "gravity", "drag", "wind", "fast_drag", "whirl")  # parameters of a particle's path
+
+
+class FountainModel(Part):
+    """Particles over stones.
+
+    active: the effects that are on. own: restitutions of the stones, None where the parameter's holds. since:
+    s, who was born later knows no other law and nozzle than the present ones. full: births were dropped in
+    the last step.
+    """
+
+    def __init__(
+        self, content: FountainContent, parameters: FountainParameters, active: EffectSet, seed: int
+    ):
+        self.content, self.parameters, self.active = content, parameters, active
+        self.emitting = True
+        self.own = [stone.restitution for stone in content.stones]
+        self.vortex_centre = content.whirl
+        self.since = 0.0
+        self.full = False
+        self.meetings = 0  # in a step, as far as there may be so many
+        stones = Discs(capacity=MOST_STONES)
+        for stone in content.stones:
+            stones.add(stone.centre, stone.radius, self._restitution(stone.restitution))
+        self.system = ParticleSystem(
+            int(parameters.places),
+            solids=stones,
+            effects=active,
+            seed=seed,
+            floor=content.floor,
+            emitters=[self._emitter(i, nozzle.position) for i, nozzle in enumerate(content.nozzles)],
+        )
+        if content.particles:
+            self.system.add(
+                [particle.position for particle in content.particles],
+                [particle.velocity for particle in content.particles],
+            )
+        self._configure()
+        self._bound_work()
+
+    def _restitution(self, own: float | None) -> float:
+        return self.parameters.restitution if own is None else own
+
+    def _emitter(self, index: int, position: Point) -> Emitter:
+        """A nozzle of the level with the panel's numbers, at ``position`` m."""
+        nozzle, parameters = self.content.nozzles[index], self.parameters
+        shares = sum(other.share for other in self.content.nozzles)
+        part = nozzle.share / shares if shares > 0.0 else 0.0
+        return Emitter(
+            position,
+            rate=parameters.rate * part if self.emitting else 0.0,
+            speed=parameters.speed,
+            spread=math.radians(parameters.spread),
+            axis=math.radians(nozzle.tilt),
+        )
+
+    # -- changes ------------------------------------------------------------------------------------
+
+    def _configure(self) -> None:
+        """Hand all parameters to the system."""
+        system, parameters = self.system, self.parameters
+        system.effects = self.active
+        system.method = parameters.method
+        system.contact = parameters.contact
+        system.life = parameters.life
+        system.substeps = 0 if parameters.smooth else 1
+        system.set_ground(self.content.floor, parameters.ground_restitution)
+        system.forces = CALM._replace(
+            gravity=parameters.gravity,
+            drag=parameters.drag,
+            quadratic_drag=parameters.fast_drag,
+            wind_x=parameters.wind,
+            whirl_strength=parameters.whirl,
+            whirl_x=self.vortex_centre[0],
+            whirl_y=self.vortex_centre[1],
+        )
+        for j, own in enumerate(self.own):
+            system.solids.rows[j, 5] = self._restitution(own)
+
+    def _bound_work(self) -> None:
+        """LimitError if the parameters ask for more work in a step than before and than there may be."""
+        places, solids = int(self.parameters.places), 1 + len(self.own)
+        substeps = self.system.substeps_for(self.parameters.step_length)
+        meetings = places * substeps * solids
+        if meetings > max(MOST_MEETINGS, self.meetings):
+            most = MOST_MEETINGS // (substeps * solids)
+            raise LimitError(
+                f"places: {places} are too many for {substeps} substeps among {solids} "
+                f"solids, {most} at most; less drag or a shorter time step takes fewer substeps"
+            )
+        self.meetings = meetings
+
+    def change_parameter(self, name: str) -> None:
+        """Take over a parameter's new value; LimitError if it asks for too much work."""
+        if name in OF_EMITTERS:
+            self._change_emitters()
+        else:
+            self._configure()
+        if name in OF_FLIGHT:
+            self.since = self.system.time_s
+        self._bound_work()
+
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on; LimitError if they ask for too much work."""
+        self.active = active
+        self._configure()
+        self.since = self.system.time_s
+        self._bound_work()
+
+    def switch_emitters(self) -> None:
+        """Let the nozzles begin or stop to emit."""
+        self.emitting = not self.emitting
+        self._change_emitters()
+
+    def _change_emitters(self) -> None:
+        """Give the nozzles the panel's numbers, where they are."""
+        for index in range(len(self.content.nozzles)):
+            x, y = self.nozzle_position(index)
+            self.system.change_emitter(index, self._emitter(index, (x, y)))
+
+    def nozzle_position(self, index: int) -> Point:
+        """Where a nozzle is, m."""
+        x, y = self.system.state().emitters[index, :2].tolist()
+        return x, y
+
+    def place_nozzle(self, index: int, position: Point) -> None:
+        """Put a nozzle somewhere else, m."""
+        self.system.place_emitter(index, position)
+        self.since = self.system.time_s
+
+    def place_vortex(self, position: Point) -> None:
+        """Put the vortex somewhere else, m."""
+        self.vortex_centre = position
+        self._configure()
+
+    def add_stone(self, centre: Point) -> int:
+        """Put a stone there, m; its number, or -1 if there are MOST_STONES."""
+        if len(self.own) == MOST_STONES:
+            return -1
+        index = int(self.system.solids.add(centre, NEW_RADIUS, self.parameters.restitution))
+        self.own.append(None)
+        return index
+
+    def remove_stone(self, index: int) -> None:
+        """Take a stone away; those after it move up."""
+        self.system.solids.remove(index)
+        del self.own[index]
+
+    # -- a step -------------------------------------------------------------------------------------
+
+    def advance(self, dt: float, carried: int, target: Point) -> bool:
+        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. True if the pool has become
+        full."""
+        system = self.system
+        if (system.forces.whirl_x, system.forces.whirl_y) != self.vortex_centre:
+            self._configure()  # the vortex was put back by a step back
+        if carried >= 0:
+            displacement = np.array(target) - system.solids.centres[carried]
+            speed = math.sqrt(float(displacement @ displacement)) / dt
+            system.solids.carry(
+                carried, displacement / dt * min(1.0, HAND_SPEED / speed if speed > 0.0 else 1.0)
+            )
+        dropped, moving = system.dropped, system.has_moving_emitters
+        system.step(dt)
+        if moving:  # who was born meanwhile did not leave the nozzle where it is now
+            self.since = system.time_s
+        if carried >= 0:
+            system.solids.carry(carried, (0.0, 0.0))
+        was_full, self.full = self.full, system.dropped > dropped
+        return self.full and not was_full
+
+    # -- what is asked of it ------------------------------------------------------------------------
+
+    def first_step_in_contact(self) -> int:
+        """Number of the first step whose impacts still count as contact."""
+        steps = max(1, round(CONTACT_TIME / self.parameters.step_length))
+        return max(int(self.system.tallies[STEP]) + 1 - steps, 1)
+
+    def content_now(self) -> FountainContent:
+        """The level as it stands now; living particles are not kept."""
+        return FountainContent(
+            nozzles=tuple(
+                type(nozzle)(position=self.nozzle_position(i), tilt=nozzle.tilt, share=nozzle.share)
+                for i, nozzle in enumerate(self.content.nozzles)
+            ),
+            stones=tuple(
+                Stone(centre=(float(row[0]), float(row[1])), radius=float(row[2]), restitution=own)
+                for row, own in zip(self.system.solids.rows, self.own, strict=True)
+            ),
+            floor=self.content.floor,
+            whirl=self.vortex_centre,
+            expected=self.content.expected,
+            view=self.content.view,
+        )

@@ -1,0 +1,216 @@
+"""A network of particles and links that is built, moved and edited."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.constraints import PositionBasedDynamics
+from game.physics.constraints.areas import AREA
+from game.physics.constraints.editing import Topology, assemble, topology_of
+from game.physics.constraints.motion import VX
+from game.physics.constraints.settings import LARGEST
+from game.physics.constraints.system import PositionState
+from game.physics.effects import EffectSet
+from game.physics.kernels.limits import LimitError
+from game.scenes.springs.level import Point, SpringContent
+from game.scenes.springs.links import LinkLaw
+from game.scenes.springs.network import build_network
+from game.scenes.springs.parameters import MassSpringParameters
+from game.stage import ParameterError, Part
+
+Array = NDArray[np.float64]
+MOST_PROJECTIONS = 50_000_000  # of links and areas in a step: a second
+
+
+class SpringState(NamedTuple):
+    """What moves (see `PositionState`), and how it is linked if that is not as in the level any more."""
+
+    fields: Array
+    torn: NDArray[np.int64]
+    intact: Array
+    hand: Array
+    own: Array  # (m,) stiffness of a link's own; empty as the following while nothing was edited
+    pairs: NDArray[np.int64]
+    rest: Array
+    stiffness: Array
+    compliance: Array
+    corners: NDArray[np.int64]
+    starts: NDArray[np.int64]
+    areas: Array
+    contacts: NDArray[np.int64]
+    distances: Array
+
+
+class SpringModel(Part):
+    """Particles and links.
+
+    law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited: the network is not the
+    level's any more.
+    """
+
+    def __init__(
+        self, content: SpringContent, parameters: MassSpringParameters, law: LinkLaw, active: EffectSet
+    ):
+        self.content, self.parameters, self.law, self.active = content, parameters, law, active
+        self.projections = 0  # in a step, as far as there may be so many
+        self._make_system()
+        self._bound_work()
+
+    def _make_system(self) -> None:
+        """The level's network, at its beginning."""
+        network = build_network(self.content)
+        shape = network.shape
+        self.own, self.edited = network.own, False
+        links = self.law.firmness(self.own)
+        self.system = PositionBasedDynamics(
+            *shape[:3],
+            links.stiffness,
+            rest_lengths=network.rest,
+            compliances=links.compliance,
+            areas=shape.areas,
+            area_stiffness=self.law.area_stiffness,
+            area_compliance=self.law.area_compliance,
+            velocities=network.velocities,
+            contacts=shape.contacts,
+            distances=shape.distances,
+            order=self.parameters.order,
+        )
+        self.system.outlines.rows[AREA] *= network.pressures
+        self._configure()
+
+    def _configure(self) -> None:
+        """Hand the parameters to the system; ParameterError if it refuses one."""
+        parameters = self.parameters
+        try:
+            self.system.change(
+                effects=self.active,
+                model=self.law.model,
+                scheme=parameters.scheme,
+                solver=parameters.solver,
+                substeps=int(parameters.substeps),
+                iterations=int(parameters.iterations),
+                gravity=parameters.gravity,
+                damping=parameters.damping,
+                floor=self.content.floor,
+                left=self.walls[0],
+                right=self.walls[1],
+                body_distance=self.content.body_distance,
+                relaxation=parameters.relaxation,
+                speed_limit=parameters.speed_limit,
+                stretch_limit=parameters.strength,
+            )
+        except ValueError as error:
+            raise ParameterError(str(error)) from None
+
+    def _bound_work(self) -> None:
+        """LimitError if the parameters ask for more work in a step than before and than there may be."""
+        system, settings = self.system, self.system.settings
+        each = len(system.torn) + len(system.outlines.starts) - 1 + len(system.contacts.pairs)
+        if settings.body_distance > 0.0:
+            each += system.body_pairs
+        projections = each * settings.iterations * settings.substeps
+        if projections > max(MOST_PROJECTIONS, self.projections):
+            raise LimitError(
+                f"iterations, substeps: {settings.iterations} x {settings.substeps} sweeps over {each} "
+                f"links, areas and contacts are too many, {MOST_PROJECTIONS // each} at most"
+            )
+        self.projections = projections
+
+    @property
+    def walls(self) -> Point:
+        """Where the left and the right wall are, m; far away where the level has none."""
+        return self.content.walls or (-LARGEST, LARGEST)
+
+    # -- changes ------------------------------------------------------------------------------------
+
+    def change_parameter(self, name: str) -> None:
+        """Take over a parameter's new value; ParameterError or LimitError if it cannot be."""
+        self._configure()
+        self.renew_links()
+        if name in ("iterations", "substeps"):
+            self._bound_work()
+
+    def change_effects(self, active: EffectSet) -> None:
+        """Compute these effects from now on."""
+        self.active = active
+        self._configure()
+
+    def renew_links(self) -> None:
+        """Give all links the stiffness that they have now."""
+        links = self.law.firmness(self.own)
+        self.system.links = dataclasses.replace(
+            self.system.links, stiffness=links.stiffness, compliance=links.compliance
+        )
+        self.system.masses_changed()
+
+    def give_own_stiffness(self, particle: int, stiffness: float) -> None:
+        """Give all links of a particle a stiffness of their own, 0 to 1."""
+        self.own[np.any(self.system.links.pairs == particle, axis=1)] = stiffness
+        self.edited = True
+        self.renew_links()
+
+    def inverse_mass(self, particle: int) -> float:
+        """1/kg, also while the hand holds it."""
+        system = self.system
+        return float(system.hand[1]) if system.held == particle else float(system.inverse_masses[particle])
+
+    def give_inverse_mass(self, particle: int, inverse_mass: float) -> None:
+        """Give a particle another mass, 1/kg; with 0 it stands still."""
+        system = self.system
+        if system.held == particle:
+            system.hand[1] = inverse_mass
+        else:
+            system.inverse_masses[particle] = inverse_mass
+            if inverse_mass == 0.0:
+                system.fields[VX : VX + 2, particle] = 0.0
+        system.masses_changed()
+
+    def take_system(self, system: PositionBasedDynamics, own: Array) -> None:
+        """Go on with an edited system."""
+        self.system, self.own, self.edited = system, own, True
+        self._configure()
+
+    # -- a step, and what a later one depends on -----------------------------------------------------
+
+    def advance(self, dt: float) -> bool:
+        """One step; True if the first link of all has torn in it."""
+        before = self.system.tears
+        self.system.step(dt)
+        return self.system.tears > before == 0
+
+    def state(self) -> SpringState:
+        """What moves, and the network once it is edited."""
+        moving = self.system.state()
+        if not self.edited:
+            return SpringState(*moving, *_UNEDITED)
+        topology = topology_of(self.system)
+        return SpringState(
+            *moving, self.own, *(part for name, part in topology._asdict().items() if name != "torn")
+        )
+
+    def restore(self, state: SpringState) -> None:
+        """Take over a copy of a state."""
+        if len(state.starts) > 0:
+            topology = Topology(
+                state.pairs, state.rest, state.stiffness, state.compliance, state.torn, state.corners,
+                state.starts, state.areas, state.contacts, state.distances,
+            )  # fmt: skip
+            count = state.fields.shape[1] - (self.system.fields.shape[1] - self.system.count)
+            self.own = state.own.copy()
+            self.system = assemble(self.system, state.fields[:, :count], topology)
+            self.edited = True
+        elif self.edited:
+            self._make_system()
+        self._configure()
+        self.renew_links()
+        self.system.restore(PositionState(*state[:4]))
+
+
+_NONE, _NO_INDEX = np.zeros(0), np.zeros(0, dtype=np.int64)
+_UNEDITED: tuple[Any, ...] = (
+    _NONE, _NO_INDEX, _NONE, _NONE, _NONE, _NO_INDEX, _NO_INDEX, _NONE, _NO_INDEX, _NONE,
+)  # fmt: skip
