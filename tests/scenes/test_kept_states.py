@@ -41,7 +41,7 @@ def kept(stage: Stage, tmp_path):
 def test_spheres_are_turned_by_quaternions_of_any_length(orientation, tmp_path):
     entry = f"position = [0, 1]\norientation = {[float(part) for part in orientation]}"
     stage = stage_of(SphereCollisions, f"[[content.spheres]]\n{entry}\nturning = [1.0, 2.0, 3.0]")
-    found = stage.scene.world.bodies.state.orientations[0]
+    found = stage.scene.model.world.bodies.state.orientations[0]
     largest = max(map(abs, orientation))
     wanted = np.array([part / largest for part in orientation])
     np.testing.assert_allclose(found, wanted / np.linalg.norm(wanted), rtol=0.0, atol=1e-15)
@@ -53,7 +53,7 @@ def test_spheres_that_have_flown_away_are_kept(tmp_path):
     stage = stage_of(
         SphereCollisions, "[[content.spheres]]\nposition = [0, 1]\n[[content.spheres]]\nposition = [3, 1]"
     )
-    bodies = stage.scene.world.bodies
+    bodies = stage.scene.model.world.bodies
     bodies.state.positions[0] = (54_321.5, 2.0 * FARTHEST_SPHERE, 0.0)
     bodies.state.momenta[0] = bodies.makeup.masses[0] * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
     first, second = kept(stage, tmp_path).spheres

@@ -49,7 +49,7 @@ class SphereEntry(_Entry, frozen=True, kw_only=True):
 
 
 class RackEntry(_Entry, frozen=True, kw_only=True):
-    """A triangle of spheres that touch, pointing to the left. gap: m between them."""
+    """A triangle of spheres in contact, pointing to the left. gap: m between them."""
 
     apex: tuple[Metre, Metre]
     rows: Count
@@ -72,7 +72,7 @@ class CradleEntry(_Entry, frozen=True, kw_only=True):
 
 
 class HeapEntry(_Entry, frozen=True, kw_only=True):
-    """Columns and rows of spheres, not quite in order: ``stir`` is a part of the room between them."""
+    """Columns and rows of spheres, not quite in order: ``stir`` is a part of the space between them."""
 
     corner: tuple[Metre, Metre]
     columns: Count

@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from game.scenes.spheres.level import FARTHEST, MOST_WRITTEN, CollisionContent, SphereEntry, StringEntry
-
-if TYPE_CHECKING:
-    from game.scenes.spheres.scene import SphereCollisions
+from game.scenes.spheres.model import CollisionModel
 
 
-def content_of(scene: SphereCollisions) -> CollisionContent:
+def content_of(model: CollisionModel) -> CollisionContent:
     """The spheres one by one; too many for that as their level has them.
 
     What is beyond `FARTHEST`, which no window shows, is kept there.
     """
-    bodies, around, given = scene.world.bodies, scene.world.surroundings, scene.content
+    bodies, around, given = model.world.bodies, model.world.surroundings, model.content
     makeup = bodies.makeup
     if len(makeup.radii) > MOST_WRITTEN:
         return given
@@ -26,7 +23,7 @@ def content_of(scene: SphereCollisions) -> CollisionContent:
         np.clip(rows, -FARTHEST, FARTHEST) for rows in (bodies.places(), bodies.velocities, bodies.turning)
     )
     shared = np.bincount(makeup.owners) > 1
-    own_mass = _masses_of_spheres(scene)
+    own_mass = _masses_of_spheres(model)
     spheres = tuple(
         SphereEntry(
             position=tuple(place),
@@ -53,9 +50,9 @@ def content_of(scene: SphereCollisions) -> CollisionContent:
     )
 
 
-def _masses_of_spheres(scene: SphereCollisions) -> np.ndarray:
+def _masses_of_spheres(model: CollisionModel) -> np.ndarray:
     """Mass (s,) kg of each sphere: a body's is shared by volume, as all of it has one density."""
-    makeup = scene.world.bodies.makeup
+    makeup = model.world.bodies.makeup
     volumes = makeup.radii**3
     whole = np.bincount(makeup.owners, weights=volumes)
     shares: np.ndarray = makeup.masses[makeup.owners] * (volumes / whole[makeup.owners])
