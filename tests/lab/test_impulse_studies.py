@@ -71,7 +71,7 @@ def test_piles_and_their_overlap():
 def test_present_settings_can_be_placed():
     from game.scenes.spheres.scene import SphereCollisions
 
-    values = {name: knob.default for name, knob in SphereCollisions.knobs().items()}
+    values = {name: knob.default for name, knob in SphereCollisions.declared_parameters().items()}
     values["impact-times"] = True
     for study, present in ((impact_study, present_impacts), (pile_study, present_pile)):
         setting = present(values)

@@ -56,7 +56,7 @@ def test_present_settings_can_be_placed_and_points_set():
         assert 0.0 < trial.outcome().error < 2e-3
         for point in study.settings():
             for name, value in point.scene.items():
-                RigidBodyScene.knob(name).check(value)
+                RigidBodyScene.parameter(name).check(value)
 
 
 def test_the_scene_stands_on_the_line_of_its_method():

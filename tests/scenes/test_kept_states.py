@@ -55,7 +55,7 @@ def test_spheres_that_have_flown_away_are_kept(tmp_path):
     )
     bodies = stage.scene.model.world.bodies
     bodies.state.positions[0] = (54_321.5, 2.0 * FARTHEST_SPHERE, 0.0)
-    bodies.state.momenta[0] = bodies.makeup.masses[0] * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
+    bodies.state.momenta[0] = bodies.composition.masses[0] * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
     first, second = kept(stage, tmp_path).spheres
     assert first.position == (54_321.5, FARTHEST_SPHERE, 0.0)
     assert first.velocity == pytest.approx((-234_567.0, FARTHEST_SPHERE, 0.0), rel=1e-14)
@@ -64,7 +64,7 @@ def test_spheres_that_have_flown_away_are_kept(tmp_path):
 
 def test_a_body_that_has_run_away_is_kept(tmp_path):
     stage = stage_of(RigidBodyScene, "[[content.spheres]]\nposition = [0, 0, 0]\nradius = 1")
-    body = stage.scene.bodies.all[0]
+    body = stage.scene.model.bodies.all[0]
     body.position = (3e8, -2.0 * FARTHEST_BODY, 0.0)
     body.velocity, body.angular_velocity = (12_345.5, 0.0, 0.0), (0.0, 54_321.0, 0.0)
     content = kept(stage, tmp_path)

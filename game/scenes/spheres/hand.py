@@ -59,7 +59,7 @@ class Hand(Part):
         """The sphere under a point, or NOBODY; of several the last one."""
         bodies = self.model.world.bodies
         away = bodies.places()[:, :2] - point
-        under = np.flatnonzero((away * away).sum(axis=1) <= bodies.makeup.radii**2)
+        under = np.flatnonzero((away * away).sum(axis=1) <= bodies.composition.radii**2)
         return int(under[-1]) if len(under) else NOBODY
 
     def _press(self, point: Point) -> None:
@@ -68,7 +68,7 @@ class Hand(Part):
         if sphere == NOBODY:
             return
         bodies = self.model.world.bodies
-        body = int(bodies.makeup.owners[sphere])
+        body = int(bodies.composition.owners[sphere])
         place = place_of(bodies, body, np.array((*point, bodies.places()[sphere, 2])))
         self.pressed = Pressed(body, place, *point)
 

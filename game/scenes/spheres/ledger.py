@@ -25,7 +25,7 @@ ROUNDING = 1e-12  # of an impulse: momentum of which no more is lost is kept
 
 def has_ledger(model: CollisionModel) -> bool:
     """Whether it is shown, and the spheres' numbers with it."""
-    return bool(model.parameters.ledger) and len(model.world.bodies.makeup.radii) <= MOST_SPHERES
+    return bool(model.parameters.ledger) and len(model.world.bodies.composition.radii) <= MOST_SPHERES
 
 
 def ledger_table(model: CollisionModel) -> Table | None:
@@ -48,7 +48,7 @@ def momentum_lost(model: CollisionModel, entry: Array) -> float:
     """Momentum (kg m/s) that a collision takes from the spheres: by rounding, or what a wall, or a sphere
     that nothing moves, takes up."""
     spheres = [int(entry[ledger.ONE]), int(entry[ledger.OTHER])]
-    owners, masses = model.world.bodies.makeup.owners, model.world.bodies.makeup.masses
+    owners, masses = model.world.bodies.composition.owners, model.world.bodies.composition.masses
     if any(s < 0 or (s < len(owners) and math.isinf(masses[owners[s]])) for s in spheres):
         return _size(entry)
     lost = float(entry[ledger.LOST_MOMENTUM])

@@ -70,7 +70,7 @@ class CollisionModel(Part):
         name = self.parameters.broad_phase
         if name == "grid":
             view = self.content.view
-            cell = CELL * 2.0 * float(bodies.makeup.radii.max())
+            cell = CELL * 2.0 * float(bodies.composition.radii.max())
             cell = max(cell, (view.right - view.left) / 2_000.0, (view.top - view.bottom) / 2_000.0)
             return UniformGrid((view.left, view.bottom), (view.right, view.top), cell)
         if name == "hierarchical":
@@ -125,8 +125,8 @@ class CollisionModel(Part):
         self.exact = SmoothSpheres(
             bodies.state.positions,
             bodies.velocities,
-            bodies.makeup.radii,
-            bodies.makeup.masses,
+            bodies.composition.radii,
+            bodies.composition.masses,
             restitution=self.parameters.restitution,
             wall_restitution=self.parameters.wall_restitution,
             gravity=self._acting_gravity(),
@@ -162,7 +162,7 @@ class CollisionModel(Part):
     def add_sphere(self, x: float, y: float) -> None:
         """A new sphere, as a body of its own; no nearer to the walls than its radius (m)."""
         bodies, view, radius = self.world.bodies, self.content.view, self.parameters.radius
-        if len(bodies.makeup.radii) >= MOST_SPHERES:
+        if len(bodies.composition.radii) >= MOST_SPHERES:
             self.messages.append(f"There can be {MOST_SPHERES} spheres at most.")
             return
         if 2.0 * radius > min(view.right - view.left, view.top - view.bottom):
@@ -183,7 +183,7 @@ class CollisionModel(Part):
         if bodies.count == 1:
             self.messages.append("The last body stays.")
             return False
-        gone = int(bodies.makeup.owners[sphere])
+        gone = int(bodies.composition.owners[sphere])
         self.pushes = pushes.without_body(self.pushes, gone)
         self.take_bodies(*without(bodies, self.world.surroundings, gone))
         return True

@@ -15,10 +15,10 @@ def readouts_of(model: CollisionModel) -> list[Readout]:
     """All measured values, the one of the top bar first."""
     world = model.world
     totals = world.totals()
-    gaps = world.touches[0][:, 3]
+    gaps = world.contacts[0][:, 3]
     penetration = float(np.max(-gaps, initial=0.0))
     return [
-        Readout("spheres", len(world.bodies.makeup.radii)),
+        Readout("spheres", len(world.bodies.composition.radii)),
         Readout("collisions", world.collisions),
         Readout("total energy", totals.energy, "J"),
         Readout("contacts", len(gaps)),

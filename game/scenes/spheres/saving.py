@@ -16,27 +16,27 @@ def content_of(model: CollisionModel) -> CollisionContent:
     What is beyond `FARTHEST`, which no window shows, is kept there.
     """
     bodies, around, given = model.world.bodies, model.world.surroundings, model.content
-    makeup = bodies.makeup
-    if len(makeup.radii) > MOST_WRITTEN:
+    composition = bodies.composition
+    if len(composition.radii) > MOST_WRITTEN:
         return given
     places, velocities, turning = (
         np.clip(rows, -FARTHEST, FARTHEST) for rows in (bodies.places(), bodies.velocities, bodies.turning)
     )
-    shared = np.bincount(makeup.owners) > 1
+    shared = np.bincount(composition.owners) > 1
     own_mass = _masses_of_spheres(model)
     spheres = tuple(
         SphereEntry(
             position=tuple(place),
-            radius=float(makeup.radii[s]),
+            radius=float(composition.radii[s]),
             velocity=tuple(velocities[body].tolist()),
             turning=tuple(turning[body].tolist()),
             orientation=tuple(bodies.state.orientations[body].tolist()),
             mass=None if math.isinf(own_mass[s]) else float(own_mass[s]),
             fixed=math.isinf(own_mass[s]),
-            material=given.materials[makeup.kinds[s]] if given.materials else None,
+            material=given.materials[composition.kinds[s]] if given.materials else None,
             body=body if shared[body] else None,
         )
-        for s, (place, body) in enumerate(zip(places.tolist(), makeup.owners.tolist(), strict=True))
+        for s, (place, body) in enumerate(zip(places.tolist(), composition.owners.tolist(), strict=True))
     )
     ties = zip(around.hung.tolist(), around.strings.tolist(), strict=True)
     return CollisionContent(
@@ -52,8 +52,8 @@ def content_of(model: CollisionModel) -> CollisionContent:
 
 def _masses_of_spheres(model: CollisionModel) -> np.ndarray:
     """Mass (s,) kg of each sphere: a body's is shared by volume, as all of it has one density."""
-    makeup = model.world.bodies.makeup
-    volumes = makeup.radii**3
-    whole = np.bincount(makeup.owners, weights=volumes)
-    shares: np.ndarray = makeup.masses[makeup.owners] * (volumes / whole[makeup.owners])
+    composition = model.world.bodies.composition
+    volumes = composition.radii**3
+    whole = np.bincount(composition.owners, weights=volumes)
+    shares: np.ndarray = composition.masses[composition.owners] * (volumes / whole[composition.owners])
     return shares

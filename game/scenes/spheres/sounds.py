@@ -18,7 +18,7 @@ def hearing_of(model: CollisionModel) -> Hearing:
     recent = entries[(entries[:, ledger.TIME] > now - REMEMBERED_S) & (-entries[:, ledger.BEFORE] > LEAST)]
     half = (
         0.5 * model.parameters.step_length / model.parameters.substeps
-    )  # entries bear the time at which their substep began
+    )  # entries have the time at which their substep began
     frame = model.frame()
     middle, reach = 0.5 * (frame.left + frame.right), max(0.5 * (frame.right - frame.left), 1e-9)
     pans = np.clip((recent[:, ledger.X] - middle) / reach, -1.0, 1.0).tolist()

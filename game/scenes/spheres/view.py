@@ -16,6 +16,7 @@ from game.scenes.spheres.ledger import entry_of, has_ledger
 from game.scenes.spheres.level import COLORS
 from game.scenes.spheres.model import CollisionModel
 from game.scenes.spheres.pushes import point_of
+from game.scenes.spheres.state import SphereState
 from game.stage import blend
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.rimmed_discs import draw_rimmed_discs
@@ -44,9 +45,9 @@ class CollisionView:
     def legend(self) -> Sequence[tuple[str, str, str]]:
         """What the marks mean."""
         world = self.model.world
-        count = f"{len(world.bodies.makeup.radii):,}".replace(",", " ")
+        count = f"{len(world.bodies.composition.radii):,}".replace(",", " ")
         names = self.model.content.materials
-        kinds = np.bincount(world.bodies.makeup.kinds, minlength=max(len(names), 1))
+        kinds = np.bincount(world.bodies.composition.kinds, minlength=max(len(names), 1))
         if len(names) > 1:
             rows = [
                 (f"disc:{COLORS[i]}", name, f"{kinds[i]:,}".replace(",", " ")) for i, name in enumerate(names)
@@ -56,14 +57,14 @@ class CollisionView:
         if self.model.parameters.shown_impulses:
             rows.append(("arrow:amber", "impulses", f"{world.collisions:,}".replace(",", " ")))
         if self.model.parameters.shown_bearing:
-            rows.append(("line:green", "contact forces", str(len(world.touches[0]))))
+            rows.append(("line:green", "contact forces", str(len(world.contacts[0]))))
         if self.model.exact is not None:
             rows.append(("dash:text1", "event-driven", ""))
         return rows
 
     # -- the picture --------------------------------------------------------------------------------
 
-    def draw(self, before: Any, canvas: Canvas, alpha: float) -> None:
+    def draw(self, before: SphereState | None, canvas: Canvas, alpha: float) -> None:
         """All of it, from the back to the front, ``alpha`` of the way from the state ``before`` to now."""
         canvas.grid(None, "")
         self._draw_walls(canvas)
@@ -82,7 +83,7 @@ class CollisionView:
 
     def _draw_numbers(self, canvas: Canvas, places: Array, tips: Array) -> None:
         """The numbers by which the ledger names spheres, beside the radius lines; none on small spheres."""
-        radii = self.model.world.bodies.makeup.radii
+        radii = self.model.world.bodies.composition.radii
         for s in np.flatnonzero(radii > canvas.px(NUMBERED)).tolist():
             at = places[s] - 0.45 * (tips[s] - places[s])
             canvas.label((float(at[0]), float(at[1])), str(s), "text2", 11, "medium", halo=False)
@@ -92,24 +93,24 @@ class CollisionView:
         entry = entry_of(self.model, self.lit) if self.lit is not None else None
         if entry is None:
             return
-        radii = self.model.world.bodies.makeup.radii
+        radii = self.model.world.bodies.composition.radii
         for s in (int(entry[ledger.ONE]), int(entry[ledger.OTHER])):
             if 0 <= s < len(places):
                 canvas.circle(places[s], float(radii[s]), None, 1.0, "amber", 4.0)
         canvas.ring((float(entry[ledger.X]), float(entry[ledger.Y])), 6.0, "amber", 1.8)
 
-    def _between(self, before: Any, alpha: float) -> tuple[Array, Array]:
+    def _between(self, before: SphereState | None, alpha: float) -> tuple[Array, Array]:
         """Places (s, 2) and ends of the radius lines (s, 2), m, between the last two steps."""
         bodies = self.model.world.bodies
-        now = places_and_tips(bodies.state, bodies.makeup)
+        now = places_and_tips(bodies.state, bodies.composition)
         if before is None or before.positions.shape != bodies.state.positions.shape:
             return now
-        if len(before.radii) != len(bodies.makeup.radii):
+        if len(before.radii) != len(bodies.composition.radii):
             return now
         then = places_and_tips(before, before)
         return then[0] + alpha * (now[0] - then[0]), then[1] + alpha * (now[1] - then[1])
 
-    def _draw_exact(self, before: Any, canvas: Canvas, alpha: float) -> None:
+    def _draw_exact(self, before: SphereState | None, canvas: Canvas, alpha: float) -> None:
         """Spheres of the event-driven run, dashed, at the same instant as the others."""
         if self.model.exact is None:
             return
@@ -140,12 +141,14 @@ class CollisionView:
             canvas.line((low - over, y), (high + over, y), "text2", 4.0)
 
     def _draw_spheres(self, canvas: Canvas, places: Array, tips: Array) -> None:
-        makeup = self.model.world.bodies.makeup
-        radii = makeup.radii
+        composition = self.model.world.bodies.composition
+        radii = composition.radii
         largest = float(radii.max()) * canvas.pixels_per_unit
         names = self.model.content.materials
         inks = np.array([canvas.ink(name) for name in COLORS], dtype=np.uint32)
-        edge = inks[makeup.kinds] if len(names) > 1 else np.full(len(radii), canvas.ink("text1"), np.uint32)
+        edge = (
+            inks[composition.kinds] if len(names) > 1 else np.full(len(radii), canvas.ink("text1"), np.uint32)
+        )
         if largest < SMALLEST_LINED:
             canvas.discs(places, radii, edge)
             return
@@ -157,7 +160,7 @@ class CollisionView:
             canvas.segments(places, tips, edge, 1.6)
         elif len(radii) <= MOST_LINES:
             self._thread(canvas, places, tips, edge)
-        heavy = np.isinf(makeup.masses)[makeup.owners]
+        heavy = np.isinf(composition.masses)[composition.owners]
         for s in np.flatnonzero(heavy).tolist():
             canvas.circle(places[s], float(radii[s]), "line2", 1.0, "text1", 2.0)
         self._draw_joins(canvas, places)
@@ -167,27 +170,27 @@ class CollisionView:
         bodies = self.model.world.bodies
         if bodies.single:
             return
-        apart = bodies.makeup.offsets.any(axis=1)
-        counts = np.bincount(bodies.makeup.owners)
+        apart = bodies.composition.offsets.any(axis=1)
+        counts = np.bincount(bodies.composition.owners)
         centres = np.zeros((bodies.count, 2))
-        np.add.at(centres, bodies.makeup.owners, places)
+        np.add.at(centres, bodies.composition.owners, places)
         centres /= counts[:, None]
-        canvas.segments(centres[bodies.makeup.owners[apart]], places[apart], "text1", 3.0)
+        canvas.segments(centres[bodies.composition.owners[apart]], places[apart], "text1", 3.0)
 
     def _draw_contact_forces(self, canvas: Canvas, places: Array) -> None:
         """What rests on what: lines between centres, four widths by the impulse."""
-        touches, who, held = self.model.world.touches
+        contacts, who, held = self.model.world.contacts
         strength = held[:, 0]
         most = float(strength.max(initial=0.0))
         if not most > 0.0:
             return
-        radii = self.model.world.bodies.makeup.radii
+        radii = self.model.world.bodies.composition.radii
         real = (strength > 0.02 * most) & (who[:, 0] < len(places)) & (who[:, 1] < len(places))
         first = places[who[real, 0]]
         other = np.where(
             (who[real, 1] >= 0)[:, None],
             places[np.maximum(who[real, 1], 0)],
-            first + touches[real, :2] * radii[who[real, 0]][:, None],
+            first + contacts[real, :2] * radii[who[real, 0]][:, None],
         )
         part = strength[real] / most
         thin = part < THIN
@@ -256,9 +259,9 @@ class CollisionView:
             )
 
 
-def places_and_tips(state: Any, makeup: Any) -> tuple[Array, Array]:
+def places_and_tips(state: Any, composition: Any) -> tuple[Array, Array]:
     """Places (s, 2) m of the spheres and ends of their radius lines, seen along z."""
-    owners, offsets = makeup.owners, makeup.offsets
+    owners, offsets = composition.owners, composition.offsets
     q = state.orientations[owners]
     w, x, y, z = q[:, 0], q[:, 1], q[:, 2], q[:, 3]
     along = np.stack((1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z)), axis=1)
@@ -267,4 +270,4 @@ def places_and_tips(state: Any, makeup: Any) -> tuple[Array, Array]:
         across = np.stack((2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z)), axis=1)
         out = np.stack((2.0 * (x * z + w * y), 2.0 * (y * z - w * x)), axis=1)
         places += offsets[:, :1] * along + offsets[:, 1:2] * across + offsets[:, 2:] * out
-    return places, places + makeup.radii[:, None] * along
+    return places, places + composition.radii[:, None] * along

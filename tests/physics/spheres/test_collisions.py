@@ -30,7 +30,7 @@ def state_bytes(world):
     return b"".join(np.ascontiguousarray(part).tobytes() for part in world.state())
 
 
-# -- motion without touch -------------------------------------------------------------------------------
+# -- motion without contact -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -372,7 +372,7 @@ BROAD_PHASES = {
 
 @pytest.mark.parametrize("name", BROAD_PHASES)
 def test_any_broad_phase_gives_the_run_of_brute_force(name):
-    """The same touches in the same order, so the same bits."""
+    """The same contacts in the same order, so the same bits."""
     digests = []
     for broad_phase in (None, BROAD_PHASES[name]()):
         bodies, window = heap_of(40, 8)
@@ -538,7 +538,7 @@ def test_a_force_that_waits_is_restored_as_well():
 @pytest.mark.parametrize(
     ("e", "quotient"), [(0.0, 1.0), (0.5, 0.75), (0.9, 0.19), (0.95, 0.19), (0.999, 0.19), (1.0, 2.0)]
 )
-def test_the_speed_from_which_a_touch_bounces(path, e, quotient):
+def test_the_speed_from_which_a_contact_bounces(path, e, quotient):
     """4 g h / (1 - e²), no more than at e = 0.9; 2 g h at e = 1. A little faster bounces, slower does not."""
     h = 1.0 / 60.0
     limit = 4.0 * G * h / quotient

@@ -60,12 +60,12 @@ def test_each_sphere_is_a_body_with_a_radius_line_that_turns():
     """C13.1, .3: ends of radius lines go round with the orientation; mass and inertia 1."""
     stage = opened("two-spheres")
     bodies = bodies_of(stage)
-    assert bodies.makeup.masses.tolist() == [1.0, 1.0]
-    assert bodies.makeup.inverse_inertias[:, :3].tolist() == [[1.0] * 3] * 2
-    places, tips = places_and_tips(bodies.state, bodies.makeup)
+    assert bodies.composition.masses.tolist() == [1.0, 1.0]
+    assert bodies.composition.inverse_inertias[:, :3].tolist() == [[1.0] * 3] * 2
+    places, tips = places_and_tips(bodies.state, bodies.composition)
     assert np.allclose(tips - places, [(0.6, 0.0)] * 2)
     stage.run(30)
-    places, tips = places_and_tips(bodies.state, bodies.makeup)
+    places, tips = places_and_tips(bodies.state, bodies.composition)
     arm = tips[1] - places[1]
     assert math.hypot(*arm) < 0.6 and arm[1] > 0.2, "it turns in space, so its line is seen shortened"
 
@@ -75,15 +75,15 @@ def test_spheres_are_clicked_and_removed():
     stage = opened("draw", radius=0.3)
     click(stage, (1.0, 2.0))
     click(stage, (-50.0, 2.0))
-    makeup, state = bodies_of(stage).makeup, bodies_of(stage).state
-    assert makeup.radii.tolist() == [0.25, 0.3, 0.3]
+    composition, state = bodies_of(stage).composition, bodies_of(stage).state
+    assert composition.radii.tolist() == [0.25, 0.3, 0.3]
     assert state.positions[2, 0] == pytest.approx(-4.2 + 0.3)
     stage.run(10)
     click(stage, bodies_of(stage).state.positions[1, :2], button=3)
-    assert bodies_of(stage).makeup.radii.tolist() == [0.25, 0.3]
+    assert bodies_of(stage).composition.radii.tolist() == [0.25, 0.3]
     stage.post(Action("remove"))
     click(stage, bodies_of(stage).state.positions[0, :2])
-    assert bodies_of(stage).makeup.radii.tolist() == [0.3]
+    assert bodies_of(stage).composition.radii.tolist() == [0.3]
     click(stage, bodies_of(stage).state.positions[0, :2])
     assert bodies_of(stage).count == 1 and "The last body stays." in stage.scene.messages()
 
@@ -93,11 +93,11 @@ def test_real_masses():
     stage = opened("hard-05-mass-ratio")
     stage.post(SetParameter("density", 3.0))
     stage.post(SetParameter("real", True))
-    makeup = bodies_of(stage).makeup
+    composition = bodies_of(stage).composition
     mass = 3.0 * 4.0 / 3.0 * math.pi * 0.2**3
-    assert makeup.masses[0] == pytest.approx(mass)
-    assert 1.0 / makeup.inverse_inertias[0, 0] == pytest.approx(0.4 * mass * 0.04)
-    assert makeup.masses[1] == 1e6 and math.isinf(makeup.masses[5])
+    assert composition.masses[0] == pytest.approx(mass)
+    assert 1.0 / composition.inverse_inertias[0, 0] == pytest.approx(0.4 * mass * 0.04)
+    assert composition.masses[1] == 1e6 and math.isinf(composition.masses[5])
 
 
 def test_brute_force_or_any_broad_phase():
@@ -308,7 +308,7 @@ def test_what_only_rests_or_rolls_does_not_divide_steps():
     for _ in range(120):
         stage.run(1)
         parts.append(stage.scene.model.world.parts)
-    assert len(stage.scene.model.world.touches[0]) > 45
+    assert len(stage.scene.model.world.contacts[0]) > 45
     assert np.median(parts) <= 4
 
 
@@ -365,7 +365,7 @@ def test_a_state_of_other_spheres_of_the_same_sizes_is_put_back_whole():
     click(stage, (float(last[0]), float(last[1])), button=3)
     stage.post(Action("sphere"))
     click(stage, (0.3, 3.2))
-    assert np.array_equal(bodies_of(stage).makeup.radii, before.radii)
+    assert np.array_equal(bodies_of(stage).composition.radii, before.radii)
     assert len(stage.scene.model.world.surroundings.hung) == len(before.hung) - 1
     stage.scene.restore(before)
     assert stage.digest() == digest
@@ -475,7 +475,7 @@ def test_saved_content_goes_on_alike(tmp_path, name):
     mine, saved = bodies_of(stage), bodies_of(again)
     assert np.allclose(mine.places(), saved.places(), rtol=0, atol=1e-12)
     assert np.allclose(mine.velocities, saved.velocities, rtol=0, atol=1e-12)
-    assert np.allclose(mine.makeup.masses, saved.makeup.masses, rtol=1e-12)
+    assert np.allclose(mine.composition.masses, saved.composition.masses, rtol=1e-12)
     assert np.array_equal(
         stage.scene.model.world.surroundings.strings, again.scene.model.world.surroundings.strings
     )
