@@ -17,7 +17,7 @@ class Edit(NamedTuple):
     """A sphere added (or else removed), its place in the list, and its row of the design."""
 
     added: bool
-    index: int
+    place: int
     row: tuple[float, ...]
 
 
@@ -65,8 +65,8 @@ class Edits(Part):
         self._apply(edit)
 
     def _apply(self, edit: Edit) -> None:
-        added, index, row = edit
+        added, place, row = edit
         design = self.model.bodies.design
         self.model.reshape(
-            np.insert(design, index, row, axis=0) if added else np.delete(design, index, axis=0)
+            np.insert(design, place, row, axis=0) if added else np.delete(design, place, axis=0)
         )

@@ -65,16 +65,22 @@ class RigidBodyScene(Scene):
         SceneAction("meet", "begin again from A", "m"),
     )
     strips = (
-        Strip("Energy of rotation", "J", ("A", "B", "exact", "bound"), ("exact", "bound"), sometimes=("B",)),
-        Strip("Relative error of L", "", ("L error of A", "L error of B"), sometimes=("L error of B",)),
-        Strip("Length of q minus 1", "", ("q error of A", "q error of B"), sometimes=("q error of B",)),
+        Strip(
+            "Energy of rotation",
+            "J",
+            ("A: energy", "B: energy", "exact: energy", "greatest energy"),
+            exact=("exact: energy", "greatest energy"),
+            sometimes=("B: energy",),
+        ),
+        Strip("Error of L", "", ("A: L error", "B: L error"), sometimes=("B: L error",)),
+        Strip("Error of |q|", "", ("A: |q| error", "B: |q| error"), sometimes=("B: |q| error",)),
     )
     figure = staticmethod(draw_momentum_sphere)
     equations = EQUATIONS
     try_this = (
         "Count the flips of A and B beside the exact ones; then give A another integrator, and begin again.",
         "Set a time step of 1/10 s: explicit Euler is lost at once, the splitting only jitters.",
-        "Take Implicit gyroscopic: what most engines use. It loses energy and angular momentum.",
+        "Choose Implicit gyroscopic, which most engines use: it loses energy and angular momentum.",
         "Push the head, then the handle, with the same force. Double the density and do it again.",
         "Switch normalizing off and look at |q| with explicit Euler, and with the exponential map.",
     )

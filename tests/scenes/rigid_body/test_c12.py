@@ -196,12 +196,12 @@ def test_the_hammer_flips_about_its_middle_axis():
         stage.run(math.floor((change + quarter) / stage.dt) - stage.step_number)
         messages += stage.scene.messages()
         now = readouts(stage)
-        assert now["flips of B"] == now["flips, exact"] == flips
-        counts.append(now["flips of A"])
+        assert now["B: flips"] == now["exact: flips"] == flips
+        counts.append(now["A: flips"])
     assert flips > 10
     assert counts[1:] == [4] * (flips - 1), "from 5 s on explicit Euler turns about another axis"
     assert sum("turned over" in words for words in messages) == 1
-    assert now["angular error of B"] < 10.0
+    assert now["B: angular error"] < 10.0
 
 
 @pytest.mark.parametrize("name", ["bouncing", "hard-08-symmetric", "thousand-spheres"])
@@ -235,18 +235,18 @@ def test_twin_view_and_accounts():
     stage = open_level(RigidBodyScene, "default", twin=True, second="implicit-gyroscopic")
     stage.run(1200)
     now = readouts(stage)
-    assert now["energy error of A"] > 0.5
-    assert now["A"] <= now["bound"] * (1 + 1e-12)
-    assert now["L error of A"] == 0.0
-    assert now["energy error of B"] < -0.01
-    assert now["L error of B"] < -0.01
-    assert now["q error of A"] == 0.0
-    assert now["exact"] == pytest.approx(now["A"] / (1.0 + now["energy error of A"]), rel=1e-9)
+    assert now["A: energy error"] > 0.5
+    assert now["A: energy"] <= now["greatest energy"] * (1 + 1e-12)
+    assert now["A: L error"] == 0.0
+    assert now["B: energy error"] < -0.01
+    assert now["B: L error"] < -0.01
+    assert now["A: |q| error"] == 0.0
+    assert now["exact: energy"] == pytest.approx(now["A: energy"] / (1.0 + now["A: energy error"]), rel=1e-9)
     stage.post(SetParameter("normalizing", False))
     stage.run(60)
-    assert readouts(stage)["q error of A"] > 0.01
+    assert readouts(stage)["A: |q| error"] > 0.01
     stage.post(Action("meet"))
-    assert readouts(stage)["angular error of A"] == 0.0
+    assert readouts(stage)["A: angular error"] == 0.0
     stage.post(Action("still"))
     assert readouts(stage)["angular speed"] == 0.0
 
