@@ -55,7 +55,8 @@ def test_spheres_that_have_flown_away_are_kept(tmp_path):
     )
     bodies = stage.scene.model.world.bodies
     bodies.state.positions[0] = (54_321.5, 2.0 * FARTHEST_SPHERE, 0.0)
-    bodies.state.momenta[0] = bodies.composition.masses[0] * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
+    mass = bodies.composition.masses[0]
+    bodies.state.momenta[0] = mass * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
     first, second = kept(stage, tmp_path).spheres
     assert first.position == (54_321.5, FARTHEST_SPHERE, 0.0)
     assert first.velocity == pytest.approx((-234_567.0, FARTHEST_SPHERE, 0.0), rel=1e-14)
