@@ -13,6 +13,7 @@ from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.spheres import SphereBodies
 from game.scenes.spheres import C13
+from game.scenes.spheres.captions import captions_of
 from game.scenes.spheres.figure import draw_friction_cone
 from game.scenes.spheres.hand import Hand
 from game.scenes.spheres.ledger import ledger_table
@@ -123,6 +124,7 @@ class SphereCollisions(Scene):
     def build(self, level: Level | None) -> None:
         given = level.content if level is not None and level.content is not None else self.default_content
         self.model = CollisionModel(given, self.parameters, self.active, self.seed)
+        captions_of(self.model)  # refuses an unknown readout
         self.hand = Hand(self.model)
         self.view = CollisionView(self.model, self.hand)
 

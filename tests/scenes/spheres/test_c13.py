@@ -12,6 +12,7 @@ import pytest
 from game.levels import Level, LevelError, level_files, load_level, save_level
 from game.physics.spheres import ledger
 from game.scenes.spheres import view as c13_view
+from game.scenes.spheres.captions import captions_of
 from game.scenes.spheres.ledger import entry_of, momentum_lost
 from game.scenes.spheres.level import CollisionContent
 from game.scenes.spheres.scene import SphereCollisions
@@ -432,6 +433,30 @@ def test_what_hard_levels_show():
     assert v.tolist() == pytest.approx([0.75, 0.75, 0.0, 1.5])
 
 
+def test_hard_levels_say_what_is_expected_and_what_is_measured():
+    """Met at every step as they are; where a law or a correction spoils it, the caption says by how much."""
+    kept = [name for name in HARD if opened(name).scene.model.content.expected]
+    assert len(kept) >= 8
+    for name in kept:
+        stage = opened(name)
+        for _ in range(20):
+            stage.run(15)
+            assert all(caption.met for caption in captions_of(stage.scene.model)), name
+    stage = opened("hard-08-deep-overlap", correction="baumgarte")
+    wait(stage, 0.5)
+    (caption,) = captions_of(stage.scene.model)
+    assert not caption.met
+    assert caption.words.startswith("total energy: expected 0 J, measured ")
+    assert not caption.words.endswith("measured 0 J")
+
+
+def test_the_caption_stands_in_the_picture(monkeypatch):
+    stage, words = opened("hard-06-grazing"), []
+    monkeypatch.setattr(Canvas, "label", lambda _, at, text, *rest, **more: words.append(text))
+    stage.scene.draw(blank_canvas(stage), 1.0)
+    assert "rotational energy: expected 0 J, measured 0 J" in words
+
+
 def test_restitution_out_of_range_is_refused():
     stage = opened("default")
     for value in (-0.1, 1.1, math.nan):
@@ -442,6 +467,7 @@ def test_restitution_out_of_range_is_refused():
 # -- files, memory --------------------------------------------------------------------------------------
 
 BROKEN = {
+    'spheres = [{ position = [0.0, 1.0] }]\nexpected = [{ readout = "warmth", value = 0.0 }]': "warmth",
     "spheres": "expected 1 to 20000, got 0",
     "spheres = [{ position = [0.0, 1.0], radius = -1.0 }]": "radius",
     "spheres = [{ position = [0.0] }]": "position",
