@@ -22,7 +22,7 @@ EQUATIONS = (
     ),
     Equation("Explicit Euler", r"q_{n+1} = q_n + \frac{h}{2} (0, \v{\omega}_n) q_n", "L and P as well"),
     Equation(
-        "Semi-implicit",
+        "Semi-implicit Euler",
         r"\v{L}_{n+1} = \v{L}_n + h\v{\tau},  \v{\omega} = J_n^{-1} \v{L}_{n+1}",
         "q as above",
     ),
@@ -48,9 +48,17 @@ EQUATIONS = (
         "R about the body's axes; Reich 1994",
     ),
     Equation(
+        "Exact (Jacobi)",
+        r"I_1 \dot{\omega}_1 = (I_2 - I_3) \omega_2 \omega_3",
+        "and cyclic; by cn, sn, dn",
+    ),
+    Equation(
         "Euler of ω, body frame",
         r"\v{\omega}_{n+1} = \v{\omega}_n + h I^{-1} (\v{\tau} - \v{\omega}_n \times I \v{\omega}_n)",
-        "world frame: J in place of I",
+    ),
+    Equation(
+        "Euler of ω, world frame",
+        r"\v{\omega}_{n+1} = \v{\omega}_n + h J^{-1} (\v{\tau} - \v{\omega}_n \times \v{L}_n)",
     ),
     Equation(
         "Energy of rotation",

@@ -251,6 +251,11 @@ def test_twin_view_and_accounts():
     assert readouts(stage)["angular speed"] == 0.0
 
 
+def test_the_help_shows_a_step_of_each_integrator():
+    titles = {equation.title for equation in RigidBodyScene.equations}
+    assert titles.issuperset(RigidBodyScene.parameter("method").labels)
+
+
 def test_effects_that_are_off_do_nothing():
     stage = open_level(RigidBodyScene, "default")
     stage.post(SetEffect("rotation", False))
