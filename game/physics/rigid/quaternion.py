@@ -115,7 +115,7 @@ def angle_between(p, q):
     return 2.0 * math.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
 
 
-# -- at the door ------------------------------------------------------------------------------------
+# -- validation -------------------------------------------------------------------------------------
 
 
 def quaternion_normalized(q: ArrayLike) -> Array:

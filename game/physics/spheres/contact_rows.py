@@ -30,13 +30,13 @@ from game.physics.spheres.spheres import (
     WZ,
 )  # fmt: skip
 
-# columns of a row: least separating speed wanted, effective mass, softness, friction, restitution, impulse
+# columns of a row: least separating speed to reach, effective mass, softness, friction, restitution, impulse
 # along the normal, of friction (3), arms (3 each), arms x normal (3 each), impulse of collisions (4),
-# separating speed before it, and of a joint round: impulse so far, least separating speed wanted
+# separating speed before it, and of a joint round: impulse so far, least separating speed to reach
 (
     BIAS, MASS, SOFT, MU, REBOUND, JN, JTX, JTY, JTZ, RAX, RAY, RAZ, RBX, RBY, RBZ,
     TAX, TAY, TAZ, TBX, TBY, TBZ, HIT, HITX, HITY, HITZ, BEFORE,
-    JOINT, WANTED,
+    JOINT, TARGET,
 ) = range(28)  # fmt: skip
 ROW_COLUMNS = 28
 TOUCHING = 1e-9  # of the radius: a gap up to this is none

@@ -20,8 +20,8 @@ from game.physics.spheres.contact_rows import (
     REBOUND,
     SOFT,
     STILL,
+    TARGET,
     TOUCHING,
-    WANTED,
     normal_speed,
     push_along,
     rest_speed,
@@ -74,19 +74,19 @@ def measure_round(work, radii, contacts, who, ids, count, rows, fastest, numbers
     for m in range(count):
         contact, row = contacts[m], rows[m]
         row[JOINT] = 0.0
-        row[WANTED] = ABSENT
+        row[TARGET] = ABSENT
         if contact[GAP] > TOUCHING * radii[who[m, FIRST]] or not row[MASS] > 0.0:
             continue
         speed = normal_speed(work, row, contact, ids[m, FIRST], ids[m, SECOND])
         row[BEFORE] = speed
         rest = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
         if abs(speed) <= rest:
-            row[WANTED] = -abs(speed)  # it rests: no rebound, and what is left is borne later
+            row[TARGET] = -abs(speed)  # it rests: no rebound, and what is left is borne later
         elif speed < 0.0:
-            row[WANTED] = -row[REBOUND] * speed
+            row[TARGET] = -row[REBOUND] * speed
             rebound = max(rebound, row[REBOUND])
         else:
-            row[WANTED] = SEPARATING
+            row[TARGET] = SEPARATING
     return rebound
 
 
@@ -97,8 +97,8 @@ def join_all(count, rows):
     It leads to the nearest velocities that no contact forbids, which cannot be faster: rest is among them.
     """
     for m in range(count):
-        if rows[m, WANTED] != ABSENT:
-            rows[m, WANTED] = min(rows[m, WANTED], 0.0)
+        if rows[m, TARGET] != ABSENT:
+            rows[m, TARGET] = min(rows[m, TARGET], 0.0)
 
 
 @inner_kernel
@@ -107,10 +107,10 @@ def sweep_jointly(work, contacts, ids, count, rows):
     change = 0.0
     for m in range(count):
         contact, row = contacts[m], rows[m]
-        if row[WANTED] >= SEPARATING:
+        if row[TARGET] >= SEPARATING:
             continue
         a, b = ids[m, FIRST], ids[m, SECOND]
-        missing = row[WANTED] - normal_speed(work, row, contact, a, b)
+        missing = row[TARGET] - normal_speed(work, row, contact, a, b)
         mass = row[MASS] / (1.0 - row[SOFT])
         j = max(row[JOINT] + missing * mass, 0.0) - row[JOINT]
         if j != 0.0:

@@ -31,14 +31,14 @@ class Totals(NamedTuple):
 
     momentum: tuple[float, float, float]  # kg m/s
     spin: tuple[float, float, float]  # kg m²/s
-    moving: float  # J
-    turning: float  # J
-    height: float  # J, above y = 0
+    translational: float  # J
+    rotational: float  # J
+    potential: float  # J, above y = 0
 
     @property
     def energy(self) -> float:
         """J, all of it."""
-        return self.moving + self.turning + self.height
+        return self.translational + self.rotational + self.potential
 
 
 @inner_kernel

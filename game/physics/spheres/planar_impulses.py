@@ -16,10 +16,10 @@ from game.physics.spheres.contact_rows import STILL, STRING, TOUCHING, rest_spee
 from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, SECOND
 from game.physics.spheres.resting_contacts import STRIDE
 
-# columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, way in this step
+# columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, displacement
 VX, VY, TURN, WEIGHT, RADIUS, LEVER, WAY_X, WAY_Y = range(8)
 FLAT_COLUMNS = 8
-# columns of a row: normal, least separating speed wanted, effective masses along and across the normal,
+# columns of a row: normal, least separating speed to reach, effective masses along and across the normal,
 # softness, friction, impulses along and across, arms over radii, restitution, impulses of collisions
 PX, PY, BIAS, MASS, SLIDE, SOFT, MU, JN, JT, ARMS, REBOUND, HIT, HIT_T = range(13)
 PLANAR_COLUMNS = 13

@@ -122,7 +122,7 @@ def note_flat(state, flat, radii, contacts, who, ids, count, rows, ring, counter
 
 @inner_kernel
 def force_flat(flat, pulls, numbers):
-    """Ways by the velocities before the forces, if the scheme wants them, and velocities after them."""
+    """Displacements before the forces, if the scheme has it so, and velocities after them."""
     h = numbers.h
     part = 0.5 * h if numbers.scheme == EXACT else 0.0
     for i in range(pulls.shape[0]):

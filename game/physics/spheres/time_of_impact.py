@@ -160,10 +160,10 @@ def swept_pairs(places, composition, work, h, pairs):
         for b in range(a + 1, radii.shape[0]):
             j = owners[b]
             vx, vy, vz = work[j, VX] - work[i, VX], work[j, VY] - work[i, VY], work[j, VZ] - work[i, VZ]
-            way = math.sqrt(vx * vx + vy * vy + vz * vz) * h + radii[a] + radii[b]
+            reach = math.sqrt(vx * vx + vy * vy + vz * vz) * h + radii[a] + radii[b]
             dx, dy = places[b, 0] - places[a, 0], places[b, 1] - places[a, 1]
             dz = places[b, 2] - places[a, 2]
-            if dx * dx + dy * dy + dz * dz <= way * way:
+            if dx * dx + dy * dy + dz * dz <= reach * reach:
                 if m < pairs.shape[0]:
                     pairs[m, 0] = a
                     pairs[m, 1] = b

@@ -1,4 +1,4 @@
-"""One rigid body of spheres in space, by ten ways to integrate its turning."""
+"""One rigid body of spheres in space, by ten methods to integrate its rotation."""
 
 from __future__ import annotations
 

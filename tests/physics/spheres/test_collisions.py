@@ -123,12 +123,12 @@ def test_h7_a_stack_rests(scheme, e):
     world = world_of(bodies, restitution=e, friction=0.5, window=(-2, 0, 2, 20), effects=USUAL, scheme=scheme)
     for _ in range(60):
         world.step(1 / 60)
-    height = world.totals().height
+    height = world.totals().potential
     for _ in range(59 * 60):
         world.step(1 / 60)
     totals = world.totals()
-    assert totals.moving + totals.turning < 1e-12
-    assert abs(totals.height - height) < 5 * G * 0.005
+    assert totals.translational + totals.rotational < 1e-12
+    assert abs(totals.potential - height) < 5 * G * 0.005
     assert world.overlap() <= 0.005 * (1 + 1e-6) + 1e-9
     assert np.abs(bodies.state.positions[:, 0]).max() < 1e-12
 
@@ -161,7 +161,7 @@ def test_a_heap_comes_to_rest_without_sinking_in():
         world.step(1 / 60)
     assert world.planar()
     assert world.overlap() < 0.012
-    assert world.totals().moving < 1e-3
+    assert world.totals().translational < 1e-3
     world.check()
 
 
