@@ -41,7 +41,7 @@ def kept(stage: Stage, tmp_path):
 def test_spheres_are_turned_by_quaternions_of_any_length(orientation, tmp_path):
     entry = f"position = [0, 1]\norientation = {[float(part) for part in orientation]}"
     stage = stage_of(SphereCollisions, f"[[content.spheres]]\n{entry}\nturning = [1.0, 2.0, 3.0]")
-    found = stage.scene.world.bodies.state.orientations[0]
+    found = stage.scene.model.world.bodies.state.orientations[0]
     largest = max(map(abs, orientation))
     wanted = np.array([part / largest for part in orientation])
     np.testing.assert_allclose(found, wanted / np.linalg.norm(wanted), rtol=0.0, atol=1e-15)
@@ -53,9 +53,10 @@ def test_spheres_that_have_flown_away_are_kept(tmp_path):
     stage = stage_of(
         SphereCollisions, "[[content.spheres]]\nposition = [0, 1]\n[[content.spheres]]\nposition = [3, 1]"
     )
-    bodies = stage.scene.world.bodies
+    bodies = stage.scene.model.world.bodies
     bodies.state.positions[0] = (54_321.5, 2.0 * FARTHEST_SPHERE, 0.0)
-    bodies.state.momenta[0] = bodies.makeup.masses[0] * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
+    mass = bodies.composition.masses[0]
+    bodies.state.momenta[0] = mass * np.array((-234_567.0, 3.0 * FARTHEST_SPHERE, 0.0))
     first, second = kept(stage, tmp_path).spheres
     assert first.position == (54_321.5, FARTHEST_SPHERE, 0.0)
     assert first.velocity == pytest.approx((-234_567.0, FARTHEST_SPHERE, 0.0), rel=1e-14)
@@ -64,7 +65,7 @@ def test_spheres_that_have_flown_away_are_kept(tmp_path):
 
 def test_a_body_that_has_run_away_is_kept(tmp_path):
     stage = stage_of(RigidBodyScene, "[[content.spheres]]\nposition = [0, 0, 0]\nradius = 1")
-    body = stage.scene.bodies.all[0]
+    body = stage.scene.model.bodies.all[0]
     body.position = (3e8, -2.0 * FARTHEST_BODY, 0.0)
     body.velocity, body.angular_velocity = (12_345.5, 0.0, 0.0), (0.0, 54_321.0, 0.0)
     content = kept(stage, tmp_path)

@@ -221,7 +221,7 @@ pile_study = Study(
     title="Colliding spheres: a pile at rest",
     error="deepest overlap of 96 discs of radius 0.43 m after 4 s",
     error_unit="m",
-    counter="sweeps over all touches",
+    counter="sweeps over all contacts",
     knob=Knob("iterations", "sweeps a step"),
     methods=(
         Method("none", "no correction"),

@@ -1,4 +1,4 @@
-"""Rigid bodies in three dimensions: quaternions, mass and inertia, integrators, impulses."""
+"""One rigid body in three dimensions: quaternions, mass and inertia, integrators."""
 
 from game.physics.rigid.body import RigidBody
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
@@ -17,9 +17,6 @@ from game.physics.rigid.quaternion import (
     quaternion_to_rotation_vector,
     turn_between,
 )
-from game.physics.spheres.collisions import CollidingSpheres
-from game.physics.spheres.smooth_spheres import SmoothSpheres
-from game.physics.spheres.spheres import SphereBodies
 
 __all__ = [
     "METHODS",
@@ -27,11 +24,8 @@ __all__ = [
     "PUSHES",
     "ROTATION",
     "WINDOW",
-    "CollidingSpheres",
     "FreeTop",
     "RigidBody",
-    "SmoothSpheres",
-    "SphereBodies",
     "inverse_moments",
     "mass_properties",
     "principal_axes",

@@ -112,7 +112,7 @@ class RigidBody(BodyState):
         if not (math.isfinite(factor) and factor > 0.0):
             raise ValueError(f"factor: must be above 0 and finite, got {factor!r}")
         if keep not in ("momentum", "velocity"):
-            raise ValueError(f"keep = {keep!r}: momentum or velocity is wanted")
+            raise ValueError(f"keep = {keep!r}: expected momentum or velocity")
         row = self.constants[0]
         changed = np.concatenate((row[:1] / factor, row[MOMENTS:INVERSES] * factor, row[INVERSES:] / factor))
         if not np.isfinite(changed).all():
@@ -130,7 +130,7 @@ class RigidBody(BodyState):
         """
         checked = {name: checked_setting(name, value) for name, value in settings.items()}
         if np.any(checked.get("lower", self.lower) >= checked.get("upper", self.upper)):
-            raise ValueError("lower, upper: the box has no room")
+            raise ValueError("lower, upper: the box is empty")
         for name, value in checked.items():
             setattr(self, name, value)
 
@@ -171,7 +171,7 @@ class RigidBody(BodyState):
         ValueError unless dt is finite and above 0. Walls are looked at after each step.
         """
         if not 0.0 < dt < math.inf:
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         if PUSHES not in self.effects:
             self.clear_forces()
         walls = WINDOW in self.effects and len(self.radii) > 0

@@ -153,7 +153,7 @@ class BodyState:
 
     @property
     def angular_acceleration(self) -> Array:
-        """α = J⁻¹ (t - w x L) (3,) rad/s²: it is not nought for a free body whose w and L differ."""
+        """α = J⁻¹ (t - w x L) (3,) rad/s²: it is not zero for a free body whose w and L differ."""
         return self.inverse_inertia @ (self.torque - np.cross(self.angular_velocity, self.states[0, L:]))
 
     @property

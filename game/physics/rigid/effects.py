@@ -5,7 +5,7 @@ from __future__ import annotations
 from game.physics.effects import Room, declare_effect
 from game.physics.fields import DRAG, GRAVITY
 
-ROTATION = declare_effect("rotation", "Rotation", "Bodies turn; else they only shift.")
+ROTATION = declare_effect("rotation", "Rotation", "Bodies turn; else they only translate.")
 WINDOW = declare_effect("window", "Window", "Bodies stay in a box, mirrored at its walls.")
 PUSHES = declare_effect("pushes", "Pushes", "Forces by hand act at their points.")
 

@@ -151,10 +151,10 @@ def turned_about_momentum(curve, i, t):
     for k in range(3):
         squared += i[k] * start[k] * i[k] * start[k]
     momentum = math.sqrt(squared)
-    room = 0.5 * math.pi  # distance of the integrand's poles from real u, at least
+    reach = 0.5 * math.pi  # distance of the integrand's poles from real u, at least
     if widest != 0.0:
-        room = min(room, math.atan(math.sqrt(max(squared / (widest * widest) - 1.0, 1e-12))))
-    panels = min(int(abs(curve[5] * t) * 1.5 / room) + 1, MOST_PANELS)
+        reach = min(reach, math.atan(math.sqrt(max(squared / (widest * widest) - 1.0, 1e-12))))
+    panels = min(int(abs(curve[5] * t) * 1.5 / reach) + 1, MOST_PANELS)
     h = t / panels
     total = 0.0
     for panel in range(panels):
@@ -225,7 +225,7 @@ class FreeTop:
         values = np.array(moments, dtype=np.float64), np.array(spin, dtype=np.float64)
         for name, array in zip(("moments", "spin"), values, strict=True):
             if array.shape != (3,) or not np.isfinite(array).all():
-                raise ValueError(f"{name}: three finite numbers are wanted")
+                raise ValueError(f"{name}: expected three finite numbers")
         if not (values[0][0] > 0.0 and np.all(np.diff(values[0]) >= 0.0)):
             raise ValueError("moments: must be above 0 and ascending")
         self._moments = tuple(values[0].tolist())

@@ -45,7 +45,7 @@ def mass_properties(positions: ArrayLike, radii: ArrayLike, density: ArrayLike) 
     _, masses = sphere_masses(radii, density)
     radii = np.array(radii, dtype=np.float64).reshape(-1)
     if len(masses) != len(places):
-        raise ValueError(f"radii: {len(places)} are wanted, one for each position, not {len(masses)}")
+        raise ValueError(f"radii: expected {len(places)}, one for each position, got {len(masses)}")
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):
         shifted = places - places[0]
         total = _sum(masses)
@@ -75,12 +75,12 @@ def principal_axes(inertia: ArrayLike) -> tuple[Array, Array]:
     a = np.array(inertia, dtype=np.float64)
     a = np.diag(a) if a.shape == (3,) else a
     if a.shape != (3, 3) or not np.isfinite(a).all():
-        raise ValueError("inertia: (3, 3) or (3,) finite numbers are wanted")
+        raise ValueError("inertia: expected (3, 3) or (3,) finite numbers")
     size = float(np.abs(a).max())
     if not np.abs(a - a.T).max() <= 1e-9 * size:
         raise ValueError("inertia: is not symmetric")
     if not size > 0.0:
-        raise ValueError("inertia: is nought")
+        raise ValueError("inertia: is zero")
     scale = 2.0 ** math.frexp(size)[1]
     a = 0.5 * (a / scale + a.T / scale)
     axes = np.eye(3)
@@ -114,7 +114,7 @@ def sphere_positions(positions: ArrayLike) -> Array:
     """(n, 3) finite numbers from (n, 3) or (n, 2), or ValueError."""
     places = np.array(positions, dtype=np.float64)
     if places.ndim != 2 or places.shape[1] not in (2, 3) or not 1 <= len(places) <= MAX_SPHERES:
-        raise ValueError(f"positions: 1 to {MAX_SPHERES} points of two or three numbers are wanted")
+        raise ValueError(f"positions: expected 1 to {MAX_SPHERES} points of two or three numbers")
     if not np.isfinite(places).all():
         raise ValueError("positions: must be finite")
     if places.shape[1] == 2:
@@ -167,7 +167,7 @@ def _checked(name: str, values: ArrayLike, count: int | None) -> Array:
     if count is not None and array.size == 1:
         array = np.full(count, array[0])
     if array.size < 1 or (count is not None and array.size != count):
-        raise ValueError(f"{name}: {count or 'some'} numbers are wanted, not {array.size}")
+        raise ValueError(f"{name}: expected {count or 'some'} numbers, got {array.size}")
     if not (np.isfinite(array).all() and (array > 0.0).all()):
         raise ValueError(f"{name}: must be finite and above 0")
     return array

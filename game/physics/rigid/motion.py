@@ -1,4 +1,4 @@
-"""How rigid bodies move in a step: ten ways to integrate x, q, P, L.
+"""How rigid bodies move in a step: ten methods to integrate x, q, P, L.
 
     x' = P / m,   q' = (0, w) q / 2,   P' = f,   L' = t,   w = R I⁻¹ Rᵀ L,   R of q
 
@@ -135,7 +135,7 @@ def advance(method, states, constants, loads, fall, keep, turning, normalizing, 
     """Make steps of dt s by METHODS[method]. states (n, 13) are written.
 
     constants (n, 7) and loads (n, 6) as above. fall: m/s² along -y. keep: share of the momenta that the air
-    leaves, each step. turning 0: bodies only shift. normalizing 0: |q| is left to the method.
+    leaves, each step. turning 0: bodies only translate. normalizing 0: |q| is left to the method.
     """
     for i in range(states.shape[0]):
         row, body, load = states[i], constants[i], loads[i]

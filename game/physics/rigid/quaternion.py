@@ -115,7 +115,7 @@ def angle_between(p, q):
     return 2.0 * math.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
 
 
-# -- at the door ------------------------------------------------------------------------------------
+# -- validation -------------------------------------------------------------------------------------
 
 
 def quaternion_normalized(q: ArrayLike) -> Array:
@@ -198,5 +198,5 @@ def _numbers(name: str, values: ArrayLike, count: int) -> tuple[float, ...]:
     """So many finite floats, or ValueError."""
     array = np.array(values, dtype=np.float64).reshape(-1)
     if array.size != count or not np.isfinite(array).all():
-        raise ValueError(f"{name}: {count} finite number{'s are' if count > 1 else ' is'} wanted")
+        raise ValueError(f"{name}: expected {count} finite number{'s' if count > 1 else ''}")
     return tuple(array.tolist())

@@ -1,4 +1,4 @@
-"""What a rigid body is told beside its state: each setting checked at the door."""
+"""The settings of a rigid body, beside its state, each checked as it comes in."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ def checked_setting(name: str, value: Any) -> Any:
     """A setting of `RigidBody.change` in its own type, or ValueError."""
     if name in _OPTIONS:
         if value not in _OPTIONS[name]:
-            raise ValueError(f"{name} = {value!r}: one of {', '.join(_OPTIONS[name])} is wanted")
+            raise ValueError(f"{name} = {value!r}: expected one of {', '.join(_OPTIONS[name])}")
         return value
     if name in _LIMITS:
         least, most = _LIMITS[name]
         if not least <= value <= most:
-            raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")
+            raise ValueError(f"{name} = {value!r}: expected {least:g} to {most:g}")
         return float(value)
     if name in ("lower", "upper"):
         return vector(name, value)
@@ -40,5 +40,5 @@ def vector(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """(3,) finite numbers, or ValueError."""
     vector = np.array(value, dtype=np.float64)
     if vector.shape != (3,) or not (np.abs(vector) <= LARGEST).all():
-        raise ValueError(f"{name}: three finite numbers are wanted")
+        raise ValueError(f"{name}: expected three finite numbers")
     return vector

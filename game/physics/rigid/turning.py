@@ -1,4 +1,4 @@
-"""How a rigid body turns in a step: kernels, one for each way to integrate q and L.
+"""How a rigid body turns in a step: kernels, one for each method that integrates q and L.
 
     q' = (0, w) q / 2,   L' = t,   w = R I⁻¹ Rᵀ L,   R of q
 

@@ -1,7 +1,7 @@
 """A body of spheres kept inside a box.
 
-"mirror", as the course has it: where a sphere is beyond a wall the body is moved back, and if it was on its
-way out the velocity of its centre is mirrored; its spin stays. "impulse": the wall strikes the point that is
+"mirror", as the course has it: where a sphere is beyond a wall the body is moved back, and if it moved
+outwards the velocity of its centre is mirrored; its spin stays. "impulse": the wall strikes the point that is
 farthest out, so that the spin changes as well, by j = -(1 + e) v·n / (1/m + (r x n)·J⁻¹ (r x n)), r from the
 centre of mass to that point (Baraff 1997). Points equally far out are struck in their middle.
 
@@ -61,7 +61,7 @@ def cross(a, b):
 
 @kernel
 def strike(row, body, axis, side, point, restitution):
-    """Impulse of a wall on a point (m) of a body; 1 if the point was on its way out, else 0 and nothing."""
+    """Impulse of a wall on a point (m) of a body; 1 if the point moved outwards, else 0 and nothing."""
     q, angular = normalize((row[3], row[4], row[5], row[6])), (row[10], row[11], row[12])
     inverses = (body[4], body[5], body[6])
     n = (side if axis == 0 else 0.0, side if axis == 1 else 0.0, side if axis == 2 else 0.0)
@@ -81,11 +81,12 @@ def strike(row, body, axis, side, point, restitution):
 
 
 @kernel
-def keep_inside(row, body, offsets, radii, lower, upper, restitution, way, places):
+def keep_inside(row, body, offsets, radii, lower, upper, restitution, wall_law, places):
     """Bring a body back into the box from lower (3,) to upper (3,) m; gives how many walls threw it back.
 
-    row (13,) its state, body (7,) its constants: see motion; offsets (k, 3), radii (k,); way: MIRROR or
-    IMPULSE. row and places (k, 3) are written. A body larger than the box comes to its middle.
+    row (13,) its state, body (7,) its constants: see motion; offsets (k, 3), radii (k,);
+    wall_law: MIRROR or IMPULSE. row and places (k, 3) are written. A body larger than the box comes to its
+    middle.
     """
     bounces = 0
     place_spheres(row, offsets, places)
@@ -97,7 +98,7 @@ def keep_inside(row, body, offsets, radii, lower, upper, restitution, way, place
         if low >= lower[axis] and high <= upper[axis]:
             continue
         side, reach, wall = (1.0, high, upper[axis]) if high > upper[axis] else (-1.0, low, lower[axis])
-        if way == IMPULSE:
+        if wall_law == IMPULSE:
             point = point_at(places, radii, axis, side, reach)
             bounces += strike(row, body, axis, side, point, restitution)
         elif side * row[7 + axis] > 0.0:

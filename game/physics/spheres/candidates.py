@@ -1,7 +1,7 @@
-"""Which spheres may touch: from any broad phase over boxes with some air, or each against each.
+"""Which spheres may be in contact: from any broad phase over boxes with some air, or each against each.
 
-Boxes are larger than the spheres by a skin, so that pairs serve for several steps: they are found anew when a
-sphere has gone half of it (Verlet 1967, "Computer experiments on classical fluids", the neighbour list).
+Boxes are larger than the spheres by a skin, so that pairs serve for several steps: they are found again when
+a sphere has gone half of it (Verlet 1967, "Computer experiments on classical fluids", the neighbour list).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.broadphase import BroadPhase
-from game.physics.spheres.composition import Makeup
+from game.physics.spheres.composition import Composition
 from game.physics.spheres.contacts import boxes_of, farthest_moved, near_pairs
 from game.physics.spheres.time_of_impact import swept_pairs
 
@@ -23,25 +23,25 @@ NOWHERE = 1e9  # m; where no sphere has been, so that pairs are found at the nex
 
 
 class Candidates:
-    """Pairs of spheres that may touch, and where the spheres were when these were found.
+    """Pairs of spheres that may be in contact, and where the spheres were when these were found.
 
-    makeup: of the bodies. broad_phase: any of game.physics.broadphase, empty; None tests all pairs.
+    composition: of the bodies. broad_phase: any of game.physics.broadphase, empty; None tests all pairs.
     """
 
-    def __init__(self, makeup: Makeup, broad_phase: BroadPhase | None):
-        s = len(makeup.radii)
-        self.makeup = makeup
+    def __init__(self, composition: Composition, broad_phase: BroadPhase | None):
+        s = len(composition.radii)
+        self.composition = composition
         self.broad_phase = broad_phase
-        self.skin = SKIN * float(makeup.radii.min())
+        self.skin = SKIN * float(composition.radii.min())
         self.pairs: Ints = np.zeros((0, 2), dtype=np.int64)
         self.found_at = np.full((s, 3), NOWHERE)
         self.tests = 0  # of pairs, since whoever counts them set this to 0
-        self._room: Ints = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
+        self._buffer: Ints = np.zeros((max(64, 4 * s), 2), dtype=np.int64)
         self._boxes: Any = None
 
     def find(self, places: Floats) -> None:
         """Bring ``pairs`` up to date for spheres at places (s, 3) m, if somebody has gone too far."""
-        radii = self.makeup.radii
+        radii = self.composition.radii
         if self.broad_phase is None:
             self.pairs = self._among_all(places, None, 0.0)
         elif farthest_moved(places, self.found_at) <= 0.5 * self.skin:
@@ -58,8 +58,8 @@ class Candidates:
         """
         if self.broad_phase is None:
             return self._among_all(places, work, h)
-        ends = places[:, :2] + h * work[self.makeup.owners, :2]
-        reach = self.makeup.radii[:, None]
+        ends = places[:, :2] + h * work[self.composition.owners, :2]
+        reach = self.composition.radii[:, None]
         lower = np.minimum(places[:, :2], ends) - reach
         upper = np.maximum(places[:, :2], ends) + reach
         self.found_at.fill(NOWHERE)
@@ -80,14 +80,14 @@ class Candidates:
         return self.broad_phase.pairs()
 
     def _among_all(self, places: Floats, work: Floats | None, h: float) -> Ints:
-        """Pairs that touch nearly, or that could meet within h (s) if there is work; each tested."""
-        radii = self.makeup.radii
+        """Pairs that are nearly in contact, or that could meet within h (s) if there is work; each tested."""
+        radii = self.composition.radii
         self.tests += len(radii) * (len(radii) - 1) // 2
         while True:
             if work is None:
-                found = near_pairs(places, radii, self.skin, self._room)
+                found = near_pairs(places, radii, self.skin, self._buffer)
             else:
-                found = swept_pairs(places, self.makeup, work, h, self._room)
-            if found <= len(self._room):
-                return self._room[:found].copy()
-            self._room = np.zeros((2 * found, 2), dtype=np.int64)
+                found = swept_pairs(places, self.composition, work, h, self._buffer)
+            if found <= len(self._buffer):
+                return self._buffer[:found].copy()
+            self._buffer = np.zeros((2 * found, 2), dtype=np.int64)

@@ -12,9 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.broadphase import BroadPhase
 from game.physics.spheres.candidates import Candidates
-from game.physics.spheres.contact_buffers import TouchRoom
+from game.physics.spheres.contact_buffers import ContactBuffers
 from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, PUSHES, SPHERES, STRINGS
-from game.physics.spheres.impact_parts import divide_at_impacts
 from game.physics.spheres.impulses import collide_in_turn
 from game.physics.spheres.joint_impulses import collide_at_once
 from game.physics.spheres.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
@@ -45,12 +44,12 @@ from game.physics.spheres.steps import (
     LAST_H,
     MADE,
     ROUNDS,
-    bear_part,
     finish_part,
     move_by_velocity,
     prepare_part,
+    resting_part,
 )
-from game.physics.spheres.time_of_impact import first_impact
+from game.physics.spheres.time_of_impact import divide_at_impacts, first_impact
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -58,7 +57,7 @@ PLANAR_FROM = 200  # spheres; fewer are solved in space and weighed collision by
 
 
 class CollidingSpheres:
-    """Bodies of spheres that hit, bear and rub each other, and walls.
+    """Bodies of spheres that hit, carry and rub each other, and walls.
 
     bodies: a `SphereBodies`. surroundings: of `surroundings_of`. tables: of `material_tables`. broad_phase:
     any of game.physics.broadphase, empty; None tests every sphere against every other. settings: fields of
@@ -77,14 +76,14 @@ class CollidingSpheres:
         self.bodies = bodies
         self.surroundings = surroundings if surroundings is not None else surroundings_of()
         self.tables = tables if tables is not None else material_tables(0.5, 0.3)
-        s, n = len(bodies.makeup.radii), bodies.count
-        if int(bodies.makeup.kinds.max(initial=0)) > len(self.tables.restitution) - 2:
+        s, n = len(bodies.composition.radii), bodies.count
+        if int(bodies.composition.kinds.max(initial=0)) > len(self.tables.restitution) - 2:
             raise ValueError(f"kinds: there are {len(self.tables.restitution) - 1} materials")
         if self.surroundings.hung.size and not (self.surroundings.hung.min() >= 0) & (
             self.surroundings.hung.max() < s
         ):
             raise ValueError(f"strings: spheres 0 to {s - 1} can hang")
-        self.smallest = float(bodies.makeup.radii.min())
+        self.smallest = float(bodies.composition.radii.min())
         self.pulls = np.zeros((n, 6))
         self.ring = np.zeros((LEDGER_ROWS, LEDGER_COLUMNS))
         self.counters = np.zeros(COUNTERS)
@@ -93,8 +92,8 @@ class CollidingSpheres:
         self._shifts = np.zeros((n + 1, 4))
         self._sums = np.zeros((2, 7))
         self._places = bodies.places()
-        self._candidates = Candidates(bodies.makeup, broad_phase)
-        self._room = TouchRoom(max(64, 4 * s))
+        self._candidates = Candidates(bodies.composition, broad_phase)
+        self._buffers = ContactBuffers(max(64, 4 * s))
         self.parts = 0  # of the last step
 
     def change(self, **settings: Any) -> None:
@@ -111,7 +110,7 @@ class CollidingSpheres:
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless it is finite and above 0."""
         if not 0.0 < dt < math.inf:
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         settings = self.settings
         nominal = dt / settings.substeps
         self.parts = self._candidates.tests = 0
@@ -127,18 +126,18 @@ class CollidingSpheres:
         """Lengths of the parts of a substep (s): one, or as its impacts come."""
         if IMPACT_TIMES not in self.settings.effects:
             return (nominal,)
-        spheres, pause = len(self.bodies.makeup.radii), self.settings.scheme != "explicit-euler"
+        spheres, pause = len(self.bodies.composition.radii), self.settings.scheme != "explicit-euler"
         return divide_at_impacts(nominal, spheres, pause, lambda left: self._time_to_impact(left, nominal))
 
     def _time_to_impact(self, left: float, nominal: float) -> float:
         """Seconds until the first impact that bounces, at most those left of a substep of nominal length."""
         bodies, settings = self.bodies, self.settings
-        gather_velocities(bodies.state, bodies.makeup, self._work)
+        gather_velocities(bodies.state, bodies.composition, self._work)
         self._place()
         pairs = self._candidates.that_could_meet(self._places, self._work, left)
         numbers = settings.numbers(left, nominal, float(self.counters[LAST_H]), self.smallest)
         first: float = first_impact(
-            self._places, bodies.makeup, self._work, pairs, self.surroundings, self.tables,
+            self._places, bodies.composition, self._work, pairs, self.surroundings, self.tables,
             SPHERES.mask(settings.effects), numbers, LAGS[settings.scheme], float(settings.fast),
         )  # fmt: skip
         return first
@@ -162,55 +161,57 @@ class CollidingSpheres:
         planar = self.planar()
         work = self._flat if planar else self._work
         if settings.scheme == "explicit-euler":
-            (move_flat if planar else move_by_velocity)(bodies.state, bodies.makeup, mask, work, numbers.h)
-        self._find_touches(mask)
+            (move_flat if planar else move_by_velocity)(
+                bodies.state, bodies.composition, mask, work, numbers.h
+            )
+        self._find_contacts(mask)
         if planar:
-            room = self._room
+            buffers = self._buffers
             planar_part(
-                bodies.state, bodies.makeup, self.surroundings, self.tables, mask, numbers, work,
-                room.touches, room.who, room.ids, room.keys, room.count, room.old_keys, room.old_count,
-                room.held, room.old_held, room.planar_rows(), room.pushes, self.pulls, self.ring,
-                self.counters,
+                bodies.state, bodies.composition, self.surroundings, self.tables, mask, numbers, work,
+                buffers.contacts, buffers.who, buffers.ids, buffers.keys, buffers.count, buffers.old_keys,
+                buffers.old_count, buffers.held, buffers.old_held, buffers.planar_rows(), buffers.pushes,
+                self.pulls, self.ring, self.counters,
             )  # fmt: skip
         else:
             self._general_part(mask, numbers)
-        self._room.turn_over()
+        self._buffers.turn_over()
 
     def _general_part(self, mask: int, numbers: Numbers) -> None:
         """The rest of a part, for any bodies."""
-        room, rows = self._room, self._room.general_rows()
-        state, makeup, work = self.bodies.state, self.bodies.makeup, self._work
-        touches, who, ids, count = room.touches, room.who, room.ids, room.count
-        gather_velocities(state, makeup, work)
+        buffers, rows = self._buffers, self._buffers.general_rows()
+        state, composition, work = self.bodies.state, self.bodies.composition, self._work
+        contacts, who, ids, count = buffers.contacts, buffers.who, buffers.ids, buffers.count
+        gather_velocities(state, composition, work)
         fastest = prepare_part(
-            state, makeup, self.tables, numbers, work, self._places, touches, who, ids, room.keys, count,
-            room.old_keys, room.old_count, room.held, room.old_held, rows,
+            state, composition, self.tables, numbers, work, self._places, contacts, who, ids, buffers.keys,
+            count, buffers.old_keys, buffers.old_count, buffers.held, buffers.old_held, rows,
         )  # fmt: skip
         self.counters[ROUNDS : BOUNCES + 1] = 0.0
         if fastest > 0.0:
             collide = collide_at_once if self.settings.law == "at-once" else collide_in_turn
             self.counters[ROUNDS : BOUNCES + 1] = collide(
-                work, state.positions, makeup.radii, touches, who, ids, count, rows, fastest, numbers,
+                work, state.positions, composition.radii, contacts, who, ids, count, rows, fastest, numbers,
                 self.ring, self.counters, self._sums,
             )  # fmt: skip
-        bear_part(work, touches, ids, count, room.held, rows, self._shifts, self.pulls, numbers)
+        resting_part(work, contacts, ids, count, buffers.held, rows, self._shifts, self.pulls, numbers)
         limits = numbers.slop, numbers.share, numbers.most_shift, numbers.passes
         if self.settings.correction == "split":
-            split_apart(touches, ids, count, self._shifts, room.pushes, *limits)
+            split_apart(contacts, ids, count, self._shifts, buffers.pushes, *limits)
         elif self.settings.correction == "projection":
-            project_apart(self._places, makeup.radii, touches, who, ids, count, self._shifts, *limits)
-        finish_part(state, makeup, self.surroundings, mask, numbers, work, self._shifts, self.counters)
+            project_apart(self._places, composition.radii, contacts, who, ids, count, self._shifts, *limits)
+        finish_part(state, composition, self.surroundings, mask, numbers, work, self._shifts, self.counters)
 
-    def _find_touches(self, mask: int) -> None:
-        """Bring places, candidates and touches up to date."""
+    def _find_contacts(self, mask: int) -> None:
+        """Bring places, candidates and contacts up to date."""
         self._place()
         self._find_candidates()
         margin = self.settings.slop * self.smallest
         pairs = self._candidates.pairs
-        self._room.find(self._places, self.bodies.makeup, pairs, self.surroundings, mask, margin)
+        self._buffers.find(self._places, self.bodies.composition, pairs, self.surroundings, mask, margin)
 
     def _find_candidates(self) -> None:
-        """Bring the pairs that may touch up to date, if spheres collide at all."""
+        """Bring the pairs that may be in contact up to date, if spheres collide at all."""
         if COLLISIONS in self.settings.effects:
             self._candidates.find(self._places)
 
@@ -219,7 +220,7 @@ class CollidingSpheres:
         if self.bodies.single:
             self._places = self.bodies.state.positions
         else:
-            place_spheres(self.bodies.state, self.bodies.makeup, self._places)
+            place_spheres(self.bodies.state, self.bodies.composition, self._places)
 
     # -- the hand -----------------------------------------------------------------------------------
 
@@ -232,7 +233,7 @@ class CollidingSpheres:
             raise ValueError(f"body {body}: there are 0 to {self.bodies.count - 1}")
         pull, place = np.array(force, dtype=np.float64), np.array(point, dtype=np.float64)
         if pull.shape != (3,) or place.shape != (3,) or not np.isfinite([*pull, *place]).all():
-            raise ValueError("force, point: three finite numbers each are wanted")
+            raise ValueError("force, point: expected three finite numbers each")
         self.pulls[body, :3] += pull
         self.pulls[body, 3:] += np.cross(place - self.bodies.state.positions[body], pull)
 
@@ -241,9 +242,9 @@ class CollidingSpheres:
     def totals(self) -> Totals:
         """Momentum, angular momentum and energies."""
         bodies = self.bodies
-        gather_velocities(bodies.state, bodies.makeup, self._work)
+        gather_velocities(bodies.state, bodies.composition, self._work)
         gravity = self.settings.gravity if "gravity" in self.settings.effects.names else 0.0
-        sums = sum_totals(bodies.state, bodies.makeup, self._work, float(gravity))
+        sums = sum_totals(bodies.state, bodies.composition, self._work, float(gravity))
         return Totals(tuple(sums[:3]), tuple(sums[3:6]), *sums[6:])
 
     def overlap(self) -> float:
@@ -251,17 +252,19 @@ class CollidingSpheres:
         bodies = self.bodies
         self._place()
         self._find_candidates()
-        room = TouchRoom(max(64, 4 * len(self._places), len(self._room.keys)))
+        buffers = ContactBuffers(max(64, 4 * len(self._places), len(self._buffers.keys)))
         mask = SPHERES.mask(self.settings.effects)
-        count = room.find(self._places, bodies.makeup, self._candidates.pairs, self.surroundings, mask, 0.0)
-        return float(deepest_overlap(room.touches, room.who, count)[0])
+        count = buffers.find(
+            self._places, bodies.composition, self._candidates.pairs, self.surroundings, mask, 0.0
+        )
+        return float(deepest_overlap(buffers.contacts, buffers.who, count)[0])
 
     @property
-    def touches(self) -> tuple[Floats, NDArray[np.int32], Floats]:
-        """Of the last step: normals and gaps (m, 4), spheres (m, 2), bearing impulses (m, 4)."""
-        room = self._room
-        m = room.old_count
-        return room.touches[:m], room.who[:m], room.old_held[:m]
+    def contacts(self) -> tuple[Floats, NDArray[np.int32], Floats]:
+        """Of the last step: normals and gaps (m, 4), spheres (m, 2), contact impulses (m, 4)."""
+        buffers = self._buffers
+        m = buffers.old_count
+        return buffers.contacts[:m], buffers.who[:m], buffers.old_held[:m]
 
     @property
     def time(self) -> float:
@@ -291,10 +294,10 @@ class CollidingSpheres:
 
     def state(self) -> CollisionState:
         """The state as arrays that the world goes on using."""
-        found, room = self._candidates, self._room
-        m = room.old_count
+        found, buffers = self._candidates, self._buffers
+        m = buffers.old_count
         return CollisionState(
-            *self.bodies.state, found.pairs, found.found_at, room.old_keys[:m], room.old_held[:m],
+            *self.bodies.state, found.pairs, found.found_at, buffers.old_keys[:m], buffers.old_held[:m],
             self.pulls, self.ring, self.counters,
         )  # fmt: skip
 
@@ -303,7 +306,7 @@ class CollidingSpheres:
         for mine, theirs in zip(self.bodies.state, MotionState(*state[:4]), strict=True):
             np.copyto(mine, theirs)
         self._candidates.take(state.pairs, state.found_at)
-        self._room.take(state.keys, state.held)
+        self._buffers.take(state.keys, state.held)
         np.copyto(self.pulls, state.pulls)
         np.copyto(self.ring, state.ring)
         np.copyto(self.counters, state.counters)
@@ -311,7 +314,7 @@ class CollidingSpheres:
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
         self.bodies.check()
-        room = self._room
-        keys = room.old_keys[: room.old_count]
-        assert np.all(np.diff(keys) > 0), "touches by ascending key, each once"
-        assert (room.old_held[: room.old_count, 0] >= 0.0).all(), "impulses only push"
+        buffers = self._buffers
+        keys = buffers.old_keys[: buffers.old_count]
+        assert np.all(np.diff(keys) > 0), "contacts by ascending key, each once"
+        assert (buffers.old_held[: buffers.old_count, 0] >= 0.0).all(), "impulses only push"

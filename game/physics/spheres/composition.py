@@ -17,7 +17,7 @@ SKEW = 1e-9  # of the largest entry: how far an inertia tensor may be from symme
 INERTIAS = ("unit", "solid")
 
 
-class Makeup(NamedTuple):
+class Composition(NamedTuple):
     """What bodies are made of: all that does not change."""
 
     masses: Floats  # (n,) kg, infinite for what nothing moves
@@ -76,13 +76,13 @@ def invert_inertias(
     if given.ndim < 2:
         given = np.broadcast_to(given, (n,))
         if not (given > 0.0).all():
-            raise ValueError("inertias: numbers above 0 kg m² are wanted")
+            raise ValueError("inertias: expected numbers above 0 kg m²")
         moments = np.where(np.isinf(mass), math.inf, given)
         six = np.zeros((n, 6))
         six[:, :3] = (1.0 / moments)[:, None]
         return six, np.ones(n, dtype=np.uint8)
     if given.shape != (n, 3, 3) or not np.isfinite(given).all():
-        raise ValueError(f"inertias: one number or finite tensor for each of {n} bodies is wanted")
+        raise ValueError(f"inertias: expected one number or finite tensor for each of {n} bodies")
     six = np.zeros((n, 6))
     for i in range(n):
         off = float(np.abs(given[i] - given[i].T).max())
@@ -107,7 +107,7 @@ def checked_owners(owners: ArrayLike, s: int) -> Ints:
     """(s,) a body for each sphere, numbered without gaps, or ValueError."""
     who = whole_numbers("owners", owners).reshape(-1)
     if who.shape != (s,) or not np.array_equal(np.unique(who), np.arange(who.max(initial=-1) + 1)):
-        raise ValueError(f"owners: a body 0, 1, ... for each of {s} spheres is wanted, none left out")
+        raise ValueError(f"owners: expected a body 0, 1, ... for each of {s} spheres, none left out")
     return who
 
 
@@ -115,7 +115,7 @@ def checked_kinds(kinds: ArrayLike, s: int) -> Ints:
     """(s,) materials from one number or (s,), or ValueError."""
     given = whole_numbers("kinds", kinds)
     if given.shape not in ((), (1,), (s,)) or (given < 0).any():
-        raise ValueError(f"kinds: whole numbers from 0 are wanted, one for all or for each of {s}")
+        raise ValueError(f"kinds: expected whole numbers from 0, one for all or for each of {s}")
     return np.array(np.broadcast_to(given, (s,)))
 
 
@@ -124,7 +124,7 @@ def whole_numbers(name: str, values: ArrayLike) -> Ints:
     given = np.array(values)
     whole = given.astype(np.int64) if given.dtype.kind in "iuf" and np.isfinite(given).all() else None
     if whole is None or not np.array_equal(whole, given):
-        raise ValueError(f"{name}: whole numbers are wanted")
+        raise ValueError(f"{name}: expected whole numbers")
     return whole
 
 
@@ -134,7 +134,7 @@ def checked_turns(orientations: ArrayLike | None, n: int) -> Floats:
         return np.tile((1.0, 0.0, 0.0, 0.0), (n, 1))
     q = np.array(orientations, dtype=np.float64)
     if q.shape != (n, 4) or not np.isfinite(q).all():
-        raise ValueError(f"orientations: {n} quaternions of finite numbers are wanted")
+        raise ValueError(f"orientations: expected {n} quaternions of finite numbers")
     largest = np.abs(q).max(axis=1, initial=0.0)
     if not (largest > 1e-150).all():
         raise ValueError("orientations: a quaternion without length is no turn")
@@ -148,14 +148,14 @@ def checked_vectors(name: str, values: ArrayLike, count: int | None) -> Floats:
     given = np.array(values, dtype=np.float64)
     if given.size == 0 and count in (None, 0):
         if count is None:
-            raise ValueError(f"{name}: at least one is wanted")
+            raise ValueError(f"{name}: expected at least one")
         return np.zeros((0, 3))
     if given.ndim != 2 or given.shape[1] not in (2, 3) or len(given) > MAX_SPHERES:
-        raise ValueError(f"{name}: rows of two or three numbers are wanted, at most {MAX_SPHERES}")
+        raise ValueError(f"{name}: expected rows of two or three numbers, at most {MAX_SPHERES}")
     if count is not None and len(given) != count:
-        raise ValueError(f"{name}: {count} rows are wanted, not {len(given)}")
+        raise ValueError(f"{name}: expected {count} rows, got {len(given)}")
     if not np.isfinite(given).all() or np.abs(given).max() > LARGEST:
-        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+        raise ValueError(f"{name}: expected finite numbers up to {LARGEST:g}")
     vectors = np.zeros((len(given), 3))
     vectors[:, : given.shape[1]] = given
     return vectors
@@ -165,7 +165,7 @@ def checked_numbers(name: str, values: ArrayLike, count: int, least: float, most
     """(count,) numbers from least to most, from one number or (count,), or ValueError."""
     given = np.array(values, dtype=np.float64)
     if given.size not in (1, count) or given.ndim > 1:
-        raise ValueError(f"{name}: one number, or one for each of {count}, is wanted")
+        raise ValueError(f"{name}: expected one number, or one for each of {count}")
     if not ((given >= least) & (given <= most)).all():
-        raise ValueError(f"{name}: {least:g} to {most:g} is wanted")
+        raise ValueError(f"{name}: expected {least:g} to {most:g}")
     return np.array(np.broadcast_to(given, (count,)))

@@ -1,9 +1,9 @@
-"""A row for each touch of two bodies in space, for any inertia: arms, effective mass, material, impulses.
+"""A row for each contact of two bodies in space, for any inertia: arms, effective mass, material, impulses.
 
     1/m_eff = 1/m_a + 1/m_b + (r_a x n)·(I_a⁻¹ (r_a x n)) + (r_b x n)·(I_b⁻¹ (r_b x n))
 
-(Hahn 1988; Mirtich 1996). And what an impulse at a touch does to its two bodies. Arrays, here and where rows
-are solved: work (n + 1, WORK_COLUMNS), velocities of bodies, see spheres; touch: a line of (count, 4), its
+(Hahn 1988; Mirtich 1996). And what an impulse at a contact does to its bodies. Arrays, here and where rows
+are solved: work (n + 1, WORK_COLUMNS), velocities of bodies, see spheres; contact: a line of (count, 4), its
 normal and gap, see contacts; row: a line of rows (count, ROW_COLUMNS); who, ids (count, 2): its spheres and
 its bodies a and b.
 """
@@ -30,13 +30,13 @@ from game.physics.spheres.spheres import (
     WZ,
 )  # fmt: skip
 
-# columns of a row: least separating speed wanted, effective mass, softness, friction, restitution, impulse
+# columns of a row: least separating speed to reach, effective mass, softness, friction, restitution, impulse
 # along the normal, of friction (3), arms (3 each), arms x normal (3 each), impulse of collisions (4),
-# separating speed before it, and of a joint round: impulse so far, least separating speed wanted
+# separating speed before it, and of a joint round: impulse so far, least separating speed to reach
 (
     BIAS, MASS, SOFT, MU, REBOUND, JN, JTX, JTY, JTZ, RAX, RAY, RAZ, RBX, RBY, RBZ,
     TAX, TAY, TAZ, TBX, TBY, TBZ, HIT, HITX, HITY, HITZ, BEFORE,
-    JOINT, WANTED,
+    JOINT, TARGET,
 ) = range(28)  # fmt: skip
 ROW_COLUMNS = 28
 TOUCHING = 1e-9  # of the radius: a gap up to this is none
@@ -81,9 +81,9 @@ def push_bodies(work, row, a, b, jx, jy, jz):
 
 
 @inner_kernel
-def push_along(work, row, touch, a, b, j):
+def push_along(work, row, contact, a, b, j):
     """An impulse j along the normal. A ball alone is not turned by it, not even by rounding."""
-    nx, ny, nz = touch[NX], touch[NY], touch[NZ]
+    nx, ny, nz = contact[NX], contact[NY], contact[NZ]
     ja, jb = work[a, WEIGHT] * j, work[b, WEIGHT] * j
     work[a, VX] -= ja * nx
     work[a, VY] -= ja * ny
@@ -108,25 +108,25 @@ def relative_velocity(work, row, a, b):
 
 
 @inner_kernel
-def normal_speed(work, row, touch, a, b):
+def normal_speed(work, row, contact, a, b):
     """How fast the contact points separate along the normal, m/s."""
     return (
-        (work[b, VX] - work[a, VX]) * touch[NX]
-        + (work[b, VY] - work[a, VY]) * touch[NY]
-        + (work[b, VZ] - work[a, VZ]) * touch[NZ]
+        (work[b, VX] - work[a, VX]) * contact[NX]
+        + (work[b, VY] - work[a, VY]) * contact[NY]
+        + (work[b, VZ] - work[a, VZ]) * contact[NZ]
         + work[b, WX] * row[TBX] + work[b, WY] * row[TBY] + work[b, WZ] * row[TBZ]
         - work[a, WX] * row[TAX] - work[a, WY] * row[TAY] - work[a, WZ] * row[TAZ]
     )  # fmt: skip
 
 
 @inner_kernel
-def slip_of(work, row, touch, a, b):
+def slip_of(work, row, contact, a, b):
     """Slip of the contact points (3 numbers, m/s), its size, and the mass that it meets."""
     ux, uy, uz = relative_velocity(work, row, a, b)
-    speed = ux * touch[NX] + uy * touch[NY] + uz * touch[NZ]
-    ux -= speed * touch[NX]
-    uy -= speed * touch[NY]
-    uz -= speed * touch[NZ]
+    speed = ux * contact[NX] + uy * contact[NY] + uz * contact[NZ]
+    ux -= speed * contact[NX]
+    uy -= speed * contact[NY]
+    uz -= speed * contact[NZ]
     square = ux * ux + uy * uy + uz * uz
     if not square > 1e-300:
         return 0.0, 0.0, 0.0, 0.0, 0.0
@@ -142,7 +142,7 @@ def slip_of(work, row, touch, a, b):
 
 @inner_kernel
 def rest_speed(e, numbers):
-    """Approach (m/s) below which a touch does not bounce: 4 g h / (1 - e²), as overlap makes energy.
+    """Approach (m/s) below which a contact does not bounce: 4 g h / (1 - e²), as overlap makes energy.
 
     From e = 0.9 on it grows no more; with e = 1 nothing is lost that could hide it, so 2 g h is taken.
     """
@@ -159,72 +159,74 @@ def is_apart(offsets, s):
 
 
 @inner_kernel
-def measure_row(work, makeup, state, places, touch, row, who, a, b, tables, numbers):
-    """Fill in the arms, effective mass and material of one touch."""
+def measure_row(work, composition, state, places, contact, row, who, a, b, tables, numbers):
+    """Fill in the arms, effective mass and material of one contact."""
     s, other = who[FIRST], who[SECOND]
     # overlap is shared in proportion to the radii, so that both arms end at one point
-    reach_a, reach_b = makeup.radii[s], makeup.radii[other] if other >= 0 else 0.0
-    scale = 1.0 + min(touch[GAP], 0.0) / (reach_a + reach_b)
+    reach_a, reach_b = composition.radii[s], composition.radii[other] if other >= 0 else 0.0
+    scale = 1.0 + min(contact[GAP], 0.0) / (reach_a + reach_b)
     for axis in range(3):
-        row[RAX + axis] = touch[axis] * scale * reach_a + (places[s, axis] - state.positions[a, axis])
+        row[RAX + axis] = contact[axis] * scale * reach_a + (places[s, axis] - state.positions[a, axis])
         row[RBX + axis] = 0.0
         row[TAX + axis] = 0.0
         row[TBX + axis] = 0.0
     if other >= 0:
         for axis in range(3):
-            row[RBX + axis] = (places[other, axis] - state.positions[b, axis]) - touch[axis] * scale * reach_b
+            row[RBX + axis] = (places[other, axis] - state.positions[b, axis]) - contact[
+                axis
+            ] * scale * reach_b
     weight = work[a, WEIGHT] + work[b, WEIGHT]
-    nx, ny, nz = touch[NX], touch[NY], touch[NZ]
-    if is_apart(makeup.offsets, s):
+    nx, ny, nz = contact[NX], contact[NY], contact[NZ]
+    if is_apart(composition.offsets, s):
         row[TAX] = row[RAY] * nz - row[RAZ] * ny
         row[TAY] = row[RAZ] * nx - row[RAX] * nz
         row[TAZ] = row[RAX] * ny - row[RAY] * nx
         weight += angular_weight(work, a, row[TAX], row[TAY], row[TAZ])
-    if other >= 0 and is_apart(makeup.offsets, other):
+    if other >= 0 and is_apart(composition.offsets, other):
         row[TBX] = row[RBY] * nz - row[RBZ] * ny
         row[TBY] = row[RBZ] * nx - row[RBX] * nz
         row[TBZ] = row[RBX] * ny - row[RBY] * nx
         weight += angular_weight(work, b, row[TBX], row[TBY], row[TBZ])
     row[MASS] = 1.0 / weight if weight > 0.0 else 0.0
     last = tables.restitution.shape[0] - 1
-    kind = makeup.kinds[other] if other >= 0 else last
+    kind = composition.kinds[other] if other >= 0 else last
     bare = other == STRING
-    row[REBOUND] = 0.0 if bare else tables.restitution[makeup.kinds[s], kind]
-    row[MU] = 0.0 if bare else tables.friction[makeup.kinds[s], kind] * numbers.rough
+    row[REBOUND] = 0.0 if bare else tables.restitution[composition.kinds[s], kind]
+    row[MU] = 0.0 if bare else tables.friction[composition.kinds[s], kind] * numbers.rough
 
 
 @inner_kernel
-def prepare_rows(state, makeup, places, work, touches, who, ids, held, count, tables, numbers, rows):
-    """Rows of all touches (count, ROW_COLUMNS) written; returns the fastest approach that bounces, m/s.
+def prepare_rows(state, composition, places, work, contacts, who, ids, held, count, tables, numbers, rows):
+    """Rows of all contacts (count, ROW_COLUMNS) written; returns the fastest approach that bounces, m/s.
 
     held: (count, 4) impulses of the last step.
     """
     fastest = 0.0
     for m in range(count):
-        touch, row = touches[m], rows[m]
+        contact, row = contacts[m], rows[m]
         a, b = ids[m, FIRST], ids[m, SECOND]
-        measure_row(work, makeup, state, places, touch, row, who[m], a, b, tables, numbers)
-        speed = normal_speed(work, row, touch, a, b)
-        touching = touch[GAP] <= TOUCHING * makeup.radii[who[m, FIRST]]
+        measure_row(work, composition, state, places, contact, row, who[m], a, b, tables, numbers)
+        speed = normal_speed(work, row, contact, a, b)
+        touching = contact[GAP] <= TOUCHING * composition.radii[who[m, FIRST]]
         least = rest_speed(row[REBOUND], numbers)
         row[SOFT] = 0.0
         row[HIT] = row[HITX] = row[HITY] = row[HITZ] = 0.0
         row[JN] = held[m, 0] * numbers.carry
         x, y, z = held[m, 1], held[m, 2], held[m, 3]
-        along = x * touch[NX] + y * touch[NY] + z * touch[NZ]  # as far as the normal has turned
-        row[JTX] = (x - along * touch[NX]) * numbers.carry
-        row[JTY] = (y - along * touch[NY]) * numbers.carry
-        row[JTZ] = (z - along * touch[NZ]) * numbers.carry
+        along = x * contact[NX] + y * contact[NY] + z * contact[NZ]  # as far as the normal has turned
+        row[JTX] = (x - along * contact[NX]) * numbers.carry
+        row[JTY] = (y - along * contact[NY]) * numbers.carry
+        row[JTZ] = (z - along * contact[NZ]) * numbers.carry
         if speed < -least and touching:
             fastest = max(fastest, -speed)
-        set_bias(touch, row, numbers)
+        set_bias(contact, row, numbers)
     return fastest
 
 
 @inner_kernel
-def set_bias(touch, row, numbers):
-    """The separating speed that a touch is to have at least; with softness, the mass it is solved with."""
-    gap = touch[GAP]
+def set_bias(contact, row, numbers):
+    """The separating speed that a contact is to have at least; with softness, the mass it is solved with."""
+    gap = contact[GAP]
     if gap > 0.0:
         row[BIAS] = -gap / numbers.h
     else:

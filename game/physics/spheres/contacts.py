@@ -1,8 +1,8 @@
-"""Who touches whom: sphere against sphere, window, ledge and string, as a list of touches.
+"""Contacts: of sphere and sphere, window, ledge and string, as a list.
 
-A touch has a normal from the first body to the second, a gap (negative: overlap) and a key by which it is
+A contact has a normal from the first body to the second, a gap (negative: overlap) and a key by which it is
 known again in the next step. Walls, ledges and strings belong to a second body that nothing moves. A taut
-string is a touch like any other: a wall around its anchor, of the string's length.
+string is a contact like any other: a wall around its anchor, of the string's length.
 
 Arrays: places, before (s, 3) m; radii (s,) m; pairs (p, 2).
 """
@@ -16,14 +16,14 @@ import numpy as np
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spheres.effects import COLLISIONS_BIT, LEDGES_BIT, STRINGS_BIT, WINDOW_BIT
 
-NX, NY, NZ, GAP = range(4)  # columns of a touch
+NX, NY, NZ, GAP = range(4)  # columns of a contact
 WALLS = 4  # of the window: left, right, bottom, top
-FAR = 1e9  # m, a gap that never closes: a touch that takes no part
-NEVER_TOUCH = 1e-300  # m², below which centres count as one place
+FAR = 1e9  # m, a gap that never closes: a contact that takes no part
+COINCIDENT = 1e-300  # m², below which centres count as one place
 FALLBACK = (1.0, 0.0, 0.0)  # normal of spheres whose centres coincide
 
-# columns of ``who`` (room, 2) int32: spheres, the second one -1 for walls and -2 for strings;
-# ``ids`` (room, 2) uint32 holds their bodies, the second one that of what nothing moves
+# columns of ``who`` (capacity, 2) int32: spheres, the second one -1 for walls and -2 for strings;
+# ``ids`` (capacity, 2) uint32 holds their bodies, the second one that of what nothing moves
 FIRST, SECOND = range(2)
 
 
@@ -35,7 +35,7 @@ def separation(places, radii, a, b):
     dz = places[b, 2] - places[a, 2]
     square = dx * dx + dy * dy + dz * dz
     reach = radii[a] + radii[b]
-    if not square > NEVER_TOUCH:
+    if not square > COINCIDENT:
         return FALLBACK[0], FALLBACK[1], FALLBACK[2], -reach
     length = math.sqrt(square)
     return dx / length, dy / length, dz / length, length - reach
@@ -50,7 +50,7 @@ def ledge_separation(places, radii, a, ledge):
     share = min(max((dx * ex + dy * ey) / (ex * ex + ey * ey), 0.0), 1.0)
     dx, dy = share * ex - dx, share * ey - dy
     square = dx * dx + dy * dy
-    if not square > NEVER_TOUCH:
+    if not square > COINCIDENT:
         length = math.sqrt(ex * ex + ey * ey)
         return ey / length, -ex / length, -radii[a]
     length = math.sqrt(square)
@@ -58,13 +58,13 @@ def ledge_separation(places, radii, a, ledge):
 
 
 @inner_kernel
-def write_touch(touches, who, ids, keys, m, key, a, b, body_a, body_b, nx, ny, nz, gap):
-    """One touch at place m of the list, if there is room."""
+def write_contact(contacts, who, ids, keys, m, key, a, b, body_a, body_b, nx, ny, nz, gap):
+    """One contact at place m of the list, if there is capacity."""
     if m < keys.shape[0]:
-        touches[m, NX] = nx
-        touches[m, NY] = ny
-        touches[m, NZ] = nz
-        touches[m, GAP] = gap
+        contacts[m, NX] = nx
+        contacts[m, NY] = ny
+        contacts[m, NZ] = nz
+        contacts[m, GAP] = gap
         who[m, FIRST] = a
         who[m, SECOND] = b
         ids[m, FIRST] = body_a
@@ -73,14 +73,14 @@ def write_touch(touches, who, ids, keys, m, key, a, b, body_a, body_b, nx, ny, n
 
 
 @lean_kernel
-def find_touches(places, makeup, pairs, surroundings, mask, margin, touches, who, ids, keys):
-    """All touches with a gap up to ``margin`` (m), by ascending key; returns their number.
+def find_contacts(places, composition, pairs, surroundings, mask, margin, contacts, who, ids, keys):
+    """All contacts with a gap up to ``margin`` (m), by ascending key; returns their number.
 
-    pairs: (p, 2) candidates a < b, sorted. touches (room, 4), who and ids (room, 2), keys (room,) are
-    written; if the number is larger than the room there is, only so many are.
+    pairs: (p, 2) candidates a < b, sorted. contacts (capacity, 4), who and ids (capacity, 2),
+    keys (capacity,) are written; if the number is above the capacity, only so many are.
     """
-    radii, owners = makeup.radii, makeup.owners
-    s, n = radii.shape[0], makeup.masses.shape[0]
+    radii, owners = composition.radii, composition.owners
+    s, n = radii.shape[0], composition.masses.shape[0]
     m = 0
     if mask & COLLISIONS_BIT:
         for p in range(pairs.shape[0]):
@@ -91,8 +91,8 @@ def find_touches(places, makeup, pairs, surroundings, mask, margin, touches, who
             reach = radii[a] + radii[b] + margin
             if dx * dx + dy * dy + dz * dz <= reach * reach and owners[a] != owners[b]:
                 nx, ny, nz, gap = separation(places, radii, a, b)
-                write_touch(
-                    touches, who, ids, keys, m, a * s + b, a, b, owners[a], owners[b], nx, ny, nz, gap
+                write_contact(
+                    contacts, who, ids, keys, m, a * s + b, a, b, owners[a], owners[b], nx, ny, nz, gap
                 )
                 m += 1
     first = s * s
@@ -108,22 +108,24 @@ def find_touches(places, makeup, pairs, surroundings, mask, margin, touches, who
                 gap = side * (edge - places[a, axis]) - radii[a]
                 if gap <= margin:
                     key = first + wall * s + a
-                    write_touch(touches, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
+                    write_contact(contacts, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
                     m += 1
     first += WALLS * s
     if mask & LEDGES_BIT:
-        m = find_at_ledges(places, makeup, surroundings.ledges, first, margin, touches, who, ids, keys, m)
+        m = find_at_ledges(
+            places, composition, surroundings.ledges, first, margin, contacts, who, ids, keys, m
+        )
     first += surroundings.ledges.shape[0] * s
     if mask & STRINGS_BIT:
-        m = find_strings(places, makeup, surroundings, first, margin, touches, who, ids, keys, m)
+        m = find_strings(places, composition, surroundings, first, margin, contacts, who, ids, keys, m)
     return m
 
 
 @inner_kernel
-def find_at_ledges(places, makeup, ledges, first, margin, touches, who, ids, keys, m):
-    """Touches of spheres and ledges, from place m of the list on; returns the next place."""
-    radii, owners = makeup.radii, makeup.owners
-    s, n = radii.shape[0], makeup.masses.shape[0]
+def find_at_ledges(places, composition, ledges, first, margin, contacts, who, ids, keys, m):
+    """Contacts of spheres and ledges, from place m of the list on; returns the next place."""
+    radii, owners = composition.radii, composition.owners
+    s, n = radii.shape[0], composition.masses.shape[0]
     for k in range(ledges.shape[0]):
         left, right = min(ledges[k, 0], ledges[k, 2]), max(ledges[k, 0], ledges[k, 2])
         low, high = min(ledges[k, 1], ledges[k, 3]), max(ledges[k, 1], ledges[k, 3])
@@ -135,15 +137,15 @@ def find_at_ledges(places, makeup, ledges, first, margin, touches, who, ids, key
             nx, ny, gap = ledge_separation(places, radii, a, ledges[k])
             if gap <= margin:
                 key = first + k * s + a
-                write_touch(touches, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
+                write_contact(contacts, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
                 m += 1
     return m
 
 
 @inner_kernel
-def find_strings(places, makeup, surroundings, first, margin, touches, who, ids, keys, m):
+def find_strings(places, composition, surroundings, first, margin, contacts, who, ids, keys, m):
     """Strings that are taut, or nearly: see `surroundings`. From place m on; returns the next place."""
-    s, n = makeup.radii.shape[0], makeup.masses.shape[0]
+    s, n = composition.radii.shape[0], composition.masses.shape[0]
     for k in range(surroundings.hung.shape[0]):
         a = surroundings.hung[k]
         dx = places[a, 0] - surroundings.strings[k, 0]
@@ -154,7 +156,7 @@ def find_strings(places, makeup, surroundings, first, margin, touches, who, ids,
         if gap <= margin and length > 0.0:
             key = first + k * s + a
             nx, ny, nz = dx / length, dy / length, dz / length
-            write_touch(touches, who, ids, keys, m, key, a, -2, makeup.owners[a], n, nx, ny, nz, gap)
+            write_contact(contacts, who, ids, keys, m, key, a, -2, composition.owners[a], n, nx, ny, nz, gap)
             m += 1
     return m
 
@@ -163,7 +165,7 @@ def find_strings(places, makeup, surroundings, first, margin, touches, who, ids,
 def near_pairs(places, radii, skin, pairs):
     """Brute force: every sphere against every other. Pairs a < b nearer than ``skin`` (m), sorted.
 
-    pairs (room, 2) is written as far as there is room; returns how many there are.
+    pairs (capacity, 2) is written up to its capacity; returns how many there are.
     """
     m = 0
     for a in range(radii.shape[0]):
@@ -193,7 +195,7 @@ def farthest_moved(places, before):
 
 @inner_kernel
 def recall_impulses(keys, count, old_keys, old_count, held, old_held):
-    """Impulses (room, 4) of the touches that there were in the last step; 0 for the others."""
+    """Impulses (capacity, 4) of the contacts that there were in the last step; 0 for the others."""
     p = 0
     for m in range(count):
         key = keys[m]

@@ -6,7 +6,7 @@ from game.physics.effects import Room, declare_effect
 from game.physics.fields import DRAG, GRAVITY
 from game.physics.rigid.effects import PUSHES, ROTATION, WINDOW
 
-COLLISIONS = declare_effect("collisions", "Collisions", "Spheres hit and bear each other.")
+COLLISIONS = declare_effect("collisions", "Collisions", "Spheres hit and carry each other.")
 FRICTION = declare_effect("sphere-friction", "Friction", "Contacts resist sliding, and so make spheres turn.")
 IMPACT_TIMES = declare_effect(
     "impact-times", "Impact times", "A step is divided where the first spheres meet."

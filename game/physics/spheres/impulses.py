@@ -1,10 +1,10 @@
-"""Collisions between bodies in space, one after the other: impulses at touches that approach.
+"""Collisions between bodies in space, one after the other: impulses at contacts that approach.
 
 An impulse along the normal turns the approach v_n of the contact points into -e v_n,
     j = -(1 + e) v_n m_eff,
-and Coulomb's friction stops the slip or takes mu j (Hahn 1988; Mirtich 1996). One touch after the other,
+and Coulomb's friction stops the slip or takes mu j (Hahn 1988; Mirtich 1996). One contact after the other,
 again until none approaches: what happens in Newton's cradle. All of them at once: see joint_impulses.
-Arrays as in touch_rows.
+Arrays as in contact_rows.
 """
 
 from __future__ import annotations
@@ -38,12 +38,12 @@ from game.physics.spheres.spheres import WEIGHT
 
 
 @inner_kernel
-def collide(work, row, touch, a, b, j):
+def collide(work, row, contact, a, b, j):
     """An impulse j along the normal with its friction, added to what the row has of collisions."""
-    push_along(work, row, touch, a, b, j)
+    push_along(work, row, contact, a, b, j)
     row[HIT] += j
     if row[MU] > 0.0:
-        ux, uy, uz, slip, mass = slip_of(work, row, touch, a, b)
+        ux, uy, uz, slip, mass = slip_of(work, row, contact, a, b)
         if slip > 0.0:
             part = -min(mass, row[MU] * j / slip)
             push_bodies(work, row, a, b, part * ux, part * uy, part * uz)
@@ -53,16 +53,16 @@ def collide(work, row, touch, a, b, j):
 
 
 @inner_kernel
-def collide_and_enter(work, positions, row, touch, who, a, b, j, speed, ring, counters, sums):
+def collide_and_enter(work, positions, row, contact, who, a, b, j, speed, ring, counters, sums):
     """A collision, entered into the ledger."""
     entry = ring[int(counters[2]) % ring.shape[0]]
     weigh_pair(work, positions, a, b, sums[0])
     ux, uy, uz = relative_velocity(work, row, a, b)
     hit, x, y, z = row[HIT], row[HITX], row[HITY], row[HITZ]
-    collide(work, row, touch, a, b, j)
-    jx = (row[HIT] - hit) * touch[NX] + row[HITX] - x
-    jy = (row[HIT] - hit) * touch[NY] + row[HITY] - y
-    jz = (row[HIT] - hit) * touch[NZ] + row[HITZ] - z
+    collide(work, row, contact, a, b, j)
+    jx = (row[HIT] - hit) * contact[NX] + row[HITX] - x
+    jy = (row[HIT] - hit) * contact[NY] + row[HITY] - y
+    jz = (row[HIT] - hit) * contact[NZ] + row[HITZ] - z
     wx, wy, wz = relative_velocity(work, row, a, b)
     weigh_pair(work, positions, a, b, sums[1])
     entry[ledger.TIME] = counters[0]
@@ -72,7 +72,7 @@ def collide_and_enter(work, positions, row, touch, who, a, b, j, speed, ring, co
     entry[ledger.Z] = positions[a, 2] + row[RAZ]
     entry[ledger.JX], entry[ledger.JY], entry[ledger.JZ] = jx, jy, jz
     entry[ledger.BEFORE] = speed
-    entry[ledger.AFTER] = wx * touch[NX] + wy * touch[NY] + wz * touch[NZ]
+    entry[ledger.AFTER] = wx * contact[NX] + wy * contact[NY] + wz * contact[NZ]
     entry[ledger.REBOUND] = row[REBOUND]
     entry[ledger.EXPECTED] = 0.5 * (jx * (ux + wx) + jy * (uy + wy) + jz * (uz + wz))
     ledger.enter(entry, sums, ledger.taken_by_fixed(work[a, WEIGHT], work[b, WEIGHT]))
@@ -81,7 +81,7 @@ def collide_and_enter(work, positions, row, touch, who, a, b, j, speed, ring, co
 
 @lean_kernel
 def collide_in_turn(
-    work, positions, radii, touches, who, ids, count, rows, fastest, numbers, ring, counters, sums
+    work, positions, radii, contacts, who, ids, count, rows, fastest, numbers, ring, counters, sums
 ):  # fmt: skip
     """Collisions one after the other, in rounds, until none approaches. Returns rounds and impulses made.
 
@@ -91,16 +91,16 @@ def collide_in_turn(
     for turn in range(numbers.rounds):
         changed = False
         for m in range(count):
-            touch, row = touches[m], rows[m]
+            contact, row = contacts[m], rows[m]
             a, b = ids[m, FIRST], ids[m, SECOND]
-            if touch[GAP] > TOUCHING * radii[who[m, FIRST]]:
+            if contact[GAP] > TOUCHING * radii[who[m, FIRST]]:
                 continue
-            speed = normal_speed(work, row, touch, a, b)
+            speed = normal_speed(work, row, contact, a, b)
             least = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
             if speed < -least and row[MASS] > 0.0:
                 mass = row[MASS] / (1.0 - row[SOFT])
                 j = -(1.0 + row[REBOUND]) * speed * mass
-                collide_and_enter(work, positions, row, touch, who[m], a, b, j, speed, ring, counters, sums)
+                collide_and_enter(work, positions, row, contact, who[m], a, b, j, speed, ring, counters, sums)
                 made += 1
                 changed = True
         if not changed:

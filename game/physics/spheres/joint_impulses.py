@@ -1,12 +1,12 @@
-"""Collisions at all touches at once: Newton's law v_n' >= -e v_n by impulses that only push, in rounds.
+"""Collisions at all contacts at once: Newton's law v_n' >= -e v_n by impulses that only push, in rounds.
 
-Into a round go the touches that approach, with those that rest; what separates takes no part, as an impulse
+Into a round go the contacts that approach, with those that rest; what separates takes no part, as an impulse
 there would only make energy. What approaches because of the round comes next, until nothing does
 (generalised reflections; Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012, "Reflections on Simultaneous
-Impact"). Each impulse j adds j (v_n + v_n') / 2 to the energy, which is -(1 - e) j |v_n| / 2 where a touch
-approached and not above 0 where it rested: so no round raises it, also where e differs from touch to touch.
+Impact"). Each impulse j adds j (v_n + v_n') / 2 to the energy, which is -(1 - e) j |v_n| / 2 where a contact
+approached and not above 0 where it rested: so no round raises it, also where e differs among contacts.
 Impulses of a round are accumulated and clamped (projected Gauss-Seidel; Moreau 1988; Catto 2005). Arrays as
-in touch_rows.
+in contact_rows.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from game.physics.spheres.contact_rows import (
     REBOUND,
     SOFT,
     STILL,
+    TARGET,
     TOUCHING,
-    WANTED,
     normal_speed,
     push_along,
     rest_speed,
@@ -29,97 +29,99 @@ from game.physics.spheres.contact_rows import (
 from game.physics.spheres.contacts import FIRST, GAP, SECOND
 from game.physics.spheres.impulses import collide, collide_and_enter
 
-LEAST_SWEEPS = 200  # of a round, at most; with fewer touches more, as a light sphere between heavy ones needs
-SWEPT = 40_000  # touches swept in a round, in all
+LEAST_SWEEPS = (
+    200  # of a round, at most; with fewer contacts more, as a light sphere between heavy ones needs
+)
+SWEPT = 40_000  # contacts swept in a round, in all
 SETTLED = 1e-15  # of the fastest approach: a sweep that changes speeds by less is the last
-SEPARATING, ABSENT = 1e300, 2e300  # in place of a wanted speed: touches that take no part
+SEPARATING, ABSENT = 1e300, 2e300  # in place of an expected speed: contacts that take no part
 
 
 @lean_kernel
 def collide_at_once(
-    work, positions, radii, touches, who, ids, count, rows, fastest, numbers, ring, counters, sums
+    work, positions, radii, contacts, who, ids, count, rows, fastest, numbers, ring, counters, sums
 ):  # fmt: skip
-    """Newton's law at all touches together, in rounds. Returns rounds and impulses made.
+    """Newton's law at all contacts together, in rounds. Returns rounds and impulses made.
 
-    Friction follows each round, touch by touch. If collisions go on without end (e < 1 between spheres that
-    touch), or nothing that approaches rebounds, a last round takes the approach from every touch.
+    Friction follows each round, contact by contact. If collisions go on without end (e < 1 between spheres in
+    contact), or nothing that approaches rebounds, a last round takes the approach from every contact.
     """
     before = counters[2]
     for turn in range(numbers.rounds):
-        rebound = measure_round(work, radii, touches, who, ids, count, rows, fastest, numbers)
+        rebound = measure_round(work, radii, contacts, who, ids, count, rows, fastest, numbers)
         if rebound < 0.0:
             return turn, int(counters[2] - before)
         ends = rebound == 0.0 or turn == numbers.rounds - 1
         if ends:
             join_all(count, rows)
         for _ in range(max(LEAST_SWEEPS, SWEPT // count)):
-            if not sweep_jointly(work, touches, ids, count, rows) > SETTLED * fastest:
+            if not sweep_jointly(work, contacts, ids, count, rows) > SETTLED * fastest:
                 break
-        hold_energy(work, touches, ids, count, rows)
-        enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums)
+        hold_energy(work, contacts, ids, count, rows)
+        enter_joint(work, positions, contacts, who, ids, count, rows, ring, counters, sums)
         if ends:
             break
     return turn + 1, int(counters[2] - before)
 
 
 @inner_kernel
-def measure_round(work, radii, touches, who, ids, count, rows, fastest, numbers):
+def measure_round(work, radii, contacts, who, ids, count, rows, fastest, numbers):
     """Who takes part in a round, and the separating speed that each is to have at least.
 
-    Returns the largest restitution of a touch that approaches; -1 if none does.
+    Returns the largest restitution of a contact that approaches; -1 if none does.
     """
     rebound = -1.0
     for m in range(count):
-        touch, row = touches[m], rows[m]
+        contact, row = contacts[m], rows[m]
         row[JOINT] = 0.0
-        row[WANTED] = ABSENT
-        if touch[GAP] > TOUCHING * radii[who[m, FIRST]] or not row[MASS] > 0.0:
+        row[TARGET] = ABSENT
+        if contact[GAP] > TOUCHING * radii[who[m, FIRST]] or not row[MASS] > 0.0:
             continue
-        speed = normal_speed(work, row, touch, ids[m, FIRST], ids[m, SECOND])
+        speed = normal_speed(work, row, contact, ids[m, FIRST], ids[m, SECOND])
         row[BEFORE] = speed
         rest = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
         if abs(speed) <= rest:
-            row[WANTED] = -abs(speed)  # it rests: no rebound, and what is left is borne later
+            row[TARGET] = -abs(speed)  # it rests: no rebound, and what is left is borne later
         elif speed < 0.0:
-            row[WANTED] = -row[REBOUND] * speed
+            row[TARGET] = -row[REBOUND] * speed
             rebound = max(rebound, row[REBOUND])
         else:
-            row[WANTED] = SEPARATING
+            row[TARGET] = SEPARATING
     return rebound
 
 
 @inner_kernel
 def join_all(count, rows):
-    """No touch is to approach, none rebounds, and what separates takes part: a round that ends all at once.
+    """No contact is to approach, none rebounds, and what separates takes part: a round that ends all at once.
 
-    It leads to the nearest velocities that no touch forbids, which cannot be faster: rest is among them.
+    It leads to the nearest velocities that no contact forbids, which cannot be faster: rest is among them.
     """
     for m in range(count):
-        if rows[m, WANTED] != ABSENT:
-            rows[m, WANTED] = min(rows[m, WANTED], 0.0)
+        if rows[m, TARGET] != ABSENT:
+            rows[m, TARGET] = min(rows[m, TARGET], 0.0)
 
 
 @inner_kernel
-def sweep_jointly(work, touches, ids, count, rows):
-    """One sweep over all touches of a round; returns the largest change of a speed, m/s."""
+def sweep_jointly(work, contacts, ids, count, rows):
+    """One sweep over all contacts of a round; returns the largest change of a speed, m/s."""
     change = 0.0
     for m in range(count):
-        touch, row = touches[m], rows[m]
-        if row[WANTED] >= SEPARATING:
+        contact, row = contacts[m], rows[m]
+        if row[TARGET] >= SEPARATING:
             continue
         a, b = ids[m, FIRST], ids[m, SECOND]
-        missing = row[WANTED] - normal_speed(work, row, touch, a, b)
+        missing = row[TARGET] - normal_speed(work, row, contact, a, b)
         mass = row[MASS] / (1.0 - row[SOFT])
         j = max(row[JOINT] + missing * mass, 0.0) - row[JOINT]
         if j != 0.0:
             change = max(change, abs(missing))
-            push_along(work, row, touch, a, b, j)
+            push_along(work, row, contact, a, b, j)
             row[JOINT] += j
     return change
 
 
 @inner_kernel
-def hold_energy(work, touches, ids, count, rows):
+def hold_energy(work, contacts, ids, count, rows):
     """Impulses of a round that raise the energy, as too few sweeps can leave them, made as much smaller.
 
     With all of them times s the energy changes by s j·v + s² (j·v' - j·v) / 2.
@@ -128,7 +130,7 @@ def hold_energy(work, touches, ids, count, rows):
     for m in range(count):
         row = rows[m]
         if row[JOINT] > 0.0:
-            speed = normal_speed(work, row, touches[m], ids[m, FIRST], ids[m, SECOND])
+            speed = normal_speed(work, row, contacts[m], ids[m, FIRST], ids[m, SECOND])
             along += row[JOINT] * row[BEFORE]
             change += row[JOINT] * (speed - row[BEFORE])
     if not 2.0 * along + change > 1e-12 * change:
@@ -138,12 +140,12 @@ def hold_energy(work, touches, ids, count, rows):
         row = rows[m]
         if row[JOINT] > 0.0:
             j = share * row[JOINT]
-            push_along(work, row, touches[m], ids[m, FIRST], ids[m, SECOND], j - row[JOINT])
+            push_along(work, row, contacts[m], ids[m, FIRST], ids[m, SECOND], j - row[JOINT])
             row[JOINT] = j
 
 
 @inner_kernel
-def enter_joint(work, positions, touches, who, ids, count, rows, ring, counters, sums):
+def enter_joint(work, positions, contacts, who, ids, count, rows, ring, counters, sums):
     """Friction of a round whose impulses along the normals have acted, and the ledger of it.
 
     The energy of the round is shared out: each normal impulse has its work, j times the mean of the speeds
@@ -155,7 +157,7 @@ def enter_joint(work, positions, touches, who, ids, count, rows, ring, counters,
         row = rows[m]
         if row[JOINT] > 0.0:
             entry = ring[(first + made) % ring.shape[0]]
-            entry[ledger.AFTER] = normal_speed(work, row, touches[m], ids[m, FIRST], ids[m, SECOND])
+            entry[ledger.AFTER] = normal_speed(work, row, contacts[m], ids[m, FIRST], ids[m, SECOND])
             entry[ledger.CHANGE] = 0.5 * row[JOINT] * (row[BEFORE] + entry[ledger.AFTER])
             made += 1
     skipped = made - ring.shape[0]
@@ -163,20 +165,22 @@ def enter_joint(work, positions, touches, who, ids, count, rows, ring, counters,
         row = rows[m]
         j = row[JOINT]
         if j > 0.0:
-            touch, a, b = touches[m], ids[m, FIRST], ids[m, SECOND]
+            contact, a, b = contacts[m], ids[m, FIRST], ids[m, SECOND]
             entry = ring[int(counters[2]) % ring.shape[0]]
             if skipped > 0:  # more at once than the ledger has lines: the last of them are entered
                 skipped -= 1
-                push_along(work, row, touch, a, b, -j)
-                collide(work, row, touch, a, b, j)
+                push_along(work, row, contact, a, b, -j)
+                collide(work, row, contact, a, b, j)
                 counters[2] += 1.0
                 continue
             after, share = entry[ledger.AFTER], entry[ledger.CHANGE]
             # taken back and made again, with its friction, so that it can be weighed
-            speeds = normal_speed(work, row, touch, a, b)
-            push_along(work, row, touch, a, b, -j)
-            speeds += normal_speed(work, row, touch, a, b)
-            collide_and_enter(work, positions, row, touch, who[m], a, b, j, row[BEFORE], ring, counters, sums)
+            speeds = normal_speed(work, row, contact, a, b)
+            push_along(work, row, contact, a, b, -j)
+            speeds += normal_speed(work, row, contact, a, b)
+            collide_and_enter(
+                work, positions, row, contact, who[m], a, b, j, row[BEFORE], ring, counters, sums
+            )
             entry[ledger.AFTER] = after
             entry[ledger.CHANGE] += share - 0.5 * j * speeds
             entry[ledger.EXPECTED] += share - 0.5 * j * speeds

@@ -31,14 +31,14 @@ class Totals(NamedTuple):
 
     momentum: tuple[float, float, float]  # kg m/s
     spin: tuple[float, float, float]  # kg m²/s
-    moving: float  # J
-    turning: float  # J
-    height: float  # J, above y = 0
+    translational: float  # J
+    rotational: float  # J
+    potential: float  # J, above y = 0
 
     @property
     def energy(self) -> float:
         """J, all of it."""
-        return self.moving + self.turning + self.height
+        return self.translational + self.rotational + self.potential
 
 
 @inner_kernel
@@ -113,11 +113,11 @@ def enter(entry, sums, taken):
 
 
 @lean_kernel
-def sum_totals(state, makeup, work, gravity):
+def sum_totals(state, composition, work, gravity):
     """Of all bodies: momentum (3), angular momentum about the origin (3), energy of motion, of turning and
     of height (J). ``work`` as gather_velocities left it."""
     px = py = pz = lx = ly = lz = moving = turning = height = 0.0
-    for i in range(makeup.masses.shape[0]):
+    for i in range(composition.masses.shape[0]):
         if work[i, WEIGHT] <= 0.0:
             continue
         ax, ay, az = state.momenta[i, 0], state.momenta[i, 1], state.momenta[i, 2]
@@ -131,17 +131,17 @@ def sum_totals(state, makeup, work, gravity):
         lz += x * ay - y * ax + sz
         moving += 0.5 * work[i, WEIGHT] * (ax * ax + ay * ay + az * az)
         turning += 0.5 * (sx * work[i, WX] + sy * work[i, WY] + sz * work[i, WZ])
-        height += makeup.masses[i] * gravity * y
+        height += composition.masses[i] * gravity * y
     return px, py, pz, lx, ly, lz, moving, turning, height
 
 
 @lean_kernel
-def deepest_overlap(touches, who, count):
-    """Deepest overlap (m) and the sum of all, of touches that are found anew; 0 if there is none."""
+def deepest_overlap(contacts, who, count):
+    """Deepest overlap (m) and the sum of all, of contacts that have just been found; 0 if there is none."""
     deepest = total = 0.0
     for m in range(count):
         if who[m, SECOND] != -2:
-            overlap = max(-touches[m, GAP], 0.0)
+            overlap = max(-contacts[m, GAP], 0.0)
             deepest = max(deepest, overlap)
             total += overlap
     return deepest, total

@@ -1,9 +1,9 @@
 """The same impulses for single spheres that move in a plane: a few times quicker, for thousands of discs.
 
-A sphere's normal impulse does not turn it, and friction has one direction in the plane, so a touch takes
-three velocities of each body. All that a touch needs of a body lies in one line of the cache.
+A sphere's normal impulse does not turn it, and friction has one direction in the plane, so a contact takes
+three velocities of each body. All that a contact needs of a body lies in one line of the cache.
 
-Arrays: flat (n + 1, FLAT_COLUMNS), rows (count, PLANAR_COLUMNS); positions, momenta, spins (n, 3); touches,
+Arrays: flat (n + 1, FLAT_COLUMNS), rows (count, PLANAR_COLUMNS); positions, momenta, spins (n, 3); contacts,
 who, ids as in `contacts`.
 """
 
@@ -16,10 +16,10 @@ from game.physics.spheres.contact_rows import STILL, STRING, TOUCHING, rest_spee
 from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, SECOND
 from game.physics.spheres.resting_contacts import STRIDE
 
-# columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, way in this step
+# columns of a body: velocity, turning, inverse mass, radius, radius times inverse inertia, displacement
 VX, VY, TURN, WEIGHT, RADIUS, LEVER, WAY_X, WAY_Y = range(8)
 FLAT_COLUMNS = 8
-# columns of a row: normal, least separating speed wanted, effective masses along and across the normal,
+# columns of a row: normal, least separating speed to reach, effective masses along and across the normal,
 # softness, friction, impulses along and across, arms over radii, restitution, impulses of collisions
 PX, PY, BIAS, MASS, SLIDE, SOFT, MU, JN, JT, ARMS, REBOUND, HIT, HIT_T = range(13)
 PLANAR_COLUMNS = 13
@@ -38,29 +38,29 @@ def lies_in_plane(positions, momenta, spins):
 
 
 @inner_kernel
-def flatten_bodies(state, makeup, flat):
-    """What touches need of bodies, (n + 1, FLAT_COLUMNS) written; the last one is what nothing moves."""
-    n = makeup.masses.shape[0]
+def flatten_bodies(state, composition, flat):
+    """What contacts need of bodies, (n + 1, FLAT_COLUMNS) written; the last one is what nothing moves."""
+    n = composition.masses.shape[0]
     flat[n, :] = 0.0
     for i in range(n):
-        weight = 1.0 / makeup.masses[i]
-        inverse = makeup.inverse_inertias[i, 0]
+        weight = 1.0 / composition.masses[i]
+        inverse = composition.inverse_inertias[i, 0]
         flat[i, VX] = state.momenta[i, 0] * weight
         flat[i, VY] = state.momenta[i, 1] * weight
         flat[i, TURN] = state.spins[i, 2] * inverse
         flat[i, WEIGHT] = weight
-        flat[i, RADIUS] = makeup.radii[i]
-        flat[i, LEVER] = makeup.radii[i] * inverse
+        flat[i, RADIUS] = composition.radii[i]
+        flat[i, LEVER] = composition.radii[i] * inverse
 
 
 @inner_kernel
-def keep_motion(state, makeup, flat):
+def keep_motion(state, composition, flat):
     """Momenta from what velocities have become."""
-    for i in range(makeup.masses.shape[0]):
+    for i in range(composition.masses.shape[0]):
         if flat[i, WEIGHT] > 0.0:
-            state.momenta[i, 0] = makeup.masses[i] * flat[i, VX]
-            state.momenta[i, 1] = makeup.masses[i] * flat[i, VY]
-            state.spins[i, 2] = flat[i, TURN] / makeup.inverse_inertias[i, 0]
+            state.momenta[i, 0] = composition.masses[i] * flat[i, VX]
+            state.momenta[i, 1] = composition.masses[i] * flat[i, VY]
+            state.spins[i, 2] = flat[i, TURN] / composition.inverse_inertias[i, 0]
 
 
 @inner_kernel
@@ -78,16 +78,16 @@ def turn_flat(orientations, flat, h):
 
 
 @inner_kernel
-def prepare_planar(makeup, flat, touches, who, ids, held, count, tables, numbers, rows):
-    """Rows of all touches (count, PLANAR_COLUMNS) written; returns the fastest approach that bounces, m/s."""
+def prepare_planar(composition, flat, contacts, who, ids, held, count, tables, numbers, rows):
+    """Rows of contacts (count, PLANAR_COLUMNS) written; returns the fastest approach that bounces, m/s."""
     fastest = 0.0
     last = tables.restitution.shape[0] - 1
     for m in range(count):
         a, b = ids[m, FIRST], ids[m, SECOND]
-        nx, ny, gap = touches[m, NX], touches[m, NY], touches[m, GAP]
+        nx, ny, gap = contacts[m, NX], contacts[m, NY], contacts[m, GAP]
         other = who[m, SECOND]
-        mine = makeup.kinds[who[m, FIRST]]
-        kind = makeup.kinds[other] if other >= 0 else last
+        mine = composition.kinds[who[m, FIRST]]
+        kind = composition.kinds[other] if other >= 0 else last
         real = 0.0 if other == STRING else 1.0
         e = tables.restitution[mine, kind] * real
         weight = flat[a, WEIGHT] + flat[b, WEIGHT]
@@ -96,7 +96,7 @@ def prepare_planar(makeup, flat, touches, who, ids, held, count, tables, numbers
         soft = 0.0
         bias = -gap / numbers.h
         speed = (flat[b, VX] - flat[a, VX]) * nx + (flat[b, VY] - flat[a, VY]) * ny
-        if speed < 0.0 and gap <= TOUCHING * makeup.radii[a] and speed < -rest_speed(e, numbers):
+        if speed < 0.0 and gap <= TOUCHING * composition.radii[a] and speed < -rest_speed(e, numbers):
             fastest = max(fastest, -speed)
         if gap <= 0.0:
             bias = min(numbers.push * max(-gap - numbers.slop, 0.0), numbers.push_limit)
@@ -133,7 +133,7 @@ def push_flat(flat, rows, m, a, b, j, jt):
 
 @inner_kernel
 def speeds_of(flat, rows, m, a, b):
-    """Speeds along and across the normal of touch m, of b over a, m/s."""
+    """Speeds along and across the normal of contact m, of b over a, m/s."""
     x, y = flat[b, VX] - flat[a, VX], flat[b, VY] - flat[a, VY]
     rim = flat[a, RADIUS] * flat[a, TURN] + flat[b, RADIUS] * flat[b, TURN]
     nx, ny = rows[m, PX], rows[m, PY]
@@ -141,7 +141,7 @@ def speeds_of(flat, rows, m, a, b):
 
 
 @inner_kernel
-def collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers):
+def collide_flat(flat, composition, contacts, ids, count, rows, fastest, numbers):
     """Collisions one after the other, in rounds, until none approaches. Returns rounds and impulses made."""
     made = 0
     for turn in range(numbers.rounds):
@@ -150,7 +150,7 @@ def collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers):
             a, b = ids[m, FIRST], ids[m, SECOND]
             x, y = flat[b, VX] - flat[a, VX], flat[b, VY] - flat[a, VY]
             speed = x * rows[m, PX] + y * rows[m, PY]
-            if speed >= -STILL * fastest or touches[m, GAP] > TOUCHING * makeup.radii[a]:
+            if speed >= -STILL * fastest or contacts[m, GAP] > TOUCHING * composition.radii[a]:
                 continue
             if speed < -rest_speed(rows[m, REBOUND], numbers) and rows[m, MASS] > 0.0:
                 j = -(1.0 + rows[m, REBOUND]) * speed * rows[m, MASS] / (1.0 - rows[m, SOFT])
@@ -169,14 +169,14 @@ def collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers):
 
 
 @inner_kernel
-def pass_over_flat(flat, touches, ids, count, rows, numbers):
+def pass_over_flat(flat, contacts, ids, count, rows, numbers):
     """As `impulses.pass_over`."""
     for m in range(count):
-        if touches[m, GAP] > 0.0:
+        if contacts[m, GAP] > 0.0:
             a, b = ids[m, FIRST], ids[m, SECOND]
             speed = (flat[b, VX] - flat[a, VX]) * rows[m, PX] + (flat[b, VY] - flat[a, VY]) * rows[m, PY]
             if speed < 0.0 and speed < -rest_speed(rows[m, REBOUND], numbers):
-                touches[m, GAP] = FAR
+                contacts[m, GAP] = FAR
                 rows[m, BIAS] = -FAR / numbers.h
                 rows[m, JN] = 0.0
                 rows[m, JT] = 0.0
@@ -192,7 +192,7 @@ def start_flat(flat, ids, count, rows):
 
 @inner_kernel
 def sweep_flat(flat, ids, count, rows):
-    """One sweep over all touches, as `impulses.sweep_rows`."""
+    """One sweep over all contacts, as `impulses.sweep_rows`."""
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
             a = ids[m, FIRST]
@@ -245,7 +245,7 @@ def keep_flat(count, rows, held):
 
 
 @inner_kernel
-def split_flat(flat, touches, ids, count, rows, pushes, numbers):
+def split_flat(flat, contacts, ids, count, rows, pushes, numbers):
     """`position_correction.split_apart` in the plane."""
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
@@ -253,7 +253,7 @@ def split_flat(flat, touches, ids, count, rows, pushes, numbers):
             b = ids[m, SECOND]
             nx, ny = rows[m, PX], rows[m, PY]
             ax, ay, bx, by = flat[a, WAY_X], flat[a, WAY_Y], flat[b, WAY_X], flat[b, WAY_Y]
-            lack = min(numbers.share * (-numbers.slop - touches[m, GAP]), numbers.most_shift)
+            lack = min(numbers.share * (-numbers.slop - contacts[m, GAP]), numbers.most_shift)
             lack -= (bx - ax) * nx + (by - ay) * ny
             old = pushes[m]
             total = max(old + lack * rows[m, MASS], 0.0)
@@ -266,7 +266,7 @@ def split_flat(flat, touches, ids, count, rows, pushes, numbers):
 
 
 @inner_kernel
-def project_flat(positions, flat, touches, who, ids, count, numbers):
+def project_flat(positions, flat, contacts, who, ids, count, numbers):
     """`position_correction.project_apart` in the plane."""
     n = positions.shape[0]
     for first in range(STRIDE):
@@ -275,7 +275,7 @@ def project_flat(positions, flat, touches, who, ids, count, numbers):
             b = ids[m, SECOND]
             ax, ay, bx, by = flat[a, WAY_X], flat[a, WAY_Y], flat[b, WAY_X], flat[b, WAY_Y]
             x, y = bx - ax, by - ay
-            gap = touches[m, GAP]
+            gap = contacts[m, GAP]
             if b < n and gap < FAR:
                 x += positions[b, 0] - positions[a, 0]
                 y += positions[b, 1] - positions[a, 1]
@@ -286,7 +286,7 @@ def project_flat(positions, flat, touches, who, ids, count, numbers):
                 length = math.sqrt(square)
                 lack = min(numbers.share * (reach - length), numbers.most_shift) / length
             else:
-                nx, ny = touches[m, NX], touches[m, NY]
+                nx, ny = contacts[m, NX], contacts[m, NY]
                 lack = min(numbers.share * (-numbers.slop - gap - x * nx - y * ny), numbers.most_shift)
                 x, y = nx, ny
                 if lack <= 0.0:

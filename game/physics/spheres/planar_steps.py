@@ -1,7 +1,7 @@
-"""One part of a step of spheres that stay in a plane: as `collision_steps`, with less to do.
+"""One part of a step of spheres that stay in a plane: as in steps.py, with less to do.
 
-Arrays: flat (n + 1, FLAT_COLUMNS), velocities and ways; rows (room, PLANAR_COLUMNS); pulls (n, 6) N and N m;
-counters (COUNTERS,), see collision_steps.
+Arrays: flat (n + 1, FLAT_COLUMNS), velocities and displacements; rows (capacity, PLANAR_COLUMNS);
+pulls (n, 6) N and N m; counters (COUNTERS,), see steps.py.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ from game.physics.spheres.steps import (
 
 
 @lean_kernel
-def move_flat(state, makeup, mask, flat, h):
+def move_flat(state, composition, mask, flat, h):
     """Explicit Euler in the plane: positions and orientations by the velocities that there are."""
-    flat_law.flatten_bodies(state, makeup, flat)
+    flat_law.flatten_bodies(state, composition, flat)
     for i in range(state.positions.shape[0]):
         state.positions[i, 0] += h * flat[i, flat_law.VX]
         state.positions[i, 1] += h * flat[i, flat_law.VY]
@@ -56,7 +56,7 @@ def move_flat(state, makeup, mask, flat, h):
 
 @inner_kernel
 def speeds_before(state, flat, rows, m, a, b):
-    """Speeds along and across the normal of touch m (m/s) by the momenta, which do not know of the
+    """Speeds along and across the normal of contact m (m/s) by the momenta, which do not know of the
     collisions yet.
     """
     x = y = rim = 0.0
@@ -83,7 +83,7 @@ def lost_momentum(state, flat, taken_x, taken_y):
 
 
 @inner_kernel
-def note_flat(state, flat, radii, touches, who, ids, count, rows, ring, counters):
+def note_flat(state, flat, radii, contacts, who, ids, count, rows, ring, counters):
     """Enter the collisions of a part into the ledger, with their shares of the energy that they took.
 
     A share is J (u + u') / 2 by the speeds before and after all collisions of the part; in sum that is all
@@ -122,7 +122,7 @@ def note_flat(state, flat, radii, touches, who, ids, count, rows, ring, counters
 
 @inner_kernel
 def force_flat(flat, pulls, numbers):
-    """Ways by the velocities before the forces, if the scheme wants them, and velocities after them."""
+    """Displacements before the forces, if the scheme has it so, and velocities after them."""
     h = numbers.h
     part = 0.5 * h if numbers.scheme == EXACT else 0.0
     for i in range(pulls.shape[0]):
@@ -138,7 +138,7 @@ def force_flat(flat, pulls, numbers):
 
 
 @inner_kernel
-def finish_flat(state, makeup, surroundings, mask, numbers, flat, counters):
+def finish_flat(state, composition, surroundings, mask, numbers, flat, counters):
     """New positions, orientations and momenta."""
     for i in range(state.positions.shape[0]):
         if flat[i, flat_law.WEIGHT] > 0.0:
@@ -146,27 +146,29 @@ def finish_flat(state, makeup, surroundings, mask, numbers, flat, counters):
             state.positions[i, 1] += flat[i, flat_law.WAY_Y]
     if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
         flat_law.turn_flat(state.orientations, flat, numbers.h)
-    flat_law.keep_motion(state, makeup, flat)
+    flat_law.keep_motion(state, composition, flat)
     counters[CLOCK] += numbers.h
     counters[LAST_H] = numbers.h
 
 
 @lean_kernel
 def planar_part(
-    state, makeup, surroundings, tables, mask, numbers, flat, touches, who, ids, keys, count,
+    state, composition, surroundings, tables, mask, numbers, flat, contacts, who, ids, keys, count,
     old_keys, old_count, held, old_held, rows, pushes, pulls, ring, counters,
 ):  # fmt: skip
-    """All of a part but for the touches, for single spheres in a plane that hang from no strings."""
-    flat_law.flatten_bodies(state, makeup, flat)
+    """All of a part but for the contacts, for single spheres in a plane that hang from no strings."""
+    flat_law.flatten_bodies(state, composition, flat)
     recall_impulses(keys, count, old_keys, old_count, held, old_held)
-    fastest = flat_law.prepare_planar(makeup, flat, touches, who, ids, held, count, tables, numbers, rows)
+    fastest = flat_law.prepare_planar(
+        composition, flat, contacts, who, ids, held, count, tables, numbers, rows
+    )
     counters[ROUNDS] = counters[BOUNCES] = 0.0
     if fastest > 0.0:
-        turns, made = flat_law.collide_flat(flat, makeup, touches, ids, count, rows, fastest, numbers)
+        turns, made = flat_law.collide_flat(flat, composition, contacts, ids, count, rows, fastest, numbers)
         counters[ROUNDS] = turns
         counters[BOUNCES] = made
-        note_flat(state, flat, makeup.radii, touches, who, ids, count, rows, ring, counters)
-    flat_law.pass_over_flat(flat, touches, ids, count, rows, numbers)
+        note_flat(state, flat, composition.radii, contacts, who, ids, count, rows, ring, counters)
+    flat_law.pass_over_flat(flat, contacts, ids, count, rows, numbers)
     force_flat(flat, pulls, numbers)
     flat_law.start_flat(flat, ids, count, rows)
     for _ in range(numbers.iterations):
@@ -183,7 +185,7 @@ def planar_part(
         pushes[m] = 0.0
     for _ in range(numbers.passes):
         if numbers.correction == SPLIT:
-            flat_law.split_flat(flat, touches, ids, count, rows, pushes, numbers)
+            flat_law.split_flat(flat, contacts, ids, count, rows, pushes, numbers)
         else:
-            flat_law.project_flat(state.positions, flat, touches, who, ids, count, numbers)
-    finish_flat(state, makeup, surroundings, mask, numbers, flat, counters)
+            flat_law.project_flat(state.positions, flat, contacts, who, ids, count, numbers)
+    finish_flat(state, composition, surroundings, mask, numbers, flat, counters)

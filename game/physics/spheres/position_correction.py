@@ -1,12 +1,12 @@
 """Overlap taken away from positions alone, so that no energy comes of it.
 
-`split` finds, for all touches together, displacements along the normals that leave no more overlap than the
+`split` finds, for all contacts together, displacements along the normals that leave no more overlap than the
 slop, as accumulated impulses do it for velocities (split impulses: Bullet; Tonge and others 2012).
 `projection` moves one pair after the other, with its normal as it is by then (nonlinear Gauss-Seidel:
 Catto, Box2D). Both take into account how far bodies move in this step. ``shifts`` (n + 1, 4) m holds that,
 and what is added to it: x, y, z, inverse mass.
 
-Arrays: touches (count, 4), who and ids (count, 2), see `contacts`; shifts (n + 1, 4); places (s, 3) m;
+Arrays: contacts (count, 4), who and ids (count, 2), see `contacts`; shifts (n + 1, 4); places (s, 3) m;
 radii (s,) m.
 """
 
@@ -22,7 +22,7 @@ WEIGHT_COLUMN = 3
 
 
 @lean_kernel
-def split_apart(touches, ids, count, shifts, pushes, slop, share, most, passes):
+def split_apart(contacts, ids, count, shifts, pushes, slop, share, most, passes):
     """Sweeps: displacements (kg m: times inverse mass) that only push, accumulated in pushes (count,)."""
     for m in range(count):
         pushes[m] = 0.0
@@ -30,7 +30,7 @@ def split_apart(touches, ids, count, shifts, pushes, slop, share, most, passes):
         for first in range(STRIDE):
             for m in range(first, count, STRIDE):
                 a, b = ids[m, FIRST], ids[m, SECOND]
-                nx, ny, nz, gap = touches[m, NX], touches[m, NY], touches[m, NZ], touches[m, GAP]
+                nx, ny, nz, gap = contacts[m, NX], contacts[m, NY], contacts[m, NZ], contacts[m, GAP]
                 weight_a, weight_b = shifts[a, WEIGHT_COLUMN], shifts[b, WEIGHT_COLUMN]
                 moved = (
                     (shifts[b, 0] - shifts[a, 0]) * nx
@@ -52,13 +52,13 @@ def split_apart(touches, ids, count, shifts, pushes, slop, share, most, passes):
 
 
 @lean_kernel
-def project_apart(places, radii, touches, who, ids, count, shifts, slop, share, most, passes):
+def project_apart(places, radii, contacts, who, ids, count, shifts, slop, share, most, passes):
     """Sweeps: each overlap beyond the slop is reduced by a share, at most by ``most`` m."""
     for _ in range(passes):
         for first in range(STRIDE):
             for m in range(first, count, STRIDE):
                 a, b = ids[m, FIRST], ids[m, SECOND]
-                nx, ny, nz, gap = touches[m, NX], touches[m, NY], touches[m, NZ], touches[m, GAP]
+                nx, ny, nz, gap = contacts[m, NX], contacts[m, NY], contacts[m, NZ], contacts[m, GAP]
                 x, y, z = (
                     shifts[b, 0] - shifts[a, 0],
                     shifts[b, 1] - shifts[a, 1],

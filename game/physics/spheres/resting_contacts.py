@@ -1,7 +1,7 @@
-"""Bearing: after the forces have acted, impulses that stop what still approaches.
+"""Resting contacts: after the forces have acted, impulses that stop what still approaches.
 
 Accumulated and clamped, so that they only push and friction stays within mu times that, and warm started
-(Catto 2005, "Iterative dynamics with temporal coherence"). Arrays as in touch_rows; held: (count, 4).
+(Catto 2005, "Iterative dynamics with temporal coherence"). Arrays as in contact_rows; held: (count, 4).
 """
 
 from __future__ import annotations
@@ -27,48 +27,48 @@ from game.physics.spheres.contact_rows import (
 )  # fmt: skip
 from game.physics.spheres.contacts import FAR, FIRST, GAP, SECOND
 
-STRIDE = 4  # touches are swept in strides, so that one need not wait for the result of the one before
+STRIDE = 4  # contacts are swept in strides, so that one need not wait for the result of the one before
 
 
 @inner_kernel
-def pass_over(work, touches, ids, count, rows, numbers):
+def pass_over(work, contacts, ids, count, rows, numbers):
     """After the collisions: a gap that is closing too fast to be borne takes no part until it has closed."""
     for m in range(count):
-        touch, row = touches[m], rows[m]
-        if touch[GAP] > 0.0 and row[BIAS] < 0.0:
-            speed = normal_speed(work, row, touch, ids[m, FIRST], ids[m, SECOND])
+        contact, row = contacts[m], rows[m]
+        if contact[GAP] > 0.0 and row[BIAS] < 0.0:
+            speed = normal_speed(work, row, contact, ids[m, FIRST], ids[m, SECOND])
             if speed < -rest_speed(row[REBOUND], numbers):
-                touch[GAP] = FAR
+                contact[GAP] = FAR
                 row[BIAS] = -FAR / numbers.h
                 row[JN] = row[JTX] = row[JTY] = row[JTZ] = 0.0
 
 
 @inner_kernel
-def start_warm(work, touches, ids, count, rows):
+def start_warm(work, contacts, ids, count, rows):
     """Begin with the impulses of the last step."""
     for m in range(count):
         row = rows[m]
         a, b = ids[m, FIRST], ids[m, SECOND]
         if row[JN] > 0.0:
-            push_along(work, row, touches[m], a, b, row[JN])
+            push_along(work, row, contacts[m], a, b, row[JN])
             push_bodies(work, row, a, b, row[JTX], row[JTY], row[JTZ])
 
 
 @inner_kernel
-def sweep_rows(work, touches, ids, count, rows):
-    """One sweep over all touches: normal impulses that only push, friction within mu times that."""
+def sweep_rows(work, contacts, ids, count, rows):
+    """One sweep over all contacts: normal impulses that only push, friction within mu times that."""
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            touch, row = touches[m], rows[m]
+            contact, row = contacts[m], rows[m]
             a, b = ids[m, FIRST], ids[m, SECOND]
-            speed = normal_speed(work, row, touch, a, b)
+            speed = normal_speed(work, row, contact, a, b)
             j = max(row[JN] - (speed - row[BIAS]) * row[MASS] - row[SOFT] * row[JN], 0.0)
             if j != row[JN]:
-                push_along(work, row, touch, a, b, j - row[JN])
+                push_along(work, row, contact, a, b, j - row[JN])
                 row[JN] = j
             if row[MU] <= 0.0:
                 continue
-            ux, uy, uz, slip, mass = slip_of(work, row, touch, a, b)
+            ux, uy, uz, slip, mass = slip_of(work, row, contact, a, b)
             x, y, z = row[JTX] - mass * ux, row[JTY] - mass * uy, row[JTZ] - mass * uz
             size = math.sqrt(x * x + y * y + z * z)
             most = row[MU] * j
@@ -82,7 +82,7 @@ def sweep_rows(work, touches, ids, count, rows):
 
 
 @inner_kernel
-def harden_rows(touches, count, rows):
+def harden_rows(contacts, count, rows):
     """Take softness and push back out of the rows: what follows removes the speed they gave."""
     for m in range(count):
         row = rows[m]

@@ -74,10 +74,10 @@ class CollisionSettings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
     effects: of `SPHERES`. scheme: of SCHEMES, for the motion. law: of LAWS, for collisions. correction: of
-    CORRECTIONS, of overlap. iterations: sweeps of bearing impulses; passes: sweeps of position correction;
-    rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m. slop: of the
-    smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses. path: of
-    PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
+    CORRECTIONS, of overlap. iterations: sweeps of the impulses of resting contacts; passes: of position
+    correction; rounds: of collisions, at most. substeps: parts of a step. gravity: m/s². drag: N s/m.
+    slop: of the smallest radius. rest: resting speed over g h / (1 - e²). warm: begin with the last impulses.
+    path: of PATHS, which kernels. fast: impact times only of what moves more than so many radii in a step.
     """
 
     effects: EffectSet = USUAL
@@ -101,11 +101,11 @@ class CollisionSettings:
         options = {"scheme": SCHEMES, "law": LAWS, "correction": CORRECTIONS, "path": PATHS}
         for name, allowed in options.items():
             if getattr(self, name) not in allowed:
-                raise ValueError(f"{name} = {getattr(self, name)!r}: one of {', '.join(allowed)} is wanted")
+                raise ValueError(f"{name} = {getattr(self, name)!r}: expected one of {', '.join(allowed)}")
         for name in ("iterations", "passes", "rounds", "substeps"):
             turns, least = getattr(self, name), 0 if name == "passes" else 1
             if isinstance(turns, bool) or not isinstance(turns, int) or not least <= turns <= MOST_TURNS:
-                raise ValueError(f"{name} = {turns!r}: a whole number, {least} to {MOST_TURNS}, is wanted")
+                raise ValueError(f"{name} = {turns!r}: expected a whole number, {least} to {MOST_TURNS}")
         limits = {
             "gravity": (-1e4, 1e4),
             "drag": (0.0, 1e9),
@@ -115,7 +115,7 @@ class CollisionSettings:
         }
         for name, (least_value, most) in limits.items():
             if not least_value <= getattr(self, name) <= most:
-                raise ValueError(f"{name} = {getattr(self, name)!r}: {least_value:g} to {most:g} is wanted")
+                raise ValueError(f"{name} = {getattr(self, name)!r}: expected {least_value:g} to {most:g}")
 
     def numbers(self, h: float, nominal: float, before: float, radius: float) -> Numbers:
         """For kernels: a part of h (s) of a substep of nominal length, after one of ``before``."""
@@ -150,10 +150,10 @@ def material_tables(restitution: ArrayLike, friction: ArrayLike, count: int = 1)
     for name, values, most in (("restitution", restitution, 1.0), ("friction", friction, 100.0)):
         given = np.asarray(values, dtype=np.float64)
         if given.shape not in ((), (count + 1, count + 1)):
-            raise ValueError(f"{name}: one number, or {count + 1} rows of {count + 1}, is wanted")
+            raise ValueError(f"{name}: expected one number, or {count + 1} rows of {count + 1}")
         table = np.array(np.broadcast_to(given, (count + 1, count + 1)))
         if not ((table >= 0.0) & (table <= most)).all():
-            raise ValueError(f"{name}: 0 to {most:g} is wanted")
+            raise ValueError(f"{name}: expected 0 to {most:g}")
         if not np.array_equal(table, table.T):
             raise ValueError(f"{name}: a with b must be as b with a")
         tables.append(table)
@@ -173,15 +173,15 @@ def surroundings_of(
     """
     box = np.array(window, dtype=np.float64)
     if box.shape != (4,) or not np.isfinite(box).all() or not (box[0] < box[2] and box[1] < box[3]):
-        raise ValueError("window: left, bottom, right and top are wanted, left of right and below top")
+        raise ValueError("window: expected left, bottom, right and top, left of right and below top")
     lines = np.array(ledges, dtype=np.float64).reshape(-1, 4)
     if not np.isfinite(lines).all():
-        raise ValueError("ledges: finite numbers are wanted")
+        raise ValueError("ledges: expected finite numbers")
     length = np.abs(lines[:, 2:] - lines[:, :2]).max(axis=1, initial=0.0) if len(lines) else np.ones(0)
     if not (length > 1e-9).all():
-        raise ValueError("ledges: two different ends are wanted")
+        raise ValueError("ledges: expected two different ends")
     ties = np.array(strings, dtype=np.float64).reshape(-1, 4)
     spheres = whole_numbers("hung", hung).reshape(-1)
     if len(spheres) != len(ties) or not np.isfinite(ties).all() or not (ties[:, 3] > 0.0).all():
-        raise ValueError("strings: a place and a length above 0 m for each sphere that hangs are wanted")
+        raise ValueError("strings: expected a place and a length above 0 m for each sphere that hangs")
     return Surroundings(box, lines, spheres, ties)

@@ -132,7 +132,7 @@ class SmoothSpheres:
     ):
         x, v = np.array(positions, dtype=np.float64), np.array(velocities, dtype=np.float64)
         if x.ndim != 2 or x.shape != v.shape or x.shape[1] not in (2, 3) or not len(x):
-            raise ValueError("positions, velocities: equally many rows of two or three numbers are wanted")
+            raise ValueError("positions, velocities: expected equally many rows of two or three numbers")
         self.positions, self.velocities = np.zeros((len(x), 3)), np.zeros((len(x), 3))
         self.positions[:, : x.shape[1]], self.velocities[:, : x.shape[1]] = x, v
         self.radii = np.array(np.broadcast_to(np.asarray(radii, dtype=np.float64), len(x)))
@@ -145,12 +145,12 @@ class SmoothSpheres:
         if not ((self.radii > 0.0).all() and (self.masses > 0.0).all() and np.isfinite(self._numbers).all()):
             raise ValueError("radii, masses: must be above 0, and gravity and restitution finite")
         if not (0.0 <= restitution <= 1.0 and 0.0 <= wall_restitution <= 1.0):
-            raise ValueError("restitution: 0 to 1 is wanted")
+            raise ValueError("restitution: expected 0 to 1")
 
     def fly(self, duration: float, most: int = 100_000) -> int:
         """Go on for so long (s); how many impacts there were. ValueError after more than ``most``."""
         if not 0.0 <= duration < math.inf:
-            raise ValueError(f"duration = {duration!r}: a finite number from 0 s on is wanted")
+            raise ValueError(f"duration = {duration!r}: expected a finite number from 0 s on")
         made: int = fly(
             self.positions, self.velocities, self.radii, self.masses, self.window, self._numbers,
             float(duration), most,

@@ -17,7 +17,7 @@ from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.rigid.quaternion import matrix_of, quaternion_to_matrix
 from game.physics.spheres.composition import (
     LARGEST,
-    Makeup,
+    Composition,
     checked_kinds,
     checked_numbers,
     checked_owners,
@@ -46,15 +46,15 @@ class MotionState(NamedTuple):
 
 
 @lean_kernel
-def gather_velocities(state, makeup, work):
+def gather_velocities(state, composition, work):
     """Velocities, inverse masses and inverse inertias in the world's frame, (n + 1, WORK_COLUMNS) written."""
-    n = makeup.masses.shape[0]
+    n = composition.masses.shape[0]
     for column in range(WORK_COLUMNS):
         work[n, column] = 0.0
     for i in range(n):
-        weight = 1.0 / makeup.masses[i]
+        weight = 1.0 / composition.masses[i]
         lx, ly, lz = state.spins[i, 0], state.spins[i, 1], state.spins[i, 2]
-        xx, yy, zz, xy, xz, yz = world_inertia(state.orientations, makeup, i)
+        xx, yy, zz, xy, xz, yz = world_inertia(state.orientations, composition, i)
         work[i, VX] = state.momenta[i, 0] * weight
         work[i, VY] = state.momenta[i, 1] * weight
         work[i, VZ] = state.momenta[i, 2] * weight
@@ -71,10 +71,10 @@ def gather_velocities(state, makeup, work):
 
 
 @inner_kernel
-def world_inertia(orientations, makeup, i):
+def world_inertia(orientations, composition, i):
     """Inverse inertia of body i in the world's frame: xx, yy, zz, xy, xz, yz."""
-    j = makeup.inverse_inertias
-    if makeup.round_bodies[i]:
+    j = composition.inverse_inertias
+    if composition.round_bodies[i]:
         return j[i, 0], j[i, 0], j[i, 0], 0.0, 0.0, 0.0
     q = orientations
     a, b, c, d, e, f, g, h, k = matrix_of((q[i, 0], q[i, 1], q[i, 2], q[i, 3]))
@@ -90,11 +90,11 @@ def world_inertia(orientations, makeup, i):
 
 
 @lean_kernel
-def place_spheres(state, makeup, places):
+def place_spheres(state, composition, places):
     """World positions of all spheres' centres, (s, 3) m written."""
-    for s in range(makeup.radii.shape[0]):
-        i = makeup.owners[s]
-        ox, oy, oz = makeup.offsets[s, 0], makeup.offsets[s, 1], makeup.offsets[s, 2]
+    for s in range(composition.radii.shape[0]):
+        i = composition.owners[s]
+        ox, oy, oz = composition.offsets[s, 0], composition.offsets[s, 1], composition.offsets[s, 2]
         places[s, 0] = state.positions[i, 0]
         places[s, 1] = state.positions[i, 1]
         places[s, 2] = state.positions[i, 2]
@@ -143,7 +143,9 @@ class SphereBodies:
         if not self.single:
             self._turn_back(offsets, who)
         inverse, round_bodies = invert_inertias(inertias, offsets, radii, weights, who, mass)
-        self.makeup = Makeup(mass, inverse, round_bodies, radii, who, offsets, checked_kinds(kinds, s))
+        self.composition = Composition(
+            mass, inverse, round_bodies, radii, who, offsets, checked_kinds(kinds, s)
+        )
         self.count = n
         self.alike = self.single and bool(round_bodies.all())  # each a ball that turns alike about all axes
         self.set_velocities(
@@ -152,12 +154,12 @@ class SphereBodies:
         )
 
     @classmethod
-    def of_parts(cls, makeup: Makeup, state: MotionState) -> SphereBodies:
+    def of_parts(cls, composition: Composition, state: MotionState) -> SphereBodies:
         """Bodies of parts that other bodies gave; they are taken as they are, not copied."""
         bodies = cls.__new__(cls)
-        bodies.makeup, bodies.state, bodies.count = makeup, state, len(makeup.masses)
-        bodies.single = len(makeup.radii) == bodies.count and not makeup.offsets.any()
-        bodies.alike = bodies.single and bool(makeup.round_bodies.all())
+        bodies.composition, bodies.state, bodies.count = composition, state, len(composition.masses)
+        bodies.single = len(composition.radii) == bodies.count and not composition.offsets.any()
+        bodies.alike = bodies.single and bool(composition.round_bodies.all())
         return bodies
 
     def _turn_back(self, offsets: Floats, owners: Ints) -> None:
@@ -173,35 +175,35 @@ class SphereBodies:
         """
         v = checked_vectors("velocities", velocities, self.count)
         w = checked_vectors("turning", turning, self.count)
-        heavy = np.isinf(self.makeup.masses)
+        heavy = np.isinf(self.composition.masses)
         if np.any(v[heavy] != 0.0) or np.any(w[heavy] != 0.0):
             raise ValueError("velocities: a body of infinite mass stays where it is")
-        np.copyto(self.state.momenta, v * np.where(heavy, 0.0, self.makeup.masses)[:, None])
-        inverse = self.makeup.inverse_inertias[:, :1]
+        np.copyto(self.state.momenta, v * np.where(heavy, 0.0, self.composition.masses)[:, None])
+        inverse = self.composition.inverse_inertias[:, :1]
         np.copyto(self.state.spins, np.divide(w, inverse, out=np.zeros_like(w), where=inverse > 0.0))
-        for i in np.flatnonzero(self.makeup.round_bodies == 0).tolist():
+        for i in np.flatnonzero(self.composition.round_bodies == 0).tolist():
             rotation = quaternion_to_matrix(self.state.orientations[i])
-            tensor = np.linalg.inv(symmetric(self.makeup.inverse_inertias[i]))
+            tensor = np.linalg.inv(symmetric(self.composition.inverse_inertias[i]))
             self.state.spins[i] = rotation @ tensor @ rotation.T @ w[i]
 
     @property
     def velocities(self) -> Floats:
         """(n, 3) m/s."""
-        return self.state.momenta / self.makeup.masses[:, None]
+        return self.state.momenta / self.composition.masses[:, None]
 
     @property
     def turning(self) -> Floats:
         """Angular velocities (n, 3) rad/s."""
         work = np.zeros((self.count + 1, WORK_COLUMNS))
-        gather_velocities(self.state, self.makeup, work)
+        gather_velocities(self.state, self.composition, work)
         return work[:-1, WX : WZ + 1].copy()
 
     def places(self) -> Floats:
         """World positions of all spheres (s, 3) m, a copy."""
         if self.single:
             return self.state.positions.copy()
-        places = np.empty((len(self.makeup.radii), 3))
-        place_spheres(self.state, self.makeup, places)
+        places = np.empty((len(self.composition.radii), 3))
+        place_spheres(self.state, self.composition, places)
         return places
 
     def check(self) -> None:
@@ -210,5 +212,5 @@ class SphereBodies:
             assert np.isfinite(array).all(), f"{name} are finite"
         lengths = np.sqrt((self.state.orientations**2).sum(axis=1))
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-12, "orientations have length 1"
-        heavy = np.isinf(self.makeup.masses)
+        heavy = np.isinf(self.composition.masses)
         assert not self.state.momenta[heavy].any(), "what nothing moves has no momentum"

@@ -20,15 +20,15 @@ class CollisionState(NamedTuple):
     spins: Floats  # (n, 3) kg m²/s
     pairs: Ints  # (p, 2) candidates
     found_at: Floats  # (s, 3) m, where spheres were when these were found
-    keys: Ints  # (m,) touches of the last step
+    keys: Ints  # (m,) contacts of the last step
     held: Floats  # (m, 4) their impulses, kg m/s
     pulls: Floats  # (n, 6) forces N and torques N m of the next step
     ring: Floats  # (LEDGER_ROWS, LEDGER_COLUMNS) last collisions
-    counters: Floats  # (8,): see collision_steps
+    counters: Floats  # (8,): see steps.py
 
 
 def entries_in_order(ring: Floats, made: int) -> Floats:
-    """The entries (k, columns) that a ring (room, columns) still holds, of so many made; oldest first."""
+    """The entries (k, columns) that a ring (capacity, columns) still holds, of so many made; oldest first."""
     if made <= len(ring):
         return ring[:made].copy()
     return np.roll(ring, -(made % len(ring)), axis=0)

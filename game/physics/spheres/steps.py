@@ -1,6 +1,6 @@
-"""One part of a step of colliding spheres, from touch to touch.
+"""One part of a step of colliding spheres, from contact to contact.
 
-    find touches; collisions, by the velocities that there are; forces; bearing impulses; positions
+    find contacts; collisions, by the velocities that there are; forces; resting contacts; positions
     Guendelman, Bridson, Fedkiw 2003, "Nonconvex rigid bodies with stacking"
 
 Collisions come before forces: so what rests is not thrown by a step's worth of gravity. Explicit Euler moves
@@ -78,9 +78,9 @@ def apply_torques(work, pulls, h):
 
 
 @lean_kernel
-def move_by_velocity(state, makeup, mask, work, h):
+def move_by_velocity(state, composition, mask, work, h):
     """Explicit Euler: positions and orientations by the velocities that there are."""
-    gather_velocities(state, makeup, work)
+    gather_velocities(state, composition, work)
     for i in range(state.positions.shape[0]):
         state.positions[i, 0] += h * work[i, VX]
         state.positions[i, 1] += h * work[i, VY]
@@ -138,7 +138,7 @@ def swing_on(state, work, shifts, surroundings, owners):
 
 
 @lean_kernel
-def finish_part(state, makeup, surroundings, mask, numbers, work, shifts, counters):
+def finish_part(state, composition, surroundings, mask, numbers, work, shifts, counters):
     """New positions, orientations and momenta."""
     for i in range(state.positions.shape[0]):
         if work[i, WEIGHT] > 0.0:
@@ -146,11 +146,11 @@ def finish_part(state, makeup, surroundings, mask, numbers, work, shifts, counte
             state.positions[i, 1] += shifts[i, 1]
             state.positions[i, 2] += shifts[i, 2]
     if mask & STRINGS_BIT:
-        swing_on(state, work, shifts, surroundings, makeup.owners)
+        swing_on(state, work, shifts, surroundings, composition.owners)
     if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
         turn_bodies(state, work, numbers.h, numbers.scheme == EXACT)
     for i in range(state.positions.shape[0]):
-        mass = makeup.masses[i] if work[i, WEIGHT] > 0.0 else 0.0
+        mass = composition.masses[i] if work[i, WEIGHT] > 0.0 else 0.0
         state.momenta[i, 0] = mass * work[i, VX]
         state.momenta[i, 1] = mass * work[i, VY]
         state.momenta[i, 2] = mass * work[i, VZ]
@@ -161,26 +161,28 @@ def finish_part(state, makeup, surroundings, mask, numbers, work, shifts, counte
 
 @lean_kernel
 def prepare_part(
-    state, makeup, tables, numbers, work, places, touches, who, ids, keys, count, old_keys, old_count,
+    state, composition, tables, numbers, work, places, contacts, who, ids, keys, count, old_keys, old_count,
     held, old_held, rows,
 ):  # fmt: skip
-    """Rows of all touches; returns the fastest approach that bounces, m/s. held (room, 4) is written."""
+    """Rows of all contacts; returns the fastest approach that bounces, m/s. held (capacity, 4) is written."""
     recall_impulses(keys, count, old_keys, old_count, held, old_held)
-    return prepare_rows(state, makeup, places, work, touches, who, ids, held, count, tables, numbers, rows)
+    return prepare_rows(
+        state, composition, places, work, contacts, who, ids, held, count, tables, numbers, rows
+    )
 
 
 @lean_kernel
-def bear_part(work, touches, ids, count, held, rows, shifts, pulls, numbers):
-    """Forces, what bears them, and how far bodies go. held (room, 4): impulses, written."""
-    pass_over(work, touches, ids, count, rows, numbers)
+def resting_part(work, contacts, ids, count, held, rows, shifts, pulls, numbers):
+    """Forces, resting contacts, and how far bodies go. held (capacity, 4): impulses, written."""
+    pass_over(work, contacts, ids, count, rows, numbers)
     start_shifts(work, shifts, numbers.h, numbers.scheme)
     apply_forces(work, pulls, numbers.h, numbers.gravity, numbers.drag)
     apply_torques(work, pulls, numbers.h)
-    start_warm(work, touches, ids, count, rows)
+    start_warm(work, contacts, ids, count, rows)
     for _ in range(numbers.iterations):
-        sweep_rows(work, touches, ids, count, rows)
+        sweep_rows(work, contacts, ids, count, rows)
     add_shifts(work, shifts, numbers.h, numbers.scheme)
     if numbers.correction == SOFT:
-        harden_rows(touches, count, rows)
-        sweep_rows(work, touches, ids, count, rows)
+        harden_rows(contacts, count, rows)
+        sweep_rows(work, contacts, ids, count, rows)
     keep_impulses(count, rows, held)

@@ -1,9 +1,9 @@
-"""When the first of the spheres that do not touch yet will: exactly, for flight under constant gravity.
+"""When the next spheres come into contact: exactly, for flight under constant gravity.
 
 Two spheres fall alike, so they approach along a straight line and |d + v t| = r_a + r_b is a quadratic; its
-constant term is taken as (d - R)(d + R), which loses no digits for spheres that nearly touch. A wall is met
+constant term is taken as (d - R)(d + R), which loses no digits for spheres nearly in contact. A wall is met
 where v t - c g t² uses up the gap; c says how the scheme falls: 0 explicit, 1 semi-implicit, 1/2 exact.
-What is too slow to bounce is not waited for: a heap at rest would divide each step by all of its touches.
+What is too slow to bounce is not waited for: a heap at rest would divide each step by all of its contacts.
 Source: Ericson, Real-Time Collision Detection (2005), 5.5.
 
 Arrays: places (s, 3) m; work (n + 1, WORK_COLUMNS), velocities; pairs (p, 2).
@@ -12,6 +12,7 @@ Arrays: places (s, 3) m; work (n + 1, WORK_COLUMNS), velocities; pairs (p, 2).
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spheres.contact_rows import TOUCHING, rest_speed
@@ -20,11 +21,14 @@ from game.physics.spheres.spheres import VX, VY, VZ
 
 NEVER = math.inf
 NEAR = 0.1  # of the radius: farther nothing may go in a step that is not watched
+MOMENT = 1e-9  # of a substep: shortest part, so that time goes on
+IMPACTS_PER_SPHERE, MOST_IMPACTS = 8, 400  # parts of a substep, at most; the last one takes what is left
+ROUNDING = 1e-15  # of a substep; less is nothing left
 
 
 @inner_kernel
 def meeting_time(dx, dy, dz, vx, vy, vz, reach, touching):
-    """First t >= 0 (s) with |d + v t| = reach, or infinity if never or if they touch already."""
+    """First t >= 0 (s) with |d + v t| = reach, or infinity if never or if they are in contact already."""
     square = dx * dx + dy * dy + dz * dz
     closing = -(dx * vx + dy * vy + dz * vz)
     if not closing > 0.0:
@@ -42,7 +46,7 @@ def meeting_time(dx, dy, dz, vx, vy, vz, reach, touching):
 
 @inner_kernel
 def falling_time(gap, speed, bend, touching):
-    """First t > 0 (s) with gap + speed t - bend t² = 0, or infinity if never or if it touches already."""
+    """First t > 0 (s) with gap + speed t - bend t² = 0, or infinity if never or in contact already."""
     if gap <= touching:
         return speed / bend if speed > 0.0 and bend > 0.0 else NEVER
     under = speed * speed + 4.0 * bend * gap
@@ -54,7 +58,7 @@ def falling_time(gap, speed, bend, touching):
 
 @inner_kernel
 def borne_speed(e, radius, numbers):
-    """Approach (m/s) that does not bounce: what is slower is borne when it touches, whenever that is.
+    """Approach (m/s) that does not bounce: what is slower rests when in contact, whenever that is.
 
     In no case so fast that a sphere could go far in the meantime.
     """
@@ -103,13 +107,13 @@ def ledge_time(x, y, radius, vx, vy, ledge, borne):
 
 
 @lean_kernel
-def first_impact(places, makeup, work, pairs, surroundings, tables, mask, numbers, lag, fast):
-    """Seconds until the first new touch that bounces, or numbers.h if there is none before.
+def first_impact(places, composition, work, pairs, surroundings, tables, mask, numbers, lag, fast):
+    """Seconds until the first new contact that bounces, or numbers.h if there is none before.
 
     Nothing is changed. tables: restitution; numbers: of the step, see collision_settings; lag: c of the
     scheme. fast: only what moves farther than this part of its radius within h is looked at.
     """
-    radii, owners, kinds, h = makeup.radii, makeup.owners, makeup.kinds, numbers.h
+    radii, owners, kinds, h = composition.radii, composition.owners, composition.kinds, numbers.h
     wall = tables.restitution.shape[0] - 1
     first = h
     if mask & COLLISIONS_BIT:
@@ -147,21 +151,47 @@ def first_impact(places, makeup, work, pairs, surroundings, tables, mask, number
 
 
 @lean_kernel
-def swept_pairs(places, makeup, work, h, pairs):
-    """Brute force: pairs a < b of spheres that could meet within h (s), sorted. pairs (room, 2) written."""
-    radii, owners = makeup.radii, makeup.owners
+def swept_pairs(places, composition, work, h, pairs):
+    """Brute force: pairs a < b of spheres that could meet within h (s), sorted, into pairs (capacity, 2)."""
+    radii, owners = composition.radii, composition.owners
     m = 0
     for a in range(radii.shape[0]):
         i = owners[a]
         for b in range(a + 1, radii.shape[0]):
             j = owners[b]
             vx, vy, vz = work[j, VX] - work[i, VX], work[j, VY] - work[i, VY], work[j, VZ] - work[i, VZ]
-            way = math.sqrt(vx * vx + vy * vy + vz * vz) * h + radii[a] + radii[b]
+            reach = math.sqrt(vx * vx + vy * vy + vz * vz) * h + radii[a] + radii[b]
             dx, dy = places[b, 0] - places[a, 0], places[b, 1] - places[a, 1]
             dz = places[b, 2] - places[a, 2]
-            if dx * dx + dy * dy + dz * dz <= way * way:
+            if dx * dx + dy * dy + dz * dz <= reach * reach:
                 if m < pairs.shape[0]:
                     pairs[m, 0] = a
                     pairs[m, 1] = b
                 m += 1
     return m
+
+
+def divide_at_impacts(
+    nominal: float, spheres: int, pause: bool, time_to_impact: Callable[[float], float]
+) -> Iterator[float]:
+    """Lengths (s) of the parts of a substep of ``nominal`` length, one after another, each to be stepped.
+
+    time_to_impact: seconds until the first impact from where the spheres are now, at most those given.
+    pause: after a part that ends at an impact comes one of a moment, in which what has met collides before
+    anybody looks where it goes; for schemes that move last.
+    """
+    left = nominal
+    most = min(IMPACTS_PER_SPHERE * spheres, MOST_IMPACTS)
+    struck = False
+    for part in range(most):
+        if part == most - 1:
+            h = left
+        elif struck and pause:
+            h = min(MOMENT * nominal, left)
+        else:
+            h = min(max(time_to_impact(left), MOMENT * nominal), left)
+        struck = not struck and h < left
+        yield h
+        left -= h
+        if not left > ROUNDING * nominal:
+            return

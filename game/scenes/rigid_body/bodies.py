@@ -81,10 +81,10 @@ class Bodies:
         self.design = design.copy()
         self._make()
         for old, new in zip(before, self.all, strict=True):
-            way = quaternion_to_matrix(old.orientation) @ (self.center - center)
+            offset = quaternion_to_matrix(old.orientation) @ (self.center - center)
             spin = old.angular_velocity
-            new.position, new.orientation = old.position + way, old.orientation
-            new.velocity, new.angular_velocity = old.velocity + np.cross(spin, way), spin
+            new.position, new.orientation = old.position + offset, old.orientation
+            new.velocity, new.angular_velocity = old.velocity + np.cross(spin, offset), spin
         self.accounts[:] = accounts
         self.accounts[:, :FLIPS] = 0.0
         self.accounts[:, SIDE] = [side_of(body) for body in self.all]  # of another middle axis
@@ -148,7 +148,7 @@ def is_about_middle_axis(body: RigidBody) -> bool:
 def turns_over(moments: Sequence[float], rotation: float, momentum: float) -> bool:
     """Whether free motion brings L within 30° of the middle axis, so that a change of sides turns it over.
 
-    moments: kg m², ascending. rotation: energy, J. momentum: |L|, kg m²/s. On its way L is nearest to that
+    moments: kg m², ascending. rotation: energy, J. momentum: |L|, kg m²/s. On its path L is nearest to that
     axis where its part along the first or the third is 0. A body of two equal moments has no middle axis.
     """
     first, middle, third = moments

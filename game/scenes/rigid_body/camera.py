@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
 
 
 def camera_matrix(turn: float, tilt: float) -> Array:
-    """(3, 3) whose rows are, in the world's frame, the picture's right, its up, and the way to the viewer.
+    """(3, 3) whose rows are, in the world's frame, the picture's right, up, and the direction to the viewer.
 
     turn, tilt: degrees; tilt above 0 looks from above.
     """

@@ -19,14 +19,14 @@ def draw_momentum_sphere(pen: Pen) -> None:
     pen.disc(*CENTER, RADIUS, pen.veiled("body", 0.3))
     for axis, parts in ((0, (0.04, 0.16, 0.35, 0.6)), (2, (0.04, 0.16, 0.35, 0.6, 0.85))):
         for part in parts:  # of the way from an extreme energy to the middle one
-            for way in _ways(axis, part):
-                _draw_way(pen, way, "text3", 1.1)
-    for way in _ways(0, 1.0):
-        _draw_way(pen, way, "amber", 1.8)
+            for path in _paths(axis, part):
+                _draw_path(pen, path, "text3", 1.1)
+    for path in _paths(0, 1.0):
+        _draw_path(pen, path, "amber", 1.8)
     pen.disc(*CENTER, RADIUS, "text2", ring=1.3)
-    way = _euler_way((0.34, 0.93, 0.16), 0.3, 200)
-    _draw_way(pen, way, "vermilion", 1.6)
-    tip = _seen(way[0])
+    path = _euler_path((0.34, 0.93, 0.16), 0.3, 200)
+    _draw_path(pen, path, "vermilion", 1.6)
+    tip = _seen(path[0])
     pen.arrow(CENTER, tip[:2], "green", 2.2)
     dot(pen, CENTER, "green", 2.6)
     for i, name in enumerate("123"):
@@ -40,15 +40,15 @@ def draw_momentum_sphere(pen: Pen) -> None:
     pen.formula(r"\v{L}", tip[0] + 10.0, tip[1] + 26.0, "green")
 
 
-def _euler_way(start: Vector, step: float, count: int) -> list[Vector]:
+def _euler_path(start: Vector, step: float, count: int) -> list[Vector]:
     """L in the body when the body turns, step by step, by the spin at the step's beginning.
 
     L stays in space, so in the body it turns backwards about that spin; its energy can only grow.
     """
     length = math.sqrt(_product(start, start))
-    way = [(start[0] / length, start[1] / length, start[2] / length)]
+    path = [(start[0] / length, start[1] / length, start[2] / length)]
     for _ in range(count):
-        x, y, z = way[-1]
+        x, y, z = path[-1]
         wx, wy, wz = x / INERTIA[0], y / INERTIA[1], z / INERTIA[2]
         spin = math.sqrt(wx * wx + wy * wy + wz * wz)
         along = (x * wx + y * wy + z * wz) / spin**2
@@ -56,36 +56,36 @@ def _euler_way(start: Vector, step: float, count: int) -> list[Vector]:
         across = (y * wz - z * wy, z * wx - x * wz, x * wy - y * wx)
         parts = zip((x, y, z), (wx, wy, wz), across, strict=True)
         x, y, z = (c * q + (1.0 - c) * along * w + s * k for q, w, k in parts)
-        way.append((x, y, z))
-    return way
+        path.append((x, y, z))
+    return path
 
 
 def _product(p: Vector, q: Vector) -> float:
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 
 
-def _ways(axis: int, part: float) -> list[list[Vector]]:
+def _paths(axis: int, part: float) -> list[list[Vector]]:
     """Both closed curves round an axis of least or greatest inertia (Poinsot 1834)."""
     middle, end = 1.0 / INERTIA[1], 1.0 / INERTIA[axis]
     level = end + part * (middle - end)  # twice the energy, at length 1
     other = 2 - axis
     wide = (level - end) / (middle - end)  # of the square of L on axis 2, without L on the other one
     slim = (level - end) / (1.0 / INERTIA[other] - end)
-    ways: list[list[Vector]] = []
+    paths: list[list[Vector]] = []
     for sign in (1.0, -1.0):
-        way: list[Vector] = []
+        path: list[Vector] = []
         for turn in spaced(0.0, 2.0 * math.pi, 121):
             y, z = math.sqrt(wide) * math.cos(turn), math.sqrt(slim) * math.sin(turn)
             point = [0.0, y, 0.0]
             point[axis], point[other] = sign * math.sqrt(max(1.0 - y * y - z * z, 0.0)), z
-            way.append((point[0], point[1], point[2]))
-        ways.append(way)
-    return ways
+            path.append((point[0], point[1], point[2]))
+        paths.append(path)
+    return paths
 
 
-def _draw_way(pen: Pen, way: list[Vector], color: str, width: float) -> None:
+def _draw_path(pen: Pen, path: list[Vector], color: str, width: float) -> None:
     """The part of a curve that is in front."""
-    for p, q in pairwise(way):
+    for p, q in pairwise(path):
         if min(_seen(p)[2], _seen(q)[2]) > 0.05:
             pen.line((_seen(p)[:2], _seen(q)[:2]), color, width)
 

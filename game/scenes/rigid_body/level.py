@@ -73,7 +73,7 @@ def design_of(content: RigidContent) -> Array:
     for rock in content.rocks:
         rows.extend(_rock(rock))
     if not 1 <= len(rows) <= MOST_SPHERES:
-        raise ValueError(f"spheres: 1 to {MOST_SPHERES} are wanted, not {len(rows)}")
+        raise ValueError(f"spheres: expected 1 to {MOST_SPHERES}, got {len(rows)}")
     return np.array(rows, dtype=np.float64)
 
 

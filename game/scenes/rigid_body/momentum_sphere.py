@@ -1,23 +1,20 @@
 """The sphere of L: the direction of the angular momentum as the body sees it.
 
 A free body's L has one length and, in the body's frame, stays on the curve where its energy is what it is.
-Two planes through axis 2 part the curves about axis 1 from those about axis 3.
+Two planes through axis 2 separate the curves about axis 1 from those about axis 3.
 """
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.scenes.rigid_body.bodies import A, B
 from game.scenes.rigid_body.camera import camera_matrix
+from game.scenes.rigid_body.model import RigidModel
 from game.ui.canvas.canvas import Canvas
-
-if TYPE_CHECKING:
-    from game.scenes.rigid_body.scene import RigidBodyScene
 
 Array = NDArray[np.float64]
 RADIUS_PX, MARGIN_PX, SIDE_PX = 52.0, 26.0, 20.0
@@ -27,19 +24,19 @@ LOOK = camera_matrix(-35.0, 24.0) @ np.array(
 TURNS = np.linspace(0.0, 2.0 * math.pi, 73)
 
 
-def draw_momentum_sphere(scene: RigidBodyScene, canvas: Canvas) -> None:
+def draw_momentum_sphere(model: RigidModel, canvas: Canvas) -> None:
     """Draw it in the upper right corner: trails of A and B, the separatrix, the ends of the axes."""
     seen = canvas.camera.visible()
     radius = canvas.px(RADIUS_PX)
     top, side = canvas.px(MARGIN_PX + canvas.insets[1] / canvas.k), canvas.px(SIDE_PX)
     center = np.array((seen.right - radius - side, seen.top - radius - top))
     canvas.circle(center, radius, "panel", 0.9, "line2", 1.2)
-    for curve in separatrix(scene.bodies.all[A].moments):
+    for curve in separatrix(model.bodies.all[A].moments):
         _draw_on_sphere(canvas, center, radius, curve, "line2", 1.0)
     for index, color in ((B, "green"), (A, "chalk")):
-        if index == A or scene.twin:
-            _draw_on_sphere(canvas, center, radius, trail_of(scene, index), color, 1.6)
-            last = LOOK @ scene.trail[index, scene.steps % len(scene.trail[index])]
+        if index == A or model.parameters.twin:
+            _draw_on_sphere(canvas, center, radius, model.trail_of(index), color, 1.6)
+            last = LOOK @ model.trail_of(index)[-1]
             canvas.dot(center + radius * last[:2], 3.6, color, 1.0 if last[2] >= 0.0 else 0.4)
     for k in range(3):
         tip = LOOK[:, k]
@@ -59,13 +56,6 @@ def separatrix(moments: Array) -> list[Array]:
     c, s = math.cos(steep), math.sin(steep)
     cos, sin = np.cos(TURNS), np.sin(TURNS)
     return [np.column_stack((c * sin, cos, sign * s * sin)) for sign in (1.0, -1.0)]
-
-
-def trail_of(scene: RigidBodyScene, index: int) -> Array:
-    """Directions (k, 3) of L that a body has had, from the oldest on."""
-    trail = scene.trail[index]
-    count = min(scene.steps + 1, len(trail))
-    return trail[np.arange(scene.steps + 1 - count, scene.steps + 1) % len(trail)]
 
 
 def _draw_on_sphere(

@@ -1,29 +1,26 @@
-"""The parameters of the rigid body: its method, its matter, the hand, its world, and what is shown."""
+"""The parameters of the rigid body: its method, its material, the hand, its world, and what is shown."""
 
 from __future__ import annotations
 
-from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid import METHODS, PUSHES, ROTATION, WINDOW
+from game.physics.rigid import METHODS
 from game.physics.rigid.window import WALLS
-from game.scenes.rigid_body.hand import TOOLS
-from game.stage import Choice, Param, Scene, Toggle
+from game.scenes.rigid_body.camera import HOME
+from game.stage import Choice, Param, Parameters, Toggle
 
 LABELS = (
     "Explicit Euler", "Semi-implicit Euler", "Exponential map", "Midpoint", "Runge-Kutta 4",
     "Implicit gyroscopic", "Splitting", "Exact (Jacobi)", "Euler of ω, body frame", "Euler of ω, world frame",
 )  # fmt: skip
-HOME = (-20.0, 12.0)  # degrees, turn and tilt for which the whole box is in view
+TOOLS = ("push", "sphere", "remove")
 SHOWN_ONLY = ("turn", "tilt", "vectors", "axes", "ghost", "momentum_sphere", "tool", "pushing", "new_density")
 
 
-class RigidBodyParameters(Scene):
-    """Base of the scene: what of the body, and of how it is seen, can be chosen."""
-
-    effects = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES
+class RigidBodyParameters(Parameters):
+    """What of the body, and of how it is seen, can be chosen."""
 
     method = Choice(
         METHODS[0], METHODS, labels=LABELS, group="Method", label="Integrator",
-        help="how place, quaternion and momenta go on by a step",
+        help="how position, quaternion and momenta are advanced by a step",
     )  # fmt: skip
     step_length = Param(1.0 / 60.0, 1.0 / 2000.0, 0.1, unit="s", log=True, group="Method", label="Time step")
     normalizing = Toggle(
@@ -47,7 +44,7 @@ class RigidBodyParameters(Scene):
         label="New density keeps", help="what goes on as it was when the density is changed",
     )  # fmt: skip
     tool = Choice(
-        "push", TOOLS, labels=("Push", "New sphere", "Take off"), group="Hand",
+        "push", TOOLS, labels=("Push", "New sphere", "Remove"), group="Hand",
         help="what the left button does",
     )  # fmt: skip
     pushing = Choice(
@@ -63,16 +60,28 @@ class RigidBodyParameters(Scene):
     )
     wall = Choice(
         "mirror", WALLS, labels=("Mirror", "Strike"), group="World", label="Window",
-        help="mirrors the velocity; or strikes the point that touches, so that the spin changes",
+        help="mirrors the velocity; or strikes the point of contact, so that the spin changes",
     )  # fmt: skip
     restitution = Param(1.0, 0.0, 1.0, group="World", help="speed after the window over speed before")
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
     damping = Param(0.2, 0.0, 20.0, unit="1/s", group="World", help="share of both momenta lost to the air")
     turn = Param(
-        HOME[0], -180.0, 180.0, unit="°", group="View", label="Turned", help="camera about the vertical"
+        HOME[0],
+        -180.0,
+        180.0,
+        unit="°",
+        group="View",
+        label="Azimuth",
+        help="of the camera, about the vertical",
     )
     tilt = Param(
-        HOME[1], -90.0, 90.0, unit="°", group="View", label="Tilted", help="camera, from above if above 0"
+        HOME[1],
+        -90.0,
+        90.0,
+        unit="°",
+        group="View",
+        label="Elevation",
+        help="of the camera: from above if above 0",
     )
     ghost = Toggle(True, group="View", label="Exact body", help="outline of the exact solution")
     vectors = Toggle(True, group="View", label="Vectors", help="f, v, a, P, and ω, L of the turning")

@@ -3,62 +3,59 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from game.physics.rigid.motion import P, Q
 from game.physics.rigid.quaternion import angle_between
 from game.physics.rigid.turning import measure
-from game.scenes.rigid_body.bodies import EXACT, FLIPS, MADE_ENERGY, MADE_MOMENTUM, A, B
+from game.scenes.rigid_body.bodies import EXACT, FLIPS, MADE_ENERGY, MADE_MOMENTUM, A
+from game.scenes.rigid_body.model import RigidModel
 from game.stage import Readout
-
-if TYPE_CHECKING:
-    from game.scenes.rigid_body.scene import RigidBodyScene
 
 ROUNDING = 1e-12  # shares up to this are shown as none
 
 
-def readouts_of(scene: RigidBodyScene) -> list[Readout]:
-    """All that is shown and charted; A and B stand for their energy of rotation."""
-    bodies = scene.bodies
+def readouts_of(model: RigidModel) -> list[Readout]:
+    """All that is shown and charted; energies are those of rotation unless another is named."""
+    bodies = model.bodies
     body = bodies.all[A]
     shift, _, momentum, _, *spin = measure(body.state, body.constants[0])
+    shown = [(index, "AB"[index]) for index in model.panes.shown]
     found = [
-        Readout("off", angle_off(scene, A), "°"),
-        Readout("spin", math.sqrt(sum(w * w for w in spin)), "rad/s"),
-        Readout("flips of A", int(bodies.accounts[A, FLIPS])),
-        *([Readout("flips of B", int(bodies.accounts[B, FLIPS]))] if scene.twin else []),
-        Readout("flips, exact", int(bodies.accounts[EXACT, FLIPS])),
+        Readout("error", angular_error(model, A), "°"),
+        Readout("angular speed", math.sqrt(sum(w * w for w in spin)), "rad/s"),
+        *(Readout(f"{name}: flips", int(bodies.accounts[index, FLIPS])) for index, name in shown),
+        Readout("exact: flips", int(bodies.accounts[EXACT, FLIPS])),
         Readout("mass", body.mass, "kg"),
-        Readout("exact", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
-        Readout("bound", body.largest_rotation_energy, "J"),
+        Readout("exact: energy", measure(bodies.all[EXACT].state, body.constants[0])[1], "J"),
+        Readout("greatest energy", body.largest_rotation_energy, "J"),
         Readout("|L|", momentum, "kg m²/s"),
         Readout("|P|", math.sqrt(2.0 * shift * body.mass), "kg m/s"),
-        Readout("shift", shift, "J"),
+        Readout("translational energy", shift, "J"),
     ]
     found.extend(Readout(f"I{k + 1}", moment, "kg m²") for k, moment in enumerate(body.moments.tolist()))
-    found.extend(account_of(scene, A, "A"))
-    if scene.twin:
-        found.extend(account_of(scene, B, "B"))
+    for index, name in shown:
+        found.extend(account_of(model, index, name))
     return found
 
 
-def account_of(scene: RigidBodyScene, index: int, name: str) -> list[Readout]:
+def account_of(model: RigidModel, index: int, name: str) -> list[Readout]:
     """What a body's method has made of energy, angular momentum and |q|."""
-    body, account = scene.bodies.all[index], scene.bodies.accounts[index]
+    body, account = model.bodies.all[index], model.bodies.accounts[index]
     _, rotation, momentum, size, *_ = measure(body.state, body.constants[0])
     had, was = rotation - account[MADE_ENERGY], momentum - account[MADE_MOMENTUM]
+    made = account[MADE_MOMENTUM] / was if was > 0.0 else 0.0
     return [
-        Readout(name, rotation, "J"),
-        Readout(f"E of {name}", account[MADE_ENERGY] / had if had > 0.0 else 0.0),
-        Readout(f"L of {name}", _above_rounding(account[MADE_MOMENTUM] / was if was > 0.0 else 0.0)),
-        Readout(f"q of {name}", _above_rounding(size - 1.0)),
-        Readout(f"off {name}", angle_off(scene, index), "°"),
+        Readout(f"{name}: energy", rotation, "J"),
+        Readout(f"{name}: energy error", account[MADE_ENERGY] / had if had > 0.0 else 0.0),
+        Readout(f"{name}: L error", _above_rounding(made)),
+        Readout(f"{name}: |q| error", _above_rounding(size - 1.0)),
+        Readout(f"{name}: angular error", angular_error(model, index), "°"),
     ]
 
 
-def angle_off(scene: RigidBodyScene, index: int) -> float:
+def angular_error(model: RigidModel, index: int) -> float:
     """Angle (degrees) between a body and the exact one."""
-    rows = scene.bodies.rows
+    rows = model.bodies.rows
     turns = (tuple(rows[i, Q:P].tolist()) for i in (index, EXACT))
     return math.degrees(angle_between(*turns))
 

@@ -1,51 +1,34 @@
-"""One rigid body of spheres in space, by ten ways to integrate its turning."""
+"""One rigid body of spheres in space, by ten methods to integrate its rotation."""
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.lab.studies.rotation import rotation_study
 from game.levels import Level
-from game.physics.rigid import METHODS
+from game.physics.fields import DRAG, GRAVITY
+from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.rigid.free_top import turn_freely
-from game.physics.rigid.motion import INVERSES, MOMENTS, P
-from game.physics.rigid.turning import measure
-from game.scenes.rigid_body import C12, hand
-from game.scenes.rigid_body.bodies import EXACT, FLIPS, A, B, Bodies, is_about_middle_axis
-from game.scenes.rigid_body.camera import box_edges, camera_matrix
+from game.scenes.rigid_body import C12
+from game.scenes.rigid_body.equations import EQUATIONS
 from game.scenes.rigid_body.figure import draw_momentum_sphere
-from game.scenes.rigid_body.level import RigidContent, SphereEntry, design_of
-from game.scenes.rigid_body.parameters import HOME, LABELS, SHOWN_ONLY, RigidBodyParameters
+from game.scenes.rigid_body.hand import Hand
+from game.scenes.rigid_body.level import RigidContent, SphereEntry
+from game.scenes.rigid_body.model import RigidModel
+from game.scenes.rigid_body.parameters import RigidBodyParameters
 from game.scenes.rigid_body.readouts import readouts_of
-from game.scenes.rigid_body.state import TRAIL, RigidState, content_of, restore, state_of
+from game.scenes.rigid_body.saving import content_of
+from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
-from game.stage import (
-    Equation,
-    Frame,
-    Hint,
-    Pointer,
-    Readout,
-    SceneAction,
-    Stamped,
-    Strip,
-    WarmUp,
-)
+from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
 
-Array = NDArray[np.float64]
-TITLE_ROOM = 0.25  # m
-GAP = 0.12  # m, between the panes of the twin view
 
-
-class RigidBodyScene(RigidBodyParameters):
+class RigidBodyScene(Scene):
     """Spheres are joined to one body. Its mass, centre and inertia tensor follow from theirs by the offset
-    theorem; its state is place, quaternion, momentum and angular momentum, and velocity and spin follow from
-    those.
+    theorem; its state is position, quaternion, momentum and angular momentum, and velocity and spin follow
+    from those.
 
     No force turns the two hammers that the scene begins with, and yet they turn over: a spin about the middle
     axis of inertia is not stable. B, by the splitting, turns over again and again, as often as the exact
@@ -59,62 +42,45 @@ class RigidBodyScene(RigidBodyParameters):
     """
 
     name, task, title = C12.names
-    dt = 1.0 / 60.0
+    dt = RigidBodyParameters.step_length.default
+    parameters_type = RigidBodyParameters
+    parameters: RigidBodyParameters
+    effects = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES
     content_type = RigidContent
     study = rotation_study
     takes = frozenset(("right",))
 
     hints = (
         Hint(("Drag",), "a force on the body; beside it: turn the view"),
-        Hint(("1", "2", "3"), "push, new sphere, take off"),
+        Hint(("1", "2", "3"), "push, new sphere, remove"),
         Hint(("Right drag",), "turn the view"),
     )
     actions = (
         SceneAction("push", "push", "1"),
         SceneAction("sphere", "new sphere", "2"),
-        SceneAction("remove", "take off", "3"),
-        SceneAction("undo", "take back", "ctrl+z"),
-        SceneAction("redo", "do again", "ctrl+y"),
+        SceneAction("remove", "remove a sphere", "3"),
+        SceneAction("undo", "undo", "ctrl+z"),
+        SceneAction("redo", "redo", "ctrl+y"),
         SceneAction("still", "stop the body", "0"),
-        SceneAction("meet", "all as A is", "m"),
+        SceneAction("meet", "begin again from A", "m"),
     )
     strips = (
-        Strip("Energy of rotation", "J", ("A", "B", "exact", "bound"), ("exact", "bound"), sometimes=("B",)),
-        Strip("Angular momentum made", "", ("L of A", "L of B"), sometimes=("L of B",)),
-        Strip("Length of q, off 1", "", ("q of A", "q of B"), sometimes=("q of B",)),
+        Strip(
+            "Energy of rotation",
+            "J",
+            ("A: energy", "B: energy", "exact: energy", "greatest energy"),
+            exact=("exact: energy", "greatest energy"),
+            sometimes=("B: energy",),
+        ),
+        Strip("Error of L", "", ("A: L error", "B: L error"), sometimes=("B: L error",)),
+        Strip("Error of |q|", "", ("A: |q| error", "B: |q| error"), sometimes=("B: |q| error",)),
     )
     figure = staticmethod(draw_momentum_sphere)
-    equations = (
-        Equation(
-            "Motion",
-            r"\dot{\v{x}} = \v{P} / m,  \dot{\v{P}} = \v{f},  \dot{\v{L}} = \v{\tau}",
-            "Newton, Euler",
-        ),
-        Equation("Quaternion", r"\dot{q} = \frac{1}{2} (0, \v{\omega}) q", "Hamilton"),
-        Equation("Spin", r"\v{\omega} = J^{-1} \v{L},  J = R I R^T", "Baraff 1997"),
-        Equation(
-            "Offset theorem", r"I = \sum \frac{2}{5} m r^2 E + m (d^2 E - \v{d} \v{d}^T)", "Huygens, Steiner"
-        ),
-        Equation(
-            "Accelerations",
-            r"\v{a} = \v{f} / m,  \v{\alpha} = J^{-1} (\v{\tau} - \v{\omega} \times \v{L})",
-            "",
-        ),
-        Equation(
-            "Energy of rotation",
-            r"E = \frac{1}{2} \v{\omega} \cdot \v{L} \le \frac{L^2}{2 I_1}",
-            "at equal L",
-        ),
-        Equation(
-            "Wobble about the middle axis",
-            r"\omega_2 \sqrt{\frac{(I_2 - I_1)(I_3 - I_2)}{I_1 I_3}}",
-            "growth, 1/s",
-        ),
-    )
+    equations = EQUATIONS
     try_this = (
         "Count the flips of A and B beside the exact ones; then give A another integrator, and begin again.",
         "Set a time step of 1/10 s: explicit Euler is lost at once, the splitting only jitters.",
-        "Take Implicit gyroscopic: what most engines use. It loses energy and angular momentum.",
+        "Choose Implicit gyroscopic, which most engines use: it loses energy and angular momentum.",
         "Push the head, then the handle, with the same force. Double the density and do it again.",
         "Switch normalizing off and look at |q| with explicit Euler, and with the exponential map.",
     )
@@ -145,156 +111,61 @@ class RigidBodyScene(RigidBodyParameters):
     # -- building -----------------------------------------------------------------------------------
 
     def build(self, level: Level | None) -> None:
-        self.content: RigidContent = (
-            level.content if level is not None and level.content is not None else self.default_content
-        )
-        self.grip, self.pane = "", A
-        self.arm = self.start = self.target = (0.0, 0.0, 0.0)
-        self.last = (0.0, 0.0)
-        self.push: tuple[float, ...] | None = None  # force N, arm m, seconds left
-        self.done: list[hand.Edit] = []
-        self.undone: list[hand.Edit] = []
-        self.told: deque[str] = deque(maxlen=8)
-        self.steps = 0
-        self.trail = np.zeros((2, TRAIL, 3))
-        content = self.content
-        x, y = (np.abs(camera_matrix(*HOME)) @ np.array(content.window)).tolist()[:2]
-        self.room = (x, y + TITLE_ROOM if self.twin else y)  # half the sides of the picture, m
-        self.box = box_edges(self.half_sides())
-        self.bodies = Bodies(design_of(content), self.density)
-        self.bodies.start(content.place, content.orientation, content.velocity, content.spin)
-        self.bodies.meet()
-        self.view = RigidView()
-        self.configure()
-        self._note()
-
-    def half_sides(self) -> Array:
-        """Half the sides (3,) m of the box of each body."""
-        half = np.array(self.content.window, dtype=np.float64)
-        if self.twin:  # two boxes side by side in the picture of one
-            right, _, near = np.abs(camera_matrix(*HOME))[0].tolist()
-            half[0] = max(0.5 * (self.room[0] - GAP) - near * half[2], 0.25 * half[0]) / right
-        return half
-
-    def pane_shift(self, pane: int) -> float:
-        """Where (m) the middle of a body's box is in the picture."""
-        if not self.twin:
-            return 0.0
-        shift = 0.5 * self.room[0]
-        return shift if pane == B else -shift
-
-    def method_label(self, pane: int) -> str:
-        """Words for the method of a body."""
-        return LABELS[METHODS.index(self.second if pane == B else self.method)]
-
-    def configure(self) -> None:
-        """Hand the parameters to the bodies."""
-        half = self.half_sides()
-        for index, body in enumerate(self.bodies.all):
-            body.change(
-                method=(self.method, self.second, "exact")[index],
-                effects=self.active,
-                gravity=self.gravity,
-                damping=self.damping,
-                normalizing=self.normalizing or index == EXACT,
-                wall=self.wall,
-                restitution=self.restitution,
-                lower=-half,
-                upper=half,
-            )
+        given = level.content if level is not None and level.content is not None else self.default_content
+        self.model = RigidModel(given, self.parameters, self.active)
+        self.hand = Hand(self.model)
+        self.view = RigidView(self.model, self.hand)
 
     def parameter_changed(self, name: str) -> None:
-        if name == "density":
-            self.bodies.change_density(self.density, self.keep)
-        if name not in SHOWN_ONLY:
-            self.configure()
+        self.model.parameter_changed(name)
 
     def effects_changed(self) -> None:
-        self.configure()
-
-    # -- remembering --------------------------------------------------------------------------------
+        self.model.change_effects(self.active)
 
     def state(self) -> RigidState:
-        return state_of(self)
+        return state_of(self.model)
 
     def restore(self, state: RigidState) -> None:
-        restore(self, state)
+        restore(self.model, state)
 
     def save_content(self) -> RigidContent:
-        return content_of(self)
+        return content_of(self.model)
 
-    # -- a step -------------------------------------------------------------------------------------
+    # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        body, flips = self.bodies.all[A], self.bodies.accounts[A, FLIPS]
-        bounces = body.bounces
-        self.bodies.step(dt, self.twin, self._push_now(dt))
-        self.steps += 1
-        self._note()
-        first = flips == 0.0 < self.bodies.accounts[A, FLIPS] and body.bounces == bounces
-        if first and body.is_free and is_about_middle_axis(body):
-            self.told.append("The body has turned over, with no torque on it.")
-
-    def _push_now(self, dt: float) -> tuple[float, ...] | None:
-        """Force and arm of this step; of a push that ends within it, the share that is left."""
-        held = hand.held_force(self)
-        if held is not None:
-            return *held, *self.arm
-        if self.push is None:
-            return None
-        left = self.push[6]
-        share = min(1.0, left / dt)
-        force = tuple(share * f for f in self.push[:3])
-        arm = self.push[3:6]
-        self.push = (*self.push[:6], left - dt) if left > dt * (1.0 + 1e-9) else None
-        return *force, *arm
-
-    def _note(self) -> None:
-        """Write where L is, seen from the bodies, into the trail."""
-        for index in (A, B):
-            body = self.bodies.all[index]
-            _, _, momentum, _, *spin = measure(body.state, body.constants[0])
-            place = self.trail[index, self.steps % TRAIL]
-            place[:] = spin
-            if momentum > 0.0:
-                place *= body.constants[0, MOMENTS:INVERSES] / momentum
+        self.model.advance(dt, self.hand.held())
 
     def pointer(self, event: Pointer) -> None:
-        hand.take_pointer(self, event)
-        self.configure()
+        self.hand.take_pointer(event)
 
     def action(self, name: str) -> None:
         if name == "undo":
-            hand.undo(self)
+            self.hand.edits.undo()
         elif name == "redo":
-            hand.redo(self)
+            self.hand.edits.redo()
         elif name == "still":
-            for body in self.bodies.all:
-                body.states[0, P:] = 0.0
-            self.push = None
-            self.bodies.meet()
+            self.model.stop()
         elif name == "meet":
-            self.bodies.meet()
+            self.model.bodies.meet()
         else:
-            self.values["tool"] = name
-        self.configure()
+            self.parameters.tool = name
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.told)
-        self.told.clear()
+        new = tuple(self.model.messages)
+        self.model.messages.clear()
         return new
 
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        return readouts_of(self)
+        return readouts_of(self.model)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend(self)
+        return self.view.legend()
 
     def frame(self) -> Frame:
-        x, y = self.room
-        return Frame(-x, -y, x, y)
+        return self.model.panes.frame()
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(self, canvas, alpha)
+        self.view.draw(self.previous, canvas, alpha)

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.spheres import ledger
+from game.scenes.spheres.model import CollisionModel
 from game.stage import Table
 from game.ui.look.numerals import format_number
-
-if TYPE_CHECKING:
-    from game.scenes.spheres.scene import SphereCollisions
 
 Array = NDArray[np.float64]
 ROWS = 6
@@ -26,32 +23,32 @@ HELP = (
 ROUNDING = 1e-12  # of an impulse: momentum of which no more is lost is kept
 
 
-def has_ledger(scene: SphereCollisions) -> bool:
+def has_ledger(model: CollisionModel) -> bool:
     """Whether it is shown, and the spheres' numbers with it."""
-    return bool(scene.ledger) and len(scene.world.bodies.makeup.radii) <= MOST_SPHERES
+    return bool(model.parameters.ledger) and len(model.world.bodies.composition.radii) <= MOST_SPHERES
 
 
-def ledger_table(scene: SphereCollisions) -> Table | None:
+def ledger_table(model: CollisionModel) -> Table | None:
     """The last collisions, newest first; each is known by its number, counted from the beginning."""
-    if not has_ledger(scene):
+    if not has_ledger(model):
         return None
-    entries = scene.world.ledger()[-ROWS:][::-1]
-    keys = tuple(scene.world.collisions - i for i in range(len(entries)))
-    return Table("Ledger", COLUMNS, tuple(_figures(scene, entry) for entry in entries), keys, ROWS, HELP)
+    entries = model.world.ledger()[-ROWS:][::-1]
+    keys = tuple(model.world.collisions - i for i in range(len(entries)))
+    return Table("Ledger", COLUMNS, tuple(_figures(model, entry) for entry in entries), keys, ROWS, HELP)
 
 
-def entry_of(scene: SphereCollisions, key: int) -> Array | None:
+def entry_of(model: CollisionModel, key: int) -> Array | None:
     """The entry of a collision by its number, or None if it is forgotten."""
-    entries = scene.world.ledger()
-    back = scene.world.collisions - key
+    entries = model.world.ledger()
+    back = model.world.collisions - key
     return entries[len(entries) - 1 - back] if 0 <= back < len(entries) else None
 
 
-def momentum_lost(scene: SphereCollisions, entry: Array) -> float:
+def momentum_lost(model: CollisionModel, entry: Array) -> float:
     """Momentum (kg m/s) that a collision takes from the spheres: by rounding, or what a wall, or a sphere
     that nothing moves, takes up."""
     spheres = [int(entry[ledger.ONE]), int(entry[ledger.OTHER])]
-    owners, masses = scene.world.bodies.makeup.owners, scene.world.bodies.makeup.masses
+    owners, masses = model.world.bodies.composition.owners, model.world.bodies.composition.masses
     if any(s < 0 or (s < len(owners) and math.isinf(masses[owners[s]])) for s in spheres):
         return _size(entry)
     lost = float(entry[ledger.LOST_MOMENTUM])
@@ -63,7 +60,7 @@ def _size(entry: Array) -> float:
     return math.sqrt(float((entry[ledger.JX : ledger.JZ + 1] ** 2).sum()))
 
 
-def _figures(scene: SphereCollisions, entry: Array) -> tuple[str, ...]:
+def _figures(model: CollisionModel, entry: Array) -> tuple[str, ...]:
     """One entry of the ledger in words."""
     other = int(entry[ledger.OTHER])
     return (
@@ -72,5 +69,5 @@ def _figures(scene: SphereCollisions, entry: Array) -> tuple[str, ...]:
         format_number(float(entry[ledger.BEFORE])),
         format_number(float(entry[ledger.AFTER])),
         format_number(float(entry[ledger.CHANGE]), 2),
-        format_number(momentum_lost(scene, entry), 3),
+        format_number(momentum_lost(model, entry), 3),
     )

@@ -49,7 +49,7 @@ class SphereEntry(_Entry, frozen=True, kw_only=True):
 
 
 class RackEntry(_Entry, frozen=True, kw_only=True):
-    """A triangle of spheres that touch, pointing to the left. gap: m between them."""
+    """A triangle of spheres in contact, pointing to the left. gap: m between them."""
 
     apex: tuple[Metre, Metre]
     rows: Count
@@ -72,7 +72,7 @@ class CradleEntry(_Entry, frozen=True, kw_only=True):
 
 
 class HeapEntry(_Entry, frozen=True, kw_only=True):
-    """Columns and rows of spheres, not quite in order: ``stir`` is a part of the room between them."""
+    """Columns and rows of spheres, not quite in order: ``stir`` is a part of the space between them."""
 
     corner: tuple[Metre, Metre]
     columns: Count
@@ -102,6 +102,14 @@ class PairEntry(_Entry, frozen=True, kw_only=True):
     friction: Friction | None = None
 
 
+class ExpectedEntry(_Entry, frozen=True, kw_only=True):
+    """What a readout should be all the time (SI), give or take ``within``; shown beside what it is."""
+
+    readout: Word
+    value: Far
+    within: Annotated[float, msgspec.Meta(ge=0.0, le=FARTHEST)] = 0.0
+
+
 class View(_Entry, frozen=True, kw_only=True):
     """The window, whose edges are the walls, m."""
 
@@ -122,5 +130,6 @@ class CollisionContent(_Entry, frozen=True, kw_only=True):
     ledges: Annotated[tuple[tuple[Metre, Metre, Metre, Metre], ...], msgspec.Meta(max_length=200)] = ()
     materials: Annotated[tuple[Word, ...], msgspec.Meta(max_length=5)] = ()
     pairs: Annotated[tuple[PairEntry, ...], msgspec.Meta(max_length=30)] = ()
+    expected: Annotated[tuple[ExpectedEntry, ...], msgspec.Meta(max_length=4)] = ()
     exact: bool = False  # the event-driven run of smooth spheres is shown beside it
     view: View = View()

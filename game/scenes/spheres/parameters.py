@@ -1,27 +1,19 @@
-"""The parameters of the sphere collisions: impacts, motion, bearing, world, tools, and what is shown."""
+"""The parameters of the sphere collisions: impacts, motion, resting contact, world, tools, what is shown."""
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
-
-from game.physics.fields import DRAG, GRAVITY
-from game.physics.rigid import PUSHES, ROTATION, WINDOW
-from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.settings import CORRECTIONS, LAWS, SCHEMES
-from game.scenes.spheres.hand import TOOLS
-from game.stage import Choice, Param, Parameter, Scene, Toggle
+from game.stage import Choice, Param, Parameters, Toggle
 
 BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
+TOOLS = ("push", "sphere", "remove")
+# what a change of is nothing to the solver
 NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
 TABLE_PARAMETERS = ("restitution", "friction", "wall_restitution", "wall_friction")
 
 
-class CollisionParameters(Scene):
-    """Base of the scene: what of spheres and solver can be chosen."""
-
-    effects = (
-        GRAVITY | DRAG | ROTATION | WINDOW | PUSHES | COLLISIONS | FRICTION | IMPACT_TIMES | STRINGS | LEDGES
-    )
+class CollisionParameters(Parameters):
+    """What of spheres and solver can be chosen."""
 
     restitution = Param(0.8, 0.0, 1.0, group="Collisions", label="Restitution e", help="between spheres")
     friction = Param(0.2, 0.0, 2.0, group="Collisions", label="Friction μ", help="between spheres")
@@ -35,8 +27,8 @@ class CollisionParameters(Scene):
     )
     wall_friction = Param(0.0, 0.0, 2.0, group="Collisions", label="μ at walls")
     law = Choice(
-        "in-turn", LAWS, labels=("In turn", "At once"), group="Collisions",
-        help="touches one after the other until none approaches, or Newton's law at all together",
+        "in-turn", LAWS, labels=("Sequential", "Simultaneous"), group="Collisions",
+        help="one contact after the other until none approaches, or Newton's law at all of them together",
     )  # fmt: skip
     rest = Param(
         4.0, 0.0, 20.0, group="Collisions", label="Resting speed", unit="g h",
@@ -50,19 +42,33 @@ class CollisionParameters(Scene):
     )  # fmt: skip
     correction = Choice(
         "split", CORRECTIONS, labels=("None", "Baumgarte", "Soft", "Split impulses", "Projection"),
-        group="Bearing", help="how overlap is taken away; Baumgarte and soft contacts add speed",
+        group="Resting contact", help="of penetration; Baumgarte and soft contacts add velocity",
     )  # fmt: skip
     iterations = Param(
-        10, 1, 200, whole=True, log=True, group="Bearing", help="sweeps of the impulses that bear what rests"
+        10,
+        1,
+        200,
+        whole=True,
+        log=True,
+        group="Resting contact",
+        help="sweeps of the impulses of resting contacts",
     )
-    passes = Param(3, 0, 50, whole=True, group="Bearing", help="sweeps of position correction")
+    passes = Param(3, 0, 50, whole=True, group="Resting contact", help="sweeps of position correction")
     slop = Param(
-        0.01, 0.0, 0.2, group="Bearing", label="Overlap left", unit="r", help="of the smallest radius"
+        0.01,
+        0.0,
+        0.2,
+        group="Resting contact",
+        label="Slop",
+        unit="r",
+        help="penetration that is left, over the smallest radius",
     )
-    warm = Toggle(True, group="Bearing", label="Warm start", help="begin with the last step's impulses")
+    warm = Toggle(
+        True, group="Resting contact", label="Warm start", help="begin with the last step's impulses"
+    )
     broad_phase = Choice(
         "brute-force", BROAD_PHASES, labels=("Brute force", "Grid", "Hierarchical grid", "Sweep and prune"),
-        group="Bearing", rebuild=True, help="how pairs are found that may touch",
+        group="Resting contact", rebuild=True, help="how pairs are found that may be in contact",
     )  # fmt: skip
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
     drag = Param(0.1, 0.0, 20.0, unit="N s/m", group="World", help="of the air, in proportion to velocity")
@@ -74,22 +80,16 @@ class CollisionParameters(Scene):
         1.0, 1e-3, 1e5, unit="kg/m³", log=True, group="World", rebuild=True, help="for real masses"
     )
     tool = Choice(
-        "push", TOOLS, labels=("Push", "New sphere", "Take away"), group="Tools",
-        help="a force from where you press to where you let go; click a sphere into being, or away",
+        "push", TOOLS, labels=("Push", "New sphere", "Remove"), group="Tools",
+        help="a force from where you press to where you let go; a click makes a sphere, or removes one",
     )  # fmt: skip
-    push_strength = Param(40.0, 0.1, 1e4, unit="N/m", log=True, group="Tools", help="force to drawn length")
+    push_strength = Param(
+        40.0, 0.1, 1e4, unit="N/m", log=True, group="Tools", help="force over the length drawn"
+    )
     push_time = Param(0.1, 0.001, 1.0, unit="s", log=True, group="Tools", help="how long a force acts")
     radius = Param(0.25, 0.01, 5.0, unit="m", log=True, group="Tools", help="of new spheres")
     shown_impulses = Toggle(True, group="Shown", label="Impulses", help="of collisions of the last 0.5 s")
-    shown_bearing = Toggle(False, group="Shown", label="Bearing forces", help="lines as wide as their force")
+    shown_bearing = Toggle(
+        False, group="Shown", label="Contact forces", help="of resting contacts: lines as wide as their force"
+    )
     ledger = Toggle(True, group="Shown", label="Ledger", help="the last collisions in figures")
-
-    groups: ClassVar[tuple[str, ...]] = ("Collisions", "Motion", "Bearing", "World", "Tools", "Shown")
-
-    @classmethod
-    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
-        """Parameters by name, group by group."""
-        order = {group: i for i, group in enumerate(cls.groups)}
-        return dict(
-            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 99))
-        )

@@ -3,43 +3,40 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from game.scenes.spheres.level import FARTHEST, MOST_WRITTEN, CollisionContent, SphereEntry, StringEntry
-
-if TYPE_CHECKING:
-    from game.scenes.spheres.scene import SphereCollisions
+from game.scenes.spheres.model import CollisionModel
 
 
-def content_of(scene: SphereCollisions) -> CollisionContent:
+def content_of(model: CollisionModel) -> CollisionContent:
     """The spheres one by one; too many for that as their level has them.
 
     What is beyond `FARTHEST`, which no window shows, is kept there.
     """
-    bodies, around, given = scene.world.bodies, scene.world.surroundings, scene.content
-    makeup = bodies.makeup
-    if len(makeup.radii) > MOST_WRITTEN:
+    bodies, around, given = model.world.bodies, model.world.surroundings, model.content
+    composition = bodies.composition
+    if len(composition.radii) > MOST_WRITTEN:
         return given
     places, velocities, turning = (
         np.clip(rows, -FARTHEST, FARTHEST) for rows in (bodies.places(), bodies.velocities, bodies.turning)
     )
-    shared = np.bincount(makeup.owners) > 1
-    own_mass = _masses_of_spheres(scene)
+    shared = np.bincount(composition.owners) > 1
+    own_mass = _masses_of_spheres(model)
     spheres = tuple(
         SphereEntry(
             position=tuple(place),
-            radius=float(makeup.radii[s]),
+            radius=float(composition.radii[s]),
             velocity=tuple(velocities[body].tolist()),
             turning=tuple(turning[body].tolist()),
             orientation=tuple(bodies.state.orientations[body].tolist()),
             mass=None if math.isinf(own_mass[s]) else float(own_mass[s]),
             fixed=math.isinf(own_mass[s]),
-            material=given.materials[makeup.kinds[s]] if given.materials else None,
+            material=given.materials[composition.kinds[s]] if given.materials else None,
             body=body if shared[body] else None,
         )
-        for s, (place, body) in enumerate(zip(places.tolist(), makeup.owners.tolist(), strict=True))
+        for s, (place, body) in enumerate(zip(places.tolist(), composition.owners.tolist(), strict=True))
     )
     ties = zip(around.hung.tolist(), around.strings.tolist(), strict=True)
     return CollisionContent(
@@ -53,10 +50,10 @@ def content_of(scene: SphereCollisions) -> CollisionContent:
     )
 
 
-def _masses_of_spheres(scene: SphereCollisions) -> np.ndarray:
+def _masses_of_spheres(model: CollisionModel) -> np.ndarray:
     """Mass (s,) kg of each sphere: a body's is shared by volume, as all of it has one density."""
-    makeup = scene.world.bodies.makeup
-    volumes = makeup.radii**3
-    whole = np.bincount(makeup.owners, weights=volumes)
-    shares: np.ndarray = makeup.masses[makeup.owners] * (volumes / whole[makeup.owners])
+    composition = model.world.bodies.composition
+    volumes = composition.radii**3
+    whole = np.bincount(composition.owners, weights=volumes)
+    shares: np.ndarray = composition.masses[composition.owners] * (volumes / whole[composition.owners])
     return shares

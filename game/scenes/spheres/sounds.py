@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from game.physics.spheres import ledger
 from game.scenes.shared.tables.sounds import REMEMBERED_S
+from game.scenes.spheres.model import CollisionModel
 from game.stage import Hearing, Sound
-
-if TYPE_CHECKING:
-    from game.scenes.spheres.scene import SphereCollisions
 
 LEAST = 0.05  # m/s of approach; what rests is silent
 
 
-def hearing_of(scene: SphereCollisions) -> Hearing:
+def hearing_of(model: CollisionModel) -> Hearing:
     """Collisions of the last moments; a wall sounds duller than a sphere."""
-    now, entries = scene.world.time, scene.world.ledger()
+    now, entries = model.world.time, model.world.ledger()
     recent = entries[(entries[:, ledger.TIME] > now - REMEMBERED_S) & (-entries[:, ledger.BEFORE] > LEAST)]
-    half = 0.5 * scene.step_length / scene.substeps  # entries bear the time at which their substep began
-    frame = scene.frame()
+    half = (
+        0.5 * model.parameters.step_length / model.parameters.substeps
+    )  # entries have the time at which their substep began
+    frame = model.frame()
     middle, reach = 0.5 * (frame.left + frame.right), max(0.5 * (frame.right - frame.left), 1e-9)
     pans = np.clip((recent[:, ledger.X] - middle) / reach, -1.0, 1.0).tolist()
     return Hearing(

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.spheres.collisions import CollisionState
-from game.physics.spheres.composition import Makeup
+from game.physics.spheres.composition import Composition
 from game.physics.spheres.spheres import MotionState, SphereBodies
-
-if TYPE_CHECKING:
-    from game.scenes.spheres.scene import SphereCollisions
+from game.scenes.spheres.model import CollisionModel
 
 Array = NDArray[np.float64]
 NOTHING = np.zeros((0, 3))
 
 
 class SphereState(NamedTuple):
-    """All that moves (see `CollisionState`), and what spheres there are (see `Makeup`)."""
+    """All that moves (see `CollisionState`), and what spheres there are (see `Composition`)."""
 
     positions: Array
     orientations: Array
@@ -45,30 +43,30 @@ class SphereState(NamedTuple):
     exact_speeds: Array  # (s, 3) m/s
 
 
-def state_of(scene: SphereCollisions) -> SphereState:
+def state_of(model: CollisionModel) -> SphereState:
     """The arrays themselves."""
-    world, exact = scene.world, scene.exact
+    world, exact = model.world, model.exact
     around = world.surroundings
     beside = (exact.positions, exact.velocities) if exact is not None else (NOTHING, NOTHING)
-    return SphereState(*world.state(), *world.bodies.makeup, around.hung, around.strings, *beside)
+    return SphereState(*world.state(), *world.bodies.composition, around.hung, around.strings, *beside)
 
 
-def restore(scene: SphereCollisions, state: SphereState) -> None:
+def restore(model: CollisionModel, state: SphereState) -> None:
     """Take over a copy of a state."""
-    makeup = Makeup(
+    composition = Composition(
         state.masses.copy(), state.inverse_inertias.copy(), state.round_bodies.copy(), state.radii.copy(),
         state.owners.copy(), state.offsets.copy(), state.kinds.copy(),
     )  # fmt: skip
-    around = scene.world.surroundings
-    mine: tuple[Any, ...] = (*scene.world.bodies.makeup, around.hung, around.strings)
-    theirs: tuple[Any, ...] = (*makeup, state.hung, state.strings)
+    around = model.world.surroundings
+    mine: tuple[Any, ...] = (*model.world.bodies.composition, around.hung, around.strings)
+    theirs: tuple[Any, ...] = (*composition, state.hung, state.strings)
     if not all(np.array_equal(a, b) for a, b in zip(mine, theirs, strict=True)):
         motion = MotionState(*(part.copy() for part in state[:4]))
         around = around._replace(hung=state.hung.copy(), strings=state.strings.copy())
-        scene.take_bodies(SphereBodies.of_parts(makeup, motion), around)
-    scene.world.restore(CollisionState(**{name: getattr(state, name) for name in CollisionState._fields}))
-    scene.exact = None
+        model.take_bodies(SphereBodies.of_parts(composition, motion), around)
+    model.world.restore(CollisionState(**{name: getattr(state, name) for name in CollisionState._fields}))
+    model.exact = None
     if len(state.exact_places):
-        exact = scene.begin_exact()
+        exact = model.begin_exact()
         np.copyto(exact.positions, state.exact_places)
         np.copyto(exact.velocities, state.exact_speeds)

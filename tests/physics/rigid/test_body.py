@@ -171,7 +171,7 @@ def test_a_millionfold_in_mass_within_a_body():
         (lambda: RigidBody(effects=LINKS), "links"),
         (lambda: RigidBody(gravity=math.nan), "gravity"),
         (lambda: RigidBody(restitution=1.1), "restitution"),
-        (lambda: RigidBody(lower=(0, 0, 0), upper=(1, 0, 1)), "no room"),
+        (lambda: RigidBody(lower=(0, 0, 0), upper=(1, 0, 1)), "empty"),
         (lambda: RigidBody(colour="red"), "colour"),
         (lambda: RigidBody().step(0.0), "dt"),
         (lambda: RigidBody().step(math.nan), "dt"),

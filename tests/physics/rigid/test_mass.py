@@ -199,7 +199,7 @@ def test_nonsense_is_refused(arguments, words):
         ([[1, 2], [2, 1]], "inertia"),
         (np.diag((1, 1, -1)), "negative"),
         ([[1, 2, 0], [0, 1, 0], [0, 0, 1]], "symmetric"),
-        (np.zeros((3, 3)), "nought"),
+        (np.zeros((3, 3)), "is zero"),
         ((1, 1, math.nan), "inertia"),
     ],
 )

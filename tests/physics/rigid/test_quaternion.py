@@ -91,7 +91,7 @@ def test_logarithm_undoes_exponential(v):
 
 @pytest.mark.parametrize("length", [0.0, 1e-300, 1e-160, 1e-9, 9.999e-4, 1.0001e-3, 0.5])
 def test_small_turns_have_no_gap(length):
-    """H6: the series and the sine meet; nothing is divided by nought."""
+    """H6: the series and the sine meet; nothing is divided by zero."""
     q = quaternion_from_rotation_vector((0.0, length, 0.0))
     assert q[0] == pytest.approx(math.cos(0.5 * length), abs=EPS)
     assert q[2] == pytest.approx(math.sin(0.5 * length), rel=2 * EPS, abs=0.0)
@@ -117,9 +117,9 @@ def test_any_length_but_none_is_a_turn():
     ("call", "words"),
     [
         (lambda: quaternion_normalized((1, 0, math.nan, 0)), "quaternion"),
-        (lambda: quaternion_normalized((1, 0, 0)), "quaternion: 4"),
+        (lambda: quaternion_normalized((1, 0, 0)), "quaternion: expected 4"),
         (lambda: quaternion_multiply((1, 0, 0, 0), (1, 0, 0, math.inf)), "b"),
-        (lambda: quaternion_rotate((1, 0, 0, 0), (1, 0)), "vector: 3"),
+        (lambda: quaternion_rotate((1, 0, 0, 0), (1, 0)), "vector: expected 3"),
         (lambda: quaternion_from_axis_angle((0, 0, 0), 1.0), "axis"),
         (lambda: quaternion_from_axis_angle((0, 0, 1), math.nan), "angle"),
         (lambda: quaternion_from_matrix(-np.eye(3)), "not a rotation"),

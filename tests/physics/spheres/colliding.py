@@ -26,14 +26,14 @@ def world_of(bodies, *, restitution=1.0, friction=0.0, window=None, effects=BARE
 
 
 def row_of(velocities, radius=0.5, **more):
-    """Spheres in a row along x that touch, with velocities along it."""
+    """Spheres in a row along x that contact, with velocities along it."""
     n = len(velocities)
     places = [(2.0 * radius * i, 0.0) for i in range(n)]
     return SphereBodies(places, np.full(n, radius), [(v, 0.0) for v in velocities], **more)
 
 
 def two(normal, velocities, masses, turning=None, **more):
-    """Two spheres of radius 0.5 that touch along a normal from the first to the second."""
+    """Two spheres of radius 0.5 in contact along a normal from the first to the second."""
     return SphereBodies([(0.0, 0.0, 0.0), normal], [0.5, 0.5], velocities, turning, masses=masses, **more)
 
 
@@ -51,7 +51,7 @@ def heap_of(count, columns, radius=0.43, seed=1):
 def sums(world):
     """Momentum (3,), angular momentum about the origin (3,) and energy of motion, summed without loss."""
     bodies = world.bodies
-    free = np.isfinite(bodies.makeup.masses)
+    free = np.isfinite(bodies.composition.masses)
     momenta, spins = bodies.state.momenta[free], bodies.state.spins[free]
     orbital = np.cross(bodies.state.positions[free], momenta)
     energy = 0.5 * (momenta * bodies.velocities[free]).sum() + 0.5 * (spins * bodies.turning[free]).sum()

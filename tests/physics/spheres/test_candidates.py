@@ -1,4 +1,4 @@
-"""Which spheres may touch, and room for those that do: every way to find them leads to the same flight."""
+"""Which spheres may be in contact: every way to find them leads to the same flight."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from game.physics.broadphase import HierarchicalGrid, SweepAndPrune, UniformGrid
-from game.physics.spheres.composition import Makeup
+from game.physics.spheres.composition import Composition
 from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES
 from game.physics.spheres.spheres import MotionState, SphereBodies
 from tests.physics.spheres.colliding import heap_of, world_of
@@ -43,12 +43,12 @@ def test_a_broad_phase_changes_no_bit(name, effects):
         assert most > 1 and plain.overlap() < 1e-9
 
 
-def test_all_spheres_in_one_place_need_more_room():
-    """Every pair touches: ten times as many touches as there was room for."""
+def test_all_spheres_in_one_place_need_more_capacity():
+    """Every pair is in contact: ten times as many contacts as there was capacity for."""
     bodies = SphereBodies(np.full((40, 2), 0.5) + np.linspace(0.0, 1e-3, 40)[:, None], np.full(40, 1.0))
     world = world_of(bodies)
     world.step(1e-3)
-    normals, who, impulses = world.touches
+    normals, who, impulses = world.contacts
     assert len(normals) == len(who) == len(impulses) == 40 * 39 // 2
     assert sorted(map(tuple, who.tolist())) == [(a, b) for a in range(40) for b in range(a + 1, 40)]
     assert world.overlap() > 1.9
@@ -61,11 +61,11 @@ def test_all_spheres_in_one_place_need_more_room():
 
 def test_bodies_of_parts_are_what_they_were():
     bodies, _ = heap_of(5, 5)
-    again = SphereBodies.of_parts(Makeup(*bodies.makeup), MotionState(*bodies.state))
+    again = SphereBodies.of_parts(Composition(*bodies.composition), MotionState(*bodies.state))
     assert (again.count, again.single, again.alike) == (5, True, True)
     assert again.state.positions is bodies.state.positions
     joined = SphereBodies([(0.0, 0.0), (1.0, 0.0)], [0.5, 0.5], owners=[0, 0], inertias="solid")
-    again = SphereBodies.of_parts(joined.makeup, joined.state)
+    again = SphereBodies.of_parts(joined.composition, joined.state)
     assert (again.count, again.single, again.alike) == (1, False, False)
     assert again.places() == pytest.approx(np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)]))
 
@@ -73,24 +73,24 @@ def test_bodies_of_parts_are_what_they_were():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"positions": []}, "positions: at least one"),
-        ({"positions": [(0.0,), (1.0,)]}, "positions: rows of two or three"),
-        ({"positions": [(0.0, np.nan), (0.0, 0.0)]}, "positions: finite numbers"),
-        ({"velocities": [(0.0, 0.0)]}, "velocities: 2 rows are wanted, not 1"),
-        ({"radii": [1.0, 0.0]}, "radii: 1e-09 to"),
-        ({"radii": [1.0, 1.0, 1.0]}, "radii: one number, or one for each of 2"),
-        ({"kinds": [0, -1]}, "kinds: whole numbers from 0"),
-        ({"kinds": [0.5, 0.0]}, "kinds: whole numbers"),
-        ({"kinds": [0, 1, 0]}, "kinds: whole numbers from 0"),
-        ({"owners": [0, 0.5]}, "owners: whole numbers"),
-        ({"owners": [0, 2]}, "owners: a body 0, 1, ..."),
+        ({"positions": []}, "positions: expected at least one"),
+        ({"positions": [(0.0,), (1.0,)]}, "positions: expected rows of two or three"),
+        ({"positions": [(0.0, np.nan), (0.0, 0.0)]}, "positions: expected finite numbers"),
+        ({"velocities": [(0.0, 0.0)]}, "velocities: expected 2 rows, got 1"),
+        ({"radii": [1.0, 0.0]}, "radii: expected 1e-09 to"),
+        ({"radii": [1.0, 1.0, 1.0]}, "radii: expected one number, or one for each of 2"),
+        ({"kinds": [0, -1]}, "kinds: expected whole numbers from 0"),
+        ({"kinds": [0.5, 0.0]}, "kinds: expected whole numbers"),
+        ({"kinds": [0, 1, 0]}, "kinds: expected whole numbers from 0"),
+        ({"owners": [0, 0.5]}, "owners: expected whole numbers"),
+        ({"owners": [0, 2]}, "owners: expected a body 0, 1, ..."),
         ({"owners": [0, 0], "masses": [1.0, np.inf]}, "masses: spheres joined to a body"),
         ({"inertias": "hollow"}, "inertias = 'hollow': one of unit, solid"),
-        ({"inertias": [1.0, 0.0]}, "inertias: numbers above 0"),
-        ({"inertias": np.ones((2, 2, 2))}, "inertias: one number or finite tensor"),
+        ({"inertias": [1.0, 0.0]}, "inertias: expected numbers above 0"),
+        ({"inertias": np.ones((2, 2, 2))}, "inertias: expected one number or finite tensor"),
         ({"inertias": [np.eye(3), -np.eye(3)]}, r"inertias\[1\]: must be symmetric and positive"),
         ({"inertias": [1e-12 * (np.eye(3) + np.eye(3, k=1))] * 2}, r"inertias\[0\]: must be symmetric"),
-        ({"orientations": [(1.0, 0.0, 0.0)]}, "orientations: 2 quaternions"),
+        ({"orientations": [(1.0, 0.0, 0.0)]}, "orientations: expected 2 quaternions"),
         ({"orientations": [(0.0, 0.0, 0.0, 0.0)] * 2}, "orientations: a quaternion without length"),
         ({"masses": [1.0, np.inf], "velocities": [(0.0, 0.0), (1.0, 0.0)]}, "stays where it is"),
     ],

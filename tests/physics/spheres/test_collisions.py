@@ -30,7 +30,7 @@ def state_bytes(world):
     return b"".join(np.ascontiguousarray(part).tobytes() for part in world.state())
 
 
-# -- motion without touch -------------------------------------------------------------------------------
+# -- motion without contact -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -123,12 +123,12 @@ def test_h7_a_stack_rests(scheme, e):
     world = world_of(bodies, restitution=e, friction=0.5, window=(-2, 0, 2, 20), effects=USUAL, scheme=scheme)
     for _ in range(60):
         world.step(1 / 60)
-    height = world.totals().height
+    height = world.totals().potential
     for _ in range(59 * 60):
         world.step(1 / 60)
     totals = world.totals()
-    assert totals.moving + totals.turning < 1e-12
-    assert abs(totals.height - height) < 5 * G * 0.005
+    assert totals.translational + totals.rotational < 1e-12
+    assert abs(totals.potential - height) < 5 * G * 0.005
     assert world.overlap() <= 0.005 * (1 + 1e-6) + 1e-9
     assert np.abs(bodies.state.positions[:, 0]).max() < 1e-12
 
@@ -161,7 +161,7 @@ def test_a_heap_comes_to_rest_without_sinking_in():
         world.step(1 / 60)
     assert world.planar()
     assert world.overlap() < 0.012
-    assert world.totals().moving < 1e-3
+    assert world.totals().translational < 1e-3
     world.check()
 
 
@@ -372,7 +372,7 @@ BROAD_PHASES = {
 
 @pytest.mark.parametrize("name", BROAD_PHASES)
 def test_any_broad_phase_gives_the_run_of_brute_force(name):
-    """The same touches in the same order, so the same bits."""
+    """The same contacts in the same order, so the same bits."""
     digests = []
     for broad_phase in (None, BROAD_PHASES[name]()):
         bodies, window = heap_of(40, 8)
@@ -538,7 +538,7 @@ def test_a_force_that_waits_is_restored_as_well():
 @pytest.mark.parametrize(
     ("e", "quotient"), [(0.0, 1.0), (0.5, 0.75), (0.9, 0.19), (0.95, 0.19), (0.999, 0.19), (1.0, 2.0)]
 )
-def test_the_speed_from_which_a_touch_bounces(path, e, quotient):
+def test_the_speed_from_which_a_contact_bounces(path, e, quotient):
     """4 g h / (1 - e²), no more than at e = 0.9; 2 g h at e = 1. A little faster bounces, slower does not."""
     h = 1.0 / 60.0
     limit = 4.0 * G * h / quotient

@@ -133,15 +133,15 @@ def test_h1_coincident_centres():
     assert first[0] < 1.0 < second[0] and first[1] == second[1] == 1.0
 
 
-def test_h2_a_separating_touch_gets_no_impulse():
+def test_h2_a_separating_contact_gets_no_impulse():
     world = world_of(row_of([-1.0, 2.0]))
     world.step(MOMENT)
     assert world.collisions == 0
     assert world.bodies.velocities[:, 0].tolist() == [-1.0, 2.0]
 
 
-def test_h3_several_touches_of_two_bodies():
-    """Two dumb-bells meet end on end: rounds until no touch approaches, and with e = 1 no energy is lost."""
+def test_h3_several_contacts_of_two_bodies():
+    """Two dumb-bells meet end on end: rounds until no contact approaches; with e = 1 no energy is lost."""
     bodies = SphereBodies(
         [(0, 1), (0, -1), (1, 1), (1, -1)], [0.5] * 4, [(2, 0), (-1, 0)], [(0, 0, 0.7), (0, 0, 0.2)],
         owners=[0, 0, 1, 1], inertias="solid",
@@ -162,7 +162,7 @@ def test_h3_several_touches_of_two_bodies():
 @pytest.mark.parametrize("mirrored", [False, True])
 @pytest.mark.parametrize("count", [2, 3, 5])
 def test_h4_newtons_cradle_in_turn(count, mirrored):
-    """The last one leaves with all of it, in whichever direction touches are looked at."""
+    """The last one leaves with all of it, in whichever direction contacts are looked at."""
     v = [1.0] + [0.0] * (count - 1)
     world = world_of(row_of([-x for x in v[::-1]] if mirrored else v))
     world.step(MOMENT)
@@ -181,7 +181,7 @@ def test_h4_newtons_law_at_once():
 @pytest.mark.parametrize("mu", [0.0, 0.4])
 @pytest.mark.parametrize("e", [1.0, 0.6])
 def test_the_shares_of_the_ledger_make_up_all_of_the_energy(how, mu, e):
-    """One sphere onto two that touch, with spin, and a fourth behind them."""
+    """One sphere onto two that contact, with spin, and a fourth behind them."""
     root = math.sqrt(0.75)
     places = [(0.0, 0.0), (root, 0.5), (root, -0.5), (root + 1.0, 0.5)]
     turning = [(0.0, 0.0, 3.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 0.0)]
@@ -198,7 +198,7 @@ def test_the_shares_of_the_ledger_make_up_all_of_the_energy(how, mu, e):
 
 
 def test_a_joint_collision_of_many_enters_the_last():
-    """More touches at once than the ledger has lines."""
+    """More contacts at once than the ledger has lines."""
     n = 400
     world = world_of(row_of([float(n - i) for i in range(n)]), law="at-once", rounds=1)
     world.step(MOMENT)
@@ -252,7 +252,7 @@ def test_h11_restitution():
         world.step(MOMENT)
         assert world.bodies.velocities[:, 0].tolist() == [0.5 - 0.5 * e, 0.5 + 0.5 * e]
     for e in (-0.1, 1.1, math.nan, math.inf):
-        with pytest.raises(ValueError, match="restitution: 0 to 1"):
+        with pytest.raises(ValueError, match="restitution: expected 0 to 1"):
             material_tables(e, 0.0)
 
 
@@ -268,5 +268,5 @@ def test_restitution_and_friction_of_each_pair():
         assert bodies.velocities[1, 0] == after
     with pytest.raises(ValueError, match="as b with a"):
         material_tables([[0.5, 0.1], [0.2, 0.5]], 0.0)
-    with pytest.raises(ValueError, match="friction: one number, or 3 rows of 3"):
+    with pytest.raises(ValueError, match="friction: expected one number, or 3 rows of 3"):
         material_tables(0.5, [0.1, 0.2], 2)

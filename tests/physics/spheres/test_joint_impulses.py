@@ -1,4 +1,4 @@
-"""Both laws for spheres that touch each other: momentum is kept, no energy is made."""
+"""Both laws for spheres in contact: momentum is kept, no energy is made."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ KINDS = 3
 
 
 def touching(random, count, flat):
-    """Centres (count, 3) and radii of spheres, each of which touches one or two that were there before."""
+    """Centres (count, 3) and radii of spheres, each in contact with one or two that were there before."""
     radii = random.uniform(0.3, 1.0, count)
     places = [np.zeros(3)]
     while len(places) < count:
@@ -85,7 +85,7 @@ def test_no_cluster_gains_energy(law, seed, count, mu, flat, rounds):
 
 @pytest.mark.parametrize("law", LAWS)
 def test_elastic_clusters_keep_their_energy(law):
-    """e = 1, no friction: E to rounding, and when all is done no touch approaches any more."""
+    """e = 1, no friction: E to rounding, and when all is done no contact approaches any more."""
     for seed in range(60):
         world = cluster(seed, 8, 0.0, seed % 2 == 0, law, rounds=2_000)
         world.tables = material_tables(1.0, 0.0, KINDS)
@@ -134,9 +134,9 @@ def test_bounces_without_end_are_ended(e):
 
 @pytest.mark.parametrize("e", [1.0, 0.5, 0.0])
 def test_a_full_box_gains_nothing_in_ten_seconds(e):
-    """60 discs that start in touch, walls with them: in no step does the energy rise.
+    """60 discs that start in contact, walls with them: in no step does the energy rise.
 
-    Without the warm start of what bears, whose old impulses are not those of a collision.
+    Without the warm start of resting contacts, whose old impulses are not those of a collision.
     """
     random = np.random.default_rng(1)
     places = [(0.5 + i % 8, 0.5 + i // 8) for i in range(60)]

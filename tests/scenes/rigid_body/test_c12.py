@@ -13,8 +13,9 @@ from game.physics.rigid.free_top import FreeTop
 from game.scenes.rigid_body.bodies import EXACT, FLIPS, A, B, turns_over
 from game.scenes.rigid_body.camera import camera_matrix
 from game.scenes.rigid_body.level import RigidContent
-from game.scenes.rigid_body.momentum_sphere import separatrix, trail_of
-from game.scenes.rigid_body.scene import TRAIL, RigidBodyScene
+from game.scenes.rigid_body.model import TRAIL
+from game.scenes.rigid_body.momentum_sphere import separatrix
+from game.scenes.rigid_body.scene import RigidBodyScene
 from game.scenes.rigid_body.view import hull_of_discs
 from game.stage import Action, SetEffect, SetParameter, Stage, replay_scene
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
@@ -35,7 +36,7 @@ def plain(**declared) -> Stage:
 
 
 def body(stage, index=A):
-    return stage.scene.bodies.all[index]
+    return stage.scene.model.bodies.all[index]
 
 
 def test_spheres_are_read_and_joined():
@@ -47,62 +48,62 @@ def test_spheres_are_read_and_joined():
     assert np.allclose(body(stage).inertia, inertia, rtol=1e-13, atol=1e-13)
 
 
-def test_spheres_are_clicked_and_dragged_and_taken_off():
+def test_spheres_are_clicked_and_dragged_and_removed():
     """C12.1: also while it stands still; undone, redone, saved and read back."""
     stage = plain()
     stage.pause()
     stage.post(Action("sphere"))
     click(stage, (0.0, 0.8))
-    assert np.allclose(stage.scene.bodies.design[2, :4], (0.0, 0.8, 0.0, 0.15), atol=1e-12)
+    assert np.allclose(stage.scene.model.bodies.design[2, :4], (0.0, 0.8, 0.0, 0.15), atol=1e-12)
     drag(stage, (0.0, -0.5), (0.25, -0.5), steps=3, run=0)
-    assert np.allclose(stage.scene.bodies.design[3, :4], (0.0, -0.5, 0.0, 0.25), atol=1e-12)
-    assert np.allclose(body(stage).spheres(), stage.scene.bodies.design[:, :3], atol=1e-12)
+    assert np.allclose(stage.scene.model.bodies.design[3, :4], (0.0, -0.5, 0.0, 0.25), atol=1e-12)
+    assert np.allclose(body(stage).spheres(), stage.scene.model.bodies.design[:, :3], atol=1e-12)
     stage.post(Action("remove"))
     click(stage, (-0.5, 0.0))
-    assert len(stage.scene.bodies.design) == 3
+    assert len(stage.scene.model.bodies.design) == 3
     stage.post(Action("undo"))
     stage.post(Action("undo"))
-    assert len(stage.scene.bodies.design) == 3
-    assert stage.scene.bodies.design[2, 1] == pytest.approx(0.8)
+    assert len(stage.scene.model.bodies.design) == 3
+    assert stage.scene.model.bodies.design[2, 1] == pytest.approx(0.8)
     stage.post(Action("redo"))
     stage.post(Action("redo"))
-    assert len(stage.scene.bodies.design) == 3
-    assert stage.scene.bodies.design[0, 0] == 0.5
+    assert len(stage.scene.model.bodies.design) == 3
+    assert stage.scene.model.bodies.design[0, 0] == 0.5
     text = format_level(Level(scene="c12", content=stage.scene.save_content()))
     back = RigidBodyScene(parse_level(text, "c12", RigidContent), {"density": 100.0})
-    assert np.allclose(back.bodies.all[A].spheres(), body(stage).spheres(), atol=1e-12)
-    assert np.allclose(back.bodies.all[A].inertia, body(stage).inertia, rtol=1e-12, atol=1e-12)
+    assert np.allclose(back.model.bodies.all[A].spheres(), body(stage).spheres(), atol=1e-12)
+    assert np.allclose(back.model.bodies.all[A].inertia, body(stage).inertia, rtol=1e-12, atol=1e-12)
     for _ in range(3):
-        click(stage, stage.scene.bodies.all[A].spheres()[0][:2])
-    assert len(stage.scene.bodies.design) == 1
+        click(stage, stage.scene.model.bodies.all[A].spheres()[0][:2])
+    assert len(stage.scene.model.bodies.design) == 1
     assert any("last sphere" in words for words in stage.scene.messages())
     stage.resume()
     stage.run(5)
     assert stage.fault is None
 
 
-def test_what_is_put_on_while_it_turns_changes_no_velocity_of_what_was_there():
+def test_what_is_added_while_it_turns_changes_no_velocity_of_what_was_there():
     stage = plain()
     body(stage).angular_velocity = (0.0, 0.0, 2.0)
-    stage.scene.bodies.meet()
+    stage.scene.model.bodies.meet()
     old, before = body(stage).position, body(stage).velocity
     stage.post(Action("sphere"))
     click(stage, (0.0, 1.0))
     now = body(stage)
     assert np.allclose(now.angular_velocity, (0.0, 0.0, 2.0), atol=1e-12)
-    way = now.position - old
-    assert np.allclose(now.velocity, before + np.cross((0, 0, 2.0), way), atol=1e-12)
+    offset = now.position - old
+    assert np.allclose(now.velocity, before + np.cross((0, 0, 2.0), offset), atol=1e-12)
 
 
 def test_a_drawn_force_acts_at_its_point():
     """C12.5, .6: P = f t, L = r x f t; drawn while it acts."""
     stage = plain(strength=1000.0, push_time=0.05)
     drag(stage, (0.5, 0.1), (0.5, 0.4), steps=2, run=0)
-    assert stage.scene.push is not None
+    assert stage.scene.model.push is not None
     words = [row[1] for row in stage.scene.legend()]
     assert "force f" in words
     stage.run(10)
-    assert stage.scene.push is None
+    assert stage.scene.model.push is None
     assert np.allclose(body(stage).momentum, (0.0, 300.0 * 0.05, 0.0), rtol=1e-12, atol=1e-12)
     angular = body(stage).angular_momentum
     assert angular[2] == pytest.approx(0.5 * 15.0, rel=2e-3)
@@ -140,10 +141,10 @@ def test_a_pull_as_long_as_the_button_is_down():
 def test_the_view_is_turned_with_the_right_button_or_beside_the_body():
     stage = plain()
     drag(stage, (0.0, 0.0), (1.0, -0.5), button=3, steps=4, run=0)
-    assert stage.scene.turn == pytest.approx(28.0)
-    assert stage.scene.tilt == pytest.approx(14.0)
+    assert stage.scene.parameters.turn == pytest.approx(28.0)
+    assert stage.scene.parameters.tilt == pytest.approx(14.0)
     drag(stage, (2.0, 1.5), (1.0, 1.5), steps=4, run=0)
-    assert stage.scene.turn == pytest.approx(0.0, abs=1e-9)
+    assert stage.scene.parameters.turn == pytest.approx(0.0, abs=1e-9)
     view = camera_matrix(30.0, 40.0)
     assert np.allclose(view @ view.T, np.eye(3), atol=1e-15)
     assert view[2] @ (0, 1, 0) == pytest.approx(math.sin(math.radians(40.0)))
@@ -160,7 +161,7 @@ def test_it_stays_in_its_window_mirrored_or_struck():
         for _ in range(300):
             stage.run(1)
             places, radii = body(stage).spheres(), body(stage).radii[:, None]
-            assert np.all(np.abs(places) + radii <= stage.scene.half_sides() + 1e-9)
+            assert np.all(np.abs(places) + radii <= stage.scene.model.panes.half_sides + 1e-9)
         assert body(stage).bounces > 5
         assert sum(body(stage).kinetic_energy) == pytest.approx(shift + turning, rel=1e-3)
         if wall == "mirror":
@@ -176,10 +177,10 @@ def test_density_is_changed_while_it_runs():
     after = readouts(stage)
     assert after["mass"] == pytest.approx(2.0 * before["mass"])
     assert after["I2"] == pytest.approx(2.0 * before["I2"])
-    assert after["spin"] == pytest.approx(0.5 * before["spin"])
+    assert after["angular speed"] == pytest.approx(0.5 * before["angular speed"])
     stage.post(SetParameter("keep", "velocity"))
     stage.post(SetParameter("density", 700.0))
-    assert readouts(stage)["spin"] == pytest.approx(0.5 * before["spin"])
+    assert readouts(stage)["angular speed"] == pytest.approx(0.5 * before["angular speed"])
     assert readouts(stage)["mass"] == before["mass"]
     stage.run(5)
     assert stage.fault is None
@@ -190,32 +191,32 @@ def test_the_hammer_flips_about_its_middle_axis():
     stage = open_level(RigidBodyScene, "default")
     top = FreeTop(body(stage, EXACT).moments, body(stage, EXACT).spin)
     quarter = 0.25 * top.period  # s: so long after a change of sign L is nearest to the middle axis
-    told, counts = [], []
+    messages, counts = [], []
     for flips, change in enumerate(top.flips(60.0), start=1):
         stage.run(math.floor((change + quarter) / stage.dt) - stage.step_number)
-        told += stage.scene.messages()
+        messages += stage.scene.messages()
         now = readouts(stage)
-        assert now["flips of B"] == now["flips, exact"] == flips
-        counts.append(now["flips of A"])
+        assert now["B: flips"] == now["exact: flips"] == flips
+        counts.append(now["A: flips"])
     assert flips > 10
     assert counts[1:] == [4] * (flips - 1), "from 5 s on explicit Euler turns about another axis"
-    assert sum("turned over" in words for words in told) == 1
-    assert now["off B"] < 10.0
+    assert sum("turned over" in words for words in messages) == 1
+    assert now["B: angular error"] < 10.0
 
 
 @pytest.mark.parametrize("name", ["bouncing", "hard-08-symmetric", "thousand-spheres"])
 def test_what_goes_round_another_axis_has_not_turned_over(name):
     """The part of the spin about the middle axis changes its sign there as well."""
     stage = open_level(RigidBodyScene, name)
-    told = []
+    messages = []
     for _ in range(60):
         stage.run(10)
-        told += stage.scene.messages()
-    assert not stage.scene.bodies.accounts[:, FLIPS].any()
-    assert not any("turned over" in words for words in told)
+        messages += stage.scene.messages()
+    assert not stage.scene.model.bodies.accounts[:, FLIPS].any()
+    assert not any("turned over" in words for words in messages)
 
 
-def test_near_the_middle_axis_is_told_from_energy_and_momentum():
+def test_near_the_middle_axis_is_known_from_energy_and_momentum():
     """Moments 1, 2, 3: L along the middle axis, 29° and 31° from it towards either side."""
     moments = (1.0, 2.0, 3.0)
     for degrees, near in ((0.0, True), (29.0, True), (31.0, False), (90.0, False)):
@@ -230,24 +231,29 @@ def test_near_the_middle_axis_is_told_from_energy_and_momentum():
 
 
 def test_twin_view_and_accounts():
-    """Explicit Euler makes energy and keeps L; the engines' way loses both; |q| drifts if it is let."""
+    """Explicit Euler makes energy and keeps L; the engines' method loses both; |q| drifts if it is let."""
     stage = open_level(RigidBodyScene, "default", twin=True, second="implicit-gyroscopic")
     stage.run(1200)
     now = readouts(stage)
-    assert now["E of A"] > 0.5
-    assert now["A"] <= now["bound"] * (1 + 1e-12)
-    assert now["L of A"] == 0.0
-    assert now["E of B"] < -0.01
-    assert now["L of B"] < -0.01
-    assert now["q of A"] == 0.0
-    assert now["exact"] == pytest.approx(now["A"] / (1.0 + now["E of A"]), rel=1e-9)
+    assert now["A: energy error"] > 0.5
+    assert now["A: energy"] <= now["greatest energy"] * (1 + 1e-12)
+    assert now["A: L error"] == 0.0
+    assert now["B: energy error"] < -0.01
+    assert now["B: L error"] < -0.01
+    assert now["A: |q| error"] == 0.0
+    assert now["exact: energy"] == pytest.approx(now["A: energy"] / (1.0 + now["A: energy error"]), rel=1e-9)
     stage.post(SetParameter("normalizing", False))
     stage.run(60)
-    assert readouts(stage)["q of A"] > 0.01
+    assert readouts(stage)["A: |q| error"] > 0.01
     stage.post(Action("meet"))
-    assert readouts(stage)["off A"] == 0.0
+    assert readouts(stage)["A: angular error"] == 0.0
     stage.post(Action("still"))
-    assert readouts(stage)["spin"] == 0.0
+    assert readouts(stage)["angular speed"] == 0.0
+
+
+def test_the_help_shows_a_step_of_each_integrator():
+    titles = {equation.title for equation in RigidBodyScene.equations}
+    assert titles.issuperset(RigidBodyScene.parameter("method").labels)
 
 
 def test_effects_that_are_off_do_nothing():
@@ -283,15 +289,15 @@ def test_every_level_steps_restores_and_steps_again(path):
     again.run(8)
     assert again.digest() == stage.digest()
     assert stage.fault is None
-    for one in stage.scene.bodies.all:
+    for one in stage.scene.model.bodies.all:
         one.check()
 
 
 def test_a_recorded_session_with_edits_replays_exactly():
     stage = open_level(RigidBodyScene, "default", twin=True)
     stage.run(5)
-    seen = camera_matrix(stage.scene.turn, stage.scene.tilt) @ body(stage).spheres()[8]
-    drag(stage, (seen[0] + stage.scene.pane_shift(A), seen[1]), (-1.0, 1.0), steps=6)
+    seen = camera_matrix(stage.scene.parameters.turn, stage.scene.parameters.tilt) @ body(stage).spheres()[8]
+    drag(stage, (seen[0] + stage.scene.model.panes.shift(A), seen[1]), (-1.0, 1.0), steps=6)
     stage.run(3)
     stage.post(Action("sphere"))
     drag(stage, (2.0, 0.6), (2.3, 0.6), steps=3)
@@ -355,7 +361,7 @@ def test_a_method_that_explodes_is_stopped_at_its_last_finite_state():
     assert stage.fault is None
 
 
-def test_the_curves_that_part_the_sphere_of_l():
+def test_the_curves_that_separate_the_sphere_of_l():
     """On them the energy is that of a spin about axis 2; a symmetric body has none."""
     moments = np.array((1.0, 2.0, 3.0))
     curves = separatrix(moments)
@@ -370,7 +376,7 @@ def test_the_trail_is_where_l_has_been_in_the_body():
     stage = open_level(RigidBodyScene, "default", method="exact")
     moments = body(stage).moments
     stage.run(TRAIL + 50)
-    trail = trail_of(stage.scene, A)
+    trail = stage.scene.model.trail_of(A)
     assert trail.shape == (TRAIL, 3)
     assert np.allclose((trail * trail).sum(axis=1), 1.0)
     energies = (trail * trail / moments).sum(axis=1)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from game.physics.spheres.impact_parts import IMPACTS_PER_SPHERE, MOMENT, MOST_IMPACTS, divide_at_impacts
+from game.physics.spheres.time_of_impact import IMPACTS_PER_SPHERE, MOMENT, MOST_IMPACTS, divide_at_impacts
 
 
 def until(impacts: list[float]):

@@ -13,7 +13,7 @@ from game.physics.spheres.spheres import SphereBodies
 from game.scenes.spheres.level import MOST_SPHERES, WALL, CollisionContent, CradleEntry, HeapEntry, RackEntry
 
 
-class Makings(NamedTuple):
+class Layout(NamedTuple):
     """All spheres of a level, row by row."""
 
     positions: NDArray[np.float64]  # (s, 3) m
@@ -36,12 +36,12 @@ class _Row(NamedTuple):
     kind: int
 
 
-def makings_of(content: CollisionContent, seed: int) -> Makings:
+def layout_of(content: CollisionContent, seed: int) -> Layout:
     """The spheres that a content describes. ValueError, naming the entry, for what makes no sense."""
-    rows, ties = _laid_out(content, seed)
+    rows, ties = _rows_of(content, seed)
     s = len(rows)
     if not 1 <= s <= MOST_SPHERES:
-        raise ValueError(f"spheres: 1 to {MOST_SPHERES} are wanted, not {s}")
+        raise ValueError(f"spheres: expected 1 to {MOST_SPHERES}, got {s}")
     positions, velocities, turning = np.zeros((s, 3)), np.zeros((s, 3)), np.zeros((s, 3))
     orientations = np.tile((1.0, 0.0, 0.0, 0.0), (s, 1))
     masses, owners = np.full(s, math.nan), np.arange(s)
@@ -62,10 +62,10 @@ def makings_of(content: CollisionContent, seed: int) -> Makings:
     surroundings = _surroundings(content, ties)
     radii = np.array([row.radius for row in rows])
     kinds = np.array([row.kind for row in rows], dtype=np.int64)
-    return Makings(positions, radii, velocities, turning, orientations, masses, kinds, owners, surroundings)
+    return Layout(positions, radii, velocities, turning, orientations, masses, kinds, owners, surroundings)
 
 
-def _laid_out(content: CollisionContent, seed: int) -> tuple[list[_Row], list[tuple[float, ...]]]:
+def _rows_of(content: CollisionContent, seed: int) -> tuple[list[_Row], list[tuple[float, ...]]]:
     """All spheres in their order; and of each string its sphere, where it is tied (x, y, z), its length."""
     rows = [_listed(content, i) for i in range(len(content.spheres))]
     ties = [_string(content, i) for i in range(len(content.strings))]
@@ -85,23 +85,23 @@ def _laid_out(content: CollisionContent, seed: int) -> tuple[list[_Row], list[tu
     return rows, ties
 
 
-def bodies_of(makings: Makings, real: bool, density: float) -> SphereBodies:
+def bodies_of(layout: Layout, real: bool, density: float) -> SphereBodies:
     """Bodies: of mass 1 and inertia 1, or of a density (kg/m³) and solid; masses of their own are kept."""
-    volumes = 4.0 / 3.0 * math.pi * makings.radii**3
-    usual = density * volumes if real else np.ones(len(makings.radii))
-    masses = np.where(np.isnan(makings.masses), usual, makings.masses)
-    single = np.array_equal(makings.owners, np.arange(len(makings.owners)))
-    _, first = np.unique(makings.owners, return_index=True)
+    volumes = 4.0 / 3.0 * math.pi * layout.radii**3
+    usual = density * volumes if real else np.ones(len(layout.radii))
+    masses = np.where(np.isnan(layout.masses), usual, layout.masses)
+    single = np.array_equal(layout.owners, np.arange(len(layout.owners)))
+    _, first = np.unique(layout.owners, return_index=True)
     return SphereBodies(
-        makings.positions,
-        makings.radii,
-        makings.velocities[first],
-        makings.turning[first],
+        layout.positions,
+        layout.radii,
+        layout.velocities[first],
+        layout.turning[first],
         masses=masses,
         inertias="solid" if real else "unit",
-        orientations=makings.orientations[first],
-        kinds=makings.kinds,
-        owners=None if single else makings.owners,
+        orientations=layout.orientations[first],
+        kinds=layout.kinds,
+        owners=None if single else layout.owners,
     )
 
 
@@ -174,15 +174,15 @@ def _cradle(cradle: CradleEntry) -> list[tuple[float, float, float]]:
 
 
 def _heap(content: CollisionContent, heap: HeapEntry, random: np.random.Generator, where: str) -> list[_Row]:
-    room = 0.5 * heap.stir * (heap.spacing - 2.0 * heap.radius)
+    space = 0.5 * heap.stir * (heap.spacing - 2.0 * heap.radius)
     kind = _kind(content, heap.material, where)
     layers = [_kind(content, name, f"{where}.layers") for name in heap.layers]
     found = []
     for row in range(heap.rows):
         here = layers[row * len(layers) // heap.rows] if layers else kind
         for column in range(heap.columns):
-            x = heap.corner[0] + heap.spacing * (column + 0.5) + room * random.uniform(-1.0, 1.0)
-            y = heap.corner[1] + heap.spacing * (row + 0.5) + room * random.uniform(-1.0, 1.0)
+            x = heap.corner[0] + heap.spacing * (column + 0.5) + space * random.uniform(-1.0, 1.0)
+            y = heap.corner[1] + heap.spacing * (row + 0.5) + space * random.uniform(-1.0, 1.0)
             radius = heap.radius * (1.0 - heap.odd * random.uniform())
             found.append(_Row(x, y, radius, here))
     return found
