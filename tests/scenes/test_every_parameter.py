@@ -105,7 +105,7 @@ def test_three_tables(name, value):
 @cases_of(LectureBalls)
 def test_lecture_balls(name, value):
     stage = opened(LectureBalls, "default", **{name: value})
-    before = [ball.position for ball in stage.scene.balls]
+    before = [ball.position for ball in stage.scene.model.balls]
     run(stage, 10.0)
     assert stage.readouts()
-    assert [ball.position for ball in stage.scene.balls] != before
+    assert [ball.position for ball in stage.scene.model.balls] != before
