@@ -1,9 +1,9 @@
-"""Two balls meet on the exact table: alone, or together with all that touch them at that moment."""
+"""Two balls meet on the exact table: alone, or together with all in contact with them at that moment."""
 
 from __future__ import annotations
 
 from game.billiards.exact.cluster import collide_jointly, gather_contacts, has_company
-from game.billiards.exact.impacts import collide_pair, end_chatter, normal_between
+from game.billiards.laws.impacts import collide_pair, end_chatter, normal_between
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.motion import advance, enter_phase
 from game.billiards.laws.state import FIRST, IMPULSE, MARK, MEMBER, SECOND, SLIDING
@@ -13,7 +13,7 @@ HIT = 3  # mark of a ball that got an impulse
 
 @inner_kernel(forceinline=True)
 def meet_alone(state, modes, pairs, i, j, now, physics):
-    """Balls i and j collide, and no other contact takes part. Returns whether they are stuck."""
+    """Balls i and j collide, and no other contact is involved. Returns whether they are stuck."""
     advance(state, modes, i, now, physics)
     advance(state, modes, j, now, physics)
     nx, ny = normal_between(state, i, j)
@@ -30,7 +30,7 @@ def meet_alone(state, modes, pairs, i, j, now, physics):
 def meet_in_company(
     state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
 ):
-    """Balls i and j collide together with all that touch them.
+    """Balls i and j collide together with all in contact with them.
 
     Moves the contacts that got an impulse to the front of ends, and writes their balls to row MEMBER of
     modes. Returns the numbers of both, and a ball that is stuck, -1 if none is.
@@ -65,13 +65,13 @@ def meet_in_company(
 
 
 @inner_kernel(inline="always")
-def meet(room, i, j, now, physics):
-    """Balls i and j touch at `now` (s): what comes of it, and of all that touch them.
+def meet(arrays, i, j, now, physics):
+    """Balls i and j come into contact at `now` (s): what comes of it, and of all in contact with them.
 
-    room: see `batch.view_room`. The contacts that got an impulse come first in ends, their balls in row
-    MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), -1 if none is.
+    arrays: see `batch.view_workspace`. The contacts that got an impulse come first in ends, their balls in
+    row MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), or -1.
     """
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = room
+    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = arrays
     ends[FIRST, 0] = i
     ends[SECOND, 0] = j
     if has_company(pairs, i, j, now):

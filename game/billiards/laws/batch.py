@@ -18,14 +18,14 @@ Array = NDArray[np.float64]
 
 
 class Workspace(NamedTuple):
-    """Room for one shot of n balls, kept and used again; `view_room` cuts it up."""
+    """Arrays for one shot of n balls, kept and used again; `view_workspace` cuts it up."""
 
     floats: Array
     integers: NDArray[np.int64]
 
 
 def workspace(n: int) -> Workspace:
-    """Room for shots of n balls."""
+    """A workspace for shots of n balls."""
     m = max(1, n * (n - 1) // 2)
     balls = FLOAT_ROWS + PAIR_PLANES * n + 2 + BALL_COLUMNS
     floats = n * balls + m * (FORCE_ROWS + 2 + CONTACT_COLUMNS)
@@ -62,7 +62,7 @@ class Log(NamedTuple):
 
 
 @inner_kernel(inline="always")
-def view_room(floats, integers, n):
+def view_workspace(floats, integers, n):
     """Views into a `Workspace`: state, modes, pairs, ends, forces, normals, velocities, and the joint
     solver's two."""
     m = max(1, n * (n - 1) // 2)

@@ -5,18 +5,19 @@ complementarity problem for all contacts that close at once, instead of pair aft
 mirror-symmetric hit has a mirror-symmetric outcome, whatever the numbering of the balls: to the last bit,
 because sums over the contacts of a ball do not depend on their order (see `solve_complementarity`).
 
-Which contacts take part is the caller's choice, and for Newton's cradle the two answers differ:
+Which contacts are involved is the caller's choice, and for Newton's cradle the two answers differ:
 
 - ``join_resting=False``: only closing contacts; what closes because of their impulses comes next, as a new
   round, until nothing closes (generalised reflections; Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012,
   "Reflections on Simultaneous Impact"). A cradle's last ball leaves with v and the others rest: what is
   seen on real cradles and racks. One ball onto two: both contacts close at once, (-1/5, 2 sqrt(3)/5).
-- ``join_resting=True``: contacts that touch without closing take part too (Newton's law imposed on all
+- ``join_resting=True``: contacts that neither close nor open are involved too (Newton's law imposed on all
   contacts at once; Moreau 1988). Three balls of a cradle leave with (-1/3, 2/3, 2/3).
 
-A contact with e = 0 takes part as soon as it touches, either way: without rebound nothing would come after.
+A contact with e = 0 is involved as soon as there is no gap, in either case: without rebound nothing would
+come after.
 
-Both conserve momentum, and neither ever raises the energy: only closing or resting contacts take part in a
+Both conserve momentum, and neither ever raises the energy: only closing or resting contacts are involved in a
 round, so every impulse J adds (1/2) J (u' + u) = -(1/2) J (1 - e) |u| <= 0, also where e differs from
 contact to contact.
 """
@@ -32,7 +33,7 @@ from numpy.typing import NDArray
 from game.physics.kernels.jit import kernel
 
 SPARE_ROUNDS = 16  # impacts within one instant beyond two per contact; then all contacts stop closing at once
-MAX_ITERATIONS = 3_000  # a touching rack needs 250, a ball 10,000 times lighter than its two neighbours 2,500
+MAX_ITERATIONS = 3_000  # a tight rack needs 250, a ball 10,000 times lighter than its two neighbours 2,500
 CLOSING = 1e-13  # of the fastest closing speed; slower ones count as resting
 SETTLED = 2.0**-51  # a change of impulse that is rounding only, relative to the largest demand
 
@@ -44,7 +45,7 @@ CONTACT_COLUMNS, BALL_COLUMNS = 7, 5
 
 
 class JointScratch(NamedTuple):
-    """Room to work in: contacts (m, CONTACT_COLUMNS), balls (n, BALL_COLUMNS)."""
+    """Scratch arrays: contacts (m, CONTACT_COLUMNS), balls (n, BALL_COLUMNS)."""
 
     contacts: NDArray[np.float64]
     balls: NDArray[np.float64]
@@ -99,7 +100,7 @@ def _share_out(count, first, second, inverse_masses, contacts, balls):
     """Step length of each contact by mass splitting (Tonge, Benevolenski, Voroshilov 2012); True if coupled.
 
     A ball of k contacts is shared out among them, k times as light; the steps then never overshoot jointly.
-    Contacts with nothing to move get step 0 and take no part.
+    Contacts with nothing to move get step 0 and are left out.
     """
     for i in range(count):
         balls[first[i], _VALENCE] = 0.0
@@ -142,10 +143,10 @@ def _descend(count, first, second, normals, contacts, balls):
                 vy -= balls[b, _COARSE_Y] + balls[b, _FINE_Y]
             change = vx * normals[i, 0] + vy * normals[i, 1]
             ahead = contacts[i, _AHEAD]
-            wanted = max(0.0, ahead + contacts[i, STEP] * (contacts[i, DEMAND] + change))
+            target = max(0.0, ahead + contacts[i, STEP] * (contacts[i, DEMAND] + change))
             contacts[i, _BEFORE] = contacts[i, _NOW]
-            contacts[i, _NOW] = wanted
-            moved = max(moved, abs(wanted - ahead) / contacts[i, STEP])
+            contacts[i, _NOW] = target
+            moved = max(moved, abs(target - ahead) / contacts[i, STEP])
             scale = max(scale, abs(contacts[i, DEMAND]), abs(change))
     return moved, scale
 
@@ -173,9 +174,9 @@ def solve_complementarity(
 ):
     """Least impulses J >= 0 that meet each contact's demand: A J >= d, J . (A J - d) = 0; and apply them.
 
-    contacts[:, DEMAND] d and contacts[:, STEP] > 0 for those that take part are read. targets (n, 2 or
+    contacts[:, DEMAND] d and contacts[:, STEP] > 0 for those involved are read. targets (n, 2 or
     more): velocities, if a demand is a change of closing speed (m/s), or positions, if it is a distance by
-    which to part what overlaps (m); columns 0 and 1 are changed. impulses (m,): added to. Accelerated
+    which to separate what overlaps (m); columns 0 and 1 are changed. impulses (m,): added to. Accelerated
     projected gradient (Nesterov 1983; Mazhar, Heyn, Negrut, Tasora 2015) whose every sum and test is
     independent of the order of the contacts. Contradictory demands (a ball between walls too narrow for it)
     end as a compromise after `max_iterations`. Returns iterations.
@@ -218,7 +219,7 @@ def solve_complementarity(
 
 @kernel
 def _measure_closing(count, first, second, normals, velocities, contacts):
-    """Write the speed at which each contact closes, m/s, to DEMAND; returns the fastest, either way."""
+    """Write the speed at which each contact closes, m/s, to DEMAND; returns the fastest of either sign."""
     fastest = 0.0
     for i in range(count):
         vx = velocities[first[i], 0]
@@ -253,7 +254,7 @@ def solve_joint_impulses(
     total of each contact, written. join_resting: bool, see the module. contacts, balls: `joint_scratch`;
     contacts[:, SPEED] is left with the closing speeds before the first round, m/s.
 
-    If impacts go on without end (e < 1 between touching balls), the last of 2 m + SPARE_ROUNDS rounds lets
+    If impacts go on without end (e < 1 between balls in contact), the last of 2 m + SPARE_ROUNDS rounds lets
     every contact stop closing without rebound; that too conserves momentum and cannot raise the energy.
     """
     limit = 2 * count + SPARE_ROUNDS

@@ -43,6 +43,7 @@ from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
     SAMPLE_MOTION,
     SampledTrajectory,
+    check_steps,
     sampled_trajectory,
     samples_for,
 )
@@ -63,10 +64,9 @@ Array = NDArray[np.float64]
 STEPS, SAMPLES, STRIDE = range(3, 6)  # counters, after those of the contacts; stride: steps between samples
 COUNTERS = 6
 MAX_EVENTS = 20_000  # kept of one shot; breaks have about 150
-MAX_DT = 10.0  # s
-MAX_UNTIL = 1e6  # s
-MAX_STEPS = 20_000_000
 MAX_PASSES = 1_000
+STEP = 1.0 / 240.0  # s, unless said otherwise
+PASSES = 4
 
 
 class Steps(NamedTuple):
@@ -100,7 +100,7 @@ def write_sample(state, modes, samples):
 
 @lean_kernel
 def keep_sample(state, modes, time, times, samples, counters):
-    """Write a sample, having dropped every second when there is no room."""
+    """Write a sample, having dropped every second when the list is full."""
     row = counters[SAMPLES]
     if row == times.shape[0]:
         row = (row + 1) // 2
@@ -193,29 +193,20 @@ def go_on(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, last, 
 def steps_for(shot: Shot) -> Steps:
     """The balls of a shot on the table, at time 0."""
     n = len(shot.balls)
-    room = Steps(
+    steps = Steps(
         np.zeros((FLOAT_ROWS, n)),
         np.zeros((INTEGER_ROWS, n), np.int64),
         np.zeros((PAIR_PLANES, n, n)),
         np.zeros((2, n)),
     )
-    room.state[X : WZ + 1] = shot.balls[:, : IN_WZ + 1].T
-    room.state[RADIUS] = shot.balls[:, IN_RADIUS]
-    room.state[MASS] = shot.balls[:, IN_MASS]
-    room.state[CLEAR] = shot.balls[:, IN_CLEAR]
-    room.state[RAIL_TIME] = -1.0
-    room.modes[MOTION] = shot.balls[:, IN_MOTION]
-    room.pairs[MET] = -1.0
-    return room
-
-
-def check_steps(dt: float, until: float) -> None:
-    """ShotError if the step or the time to play is absurd."""
-    for name, value, most in (("dt", dt, MAX_DT), ("until", until, MAX_UNTIL)):
-        if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 < value <= most):
-            raise ShotError(f"{name}: must be above 0 and at most {most:g} s, got {value!r}")
-    if until / dt > MAX_STEPS:
-        raise ShotError(f"dt: {until:g} s would be more than {MAX_STEPS} steps of {dt!r} s")
+    steps.state[X : WZ + 1] = shot.balls[:, : IN_WZ + 1].T
+    steps.state[RADIUS] = shot.balls[:, IN_RADIUS]
+    steps.state[MASS] = shot.balls[:, IN_MASS]
+    steps.state[CLEAR] = shot.balls[:, IN_CLEAR]
+    steps.state[RAIL_TIME] = -1.0
+    steps.modes[MOTION] = shot.balls[:, IN_MOTION]
+    steps.pairs[MET] = -1.0
+    return steps
 
 
 class SteppedPlay:
@@ -233,8 +224,8 @@ class SteppedPlay:
             raise ShotError(f"passes: must be a whole number from 1 to {MAX_PASSES}, got {passes!r}")
         self.time = 0.0
         self.passes = int(passes)
-        self.room = steps_for(shot)
-        # a copy, for kernels are compiled anew for arrays that may not be written to
+        self.arrays = steps_for(shot)
+        # a copy, for kernels are compiled again for arrays that may not be written to
         self.elements = np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2])
         self.constants = shot.constants
         self.middle = shot.layout.middle
@@ -244,14 +235,14 @@ class SteppedPlay:
     def play_to(self, step: int, dt: float) -> bool:
         """Go on in steps of dt s to the end of the step of that number; True if nothing moves any more."""
         at_rest = go_on(
-            *self.room, *self.elements, self.constants, dt, step, self.passes, self.log, self.counters
+            *self.arrays, *self.elements, self.constants, dt, step, self.passes, self.log, self.counters
         )
         self.time = int(self.counters[STEPS]) * dt
         return bool(at_rest)
 
     def write(self, sample: Array) -> None:
         """Write the balls as they are to sample (n, 8)."""
-        write_sample(self.room.state, self.room.modes, sample)
+        write_sample(self.arrays.state, self.arrays.modes, sample)
         sample[:, :2] += self.middle
 
     @property
@@ -271,7 +262,7 @@ class SteppedPlay:
 
 
 def simulate_stepped(
-    shot: Shot, dt: float = 1.0 / 240.0, passes: int = 4, until: float = 60.0
+    shot: Shot, dt: float = STEP, passes: int = PASSES, until: float = 60.0
 ) -> SampledTrajectory:
     """Play a shot in steps of dt s, with up to `passes` rounds of contacts in each, at most to `until` (s).
 
@@ -283,7 +274,7 @@ def simulate_stepped(
     times = np.empty(samples_for(n))
     samples = np.empty((len(times), n, SAMPLE_COLUMNS))
     play_steps(
-        *play.room, *play.elements, play.constants, float(dt), float(until), play.passes,
+        *play.arrays, *play.elements, play.constants, float(dt), float(until), play.passes,
         play.log, times, samples, play.counters,
     )  # fmt: skip
     kept = int(play.counters[SAMPLES])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.billiards.lecture.state import RULES
+from game.billiards.lecture.settings import RULES
 from game.stage import Choice, Param, Parameters, Toggle
 
 

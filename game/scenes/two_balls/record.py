@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from game.billiards.lecture.ball import Ball, Overshoot
 from game.billiards.lecture.ball_collision import Collision
-from game.billiards.lecture.state import RULES
+from game.billiards.lecture.settings import RULES
 
 Array = NDArray[np.float64]
 

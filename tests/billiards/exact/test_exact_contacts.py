@@ -8,12 +8,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from game.billiards import Physics, Table, make_shot, simulate
-from game.billiards.exact.impacts import collide_pair, normal_between
 from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
 from game.billiards.laws.contacts.cushion_han_2005 import bounce_han_2005 as inner_han
 from game.billiards.laws.contacts.cushion_mathavan_2010 import STEPS, follow_impact
 from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2010 as inner_mathavan
 from game.billiards.laws.contacts.cushion_mathavan_2010 import follow_to_the_limit as inner_limit
+from game.billiards.laws.impacts import collide_pair, normal_between
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import FLOAT_ROWS, MASS, RADIUS, VX, VY, WX, WY, WZ, X
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS

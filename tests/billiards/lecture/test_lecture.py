@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numba.core.runtime import _nrt_python, rtsys
 
+from game.billiards.lecture.settings import lecture_settings
 from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     EVENT_CAPACITY,
@@ -19,7 +20,6 @@ from game.billiards.lecture.state import (
     POCKETS,
     ROLLING,
     WALLS,
-    LectureSettings,
     geometry_of,
 )
 from game.billiards.lecture.table import LectureTable, warm_ups
@@ -30,13 +30,13 @@ from game.physics.fields import GRAVITY
 
 EPS = 2.0**-52
 FRAME = 1.0 / 60.0
-LOSSLESS = LectureSettings(bounce=1.0, restitution=1.0, friction=1.0, minimum_speed=0.0)
+LOSSLESS = lecture_settings(bounce=1.0, restitution=1.0, friction=1.0, minimum_speed=0.0)
 
 
 def free_balls(positions, velocities, radii=R, masses=1.0, **declared):
     """Balls on cloth without an edge."""
     balls = LectureTable(Table.open(), positions, radii, masses, velocities, BALL_COLLISIONS, LOSSLESS)
-    balls.configure(**declared)
+    balls.settings = lecture_settings(balls.settings, **declared)
     return balls
 
 
@@ -123,7 +123,7 @@ def test_cushion_event_tells_row_speed_impulse_and_place():
     balls = LectureTable(
         Table.bare(1.0, 2.0), [[0.95, 1.0]], velocities=[[3.0, 0.0]], effects=WALLS, masses=2.0
     )
-    balls.configure(bounce=0.5)
+    balls.settings = lecture_settings(balls.settings, bounce=0.5)
     balls.step(FRAME)
     (event,) = balls.events
     assert (event.kind, event.ball, event.other) == ("cushion", 0, 1)
@@ -137,7 +137,7 @@ def test_every_pocket_takes_a_ball_rolling_straight_in(row, substeps):
     table = Table.pool()
     aim = table.pockets[row, :2]
     start = np.array([0.635, 1.27]) + 0.5 * (aim - [0.635, 1.27])
-    balls = LectureTable(table, [start], settings=LectureSettings(substeps=substeps))
+    balls = LectureTable(table, [start], settings=lecture_settings(substeps=substeps))
     balls.strike(0, (aim - start) / math.dist(aim, start) * 3.0)
     kinds = []
     for _ in range(120):
@@ -230,7 +230,7 @@ def test_effects_switch_what_is_computed():
 
 
 def broken_rack(**declared):
-    balls = LectureTable(Table.pool(), eight_ball_rack(Table.pool()), settings=LectureSettings(**declared))
+    balls = LectureTable(Table.pool(), eight_ball_rack(Table.pool()), settings=lecture_settings(**declared))
     balls.strike(0, (0.4, 8.0))
     return balls
 
@@ -270,7 +270,7 @@ def test_same_bits_as_plain_python(order):
         "from game.billiards.lecture.table import *\n"
         "from game.billiards.table.rack import eight_ball_rack\n"
         "p = Table.pool()\n"
-        "t = LectureTable(p, eight_ball_rack(p), settings=LectureSettings(order=sys.argv[2]))\n"
+        "t = LectureTable(p, eight_ball_rack(p), settings=lecture_settings(order=sys.argv[2]))\n"
         "t.strike(0, (0.4, 8.0)); t.state.offsets[0, 1] = 0.5\n"
         "[t.step(1 / 60) for _ in range(8)]\n"
         "print(b''.join(array.tobytes() for array in t.state).hex())"
@@ -328,7 +328,7 @@ def test_counters_and_bounded_events():
     assert many.counters["events_lost"] > 0
 
 
-def test_crowd_is_parted_within_the_room_for_contacts():
+def test_crowd_is_separated_within_the_capacity_for_contacts():
     crowd = 0.05 * np.stack(np.meshgrid(np.arange(12), np.arange(12)), axis=-1).reshape(-1, 2)
     balls = free_balls(crowd, None, passes=20)
     for _ in range(10):
@@ -387,13 +387,17 @@ def test_bad_steps_are_refused(dt):
 
 
 @pytest.mark.parametrize(
-    ("knob", "value"),
+    ("parameter", "value"),
     [
         ("minimum_speed", -1.0),
         ("substeps", -1),
         ("substeps", 1.5),
         ("passes", 0),
+        ("passes", True),
+        ("friction", 1.5),
+        ("walls_again", 1),
         ("rule", "magic"),
+        ("rule", 0),
         ("order", "random"),
         ("bounce", "much"),
         ("rule", "scaled"),  # needs the order pairwise
@@ -403,9 +407,9 @@ def test_bad_parameters_are_refused_and_change_nothing(parameter, value):
     balls = LectureTable(Table.bare(1.0, 2.0), [[0.5, 0.5]])
     before = balls.settings
     with pytest.raises(ValueError, match=parameter if value != "scaled" else "order"):
-        balls.configure(**{parameter: value})
+        balls.settings = lecture_settings(balls.settings, **{parameter: value})
     with pytest.raises(ValueError, match="colour"):
-        balls.configure(colour=3)
+        balls.settings = lecture_settings(balls.settings, colour=3)
     assert balls.settings == before
 
 
