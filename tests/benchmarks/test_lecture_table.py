@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.billiards.laws.joint import joint_scratch, solve_joint_impulses
+from game.billiards.laws.joint import ContactGraph, joint_scratch, solve_joint_impulses
 from game.billiards.lecture.settings import lecture_settings
 from game.billiards.lecture.state import LECTURE_EFFECTS
 from game.billiards.lecture.table import LectureTable
@@ -84,16 +84,13 @@ def test_joint_impulses_of_a_touching_rack(benchmark, join_resting):
         velocities[0, 1] = 8.0
         return solve_joint_impulses(
             count,
-            first,
-            second,
-            normals,
+            ContactGraph(first, second, normals),
             np.full(count, 0.95),
             np.full(16, 6.0),
             velocities,
             impulses,
             join_resting,
-            scratch.contacts,
-            scratch.balls,
+            scratch,
         )
 
     assert benchmark(solve) >= 1

@@ -25,7 +25,7 @@ from game.billiards.laws.contacts.ball_ball_friction import (
     torque_direction,
 )
 from game.billiards.laws.contacts.ball_ball_normal import reach_of
-from game.billiards.laws.joint import solve_joint_impulses
+from game.billiards.laws.joint import ContactGraph, solve_joint_impulses
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     AT_REST,
@@ -221,14 +221,14 @@ def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
 
 
 @inner_kernel
-def collide_jointly(
-    state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
-):
+def collide_jointly(state, modes, found, count, cluster, physics):
     """Solve `count` contacts of one moment between the first `found` balls of row MEMBER of modes.
 
-    ends, normals (m, 2): from `gather_contacts`. velocities (n, 2) and the joint arrays are scratch. Row
-    IMPULSE of forces is written: the sum of each contact's normal impulses, N s.
+    cluster: ends and normals come from `gather_contacts`; row IMPULSE of forces is written, the sum of each
+    contact's normal impulses, N s; the rest is scratch.
     """
+    ends, forces, normals, velocities, scratch = cluster
+    graph = ContactGraph(ends[FIRST], ends[SECOND], normals)
     for m in range(count):
         forces[RESTITUTION, m] = physics[BALL_RESTITUTION]
         forces[IMPULSE, m] = 0.0
@@ -239,16 +239,13 @@ def collide_jointly(
             velocities[k, 1] = state[VY, k]
         solve_joint_impulses(
             count,
-            ends[FIRST],
-            ends[SECOND],
-            normals,
+            graph,
             forces[RESTITUTION],
             state[INVERSE_MASS],
             velocities,
             forces[JOINT_IMPULSE],
             False,
-            joint_contacts,
-            joint_balls,
+            scratch,
         )
         for q in range(found):
             k = modes[MEMBER, q]

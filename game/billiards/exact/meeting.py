@@ -27,20 +27,18 @@ def meet_alone(state, modes, pairs, i, j, now, physics):
 
 
 @inner_kernel
-def meet_in_company(
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
-):
+def meet_in_company(arrays, i, j, now, physics):
     """Balls i and j collide together with all in contact with them.
 
     Moves the contacts that got an impulse to the front of ends, and writes their balls to row MEMBER of
     modes. Returns the numbers of both, and a ball that is stuck, -1 if none is.
     """
+    state, modes, pairs, cluster = arrays
+    ends, forces, normals = cluster.ends, cluster.forces, cluster.normals
     count, found = gather_contacts(state, modes, pairs, i, j, now, ends, normals)
     for q in range(found):
         advance(state, modes, modes[MEMBER, q], now, physics)
-    collide_jointly(
-        state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
-    )
+    collide_jointly(state, modes, found, count, cluster, physics)
     written = 0
     stuck = -1
     for m in range(count):
@@ -68,16 +66,13 @@ def meet_in_company(
 def meet(arrays, i, j, now, physics):
     """Balls i and j come into contact at `now` (s): what comes of it, and of all in contact with them.
 
-    arrays: see `batch.view_workspace`. The contacts that got an impulse come first in ends, their balls in
+    arrays: see `batch.Arrays`. The contacts that got an impulse come first in ends, their balls in
     row MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), or -1.
     """
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = arrays
+    ends = arrays.cluster.ends
     ends[FIRST, 0] = i
     ends[SECOND, 0] = j
-    if has_company(pairs, i, j, now):
-        return meet_in_company(
-            state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now,
-            physics,
-        )  # fmt: skip
-    stuck = meet_alone(state, modes, pairs, i, j, now, physics)
+    if has_company(arrays.pairs, i, j, now):
+        return meet_in_company(arrays, i, j, now, physics)
+    stuck = meet_alone(arrays.state, arrays.modes, arrays.pairs, i, j, now, physics)
     return 1, 2, i if stuck else -1

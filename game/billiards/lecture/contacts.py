@@ -137,10 +137,10 @@ def _add_contact(contacts, count, first, second, normal_x, normal_y, gap, restit
     """Append a contact to the list if there is capacity; returns the new length."""
     if count >= contacts.gaps.shape[0]:
         return count
-    contacts.first[count] = first
-    contacts.second[count] = second
-    contacts.normals[count, 0] = normal_x
-    contacts.normals[count, 1] = normal_y
+    contacts.graph.first[count] = first
+    contacts.graph.second[count] = second
+    contacts.graph.normals[count, 0] = normal_x
+    contacts.graph.normals[count, 1] = normal_y
     contacts.gaps[count] = gap
     contacts.restitutions[count] = restitution
     return count + 1
@@ -208,19 +208,20 @@ def _report_impulses(state, geometry, contacts, journal, count, time):
     cushions = geometry.cushions.shape[0]
     for c in range(count):
         if contacts.impulses[c] > 0.0:
-            i = contacts.first[c]
-            x = state.offsets[i, 0] + state.radii[i] * contacts.normals[c, 0]
-            y = state.offsets[i, 1] + state.radii[i] * contacts.normals[c, 1]
+            i = contacts.graph.first[c]
+            x = state.offsets[i, 0] + state.radii[i] * contacts.graph.normals[c, 0]
+            y = state.offsets[i, 1] + state.radii[i] * contacts.graph.normals[c, 1]
             kind = BALL_BALL
-            other = contacts.second[c]
+            other = contacts.graph.second[c]
             if other < 0:
                 other = -1 - other
                 kind = BALL_CUSHION if other < cushions else BALL_JAW
                 other -= 0 if other < cushions else cushions
-            speed = contacts.work[c, SPEED]
+            speed = contacts.scratch.contacts[c, SPEED]
             if speed <= 0.0:  # it closed only because of other impacts of this instant
+                second = contacts.graph.second[c]
                 yielding = state.inverse_masses[i]
-                yielding += state.inverse_masses[contacts.second[c]] if contacts.second[c] >= 0 else 0.0
+                yielding += state.inverse_masses[second] if second >= 0 else 0.0
                 speed = contacts.impulses[c] * yielding / (1.0 + contacts.restitutions[c])
             report(journal, kind, i, other, time, speed, contacts.impulses[c], x, y)
 
@@ -229,18 +230,15 @@ def _report_impulses(state, geometry, contacts, journal, count, time):
 def _separate(state, contacts, count):
     """Move the listed balls apart, all at once and as little as possible (by mass); returns iterations."""
     for c in range(count):
-        contacts.work[c, DEMAND] = -contacts.gaps[c]
-        contacts.work[c, STEP] = 1.0
+        contacts.scratch.contacts[c, DEMAND] = -contacts.gaps[c]
+        contacts.scratch.contacts[c, STEP] = 1.0
     return solve_complementarity(
         count,
-        contacts.first,
-        contacts.second,
-        contacts.normals,
+        contacts.graph,
         state.inverse_masses,
         state.offsets,
         contacts.impulses,
-        contacts.work,
-        contacts.sums,
+        contacts.scratch,
         np.int64(MAX_SEPARATING),
     )
 
@@ -263,22 +261,19 @@ def collide_jointly(state, geometry, settings, contacts, journal, time):
             journal.counters[ITERATIONS] += _separate(state, contacts, count)
             continue
         for c in range(count):
-            if not contacts.gaps[c] < IN_CONTACT * state.radii[contacts.first[c]]:
-                contacts.normals[c, 0] = 0.0  # only nearby: no part in the impacts
-                contacts.normals[c, 1] = 0.0
+            if not contacts.gaps[c] < IN_CONTACT * state.radii[contacts.graph.first[c]]:
+                contacts.graph.normals[c, 0] = 0.0  # only nearby: no part in the impacts
+                contacts.graph.normals[c, 1] = 0.0
             else:
                 journal.counters[CONTACTS] += 1
         journal.counters[ROUNDS] += solve_joint_impulses(
             count,
-            contacts.first,
-            contacts.second,
-            contacts.normals,
+            contacts.graph,
             contacts.restitutions,
             state.inverse_masses,
             state.velocities,
             contacts.impulses,
             settings.propagation == AT_ONCE,
-            contacts.work,
-            contacts.sums,
+            contacts.scratch,
         )
         _report_impulses(state, geometry, contacts, journal, count, time)

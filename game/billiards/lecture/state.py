@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.billiards.laws.joint import joint_scratch
+from game.billiards.laws.joint import ContactGraph, JointScratch, joint_scratch
 from game.billiards.table.table import Table
 from game.physics.effects import Room, declare_effect
 
@@ -77,25 +77,22 @@ class Journal(NamedTuple):
 class ContactList(NamedTuple):
     """Contacts of one substep, and scratch arrays to solve them in.
 
-    first (m,): ball. second (m,): ball, or -1 - row of a wall (cushions first, then jaws). normals (m, 2):
-    from first to second. gaps (m,) m. restitutions (m,). impulses (m,) N s. work, sums: see joint.py.
+    graph: second is a ball, or -1 - row of a wall (cushions first, then jaws). gaps (m,) m. restitutions
+    (m,). impulses (m,) N s. scratch: see joint.py.
     """
 
-    first: NDArray[np.int64]
-    second: NDArray[np.int64]
-    normals: Array
+    graph: ContactGraph
     gaps: Array
     restitutions: Array
     impulses: Array
-    work: Array
-    sums: Array
+    scratch: JointScratch
 
 
 class LectureScratch(NamedTuple):
     """Arrays that a step works in, few because each costs time to hand over.
 
     events and counters: see Journal. rolled (n, 2) m. links (2, m): first, second. columns (3, m): gaps,
-    restitutions, impulses. normals (m, 2), work and sums: see ContactList.
+    restitutions, impulses. normals (m, 2). work and sums: the two of JointScratch.
     """
 
     events: Array

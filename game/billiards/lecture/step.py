@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from game.billiards.laws.joint import ContactGraph, JointScratch
 from game.billiards.lecture.contacts import collide_in_index_order, collide_jointly
 from game.billiards.lecture.settings import (
     AUTOMATIC,
@@ -133,7 +134,8 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
         geometry = LectureGeometry(half[0], half[1], cushions, jaws, pockets)
         settings = read_settings(numbers)
         journal = Journal(events, counters)
-        contacts = ContactList(links[0], links[1], normals, columns[0], columns[1], columns[2], work, sums)
+        graph = ContactGraph(links[0], links[1], normals)
+        contacts = ContactList(graph, columns[0], columns[1], columns[2], JointScratch(work, sums))
         counters[:] = 0
         factor = 1.0
         if mask & _FRICTION:

@@ -226,8 +226,11 @@ def meet_balls(state, modes, pairs, physics, events, counters):
 
 
 @lean_kernel
-def settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters):
+def settle_contacts(steps, elements, physics, passes, log):
     """Pockets, then up to `passes` rounds of balls and rails, until nothing overlaps."""
+    state, modes, pairs, old = steps
+    cushions, jaws, pockets = elements
+    events, counters = log
     n = state.shape[1]
     for i in range(n):
         motion = modes[MOTION, i]

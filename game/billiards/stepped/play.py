@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.billiards.laws.batch import Elements
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import (
     CLEAR,
@@ -78,6 +79,13 @@ class Steps(NamedTuple):
     old: Array
 
 
+class StepLog(NamedTuple):
+    """What a shot in steps reports: events (e, 4), counters (6,), named above."""
+
+    events: Array
+    counters: NDArray[np.int64]
+
+
 @lean_kernel
 def is_at_rest(modes, physics):
     """True if nothing will happen any more: all balls rest, or spin in place for ever."""
@@ -116,8 +124,9 @@ def keep_sample(state, modes, time, times, samples, counters):
 
 
 @lean_kernel
-def take_step(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, now, passes, events, counters):
+def take_step(steps, elements, physics, dt, now, passes, log):
     """One step of dt s, to the time `now` (s)."""
+    state, modes, _, old = steps
     for i in range(state.shape[1]):
         state[TIME, i] = now
         old[OLD_X, i] = state[X, i]
@@ -125,33 +134,18 @@ def take_step(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, no
         if modes[MOTION, i] != STATIONARY and modes[MOTION, i] != POCKETED:
             event = step_on_cloth(state, modes, i, dt, physics)
             if event != NO_EVENT:
-                log_event(events, counters, now, event, i, -1)
-    settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters)
+                log_event(log.events, log.counters, now, event, i, -1)
+    settle_contacts(steps, elements, physics, passes, log)
 
 
 @lean_kernel
-def play_steps(
-    state,
-    modes,
-    pairs,
-    old,
-    cushions,
-    jaws,
-    pockets,
-    physics,
-    dt,
-    until,
-    passes,
-    events,
-    times,
-    samples,
-    counters,
-):
+def play_steps(steps, elements, physics, dt, until, passes, log, times, samples):
     """Play a shot in steps of dt s until all balls rest, or to the time `until` (s).
 
-    The last step may be shorter. Writes events (e, 4), times (m,) and samples (m, n, 8), and counters (6,),
-    which are named above.
+    The last step may be shorter. Writes the log, times (m,) and samples (m, n, 8).
     """
+    state, modes = steps.state, steps.modes
+    counters = log.counters
     step = 0
     now = 0.0
     counters[STRIDE] = 1
@@ -162,10 +156,7 @@ def play_steps(
         now = step * dt
         if now > until - 1e-9 * dt:
             now = until
-        take_step(
-            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
-            events, counters,
-        )  # fmt: skip
+        take_step(steps, elements, physics, now - before, now, passes, log)
         if step % counters[STRIDE] == 0:
             keep_sample(state, modes, now, times, samples, counters)
     if times[counters[SAMPLES] - 1] < now:
@@ -177,16 +168,17 @@ def play_steps(
 def go_on(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, last, passes, events, counters):
     """Go on in steps of dt s to the end of the step `last`, or until all balls rest; true if they do.
 
-    Writes events (e, 4) and counters (6,) as `play_steps` does, but no samples.
+    Writes the log as `play_steps` does, but no samples. (Arrays one by one: it is called for every few steps,
+    and the three tuples would take longer to pass than those steps to compute.)
     """
+    steps = Steps(state, modes, pairs, old)
+    elements = Elements(cushions, jaws, pockets)
+    log = StepLog(events, counters)
     while counters[STEPS] < last and not is_at_rest(modes, physics):
         before = counters[STEPS] * dt
         counters[STEPS] += 1
         now = counters[STEPS] * dt
-        take_step(
-            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
-            events, counters,
-        )  # fmt: skip
+        take_step(steps, elements, physics, now - before, now, passes, log)
     return is_at_rest(modes, physics)
 
 
@@ -226,18 +218,15 @@ class SteppedPlay:
         self.passes = int(passes)
         self.arrays = steps_for(shot)
         # a copy, for kernels are compiled again for arrays that may not be written to
-        self.elements = np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2])
+        self.elements = Elements(*np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2]))
         self.constants = shot.constants
         self.middle = shot.layout.middle
-        self.log = np.empty((MAX_EVENTS, 4))
-        self.counters = np.zeros(COUNTERS, np.int64)
+        self.log = StepLog(np.empty((MAX_EVENTS, 4)), np.zeros(COUNTERS, np.int64))
 
     def play_to(self, step: int, dt: float) -> bool:
         """Go on in steps of dt s to the end of the step of that number; True if nothing moves any more."""
-        at_rest = go_on(
-            *self.arrays, *self.elements, self.constants, dt, step, self.passes, self.log, self.counters
-        )
-        self.time = int(self.counters[STEPS]) * dt
+        at_rest = go_on(*self.arrays, *self.elements, self.constants, dt, step, self.passes, *self.log)
+        self.time = int(self.log.counters[STEPS]) * dt
         return bool(at_rest)
 
     def write(self, sample: Array) -> None:
@@ -248,12 +237,12 @@ class SteppedPlay:
     @property
     def events(self) -> Array:
         """Events so far (e, 4), as in `Trajectory`; a view."""
-        return self.log[: self.counters[EVENTS]]
+        return self.log.events[: self.log.counters[EVENTS]]
 
     @property
     def counts(self) -> dict[str, int]:
         """How much work it was, by name."""
-        counters = self.counters
+        counters = self.log.counters
         return {
             "steps": int(counters[STEPS]),
             "pair_tests": int(counters[PAIR_TESTS]),
@@ -274,10 +263,10 @@ def simulate_stepped(
     times = np.empty(samples_for(n))
     samples = np.empty((len(times), n, SAMPLE_COLUMNS))
     play_steps(
-        *play.arrays, *play.elements, play.constants, float(dt), float(until), play.passes,
-        play.log, times, samples, play.counters,
+        play.arrays, play.elements, play.constants, float(dt), float(until), play.passes, play.log,
+        times, samples,
     )  # fmt: skip
-    kept = int(play.counters[SAMPLES])
+    kept = int(play.log.counters[SAMPLES])
     samples = samples[:kept].copy()
     samples[:, :, :2] += play.middle
     return sampled_trajectory(shot, play.events.copy(), times[:kept].copy(), samples, play.counts)
