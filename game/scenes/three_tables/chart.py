@@ -66,7 +66,7 @@ def draw_chart(canvas: Canvas, model: ThreeTablesModel, time: float) -> None:
 
 
 def _apart(ends: list[tuple[np.ndarray, str]], least: float) -> list[tuple[np.ndarray, str]]:
-    """Labels pushed apart downwards, so that no two lie on each other."""
+    """Labels pushed apart downwards, so that no two overlap."""
     spread: list[tuple[np.ndarray, str]] = []
     for point, name in sorted(ends, key=lambda end: float(end[0][0])):
         x = float(point[0]) if not spread else max(float(point[0]), float(spread[-1][0][0]) + least)
