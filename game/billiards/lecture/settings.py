@@ -96,9 +96,9 @@ def _checked(name: str, value: Any) -> Any:
         if isinstance(value, bool) or not (isinstance(value, int | np.integer) and low <= value <= high):
             raise ValueError(f"{name}: must be a whole number from {low} to {high}, got {value!r}")
         return int(value)
-    high = MAX_SPEED if name == "minimum_speed" else 1.0
-    if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 <= value <= high):
-        raise ValueError(f"{name}: must be a number from 0 to {high:g}, got {value!r}")
+    most = MAX_SPEED if name == "minimum_speed" else 1.0
+    if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 <= value <= most):
+        raise ValueError(f"{name}: must be a number from 0 to {most:g}, got {value!r}")
     return float(value)
 
 

@@ -12,7 +12,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numba.core.runtime import _nrt_python, rtsys
 
-from game.billiards.lecture.settings import lecture_settings
+from game.billiards.lecture.settings import (
+    DEFAULTS,
+    FRICTION_LAWS,
+    ORDERS,
+    PAIRWISE,
+    PROPAGATIONS,
+    REPOSITIONINGS,
+    RULES,
+    LectureSettings,
+    lecture_settings,
+    read_settings,
+)
 from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     EVENT_CAPACITY,
@@ -338,6 +349,24 @@ def test_crowd_is_separated_within_the_capacity_for_contacts():
 
 
 # -- what comes in
+
+
+def test_kernels_read_the_settings_that_were_made():
+    settings = LectureSettings(0.1, 0.2, 0.3, 0.4, 5, 6, 1, 1, 1, 2, 1, False)
+    assert read_settings(np.array(settings, dtype=np.float64)) == settings
+
+
+def test_choices_have_words_outside_and_places_inside():
+    for name, choices in (
+        ("rule", RULES),
+        ("order", ORDERS),
+        ("propagation", PROPAGATIONS),
+        ("repositioning", REPOSITIONINGS),
+        ("friction_law", FRICTION_LAWS),
+    ):
+        for place, word in enumerate(choices):
+            made = lecture_settings(DEFAULTS._replace(order=PAIRWISE), **{name: word})
+            assert getattr(made, name) == place
 
 
 def test_any_array_like_gives_the_same():

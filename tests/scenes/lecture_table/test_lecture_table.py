@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from game.billiards.lecture.settings import DEFAULTS, lecture_settings
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.levels import LevelError, level_files, load_level
 from game.scenes.lecture_table.scene import LectureTable
@@ -145,6 +146,17 @@ def test_two_runs_and_a_run_saved_half_way_give_one_digest():
     assert first.digest() != second.digest()
     first.run(50)
     assert first.digest() == second.digest()
+
+
+def test_defaults_are_those_of_the_table_and_a_change_reaches_it():
+    stage = free_table()
+    assert stage.scene.model.table.settings == DEFAULTS
+    stage.post(SetParameter("restitution", 0.5))
+    stage.post(SetParameter("rule", "scaled"))  # impulses are not for this rule, so pair by pair
+    expected = lecture_settings(restitution=0.5, rule="scaled", order="pairwise")
+    assert stage.scene.model.table.settings == expected
+    stage.post(SetParameter("rule", "conserving"))
+    assert stage.scene.model.table.settings == DEFAULTS._replace(restitution=0.5)
 
 
 def test_effects_can_be_switched_and_what_is_off_does_nothing():

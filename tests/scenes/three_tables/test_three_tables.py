@@ -151,6 +151,15 @@ def test_a_stroke_by_hand_on_any_of_the_tables():
         assert speeds == pytest.approx([stage.scene.model.shot[2]] * len(speeds), rel=1e-9)
 
 
+def test_a_heavier_cue_ball_gets_the_speed_that_is_shown(tmp_path):
+    path = tmp_path / "heavy.toml"
+    ball = "{ number = 0, position = [0.6, 0.6], mass = 0.3 }"
+    path.write_text(f'scene = "three-tables"\n[content]\nballs = [{ball}]\nspeed = 2.0\n')
+    stage = Stage(ThreeTables, level=load_level(path, "three-tables", ThreeTables.content_type))
+    for table in stage.scene.model.played.tables.values():
+        assert np.linalg.norm(table.state_at(0.0).velocities[0]) == pytest.approx(2.0, rel=1e-12)
+
+
 def test_after_a_shot_all_go_on_from_the_exact_table():
     stage = open_level("draw-shot")
     end = stage.scene.model.played.tables["exact"].final
