@@ -1,7 +1,7 @@
 """Shots on the tables that step, computed as far as they are asked for.
 
-A minute in steps of 50 µs takes more than a second to compute, and what shows it wants a sixtieth of a second
-of it at a time. What is known of a moment does not depend on how much has been computed beyond it.
+A minute in steps of 50 µs takes more than a second to compute, and a picture needs a sixtieth of a second of
+it at a time. What is known of a moment does not depend on how much has been computed beyond it.
 """
 
 from __future__ import annotations
@@ -13,14 +13,20 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.state import IN_MOTION, IN_WZ
 from game.billiards.lecture.shot import LecturePlay, lecture_settings_for
-from game.billiards.shot.sampled import SAMPLE_COLUMNS, SAMPLE_MOTION, SampledTrajectory, turn_samples
+from game.billiards.shot.sampled import (
+    SAMPLE_COLUMNS,
+    SAMPLE_MOTION,
+    SampledTrajectory,
+    check_steps,
+    turn_samples,
+)
 from game.billiards.shot.shot import Shot, ShotError
-from game.billiards.stepped.play import SteppedPlay, check_steps
+from game.billiards.stepped.play import SteppedPlay
 
 Array = NDArray[np.float64]
 
 GRID_HZ = 120.0  # what lies at multiples of 1/120 s is known to one step, however short that is
-FIRST_ROOM = 256  # samples
+FIRST_CAPACITY = 256  # samples
 
 
 class Play(Protocol):
@@ -55,9 +61,9 @@ class GrowingTrajectory(SampledTrajectory):
         self._step = 0
         self._kept = 0
         self._turned = 1
-        self._times = np.zeros(FIRST_ROOM)
-        self._samples = np.empty((FIRST_ROOM, n, SAMPLE_COLUMNS))
-        self._quaternions = np.zeros((FIRST_ROOM, n, 4))
+        self._times = np.zeros(FIRST_CAPACITY)
+        self._samples = np.empty((FIRST_CAPACITY, n, SAMPLE_COLUMNS))
+        self._quaternions = np.zeros((FIRST_CAPACITY, n, 4))
         self._quaternions[0, :, 0] = 1.0
         super().__init__(shot, play.events, shot.balls.copy(), self._times[:1], self._samples[:1], {})
         self._keep(play.play_to(0, self._dt))

@@ -19,16 +19,16 @@ from game.billiards.laws.batch import Batch, Log
 from game.billiards.laws.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, STATUS
 from game.billiards.shot.shot import Shot, batch_of
 from game.billiards.shot.trajectory import Trajectory
-from game.billiards.simulation import MAX_EVENTS, check_status, log_for, room_for, simulate_exact
+from game.billiards.simulation import MAX_EVENTS, check_status, log_for, simulate_exact, workspace_for
 
 Array = NDArray[np.float64]
 
 CHUNK = 256  # shots a thread takes at a time
-EVENTS_A_SHOT = 40  # first guess of the room in a log
+EVENTS_A_SHOT = 40  # first guess of the capacity of a log
 
 
 class Trajectories(Sequence[Trajectory]):
-    """Played shots, in the order given: events and ends. Paths are not kept: a `Trajectory` is played anew,
+    """Played shots, in the order given: events and ends. Paths are not kept: a `Trajectory` is played again,
     to the same bits, when it is asked for.
 
     rows: events of each shot as numbers, see `Trajectory`. ends: balls of each shot at its end, (n, 11) as in
@@ -101,7 +101,7 @@ def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, i
     capacity = max(1024, 2 * n * n, EVENTS_A_SHOT * shots)
     while first < shots:
         log = log_for(shots, n, capacity, paths=False)
-        end = int(play_shots(*room_for(n), *batch, *log, first, until, max_events))
+        end = int(play_shots(*workspace_for(n), *batch, *log, first, until, max_events))
         if end == first:
             capacity *= 4
             continue

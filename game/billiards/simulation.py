@@ -1,4 +1,4 @@
-"""Play a shot: buffers, errors and results of the exact table, and the door to all models."""
+"""Play a shot: buffers, errors and results of the exact table, and the way in to all models."""
 
 from __future__ import annotations
 
@@ -36,19 +36,19 @@ Array = NDArray[np.float64]
 MAX_EVENTS = 20_000  # of one shot; breaks have about 150
 FIRST_CAPACITY = 1024  # events in a log
 
-_room = threading.local()
+_own = threading.local()
 
 
 class SimulationError(RuntimeError):
     """A shot that did not come to an end, or lost its numbers."""
 
 
-def room_for(n: int) -> Workspace:
+def workspace_for(n: int) -> Workspace:
     """This thread's workspace for n balls."""
-    rooms = _room.__dict__.setdefault("rooms", {})
-    if n not in rooms:
-        rooms[n] = workspace(n)
-    return rooms[n]
+    workspaces = _own.__dict__.setdefault("workspaces", {})
+    if n not in workspaces:
+        workspaces[n] = workspace(n)
+    return workspaces[n]
 
 
 def log_for(shots: int, n: int, capacity: int, paths: bool = True) -> Log:
@@ -63,7 +63,7 @@ def log_for(shots: int, n: int, capacity: int, paths: bool = True) -> Log:
 
 def _log_of_one(n: int, capacity: int) -> Log:
     """This thread's log for single shots of n balls."""
-    logs = _room.__dict__.setdefault("logs", {})
+    logs = _own.__dict__.setdefault("logs", {})
     if n not in logs or len(logs[n].events) < capacity:
         logs[n] = log_for(1, n, capacity)
     return logs[n]
@@ -87,7 +87,7 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
     n = len(shot.balls)
     capacity = max(FIRST_CAPACITY, 4 * n * n)
     log = _log_of_one(n, capacity)
-    while play_shots(*room_for(n), *shot.batch, *log, 0, until, max_events) == 0:
+    while play_shots(*workspace_for(n), *shot.batch, *log, 0, until, max_events) == 0:
         log = _log_of_one(n, 4 * len(log.events))
     check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)

@@ -9,7 +9,7 @@ from game.billiards import Physics, Table, make_shot, simulate, simulate_many
 from game.billiards.exact.play import play_shots
 from game.billiards.many import play_batch
 from game.billiards.shot.shot import batch_of
-from game.billiards.simulation import MAX_EVENTS, log_for, room_for
+from game.billiards.simulation import MAX_EVENTS, log_for, workspace_for
 from game.billiards.table.rack import BALL_RADIUS
 from game.lab.benchmarks.billiards import BATCH, break_shot, cut_shot, random_shots
 
@@ -38,7 +38,7 @@ def test_break_with_the_list_of_events(benchmark):
 def test_break_in_the_kernel_alone(benchmark):
     shot = break_shot(1e-4)
     log = log_for(1, 16, 4096)
-    arguments = (*room_for(16), *shot.batch, *log, 0, math.inf, MAX_EVENTS)
+    arguments = (*workspace_for(16), *shot.batch, *log, 0, math.inf, MAX_EVENTS)
     assert benchmark(play_shots, *arguments) == 1
     benchmark.extra_info["events"] = int(log.ends[0, 1])
 

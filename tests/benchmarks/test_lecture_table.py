@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from game.billiards.laws.joint import joint_scratch, solve_joint_impulses
-from game.billiards.lecture.state import LECTURE_EFFECTS, LectureSettings
+from game.billiards.laws.joint import ContactGraph, joint_scratch, solve_joint_impulses
+from game.billiards.lecture.settings import lecture_settings
+from game.billiards.lecture.state import LECTURE_EFFECTS
 from game.billiards.lecture.table import LectureTable
 from game.billiards.table.rack import BALL_RADIUS, eight_ball_rack
 from game.billiards.table.table import Table
@@ -20,7 +21,7 @@ def spread_balls(speed: float, order: str, effects=LECTURE_EFFECTS) -> LectureTa
     rng = np.random.default_rng(0)
     positions = [[0.15 + 0.3 * (k % 4), 0.3 + 0.6 * (k // 4)] for k in range(16)]
     velocities = speed * rng.normal(size=(16, 2))
-    settings = LectureSettings(**LOSSLESS, order=order)
+    settings = lecture_settings(**LOSSLESS, order=order)
     return LectureTable(Table.pool(), positions, velocities=velocities, effects=effects, settings=settings)
 
 
@@ -83,16 +84,13 @@ def test_joint_impulses_of_a_touching_rack(benchmark, join_resting):
         velocities[0, 1] = 8.0
         return solve_joint_impulses(
             count,
-            first,
-            second,
-            normals,
+            ContactGraph(first, second, normals),
             np.full(count, 0.95),
             np.full(16, 6.0),
             velocities,
             impulses,
             join_resting,
-            scratch.contacts,
-            scratch.balls,
+            scratch,
         )
 
     assert benchmark(solve) >= 1

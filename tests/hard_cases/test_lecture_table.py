@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from game.billiards.lecture.state import BALL_COLLISIONS, LECTURE_EFFECTS, WALLS, LectureSettings
+from game.billiards.lecture.settings import lecture_settings
+from game.billiards.lecture.state import BALL_COLLISIONS, LECTURE_EFFECTS, WALLS
 from game.billiards.lecture.table import LectureTable
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.billiards.table.rack import eight_ball_rack
@@ -26,7 +27,7 @@ COLLISIONS = WALLS | BALL_COLLISIONS
 
 def table_with(positions, velocities=None, table=None, radii=R, masses=1.0, effects=COLLISIONS, **declared):
     """A bare table 1.27 x 2.54 m unless another is given, no friction, nothing lost."""
-    settings = LectureSettings(**{**NO_LOSS, **declared})
+    settings = lecture_settings(**{**NO_LOSS, **declared})
     table = Table.bare(1.27, 2.54) if table is None else table
     return LectureTable(table, positions, radii, masses, velocities, effects, settings)
 
@@ -227,7 +228,7 @@ def test_h8_one_ball_onto_two():
 @pytest.mark.parametrize("substeps", [0, 1])
 def test_h8_symmetric_break_stays_symmetric_to_the_last_bit(table, substeps):
     positions = eight_ball_rack(table)
-    balls = LectureTable(table, positions, settings=LectureSettings(substeps=substeps))
+    balls = LectureTable(table, positions, settings=lecture_settings(substeps=substeps))
     x, y = balls.state.offsets.T
     image = [int(np.flatnonzero((x == -x[i]) & (y == y[i]))[0]) for i in range(16)]
     balls.strike(0, (0.0, 8.0))
@@ -331,7 +332,7 @@ def test_h11_friction_factor_and_frame_rate(rate, law, distance):
         Table.open(),
         [[0.0, 0.0]],
         velocities=[[2.0, 0.0]],
-        settings=LectureSettings(friction=0.99, minimum_speed=0.01, friction_law=law),
+        settings=lecture_settings(friction=0.99, minimum_speed=0.01, friction_law=law),
     )
     frames = 0
     while balls.moving:
@@ -353,7 +354,7 @@ def test_h12_minimum_speed():
         Table.open(),
         [[0.0, 0.0], [1.0, 0.0]],
         velocities=[[0.01, 0.0], [slow, 0.0]],
-        settings=LectureSettings(friction=1.0, minimum_speed=0.01),
+        settings=lecture_settings(friction=1.0, minimum_speed=0.01),
     )
     for _ in range(5):
         balls.step(FRAME)
@@ -379,7 +380,7 @@ def test_h13_bounce_factor_at_its_ends(e):
 @pytest.mark.parametrize("parameter", ["bounce", "restitution", "friction"])
 def test_h13_factors_that_would_feed_energy_are_refused(parameter, e):
     with pytest.raises(ValueError, match=parameter):
-        LectureSettings(**{parameter: e})
+        lecture_settings(**{parameter: e})
 
 
 # H14
@@ -442,7 +443,7 @@ def test_no_ball_ever_leaves_the_table(substeps, order):
         balls = LectureTable(
             table,
             eight_ball_rack(table, gap=0.002, seed=int(rng.integers(1 << 30))),
-            settings=LectureSettings(substeps=substeps, order=order, friction=0.995),
+            settings=lecture_settings(substeps=substeps, order=order, friction=0.995),
             effects=LECTURE_EFFECTS,
         )
         angle = rng.uniform(0.0, 2.0 * math.pi)
@@ -466,7 +467,7 @@ def test_balls_of_any_mass_and_radius_never_gain_energy(order):
             positions,
             radii,
             masses,
-            settings=LectureSettings(order=order, friction=1.0, minimum_speed=0.0),
+            settings=lecture_settings(order=order, friction=1.0, minimum_speed=0.0),
         )
         balls.strike(0, (rng.uniform(-0.2, 0.2), 10.0))
         energy = balls.energy

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from game.billiards.lecture.state import LectureSettings
+from game.billiards.lecture.settings import lecture_settings
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, measure_present, run_study
 from game.lab.studies.billiards.lecture_breaks import (
@@ -72,7 +72,7 @@ def test_each_point_opens_its_scene():
     for setting in lecture_table_study.settings()[::50]:
         if setting.method != "events":
             knobs = {name: value for name, value in setting.scene.items() if name != "step_length"}
-            assert LectureSettings(**knobs).model()
+            assert lecture_settings(**knobs).passes == knobs["passes"]
             assert setting.scene["step_length"] == min(max(setting.knob, SHORTEST), LONGEST)
 
 

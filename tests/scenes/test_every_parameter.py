@@ -11,18 +11,19 @@ from game.billiards.table.rack import BALL_RADIUS
 from game.levels import level_files, load_level
 from game.scenes.billiards.scene import Billiards
 from game.scenes.lecture_table.scene import LectureTable
+from game.scenes.three_tables.places import ORIGINS
 from game.scenes.three_tables.scene import ThreeTables
-from game.scenes.three_tables.view import ORIGINS
 from game.scenes.two_balls.scene import LectureBalls
 from game.stage import Action, Param, Pointer, Stage
-from game.stage.parameters import parameters_of
 from tests.scenes.billiards.billiards_stages import aim
 
 
 def ends_of(scene):
     """(name, value) for both ends of every number that the scene declares."""
     numbers = [
-        (name, parameter) for name, parameter in parameters_of(scene).items() if isinstance(parameter, Param)
+        (name, parameter)
+        for name, parameter in scene.declared_parameters().items()
+        if isinstance(parameter, Param)
     ]
     assert len(numbers) > 5
     return [(name, value) for name, parameter in numbers for value in (parameter.minimum, parameter.maximum)]
@@ -81,31 +82,31 @@ def test_the_smallest_ball_of_all_meets_a_cushion(cushion):
 @cases_of(LectureTable)
 def test_lecture_table(name, value):
     stage = opened(LectureTable, "free-play", **{name: value})
-    scene = stage.scene
-    before = scene.table.positions.copy()
+    model = stage.scene.model
+    before = model.table.positions.copy()
     pull(stage, *before[0])
     run(stage, 6.0)
-    assert scene.strokes == 1
-    assert np.isfinite(scene.table.positions).all()
-    assert (scene.table.positions != before).any()
+    assert model.strokes == 1
+    assert np.isfinite(model.table.positions).all()
+    assert (model.table.positions != before).any()
 
 
 @cases_of(ThreeTables)
 def test_three_tables(name, value):
     stage = opened(ThreeTables, "your-stroke", **{name: value})
-    scene = stage.scene
-    x, y = scene.start[0]
+    model = stage.scene.model
+    x, y = model.start[0]
     pull(stage, x + ORIGINS[2][0], y + ORIGINS[2][1])
     run(stage, 1.5)
-    assert scene.shot[0] and scene.shown_s > 0.0
-    assert (scene.places[:, 0] != scene.start[0]).any(axis=1).all(), "the white ball moves on all three"
-    assert np.isfinite(scene.places).all()
+    assert model.playing and model.shown_s > 0.0
+    assert (model.places[:, 0] != model.start[0]).any(axis=1).all(), "the cue ball moves on all three"
+    assert np.isfinite(model.places).all()
 
 
 @cases_of(LectureBalls)
 def test_lecture_balls(name, value):
     stage = opened(LectureBalls, "default", **{name: value})
-    before = [ball.position for ball in stage.scene.balls]
+    before = [ball.position for ball in stage.scene.model.balls]
     run(stage, 10.0)
     assert stage.readouts()
-    assert [ball.position for ball in stage.scene.balls] != before
+    assert [ball.position for ball in stage.scene.model.balls] != before

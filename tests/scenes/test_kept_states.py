@@ -76,7 +76,7 @@ def test_a_body_that_has_run_away_is_kept(tmp_path):
 
 def test_balls_outside_the_lectures_window_are_kept_at_its_edge(tmp_path):
     stage = Stage(LectureBalls)
-    first, second = stage.scene.balls
+    first, second = stage.scene.model.balls
     first.position, first.velocity = (-7.5, 1e9), (2e6, -3.0)
     second.position = (20.25, 30.5)
     content = kept(stage, tmp_path)

@@ -1,11 +1,11 @@
 """Contacts of one moment, solved together.
 
-Contacts that touch within CONTACT_GAP at the moment of an impact belong to it: normal impulses by
+Contacts whose gap is at most CONTACT_GAP at the moment of an impact belong to it: normal impulses by
 `joint.solve_joint_impulses`, in rounds of what closes, then friction. One pair after another would leave a
 symmetric break asymmetric by metres a second.
 
 Friction of several contacts on one ball is shared out: in each of FRICTION_PASSES every contact gets 1/k of
-what it still wants, k being the number of contacts of its busier ball. Each share alone would lower the
+what it still demands, k being the number of contacts of its busier ball. Each share alone would lower the
 energy, and so does their mean, for energy is convex. Last, what closes because of the friction is solved
 once more without.
 
@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.exact.pairs import reach_of
 from game.billiards.laws.contacts import NO_FRICTION
 from game.billiards.laws.contacts.ball_ball_friction import (
     friction_limit,
@@ -25,7 +24,8 @@ from game.billiards.laws.contacts.ball_ball_friction import (
     sticking_impulse,
     torque_direction,
 )
-from game.billiards.laws.joint import solve_joint_impulses
+from game.billiards.laws.contacts.ball_ball_normal import reach_of
+from game.billiards.laws.joint import ContactGraph, solve_joint_impulses
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     AT_REST,
@@ -140,8 +140,8 @@ def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
 
 
 @inner_kernel
-def _want_friction(state, count, ends, normals, forces, physics):
-    """Tangential impulse that each contact wants in this pass, shared out. Returns the largest, N s."""
+def _demand_friction(state, count, ends, normals, forces, physics):
+    """Tangential impulse that each contact demands in this pass, shared out. Returns the largest, N s."""
     largest = 0.0
     for m in range(count):
         forces[PX, m] = 0.0
@@ -156,14 +156,14 @@ def _want_friction(state, count, ends, normals, forces, physics):
         if slip == 0.0:
             continue
         limit = friction_limit(slip, forces[IMPULSE, m], physics) / cosine
-        wanted = min(limit - forces[RUBBED, m], sticking_impulse(state, i, j, slip))
-        wanted /= max(state[VALENCE, i], state[VALENCE, j])
-        if wanted > 0.0:
-            forces[PX, m] = -wanted * cx / slip
-            forces[PY, m] = -wanted * cy / slip
-            forces[PZ, m] = -wanted * cz / slip
-            forces[RUBBED, m] += wanted
-            largest = max(largest, wanted)
+        demand = min(limit - forces[RUBBED, m], sticking_impulse(state, i, j, slip))
+        demand /= max(state[VALENCE, i], state[VALENCE, j])
+        if demand > 0.0:
+            forces[PX, m] = -demand * cx / slip
+            forces[PY, m] = -demand * cy / slip
+            forces[PZ, m] = -demand * cz / slip
+            forces[RUBBED, m] += demand
+            largest = max(largest, demand)
     return largest
 
 
@@ -202,7 +202,7 @@ def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
             state[VALENCE, ends[FIRST, m]] += 1.0
             state[VALENCE, ends[SECOND, m]] += 1.0
     for _ in range(FRICTION_PASSES):
-        largest = _want_friction(state, count, ends, normals, forces, physics)
+        largest = _demand_friction(state, count, ends, normals, forces, physics)
         if largest == 0.0:
             return
         for q in range(found):
@@ -221,14 +221,14 @@ def _rub_jointly(state, modes, found, count, ends, normals, forces, physics):
 
 
 @inner_kernel
-def collide_jointly(
-    state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
-):
+def collide_jointly(state, modes, found, count, cluster, physics):
     """Solve `count` contacts of one moment between the first `found` balls of row MEMBER of modes.
 
-    ends, normals (m, 2): from `gather_contacts`. velocities (n, 2) and the joint arrays are scratch. Row
-    IMPULSE of forces is written: the sum of each contact's normal impulses, N s.
+    cluster: ends and normals come from `gather_contacts`; row IMPULSE of forces is written, the sum of each
+    contact's normal impulses, N s; the rest is scratch.
     """
+    ends, forces, normals, velocities, scratch = cluster
+    graph = ContactGraph(ends[FIRST], ends[SECOND], normals)
     for m in range(count):
         forces[RESTITUTION, m] = physics[BALL_RESTITUTION]
         forces[IMPULSE, m] = 0.0
@@ -239,16 +239,13 @@ def collide_jointly(
             velocities[k, 1] = state[VY, k]
         solve_joint_impulses(
             count,
-            ends[FIRST],
-            ends[SECOND],
-            normals,
+            graph,
             forces[RESTITUTION],
             state[INVERSE_MASS],
             velocities,
             forces[JOINT_IMPULSE],
             False,
-            joint_contacts,
-            joint_balls,
+            scratch,
         )
         for q in range(found):
             k = modes[MEMBER, q]

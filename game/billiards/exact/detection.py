@@ -1,4 +1,4 @@
-"""When two things on parabolic ways first touch.
+"""When two things on parabolic paths first come into contact.
 
 The gap of two balls is a quartic f in time whose fourth derivative is not negative. So f lies above its own
 cubic, and on [0, D] above the parabola f0 + f1 d + (f2 + min(0, f3) D/3) d^2/2, where f1 to f3 are its
@@ -16,7 +16,7 @@ from game.billiards.laws.state import AT_REST, CLOSING_SPEED, CONTACT_GAP, NEVER
 
 MAX_STEPS = 200
 LAST_PLACE = 2.0**-52
-BEHIND = 1e-9  # m; a ball further behind a line than rounding can bring it does not touch it
+BEHIND = 1e-9  # m; a ball further behind a line than rounding can bring it is in no contact with it
 
 
 @inner_kernel(inline="always")
@@ -44,11 +44,11 @@ def _step_in_contact(slope, curvature, threshold):
 
 
 @inner_kernel
-def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
-    """Time until two points on parabolic ways come within `reach` of each other while approaching, s.
+def first_contact_time(x, y, vx, vy, ax, ay, reach, horizon):
+    """Time until two points on parabolic paths come within `reach` of each other while approaching, s.
 
     x + vx t + ax t^2 (and y): position of one seen from the other, m. At most `horizon` s ahead. NEVER if
-    they do not; AT_REST if they do not, but touch now and do not part.
+    they do not; AT_REST if they do not, but are in contact now and do not separate.
     """
     distance = math.sqrt(x * x + y * y)
     c0 = (distance - reach) * (distance + reach)  # keeps all digits of a tiny gap

@@ -7,7 +7,7 @@ outside of it, or one that leaves it where there is no nose.
 
 from __future__ import annotations
 
-from game.billiards.exact.detection import first_crossing, first_touch
+from game.billiards.exact.detection import first_contact_time, first_crossing
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     AT_REST,
@@ -45,7 +45,7 @@ from game.billiards.laws.state import (
     Y,
 )
 
-WITHIN = 1e-12  # m; rounding of a ball that touches a rail
+WITHIN = 1e-12  # m; rounding of a ball in contact with a rail
 LONGEST_SEARCH = 1e9  # s; stands for "without end" where nothing slows a ball
 
 
@@ -139,7 +139,9 @@ def _search_discs(state, i, horizon, discs, grown_by):
         reach = discs[k, 2] + grown_by
         x = discs[k, 0] - state[X, i]
         y = discs[k, 1] - state[Y, i]
-        t = first_touch(x, y, -state[VX, i], -state[VY, i], -state[AX, i], -state[AY, i], reach, horizon)
+        t = first_contact_time(
+            x, y, -state[VX, i], -state[VY, i], -state[AX, i], -state[AY, i], reach, horizon
+        )
         if t < horizon:
             horizon = t
             found = k

@@ -1,9 +1,9 @@
-"""Two balls meet on the exact table: alone, or together with all that touch them at that moment."""
+"""Two balls meet on the exact table: alone, or together with all in contact with them at that moment."""
 
 from __future__ import annotations
 
 from game.billiards.exact.cluster import collide_jointly, gather_contacts, has_company
-from game.billiards.exact.impacts import collide_pair, end_chatter, normal_between
+from game.billiards.laws.impacts import collide_pair, end_chatter, normal_between
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.motion import advance, enter_phase
 from game.billiards.laws.state import FIRST, IMPULSE, MARK, MEMBER, SECOND, SLIDING
@@ -13,7 +13,7 @@ HIT = 3  # mark of a ball that got an impulse
 
 @inner_kernel(forceinline=True)
 def meet_alone(state, modes, pairs, i, j, now, physics):
-    """Balls i and j collide, and no other contact takes part. Returns whether they are stuck."""
+    """Balls i and j collide, and no other contact is involved. Returns whether they are stuck."""
     advance(state, modes, i, now, physics)
     advance(state, modes, j, now, physics)
     nx, ny = normal_between(state, i, j)
@@ -27,20 +27,18 @@ def meet_alone(state, modes, pairs, i, j, now, physics):
 
 
 @inner_kernel
-def meet_in_company(
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now, physics
-):
-    """Balls i and j collide together with all that touch them.
+def meet_in_company(arrays, i, j, now, physics):
+    """Balls i and j collide together with all in contact with them.
 
     Moves the contacts that got an impulse to the front of ends, and writes their balls to row MEMBER of
     modes. Returns the numbers of both, and a ball that is stuck, -1 if none is.
     """
+    state, modes, pairs, cluster = arrays
+    ends, forces, normals = cluster.ends, cluster.forces, cluster.normals
     count, found = gather_contacts(state, modes, pairs, i, j, now, ends, normals)
     for q in range(found):
         advance(state, modes, modes[MEMBER, q], now, physics)
-    collide_jointly(
-        state, modes, found, count, ends, normals, forces, velocities, joint_contacts, joint_balls, physics
-    )
+    collide_jointly(state, modes, found, count, cluster, physics)
     written = 0
     stuck = -1
     for m in range(count):
@@ -65,19 +63,16 @@ def meet_in_company(
 
 
 @inner_kernel(inline="always")
-def meet(room, i, j, now, physics):
-    """Balls i and j touch at `now` (s): what comes of it, and of all that touch them.
+def meet(arrays, i, j, now, physics):
+    """Balls i and j come into contact at `now` (s): what comes of it, and of all in contact with them.
 
-    room: see `batch.view_room`. The contacts that got an impulse come first in ends, their balls in row
-    MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), -1 if none is.
+    arrays: see `batch.Arrays`. The contacts that got an impulse come first in ends, their balls in
+    row MEMBER of modes. Returns the numbers of both, and a ball that is stuck (see `settling`), or -1.
     """
-    state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls = room
+    ends = arrays.cluster.ends
     ends[FIRST, 0] = i
     ends[SECOND, 0] = j
-    if has_company(pairs, i, j, now):
-        return meet_in_company(
-            state, modes, pairs, ends, forces, normals, velocities, joint_contacts, joint_balls, i, j, now,
-            physics,
-        )  # fmt: skip
-    stuck = meet_alone(state, modes, pairs, i, j, now, physics)
+    if has_company(arrays.pairs, i, j, now):
+        return meet_in_company(arrays, i, j, now, physics)
+    stuck = meet_alone(arrays.state, arrays.modes, arrays.pairs, i, j, now, physics)
     return 1, 2, i if stuck else -1

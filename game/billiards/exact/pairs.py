@@ -1,18 +1,17 @@
 """When which two balls meet: a table of contact times, renewed only for balls that changed.
 
 Plane MEET of pairs (s) holds for each two balls the time of their next contact, NEVER, or AT_REST for two
-that touch without closing. Each ball keeps the least of its row (PAIR_TIME, PARTNER) and the least
+in contact without closing. Each ball keeps the least of its row (PAIR_TIME, PARTNER) and the least
 of that and its own plan (NEXT_TIME), so the next event of the table is one look at each ball.
 """
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
-from game.billiards.exact.detection import first_touch
+from game.billiards.exact.detection import first_contact_time
 from game.billiards.exact.elements import LONGEST_SEARCH
+from game.billiards.laws.contacts.ball_ball_normal import reach_of
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     AT_REST,
@@ -35,14 +34,6 @@ from game.billiards.laws.state import (
 )
 
 BLOCK = 32  # balls whose bits stand in one number
-
-
-@inner_kernel(inline="always")
-def reach_of(radius_i, radius_j):
-    """Horizontal distance at which two balls on the cloth touch, 2 sqrt(R1 R2), m."""
-    if radius_i == radius_j:
-        return 2.0 * radius_i
-    return 2.0 * math.sqrt(radius_i * radius_j)
 
 
 @inner_kernel(forceinline=True)
@@ -126,13 +117,13 @@ def _contact_time(state, i, j, now):
     ay -= state[AY, i]
     reach = reach_of(state[RADIUS, i], state[RADIUS, j])
     horizon = min(min(state[OWN_TIME, i], state[OWN_TIME, j]) - now, LONGEST_SEARCH)
-    t = first_touch(x, y, vx, vy, ax, ay, reach, horizon)
+    t = first_contact_time(x, y, vx, vy, ax, ay, reach, horizon)
     return t if t >= AT_REST else now + t
 
 
 @inner_kernel(inline="always")
 def _rescan(state, modes, pairs, j):
-    """Find the least of row j anew."""
+    """Find the least of row j again."""
     best = NEVER
     partner = -1
     for k in range(state.shape[1]):

@@ -3,18 +3,18 @@
 State of balls stands still between their events; time is the time of the next event. Each event changes one
 ball, or the balls of one contact: they get a new phase, a new plan (`elements`) and new contact times
 (`pairs`). Everything that happens is written down as events and as segments, the closed forms of each
-ball's way, from which any moment can be had. All are right to rounding, but for the cushion of Mathavan 2010,
-which is followed in steps: see `contacts.cushion_mathavan_2010`.
+ball's path, from which any moment can be had. All are right to rounding, but for the cushion of Mathavan
+2010, which is followed in steps: see `contacts.cushion_mathavan_2010`.
 """
 
 from __future__ import annotations
 
 from game.billiards.exact.elements import plan_ball
-from game.billiards.exact.impacts import hit_rail
 from game.billiards.exact.meeting import meet
 from game.billiards.exact.pairs import refresh_pairs
 from game.billiards.exact.settling import settle_group
-from game.billiards.laws.batch import view_room
+from game.billiards.laws.batch import Elements, view_workspace
+from game.billiards.laws.impacts import hit_rail
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.motion import advance, end_phase, enter_phase
 from game.billiards.laws.state import (
@@ -130,7 +130,7 @@ def soonest_ball(state):
 
 
 @inner_kernel(forceinline=True)
-def happen_to_ball(state, modes, i, cushions, jaws, physics):
+def happen_to_ball(state, modes, i, elements, physics):
     """Carry out what ball i planned of its own. Returns the event, and whether the ball is stuck."""
     event = modes[OWN_EVENT, i]
     if event == NO_EVENT:
@@ -142,15 +142,17 @@ def happen_to_ball(state, modes, i, cushions, jaws, physics):
             state[row, i] = 0.0
         enter_phase(state, modes, i, POCKETED, physics)
     else:
+        cushions, jaws = elements.cushions, elements.jaws
         stuck = hit_rail(state, modes, i, event, modes[OWN_ELEMENT, i], cushions, jaws, physics)
         enter_phase(state, modes, i, SLIDING, physics)
     return event, stuck
 
 
 @inner_kernel(inline="always")
-def plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segment):
-    """Plan the first balls of row MEMBER anew, each of which begins a segment. Returns their end."""
-    state, modes, pairs = room[0], room[1], room[2]
+def plan_changed(arrays, changed, elements, physics, segments, segment):
+    """Plan the first balls of row MEMBER again, each of which begins a segment. Returns their end."""
+    state, modes, pairs = arrays.state, arrays.modes, arrays.pairs
+    cushions, jaws, pockets = elements
     for q in range(changed):
         i = modes[MEMBER, q]
         if segments.shape[0] > 0:
@@ -163,9 +165,10 @@ def plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segm
 
 
 @inner_kernel(inline="always")
-def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment):
+def play_shot(arrays, elements, physics, until, max_events, events, segments, row, segment):
     """Play one shot whose balls are placed. Returns status, end of events, end of segments, end time."""
-    state, modes, ends = room[0], room[1], room[3]
+    state, modes, ends = arrays.state, arrays.modes, arrays.cluster.ends
+    cushions, jaws = elements.cushions, elements.jaws
     n = state.shape[1]
     last_row = row + max_events
     end_time = 0.0
@@ -179,7 +182,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
         ):
             status = BUFFER_FULL
             break
-        segment = plan_changed(room, changed, cushions, jaws, pockets, physics, segments, segment)
+        segment = plan_changed(arrays, changed, elements, physics, segments, segment)
         i = soonest_ball(state)
         now = state[NEXT_TIME, i]
         if not (now < AT_REST and now <= until):
@@ -190,7 +193,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
             break
         end_time = now
         if not state[PAIR_TIME, i] < state[OWN_TIME, i]:
-            event, stuck = happen_to_ball(state, modes, i, cushions, jaws, physics)
+            event, stuck = happen_to_ball(state, modes, i, elements, physics)
             record_event(events, row, now, event, i, modes[OWN_ELEMENT, i])
             row += 1
             modes[MEMBER, 0] = i
@@ -198,7 +201,7 @@ def play_shot(room, cushions, jaws, pockets, physics, until, max_events, events,
             if stuck:
                 changed = settle_group(state, modes, i, now, cushions, jaws, physics)
             continue
-        written, changed, stuck_ball = meet(room, i, modes[PARTNER, i], now, physics)
+        written, changed, stuck_ball = meet(arrays, i, modes[PARTNER, i], now, physics)
         for m in range(written):
             i = ends[FIRST, m]
             j = ends[SECOND, m]
@@ -253,21 +256,23 @@ def play_shots(
     that was not played.
     """
     shots = constants.shape[0]
-    room = view_room(floats, integers, balls.shape[1])
+    arrays = view_workspace(floats, integers, balls.shape[1])
     row = 0
     segment = 0
     for s in range(first, shots):
         physics = constants[s]
-        cushions = elements[ranges[s, 0] : ranges[s, 1]]
-        jaws = elements[ranges[s, 1] : ranges[s, 2]]
-        pockets = elements[ranges[s, 2] : ranges[s, 3]]
-        place_balls(room[0], room[1], room[2], balls[s], physics)
+        table = Elements(
+            elements[ranges[s, 0] : ranges[s, 1]],
+            elements[ranges[s, 1] : ranges[s, 2]],
+            elements[ranges[s, 2] : ranges[s, 3]],
+        )
+        place_balls(arrays.state, arrays.modes, arrays.pairs, balls[s], physics)
         status, row_end, segment_end, end_time = play_shot(
-            room, cushions, jaws, pockets, physics, until, max_events, events, segments, row, segment
+            arrays, table, physics, until, max_events, events, segments, row, segment
         )
         if status == BUFFER_FULL:
             return s
-        if not write_final(room[0], room[1], end_time, final[s], physics):
+        if not write_final(arrays.state, arrays.modes, end_time, final[s], physics):
             status = NOT_FINITE
         ends[s, EVENTS_START] = row
         ends[s, EVENTS_END] = row_end

@@ -1,11 +1,12 @@
 """The end of chatter that nothing pays for: balls wedged between rails, or pressed together, stop as one.
 
-Two balls in the mouth of a pocket touch each other and a facing each. Their closing speeds die out in ever
-shorter bounces, an infinite number of them in a finite time, and cloth friction presses them together anew.
-`chatter.part` ends that at the cost of their spin; where there is no spin left, the contact would go on
+Two balls in the mouth of a pocket are in contact with each other and with a facing each. Their closing
+speeds die out in ever shorter bounces, an infinite number of them in a finite time, and cloth friction
+presses them together again.
+`chatter.separate` ends that at the cost of their spin; where there is no spin left, the contact would go on
 without end. What is then within JOINED of each other is one body that does not rebound (a perfectly
 inelastic cluster): it goes on with its common velocity, less what would take it into a rail that it
-touches, and without spin. Two rails that face each other take all of it. Momentum is kept but for what the
+contact, and without spin. Two rails that face each other take all of it. Momentum is kept but for what the
 rails take, and energy falls. All move alike from there on, on the same cloth, so none closes on another.
 """
 
@@ -93,7 +94,7 @@ def _common_velocity(state, modes, found):
 
 @inner_kernel
 def _rail_at(state, modes, found, number, cushions, jaws):
-    """Whether a ball of the group touches that rail, and the unit vector from the rail to the ball.
+    """Whether a ball of the group is in contact with that rail, and the unit vector from the rail to it.
 
     Rails are numbered for each ball of the group in turn: the cushions, then the jaws.
     """
@@ -108,8 +109,8 @@ def _rail_at(state, modes, found, number, cushions, jaws):
         dx = cushions[k, TO_X] - cushions[k, FROM_X]
         dy = cushions[k, TO_Y] - cushions[k, FROM_Y]
         along = x * dx + y * dy
-        touches = abs(x * nx + y * ny - state[RADIUS, ball]) <= JOINED
-        return touches and 0.0 <= along <= dx * dx + dy * dy, nx, ny
+        contact = abs(x * nx + y * ny - state[RADIUS, ball]) <= JOINED
+        return contact and 0.0 <= along <= dx * dx + dy * dy, nx, ny
     k -= cushions.shape[0]
     x = state[X, ball] - jaws[k, 0]
     y = state[Y, ball] - jaws[k, 1]
@@ -119,28 +120,28 @@ def _rail_at(state, modes, found, number, cushions, jaws):
 
 @inner_kernel
 def _is_free(state, modes, found, vx, vy, cushions, jaws):
-    """True if no ball of the group goes into a rail that it touches with the velocity v."""
+    """True if no ball of the group goes into a rail in contact with the velocity v."""
     rails = cushions.shape[0] + jaws.shape[0]
     rounding = -1e-12 * math.sqrt(vx * vx + vy * vy)
     for number in range(found * rails):
-        touches, nx, ny = _rail_at(state, modes, found, number, cushions, jaws)
-        if touches and vx * nx + vy * ny < rounding:
+        contact, nx, ny = _rail_at(state, modes, found, number, cushions, jaws)
+        if contact and vx * nx + vy * ny < rounding:
             return False
     return True
 
 
 @inner_kernel
 def _freed_velocity(state, modes, found, vx, vy, cushions, jaws):
-    """The velocity nearest to v that takes no ball of the group into a rail that it touches: v itself, v
+    """The velocity nearest to v that takes no ball of the group into a rail in contact: v itself, v
     along one of the rails, or none."""
     if _is_free(state, modes, found, vx, vy, cushions, jaws):
         return vx, vy
     best_x = 0.0
     best_y = 0.0
     for number in range(found * (cushions.shape[0] + jaws.shape[0])):
-        touches, nx, ny = _rail_at(state, modes, found, number, cushions, jaws)
+        contact, nx, ny = _rail_at(state, modes, found, number, cushions, jaws)
         into = vx * nx + vy * ny
-        if touches and into < 0.0:
+        if contact and into < 0.0:
             x = vx - into * nx
             y = vy - into * ny
             if x * x + y * y > best_x * best_x + best_y * best_y and _is_free(

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.laws.joint import BALL_COLUMNS, CONTACT_COLUMNS
+from game.billiards.laws.joint import BALL_COLUMNS, CONTACT_COLUMNS, JointScratch
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import END_ROWS, FLOAT_ROWS, FORCE_ROWS, INTEGER_ROWS, PAIR_PLANES
 
@@ -18,14 +18,14 @@ Array = NDArray[np.float64]
 
 
 class Workspace(NamedTuple):
-    """Room for one shot of n balls, kept and used again; `view_room` cuts it up."""
+    """Arrays for one shot of n balls, kept and used again; `view_workspace` cuts it up."""
 
     floats: Array
     integers: NDArray[np.int64]
 
 
 def workspace(n: int) -> Workspace:
-    """Room for shots of n balls."""
+    """A workspace for shots of n balls."""
     m = max(1, n * (n - 1) // 2)
     balls = FLOAT_ROWS + PAIR_PLANES * n + 2 + BALL_COLUMNS
     floats = n * balls + m * (FORCE_ROWS + 2 + CONTACT_COLUMNS)
@@ -61,10 +61,36 @@ class Log(NamedTuple):
     final: Array
 
 
+class Elements(NamedTuple):
+    """What balls meet: cushions (c, 7), jaws (j, 7), pockets (p, 7), as in `state`."""
+
+    cushions: Array
+    jaws: Array
+    pockets: Array
+
+
+class Cluster(NamedTuple):
+    """Contacts of one moment: ends (2, m), forces (7, m), normals (m, 2); velocities (n, 2) and scratch."""
+
+    ends: NDArray[np.int64]
+    forces: Array
+    normals: Array
+    velocities: Array
+    scratch: JointScratch
+
+
+class Arrays(NamedTuple):
+    """Views into a `Workspace`: state (rows, n), modes (rows, n), pairs (planes, n, n), see `state`."""
+
+    state: Array
+    modes: NDArray[np.int64]
+    pairs: Array
+    cluster: Cluster
+
+
 @inner_kernel(inline="always")
-def view_room(floats, integers, n):
-    """Views into a `Workspace`: state, modes, pairs, ends, forces, normals, velocities, and the joint
-    solver's two."""
+def view_workspace(floats, integers, n):
+    """The `Arrays` of a `Workspace` for n balls."""
     m = max(1, n * (n - 1) // 2)
     a = FLOAT_ROWS * n
     b = a + PAIR_PLANES * n * n
@@ -72,14 +98,20 @@ def view_room(floats, integers, n):
     d = c + 2 * m
     e = d + 2 * n
     f = e + CONTACT_COLUMNS * m
-    return (
-        floats[:a].reshape((FLOAT_ROWS, n)),
-        integers[: INTEGER_ROWS * n].reshape((INTEGER_ROWS, n)),
-        floats[a:b].reshape((PAIR_PLANES, n, n)),
+    scratch = JointScratch(
+        floats[e:f].reshape((m, CONTACT_COLUMNS)),
+        floats[f : f + BALL_COLUMNS * n].reshape((n, BALL_COLUMNS)),
+    )
+    cluster = Cluster(
         integers[INTEGER_ROWS * n : INTEGER_ROWS * n + END_ROWS * m].reshape((END_ROWS, m)),
         floats[b:c].reshape((FORCE_ROWS, m)),
         floats[c:d].reshape((m, 2)),
         floats[d:e].reshape((n, 2)),
-        floats[e:f].reshape((m, CONTACT_COLUMNS)),
-        floats[f : f + BALL_COLUMNS * n].reshape((n, BALL_COLUMNS)),
+        scratch,
+    )
+    return Arrays(
+        floats[:a].reshape((FLOAT_ROWS, n)),
+        integers[: INTEGER_ROWS * n].reshape((INTEGER_ROWS, n)),
+        floats[a:b].reshape((PAIR_PLANES, n, n)),
+        cluster,
     )

@@ -5,18 +5,19 @@ complementarity problem for all contacts that close at once, instead of pair aft
 mirror-symmetric hit has a mirror-symmetric outcome, whatever the numbering of the balls: to the last bit,
 because sums over the contacts of a ball do not depend on their order (see `solve_complementarity`).
 
-Which contacts take part is the caller's choice, and for Newton's cradle the two answers differ:
+Which contacts are involved is the caller's choice, and for Newton's cradle the two answers differ:
 
 - ``join_resting=False``: only closing contacts; what closes because of their impulses comes next, as a new
   round, until nothing closes (generalised reflections; Smith, Kaufman, Vouga, Tamstorf, Grinspun 2012,
   "Reflections on Simultaneous Impact"). A cradle's last ball leaves with v and the others rest: what is
   seen on real cradles and racks. One ball onto two: both contacts close at once, (-1/5, 2 sqrt(3)/5).
-- ``join_resting=True``: contacts that touch without closing take part too (Newton's law imposed on all
+- ``join_resting=True``: contacts that neither close nor open are involved too (Newton's law imposed on all
   contacts at once; Moreau 1988). Three balls of a cradle leave with (-1/3, 2/3, 2/3).
 
-A contact with e = 0 takes part as soon as it touches, either way: without rebound nothing would come after.
+A contact with e = 0 is involved as soon as there is no gap, in either case: without rebound nothing would
+come after.
 
-Both conserve momentum, and neither ever raises the energy: only closing or resting contacts take part in a
+Both conserve momentum, and neither ever raises the energy: only closing or resting contacts are involved in a
 round, so every impulse J adds (1/2) J (u' + u) = -(1/2) J (1 - e) |u| <= 0, also where e differs from
 contact to contact.
 """
@@ -32,7 +33,7 @@ from numpy.typing import NDArray
 from game.physics.kernels.jit import kernel
 
 SPARE_ROUNDS = 16  # impacts within one instant beyond two per contact; then all contacts stop closing at once
-MAX_ITERATIONS = 3_000  # a touching rack needs 250, a ball 10,000 times lighter than its two neighbours 2,500
+MAX_ITERATIONS = 3_000  # a tight rack needs 250, a ball 10,000 times lighter than its two neighbours 2,500
 CLOSING = 1e-13  # of the fastest closing speed; slower ones count as resting
 SETTLED = 2.0**-51  # a change of impulse that is rounding only, relative to the largest demand
 
@@ -43,8 +44,19 @@ DEMAND, STEP, SPEED, _NOW, _BEFORE, _AHEAD, _SLOPE = 0, 1, 2, 3, 4, 5, 6
 CONTACT_COLUMNS, BALL_COLUMNS = 7, 5
 
 
+class ContactGraph(NamedTuple):
+    """Which balls are in contact: first, second (m,) int, second -1 (or less) is a wall; normals (m, 2).
+
+    A normal is a unit vector from the first to the second (into the wall).
+    """
+
+    first: NDArray[np.int64]
+    second: NDArray[np.int64]
+    normals: NDArray[np.float64]
+
+
 class JointScratch(NamedTuple):
-    """Room to work in: contacts (m, CONTACT_COLUMNS), balls (n, BALL_COLUMNS)."""
+    """Scratch arrays: contacts (m, CONTACT_COLUMNS), balls (n, BALL_COLUMNS)."""
 
     contacts: NDArray[np.float64]
     balls: NDArray[np.float64]
@@ -60,13 +72,15 @@ def joint_scratch(balls: int, contacts: int) -> JointScratch:
 
 
 @kernel
-def _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, ahead):
+def _sum_impulses(count, graph, inverse_masses, scratch, ahead):
     """Change of velocity of each ball by the impulses (_AHEAD or _NOW), to `balls`; order-free.
 
     Each addend is split into a coarse part, a multiple of 2^-32 of a power of two above all of them, and a
     fine part, a multiple of 2^-80: sums of either are exact, so any order gives the same bits (two-fold
     reproducible summation; Demmel and Nguyen 2015).
     """
+    first, second, normals = graph
+    contacts, balls = scratch
     column = _AHEAD if ahead else _NOW
     largest = 0.0
     for i in range(count):
@@ -95,12 +109,14 @@ def _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls
 
 
 @kernel
-def _share_out(count, first, second, inverse_masses, contacts, balls):
+def _share_out(count, graph, inverse_masses, scratch):
     """Step length of each contact by mass splitting (Tonge, Benevolenski, Voroshilov 2012); True if coupled.
 
     A ball of k contacts is shared out among them, k times as light; the steps then never overshoot jointly.
-    Contacts with nothing to move get step 0 and take no part.
+    Contacts with nothing to move get step 0 and are left out.
     """
+    first, second, _ = graph
+    contacts, balls = scratch
     for i in range(count):
         balls[first[i], _VALENCE] = 0.0
         if second[i] >= 0:
@@ -124,11 +140,13 @@ def _share_out(count, first, second, inverse_masses, contacts, balls):
 
 
 @kernel
-def _descend(count, first, second, normals, contacts, balls):
+def _descend(count, graph, scratch):
     """One projected step from the column _AHEAD to _NOW (the old one to _BEFORE).
 
     Returns how far the step still went (m/s), and the largest speed it handled (m/s).
     """
+    first, second, normals = graph
+    contacts, balls = scratch
     moved = 0.0
     scale = 0.0
     for i in range(count):
@@ -142,10 +160,10 @@ def _descend(count, first, second, normals, contacts, balls):
                 vy -= balls[b, _COARSE_Y] + balls[b, _FINE_Y]
             change = vx * normals[i, 0] + vy * normals[i, 1]
             ahead = contacts[i, _AHEAD]
-            wanted = max(0.0, ahead + contacts[i, STEP] * (contacts[i, DEMAND] + change))
+            target = max(0.0, ahead + contacts[i, STEP] * (contacts[i, DEMAND] + change))
             contacts[i, _BEFORE] = contacts[i, _NOW]
-            contacts[i, _NOW] = wanted
-            moved = max(moved, abs(wanted - ahead) / contacts[i, STEP])
+            contacts[i, _NOW] = target
+            moved = max(moved, abs(target - ahead) / contacts[i, STEP])
             scale = max(scale, abs(contacts[i, DEMAND]), abs(change))
     return moved, scale
 
@@ -168,19 +186,19 @@ def _turns_back(count, contacts):
 
 
 @kernel
-def solve_complementarity(
-    count, first, second, normals, inverse_masses, targets, impulses, contacts, balls, max_iterations
-):
+def solve_complementarity(count, graph, inverse_masses, targets, impulses, scratch, max_iterations):
     """Least impulses J >= 0 that meet each contact's demand: A J >= d, J . (A J - d) = 0; and apply them.
 
-    contacts[:, DEMAND] d and contacts[:, STEP] > 0 for those that take part are read. targets (n, 2 or
-    more): velocities, if a demand is a change of closing speed (m/s), or positions, if it is a distance by
-    which to part what overlaps (m); columns 0 and 1 are changed. impulses (m,): added to. Accelerated
+    Of the scratch contacts[:, DEMAND] d and contacts[:, STEP] > 0 for those involved are read. targets (n, 2
+    or more): velocities, if a demand is a change of closing speed (m/s), or positions, if it is a distance by
+    which to separate what overlaps (m); columns 0 and 1 are changed. impulses (m,): added to. Accelerated
     projected gradient (Nesterov 1983; Mazhar, Heyn, Negrut, Tasora 2015) whose every sum and test is
     independent of the order of the contacts. Contradictory demands (a ball between walls too narrow for it)
     end as a compromise after `max_iterations`. Returns iterations.
     """
-    coupled = _share_out(count, first, second, inverse_masses, contacts, balls)
+    first, second, _ = graph
+    contacts, balls = scratch
+    coupled = _share_out(count, graph, inverse_masses, scratch)
     for i in range(count):
         if contacts[i, STEP] > 0.0:
             contacts[i, _BEFORE] = 0.0
@@ -189,8 +207,8 @@ def solve_complementarity(
     iterations = 1
     momentum = 1.0
     while coupled and iterations < max_iterations:
-        _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, np.bool_(True))
-        moved, scale = _descend(count, first, second, normals, contacts, balls)
+        _sum_impulses(count, graph, inverse_masses, scratch, np.bool_(True))
+        moved, scale = _descend(count, graph, scratch)
         iterations += 1
         if not (moved > SETTLED * scale):
             break
@@ -203,7 +221,7 @@ def solve_complementarity(
         for i in range(count):
             if contacts[i, STEP] > 0.0:
                 contacts[i, _AHEAD] = contacts[i, _NOW] + gain * (contacts[i, _NOW] - contacts[i, _BEFORE])
-    _sum_impulses(count, first, second, normals, inverse_masses, contacts, balls, np.bool_(False))
+    _sum_impulses(count, graph, inverse_masses, scratch, np.bool_(False))
     for i in range(count):
         if contacts[i, STEP] > 0.0:
             impulses[i] += contacts[i, _NOW]
@@ -217,8 +235,9 @@ def solve_complementarity(
 
 
 @kernel
-def _measure_closing(count, first, second, normals, velocities, contacts):
-    """Write the speed at which each contact closes, m/s, to DEMAND; returns the fastest, either way."""
+def _measure_closing(count, graph, velocities, contacts):
+    """Write the speed at which each contact closes, m/s, to DEMAND; returns the fastest of either sign."""
+    first, second, normals = graph
     fastest = 0.0
     for i in range(count):
         vx = velocities[first[i], 0]
@@ -233,32 +252,22 @@ def _measure_closing(count, first, second, normals, velocities, contacts):
 
 @kernel
 def solve_joint_impulses(
-    count,
-    first,
-    second,
-    normals,
-    restitutions,
-    inverse_masses,
-    velocities,
-    impulses,
-    join_resting,
-    contacts,
-    balls,
+    count, graph, restitutions, inverse_masses, velocities, impulses, join_resting, scratch
 ):
     """Resolve `count` simultaneous impacts, in rounds, until no contact closes; returns the rounds.
 
-    first, second (m,) int: balls of each contact; second -1 is a wall. normals (m, 2): unit, from first to
-    second (into the wall); (0, 0) leaves a contact out. restitutions (m,): 0 to 1. inverse_masses (n,)
-    1/kg, 0 does not yield. velocities (n, 2 or more) m/s: columns 0 and 1 are changed. impulses (m,) N s:
-    total of each contact, written. join_resting: bool, see the module. contacts, balls: `joint_scratch`;
-    contacts[:, SPEED] is left with the closing speeds before the first round, m/s.
+    A normal (0, 0) leaves a contact out. restitutions (m,): 0 to 1. inverse_masses (n,) 1/kg, 0 does not
+    yield. velocities (n, 2 or more) m/s: columns 0 and 1 are changed. impulses (m,) N s: total of each
+    contact, written. join_resting: bool, see the module. scratch: `joint_scratch`; its contacts[:, SPEED] is
+    left with the closing speeds before the first round, m/s.
 
-    If impacts go on without end (e < 1 between touching balls), the last of 2 m + SPARE_ROUNDS rounds lets
+    If impacts go on without end (e < 1 between balls in contact), the last of 2 m + SPARE_ROUNDS rounds lets
     every contact stop closing without rebound; that too conserves momentum and cannot raise the energy.
     """
+    contacts = scratch.contacts
     limit = 2 * count + SPARE_ROUNDS
     for rounds in range(limit):
-        fastest = _measure_closing(count, first, second, normals, velocities, contacts)
+        fastest = _measure_closing(count, graph, velocities, contacts)
         closing = 0
         for i in range(count):
             speed = contacts[i, DEMAND]
@@ -279,14 +288,11 @@ def solve_joint_impulses(
             return rounds
         solve_complementarity(
             count,
-            first,
-            second,
-            normals,
+            graph,
             inverse_masses,
             velocities,
             impulses,
-            contacts,
-            balls,
+            scratch,
             np.int64(MAX_ITERATIONS),  # a bare number would be compiled in, and the kernel twice
         )
     return limit

@@ -4,7 +4,7 @@ About the middle, a mirror-symmetric table and rack have coordinates that differ
 sum in a mirror-symmetric shot does: it stays symmetric to the last bit.
 
 The free rectangle is bounded by the straight rails along x and y. Inset by a ball's radius it is where the
-ball's centre can be without touching anything, if all else (jaws, pockets, slanted cushions) keeps off it.
+ball's centre can be without any contact, if all else (jaws, pockets, slanted cushions) keeps off it.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ def _clear(cushion_bytes: bytes, jaw_bytes: bytes, pocket_bytes: bytes, radius: 
 
 
 def is_clear(table: Table, radius: float) -> bool:
-    """True if a ball of this radius can touch only straight rails within the inset free rectangle."""
+    """True if a ball of this radius can meet only straight rails within the inset free rectangle."""
     return _clear(table.cushions.tobytes(), table.jaws.tobytes(), table.pockets.tobytes(), float(radius))
 
 

@@ -49,7 +49,7 @@ NO_EDGE = -1.0
 # rows of the working array of floats, state (rows, n): the state at the ball's last event, and what it plans
 TIME, X, Y, VX, VY, WX, WY, WZ, AX, AY = range(10)
 RADIUS, MASS, PHASE_END, OWN_TIME, PAIR_TIME, NEXT_TIME, RAIL_TIME, CLEAR = range(10, 18)
-PUSH_X, PUSH_Y, TURN_X, TURN_Y, TURN_Z, VALENCE, INVERSE_MASS = range(18, 25)  # room for `cluster`
+PUSH_X, PUSH_Y, TURN_X, TURN_Y, TURN_Z, VALENCE, INVERSE_MASS = range(18, 25)  # scratch of `cluster`
 FLOAT_ROWS = 25
 
 # rows of the working array of integers, modes (rows, n)
@@ -67,7 +67,7 @@ FIRST, SECOND = range(2)
 IMPULSE, RUBBED, PX, PY, PZ, RESTITUTION, JOINT_IMPULSE = range(7)
 END_ROWS, FORCE_ROWS = 2, 7
 
-# a stretch of one ball's way between two of its events: columns of segments (s, 12)
+# a stretch of one ball's path between two of its events: columns of segments (s, 12)
 SEG_TIME, SEG_X, SEG_Y, SEG_VX, SEG_VY, SEG_WX, SEG_WY, SEG_WZ, SEG_AX, SEG_AY, SEG_BALL, SEG_MOTION = range(
     12
 )
@@ -78,6 +78,6 @@ EVENTS_START, EVENTS_END, SEGMENTS_START, SEGMENTS_END, STATUS, END_TIME = range
 FINISHED, EVENT_LIMIT, BUFFER_FULL, NOT_FINITE = range(4)
 
 CLOSING_SPEED = 1e-12  # m/s; slower approaches are rounding. Over 20 s they amount to 2e-11 m, under 1e-9 R
-CONTACT_GAP = 1e-13  # m; balls that are so near touch, for the joint solution of simultaneous contacts
+CONTACT_GAP = 1e-13  # m; balls so near are in contact, for the joint solution of simultaneous contacts
 NEVER = 1e308  # s; later than any event
-AT_REST = 1e300  # s; in a table of contact times: touching, but not about to collide
+AT_REST = 1e300  # s; in a table of contact times: in contact, but not about to collide

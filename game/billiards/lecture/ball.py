@@ -4,7 +4,7 @@ Lengths are pixels and times frames, as in the lecture (``update()``), or metres
 with dt in s): nothing here depends on which. The ball knows no screen; it hands itself to a painter.
 
 Source: K. Peters, chapter 3 of "Flash MX 2004 Games Most Wanted" (Apress 2004), as taught. Where the printed
-listing slips, `lecture_slips.SLIPS` says how, and the rule ``as-printed`` computes it so.
+listing slips, `slips.SLIPS` says how, and the rule ``as-printed`` computes it so.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, Protocol
 
 from game.billiards.lecture.ball_collision import Collision, Parts, in_collision_frame, sum_of
 from game.billiards.lecture.contacts import exchange_as_lectured
-from game.billiards.lecture.state import RULES
+from game.billiards.lecture.settings import RULES
 
 
 class Bounds(NamedTuple):
@@ -190,12 +190,12 @@ class Ball:
     def handle_collision(
         self, other: Ball, rule: str = "conserving", restitution: float = 1.0
     ) -> Collision | None:
-        """Part two balls that overlap and change their velocities; None if they do not overlap.
+        """Separate two balls that overlap and change their velocities; None if they do not overlap.
 
         rule: `conserving`, restitution on the normal part, any masses: momentum is kept to rounding.
         `scaled`: normal parts exchanged (equal masses), then both whole velocities times `restitution`: of
-        the momentum that part is left. `as-printed`: the same by the printed listing, with its SLIPS, also
-        where the balls are parting already. Each ball is moved by half of the overlap, whatever it weighs.
+        the momentum that share is left. `as-printed`: the same by the printed listing, with its SLIPS, also
+        where the balls are separating already. Each ball is moved by half of the overlap, whatever it weighs.
         ValueError for another rule, or a restitution that is not 0 to 1.
         """
         if rule not in RULES:
@@ -209,12 +209,12 @@ class Ball:
         angle = math.atan2(dy, dx)
         cosa = dx / distance if distance > 0.0 else 1.0
         sina = dy / distance if distance > 0.0 else 0.0
-        places, ways = (self.position, other.position), (self.velocity, other.velocity)
+        places, velocities = (self.position, other.position), (self.velocity, other.velocity)
         momentum, energy = sum_of(self.momentum, other.momentum), self.energy + other.energy
-        parts = in_collision_frame(ways[0], cosa, sina), in_collision_frame(ways[1], cosa, sina)
+        parts = in_collision_frame(velocities[0], cosa, sina), in_collision_frame(velocities[1], cosa, sina)
         reach = other.radius - 0.5 * overlap
         contact = other._x + reach * cosa, other._y + reach * sina
-        self._part_from(other, overlap, cosa, sina)
+        self._separate_from(other, overlap, cosa, sina)
         exchanged = rule == "as-printed" or parts[1].normal > parts[0].normal
         if exchanged and rule == "conserving":
             self._exchange_conserving(other, parts, cosa, sina, restitution)
@@ -225,11 +225,11 @@ class Ball:
         after = in_collision_frame(self.velocity, cosa, sina), in_collision_frame(other.velocity, cosa, sina)
         return Collision(
             rule, distance, overlap, angle, cosa, sina, contact, places, (self.position, other.position),
-            ways, (self.velocity, other.velocity), parts, after, exchanged,
+            velocities, (self.velocity, other.velocity), parts, after, exchanged,
             momentum, sum_of(self.momentum, other.momentum), energy, self.energy + other.energy,
         )  # fmt: skip
 
-    def _part_from(self, other: Ball, overlap: float, cosa: float, sina: float) -> None:
+    def _separate_from(self, other: Ball, overlap: float, cosa: float, sina: float) -> None:
         """Move each of two balls half of the overlap, along the line of centres."""
         self._x += 0.5 * overlap * cosa
         self._y += 0.5 * overlap * sina

@@ -16,7 +16,7 @@ class Collision(NamedTuple):
     """All that handle_collision computed, for drawing. Ball 1 is self, ball 2 the other.
 
     angle: of the line of centres, from ball 2 to ball 1, rad. contact: middle of the overlap. exchanged:
-    False if the balls were parting already and only moved apart. Momenta and energies are sums of both.
+    False if the balls were separating already and only moved apart. Momenta and energies are sums of both.
     """
 
     rule: str

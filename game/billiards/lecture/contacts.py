@@ -1,7 +1,7 @@
 """Balls against balls on the lecture's table: pair after pair by index, or all contacts jointly.
 
-Balls touch when their centres are nearer than the sum of their radii: seen from above, also where radii
-differ, as in the lecture.
+Balls are in contact when their centres are nearer than the sum of their radii: seen from above, also where
+radii differ, as in the lecture.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import math
 import numpy as np
 
 from game.billiards.laws.joint import DEMAND, SPEED, STEP, solve_complementarity, solve_joint_impulses
+from game.billiards.lecture.settings import AT_ONCE, CONSERVING, SCALED
 from game.billiards.lecture.state import (
     BALL_BALL,
     BALL_CUSHION,
@@ -23,11 +24,10 @@ from game.billiards.lecture.state import (
 from game.billiards.lecture.walls import bounce_off_walls, cushion_gap, jaw_gap, report
 from game.physics.kernels.jit import kernel
 
-CONSERVING, SCALED = 0, 1  # places in RULES; the third is the listing as printed
-TOUCHING = 1e-9  # of the distance of centres; nearer counts as contact in the joint order
-NEARBY = 0.25  # of a radius; parting balls may bring so near ones into contact
-PARTED = 1e-13  # of a radius; smaller overlaps are left as they are, so that what rests stays where it is
-MAX_PARTING = 400  # iterations; a contradiction (ball in too narrow a gap) is not solved further
+IN_CONTACT = 1e-9  # of the distance of centres; nearer counts as contact in the joint order
+NEARBY = 0.25  # of a radius; separating balls may bring so near ones into contact
+SEPARATED = 1e-13  # of a radius; smaller overlaps are left as they are, so that what rests stays where it is
+MAX_SEPARATING = 400  # iterations; a contradiction (ball in too narrow a gap) is not solved further
 
 
 @kernel
@@ -60,8 +60,8 @@ def exchange_as_lectured(vx1, vy1, vx2, vy2, cosa, sina, loss, printed):
 
 
 @kernel
-def collide_pair(state, model, journal, i, j, time):
-    """The lecture's handlecollision for balls i and j that overlap: part them, change their velocities.
+def collide_pair(state, settings, journal, i, j, time):
+    """The lecture's handlecollision for balls i and j that overlap: separate them, change their velocities.
 
     By the conserving rule both moves and the impulse go by mass, with Newton's restitution on the normal
     part; by the lecture's rules each moves by half of the overlap, as if masses were equal.
@@ -78,24 +78,24 @@ def collide_pair(state, model, journal, i, j, time):
     w2 = state.inverse_masses[j]
     if w1 + w2 == 0.0:
         return
-    share = w1 / (w1 + w2) if model.rule == CONSERVING else 0.5
+    share = w1 / (w1 + w2) if settings.rule == CONSERVING else 0.5
     offsets[i, 0] += overlap * share * cosa
     offsets[i, 1] += overlap * share * sina
     offsets[j, 0] -= overlap * (1.0 - share) * cosa
     offsets[j, 1] -= overlap * (1.0 - share) * sina
     approach = (v[j, 0] - v[i, 0]) * cosa + (v[j, 1] - v[i, 1]) * sina
-    impulse = (1.0 + model.restitution) * abs(approach) / (w1 + w2)
-    if model.rule == CONSERVING:
+    impulse = (1.0 + settings.restitution) * abs(approach) / (w1 + w2)
+    if settings.rule == CONSERVING:
         if approach <= 0.0:
             return
         v[i, 0] += w1 * impulse * cosa
         v[i, 1] += w1 * impulse * sina
         v[j, 0] -= w2 * impulse * cosa
         v[j, 1] -= w2 * impulse * sina
-    elif model.rule != SCALED or approach > 0.0:  # the printed listing does not ask whether they part already
-        printed = model.rule != SCALED
+    elif settings.rule != SCALED or approach > 0.0:  # the printed listing does not ask for it
+        printed = settings.rule != SCALED
         v[i, 0], v[i, 1], v[j, 0], v[j, 1] = exchange_as_lectured(
-            v[i, 0], v[i, 1], v[j, 0], v[j, 1], cosa, sina, model.restitution, printed
+            v[i, 0], v[i, 1], v[j, 0], v[j, 1], cosa, sina, settings.restitution, printed
         )
     x = offsets[j, 0] + state.radii[j] * cosa
     y = offsets[j, 1] + state.radii[j] * sina
@@ -103,18 +103,18 @@ def collide_pair(state, model, journal, i, j, time):
 
 
 @kernel
-def collide_in_index_order(state, geometry, model, journal, time):
+def collide_in_index_order(state, geometry, settings, journal, time):
     """Pair after pair, lower index first, as in the lecture; repeated while any pair overlaps.
 
-    The printed listing does not ask whether two balls part already: a second pass would find what rounding
-    left of an overlap and exchange the velocities back. So that rule has one pass.
+    The printed listing does not ask whether two balls separate already: a second pass would find what
+    rounding left of an overlap and exchange the velocities back. So that rule has one pass.
     """
     offsets = state.offsets
     radii = state.radii
     in_play = state.in_play
     n = radii.shape[0]
-    for _ in range(model.passes if model.rule <= SCALED else 1):
-        touched = False
+    for _ in range(settings.passes if settings.rule <= SCALED else 1):
+        found = False
         for i in range(n - 1):
             if not in_play[i]:
                 continue
@@ -123,32 +123,32 @@ def collide_in_index_order(state, geometry, model, journal, time):
                 dy = offsets[i, 1] - offsets[j, 1]
                 reach = radii[i] + radii[j]
                 if dx * dx + dy * dy < reach * reach and in_play[j]:
-                    collide_pair(state, model, journal, i, j, time)
-                    touched = True
+                    collide_pair(state, settings, journal, i, j, time)
+                    found = True
         journal.counters[PAIR_TESTS] += n * (n - 1) // 2
-        if not touched:
+        if not found:
             return
-        if model.walls_again != 0:
-            bounce_off_walls(state, geometry, model, journal, np.bool_(True), time)
+        if settings.walls_again:
+            bounce_off_walls(state, geometry, settings, journal, np.bool_(True), time)
 
 
 @kernel
 def _add_contact(contacts, count, first, second, normal_x, normal_y, gap, restitution):
-    """Append a contact to the list if there is room; returns the new length."""
+    """Append a contact to the list if there is capacity; returns the new length."""
     if count >= contacts.gaps.shape[0]:
         return count
-    contacts.first[count] = first
-    contacts.second[count] = second
-    contacts.normals[count, 0] = normal_x
-    contacts.normals[count, 1] = normal_y
+    contacts.graph.first[count] = first
+    contacts.graph.second[count] = second
+    contacts.graph.normals[count, 0] = normal_x
+    contacts.graph.normals[count, 1] = normal_y
     contacts.gaps[count] = gap
     contacts.restitutions[count] = restitution
     return count + 1
 
 
 @kernel
-def _list_ball_contacts(state, model, contacts):
-    """List pairs of balls that touch or are nearby; returns their number, and the smallest gap / radius."""
+def _list_ball_contacts(state, settings, contacts):
+    """List pairs of balls in contact or nearby; returns their number, and the smallest gap / radius."""
     offsets = state.offsets
     radii = state.radii
     in_play = state.in_play
@@ -173,13 +173,13 @@ def _list_ball_contacts(state, model, contacts):
                 ny = dy / distance if distance > 0.0 else 0.0
                 gap = distance - reach
                 least = min(least, gap / reach)
-                count = _add_contact(contacts, count, i, j, nx, ny, gap, model.restitution)
+                count = _add_contact(contacts, count, i, j, nx, ny, gap, settings.restitution)
     return count, least
 
 
 @kernel
-def _list_wall_contacts(state, geometry, model, contacts, count):
-    """Append contacts of balls with walls that touch or are nearby; returns the length of the list."""
+def _list_wall_contacts(state, geometry, settings, contacts, count):
+    """Append contacts of balls with walls that are in contact or nearby; returns the length of the list."""
     cushions = geometry.cushions
     for i in range(state.radii.shape[0]):
         x = state.offsets[i, 0]
@@ -198,7 +198,7 @@ def _list_wall_contacts(state, geometry, model, contacts, count):
             else:
                 gap, nx, ny = jaw_gap(geometry.jaws, k - cushions.shape[0], x, y, r)
             if gap < nearby:
-                count = _add_contact(contacts, count, i, -1 - k, -nx, -ny, gap, model.bounce)
+                count = _add_contact(contacts, count, i, -1 - k, -nx, -ny, gap, settings.bounce)
     return count
 
 
@@ -208,77 +208,72 @@ def _report_impulses(state, geometry, contacts, journal, count, time):
     cushions = geometry.cushions.shape[0]
     for c in range(count):
         if contacts.impulses[c] > 0.0:
-            i = contacts.first[c]
-            x = state.offsets[i, 0] + state.radii[i] * contacts.normals[c, 0]
-            y = state.offsets[i, 1] + state.radii[i] * contacts.normals[c, 1]
+            i = contacts.graph.first[c]
+            x = state.offsets[i, 0] + state.radii[i] * contacts.graph.normals[c, 0]
+            y = state.offsets[i, 1] + state.radii[i] * contacts.graph.normals[c, 1]
             kind = BALL_BALL
-            other = contacts.second[c]
+            other = contacts.graph.second[c]
             if other < 0:
                 other = -1 - other
                 kind = BALL_CUSHION if other < cushions else BALL_JAW
                 other -= 0 if other < cushions else cushions
-            speed = contacts.work[c, SPEED]
+            speed = contacts.scratch.contacts[c, SPEED]
             if speed <= 0.0:  # it closed only because of other impacts of this instant
+                second = contacts.graph.second[c]
                 yielding = state.inverse_masses[i]
-                yielding += state.inverse_masses[contacts.second[c]] if contacts.second[c] >= 0 else 0.0
+                yielding += state.inverse_masses[second] if second >= 0 else 0.0
                 speed = contacts.impulses[c] * yielding / (1.0 + contacts.restitutions[c])
             report(journal, kind, i, other, time, speed, contacts.impulses[c], x, y)
 
 
 @kernel
-def _part(state, contacts, count):
+def _separate(state, contacts, count):
     """Move the listed balls apart, all at once and as little as possible (by mass); returns iterations."""
     for c in range(count):
-        contacts.work[c, DEMAND] = -contacts.gaps[c]
-        contacts.work[c, STEP] = 1.0
+        contacts.scratch.contacts[c, DEMAND] = -contacts.gaps[c]
+        contacts.scratch.contacts[c, STEP] = 1.0
     return solve_complementarity(
         count,
-        contacts.first,
-        contacts.second,
-        contacts.normals,
+        contacts.graph,
         state.inverse_masses,
         state.offsets,
         contacts.impulses,
-        contacts.work,
-        contacts.sums,
-        np.int64(MAX_PARTING),
+        contacts.scratch,
+        np.int64(MAX_SEPARATING),
     )
 
 
 @kernel
-def collide_jointly(state, geometry, model, contacts, journal, time):
-    """All contacts of this substep at once: impulses first, then the balls are parted.
+def collide_jointly(state, geometry, settings, contacts, journal, time):
+    """All contacts of this substep at once: impulses first, then the balls are separated.
 
     The numbering of the balls has no influence, and a mirrored table stays mirrored, to the last bit.
     """
     n = state.radii.shape[0]
-    for attempt in range(model.passes + 1):
-        count, least = _list_ball_contacts(state, model, contacts)
+    for attempt in range(settings.passes + 1):
+        count, least = _list_ball_contacts(state, settings, contacts)
         journal.counters[PAIR_TESTS] += n * (n - 1) // 2
-        if not least < (TOUCHING if attempt == 0 else -PARTED):
+        if not least < (IN_CONTACT if attempt == 0 else -SEPARATED):
             return
-        if model.walls_again != 0:
-            count = _list_wall_contacts(state, geometry, model, contacts, count)
+        if settings.walls_again:
+            count = _list_wall_contacts(state, geometry, settings, contacts, count)
         if attempt > 0:
-            journal.counters[ITERATIONS] += _part(state, contacts, count)
+            journal.counters[ITERATIONS] += _separate(state, contacts, count)
             continue
         for c in range(count):
-            if not contacts.gaps[c] < TOUCHING * state.radii[contacts.first[c]]:
-                contacts.normals[c, 0] = 0.0  # only nearby: no part in the impacts
-                contacts.normals[c, 1] = 0.0
+            if not contacts.gaps[c] < IN_CONTACT * state.radii[contacts.graph.first[c]]:
+                contacts.graph.normals[c, 0] = 0.0  # only nearby: no part in the impacts
+                contacts.graph.normals[c, 1] = 0.0
             else:
                 journal.counters[CONTACTS] += 1
         journal.counters[ROUNDS] += solve_joint_impulses(
             count,
-            contacts.first,
-            contacts.second,
-            contacts.normals,
+            contacts.graph,
             contacts.restitutions,
             state.inverse_masses,
             state.velocities,
             contacts.impulses,
-            model.propagation != 0,
-            contacts.work,
-            contacts.sums,
+            settings.propagation == AT_ONCE,
+            contacts.scratch,
         )
         _report_impulses(state, geometry, contacts, journal, count, time)

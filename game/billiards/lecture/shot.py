@@ -3,7 +3,7 @@
 What the lecture's table cannot hold is left out: spin, throw, what the cushion does to the spin. Loss at
 balls and cushions is the shot's. Friction there takes a share of the speed away each frame, where the cloth
 takes a constant deceleration; the two can agree at one speed only. The factor is chosen so that a rolling
-ball of REFERENCE_SPEED stops (falls below the table's minimum speed) after the time v/(mu_r g) that it takes
+ball of REFERENCE_SPEED stops (falls below MINIMUM) after the time v/(mu_r g) that it takes
 on the cloth: faster balls then stop too soon, and slower ones roll on for too long.
 """
 
@@ -29,10 +29,10 @@ from game.billiards.laws.state import (
     ROLLING,
     STATIONARY,
 )
+from game.billiards.lecture.settings import FRAME_RATE, LectureSettings, lecture_settings
 from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     FIRST,
-    FRAME_RATE,
     FRICTION,
     KIND,
     MINIMUM_SPEED,
@@ -40,7 +40,6 @@ from game.billiards.lecture.state import (
     SECOND,
     TIME,
     WALLS,
-    LectureSettings,
 )
 from game.billiards.lecture.table import LectureTable
 from game.billiards.shot.sampled import (
@@ -54,17 +53,18 @@ from game.billiards.shot.sampled import (
     SAMPLE_X,
     SAMPLE_Y,
     SampledTrajectory,
+    check_steps,
     sampled_trajectory,
     samples_for,
 )
 from game.billiards.shot.shot import Shot, ShotError
-from game.billiards.stepped.play import check_steps
 from game.billiards.table.table import Table, checked_table
 
 Array = NDArray[np.float64]
 
 REFERENCE_SPEED = 1.0  # m/s
-MINIMUM = 0.01  # m/s; the lecture's minimum speed
+MINIMUM = 0.01  # m/s; finer than the table's default, for a shot is compared with the exact table
+STEP = 1.0 / 60.0  # s, unless said otherwise
 EFFECTS = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED | POCKETS
 
 
@@ -82,7 +82,7 @@ def lecture_settings_for(
     """Settings of the lecture's table for a shot, stepped as printed: one pass, balls put on the wall."""
     physics = shot.physics
     moves_for_ever = physics.rolling == 0.0
-    return LectureSettings(
+    return lecture_settings(
         bounce=float(shot.constants[CUSHION_RESTITUTION]),
         restitution=float(shot.constants[BALL_RESTITUTION]),
         friction=friction_factor(physics.rolling, physics.gravity),
@@ -200,7 +200,7 @@ class LecturePlay:
 
 def simulate_lecture(
     shot: Shot,
-    dt: float = 1.0 / 60.0,
+    dt: float = STEP,
     substeps: int = 1,
     rule: str = "conserving",
     order: str = "pairwise",
@@ -208,16 +208,16 @@ def simulate_lecture(
 ) -> SampledTrajectory:
     """Play a shot on the lecture's table in steps of dt s, at most to the time `until` (s).
 
-    substeps (0: automatic), rule, order: as in `LectureSettings`. Events are contacts only, to the substep.
+    substeps (0: automatic), rule, order: as in `lecture_settings`. Events are contacts only, to the substep.
     ValueError names an option out of range, or a ball whose numbers did not stay finite.
     """
     check_steps(dt, until)
     play = LecturePlay(shot, lecture_settings_for(shot, substeps, rule, order))
     whole = int(until / dt * (1.0 + 1e-12))
     rest = until - whole * dt
-    room = samples_for(len(shot.balls))
-    stride = max(1, math.ceil(whole / (room - 2)))
-    times = np.zeros(min(room, whole + 2))
+    capacity = samples_for(len(shot.balls))
+    stride = max(1, math.ceil(whole / (capacity - 2)))
+    times = np.zeros(min(capacity, whole + 2))
     samples = np.empty((len(times), len(shot.balls), SAMPLE_COLUMNS))
     play.write(samples[0])
     kept = 1

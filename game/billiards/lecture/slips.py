@@ -31,7 +31,7 @@ SLIPS = (
         "pnewy1 = py2;  pnewy2 = py1",
         "pnewy1 = py1;  pnewy2 = py2",
         "The tangential parts are exchanged like the normal ones. Even with right rotations the balls would "
-        "swap their whole velocities, however they touch: a grazing hit like a full one.",
+        "swap their whole velocities, however they meet: a grazing hit like a full one.",
     ),
     Slip(
         "turning back",

@@ -1,4 +1,4 @@
-"""What the lecture's table consists of: effects, choices, settings, and its state as arrays.
+"""What the lecture's table consists of: effects, and its state as arrays.
 
 Positions are kept as offsets from the middle of the table: there a mirror image only changes signs, so a
 rack and its mirror image step alike to the last bit. What the table's own measures lost in rounding is
@@ -7,13 +7,12 @@ given back once, by putting them on a grid of a picometre.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.billiards.laws.joint import joint_scratch
+from game.billiards.laws.joint import ContactGraph, JointScratch, joint_scratch
 from game.billiards.table.table import Table
 from game.physics.effects import Room, declare_effect
 
@@ -26,19 +25,8 @@ ROLLING = declare_effect("rolling", "Rolling", "Numbers and stripes turn with th
 LECTURE_EFFECTS = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED | POCKETS | ROLLING
 LECTURE = Room("lecture tables", LECTURE_EFFECTS)
 
-RULES = ("conserving", "scaled", "as-printed")  # what a collision does to two velocities
-ORDERS = ("joint", "pairwise")  # contacts of one substep together, or pair after pair by index
-PROPAGATIONS = ("impacts", "at-once")  # joint order: resting contacts wait for their impact, or join at once
-REPOSITIONINGS = ("exact", "mirror", "clamp")  # where a ball that overshot a wall is put
-FRICTION_LAWS = ("consistent", "per-frame")  # factor^(60 dt), or the factor each step however long
-
-FRAME_RATE = 60.0  # 1/s; the frame rate that a friction factor is meant for
-AUTOMATIC = 0  # substeps: as many as keep a ball from moving over half a radius in one
-MAX_SUBSTEPS = 1_000  # automatic ones; above 860 m/s (at 60 steps a second) pool balls may tunnel again
-MAX_PASSES = 1_000
 MAX_BALLS = 4_096
 MAX_COORDINATE = 1e6  # m
-MAX_SPEED = 1e6  # m/s
 GRID = 2.0**-40  # m; jaws, pockets and the ends of cushions are put on multiples of it
 EVENT_CAPACITY = 512
 
@@ -50,86 +38,6 @@ EVENT_NAMES = ("ball-ball", "cushion", "jaw", "pocket")
 EVENTS, EVENTS_LOST, SUBSTEPS, PAIR_TESTS, CONTACTS, ROUNDS, ITERATIONS, NOT_FINITE = range(8)
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True)
-class LectureSettings:
-    """Settings of the lecture's table. ValueError names the one that is out of range.
-
-    bounce: speed kept at a wall, 0 to 1 (the lecture's bounce factor; above 1 energy would grow for ever).
-    restitution: of two balls, 0 to 1; the rules `scaled` and `as-printed` multiply whole velocities by it.
-    friction: factor per frame at 60 frames/s, 0 to 1. minimum_speed: m/s. substeps: 0 is automatic.
-    passes: rounds of parting balls that overlap (one by the rule as-printed). walls_again: push balls back
-    from the walls after balls have pushed them (False, as in the lecture, lets a pressed ball sink in).
-    """
-
-    bounce: float = 0.8
-    restitution: float = 0.95
-    friction: float = 0.99
-    minimum_speed: float = 0.01
-    substeps: int = AUTOMATIC
-    passes: int = 4
-    rule: str = "conserving"
-    order: str = "joint"
-    propagation: str = "impacts"
-    repositioning: str = "exact"
-    friction_law: str = "consistent"
-    walls_again: bool = True
-
-    def __post_init__(self) -> None:
-        for name in ("bounce", "restitution", "friction"):
-            _check_range(name, getattr(self, name), 0.0, 1.0)
-        _check_range("minimum_speed", self.minimum_speed, 0.0, MAX_SPEED)
-        _check_whole("substeps", self.substeps, 0, MAX_SUBSTEPS)
-        _check_whole("passes", self.passes, 1, MAX_PASSES)
-        for name, choices in _CHOICES.items():
-            if getattr(self, name) not in choices:
-                raise ValueError(f"{name}: must be one of {', '.join(choices)}, got {getattr(self, name)!r}")
-        if self.order == "joint" and self.rule != "conserving":
-            raise ValueError(f"order: joint solves only the rule conserving, not {self.rule!r}; use pairwise")
-
-    def model(self) -> LectureModel:
-        """The same as numbers for the kernels."""
-        return LectureModel(
-            float(self.bounce),
-            float(self.restitution),
-            float(self.friction),
-            float(self.minimum_speed),
-            int(self.substeps),
-            int(self.passes),
-            RULES.index(self.rule),
-            ORDERS.index(self.order),
-            PROPAGATIONS.index(self.propagation),
-            REPOSITIONINGS.index(self.repositioning),
-            FRICTION_LAWS.index(self.friction_law),
-            int(self.walls_again),
-        )
-
-
-_CHOICES = {
-    "rule": RULES,
-    "order": ORDERS,
-    "propagation": PROPAGATIONS,
-    "repositioning": REPOSITIONINGS,
-    "friction_law": FRICTION_LAWS,
-}
-
-
-class LectureModel(NamedTuple):
-    """Settings as numbers; choices as their place in RULES, ORDERS, ..."""
-
-    bounce: float
-    restitution: float
-    friction: float
-    minimum_speed: float
-    substeps: int
-    passes: int
-    rule: int
-    order: int
-    propagation: int
-    repositioning: int
-    friction_law: int
-    walls_again: int
 
 
 class LectureState(NamedTuple):
@@ -167,27 +75,24 @@ class Journal(NamedTuple):
 
 
 class ContactList(NamedTuple):
-    """Contacts of one substep, and room to solve them in.
+    """Contacts of one substep, and scratch arrays to solve them in.
 
-    first (m,): ball. second (m,): ball, or -1 - row of a wall (cushions first, then jaws). normals (m, 2):
-    from first to second. gaps (m,) m. restitutions (m,). impulses (m,) N s. work, sums: see joint.py.
+    graph: second is a ball, or -1 - row of a wall (cushions first, then jaws). gaps (m,) m. restitutions
+    (m,). impulses (m,) N s. scratch: see joint.py.
     """
 
-    first: NDArray[np.int64]
-    second: NDArray[np.int64]
-    normals: Array
+    graph: ContactGraph
     gaps: Array
     restitutions: Array
     impulses: Array
-    work: Array
-    sums: Array
+    scratch: JointScratch
 
 
 class LectureScratch(NamedTuple):
     """Arrays that a step works in, few because each costs time to hand over.
 
     events and counters: see Journal. rolled (n, 2) m. links (2, m): first, second. columns (3, m): gaps,
-    restitutions, impulses. normals (m, 2), work and sums: see ContactList.
+    restitutions, impulses. normals (m, 2). work and sums: the two of JointScratch.
     """
 
     events: Array
@@ -198,16 +103,6 @@ class LectureScratch(NamedTuple):
     normals: Array
     work: Array
     sums: Array
-
-
-def _check_range(name: str, value: float, low: float, high: float) -> None:
-    if isinstance(value, bool) or not (isinstance(value, int | float) and low <= value <= high):
-        raise ValueError(f"{name}: must be a number from {low:g} to {high:g}, got {value!r}")
-
-
-def _check_whole(name: str, value: int, low: int, high: int) -> None:
-    if isinstance(value, bool) or not (isinstance(value, int | np.integer) and low <= value <= high):
-        raise ValueError(f"{name}: must be a whole number from {low} to {high}, got {value!r}")
 
 
 def checked_rows(name: str, value: ArrayLike, rows: int, columns: int, limit: float) -> Array:
@@ -279,15 +174,15 @@ def geometry_of(table: Table, open_at_pockets: bool) -> LectureGeometry:
 
 def scratch_for(balls: int) -> LectureScratch:
     """Scratch arrays for so many balls: all pairs of a few, eight contacts each of many."""
-    room = min(balls * (balls - 1) // 2, 8 * balls) + 4 * balls
-    work, sums = joint_scratch(balls, room)
+    capacity = min(balls * (balls - 1) // 2, 8 * balls) + 4 * balls
+    work, sums = joint_scratch(balls, capacity)
     return LectureScratch(
         events=np.zeros((EVENT_CAPACITY, 8)),
         counters=np.zeros(8, dtype=np.int64),
         rolled=np.zeros((balls, 2)),
-        links=np.zeros((2, room), dtype=np.int64),
-        columns=np.zeros((3, room)),
-        normals=np.zeros((room, 2)),
+        links=np.zeros((2, capacity), dtype=np.int64),
+        columns=np.zeros((3, capacity)),
+        normals=np.zeros((capacity, 2)),
         work=work,
         sums=sums,
     )

@@ -1,10 +1,10 @@
 """One step of the lecture's table: the order of things, and the small kernels in between.
 
-Move, take what is over a pocket, turn round what is beyond a wall, part what overlaps: substep by substep
+Move, take what is over a pocket, turn round what is beyond a wall, separate what overlaps: substep by substep
 within one call. Slow down: once, at the end, as the lecture does once a frame.
 
-Arrays are those of `lecture_state`: offsets, velocities and rolled (n, 2) m and m/s, orientations (n, 4),
-radii (n,) m, numbers: the model's numbers.
+Arrays are those of state.py: offsets, velocities and rolled (n, 2) m and m/s, orientations (n, 4),
+radii (n,) m.
 """
 
 from __future__ import annotations
@@ -16,14 +16,20 @@ from typing import Any
 
 import numpy as np
 
+from game.billiards.laws.joint import ContactGraph, JointScratch
 from game.billiards.lecture.contacts import collide_in_index_order, collide_jointly
-from game.billiards.lecture.state import (
+from game.billiards.lecture.settings import (
     AUTOMATIC,
-    BALL_COLLISIONS,
+    CONSISTENT,
     FRAME_RATE,
+    JOINT,
+    MAX_SUBSTEPS,
+    read_settings,
+)
+from game.billiards.lecture.state import (
+    BALL_COLLISIONS,
     FRICTION,
     LECTURE,
-    MAX_SUBSTEPS,
     MINIMUM_SPEED,
     NOT_FINITE,
     POCKETS,
@@ -33,7 +39,6 @@ from game.billiards.lecture.state import (
     ContactList,
     Journal,
     LectureGeometry,
-    LectureModel,
     LectureState,
 )
 from game.billiards.lecture.walls import bounce_off_walls, swallow
@@ -44,29 +49,10 @@ _MINIMUM, _POCKETS, _ROLLING = (LECTURE.bit(effect) for effect in (MINIMUM_SPEED
 
 
 @kernel
-def read_model(numbers):
-    """The settings from an array of them."""
-    return LectureModel(
-        numbers[0],
-        numbers[1],
-        numbers[2],
-        numbers[3],
-        int(numbers[4]),
-        int(numbers[5]),
-        int(numbers[6]),
-        int(numbers[7]),
-        int(numbers[8]),
-        int(numbers[9]),
-        int(numbers[10]),
-        int(numbers[11]),
-    )
-
-
-@kernel
-def count_substeps(state, model, dt):
+def count_substeps(state, settings, dt):
     """Number of substeps: as set, or so many that no ball moves over half of the least radius in one."""
-    if model.substeps != AUTOMATIC:
-        return model.substeps
+    if settings.substeps != AUTOMATIC:
+        return settings.substeps
     fastest = 0.0
     smallest = 1e300
     for i in range(state.radii.shape[0]):
@@ -83,14 +69,14 @@ def count_substeps(state, model, dt):
 
 @kernel
 def roll(orientations, radii, rolled):
-    """Turn each ball about the horizontal axis across its way, by way / radius; then forget the way."""
+    """Turn each ball about the horizontal axis across its path, by distance / radius; then forget it."""
     for i in range(radii.shape[0]):
-        way = math.sqrt(rolled[i, 0] * rolled[i, 0] + rolled[i, 1] * rolled[i, 1])
-        if way > 0.0:
-            half = 0.5 * way / radii[i]
+        distance = math.sqrt(rolled[i, 0] * rolled[i, 0] + rolled[i, 1] * rolled[i, 1])
+        if distance > 0.0:
+            half = 0.5 * distance / radii[i]
             w = math.cos(half)
-            s = math.sin(half) / way
-            x = -s * rolled[i, 1]  # axis = z cross way
+            s = math.sin(half) / distance
+            x = -s * rolled[i, 1]  # axis = z cross displacement
             y = s * rolled[i, 0]
             q = orientations[i]
             a = w * q[0] - x * q[1] - y * q[2]
@@ -133,7 +119,7 @@ def first_not_finite(offsets, velocities):
 def step_kernel(mask: int, order: int) -> Callable[..., Any]:
     """The step for the effects of a mask and an order of contacts; what is not in it is not compiled in.
 
-    Its arguments are the fields of LectureState, the model as numbers, the half width and length with
+    Its arguments are the fields of LectureState, the settings as numbers, the half width and length with
     cushions, jaws and pockets, the fields of LectureScratch, the number of steps and their length: plain
     arrays, because handing over a NamedTuple from Python takes four times as long.
     """
@@ -146,37 +132,39 @@ def step_kernel(mask: int, order: int) -> Callable[..., Any]:
     ):  # fmt: skip
         state = LectureState(offsets, velocities, orientations, in_play, pocketed_by, radii, inverse_masses)
         geometry = LectureGeometry(half[0], half[1], cushions, jaws, pockets)
-        model = read_model(numbers)
+        settings = read_settings(numbers)
         journal = Journal(events, counters)
-        contacts = ContactList(links[0], links[1], normals, columns[0], columns[1], columns[2], work, sums)
+        graph = ContactGraph(links[0], links[1], normals)
+        contacts = ContactList(graph, columns[0], columns[1], columns[2], JointScratch(work, sums))
         counters[:] = 0
         factor = 1.0
         if mask & _FRICTION:
-            factor = model.friction ** (FRAME_RATE * dt) if model.friction_law == 0 else model.friction
+            consistent = settings.friction_law == CONSISTENT
+            factor = settings.friction ** (FRAME_RATE * dt) if consistent else settings.friction
         for number in range(steps):
-            substeps = count_substeps(state, model, dt)
+            substeps = count_substeps(state, settings, dt)
             counters[SUBSTEPS] += substeps
             h = dt / substeps
             for k in range(substeps):
                 time = number * dt + k * h
                 for i in range(radii.shape[0]):
                     for axis in range(2):
-                        way = velocities[i, axis] * h
-                        offsets[i, axis] += way
+                        moved = velocities[i, axis] * h
+                        offsets[i, axis] += moved
                         if mask & _ROLLING:
-                            rolled[i, axis] += way
+                            rolled[i, axis] += moved
                 if mask & _POCKETS:
                     swallow(state, geometry, journal, h, time)
                 if mask & _WALLS:
-                    bounce_off_walls(state, geometry, model, journal, np.bool_(False), time)
-                if mask & _BALLS and order == 0:
-                    collide_jointly(state, geometry, model, contacts, journal, time)
-                    if mask & _WALLS and model.walls_again != 0:
-                        bounce_off_walls(state, geometry, model, journal, np.bool_(True), time)
+                    bounce_off_walls(state, geometry, settings, journal, np.bool_(False), time)
+                if mask & _BALLS and order == JOINT:
+                    collide_jointly(state, geometry, settings, contacts, journal, time)
+                    if mask & _WALLS and settings.walls_again:
+                        bounce_off_walls(state, geometry, settings, journal, np.bool_(True), time)
                 elif mask & _BALLS:
-                    collide_in_index_order(state, geometry, model, journal, time)
+                    collide_in_index_order(state, geometry, settings, journal, time)
             if mask & (_FRICTION | _MINIMUM):
-                slow_down(velocities, factor, model.minimum_speed if mask & _MINIMUM else 0.0)
+                slow_down(velocities, factor, settings.minimum_speed if mask & _MINIMUM else 0.0)
             if mask & _ROLLING:
                 roll(orientations, radii, rolled)
         counters[NOT_FINITE] = first_not_finite(offsets, velocities)

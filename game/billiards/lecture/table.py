@@ -14,26 +14,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from game.billiards.lecture.events import TableEvent, table_events
+from game.billiards.lecture.settings import DEFAULTS, MAX_SPEED, LectureSettings, lecture_settings
 from game.billiards.lecture.state import (
     EVENTS,
     LECTURE,
     LECTURE_EFFECTS,
     MAX_BALLS,
     MAX_COORDINATE,
-    MAX_SPEED,
     NOT_FINITE,
-    ORDERS,
     POCKETS,
     WALLS,
     Array,
-    LectureSettings,
     LectureState,
     checked_column,
     checked_rows,
@@ -51,7 +47,8 @@ class LectureTable:
 
     table: rails and pockets. positions (n, 2) m in the table's frame. radii m and masses kg: one number, or
     one for each ball; mass inf is a ball that does not yield. effects: what is computed.
-    ValueError names what is wrong: numbers that are not finite, shapes, measures out of range.
+    settings: from `lecture_settings`, which checks them. ValueError names what is wrong: numbers that are
+    not finite, shapes, measures out of range.
     """
 
     def __init__(
@@ -62,7 +59,7 @@ class LectureTable:
         masses: ArrayLike = BALL_MASS,
         velocities: ArrayLike | None = None,
         effects: EffectSet | Effect = LECTURE_EFFECTS,
-        settings: LectureSettings | None = None,
+        settings: LectureSettings = DEFAULTS,
     ) -> None:
         n = len(np.atleast_1d(np.asarray(positions)))
         if not 1 <= n <= MAX_BALLS:
@@ -85,8 +82,8 @@ class LectureTable:
             inverse_masses=1.0 / checked_column("masses", masses, n, 1e-12, math.inf),
         )
         self._scratch = scratch_for(n)
-        self._settings = LectureSettings() if settings is None else settings
-        self._numbers = np.array(self._settings.model(), dtype=np.float64)
+        self._settings = settings
+        self._numbers = np.array(settings, dtype=np.float64)
         self._set_effects(EffectSet() | effects)
 
     # -- what is computed, and how
@@ -110,23 +107,18 @@ class LectureTable:
         self._effects = effects
         half = np.array([geometry.half_width, geometry.half_length])
         self._geometry = (half, geometry.cushions, geometry.jaws, geometry.pockets)
-        self._step = step_kernel(LECTURE.mask(effects), ORDERS.index(self._settings.order))
+        self._step = step_kernel(LECTURE.mask(effects), self._settings.order)
 
     @property
     def settings(self) -> LectureSettings:
-        """The settings as they are; see `configure`."""
+        """The settings; give others, from `lecture_settings`, to change them."""
         return self._settings
 
-    def configure(self, **changes: Any) -> None:
-        """Change some settings; ValueError names one that is out of range or unknown, and nothing changes."""
-        unknown = sorted(set(changes) - set(LectureSettings.__dataclass_fields__))
-        if unknown:
-            raise ValueError(
-                f"{unknown[0]}: no such setting; there are {', '.join(LectureSettings.__dataclass_fields__)}"
-            )
-        self._settings = replace(self._settings, **changes)
-        self._numbers[:] = self._settings.model()
-        self._step = step_kernel(LECTURE.mask(self._effects), ORDERS.index(self._settings.order))
+    @settings.setter
+    def settings(self, settings: LectureSettings) -> None:
+        self._settings = settings
+        self._numbers[:] = settings
+        self._step = step_kernel(LECTURE.mask(self._effects), settings.order)
 
     # -- balls
 
@@ -171,14 +163,14 @@ class LectureTable:
         ]
 
     def remove(self, ball: int) -> None:
-        """Take a ball out of play (not by way of a pocket)."""
+        """Take a ball out of play (not through a pocket)."""
         row = self._row(ball)
         self.state.velocities[row] = 0.0
         self.state.in_play[row] = False
         self.state.pocketed_by[row] = -1
 
     def is_clear(self, ball: int, position: ArrayLike) -> bool:
-        """True if the ball could lie at a position (2,) m: on the bed, touching no other ball in play.
+        """True if the ball could lie at a position (2,) m: on the bed, in contact with no other ball in play.
 
         ValueError for a ball that there is not, or what is no position.
         """
@@ -229,7 +221,7 @@ class LectureTable:
 
     @property
     def event_rows(self) -> Array:
-        """Events of the last step, (k, 8): columns as named in lecture_state; positions from the middle."""
+        """Events of the last step, (k, 8): columns as named in state.py; positions from the middle."""
         return self._scratch.events[: self._scratch.counters[EVENTS]]
 
     @property
@@ -280,7 +272,7 @@ def warm_ups(
     """Named calls that compile the kernels of a table with these effects and order of contacts."""
 
     def compile_step() -> None:
-        settings = LectureSettings(order=order)
+        settings = lecture_settings(order=order)
         LectureTable(Table.bare(1.0, 2.0), [[0.2, 0.2], [0.6, 0.6]], effects=effects, settings=settings).step(
             0.01
         )

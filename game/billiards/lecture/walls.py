@@ -16,6 +16,7 @@ import math
 
 import numpy as np
 
+from game.billiards.lecture.settings import EXACT, MIRROR
 from game.billiards.lecture.state import (
     BALL_CUSHION,
     BALL_JAW,
@@ -33,13 +34,12 @@ from game.billiards.lecture.state import (
 )
 from game.physics.kernels.jit import kernel
 
-EXACT, MIRROR = 0, 1  # places in REPOSITIONINGS
 MAX_BOUNCES = 64  # off walls in one substep; a ball that needs more is put on the nearest wall
 
 
 @kernel
 def report(journal, kind, first, second, time, speed, impulse, x, y):
-    """Append an event, or count it as lost when there is no room."""
+    """Append an event, or count it as lost when the list is full."""
     row = journal.counters[EVENTS]
     if row >= journal.events.shape[0]:
         journal.counters[EVENTS_LOST] += 1
@@ -58,7 +58,7 @@ def report(journal, kind, first, second, time, speed, impulse, x, y):
 
 @kernel
 def cushion_gap(cushions, k, x, y, radius):
-    """Distance of a ball at x, y from cushion k, m, negative by the overshoot; 1e300 where it cannot touch.
+    """Distance of a ball at x, y from cushion k, m, negative by the overshoot; 1e300 where none is possible.
 
     A nose (along the table) catches a ball however far it went; a facing only one whose centre has not
     passed it by more than a radius, as behind it there is wood.
@@ -69,7 +69,7 @@ def cushion_gap(cushions, k, x, y, radius):
     from_y = y - cushions[k, 1]
     to_x = cushions[k, 2] - x
     to_y = cushions[k, 3] - y
-    # the normal turned by a right angle, either way round, is the cushion's direction
+    # the normal turned by a right angle, in either sense, is the cushion's direction
     along_x = cushions[k, 2] - cushions[k, 0]
     along_y = cushions[k, 3] - cushions[k, 1]
     if from_x * along_x + from_y * along_y < 0.0 or to_x * along_x + to_y * along_y < 0.0:
@@ -119,7 +119,7 @@ def deepest_wall(geometry, x, y, radius):
 
 
 @kernel
-def bounce(state, geometry, model, journal, i, clamp, time):
+def bounce(state, geometry, settings, journal, i, clamp, time):
     """Put ball i back from the wall it overlaps most, and turn it round; False if there is none."""
     x = state.offsets[i, 0]
     y = state.offsets[i, 1]
@@ -129,13 +129,13 @@ def bounce(state, geometry, model, journal, i, clamp, time):
     shift = -gap
     normal_speed = state.velocities[i, 0] * normal_x + state.velocities[i, 1] * normal_y
     if normal_speed < 0.0:  # a ball that is already leaving is not turned round again
-        change = -(1.0 + model.bounce) * normal_speed
+        change = -(1.0 + settings.bounce) * normal_speed
         state.velocities[i, 0] += change * normal_x
         state.velocities[i, 1] += change * normal_y
-        if model.repositioning == MIRROR and not clamp:
+        if settings.repositioning == MIRROR and not clamp:
             shift *= 2.0
-        elif model.repositioning == EXACT and not clamp:
-            shift *= 1.0 + model.bounce
+        elif settings.repositioning == EXACT and not clamp:
+            shift *= 1.0 + settings.bounce
         mass = 1.0 / state.inverse_masses[i] if state.inverse_masses[i] > 0.0 else 0.0
         jaw = element - geometry.cushions.shape[0]
         kind = BALL_CUSHION if jaw < 0 else BALL_JAW
@@ -146,10 +146,10 @@ def bounce(state, geometry, model, journal, i, clamp, time):
 
 
 @kernel
-def bounce_off_walls(state, geometry, model, journal, clamp, time):
+def bounce_off_walls(state, geometry, settings, journal, clamp, time):
     """Put every ball that overshot back and turn it round; a corner, or a very fast ball, takes several.
 
-    With `clamp` balls are put on the wall, whatever the model says. A ball that is still far out then (it
+    With `clamp` balls are put on the wall, whatever the settings say. A ball that is still far out then (it
     was too fast for what surrounds a pocket) is put on the edge of the bed, moving inwards.
     """
     if geometry.cushions.shape[0] == 0:
@@ -161,7 +161,7 @@ def bounce_off_walls(state, geometry, model, journal, clamp, time):
         if not state.in_play[i] or (abs(state.offsets[i, 0]) < wide and abs(state.offsets[i, 1]) < long):
             continue
         bounces = 0
-        while bounces < MAX_BOUNCES and bounce(state, geometry, model, journal, i, clamp, time):
+        while bounces < MAX_BOUNCES and bounce(state, geometry, settings, journal, i, clamp, time):
             bounces += 1
         for axis in range(2):
             limit = max(0.0, wide if axis == 0 else long)
@@ -173,7 +173,7 @@ def bounce_off_walls(state, geometry, model, journal, clamp, time):
 
 @kernel
 def swallow(state, geometry, journal, h, time):
-    """Take every ball out of play whose way in the last h seconds led over a pocket.
+    """Take every ball out of play whose path in the last h seconds led over a pocket.
 
     The pocket takes a ball when its centre comes within the capture radius. The ball lies in the middle of
     the hole then, at rest.
@@ -185,23 +185,23 @@ def swallow(state, geometry, journal, h, time):
         inside = abs(x) < geometry.half_width - r and abs(y) < geometry.half_length - r
         if inside or not state.in_play[i]:
             continue
-        way_x = state.velocities[i, 0] * h
-        way_y = state.velocities[i, 1] * h
-        squared = way_x * way_x + way_y * way_y
+        path_x = state.velocities[i, 0] * h
+        path_y = state.velocities[i, 1] * h
+        squared = path_x * path_x + path_y * path_y
         for k in range(geometry.pockets.shape[0]):
             dx = x - geometry.pockets[k, 0]
             dy = y - geometry.pockets[k, 1]
-            # how far back along the way the ball was nearest, 0 at its end to 1 at its beginning
-            back = (dx * way_x + dy * way_y) / squared if squared > 0.0 else 0.0
+            # how far back along the path the ball was nearest, 0 at its end to 1 at its beginning
+            back = (dx * path_x + dy * path_y) / squared if squared > 0.0 else 0.0
             back = min(1.0, max(0.0, back))
-            dx -= back * way_x
-            dy -= back * way_y
+            dx -= back * path_x
+            dy -= back * path_y
             radius = geometry.pockets[k, 2]
             if dx * dx + dy * dy < radius * radius:
                 speed = math.sqrt(squared) / h
-                report(
-                    journal, np.int64(BALL_POCKET), i, k, time, speed, 0.0, x - back * way_x, y - back * way_y
-                )
+                x -= back * path_x
+                y -= back * path_y
+                report(journal, np.int64(BALL_POCKET), i, k, time, speed, 0.0, x, y)
                 state.in_play[i] = False
                 state.pocketed_by[i] = k
                 state.velocities[i, 0] = 0.0

@@ -36,7 +36,7 @@ from game.billiards.laws.state import (
 from game.billiards.search.outcomes import Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
 from game.billiards.shot.shot import Physics
-from game.billiards.simulation import log_for, room_for
+from game.billiards.simulation import log_for, workspace_for
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
@@ -213,7 +213,7 @@ class Board:
         while first < m:
             played = int(
                 play_shots(
-                    *room_for(self.count), balls, constants, self._elements, ranges, *rows,
+                    *workspace_for(self.count), balls, constants, self._elements, ranges, *rows,
                     first, math.inf, MAX_EVENTS,
                 )
             )  # fmt: skip

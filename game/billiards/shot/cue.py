@@ -64,6 +64,12 @@ def strike(
     return Strike((velocity_x, velocity_y, 0.0), (spin_x, spin_y, spin[2]))
 
 
+def speed_ratio(ball_mass: float = BALL_MASS, cue_mass: float = CUE_MASS) -> float:
+    """Speed of a ball struck in its centre over that of the cue: what a speed shown for the ball is divided
+    by to be that of the cue. Masses kg."""
+    return 2.0 / (1.0 + ball_mass / cue_mass)
+
+
 def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     cosine, sine = math.cos(angle), math.sin(angle)
     return cosine * x - sine * y, sine * x + cosine * y

@@ -20,6 +20,18 @@ SAMPLE_X, SAMPLE_Y, SAMPLE_VX, SAMPLE_VY, SAMPLE_WX, SAMPLE_WY, SAMPLE_WZ, SAMPL
 SAMPLE_COLUMNS = 8
 MAX_SAMPLES = 8192  # of one shot, a power of two; more are thinned out to every second, fourth, ...
 MAX_ROWS = 2**17  # balls x samples
+MAX_DT = 10.0  # s
+MAX_UNTIL = 1e6  # s
+MAX_STEPS = 20_000_000
+
+
+def check_steps(dt: float, until: float) -> None:
+    """ShotError if the step or the time to play is absurd."""
+    for name, value, most in (("dt", dt, MAX_DT), ("until", until, MAX_UNTIL)):
+        if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 < value <= most):
+            raise ShotError(f"{name}: must be above 0 and at most {most:g} s, got {value!r}")
+    if until / dt > MAX_STEPS:
+        raise ShotError(f"dt: {until:g} s would be more than {MAX_STEPS} steps of {dt!r} s")
 
 
 def samples_for(n: int) -> int:
@@ -63,7 +75,7 @@ class SampledTrajectory(Trajectory):
 
     rows (e, 4) and end (n, 11) as in `Trajectory`; there are no closed forms, so no segments. sample_times
     (m,) s, rising from 0 to end_time. samples (m, n, 8): columns as named above, SI, in the table's frame.
-    counts: how much work it was, by name; "lost_events" are those beyond the room for them.
+    counts: how much work it was, by name; "lost_events" are those beyond the capacity for them.
     """
 
     def __init__(

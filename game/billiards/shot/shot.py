@@ -117,18 +117,18 @@ class Shot:
     def struck(self, ball: int, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> Shot:
         """The same shot with the ball in row `ball` sliding at velocity (2 or 3,) m/s, spin (3,) rad/s.
 
-        The vertical part of the velocity is left out. ShotError for a row that there is not, or other shapes.
+        Vertical velocity is left out. ShotError for a row that there is not, or other shapes.
         """
         if not 0 <= ball < len(self.balls):
             raise ShotError(f"struck: there are balls 0 to {len(self.balls) - 1}, not {ball!r}")
-        way, turn = np.asarray(velocity, dtype=np.float64), np.asarray(spin, dtype=np.float64)
-        if way.shape not in ((2,), (3,)) or turn.shape != (3,):
-            raise ShotError(f"struck: velocity 2 or 3, spin 3 numbers, not {way.shape} and {turn.shape}")
-        motion = np.concatenate([way[:2], turn])
-        if not np.isfinite(motion).all():
+        motion, turn = np.asarray(velocity, dtype=np.float64), np.asarray(spin, dtype=np.float64)
+        if motion.shape not in ((2,), (3,)) or turn.shape != (3,):
+            raise ShotError(f"struck: velocity 2 or 3, spin 3 numbers, not {motion.shape} and {turn.shape}")
+        columns = np.concatenate([motion[:2], turn])
+        if not np.isfinite(columns).all():
             raise ShotError("struck: velocity and spin must be finite")
         balls = self.balls.copy()
-        balls[ball, 2:7] = motion
+        balls[ball, 2:7] = columns
         balls[ball, 9] = SLIDING
         balls.setflags(write=False)
         return Shot(

@@ -106,7 +106,7 @@ class Trajectory:
     """A played shot.
 
     rows (e, 4): the events as numbers: time (s), type, ball, ball or element. segments (s, 12): the stretches
-    of the balls' ways, see `state`, in the table's frame. end (n, 11): the balls at end_time (s).
+    of the balls' paths, see `state`, in the table's frame. end (n, 11): the balls at end_time (s).
     """
 
     def __init__(self, shot: Shot, rows: Array, segments: Array, end: Array, end_time: float) -> None:

@@ -1,4 +1,4 @@
-"""One step of a ball on the cloth: friction first, then the way with the new velocity.
+"""One step of a ball on the cloth: friction first, then the displacement with the new velocity.
 
 Semi-implicit Euler. Friction is that of `motion`: mu_s m g against the slip u = (vx - R wy, vy + R wx) while
 the ball slides, mu_r m g against the velocity while it rolls; the spin about z falls at 5 mu_sp g/(2 R).
@@ -89,7 +89,7 @@ def roll(state, modes, i, dt, physics):
 
 @lean_kernel
 def step_on_cloth(state, modes, i, dt, physics):
-    """Friction and way of ball i in one step of dt s. Returns the event."""
+    """Friction and displacement of ball i in one step of dt s. Returns the event."""
     motion = modes[MOTION, i]
     state[WZ, i] = spin_after(state[WZ, i], dt, state[RADIUS, i], physics)
     if motion == SPINNING:

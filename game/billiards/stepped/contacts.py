@@ -7,7 +7,7 @@ found up to a step late, a rack passes an impulse on in the order of its numbers
 than they are wide in a step may pass through each other.
 
 The table itself is not to be passed: a ball whose centre has crossed a cushion's line within this step is
-caught, however far it went, and a pocket takes a ball whose way has led over it.
+caught, however far it went, and a pocket takes a ball whose path has led over it.
 
 Arrays: state, modes, pairs and the elements (cushions, jaws, pockets) as in `state`; old (2, n) m, places
 when the step began; physics (18,); events (e, 4); counters (6,).
@@ -17,9 +17,8 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.exact.impacts import collide_pair, end_chatter, hit_rail, normal_between
-from game.billiards.exact.pairs import reach_of
-from game.billiards.laws.contacts.ball_ball_normal import closing_speed
+from game.billiards.laws.contacts.ball_ball_normal import closing_speed, reach_of
+from game.billiards.laws.impacts import collide_pair, end_chatter, hit_rail, normal_between
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import (
     BALL_BALL,
@@ -65,7 +64,7 @@ EVENTS, LOST_EVENTS, PAIR_TESTS = range(3)  # counters
 
 @lean_kernel
 def log_event(events, counters, time, event, i, j):
-    """Append an event to events (e, 4), or count it as lost when there is no room."""
+    """Append an event to events (e, 4), or count it as lost when the list is full."""
     row = counters[EVENTS]
     if row >= events.shape[0]:
         counters[LOST_EVENTS] += 1
@@ -92,17 +91,17 @@ def is_in_the_open(state, i, physics):
 
 @lean_kernel
 def fall_into_pocket(state, modes, i, old, pockets):
-    """Take ball i out of play if its way in this step led over a pocket. Returns the pocket, or -1."""
-    way_x = state[X, i] - old[OLD_X, i]
-    way_y = state[Y, i] - old[OLD_Y, i]
-    squared = way_x * way_x + way_y * way_y
+    """Take ball i out of play if its path in this step led over a pocket. Returns the pocket, or -1."""
+    path_x = state[X, i] - old[OLD_X, i]
+    path_y = state[Y, i] - old[OLD_Y, i]
+    squared = path_x * path_x + path_y * path_y
     for k in range(pockets.shape[0]):
         dx = pockets[k, 0] - old[OLD_X, i]
         dy = pockets[k, 1] - old[OLD_Y, i]
-        part = (dx * way_x + dy * way_y) / squared if squared > 0.0 else 0.0
+        part = (dx * path_x + dy * path_y) / squared if squared > 0.0 else 0.0
         part = min(1.0, max(0.0, part))
-        dx -= part * way_x
-        dy -= part * way_y
+        dx -= part * path_x
+        dy -= part * path_y
         if dx * dx + dy * dy < pockets[k, 2] * pockets[k, 2]:
             for row in range(VX, WZ + 1):
                 state[row, i] = 0.0
@@ -165,12 +164,12 @@ def deepest_rail(state, i, old, cushions, jaws):
 @lean_kernel
 def meet_rails(state, modes, i, old, cushions, jaws, physics, events, counters):
     """Turn ball i round at the rails that it has sunk into, and put it back. True if there was one."""
-    touched = False
+    overlapped = False
     for _ in range(RAIL_TURNS):
         depth, event, element, nx, ny = deepest_rail(state, i, old, cushions, jaws)
         if depth <= OVERLAP:
             break
-        touched = True
+        overlapped = True
         if state[VX, i] * nx + state[VY, i] * ny < -CLOSING_SPEED:
             now = state[TIME, i]
             same = modes[OWN_EVENT, i] == event and modes[OWN_ELEMENT, i] == element
@@ -182,7 +181,7 @@ def meet_rails(state, modes, i, old, cushions, jaws, physics, events, counters):
             modes[MOTION, i] = SLIDING
         state[X, i] += depth * nx
         state[Y, i] += depth * ny
-    return touched
+    return overlapped
 
 
 @lean_kernel
@@ -208,7 +207,7 @@ def meet_ball(state, modes, pairs, i, j, overlap, physics, events, counters):
 @lean_kernel
 def meet_balls(state, modes, pairs, physics, events, counters):
     """One round over all pairs. Returns True if one overlapped."""
-    touched = False
+    overlapped = False
     n = state.shape[1]
     counters[PAIR_TESTS] += n * (n - 1) // 2
     for i in range(n - 1):
@@ -222,13 +221,16 @@ def meet_balls(state, modes, pairs, physics, events, counters):
             if squared < reach * reach and modes[MOTION, j] != POCKETED:
                 overlap = reach - math.sqrt(squared)
                 meet_ball(state, modes, pairs, i, j, overlap, physics, events, counters)
-                touched = touched or overlap > OVERLAP
-    return touched
+                overlapped = overlapped or overlap > OVERLAP
+    return overlapped
 
 
 @lean_kernel
-def settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters):
+def settle_contacts(steps, elements, physics, passes, log):
     """Pockets, then up to `passes` rounds of balls and rails, until nothing overlaps."""
+    state, modes, pairs, old = steps
+    cushions, jaws, pockets = elements
+    events, counters = log
     n = state.shape[1]
     for i in range(n):
         motion = modes[MOTION, i]
@@ -237,11 +239,11 @@ def settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, 
             if pocket >= 0:
                 log_event(events, counters, state[TIME, i], BALL_POCKET, i, pocket)
     for _ in range(passes):
-        touched = meet_balls(state, modes, pairs, physics, events, counters)
+        overlapped = meet_balls(state, modes, pairs, physics, events, counters)
         for i in range(n):
             if modes[MOTION, i] == POCKETED or is_in_the_open(state, i, physics):
                 continue
             if meet_rails(state, modes, i, old, cushions, jaws, physics, events, counters):
-                touched = True
-        if not touched:
+                overlapped = True
+        if not overlapped:
             return

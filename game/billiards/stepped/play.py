@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.billiards.laws.batch import Elements
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import (
     CLEAR,
@@ -43,6 +44,7 @@ from game.billiards.shot.sampled import (
     SAMPLE_COLUMNS,
     SAMPLE_MOTION,
     SampledTrajectory,
+    check_steps,
     sampled_trajectory,
     samples_for,
 )
@@ -63,10 +65,9 @@ Array = NDArray[np.float64]
 STEPS, SAMPLES, STRIDE = range(3, 6)  # counters, after those of the contacts; stride: steps between samples
 COUNTERS = 6
 MAX_EVENTS = 20_000  # kept of one shot; breaks have about 150
-MAX_DT = 10.0  # s
-MAX_UNTIL = 1e6  # s
-MAX_STEPS = 20_000_000
 MAX_PASSES = 1_000
+STEP = 1.0 / 240.0  # s, unless said otherwise
+PASSES = 4
 
 
 class Steps(NamedTuple):
@@ -76,6 +77,13 @@ class Steps(NamedTuple):
     modes: NDArray[np.int64]
     pairs: Array
     old: Array
+
+
+class StepLog(NamedTuple):
+    """What a shot in steps reports: events (e, 4), counters (6,), named above."""
+
+    events: Array
+    counters: NDArray[np.int64]
 
 
 @lean_kernel
@@ -100,7 +108,7 @@ def write_sample(state, modes, samples):
 
 @lean_kernel
 def keep_sample(state, modes, time, times, samples, counters):
-    """Write a sample, having dropped every second when there is no room."""
+    """Write a sample, having dropped every second when the list is full."""
     row = counters[SAMPLES]
     if row == times.shape[0]:
         row = (row + 1) // 2
@@ -116,8 +124,9 @@ def keep_sample(state, modes, time, times, samples, counters):
 
 
 @lean_kernel
-def take_step(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, now, passes, events, counters):
+def take_step(steps, elements, physics, dt, now, passes, log):
     """One step of dt s, to the time `now` (s)."""
+    state, modes, _, old = steps
     for i in range(state.shape[1]):
         state[TIME, i] = now
         old[OLD_X, i] = state[X, i]
@@ -125,33 +134,18 @@ def take_step(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, no
         if modes[MOTION, i] != STATIONARY and modes[MOTION, i] != POCKETED:
             event = step_on_cloth(state, modes, i, dt, physics)
             if event != NO_EVENT:
-                log_event(events, counters, now, event, i, -1)
-    settle_contacts(state, modes, pairs, old, cushions, jaws, pockets, physics, passes, events, counters)
+                log_event(log.events, log.counters, now, event, i, -1)
+    settle_contacts(steps, elements, physics, passes, log)
 
 
 @lean_kernel
-def play_steps(
-    state,
-    modes,
-    pairs,
-    old,
-    cushions,
-    jaws,
-    pockets,
-    physics,
-    dt,
-    until,
-    passes,
-    events,
-    times,
-    samples,
-    counters,
-):
+def play_steps(steps, elements, physics, dt, until, passes, log, times, samples):
     """Play a shot in steps of dt s until all balls rest, or to the time `until` (s).
 
-    The last step may be shorter. Writes events (e, 4), times (m,) and samples (m, n, 8), and counters (6,),
-    which are named above.
+    The last step may be shorter. Writes the log, times (m,) and samples (m, n, 8).
     """
+    state, modes = steps.state, steps.modes
+    counters = log.counters
     step = 0
     now = 0.0
     counters[STRIDE] = 1
@@ -162,10 +156,7 @@ def play_steps(
         now = step * dt
         if now > until - 1e-9 * dt:
             now = until
-        take_step(
-            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
-            events, counters,
-        )  # fmt: skip
+        take_step(steps, elements, physics, now - before, now, passes, log)
         if step % counters[STRIDE] == 0:
             keep_sample(state, modes, now, times, samples, counters)
     if times[counters[SAMPLES] - 1] < now:
@@ -177,45 +168,37 @@ def play_steps(
 def go_on(state, modes, pairs, old, cushions, jaws, pockets, physics, dt, last, passes, events, counters):
     """Go on in steps of dt s to the end of the step `last`, or until all balls rest; true if they do.
 
-    Writes events (e, 4) and counters (6,) as `play_steps` does, but no samples.
+    Writes the log as `play_steps` does, but no samples. (Arrays one by one: it is called for every few steps,
+    and the three tuples would take longer to pass than those steps to compute.)
     """
+    steps = Steps(state, modes, pairs, old)
+    elements = Elements(cushions, jaws, pockets)
+    log = StepLog(events, counters)
     while counters[STEPS] < last and not is_at_rest(modes, physics):
         before = counters[STEPS] * dt
         counters[STEPS] += 1
         now = counters[STEPS] * dt
-        take_step(
-            state, modes, pairs, old, cushions, jaws, pockets, physics, now - before, now, passes,
-            events, counters,
-        )  # fmt: skip
+        take_step(steps, elements, physics, now - before, now, passes, log)
     return is_at_rest(modes, physics)
 
 
 def steps_for(shot: Shot) -> Steps:
     """The balls of a shot on the table, at time 0."""
     n = len(shot.balls)
-    room = Steps(
+    steps = Steps(
         np.zeros((FLOAT_ROWS, n)),
         np.zeros((INTEGER_ROWS, n), np.int64),
         np.zeros((PAIR_PLANES, n, n)),
         np.zeros((2, n)),
     )
-    room.state[X : WZ + 1] = shot.balls[:, : IN_WZ + 1].T
-    room.state[RADIUS] = shot.balls[:, IN_RADIUS]
-    room.state[MASS] = shot.balls[:, IN_MASS]
-    room.state[CLEAR] = shot.balls[:, IN_CLEAR]
-    room.state[RAIL_TIME] = -1.0
-    room.modes[MOTION] = shot.balls[:, IN_MOTION]
-    room.pairs[MET] = -1.0
-    return room
-
-
-def check_steps(dt: float, until: float) -> None:
-    """ShotError if the step or the time to play is absurd."""
-    for name, value, most in (("dt", dt, MAX_DT), ("until", until, MAX_UNTIL)):
-        if isinstance(value, bool) or not (isinstance(value, int | float) and 0.0 < value <= most):
-            raise ShotError(f"{name}: must be above 0 and at most {most:g} s, got {value!r}")
-    if until / dt > MAX_STEPS:
-        raise ShotError(f"dt: {until:g} s would be more than {MAX_STEPS} steps of {dt!r} s")
+    steps.state[X : WZ + 1] = shot.balls[:, : IN_WZ + 1].T
+    steps.state[RADIUS] = shot.balls[:, IN_RADIUS]
+    steps.state[MASS] = shot.balls[:, IN_MASS]
+    steps.state[CLEAR] = shot.balls[:, IN_CLEAR]
+    steps.state[RAIL_TIME] = -1.0
+    steps.modes[MOTION] = shot.balls[:, IN_MOTION]
+    steps.pairs[MET] = -1.0
+    return steps
 
 
 class SteppedPlay:
@@ -233,36 +216,33 @@ class SteppedPlay:
             raise ShotError(f"passes: must be a whole number from 1 to {MAX_PASSES}, got {passes!r}")
         self.time = 0.0
         self.passes = int(passes)
-        self.room = steps_for(shot)
-        # a copy, for kernels are compiled anew for arrays that may not be written to
-        self.elements = np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2])
+        self.arrays = steps_for(shot)
+        # a copy, for kernels are compiled again for arrays that may not be written to
+        self.elements = Elements(*np.split(shot.layout.elements.copy(), np.cumsum(shot.layout.counts)[:2]))
         self.constants = shot.constants
         self.middle = shot.layout.middle
-        self.log = np.empty((MAX_EVENTS, 4))
-        self.counters = np.zeros(COUNTERS, np.int64)
+        self.log = StepLog(np.empty((MAX_EVENTS, 4)), np.zeros(COUNTERS, np.int64))
 
     def play_to(self, step: int, dt: float) -> bool:
         """Go on in steps of dt s to the end of the step of that number; True if nothing moves any more."""
-        at_rest = go_on(
-            *self.room, *self.elements, self.constants, dt, step, self.passes, self.log, self.counters
-        )
-        self.time = int(self.counters[STEPS]) * dt
+        at_rest = go_on(*self.arrays, *self.elements, self.constants, dt, step, self.passes, *self.log)
+        self.time = int(self.log.counters[STEPS]) * dt
         return bool(at_rest)
 
     def write(self, sample: Array) -> None:
         """Write the balls as they are to sample (n, 8)."""
-        write_sample(self.room.state, self.room.modes, sample)
+        write_sample(self.arrays.state, self.arrays.modes, sample)
         sample[:, :2] += self.middle
 
     @property
     def events(self) -> Array:
         """Events so far (e, 4), as in `Trajectory`; a view."""
-        return self.log[: self.counters[EVENTS]]
+        return self.log.events[: self.log.counters[EVENTS]]
 
     @property
     def counts(self) -> dict[str, int]:
         """How much work it was, by name."""
-        counters = self.counters
+        counters = self.log.counters
         return {
             "steps": int(counters[STEPS]),
             "pair_tests": int(counters[PAIR_TESTS]),
@@ -271,7 +251,7 @@ class SteppedPlay:
 
 
 def simulate_stepped(
-    shot: Shot, dt: float = 1.0 / 240.0, passes: int = 4, until: float = 60.0
+    shot: Shot, dt: float = STEP, passes: int = PASSES, until: float = 60.0
 ) -> SampledTrajectory:
     """Play a shot in steps of dt s, with up to `passes` rounds of contacts in each, at most to `until` (s).
 
@@ -283,10 +263,10 @@ def simulate_stepped(
     times = np.empty(samples_for(n))
     samples = np.empty((len(times), n, SAMPLE_COLUMNS))
     play_steps(
-        *play.room, *play.elements, play.constants, float(dt), float(until), play.passes,
-        play.log, times, samples, play.counters,
+        play.arrays, play.elements, play.constants, float(dt), float(until), play.passes, play.log,
+        times, samples,
     )  # fmt: skip
-    kept = int(play.counters[SAMPLES])
+    kept = int(play.log.counters[SAMPLES])
     samples = samples[:kept].copy()
     samples[:, :, :2] += play.middle
     return sampled_trajectory(shot, play.events.copy(), times[:kept].copy(), samples, play.counts)

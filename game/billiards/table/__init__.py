@@ -1,1 +1,1 @@
-"""The table as geometry: cushions, pockets, racks, what lies in the way."""
+"""The table as geometry: cushions, pockets, racks, what a straight path meets."""

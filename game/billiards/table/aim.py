@@ -1,4 +1,4 @@
-"""Where a straight shot first touches: the ghost ball, and the lines that leave it.
+"""What a straight shot first meets: the ghost ball, and the lines that leave it.
 
 Geometry only: straight paths, no friction, no spin. The lecture's table plays so; for the exact table it is
 the first guess that the simulator then corrects.
@@ -18,11 +18,11 @@ Array = NDArray[np.float64]
 
 
 class FirstContact(NamedTuple):
-    """What a ball meets first on a straight way.
+    """What a ball meets first on a straight path.
 
-    kind: "ball", "cushion", "pocket" or "nothing". distance: m along the way. ghost: centre of the moving
+    kind: "ball", "cushion", "pocket" or "nothing". distance: m along the path. ghost: centre of the moving
     ball there, (2,) m. target: index of the ball, rail or pocket, -1 for nothing. normal: unit vector from
-    the ghost to what is met. cut: rad, angle between way and normal, for a ball.
+    the ghost to what is met. cut: rad, angle between path and normal, for a ball.
     """
 
     kind: str
@@ -38,8 +38,8 @@ def first_contact(
 ) -> FirstContact:
     """First contact of ball ``ball`` sent off at ``angle`` (rad from the x axis).
 
-    positions (n, 2) m, radii (n,) m, in_play (n,) bool. Balls touch where their outlines in the plane do, at
-    r1 + r2. Balls already touching count only if the way leads into them.
+    positions (n, 2) m, radii (n,) m, in_play (n,) bool. Balls meet where their outlines in the plane do, at
+    r1 + r2. Balls already in contact count only if the path leads into them.
     """
     x, y = float(positions[ball, 0]), float(positions[ball, 1])
     ux, uy = math.cos(angle), math.sin(angle)
@@ -79,7 +79,7 @@ def _circle_entry(dx: float, dy: float, ux: float, uy: float, reach: float) -> f
 
 
 def _rail_distance(rail: Array, x: float, y: float, ux: float, uy: float, radius: float) -> float:
-    """Distance until a disc of ``radius`` touches the straight part of a rail; inf if it passes by."""
+    """Distance until a disc of ``radius`` meets the straight stretch of a rail; inf if it passes by."""
     from_x, from_y, to_x, to_y, nx, ny = (float(value) for value in rail)
     closing = -(ux * nx + uy * ny)
     if closing <= 1e-12:

@@ -1,6 +1,6 @@
-"""Contacts that a stepped model never sees: two balls that touch on their way through a step, not at its end.
+"""Contacts that a stepped model never sees: two balls that meet in the course of a step, not at its end.
 
-The ways are taken as straight and even, which they are for balls that met nothing in the step.
+The paths are taken as straight, at constant speed, which they are for balls that met nothing in the step.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from game.physics.kernels.jit import kernel
 FIRST, SECOND = 0, 1  # columns of what is found: two balls,
 FIRST_PLACE, SECOND_PLACE = slice(2, 4), slice(4, 6)  # and where they were when they were nearest
 COLUMNS = 6
-GRAZE = 1.0 - 1e-9  # of the sum of radii: what comes no nearer touches by rounding
+GRAZE = 1.0 - 1e-9  # of the sum of radii: what comes no nearer is in contact by rounding only
 
 
 @kernel
 def find_passed(before, now, radii, free, passed):
-    """Write the pairs that overlapped on the way from ``before`` to ``now``, and at neither end.
+    """Write the pairs that overlapped between ``before`` and ``now``, and at neither end.
 
     before, now (n, 2), radii (n,): one unit of length. free (n,): balls that met nothing in the step; only
     these are looked at. passed (k, 6): one row a pair, see the columns. Returns how many there were, which

@@ -1,6 +1,6 @@
 """Racks: where the balls lie before the break.
 
-Row i of the positions is ball i, row 0 the white ball on the head spot; metres in the table's frame. The
+Row i of the positions is ball i, row 0 the cue ball on the head spot; metres in the table's frame. The
 apex ball lies on the foot spot, three quarters up the table.
 """
 
@@ -29,7 +29,7 @@ def eight_ball_rack(
 ) -> NDArray[np.float64]:
     """Positions (16, 2) m of an eight-ball rack: the 8 in the middle, a solid and a stripe at the back.
 
-    Neighbours lie `gap` m apart (0: they touch). Without a seed the order is fixed and the rack exactly
+    Neighbours lie `gap` m apart (0: in contact). Without a seed the order is fixed and the rack exactly
     mirror symmetric about the long axis; with one the balls are drawn at random under the same rules, and
     each is moved within a disc of diameter `gap`, so that none overlap. ValueError for absurd measures.
     """
@@ -94,7 +94,7 @@ def _rack(
 
 
 def _check_measures(table: Table, radius: float, gap: float, rows: tuple[int, ...]) -> None:
-    """ValueError where the rack would not lie on the bed."""
+    """ValueError where the rack would not be on the bed."""
     if not (math.isfinite(radius) and radius > 0.0):
         raise ValueError(f"rack radius: must be positive and finite, got {radius!r}")
     if not (math.isfinite(gap) and gap >= 0.0):

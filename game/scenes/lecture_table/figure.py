@@ -13,7 +13,7 @@ def _ball(pen: Pen, x: float, y: float, color: str = "text1", veil: float = 0.2)
 
 
 def draw_tunnelling(pen: Pen) -> None:
-    """One step over another ball, and the same way in four substeps."""
+    """One step over another ball, and the same displacement in four substeps."""
     start, step, other = 42.0, 186.0, 141.0
     high, low = 62.0, 152.0
     for y in (high, low):

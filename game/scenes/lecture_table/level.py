@@ -11,24 +11,11 @@ from numpy.typing import NDArray
 from game.billiards.lecture.table import LectureTable as Lecture
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS, eight_ball_rack
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, Table
+from game.scenes.shared.tables.level import BallEntry
 
 Array = NDArray[np.float64]
 
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=20.0)]  # m
-Radius = Annotated[float, msgspec.Meta(ge=0.002, le=0.3)]  # m
-Mass = Annotated[float, msgspec.Meta(ge=1e-6, le=1e6)]  # kg
-Coordinate = Annotated[float, msgspec.Meta(ge=-25.0, le=25.0)]  # m
-Speed = Annotated[float, msgspec.Meta(ge=-1e4, le=1e4)]  # m/s
-
-
-class BallEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """One ball: its number (0 is the white one), place and velocity; pool measures unless said otherwise."""
-
-    number: Annotated[int, msgspec.Meta(ge=0, le=15)]
-    position: tuple[Coordinate, Coordinate]
-    velocity: tuple[Speed, Speed] = (0.0, 0.0)
-    radius: Radius = BALL_RADIUS
-    mass: Mass = BALL_MASS
 
 
 class Stroke(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
@@ -66,7 +53,7 @@ class Layout(NamedTuple):
 def layout_of(content: LectureTableContent, radius_spread: float, mass_spread: float, seed: int) -> Layout:
     """The balls of a level; spreads (0 to 0.4) vary numbered balls of a rack about the pool measures.
 
-    Ball 0, the white one, is row 0 if there is one. ValueError if a ball is there twice or lies outside.
+    Ball 0, the cue ball, is row 0 if there is one. ValueError if a ball is there twice or lies outside.
     """
     table = Table.pool() if content.table == "pool" else Table.bare(content.width, content.length)
     rows = list(content.balls)
@@ -102,7 +89,7 @@ def _racked(table: Table, gap: float, radius_spread: float, mass_spread: float, 
     random = np.random.default_rng(seed)
     radii[1:] *= 1.0 + radius_spread * random.uniform(-1.0, 1.0, 15)
     masses[1:] *= (radii[1:] / BALL_RADIUS) ** 3 * (1.0 + mass_spread * random.uniform(-1.0, 1.0, 15))
-    if gap < 0.0:  # a rack pressed together by force: what a resolution pass has to mend
+    if gap < 0.0:  # a rack pressed together by force: what a resolution pass has to repair
         positions = eight_ball_rack(table)
         apex = positions[1].copy()
         positions[1:] = apex + (positions[1:] - apex) * (1.0 + gap / (2.0 * BALL_RADIUS))
@@ -114,7 +101,7 @@ def _racked(table: Table, gap: float, radius_spread: float, mass_spread: float, 
 def content_of(
     table: Lecture, numbers: NDArray[np.int64], base: LectureTableContent | None, plays_itself: bool
 ) -> LectureTableContent:
-    """The table as it lies now; ``base``: the level that it began with."""
+    """The table as it is now; ``base``: the level that it began with."""
     state, base = table.state, base or LectureTableContent()
     rows = [
         BallEntry(

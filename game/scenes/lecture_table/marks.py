@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,54 +15,55 @@ from game.billiards.lecture.state import (
     KIND,
     SECOND,
 )
+from game.billiards.lecture.table import LectureTable
 from game.billiards.table.passing import COLUMNS, find_passed
-
-if TYPE_CHECKING:
-    from game.scenes.lecture_table.scene import LectureTable
+from game.stage import Part
 
 Array = NDArray[np.float64]
 
 MARKS = 24  # contacts remembered for the picture
 MARK_S = 0.7  # s that a contact is shown
 LEAST_IMPULSE = 1e-3  # N s, that is worth a mark
-PASSED_S = 3.0  # s that a contact is shown that was not noticed
-
-_found = np.zeros((1, COLUMNS))
 
 
-def no_marks() -> Array:
-    """Marks (24, 4): x, y from the middle in m, age in s, impulse in N s, negative at a cushion."""
-    marks = np.zeros((MARKS, 4))
-    marks[:, 2] = MARK_S
-    return marks
+class Marks(Part):
+    """Contacts of the last moments, and how many were not noticed.
 
-
-def take_events(scene: LectureTable, dt: float) -> None:
-    """The contacts of a step become marks; balls in pockets begin to sink."""
-    marks = scene.marks
-    marks[:, 2] += dt
-    np.minimum(marks[:, 2], MARK_S, out=marks[:, 2])
-    for row in scene.table.event_rows.tolist():
-        if row[KIND] == BALL_POCKET:
-            scene.sunk_s[int(row[FIRST])] = 0.0
-        elif row[IMPULSE] > LEAST_IMPULSE:
-            sign = 1.0 if row[KIND] == BALL_BALL else -1.0
-            marks[scene.next_mark] = (row[EVENT_X], row[EVENT_Y], 0.0, row[IMPULSE] * sign)
-            scene.next_mark = (scene.next_mark + 1) % MARKS
-
-
-def take_passed(scene: LectureTable, before: Array) -> None:
-    """Pairs that went through each other in the step are counted, and the first is kept for the picture.
-
-    before: offsets (n, 2) m at the beginning of the step.
+    rows (24, 4): x, y from the middle in m, age in s, impulse in N s, negative at a cushion. passed: of the
+    last contact that was not noticed the time (s played) and the row of billiards.table.passing.
     """
-    state = scene.table.state
-    free = state.in_play.copy()
-    for row in scene.table.event_rows.tolist():
-        free[int(row[FIRST])] = False
-        if row[KIND] == BALL_BALL:
-            free[int(row[SECOND])] = False
-    count = find_passed(before, state.offsets, state.radii, free, _found)
-    if count:
-        scene.unseen += count
-        scene.passed = (scene.played_s, *_found[0].tolist())
+
+    def __init__(self) -> None:
+        self.rows: Array = np.zeros((MARKS, 4))
+        self.rows[:, 2] = MARK_S
+        self.next = 0
+        self.unseen = 0
+        self.passed: tuple[float, ...] = ()
+        self._found = np.zeros((1, COLUMNS))
+
+    def take_events(self, table: LectureTable, dt: float) -> None:
+        """The contacts of a step become marks, and all marks older."""
+        rows = self.rows
+        rows[:, 2] += dt
+        np.minimum(rows[:, 2], MARK_S, out=rows[:, 2])
+        for event in table.event_rows.tolist():
+            if event[KIND] != BALL_POCKET and event[IMPULSE] > LEAST_IMPULSE:
+                sign = 1.0 if event[KIND] == BALL_BALL else -1.0
+                rows[self.next] = (event[EVENT_X], event[EVENT_Y], 0.0, event[IMPULSE] * sign)
+                self.next = (self.next + 1) % MARKS
+
+    def take_passed(self, table: LectureTable, before: Array, now_s: float) -> None:
+        """Pairs that went through each other in the step are counted, and the first is kept for the picture.
+
+        before: offsets (n, 2) m at the beginning of the step. now_s: time played, s.
+        """
+        state = table.state
+        free = state.in_play.copy()
+        for row in table.event_rows.tolist():
+            free[int(row[FIRST])] = False
+            if row[KIND] == BALL_BALL:
+                free[int(row[SECOND])] = False
+        count = find_passed(before, state.offsets, state.radii, free, self._found)
+        if count:
+            self.unseen += count
+            self.passed = (now_s, *self._found[0].tolist())

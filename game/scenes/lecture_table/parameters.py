@@ -2,49 +2,56 @@
 
 from __future__ import annotations
 
-from game.billiards.lecture.state import (
+from game.billiards.lecture.settings import (
+    CONSERVING,
+    DEFAULTS,
     FRICTION_LAWS,
-    LECTURE_EFFECTS,
     ORDERS,
+    PAIRWISE,
     REPOSITIONINGS,
     RULES,
     LectureSettings,
+    lecture_settings,
 )
-from game.stage import Choice, Param, Scene
+from game.stage import Choice, Param, Parameters, Toggle
 
 
-class LectureTableModel(Scene):
-    """Base of the scene: what of the model can be chosen."""
-
-    effects = LECTURE_EFFECTS
+class LectureTableParameters(Parameters):
+    """What of the model can be chosen; the defaults are those of the settings of the lecture's table."""
 
     rule = Choice(
-        "conserving",
+        RULES[DEFAULTS.rule],
         RULES,
         labels=("Conserving", "Scaled", "As printed"),
         group="Collision",
         help="restitution on the normal part; both velocities scaled; the printed listing",
     )
     order = Choice(
-        "joint",
+        ORDERS[DEFAULTS.order],
         ORDERS,
         labels=("Jointly", "Pair by pair"),
         group="Collision",
         help="contacts of one moment solved together, or one pair after the other by number",
     )
-    restitution = Param(0.95, 0.0, 1.0, group="Collision", help="normal speed kept when two balls part")
-    passes = Param(4, 1, 50, whole=True, group="Collision", help="rounds of moving overlapping balls apart")
+    restitution = Param(
+        DEFAULTS.restitution, 0.0, 1.0, group="Collision", help="normal speed kept when two balls collide"
+    )
+    passes = Param(
+        DEFAULTS.passes, 1, 50, whole=True, group="Collision", help="rounds of moving overlapping balls apart"
+    )
 
-    bounce = Param(0.8, 0.0, 1.0, group="Cushions", label="Bounce factor", help="speed kept at a cushion")
+    bounce = Param(
+        DEFAULTS.bounce, 0.0, 1.0, group="Cushions", label="Bounce factor", help="speed kept at a cushion"
+    )
     repositioning = Choice(
-        "exact",
+        REPOSITIONINGS[DEFAULTS.repositioning],
         REPOSITIONINGS,
         group="Cushions",
         help="where a ball is put that overshot: where it would be, mirrored, or at the wall",
     )
 
     friction = Param(
-        0.992,
+        DEFAULTS.friction,
         0.9,
         1.0,
         group="Cloth",
@@ -52,17 +59,19 @@ class LectureTableModel(Scene):
         help="speed kept from frame to frame, at 60 frames a second",
     )
     friction_law = Choice(
-        "consistent",
+        FRICTION_LAWS[DEFAULTS.friction_law],
         FRICTION_LAWS,
         labels=("Per second", "Per frame"),
         group="Cloth",
         help="the same slowing at any step length, or the factor once each step as printed",
     )
-    minimum_speed = Param(0.02, 0.0, 0.5, unit="m/s", group="Cloth", help="what is slower stops")
+    minimum_speed = Param(
+        DEFAULTS.minimum_speed, 0.0, 0.5, unit="m/s", group="Cloth", help="what is slower stops"
+    )
 
     step_length = Param(1 / 120, 1 / 2000, 1 / 20, unit="s", log=True, group="Time", label="Step")
     substeps = Param(
-        0,
+        DEFAULTS.substeps,
         0,
         64,
         whole=True,
@@ -73,17 +82,16 @@ class LectureTableModel(Scene):
     radius_spread = Param(0.0, 0.0, 0.4, group="Balls", rebuild=True, help="how much the radii differ")
     mass_spread = Param(0.0, 0.0, 0.9, group="Balls", rebuild=True, help="how much the densities differ")
 
+    aim_line = Toggle(
+        True, group="Balls", label="Aim line", help="ghost ball and the straight lines after it"
+    )
+
+    @property
     def settings(self) -> LectureSettings:
-        return LectureSettings(
-            bounce=self.bounce,
-            restitution=self.restitution,
-            friction=self.friction,
-            minimum_speed=self.minimum_speed,
-            substeps=int(self.substeps),
-            passes=int(self.passes),
-            rule=self.rule,
-            # a joint solution is one of impulses, which only the conserving rule knows
-            order=self.order if self.rule == "conserving" else "pairwise",
-            repositioning=self.repositioning,
-            friction_law=self.friction_law,
-        )
+        """What is chosen, as the table takes it."""
+        chosen = {name: value for name, value in self.values.items() if name in LectureSettings._fields}
+        if (
+            self.rule != RULES[CONSERVING]
+        ):  # a joint solution is one of impulses, which other rules do not know
+            chosen["order"] = ORDERS[PAIRWISE]
+        return lecture_settings(**chosen)

@@ -1,57 +1,87 @@
-"""Turns on the lecture's table: whose cue it is, the white ball's return, and play without a person."""
+"""Turns on the lecture's table: whose cue it is, the cue ball's return, and play without a person."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from collections import deque
 
-from game.scenes.shared.tables.cue import AIMING
-from game.scenes.shared.tables.demo_shots import choose_stroke, free_head_spot
+from game.scenes.lecture_table.level import LectureTableContent
+from game.scenes.lecture_table.model import LectureTableModel
+from game.scenes.shared.tables.cue import AIMING, STRIKING, CueControl
+from game.scenes.shared.tables.demo_shots import choose_stroke
+from game.stage import Part
 
-if TYPE_CHECKING:
-    from game.scenes.lecture_table.scene import LectureTable
-
+TURN_ENDS_S = 0.4  # s of rest before the turn is over
 NEXT_STROKE_S = 1.2  # s of rest before the table's own next stroke
 NEW_RACK_S = 2.0  # s of rest on an empty table before the balls come back
 
 
-def end_turn(scene: LectureTable) -> None:
-    """All balls have come to rest: the white one comes back, and who potted nothing passes the cue."""
-    scene.turn_open = False
-    down = scene.balls_down
-    if scene.has_white and not scene.table.state.in_play[0]:
-        _put_back_white(scene)
-        scene.told.append("The white ball comes back to the head spot.")
-        scene.player = 1 - scene.player
-    elif down == scene.down_before:
-        scene.player = 1 - scene.player
-    if down and down == len(scene.numbers) - 1 and len(scene.numbers) > 2:
-        scene.told.append(f"The table is empty after {scene.strokes} strokes.")
-    scene.down_before = down
+class Turns(Part):
+    """Two players with a cue each, or a table that plays itself. seed: of its own strokes."""
 
+    def __init__(
+        self, model: LectureTableModel, cue: CueControl, content: LectureTableContent, seed: int
+    ) -> None:
+        self.model = model
+        self.cue = cue
+        self.seed = seed
+        self.stroke = content.stroke
+        self.plays_itself = content.plays_itself
+        self.player = 0
+        self.down_before = 0
+        self.rest_s = 0.0
+        self.turn_open = False
+        self.messages: deque[str] = deque(maxlen=8)
 
-def _put_back_white(scene: LectureTable) -> None:
-    table = scene.table
-    radius = float(table.state.radii[0])
-    place = free_head_spot(table.table, radius, lambda place: table.is_clear(0, place))
-    if place is not None:
-        table.place(0, place)
+    def take_messages(self) -> list[str]:
+        """What there is to be said since the last call."""
+        said = list(self.messages)
+        self.messages.clear()
+        return said
 
+    def take_over(self) -> None:
+        """A person takes the cue of a table that plays itself."""
+        self.plays_itself = False
+        self.messages.append("The cue is yours: pull back and let go.")
 
-def play_by_itself(scene: LectureTable) -> None:
-    """Strokes of the level's own, and a new rack when the table is empty."""
-    if scene.down_before and scene.down_before == len(scene.numbers) - 1:
-        if scene.rest_s > NEW_RACK_S:
-            scene.action("rack")
-        return
-    if not scene.white_ready or scene.cue.phase != AIMING:
-        return
-    if scene.stroke is not None:
-        if scene.rest_s >= scene.stroke.after_s and scene.strokes == 0:
-            scene.cue.strike(math.radians(scene.stroke.angle_deg), scene.stroke.speed)
-    elif scene.plays_itself and scene.rest_s > NEXT_STROKE_S:
-        table = scene.table
-        chosen = choose_stroke(
-            table.positions, table.state.radii, table.state.in_play, table.table, scene.seed, scene.strokes
-        )
-        scene.cue.strike(chosen.aim, chosen.speed)
+    def advance(self, dt: float) -> bool:
+        """After a step: the turn ends, or the table strikes; True if it is time for a new rack."""
+        if self.model.table.moving or self.cue.phase == STRIKING:
+            self.rest_s = 0.0
+            self.turn_open = True
+            return False
+        self.rest_s += dt
+        if self.turn_open and self.rest_s > TURN_ENDS_S:
+            self._end_turn()
+        if self.down_before and self.down_before == len(self.model.numbers) - 1:
+            return self.rest_s > NEW_RACK_S
+        if self.model.cue_ball_ready and self.cue.phase == AIMING:
+            self._play_by_itself()
+        return False
+
+    def _end_turn(self) -> None:
+        """All balls have come to rest: the cue ball comes back, and who potted nothing passes the cue."""
+        model = self.model
+        self.turn_open = False
+        down = model.balls_down
+        if model.has_cue_ball and not model.table.state.in_play[0]:
+            model.put_back_cue_ball()
+            self.messages.append("The cue ball comes back to the head spot.")
+            self.player = 1 - self.player
+        elif down == self.down_before:
+            self.player = 1 - self.player
+        if down and down == len(model.numbers) - 1 and len(model.numbers) > 2:
+            self.messages.append(f"The table is empty after {model.strokes} strokes.")
+        self.down_before = down
+
+    def _play_by_itself(self) -> None:
+        """The stroke of the level, or strokes of the table's own."""
+        model, table = self.model, self.model.table
+        if self.stroke is not None:
+            if self.rest_s >= self.stroke.after_s and model.strokes == 0:
+                self.cue.strike(math.radians(self.stroke.angle_deg), self.stroke.speed)
+        elif self.plays_itself and self.rest_s > NEXT_STROKE_S:
+            chosen = choose_stroke(
+                table.positions, table.state.radii, table.state.in_play, table.table, self.seed, model.strokes
+            )
+            self.cue.strike(chosen.aim, chosen.speed)

@@ -8,7 +8,7 @@ from game.scenes.shared.marks import ahead, between, dot, span
 from game.ui.canvas.pen import Pen, Point
 
 RADIUS = 15.0
-Way = tuple[Point, Point]
+Path = tuple[Point, Point]
 
 
 def _ball(pen: Pen, x: float, y: float, color: str = "text1", veil: float = 0.2) -> None:
@@ -26,13 +26,13 @@ def draw_chaos(pen: Pen) -> None:
     other = _combination(ahead(start, aim - 90.0, 2.4), aim, second, third, last)
     for center in (start, second, third):
         _ball(pen, *center)
-    for ways, color, dash in ((other, "vermilion", 0.0), (true, "text1", 4.0)):
-        for a, b in ways:
+    for paths, color, dash in ((other, "vermilion", 0.0), (true, "text1", 4.0)):
+        for a, b in paths:
             pen.line((a, b), color, 1.5, dash)
             dot(pen, b, color, 2.2)
-        for _, b in ways[:2]:
+        for _, b in paths[:2]:
             pen.disc(*b, RADIUS, color, ring=1.0)
-    upper, lower = (ahead(ways[2][1], 0.0, 12.0) for ways in (true, other))
+    upper, lower = (ahead(paths[2][1], 0.0, 12.0) for paths in (true, other))
     span(pen, upper, lower, "amber", 1.4)
     pen.formula(r"\delta_0", start[0] + 27.0, start[1] + 6.0, "amber")
     pen.formula(r"\delta_1", true[1][1][0] - 12.0, true[1][1][1] - 27.0, "amber")
@@ -41,13 +41,13 @@ def draw_chaos(pen: Pen) -> None:
     pen.formula(r"\delta_{i+1} \approx \frac{l}{2R} \delta_i", 210.0, 160.0)
 
 
-def _combination(start: Point, aim: float, second: Point, third: Point, last: float) -> list[Way]:
-    """The ways of three equal balls' centres, each from its place to its impact; the last one ``last`` px."""
-    ways = []
+def _combination(start: Point, aim: float, second: Point, third: Point, last: float) -> list[Path]:
+    """The paths of three equal balls' centres, each from its place to its impact; the last one ``last`` px."""
+    paths = []
     for at, target in ((start, second), (second, third)):
         met, aim = _impact(at, aim, target)
-        ways.append((at, met))
-    return [*ways, (third, ahead(third, aim, last))]
+        paths.append((at, met))
+    return [*paths, (third, ahead(third, aim, last))]
 
 
 def _impact(start: Point, aim: float, target: Point) -> tuple[Point, float]:

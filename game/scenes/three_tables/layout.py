@@ -1,4 +1,4 @@
-"""Where balls lie on the three tables before a shot: as the level says, racked, or put back."""
+"""Where the balls are on the three tables before a shot: as the level says, racked, or put back."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS, HEAD_SPOT, eight_ball_rack
 from game.billiards.table.table import Table
-from game.scenes.lecture_table.level import BallEntry
 from game.scenes.shared.tables.demo_shots import free_head_spot
+from game.scenes.shared.tables.level import BallEntry
 
 Array = NDArray[np.float64]
 
 
 class LaidOut(NamedTuple):
-    """All balls, the white one first."""
+    """All balls, the cue ball first."""
 
     numbers: NDArray[np.int64]  # (n,)
     places: Array  # (n, 2) m
@@ -26,12 +26,12 @@ class LaidOut(NamedTuple):
 
 
 def laid_out(balls: Sequence[BallEntry], bed: Table) -> LaidOut:
-    """The balls of a level, or a full rack if it lists none. ValueError if the white one is missing."""
+    """The balls of a level, or a full rack if it lists none. ValueError if the cue ball is missing."""
     rows = sorted(balls, key=lambda row: row.number != 0)
     if not rows:
         return LaidOut(np.arange(16), eight_ball_rack(bed), np.full(16, BALL_RADIUS), np.full(16, BALL_MASS))
     if rows[0].number != 0:
-        raise ValueError("balls: the white one (number 0) is wanted")
+        raise ValueError("balls: expected the cue ball (number 0)")
     return LaidOut(
         np.array([row.number for row in rows]),
         np.array([row.position for row in rows], dtype=np.float64),
@@ -41,7 +41,7 @@ def laid_out(balls: Sequence[BallEntry], bed: Table) -> LaidOut:
 
 
 def free_spot(bed: Table, others: Array, largest: float) -> Array:
-    """Where (2,) m the white ball comes back to; the head spot itself if all is full.
+    """Where (2,) m the cue ball comes back to; the head spot itself if all is full.
 
     others (k, 2) m: the balls in play; largest: radius of any, m.
     """

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import msgspec
 
-from game.scenes.lecture_table.level import BallEntry
+from game.scenes.shared.tables.level import BallEntry
 
 
 class ThreeTablesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):

@@ -1,4 +1,4 @@
-"""One shot played on the lecture's table, on a stepped one and on the exact one, and how far they part."""
+"""One shot played on the lecture's table, on a stepped one and on the exact one, and how far they diverge."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class PlayedShot:
 
     @property
     def least_end_s(self) -> float:
-        """When all balls lie, as far as is known, s: the shot lasts at least so long."""
+        """When all balls are at rest, as far as is known, s: the shot lasts at least so long."""
         return max(table.end_time for table in self.tables.values())
 
     def compute(self, time: float) -> None:
@@ -97,7 +97,7 @@ class ShotShelf:
 
 
 class Differences:
-    """How far the balls of the other tables lie from those of the exact one, as far as it is asked for."""
+    """How far the balls of the other tables are from those of the exact one, as far as it is asked for."""
 
     def __init__(self, tables: dict[str, Trajectory]) -> None:
         self._tables = tables
@@ -109,10 +109,10 @@ class Differences:
 
     def until(self, time: float) -> dict[str, list[float]]:
         """Largest distance of any ball to its place on the exact table, m, at SAMPLES_HZ up to a time (s)."""
-        wanted = int(time * SAMPLES_HZ) + 1
-        for i in range(len(self), wanted):
+        count = int(time * SAMPLES_HZ) + 1
+        for i in range(len(self), count):
             exact = self._tables["exact"].state_at(i / SAMPLES_HZ).positions
             for name, curve in self._curves.items():
                 apart = self._tables[name].state_at(i / SAMPLES_HZ).positions - exact
                 curve.append(math.sqrt(float((apart * apart).sum(axis=1).max())))
-        return {name: curve[:wanted] for name, curve in self._curves.items()}
+        return {name: curve[:count] for name, curve in self._curves.items()}

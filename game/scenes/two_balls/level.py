@@ -8,6 +8,7 @@ from typing import Annotated
 import msgspec
 
 WIDTH, HEIGHT = 640.0, 400.0  # px, the lecture's window
+FRAME_RATE = 30.0  # 1/s, of the lecture's main loop
 FASTEST = 1e6  # px/frame
 
 X = Annotated[float, msgspec.Meta(ge=0.0, le=WIDTH)]

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from game.billiards.lecture.state import BALL_COLLISIONS, FRICTION, MINIMUM_SPEED, RULES, WALLS
-from game.stage import Choice, Param, Scene, Toggle
+from game.billiards.lecture.settings import RULES
+from game.stage import Choice, Param, Parameters, Toggle
 
 
-class LectureBallsParameters(Scene):
-    """Base of the scene: what of the program can be chosen."""
-
-    effects = WALLS | BALL_COLLISIONS | FRICTION | MINIMUM_SPEED
+class LectureBallsParameters(Parameters):
+    """What of the program can be chosen."""
 
     rule = Choice(
         "conserving",
@@ -19,7 +17,11 @@ class LectureBallsParameters(Scene):
         help="restitution on the normal part; both velocities scaled; or the printed listing",
     )
     restitution = Param(
-        0.9, 0.0, 1.0, group="Collision", help="kept when two balls part (bounce_loss in the listing)"
+        0.9,
+        0.0,
+        1.0,
+        group="Collision",
+        help="of the normal speed, kept in a collision (bounce_loss in the listing)",
     )
     hold = Param(
         2.5,

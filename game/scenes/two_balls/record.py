@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from game.billiards.lecture.ball import Ball, Overshoot
 from game.billiards.lecture.ball_collision import Collision
-from game.billiards.lecture.state import RULES
+from game.billiards.lecture.settings import RULES
 
 Array = NDArray[np.float64]
 
@@ -19,7 +19,7 @@ CONTACT = slice(4, 6)  # px
 POSITIONS, NEW_POSITIONS = (
     slice(6, 10),
     slice(10, 14),
-)  # of both balls, before and after they are parted
+)  # of both balls, before and after they are separated
 VELOCITIES, NEW_VELOCITIES = slice(14, 18), slice(18, 22)
 PARTS, NEW_PARTS = slice(22, 26), slice(26, 30)  # along and across the line of centres
 MOMENTA = slice(30, 34)  # of both balls together: before x, y, after x, y
@@ -57,7 +57,7 @@ LONG_AGO = 9.0  # s
 
 
 def write_overshoot(row: Array, ball: Ball, overshoot: Overshoot) -> bool:
-    """Remember how deep a ball was beyond the walls, which way, and where; False if it was not."""
+    """Remember how deep a ball was beyond the walls, on which sides, and where; False if it was not."""
     deep_x, deep_y = max(overshoot.left, overshoot.right, 0.0), max(overshoot.low, overshoot.high, 0.0)
     if deep_x == 0.0 and deep_y == 0.0:
         return False

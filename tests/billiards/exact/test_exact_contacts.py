@@ -8,12 +8,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from game.billiards import Physics, Table, make_shot, simulate
-from game.billiards.exact.impacts import collide_pair, normal_between
 from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
 from game.billiards.laws.contacts.cushion_han_2005 import bounce_han_2005 as inner_han
-from game.billiards.laws.contacts.cushion_mathavan_2010 import STEPS, follow_impact
+from game.billiards.laws.contacts.cushion_mathavan_2010 import STEPS, Impact, Motion, follow_impact
 from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2010 as inner_mathavan
 from game.billiards.laws.contacts.cushion_mathavan_2010 import follow_to_the_limit as inner_limit
+from game.billiards.laws.impacts import collide_pair, normal_between
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import FLOAT_ROWS, MASS, RADIUS, VX, VY, WX, WY, WZ, X
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
@@ -290,14 +290,14 @@ def test_mathavan_without_friction_returns_the_restitution():
 
 
 @lean_kernel
-def follow(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
+def follow(motion, impact, steps):
     """The inner kernel, with an entrance."""
-    return follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps)
+    return follow_impact(motion, impact, steps)
 
 
 def test_mathavan_converges_with_its_steps():
     """Ball, rail and cloth of the paper; measured against the outcome of ten times as many steps."""
-    arguments = (1.0, 1.5, 20.0, -30.0, 40.0, 0.02625, 0.1406, 0.4, 0.98, 0.14, 0.212)
+    arguments = Motion(1.0, 1.5, 20.0, -30.0, 40.0), Impact(0.02625, 0.1406, 0.4, 0.98, 0.14, 0.212)
     outcomes = {steps: np.array(follow(*arguments, steps)) for steps in (10, 100, 1000)}
     scale = np.array([1.5, 1.5, 57.0, 57.0, 57.0])
     coarse = (np.abs(outcomes[10] - outcomes[1000]) / scale).max()
@@ -306,9 +306,9 @@ def test_mathavan_converges_with_its_steps():
 
 
 @lean_kernel
-def follow_to_the_limit(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
+def follow_to_the_limit(motion, impact, steps):
     """The inner kernel, with an entrance."""
-    return inner_limit(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps)
+    return inner_limit(motion, impact, steps)
 
 
 def test_mathavan_is_as_near_to_its_limit_as_it_says():
@@ -319,10 +319,11 @@ def test_mathavan_is_as_near_to_its_limit_as_it_says():
         speed, angle = rng.uniform(0.05, 6.0), rng.uniform(-1.4, 1.4)
         spin = rng.uniform(-1.5, 1.5, 3) * speed / BALL_RADIUS
         models = rng.uniform(0.3, 0.98), rng.uniform(0.02, 0.5), rng.uniform(0.05, 0.6)
-        ball = speed * math.sin(angle), speed * math.cos(angle), *spin, BALL_RADIUS, 0.17, 0.27, *models
+        motion = Motion(speed * math.sin(angle), speed * math.cos(angle), *spin)
+        ball = motion, Impact(BALL_RADIUS, 0.17, 0.27, *models)
         scale = np.array([1.0, 1.0, BALL_RADIUS, BALL_RADIUS, BALL_RADIUS])
         difference = np.array(follow_to_the_limit(*ball, STEPS)) - follow(*ball, 20_000)
-        errors.append(np.abs(scale * difference).max() / np.linalg.norm(scale * ball[:5]))
+        errors.append(np.abs(scale * difference).max() / np.linalg.norm(scale * motion))
     assert max(errors) < 2e-3 and np.median(errors) < 1e-5
 
 
@@ -394,6 +395,6 @@ def test_mathavan_against_the_papers_equations_in_vectors(wx):
     ball = (0.140, 0.02625, 0.4, 0.8, 0.14, 0.212)
     v, w = _mathavan_by_vectors((0.7, 1.5, 0.0), (wx, 20.0, 15.0), *ball, 4000)
     mass, radius, *models = ball
-    got = follow_to_the_limit(0.7, 1.5, wx, 20.0, 15.0, radius, mass, *models, STEPS)
+    got = follow_to_the_limit(Motion(0.7, 1.5, wx, 20.0, 15.0), Impact(radius, mass, *models), STEPS)
     assert got[:2] == pytest.approx(v[:2], abs=0.01)
     assert radius * np.array(got[2:]) == pytest.approx(radius * w, abs=0.01)

@@ -19,9 +19,9 @@ near = st.floats(-1.0, 1.0)
 
 
 @lean_kernel
-def first_touch(x, y, vx, vy, ax, ay, reach, horizon):
+def first_contact_time(x, y, vx, vy, ax, ay, reach, horizon):
     """The inner kernel, with an entrance."""
-    return detection.first_touch(x, y, vx, vy, ax, ay, reach, horizon)
+    return detection.first_contact_time(x, y, vx, vy, ax, ay, reach, horizon)
 
 
 @lean_kernel
@@ -43,12 +43,12 @@ def test_the_reference_quartic():
     slow = math.hypot(0.5, 0.1)
     ax = 0.5 * 0.01 * 9.81 * 0.5 / slow + 0.5 * 0.2 * 9.81 * 3.0 / speed
     ay = 0.5 * 0.01 * 9.81 * 0.1 / slow + 0.5 * 0.2 * 9.81 * 0.2 / speed
-    found = first_touch(1.0, 0.1, -3.5, -0.3, ax, ay, REACH, 10.0)
+    found = first_contact_time(1.0, 0.1, -3.5, -0.3, ax, ay, REACH, 10.0)
     assert found == pytest.approx(0.295883971496256, rel=1e-14)
 
 
 def test_straight_ways_meet_when_the_quadratic_says():
-    assert first_touch(1.0, 0.02, -10.0, -0.1, 0.0, 0.0, 0.06, 1.0) == pytest.approx(
+    assert first_contact_time(1.0, 0.02, -10.0, -0.1, 0.0, 0.0, 0.06, 1.0) == pytest.approx(
         0.0940942065485371, rel=1e-14
     )
 
@@ -58,7 +58,7 @@ def test_straight_ways_meet_when_the_quadratic_says():
 def test_against_a_fine_scan(x, y, vx, vy, ax, ay, horizon):
     """No contact is missed that a scan of the gap sees, and none is found before the scan sees one."""
     assume(math.hypot(x, y) > REACH * (1.0 + 1e-9))
-    found = first_touch(x, y, vx, vy, ax, ay, REACH, horizon)
+    found = first_contact_time(x, y, vx, vy, ax, ay, REACH, horizon)
     times = np.linspace(0.0, horizon, 4001)
     gaps = _gap(times, x, y, vx, vy, ax, ay)
     inside = np.flatnonzero(gaps < -1e-12)
@@ -80,7 +80,7 @@ def test_a_gap_of_any_smallness_keeps_its_relative_precision(exponent, speed, di
     x, y = (REACH + gap) * ux, (REACH + gap) * uy
     exact = math.sqrt(x * x + y * y) - REACH
     assume(exact > 0.0)
-    time = first_touch(x, y, -speed * ux, -speed * uy, half * ux, half * uy, REACH, 1.0)
+    time = first_contact_time(x, y, -speed * ux, -speed * uy, half * ux, half * uy, REACH, 1.0)
     # of the gap as it stands in the numbers, which carry rounding of a last place of REACH
     wanted = 2.0 * exact / (speed + math.sqrt(speed * speed - 4.0 * half * exact))
     assert time == pytest.approx(wanted, rel=4e-15 + 4.0 * REACH * 2.0**-52 / exact, abs=0.0)
@@ -93,26 +93,26 @@ def test_grazing_hits_and_misses_down_to_a_billionth_of_a_degree(degrees):
     tangent = math.asin(REACH / distance)
     for sign in (-1.0, 1.0):
         angle = tangent + sign * math.radians(degrees)
-        found = first_touch(distance, 0.0, -math.cos(angle), -math.sin(angle), 0.0, 0.0, REACH, 5.0)
+        found = first_contact_time(distance, 0.0, -math.cos(angle), -math.sin(angle), 0.0, 0.0, REACH, 5.0)
         assert (found < AT_REST) == (sign < 0.0)
 
 
 def test_touching_counts_only_if_closing():
     touching = (REACH, 0.0)
-    assert first_touch(*touching, -1.0, 0.0, 0.0, 0.0, REACH, 1.0) == 0.0
-    assert first_touch(*touching, 1.0, 0.0, 0.0, 0.0, REACH, 1.0) == NEVER
-    assert first_touch(*touching, 0.0, 1.0, 0.0, 0.0, REACH, 1.0) == AT_REST  # sideways
-    assert first_touch(*touching, 0.0, 0.0, 0.0, 0.0, REACH, 1.0) == AT_REST
+    assert first_contact_time(*touching, -1.0, 0.0, 0.0, 0.0, REACH, 1.0) == 0.0
+    assert first_contact_time(*touching, 1.0, 0.0, 0.0, 0.0, REACH, 1.0) == NEVER
+    assert first_contact_time(*touching, 0.0, 1.0, 0.0, 0.0, REACH, 1.0) == AT_REST  # sideways
+    assert first_contact_time(*touching, 0.0, 0.0, 0.0, 0.0, REACH, 1.0) == AT_REST
 
 
 def test_parting_balls_that_come_back_meet_again():
     # thrown apart at 1 m/s, pulled together at 2 m/s^2: back after 1 s
-    assert first_touch(REACH, 0.0, 1.0, 0.0, -1.0, 0.0, REACH, 5.0) == pytest.approx(1.0, rel=1e-12)
-    assert first_touch(REACH, 0.0, 1.0, 0.0, -1.0, 0.0, REACH, 0.9) == NEVER
+    assert first_contact_time(REACH, 0.0, 1.0, 0.0, -1.0, 0.0, REACH, 5.0) == pytest.approx(1.0, rel=1e-12)
+    assert first_contact_time(REACH, 0.0, 1.0, 0.0, -1.0, 0.0, REACH, 0.9) == NEVER
 
 
 def test_balls_at_rest_on_each_other_that_are_pressed_together_collide_within_rounding():
-    time = first_touch(REACH, 0.0, 0.0, 0.0, -1.0, 0.0, REACH, 5.0)
+    time = first_contact_time(REACH, 0.0, 0.0, 0.0, -1.0, 0.0, REACH, 5.0)
     assert 0.0 < time < 1e-6
     assert 0.5 * 2.0 * time**2 < 1e-15 and 2.0 * time >= 0.9 * CLOSING_SPEED
 
@@ -170,6 +170,6 @@ def test_a_line_far_behind_is_not_met():
 @pytest.mark.skipif(config.DISABLE_JIT, reason="without compilation every kernel is a plain function")
 def test_an_inner_kernel_refuses_a_call_from_python():
     for _ in range(2):
-        with pytest.raises(TypeError, match="first_touch: an inner kernel"):
-            detection.first_touch(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, REACH, 1.0)
-        first_touch(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, REACH, 1.0)
+        with pytest.raises(TypeError, match="first_contact_time: an inner kernel"):
+            detection.first_contact_time(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, REACH, 1.0)
+        first_contact_time(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, REACH, 1.0)

@@ -1,4 +1,4 @@
-"""The rule that ends chatter: balls part at the cost of their spin; nothing comes from nowhere."""
+"""The rule that ends chatter: balls separate at the cost of their spin; nothing comes from nowhere."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from game.billiards.laws.contacts import chatter
 from game.billiards.laws.state import MASS, RADIUS, VX, VY, WX, WZ
 
-part, least_parting_speed = (
-    getattr(kernel, "py_func", kernel) for kernel in (chatter.part, chatter.least_parting_speed)
+separate, least_separating_speed = (
+    getattr(kernel, "py_func", kernel) for kernel in (chatter.separate, chatter.least_separating_speed)
 )
 ROWS = 64
 speeds = st.floats(-2e-3, 2e-3)
@@ -35,17 +35,17 @@ def energy(state, balls=2):
 
 
 def test_the_speed_asked_for_grows_fourfold_up_to_a_limit():
-    asked = [least_parting_speed(repeats) for repeats in range(chatter.ALLOWED_REPEATS, 20)]
+    asked = [least_separating_speed(repeats) for repeats in range(chatter.ALLOWED_REPEATS, 20)]
     assert asked[:4] == pytest.approx([1e-6, 4e-6, 16e-6, 64e-6])
     assert max(asked) == asked[-1] == chatter.LARGEST_SPEED
 
 
 @given(st.tuples(speeds, speeds), st.tuples(speeds, speeds), spins, spins, st.floats(-3.0, 3.0))
-def test_two_balls_part_at_the_cost_of_their_spin(first, second, spin, other_spin, angle):
+def test_two_balls_separate_at_the_cost_of_their_spin(first, second, spin, other_spin, angle):
     nx, ny = math.cos(angle), math.sin(angle)
     state = state_of((first, second), (spin, other_spin), (0.17, 0.25))
     before, energy_before = state.copy(), energy(state)
-    part(state, 0, 1, nx, ny, 1e-3)
+    separate(state, 0, 1, nx, ny, 1e-3)
     momentum = state[MASS] @ state[VX : VY + 1].T
     assert momentum == pytest.approx(before[MASS] @ before[VX : VY + 1].T, abs=1e-17)
     assert energy(state) <= energy_before * (1.0 + 1e-12)
@@ -65,7 +65,7 @@ def test_two_balls_part_at_the_cost_of_their_spin(first, second, spin, other_spi
 def test_a_ball_parts_from_a_rail():
     state = state_of(((0.0, 0.0), (9.0, 9.0)), ((0.0, 3.0, 0.0), (1.0, 1.0, 1.0)), (0.17, 0.17))
     before = energy(state, 1)
-    part(state, 0, -1, 0.0, 1.0, 2e-3)
+    separate(state, 0, -1, 0.0, 1.0, 2e-3)
     assert state[VY, 0] == pytest.approx(-2e-3)
     assert energy(state, 1) == pytest.approx(before, rel=1e-12)
     assert 0.0 < state[WX + 1, 0] < 3.0

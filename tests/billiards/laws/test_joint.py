@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.billiards.laws.joint import (
+    ContactGraph,
     joint_scratch,
     solve_complementarity,
     solve_joint_impulses,
@@ -41,16 +42,13 @@ def collide(contacts, velocities, inverse_masses, restitution=1.0, join_resting=
     scratch = joint_scratch(len(velocities), count)
     rounds = solve_joint_impulses(
         count,
-        first,
-        second,
-        np.ascontiguousarray(normals),
+        ContactGraph(first, second, np.ascontiguousarray(normals)),
         np.full(count, restitution) if np.isscalar(restitution) else restitution,
         np.array(inverse_masses, dtype=np.float64),
         velocities,
         impulses,
         join_resting,
-        scratch.contacts,
-        scratch.balls,
+        scratch,
     )
     return velocities, impulses, rounds
 
@@ -184,9 +182,7 @@ def test_complementarity_against_enumeration(cluster):
     scratch.contacts[:, 0] = demand
     scratch.contacts[:, 1] = 1.0
     moved, impulses = np.zeros((len(inverse), 2)), np.zeros(count)
-    used = solve_complementarity(
-        count, *contacts, inverse, moved, impulses, scratch.contacts, scratch.balls, 200_000
-    )
+    used = solve_complementarity(count, ContactGraph(*contacts), inverse, moved, impulses, scratch, 200_000)
     if used == 200_000:
         return  # normals that contradict each other: a compromise is all that can be had
     assert (impulses >= 0.0).all()
@@ -262,9 +258,7 @@ def test_walls_too_narrow_for_the_ball_end_in_a_compromise():
     scratch.contacts[:, 0] = [0.01, 0.01]
     scratch.contacts[:, 1] = 1.0
     moved = np.zeros((1, 2))
-    used = solve_complementarity(
-        2, *contacts, np.ones(1), moved, np.zeros(2), scratch.contacts, scratch.balls, 50
-    )
+    used = solve_complementarity(2, ContactGraph(*contacts), np.ones(1), moved, np.zeros(2), scratch, 50)
     assert used == 50
     assert np.isfinite(scratch.contacts).all()
     assert not moved.any()

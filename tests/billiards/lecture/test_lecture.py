@@ -12,6 +12,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numba.core.runtime import _nrt_python, rtsys
 
+from game.billiards.lecture.settings import (
+    DEFAULTS,
+    FRICTION_LAWS,
+    ORDERS,
+    PAIRWISE,
+    PROPAGATIONS,
+    REPOSITIONINGS,
+    RULES,
+    LectureSettings,
+    lecture_settings,
+    read_settings,
+)
 from game.billiards.lecture.state import (
     BALL_COLLISIONS,
     EVENT_CAPACITY,
@@ -19,7 +31,6 @@ from game.billiards.lecture.state import (
     POCKETS,
     ROLLING,
     WALLS,
-    LectureSettings,
     geometry_of,
 )
 from game.billiards.lecture.table import LectureTable, warm_ups
@@ -30,13 +41,13 @@ from game.physics.fields import GRAVITY
 
 EPS = 2.0**-52
 FRAME = 1.0 / 60.0
-LOSSLESS = LectureSettings(bounce=1.0, restitution=1.0, friction=1.0, minimum_speed=0.0)
+LOSSLESS = lecture_settings(bounce=1.0, restitution=1.0, friction=1.0, minimum_speed=0.0)
 
 
 def free_balls(positions, velocities, radii=R, masses=1.0, **declared):
     """Balls on cloth without an edge."""
     balls = LectureTable(Table.open(), positions, radii, masses, velocities, BALL_COLLISIONS, LOSSLESS)
-    balls.configure(**declared)
+    balls.settings = lecture_settings(balls.settings, **declared)
     return balls
 
 
@@ -123,7 +134,7 @@ def test_cushion_event_tells_row_speed_impulse_and_place():
     balls = LectureTable(
         Table.bare(1.0, 2.0), [[0.95, 1.0]], velocities=[[3.0, 0.0]], effects=WALLS, masses=2.0
     )
-    balls.configure(bounce=0.5)
+    balls.settings = lecture_settings(balls.settings, bounce=0.5)
     balls.step(FRAME)
     (event,) = balls.events
     assert (event.kind, event.ball, event.other) == ("cushion", 0, 1)
@@ -137,7 +148,7 @@ def test_every_pocket_takes_a_ball_rolling_straight_in(row, substeps):
     table = Table.pool()
     aim = table.pockets[row, :2]
     start = np.array([0.635, 1.27]) + 0.5 * (aim - [0.635, 1.27])
-    balls = LectureTable(table, [start], settings=LectureSettings(substeps=substeps))
+    balls = LectureTable(table, [start], settings=lecture_settings(substeps=substeps))
     balls.strike(0, (aim - start) / math.dist(aim, start) * 3.0)
     kinds = []
     for _ in range(120):
@@ -230,7 +241,7 @@ def test_effects_switch_what_is_computed():
 
 
 def broken_rack(**declared):
-    balls = LectureTable(Table.pool(), eight_ball_rack(Table.pool()), settings=LectureSettings(**declared))
+    balls = LectureTable(Table.pool(), eight_ball_rack(Table.pool()), settings=lecture_settings(**declared))
     balls.strike(0, (0.4, 8.0))
     return balls
 
@@ -270,7 +281,7 @@ def test_same_bits_as_plain_python(order):
         "from game.billiards.lecture.table import *\n"
         "from game.billiards.table.rack import eight_ball_rack\n"
         "p = Table.pool()\n"
-        "t = LectureTable(p, eight_ball_rack(p), settings=LectureSettings(order=sys.argv[2]))\n"
+        "t = LectureTable(p, eight_ball_rack(p), settings=lecture_settings(order=sys.argv[2]))\n"
         "t.strike(0, (0.4, 8.0)); t.state.offsets[0, 1] = 0.5\n"
         "[t.step(1 / 60) for _ in range(8)]\n"
         "print(b''.join(array.tobytes() for array in t.state).hex())"
@@ -328,7 +339,7 @@ def test_counters_and_bounded_events():
     assert many.counters["events_lost"] > 0
 
 
-def test_crowd_is_parted_within_the_room_for_contacts():
+def test_crowd_is_separated_within_the_capacity_for_contacts():
     crowd = 0.05 * np.stack(np.meshgrid(np.arange(12), np.arange(12)), axis=-1).reshape(-1, 2)
     balls = free_balls(crowd, None, passes=20)
     for _ in range(10):
@@ -338,6 +349,24 @@ def test_crowd_is_parted_within_the_room_for_contacts():
 
 
 # -- what comes in
+
+
+def test_kernels_read_the_settings_that_were_made():
+    settings = LectureSettings(0.1, 0.2, 0.3, 0.4, 5, 6, 1, 1, 1, 2, 1, False)
+    assert read_settings(np.array(settings, dtype=np.float64)) == settings
+
+
+def test_choices_have_words_outside_and_places_inside():
+    for name, choices in (
+        ("rule", RULES),
+        ("order", ORDERS),
+        ("propagation", PROPAGATIONS),
+        ("repositioning", REPOSITIONINGS),
+        ("friction_law", FRICTION_LAWS),
+    ):
+        for place, word in enumerate(choices):
+            made = lecture_settings(DEFAULTS._replace(order=PAIRWISE), **{name: word})
+            assert getattr(made, name) == place
 
 
 def test_any_array_like_gives_the_same():
@@ -393,7 +422,11 @@ def test_bad_steps_are_refused(dt):
         ("substeps", -1),
         ("substeps", 1.5),
         ("passes", 0),
+        ("passes", True),
+        ("friction", 1.5),
+        ("walls_again", 1),
         ("rule", "magic"),
+        ("rule", 0),
         ("order", "random"),
         ("bounce", "much"),
         ("rule", "scaled"),  # needs the order pairwise
@@ -403,9 +436,9 @@ def test_bad_parameters_are_refused_and_change_nothing(parameter, value):
     balls = LectureTable(Table.bare(1.0, 2.0), [[0.5, 0.5]])
     before = balls.settings
     with pytest.raises(ValueError, match=parameter if value != "scaled" else "order"):
-        balls.configure(**{parameter: value})
+        balls.settings = lecture_settings(balls.settings, **{parameter: value})
     with pytest.raises(ValueError, match="colour"):
-        balls.configure(colour=3)
+        balls.settings = lecture_settings(balls.settings, colour=3)
     assert balls.settings == before
 
 

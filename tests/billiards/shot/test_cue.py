@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.billiards.shot.cue import CUE_MASS, strike
+from game.billiards.shot.cue import CUE_MASS, speed_ratio, strike
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from tests.paths import TESTS
 
@@ -100,3 +100,9 @@ def test_absurd_strokes_are_refused(arguments, name):
 def test_absurd_masses_are_refused(name):
     with pytest.raises(ValueError, match=name):
         strike(1.0, 0.0, **{name: 0.0})
+
+
+@given(st.floats(0.05, 1.0), st.floats(0.2, 1.0))
+def test_the_ratio_of_speeds_is_that_of_a_stroke_in_the_centre(ball_mass, cue_mass):
+    struck = strike(1.0, 0.3, ball_mass=ball_mass, cue_mass=cue_mass)
+    assert math.hypot(*struck.velocity) == pytest.approx(speed_ratio(ball_mass, cue_mass), rel=1e-14)

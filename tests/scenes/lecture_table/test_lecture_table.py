@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from game.billiards.lecture.settings import DEFAULTS, lecture_settings
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.levels import LevelError, level_files, load_level
 from game.scenes.lecture_table.scene import LectureTable
@@ -32,7 +33,7 @@ def free_table(**parameters) -> Stage:
 
 def pull_and_release(stage: Stage, back: float) -> None:
     """Aim straight up the table, pull ``back`` metres, let go."""
-    x, y = stage.scene.table.positions[0]
+    x, y = stage.scene.model.table.positions[0]
     stage.post(Pointer("move", x, y + 1.0))
     stage.post(Pointer("down", x, y + 1.0, button=1))
     stage.post(Pointer("move", x, y + 1.0 - back, button=1))
@@ -44,7 +45,7 @@ def pull_and_release(stage: Stage, back: float) -> None:
 
 def test_aim_follows_the_pointer_and_shift_makes_it_fine():
     stage = free_table()
-    x, y = stage.scene.table.positions[0]
+    x, y = stage.scene.model.table.positions[0]
     stage.post(Pointer("move", x + 1.0, y))
     assert stage.scene.cue.aim == pytest.approx(0.0, abs=1e-12)
     stage.post(Pointer("move", x + 1.0, y + 1.0, shift=True))
@@ -59,9 +60,9 @@ def test_a_longer_pull_strikes_harder_and_the_ball_gets_that_speed():
         wanted = stage.scene.cue.speed
         for _ in range(200):
             stage.run(1)
-            if stage.scene.strokes:
+            if stage.scene.model.strokes:
                 break
-        speed = np.linalg.norm(stage.scene.table.velocities[0])
+        speed = np.linalg.norm(stage.scene.model.table.velocities[0])
         assert speed == pytest.approx(wanted, rel=1e-12)
         speeds.append(speed)
     assert speeds == sorted(speeds) and speeds[0] > 1.0
@@ -69,60 +70,60 @@ def test_a_longer_pull_strikes_harder_and_the_ball_gets_that_speed():
 
 def test_escape_takes_the_stroke_back():
     stage = free_table()
-    x, y = stage.scene.table.positions[0]
+    x, y = stage.scene.model.table.positions[0]
     stage.post(Pointer("down", x, y + 1.0, button=1))
     stage.post(Pointer("move", x, y + 0.7, button=1))
     assert stage.scene.cue.speed > 0.0
     stage.post(Pointer("cancel", x, y))
     stage.post(Pointer("up", x, y, button=1))
     seconds(stage, 1.0)
-    assert stage.scene.strokes == 0 and not stage.scene.table.moving
+    assert stage.scene.model.strokes == 0 and not stage.scene.model.table.moving
 
 
-def test_two_cues_take_turns_and_a_potted_white_ball_comes_back():
+def test_two_cues_take_turns_and_a_potted_cue_ball_comes_back():
     stage = free_table()
     pull_and_release(stage, 0.02)
     seconds(stage, 8.0)
-    assert stage.scene.strokes == 1 and stage.scene.player == 1
-    table = stage.scene.table
+    assert stage.scene.model.strokes == 1 and stage.scene.turns.player == 1
+    table = stage.scene.model.table
     pocket = table.table.pockets[0, :2]
     table.place(0, (R + 0.1, R + 0.1))
-    way = pocket - table.positions[0]
-    table.strike(0, 1.5 * way / np.linalg.norm(way))
-    stage.scene.rest_s = 0.0
+    path = pocket - table.positions[0]
+    table.strike(0, 1.5 * path / np.linalg.norm(path))
+    stage.scene.turns.rest_s = 0.0
     for _ in range(2000):
         stage.run(1)
         if not table.state.in_play[0]:
             break
     assert not table.state.in_play[0]
     seconds(stage, 3.0)
-    assert table.state.in_play[0] and stage.scene.player == 0
-    assert any("white ball" in line for line in stage.scene.messages())
+    assert table.state.in_play[0] and stage.scene.turns.player == 0
+    assert any("cue ball" in line for line in stage.scene.messages())
 
 
-def test_the_table_plays_by_itself_until_it_is_touched():
+def test_the_table_plays_by_itself_until_somebody_takes_the_cue():
     stage = open_level("default")
     seconds(stage, 12.0)
-    assert stage.scene.strokes >= 1
+    assert stage.scene.model.strokes >= 1
     stage.post(Pointer("down", 0.6, 0.6, button=1))
     stage.post(Pointer("cancel", 0.6, 0.6))
-    strokes = stage.scene.strokes
+    strokes = stage.scene.model.strokes
     seconds(stage, 20.0)
-    assert stage.scene.strokes == strokes
+    assert stage.scene.model.strokes == strokes
     stage.post(Action("rack"))
-    assert stage.scene.strokes == 0 and stage.scene.balls_down == 0
+    assert stage.scene.model.strokes == 0 and stage.scene.model.balls_down == 0
 
 
 def test_no_ball_is_lost_and_a_cleared_table_is_racked_again():
     stage = open_level("default")
     racks = 0
     for _ in range(120):
-        before = stage.scene.balls_down
+        before = stage.scene.model.balls_down
         seconds(stage, 5.0)
-        state = stage.scene.table.state
+        state = stage.scene.model.table.state
         assert np.all(state.in_play | (state.pocketed_by >= 0))
         assert np.isfinite(state.offsets).all()
-        racks += stage.scene.balls_down < before
+        racks += stage.scene.model.balls_down < before
     assert racks >= 1
 
 
@@ -147,14 +148,25 @@ def test_two_runs_and_a_run_saved_half_way_give_one_digest():
     assert first.digest() == second.digest()
 
 
+def test_defaults_are_those_of_the_table_and_a_change_reaches_it():
+    stage = free_table()
+    assert stage.scene.model.table.settings == DEFAULTS
+    stage.post(SetParameter("restitution", 0.5))
+    stage.post(SetParameter("rule", "scaled"))  # impulses are not for this rule, so pair by pair
+    expected = lecture_settings(restitution=0.5, rule="scaled", order="pairwise")
+    assert stage.scene.model.table.settings == expected
+    stage.post(SetParameter("rule", "conserving"))
+    assert stage.scene.model.table.settings == DEFAULTS._replace(restitution=0.5)
+
+
 def test_effects_can_be_switched_and_what_is_off_does_nothing():
     stage = open_level("hard-04-corner")
     for name in stage.scene.effects.names:
         stage.post(SetEffect(name, False))
-    before = stage.scene.table.velocities.copy()
+    before = stage.scene.model.table.velocities.copy()
     seconds(stage, 0.5)
-    assert np.array_equal(before, stage.scene.table.velocities)
-    assert stage.scene.table.positions[0, 0] > stage.scene.table.table.width  # no wall held it
+    assert np.array_equal(before, stage.scene.model.table.velocities)
+    assert stage.scene.model.table.positions[0, 0] > stage.scene.model.table.table.width  # no wall held it
 
 
 @pytest.mark.parametrize(
@@ -184,49 +196,49 @@ def test_the_table_is_saved_and_loaded_as_it_lies(tmp_path: Path):
     seconds(stage, 1.5)
     content = stage.scene.save_content()
     again = LectureTable(None)
-    assert again.numbers.tolist() == list(range(16))
+    assert again.model.numbers.tolist() == list(range(16))
     kept = {row.number: row for row in content.balls}
-    for i, place in enumerate(stage.scene.table.positions.tolist()):
-        if stage.scene.table.state.in_play[i]:
+    for i, place in enumerate(stage.scene.model.table.positions.tolist()):
+        if stage.scene.model.table.state.in_play[i]:
             assert kept[i].position == tuple(place)
 
 
-# -- the hard cases, as levels (HARD_CASES B.1) -------------------------------------------------------
+# -- the hard cases, as levels -------------------------------------------------------
 
 
 def test_h1_one_substep_tunnels_and_automatic_substeps_do_not():
     through = seconds(open_level("hard-01-tunnelling"), 0.15)
-    assert through.scene.unseen == 1  # and the picture says so
-    assert not through.scene.table.velocities[1].any()
-    assert through.scene.table.positions[0, 1] > through.scene.table.positions[1, 1]
+    assert through.scene.model.marks.unseen == 1  # and the picture says so
+    assert not through.scene.model.table.velocities[1].any()
+    assert through.scene.model.table.positions[0, 1] > through.scene.model.table.positions[1, 1]
     held = seconds(open_level("hard-01-tunnelling", substeps=0), 0.15)
-    assert held.scene.unseen == 0
-    assert held.scene.table.velocities[1, 1] > 7.0
+    assert held.scene.model.marks.unseen == 0
+    assert held.scene.model.table.velocities[1, 1] > 7.0
 
 
 def test_h2_a_thin_hit_is_missed_with_one_substep_only():
     missed = seconds(open_level("hard-02-grazing"), 0.35)
-    assert missed.scene.unseen == 1
-    assert not missed.scene.table.velocities[1].any()
+    assert missed.scene.model.marks.unseen == 1
+    assert not missed.scene.model.table.velocities[1].any()
     hit = seconds(open_level("hard-02-grazing", substeps=64), 0.35)
-    assert hit.scene.unseen == 0
-    assert hit.scene.table.velocities[1].any()
+    assert hit.scene.model.marks.unseen == 0
+    assert hit.scene.model.table.velocities[1].any()
 
 
 def test_h3_absurd_speed_stays_on_the_table_with_its_energy():
     stage = open_level("hard-03-overshoot")
-    energy = stage.scene.table.energy
+    energy = stage.scene.model.table.energy
     for _ in range(100):
         stage.run(1)
-        x, y = stage.scene.table.positions[0]
+        x, y = stage.scene.model.table.positions[0]
         assert R - 1e-9 <= x <= 1.27 - R + 1e-9 and R - 1e-9 <= y <= 2.54 - R + 1e-9
-    assert stage.scene.table.energy == pytest.approx(energy, rel=1e-12)
+    assert stage.scene.model.table.energy == pytest.approx(energy, rel=1e-12)
 
 
 def test_h4_both_cushions_turn_it_round():
     stage = seconds(open_level("hard-04-corner"), 0.5)
-    assert (stage.scene.table.velocities[0] < 0.0).all()
-    vx, vy = stage.scene.table.velocities[0]
+    assert (stage.scene.model.table.velocities[0] < 0.0).all()
+    vx, vy = stage.scene.model.table.velocities[0]
     assert vx == pytest.approx(vy, rel=1e-12)
 
 
@@ -234,37 +246,37 @@ def test_h5_the_pressed_ball_stays_out_of_the_wood():
     stage = open_level("hard-05-pressed")
     for _ in range(120):
         stage.run(1)
-        assert stage.scene.table.positions[1, 1] <= 2.54 - R + 1e-9
+        assert stage.scene.model.table.positions[1, 1] <= 2.54 - R + 1e-9
 
 
 def test_h6_a_compressed_rack_opens_without_gaining_energy():
     stage = open_level("hard-06-compressed-rack")
-    assert stage.scene.table.deepest_overlap > 0.004
+    assert stage.scene.model.table.deepest_overlap > 0.004
     stage.run(1)
-    assert stage.scene.table.deepest_overlap < 2.6e-5 * 2 * R
-    assert stage.scene.table.energy == 0.0
+    assert stage.scene.model.table.deepest_overlap < 2.6e-5 * 2 * R
+    assert stage.scene.model.table.energy == 0.0
 
 
-def test_h7_momentum_and_energy_of_the_break_are_those_of_the_white_ball():
+def test_h7_momentum_and_energy_of_the_break_are_those_of_the_cue_ball():
     stage = open_level("hard-07-break")
-    while not stage.scene.strokes:
+    while not stage.scene.model.strokes:
         stage.run(1)
     for _ in range(400):
         stage.run(1)
-        speeds = np.abs(stage.scene.table.velocities).max(axis=1)
+        speeds = np.abs(stage.scene.model.table.velocities).max(axis=1)
         if (speeds > 0.0).sum() > 3:
             break
-    assert stage.scene.table.momentum[0] == pytest.approx(0.0, abs=1e-14)
-    assert stage.scene.table.momentum[1] == pytest.approx(8.0 * MASS, rel=1e-14)
-    assert stage.scene.table.energy == pytest.approx(0.5 * MASS * 64.0, rel=1e-12)
+    assert stage.scene.model.table.momentum[0] == pytest.approx(0.0, abs=1e-14)
+    assert stage.scene.model.table.momentum[1] == pytest.approx(8.0 * MASS, rel=1e-14)
+    assert stage.scene.model.table.energy == pytest.approx(0.5 * MASS * 64.0, rel=1e-12)
 
 
 def test_h8_a_symmetric_break_stays_symmetric_when_solved_jointly_only():
     def asymmetry(stage: Stage) -> float:
-        while not stage.scene.strokes:
+        while not stage.scene.model.strokes:
             stage.run(1)
         seconds(stage, 0.6)
-        offsets = stage.scene.table.state.offsets
+        offsets = stage.scene.model.table.state.offsets
         mirrored = offsets * (-1.0, 1.0)
         gaps = np.abs(offsets[:, None, :] - mirrored[None, :, :]).max(axis=2)
         return float(gaps.min(axis=1).max())
@@ -276,28 +288,28 @@ def test_h8_a_symmetric_break_stays_symmetric_when_solved_jointly_only():
 
 def test_h9_one_ball_comes_one_ball_leaves():
     stage = seconds(open_level("hard-09-cradle"), 0.35)
-    speeds = stage.scene.table.velocities[:, 1]
+    speeds = stage.scene.model.table.velocities[:, 1]
     assert speeds[-1] == pytest.approx(2.0, abs=1e-12)
     assert np.abs(speeds[:-1]).max() <= 1e-12
 
 
-def test_h10_touching_balls_rest_and_coincident_ones_part():
+def test_h10_balls_in_contact_rest_and_coincident_ones_separate():
     stage = seconds(open_level("hard-10-touching"), 1.0)
-    places = stage.scene.table.positions
+    places = stage.scene.model.table.positions
     assert places[0].tolist() == [0.4, 1.0] and places[1, 0] == pytest.approx(0.45715, abs=1e-15)
-    assert stage.scene.table.deepest_overlap < 1e-9
-    assert stage.scene.table.energy == 0.0
+    assert stage.scene.model.table.deepest_overlap < 1e-9
+    assert stage.scene.model.table.energy == 0.0
 
 
-def test_h11_the_factor_per_frame_shortens_the_way_and_the_factor_per_second_does_not():
-    def way(**parameters) -> float:
+def test_h11_the_factor_per_frame_shortens_the_path_and_the_factor_per_second_does_not():
+    def distance(**parameters) -> float:
         stage = seconds(open_level("hard-11-friction-factor", **parameters), 12.0)
-        assert not stage.scene.table.moving
-        return float(stage.scene.table.positions[0, 1]) - 1.0
+        assert not stage.scene.model.table.moving
+        return float(stage.scene.model.table.positions[0, 1]) - 1.0
 
-    assert way() == pytest.approx(0.83, abs=0.01)  # HARD_CASES B.1 H11, 240 frames a second
-    assert way(friction_law="consistent") == pytest.approx(3.3042, abs=5e-4)
-    assert way(friction_law="consistent", step_length=1 / 60) == pytest.approx(3.3168, abs=5e-4)
+    assert distance() == pytest.approx(0.83, abs=0.01)  # 240 frames a second
+    assert distance(friction_law="consistent") == pytest.approx(3.3042, abs=5e-4)
+    assert distance(friction_law="consistent", step_length=1 / 60) == pytest.approx(3.3168, abs=5e-4)
 
 
 def test_h12_a_stopped_ball_wakes_when_it_is_pushed():
@@ -306,38 +318,38 @@ def test_h12_a_stopped_ball_wakes_when_it_is_pushed():
     moving_before = True
     for _ in range(round(2.0 / stage.dt)):
         stage.run(1)
-        moving = bool(stage.scene.table.velocities[1].any())
+        moving = bool(stage.scene.model.table.velocities[1].any())
         stopped += moving_before and not moving
-        if stage.scene.table.velocities[1, 1] > 0.3:
+        if stage.scene.model.table.velocities[1, 1] > 0.3:
             break
         moving_before = moving
     assert stopped == 1
-    assert stage.scene.table.velocities[1, 1] > 0.3
+    assert stage.scene.model.table.velocities[1, 1] > 0.3
 
 
 def test_h13_a_dead_cushion_takes_the_normal_speed_only():
     stage = seconds(open_level("hard-13-dead-cushion"), 1.0)
-    vx, vy = stage.scene.table.velocities[0]
+    vx, vy = stage.scene.model.table.velocities[0]
     assert vx == 0.0 and vy == 0.5
-    assert stage.scene.table.positions[0, 0] == pytest.approx(1.27 - R, abs=1e-12)
+    assert stage.scene.model.table.positions[0, 0] == pytest.approx(1.27 - R, abs=1e-12)
 
 
 def test_h14_wedged_balls_do_not_tremble():
     stage = seconds(open_level("hard-14-wedged"), 1.0)
-    before = stage.scene.table.positions.copy()
+    before = stage.scene.model.table.positions.copy()
     seconds(stage, 1.0)
-    assert np.abs(stage.scene.table.positions - before).max() <= 1e-12
+    assert np.abs(stage.scene.model.table.positions - before).max() <= 1e-12
 
 
 def test_as_printed_loses_momentum_and_the_default_does_not():
-    """The printed rule on the break, before any cushion: HARD_CASES L.8."""
+    """The printed rule on the break, before any cushion."""
 
     def momentum(**parameters) -> float:
         stage = open_level("hard-07-break", **parameters)
-        while not stage.scene.strokes:
+        while not stage.scene.model.strokes:
             stage.run(1)
         seconds(stage, 0.18)
-        return stage.scene.table.momentum[1]
+        return stage.scene.model.table.momentum[1]
 
     assert momentum() == pytest.approx(8.0 * MASS, rel=1e-12)
     assert abs(momentum(rule="as-printed", restitution=0.9) - 8.0 * MASS) > 0.05

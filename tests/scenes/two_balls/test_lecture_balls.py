@@ -21,7 +21,7 @@ def until_collision(stage: Stage, frames: int = 2000) -> Stage:
     for _ in range(frames):
         stage.run(1)
         assert stage.fault is None
-        if stage.scene.collisions:
+        if stage.scene.model.collisions:
             return stage
     raise AssertionError("they never met")
 
@@ -33,74 +33,74 @@ def readout(stage: Stage, name: str) -> float:
 def test_the_conserving_rule_keeps_momentum_over_many_collisions():
     stage = open_level(hold=0.0)
     stage.run(20_000)
-    assert stage.scene.collisions > 20
-    assert readout(stage, "momentum lost") <= stage.scene.collisions * 1e-12
+    assert stage.scene.model.collisions > 20
+    assert readout(stage, "momentum lost") <= stage.scene.model.collisions * 1e-12
 
 
 def test_as_printed_loses_momentum_and_the_readout_says_so():
     stage = until_collision(open_level("as-printed", hold=0.0))
     lost = readout(stage, "momentum lost")
     assert lost > 1.0
-    row = stage.scene.last
+    row = stage.scene.model.last
     assert lost == pytest.approx(math.dist(row[record.MOMENTA][:2], row[record.MOMENTA][2:]), rel=1e-12)
 
 
 def test_head_on_they_exchange_their_velocities():
     stage = until_collision(open_level("head-on", hold=0.0))
-    first, second = stage.scene.balls
+    first, second = stage.scene.model.balls
     assert first.velocity == pytest.approx((-5.0, 0.0), abs=1e-12)
     assert second.velocity == pytest.approx((9.0, 0.0), abs=1e-12)
 
 
 def test_restitution_acts_on_the_normal_part_for_any_masses():
     stage = until_collision(open_level("heavy-and-light", hold=0.0, restitution=0.6))
-    (n1, t1), (n2, t2) = stage.scene.last[record.PARTS].reshape(2, 2)
-    (m1, u1), (m2, u2) = stage.scene.last[record.NEW_PARTS].reshape(2, 2)
+    (n1, t1), (n2, t2) = stage.scene.model.last[record.PARTS].reshape(2, 2)
+    (m1, u1), (m2, u2) = stage.scene.model.last[record.NEW_PARTS].reshape(2, 2)
     assert m1 - m2 == pytest.approx(-0.6 * (n1 - n2), rel=1e-12)
     assert (u1, u2) == pytest.approx((t1, t2), abs=1e-12)
 
 
 def test_a_collision_is_held_and_its_five_steps_are_shown_in_turn():
-    from game.scenes.two_balls.view import _phase
+    from game.scenes.two_balls.lens import phase_of
 
     stage = until_collision(open_level(hold=2.0))
-    places = [ball.position for ball in stage.scene.balls]
+    places = [ball.position for ball in stage.scene.model.balls]
     seen = []
-    while stage.scene.hold_s > 0.0:
-        seen.append(_phase(stage.scene))
-        assert [ball.position for ball in stage.scene.balls] == places
+    while stage.scene.model.hold_s > 0.0:
+        seen.append(phase_of(stage.scene.model))
+        assert [ball.position for ball in stage.scene.model.balls] == places
         stage.run(1)
     assert sorted(set(seen)) == [0, 1, 2, 3, 4] and seen == sorted(seen)
     assert len(seen) == pytest.approx(2.0 * 30, abs=1)
     stage = until_collision(open_level(hold=2.0))
     stage.post(Action("release"))
     stage.run(1)
-    assert [ball.position for ball in stage.scene.balls] != places
+    assert [ball.position for ball in stage.scene.model.balls] != places
 
 
 def test_balls_and_arrows_are_dragged():
     stage = open_level()
-    ball = stage.scene.balls[0]
+    ball = stage.scene.model.balls[0]
     x, y = ball.position
     stage.post(Pointer("down", x, y, button=1))
     stage.post(Pointer("move", 300.0, 200.0, button=1))
     stage.post(Pointer("up", 300.0, 200.0, button=1))
-    assert stage.scene.balls[0].position == (300.0, 200.0)
+    assert stage.scene.model.balls[0].position == (300.0, 200.0)
     head = (300.0 + 4.0 * ball.velocity[0], 200.0 + 4.0 * ball.velocity[1])
     stage.post(Pointer("down", *head, button=1))
     stage.post(Pointer("move", 340.0, 200.0, button=1))
-    assert stage.scene.balls[0].velocity == (10.0, 0.0)
+    assert stage.scene.model.balls[0].velocity == (10.0, 0.0)
     stage.post(Pointer("cancel", 0.0, 0.0))
     stage.post(Pointer("move", 390.0, 200.0))
-    assert stage.scene.balls[0].velocity == (10.0, 0.0)
+    assert stage.scene.model.balls[0].velocity == (10.0, 0.0)
 
 
 def test_dragged_far_outside_it_stays_in_the_window():
     stage = open_level()
-    x, y = stage.scene.balls[1].position
+    x, y = stage.scene.model.balls[1].position
     stage.post(Pointer("down", x, y, button=1))
     stage.post(Pointer("move", -1e9, 1e9, button=1))
-    assert stage.scene.balls[1].position == (34.0, 400.0 - 34.0)
+    assert stage.scene.model.balls[1].position == (34.0, 400.0 - 34.0)
 
 
 def test_metres_are_the_same_motion_in_other_numbers():
@@ -115,10 +115,10 @@ def test_switched_off_effects_do_nothing():
     stage = open_level("head-on")
     for name in stage.scene.effects.names:
         stage.post(SetEffect(name, False))
-    before = [ball.velocity for ball in stage.scene.balls]
+    before = [ball.velocity for ball in stage.scene.model.balls]
     stage.run(300)
-    assert [ball.velocity for ball in stage.scene.balls] == before
-    assert stage.scene.collisions == 0
+    assert [ball.velocity for ball in stage.scene.model.balls] == before
+    assert stage.scene.model.collisions == 0
 
 
 def test_two_runs_and_a_way_back_give_one_digest():
@@ -127,7 +127,7 @@ def test_two_runs_and_a_way_back_give_one_digest():
         stage.run(60)
         stage.post(SetParameter("mass_ratio", 3.0))
         stage.run(40)
-        stage.post(Pointer("down", *stage.scene.balls[0].position, button=1))
+        stage.post(Pointer("down", *stage.scene.model.balls[0].position, button=1))
         stage.post(Pointer("move", 200.0, 150.0, button=1))
         stage.post(Pointer("up", 200.0, 150.0, button=1))
         stage.run(200)
@@ -146,33 +146,33 @@ def test_two_runs_and_a_way_back_give_one_digest():
 
 def test_h2_a_thin_hit_changes_little_unless_printed():
     stage = until_collision(open_level("hard-01-thin-hit", hold=0.0))
-    assert abs(stage.scene.balls[0].velocity[0] - 6.0) < 0.4
+    assert abs(stage.scene.model.balls[0].velocity[0] - 6.0) < 0.4
     printed = until_collision(open_level("hard-01-thin-hit", hold=0.0, rule="as-printed"))
-    assert abs(printed.scene.balls[0].velocity[0] - 6.0) > 2.0
+    assert abs(printed.scene.model.balls[0].velocity[0] - 6.0) > 2.0
 
 
 def test_h10_coincident_centres_part_at_once():
     stage = open_level("hard-02-same-place")
     stage.run(1)
-    first, second = stage.scene.balls
+    first, second = stage.scene.model.balls
     assert math.dist(first.position, second.position) == pytest.approx(68.0, abs=1e-9)
-    assert np.isfinite(stage.scene.last).all()
+    assert np.isfinite(stage.scene.model.last).all()
 
 
 def test_h4_the_corner_turns_both_components():
     stage = open_level("hard-03-corner", bounce=1.0)
     stage.run(1)
-    ball = stage.scene.balls[0]
+    ball = stage.scene.model.balls[0]
     assert ball.velocity == (-55.0, -48.0)
     assert ball.position == (640.0 - 34.0, 400.0 - 34.0 - 0.0) or ball.position[0] == 606.0
-    assert (stage.scene.walls[0, :2] > 0.0).all()
+    assert (stage.scene.model.walls[0, :2] > 0.0).all()
 
 
 def test_h1_the_lectures_program_does_not_see_fast_balls():
     stage = open_level("hard-04-through")
     stage.run(8)
-    first, second = stage.scene.balls
-    assert stage.scene.collisions == 0
+    first, second = stage.scene.model.balls
+    assert stage.scene.model.collisions == 0
     assert first.position[0] > second.position[0]
 
 
@@ -183,7 +183,7 @@ def test_the_magnified_collision_keeps_clear_of_the_words_around_it(way, monkeyp
     from game.ui.canvas.canvas import Canvas
 
     stage = open_level("head-on", hold=0.0)
-    for ball, y, speed in zip(stage.scene.balls, (150.0, 250.0), (abs(way), -abs(way)), strict=True):
+    for ball, y, speed in zip(stage.scene.model.balls, (150.0, 250.0), (abs(way), -abs(way)), strict=True):
         ball.position, ball.velocity = (
             (320.0, y if way > 0.0 else 400.0 - y),
             (0.0, math.copysign(speed, speed * way)),

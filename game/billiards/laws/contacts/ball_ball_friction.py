@@ -6,7 +6,7 @@ tangential impulse opposes c; it is mu times the normal impulse, but never more 
 in two dimensions, Am. J. Phys. 56, 815; Alciatore, technical proofs A.5 and A.14, for the law of mu.)
 
 The vertical part of that impulse turns the balls but does not lift them: the cloth takes it. Unequal balls
-touch along n3 = (2 sqrt(R1 R2) n, R2 - R1)/(R1 + R2), where the normal impulse is P/cos phi.
+meet along n3 = (2 sqrt(R1 R2) n, R2 - R1)/(R1 + R2), where the normal impulse is P/cos phi.
 
 Two forms of the limit:
 - the reference's (`frictional`, `frictional-alciatore`) takes e |closing speed| for the normal impulse;

@@ -1,15 +1,25 @@
 """Ball on ball along the line of centres: Newton's law of restitution, for any two masses.
 
-Balls of different radius touch at the horizontal distance 2 sqrt(R1 R2), their line of centres tilted. The
-cloth takes the vertical part of the impulse (neglected: that a ball might hop), so the horizontal part P
-alone reverses the closing speed. With e = 1 kinetic energy is kept, and equal balls exchange their normal
-velocities. (Newton 1687, Principia, Scholium to the laws; Leckie and Greenspan 2006.)
+Balls of different radius are in contact at the horizontal distance 2 sqrt(R1 R2), their line of centres
+tilted. The cloth takes the vertical part of the impulse (neglected: that a ball might hop), so the horizontal
+part P alone reverses the closing speed. With e = 1 kinetic energy is kept, and equal balls exchange their
+normal velocities. (Newton 1687, Principia, Scholium to the laws; Leckie and Greenspan 2006.)
 """
 
 from __future__ import annotations
 
+import math
+
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import MASS, VX, VY
+
+
+@inner_kernel(inline="always")
+def reach_of(radius_i, radius_j):
+    """Horizontal distance at which two balls on the cloth are in contact, 2 sqrt(R1 R2), m."""
+    if radius_i == radius_j:
+        return 2.0 * radius_i
+    return 2.0 * math.sqrt(radius_i * radius_j)
 
 
 @inner_kernel(inline="always")

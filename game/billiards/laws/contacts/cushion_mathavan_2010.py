@@ -17,6 +17,7 @@ as one over the number of steps, so two runs, one of them with twice as many, ar
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
@@ -37,6 +38,28 @@ STEPS = 100  # of the compression, of the coarser of the two runs
 PATIENCE = 20  # times as many steps; friction that holds the ball in the rail for longer is absurd
 
 
+class Motion(NamedTuple):
+    """A ball in the paper's frame: velocity along the rail and into it, m/s; spin, rad/s."""
+
+    vx: float
+    vy: float
+    wx: float
+    wy: float
+    wz: float
+
+
+class Impact(NamedTuple):
+    """What the impact depends on: radius (m), mass (kg), sine of the nose's angle above the ball's centre,
+    restitution, friction at nose and cloth."""
+
+    radius: float
+    mass: float
+    sine: float
+    restitution: float
+    mu_nose: float
+    mu_cloth: float
+
+
 @inner_kernel(inline="always")
 def _share_against(slip, limit, mass):
     """Impulse per unit of slip: Coulomb's `limit` (N s), or what stops the slip of a solid sphere."""
@@ -46,9 +69,11 @@ def _share_against(slip, limit, mass):
 
 
 @inner_kernel(inline="always")
-def _rub_nose(vx, vy, wx, wy, wz, pressure, radius, mass, sine, cosine):
+def _rub_nose(motion, pressure, impact, cosine):
     """Friction at the nose, point I (eq. 12, 14a, 15): `pressure` is mu_w dP. Returns the state and what
     part of the impulse is vertical, upwards, N s."""
+    vx, vy, wx, wy, wz = motion
+    radius, mass, sine = impact.radius, impact.mass, impact.sine
     slip_x = vx + radius * (wy * sine - wz * cosine)
     slip_up = -vy * sine + radius * wx
     share = _share_against(math.sqrt(slip_x * slip_x + slip_up * slip_up), pressure, mass)
@@ -60,12 +85,14 @@ def _rub_nose(vx, vy, wx, wy, wz, pressure, radius, mass, sine, cosine):
     wx += lever * up
     wy += lever * sine * px
     wz -= lever * cosine * px
-    return vx, vy, wx, wy, wz, cosine * up
+    return Motion(vx, vy, wx, wy, wz), cosine * up
 
 
 @inner_kernel(inline="always")
-def _rub_cloth(vx, vy, wx, wy, pressure, radius, mass):
+def _rub_cloth(motion, pressure, impact):
     """Friction at the cloth, point C (eq. 13, 14b, 15): `pressure` is mu_s dP_C. Returns the state."""
+    vx, vy, wx, wy, wz = motion
+    radius, mass = impact.radius, impact.mass
     slip_x = vx - radius * wy
     slip_y = vy + radius * wx
     share = _share_against(math.sqrt(slip_x * slip_x + slip_y * slip_y), pressure, mass)
@@ -74,15 +101,17 @@ def _rub_cloth(vx, vy, wx, wy, pressure, radius, mass):
     vy -= share * slip_y / mass
     wx -= lever * share * slip_y
     wy += lever * share * slip_x
-    return vx, vy, wx, wy
+    return Motion(vx, vy, wx, wy, wz)
 
 
 @inner_kernel
-def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
+def follow_impact(motion, impact, steps):
     """The impact in the paper's frame, vy > 0 into the rail: state before to state after.
 
     steps: into how many the compression would be cut without friction.
     """
+    vx, vy, wx, wy, wz = motion
+    mass, sine = impact.mass, impact.sine
     cosine = math.sqrt((1.0 - sine) * (1.0 + sine))
     step = mass * vy / (cosine * steps)
     stored = 0.0
@@ -91,7 +120,7 @@ def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, 
     for _ in range(PATIENCE * steps):
         if compressing and vy <= 0.0:
             compressing = False
-            owed = restitution * restitution * stored
+            owed = impact.restitution * impact.restitution * stored
         if not compressing and owed <= 0.0:
             break
         after = vy - cosine * step / mass
@@ -104,40 +133,38 @@ def follow_impact(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, 
                 after = -math.sqrt(vy * vy + 2.0 * owed / mass)
             owed -= work
         pressed = (vy - after) * mass / cosine
-        vy = after
-        vx, vy, wx, wy, wz, up = _rub_nose(vx, vy, wx, wy, wz, mu_nose * pressed, radius, mass, sine, cosine)
+        motion, up = _rub_nose(Motion(vx, after, wx, wy, wz), impact.mu_nose * pressed, impact, cosine)
         # what presses the ball on the cloth: the nose is above its centre, and may rub it down or up
         down = max(sine * pressed - up, 0.0)
-        vx, vy, wx, wy = _rub_cloth(vx, vy, wx, wy, mu_cloth * down, radius, mass)
-    return vx, min(vy, 0.0), wx, wy, wz
+        vx, vy, wx, wy, wz = _rub_cloth(motion, impact.mu_cloth * down, impact)
+    return Motion(vx, min(vy, 0.0), wx, wy, wz)
 
 
 @inner_kernel(inline="always")
-def _energy(vx, vy, wx, wy, wz, radius):
+def _energy(motion, radius):
     """Twice the energy over the mass, m^2/s^2."""
+    vx, vy, wx, wy, wz = motion
     return vx * vx + vy * vy + 0.4 * radius * radius * (wx * wx + wy * wy + wz * wz)
 
 
 @inner_kernel
-def follow_to_the_limit(vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps):
+def follow_to_the_limit(motion, impact, steps):
     """`follow_impact` with `steps` and twice as many, extrapolated to steps without number.
 
     Where that would raise the energy (nothing rubs, nothing is lost), the finer run is kept as it is.
     """
-    ax, ay, ap, aq, ar = follow_impact(
-        vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, steps
+    a = follow_impact(motion, impact, steps)
+    b = follow_impact(motion, impact, 2 * steps)
+    c = Motion(
+        b.vx + (b.vx - a.vx),
+        b.vy + (b.vy - a.vy),
+        b.wx + (b.wx - a.wx),
+        b.wy + (b.wy - a.wy),
+        b.wz + (b.wz - a.wz),
     )
-    bx, by, bp, bq, br = follow_impact(
-        vx, vy, wx, wy, wz, radius, mass, sine, restitution, mu_nose, mu_cloth, 2 * steps
-    )
-    cx = bx + (bx - ax)
-    cy = by + (by - ay)
-    cp = bp + (bp - ap)
-    cq = bq + (bq - aq)
-    cr = br + (br - ar)
-    if cy > 0.0 or _energy(cx, cy, cp, cq, cr, radius) > _energy(vx, vy, wx, wy, wz, radius):
-        return bx, by, bp, bq, br
-    return cx, cy, cp, cq, cr
+    if c.vy > 0.0 or _energy(c, impact.radius) > _energy(motion, impact.radius):
+        return b
+    return c
 
 
 @inner_kernel
@@ -147,20 +174,22 @@ def bounce_mathavan_2010(state, i, nx, ny, physics):
     # the paper's y axis is -n; its x axis then is y x z
     along_x = -ny
     along_y = nx
-    vx, vy, wx, wy, wz = follow_to_the_limit(
+    before = Motion(
         state[VX, i] * along_x + state[VY, i] * along_y,
         -(state[VX, i] * nx + state[VY, i] * ny),
         state[WX, i] * along_x + state[WY, i] * along_y,
         -(state[WX, i] * nx + state[WY, i] * ny),
         state[WZ, i],
+    )
+    impact = Impact(
         radius,
         state[MASS, i],
         physics[CUSHION_HEIGHT] / radius - 1.0,
         physics[CUSHION_RESTITUTION],
         physics[CUSHION_FRICTION],
         physics[SLIDING_FRICTION],
-        STEPS,
     )
+    vx, vy, wx, wy, wz = follow_to_the_limit(before, impact, STEPS)
     state[VX, i] = vx * along_x - vy * nx
     state[VY, i] = vx * along_y - vy * ny
     state[WX, i] = wx * along_x - wy * nx

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from game.billiards.lecture.state import LECTURE_EFFECTS, POCKETS, LectureSettings
+from game.billiards.lecture.settings import LectureSettings, lecture_settings
+from game.billiards.lecture.state import LECTURE_EFFECTS, POCKETS
 from game.billiards.lecture.table import LectureTable
 from game.billiards.table.rack import BALL_RADIUS, eight_ball_rack
 from game.billiards.table.table import Table
@@ -116,7 +117,7 @@ missed_hits_study = missed_hits_of(
     ),
     _hit_settings,
     lambda setting: MissedHits(
-        setting.knob, LectureSettings(**LOSSLESS, **HIT_SETTINGS.get(setting.method, setting.scene))
+        setting.knob, lecture_settings(**LOSSLESS, **HIT_SETTINGS.get(setting.method, setting.scene))
     ),
     present_hits,
     "A test once a step overlooks grazing hits: a share that falls with the square of the step, and passes "
@@ -177,7 +178,7 @@ rack_study = Study(
     settings=_rack_settings,
     short="Pressed rack",
     trial=lambda setting: PressedRack(
-        LectureSettings(**LOSSLESS, order=str(setting.scene["order"]), substeps=1, passes=int(setting.knob))
+        lecture_settings(**LOSSLESS, order=str(setting.scene["order"]), substeps=1, passes=int(setting.knob))
     ),
     present=present_order,
     workload=Workload("a rack pressed together"),
@@ -252,7 +253,7 @@ symmetry_study = Study(
     short="Symmetry",
     trial=lambda setting: MirroredBreak(
         setting.knob,
-        LectureSettings(
+        lecture_settings(
             **LOSSLESS, **{name: setting.scene[name] for name in ("order", "substeps", "passes")}
         ),
     ),

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from game.billiards.lecture.state import BALL_COLLISIONS, WALLS, LectureSettings
+from game.billiards.lecture.settings import LectureSettings, lecture_settings
+from game.billiards.lecture.state import BALL_COLLISIONS, WALLS
 from game.billiards.lecture.table import LectureTable
 from game.billiards.table.table import Table
 from game.lab.ranges import counts_between
@@ -104,9 +105,9 @@ class ExactShot:
         return Outcome(math.sqrt(float((off * off).sum(axis=1).max())), len(self.trajectory.times))
 
 
-def lecture_settings(method: str, passes: int = 1) -> LectureSettings:
+def settings_of(method: str, passes: int = 1) -> LectureSettings:
     """The table's settings of one of the stepped METHODS, without loss."""
-    return LectureSettings(**{**LOSSLESS, **SETTINGS[method], "passes": passes})
+    return lecture_settings(**{**LOSSLESS, **SETTINGS[method], "passes": passes})
 
 
 def _scene(method: str, dt: float, passes: int) -> dict[str, Any]:
@@ -135,9 +136,9 @@ def _trial(table: Table, start: Array, velocities: Array, end: Array, time: floa
     if setting.method == "events":
         return ExactShot(table, start, velocities, end, time)
     if setting.method == "present":
-        settings = LectureSettings(**{**setting.scene, **LOSSLESS})
+        settings = lecture_settings(**{**setting.scene, **LOSSLESS})
     else:
-        settings = lecture_settings(setting.method, int(setting.others["passes"]))
+        settings = settings_of(setting.method, int(setting.others["passes"]))
     steps = max(1, round(time / setting.knob))
     return SteppedShot(table, start, velocities, end, time, steps, settings)
 
@@ -147,7 +148,7 @@ def present_setting(parameters: Mapping[str, Any]) -> Setting:
 
     Loss and friction are left out, as the exact solution has none.
     """
-    names = {field.name for field in fields(LectureSettings)} - set(LOSSLESS)
+    names = set(LectureSettings._fields) - set(LOSSLESS)
     chosen = {name: value for name, value in parameters.items() if name in names}
     if "substeps" in chosen:
         chosen["substeps"] = int(chosen["substeps"])

@@ -46,7 +46,7 @@ class CueControl:
 
     @property
     def gap(self) -> float:
-        """Way between tip and ball, m."""
+        """Distance between tip and ball, m."""
         return float(self.data[6])
 
     def point_to(self, aim: float) -> None:
@@ -80,7 +80,7 @@ class CueControl:
         self.data[6] = self._gap_of_pull()
 
     def let_go(self) -> None:
-        """Take the stroke back; a stroke already under way goes on."""
+        """Take the stroke back; a stroke that has begun goes on."""
         if self.phase != STRIKING:
             self.data[1:3] = 0.0, AIMING
             self.data[6] = REST_GAP

@@ -1,4 +1,4 @@
-"""What a table does by itself: balls turned as somebody left them, the white one put back, strokes while
+"""What a table does by itself: balls turned as somebody left them, the cue ball put back, strokes while
 nobody holds the cue.
 
 What is random is the same for the same seed.
@@ -44,7 +44,7 @@ def free_head_spot(table: Table, radius: float, is_free: Callable[[Array], bool]
 
 
 class Stroke(NamedTuple):
-    """Direction (rad) and speed of the white ball (m/s)."""
+    """Direction (rad) and speed of the cue ball (m/s)."""
 
     aim: float
     speed: float
@@ -58,13 +58,13 @@ def choose_stroke(
     positions (n, 2) m, radii (n,) m. ``stroke`` counts strokes since the rack: the first is a break.
     """
     random = np.random.default_rng((seed, stroke))
-    white = positions[0]
+    cue_ball = positions[0]
     others = [ball for ball in range(1, len(radii)) if in_play[ball]]
     if not others:
         return Stroke(0.5 * math.pi, 1.0)
     if stroke == 0:
         apex = min(others, key=lambda ball: float(positions[ball, 1]))
-        return Stroke(_bearing(white, positions[apex]) + random.normal(0.0, 0.004), BREAK_SPEED)
+        return Stroke(_bearing(cue_ball, positions[apex]) + random.normal(0.0, 0.004), BREAK_SPEED)
     best: tuple[float, float, float] | None = None
     for ball in others:
         for pocket in table.pockets:
@@ -72,9 +72,9 @@ def choose_stroke(
             if pot is not None and (best is None or pot[0] < best[0]):
                 best = pot
     if best is None:
-        nearest = min(others, key=lambda ball: float(np.sum((positions[ball] - white) ** 2)))
+        nearest = min(others, key=lambda ball: float(np.sum((positions[ball] - cue_ball) ** 2)))
         return Stroke(
-            _bearing(white, positions[nearest]) + random.normal(0.0, 0.01), 3.0 + 2.0 * random.random()
+            _bearing(cue_ball, positions[nearest]) + random.normal(0.0, 0.01), 3.0 + 2.0 * random.random()
         )
     return Stroke(best[1] + random.normal(0.0, 0.0015), best[2])
 
@@ -86,24 +86,24 @@ def _bearing(start: Array, end: Array) -> float:
 def _pot(
     ball: int, pocket: Array, positions: Array, radii: Array, in_play: NDArray[np.bool_], table: Table
 ) -> tuple[float, float, float] | None:
-    """Difficulty, aim and speed of sending a ball straight into a pocket; None if the way is not open."""
-    way = pocket[:2] - positions[ball]
-    distance = math.sqrt(float(way @ way))
+    """Difficulty, aim and speed of sending a ball straight into a pocket; None if the path is not open."""
+    path = pocket[:2] - positions[ball]
+    distance = math.sqrt(float(path @ path))
     if distance < 1e-6:
         return None
-    ghost = positions[ball] - way / distance * (radii[0] + radii[ball])
+    ghost = positions[ball] - path / distance * (radii[0] + radii[ball])
     run = ghost - positions[0]
     length = math.sqrt(float(run @ run))
     if length < 1e-6:
         return None
-    cosine = float(run @ way) / (length * distance)
+    cosine = float(run @ path) / (length * distance)
     if cosine < math.cos(STEEPEST_CUT):
         return None
     aim = _bearing(positions[0], ghost)
     first = first_contact(0, aim, positions, radii, in_play, table)
     if first.kind != "ball" or first.target != ball:
         return None
-    onward = first_contact(ball, math.atan2(float(way[1]), float(way[0])), positions, radii, in_play, table)
+    onward = first_contact(ball, math.atan2(float(path[1]), float(path[0])), positions, radii, in_play, table)
     if onward.kind != "pocket":
         return None
     difficulty = (length * distance + 0.3 * distance) / cosine**2

@@ -11,8 +11,8 @@ from game.billiards.laws.contacts.chatter import (
     ALLOWED_REPEATS,
     CHATTER_TIME,
     LAST_REPEATS,
-    least_parting_speed,
-    part,
+    least_separating_speed,
+    separate,
 )
 from game.billiards.laws.contacts.cushion_han_2005 import bounce_han_2005
 from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2010
@@ -65,8 +65,8 @@ def hit_rail(state, modes, i, event, element, cushions, jaws, physics):
     modes[RAIL_COUNT, i] = repeats
     state[RAIL_TIME, i] = now
     if repeats >= ALLOWED_REPEATS:
-        parted = part(state, i, -1, -nx, -ny, least_parting_speed(repeats))
-        return repeats >= LAST_REPEATS and not parted
+        separated = separate(state, i, -1, -nx, -ny, least_separating_speed(repeats))
+        return repeats >= LAST_REPEATS and not separated
     return False
 
 
@@ -91,7 +91,7 @@ def collide_pair(state, i, j, nx, ny, physics):
 
 @inner_kernel
 def end_chatter(state, pairs, i, j, nx, ny, now):
-    """Count repeats of a contact, in planes MET and REPEATS of pairs; part the balls if it chatters.
+    """Count repeats of a contact, in planes MET and REPEATS of pairs; separate the balls if it chatters.
 
     Returns whether they are stuck: see `settling`.
     """
@@ -101,6 +101,6 @@ def end_chatter(state, pairs, i, j, nx, ny, now):
     pairs[MET, i, j] = now
     pairs[MET, j, i] = now
     if count >= ALLOWED_REPEATS:
-        parted = part(state, i, j, nx, ny, least_parting_speed(int(count)))
-        return count >= LAST_REPEATS and not parted
+        separated = separate(state, i, j, nx, ny, least_separating_speed(int(count)))
+        return count >= LAST_REPEATS and not separated
     return False

@@ -1,0 +1,47 @@
+"""What the two-ball program measures, in pixels and frames or in SI units."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from game.scenes.two_balls.level import FRAME_RATE
+from game.scenes.two_balls.model import TwoBalls
+from game.stage import Readout
+
+METRES = 0.004  # m to a pixel, where the lecture's window is taken as a table
+
+
+class Measures(NamedTuple):
+    """Units of speed, momentum and energy, and the factors that take pixels per frame to them."""
+
+    speed_unit: str
+    momentum_unit: str
+    energy_unit: str
+    speed: float
+    energy: float
+
+
+def measures_in(units: str) -> Measures:
+    """Measures for one of the options of the parameter "units"."""
+    if units == "pixels":
+        return Measures("px/frame", "kg px/frame", "kg px²/frame²", 1.0, 1.0)
+    factor = METRES * FRAME_RATE
+    return Measures("m/s", "kg m/s", "J", factor, factor * factor)
+
+
+def readouts_of(model: TwoBalls) -> tuple[Readout, ...]:
+    """All that is shown and charted."""
+    speed_unit, momentum_unit, energy_unit, speed, energy = measures_in(model.parameters.units)
+    px = sum(ball.momentum[0] for ball in model.balls)
+    py = sum(ball.momentum[1] for ball in model.balls)
+    return (
+        Readout("collisions", model.collisions),
+        Readout("speed of 1", model.balls[0].speed * speed, speed_unit),
+        Readout("speed of 2", model.balls[1].speed * speed, speed_unit),
+        Readout("energy", sum(ball.energy for ball in model.balls) * energy, energy_unit),
+        Readout("right", px * speed, momentum_unit),
+        Readout("down", py * speed, momentum_unit),
+        Readout("momentum lost", model.momentum_lost * speed, momentum_unit),
+        Readout("energy lost", model.energy_lost * energy, energy_unit),
+        Readout("passed unseen", model.unseen),
+    )
