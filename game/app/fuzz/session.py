@@ -107,7 +107,7 @@ class FuzzSession:
         play = getattr(driver.top, "play", None)
         if play is None:
             raise RuntimeError(f"{self.scene} could not be opened")
-        play.errands.behind = True  # as in a window; the hand waits for it, to do the same again
+        play.record.errands.in_background = True  # as in a window; the hand waits for it
         self.events += 1
 
     def _close_cards(self) -> None:
@@ -163,12 +163,12 @@ class FuzzSession:
             self.slow += took > SLOW_S
 
     def _wait_for_errands(self) -> None:
-        """Wait until nothing is done behind the window any more."""
+        """Wait until nothing is done in the background any more."""
         for screen in self.driver.app.screens:
             play = getattr(screen, "play", None)
-            while play is not None and play.errands.busy:
-                play.errands.wait()
-                play.errands.update(0.0)
+            while play is not None and play.record.errands.busy:
+                play.record.errands.wait()
+                play.record.errands.update(0.0)
 
     def _set_something(self, play: Any) -> None:
         """A parameter to any value, or an effect on or off."""
@@ -214,5 +214,5 @@ class FuzzSession:
         if fault.error is not None and not isinstance(fault.error, LimitError):
             return f"the scene raised {fault.quantity}: {fault.message}"
         self.faults += 1
-        play.reset()
+        play.gate.reset()
         return ""

@@ -22,9 +22,9 @@ from game.ui.panel.manager import DropDown, PanelManager
 from game.ui.panel.rows import Caption, Context, Heading, Measure, Row
 from game.ui.panel.slider import SliderRow, shown_value
 from game.ui.panel.table import HEADER, LegendRow, TableLine
-from game.ui.widgets.commands import Command
+from game.ui.widgets.wishes import Wish
 
-Wish = StageEvent | Command
+PanelWish = StageEvent | Wish  # what a panel asks for
 LIST_ROOM = 8 * 32  # design px below the last row, for an open list
 NOWHERE = (-1, -1)
 STILL = (Heading, Caption, Measure, CostBar, LegendRow, TableLine)  # rows without a control
@@ -34,7 +34,7 @@ class PanelSheet:
     """Rows, drop-downs and the text field of one panel at one width and look."""
 
     def __init__(
-        self, look: Look, width: int, least_height: int, contents: Contents, send: Callable[[Wish], None]
+        self, look: Look, width: int, least_height: int, contents: Contents, send: Callable[[PanelWish], None]
     ) -> None:
         self.look = look
         self.contents = contents
@@ -166,7 +166,7 @@ class PanelSheet:
             return
         row = next((row for row in self.contents.levels if str(row.value) == value), None)
         if row is not None:
-            self._send(Command("level", row.value))
+            self._send(Wish("level", row.value))
 
     # -- typing -------------------------------------------------------------------------------------
 

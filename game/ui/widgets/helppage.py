@@ -16,9 +16,9 @@ from game.ui.look.look import Look
 from game.ui.look.shapes import box, draw_box, draw_disc
 from game.ui.text.formula import FormulaError, render_formula
 from game.ui.widgets import keycap
-from game.ui.widgets.commands import Command
 from game.ui.widgets.hotspots import Hotspots
 from game.ui.widgets.overlay import Overlay, draw_close
+from game.ui.widgets.wishes import Wish
 
 HEIGHT, HEAD, PADDING = 624, 72, 32  # design px
 COLUMNS = ((296, 0), (344, 336), (280, 712))  # width and left edge of the columns side by side
@@ -172,7 +172,7 @@ class HelpPage:
         self.spots.update(dt_s, self.look)
         return self.overlay.update(dt_s)
 
-    def handle(self, event: pygame.event.Event) -> Command | None:
+    def handle(self, event: pygame.event.Event) -> Wish | None:
         """Scrolling stays here; the command is ``close``: the cross, or a press beside the card."""
         step = {
             pygame.K_DOWN: WHEEL, pygame.K_UP: -WHEEL, pygame.K_PAGEDOWN: 400, pygame.K_PAGEUP: -400,
@@ -184,10 +184,10 @@ class HelpPage:
             self._scroll_by(step[event.key])
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             if not self.overlay.card.collidepoint(event.pos):
-                return Command("close")
+                return Wish("close")
             self.spots.handle(event)
         elif self.spots.handle(event) == "close":
-            return Command("close")
+            return Wish("close")
         return None
 
     def draw(self, surface: pygame.Surface) -> None:

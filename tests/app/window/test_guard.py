@@ -180,8 +180,8 @@ CALLBACKS = [
 def test_a_scene_whose_callback_fails_is_stopped_and_can_begin_anew(
     scene: Driver, monkeypatch, tracebacks, name: str
 ):
-    scene.top.play.errands.behind = True  # as in a window
-    scene.top.play.try_steps()  # asks whether they take long
+    scene.top.play.record.errands.in_background = True  # as in a window
+    scene.top.play.record.try_steps()  # asks whether they take long
     monkeypatch.setattr(example_scene.BouncingBall, name, failing(name))
     scene.frames(60)
     play = scene.top.play
@@ -191,7 +191,7 @@ def test_a_scene_whose_callback_fails_is_stopped_and_can_begin_anew(
         assert guard.NAME in play.banner.text and tracebacks() == 1
         assert {"draw": "picture"}.get(name, name) in play.banner.text
     monkeypatch.undo()
-    play.errands.behind = False
+    play.record.errands.behind = False
     scene.click(*play.banner.spots.find("reset").rect.center)
     scene.frames(20)
     assert scene.stage.fault is None and scene.stage.step_number > 0 and play.banner.text == ""
@@ -336,5 +336,5 @@ def test_the_program_ends_even_if_a_screen_cannot_be_closed(scene: Driver, monke
     scene.key(pygame.K_F1)
     monkeypatch.setattr(HelpCard, "closed", lambda self: closed.append(self))
     scene.app.running = False
-    scene.app.run()
+    scene.loop.run()
     assert closed and not len(scene.app.screens) and tracebacks() == 1

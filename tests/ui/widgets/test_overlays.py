@@ -17,8 +17,8 @@ from game.ui.charts.plot import WorkPrecisionPlot
 from game.ui.charts.plot_data import PlotAxes, PlotPoint, PlotSeries, Present, decades
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
-from game.ui.widgets.commands import Command
 from game.ui.widgets.helppage import HelpPage, paragraphs_of
+from game.ui.widgets.wishes import Wish
 from tests.ui.pointing import click, down, event, move, press
 from tests.ui.sample_scene import Sample
 
@@ -85,8 +85,8 @@ def test_help_scrolls_to_its_end_and_no_farther(look):
 def test_help_closes_by_cross_and_by_a_press_beside_it(look):
     page = HelpPage(look, Sample)
     page.place(pygame.Rect(0, 0, 1280, 720), look)
-    assert click(page, page.spots.spots[0].rect.center) == Command("close")
-    assert page.handle(down(5, 5)) == Command("close")
+    assert click(page, page.spots.spots[0].rect.center) == Wish("close")
+    assert page.handle(down(5, 5)) == Wish("close")
     assert page.handle(down(640, 400)) is None
     page.leave()
     assert not page.update(1.0)
@@ -185,7 +185,7 @@ def test_clicking_a_point_gives_its_parameters(look):
     page = page_at(look)
     x, y = page.plot.place(0, SERIES[0].points[3])
     place = (x + page.overlay.card.x, y + page.overlay.card.y)
-    assert click(page, place) == Command("point", {"dt": 0.25})
+    assert click(page, place) == Wish("point", {"dt": 0.25})
     words, rect = page.tip()
     assert words.startswith("Explicit Euler") and rect.collidepoint(place)
     page.handle(move(300, 600))
@@ -199,12 +199,12 @@ def test_buttons_follow_the_runs(look):
         return click(page, page.spots.find(name).rect.center)
 
     assert [press_button(n) for n in ("stop", "save-csv", "save-picture", "close")] == [
-        Command(n) for n in ("stop", "save-csv", "save-picture", "close")
+        Wish(n) for n in ("stop", "save-csv", "save-picture", "close")
     ]
     page.report(Progress(0, 27, "", math.nan, False))
     assert [press_button(n) for n in ("stop", "save-csv")] == [None, None]
     page.report(Progress(27, 27, "", math.nan, False))
-    assert press_button("stop") is None and press_button("save-csv") == Command("save-csv")
+    assert press_button("stop") is None and press_button("save-csv") == Wish("save-csv")
 
 
 def test_the_sentence_compares_the_cheapest_with_the_dearest():
