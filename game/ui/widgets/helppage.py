@@ -128,7 +128,7 @@ class Column:
         self.y += self.look.px(line)
 
     def _formula(self, markup: str) -> pygame.Surface:
-        """The formula, smaller if it is too wide; as plain words if it cannot be read."""
+        """The formula, smaller if it is too wide; in its place what is wrong with it if it cannot be read."""
         look, room = self.look, self.width - self.look.px(24)
         try:
             for size in (20.0, 18.0, 16.0, 14.0, 12.0):
@@ -136,10 +136,9 @@ class Column:
                 if picture.get_width() <= room:
                     break
             return picture
-        except FormulaError:
-            return look.fonts.render(
-                look.fonts.fit(markup, 13, "italic", room), 13, "italic", look.theme.text1
-            )
+        except FormulaError as error:
+            words = look.fonts.fit(str(error), 13, "medium", room)
+            return look.fonts.render(words, 13, "medium", look.color("vermilion", words=True))
 
 
 class HelpPage:

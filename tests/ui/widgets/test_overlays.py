@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import numpy as np
 import pygame
 import pytest
 from hypothesis import given
@@ -92,7 +93,7 @@ def test_help_closes_by_cross_and_by_a_press_beside_it(look):
     assert not page.update(1.0)
 
 
-def test_a_formula_that_cannot_be_read_is_shown_as_words(look):
+def test_in_place_of_a_formula_that_cannot_be_read_stands_what_is_wrong_with_it(look):
     class Odd(Scene):
         name, title = "odd", "Odd"
         equations = (
@@ -102,8 +103,11 @@ def test_a_formula_that_cannot_be_read_is_shown_as_words(look):
 
     page = HelpPage(look, Odd)
     page.place(pygame.Rect(0, 0, 1280, 720), look)
-    page.draw(pygame.Surface((1280, 720), 0, 32))
-    assert page._sheet is not None
+    surface = pygame.Surface((1280, 720), 0, 32)
+    page.update(1.0)
+    page.draw(surface)
+    shown = {tuple(color) for color in np.unique(pygame.surfarray.array3d(surface).reshape(-1, 3), axis=0)}
+    assert tuple(look.color("vermilion", words=True))[:3] in shown
 
 
 # -- plot ----------------------------------------------------------------------------------------------
