@@ -124,7 +124,7 @@ class App:
 
     def tell_of(self, failure: Failure, consequence: str) -> None:
         """Something has failed: what was done about it, and where one can read why."""
-        self.tell(f"{failure.what} {consequence}.", failure.told, "warning")
+        self.tell(f"{failure.what} {consequence}.", failure.message, "warning")
 
     # -- commands -----------------------------------------------------------------------------------
 

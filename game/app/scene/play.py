@@ -234,7 +234,7 @@ class ScenePlay:
         ``asked``: an event has led to it; else time that passed, or the picture.
         """
         if self.stopped and asked:
-            self.host.tell("Not done.", failure.told, "warning")
+            self.host.tell("Not done.", failure.message, "warning")
             return True
         return self.stopping.stop(self.stage, failure)
 

@@ -49,7 +49,7 @@ class CardScreen(Screen):
         """Draw the content on the card's own surface (its corner is (0, 0))."""
 
     def state(self) -> object:
-        """What the content depends on besides the places; a change paints it anew."""
+        """What the content depends on besides the places; a change paints it again."""
         return None
 
     # -- screen -------------------------------------------------------------------------------------
@@ -59,7 +59,7 @@ class CardScreen(Screen):
         self.refresh()
 
     def refresh(self) -> None:
-        """Place and paint everything anew."""
+        """Place and paint everything again."""
         self.spots.place([*self.places(), self.veil.close_spot()])
         self._picture = None
 

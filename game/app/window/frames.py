@@ -55,5 +55,5 @@ class FrameMeter:
         return max(self._spent, default=0.0)
 
     def clear(self) -> None:
-        """Begin anew, after something that has nothing to do with what is drawn now."""
+        """Begin again, after something that has nothing to do with what is drawn now."""
         self._spent.clear()

@@ -54,10 +54,10 @@ class Panel:
 
     def place(self, rect: pygame.Rect, look: Look) -> None:
         """Take a place in the window and an appearance."""
-        anew = look is not self.look or rect.size != self.rect.size
+        again = look is not self.look or rect.size != self.rect.size
         self.look, self.rect = look, pygame.Rect(rect)
         self.foot.place(pygame.Rect(rect.x, rect.bottom - look.px(FOOT), rect.w, look.px(FOOT)), look)
-        if anew:
+        if again:
             self._build()
 
     def offer(self, levels: Sequence[ListRow]) -> None:

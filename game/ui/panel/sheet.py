@@ -1,6 +1,6 @@
 """The sheet of the panel: all its rows in pygame_gui's tree, in coordinates of their own, on one picture.
 
-It is as high as its rows and a little more, for a list that opens at the foot. The picture is drawn anew
+It is as high as its rows and a little more, for a list that opens at the foot. The picture is drawn again
 only when some row has another picture or place.
 """
 
@@ -201,7 +201,7 @@ class PanelSheet:
     # -- time and picture ---------------------------------------------------------------------------
 
     def is_behind(self) -> bool:
-        """Whether a drop-down shows another value than the scene has, so that the sheet must be made anew."""
+        """Whether a drop-down shows another value than the scene has, so that the sheet must be made again."""
         values = self.contents.source.values
         present = self.contents.present_level()
         return any(
@@ -279,7 +279,7 @@ class PanelSheet:
                 self.picture.blits([row.blit_data])
 
     def update(self, dt_s: float) -> None:
-        """Let controls move on, and draw the sheet anew if any picture on it is another or elsewhere."""
+        """Let controls move on, and draw the sheet again if any picture on it is another or elsewhere."""
         self.manager.update(dt_s)
         pictures = self.manager.pictures()
         same = len(pictures) == len(self._drawn) and all(

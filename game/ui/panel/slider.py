@@ -121,7 +121,7 @@ class SliderRow(Row):
         self.tip = (f"{parameter.help}\n" if parameter.help else "") + f"{low} to {high}"
         self.typed = False  # the panel's text field is over the value
         self.wants_field = False
-        self._pending: float | None = None  # dragged to, not yet sent: the scene would be built anew
+        self._pending: float | None = None  # dragged to, not yet sent: the scene would be built again
         self._dragging = False
         self._click_age_s, self._click_at = math.inf, (0.0, 0.0)
         self._over_value = False

@@ -296,9 +296,9 @@ class HelpPage:
         column.head("Controls")
         for hint in self.scene_type.hints:
             column.control(hint.keys, hint.text)
-        told = {keys for hint in self.scene_type.hints for keys in hint.keys}
+        hinted = {keys for hint in self.scene_type.hints for keys in hint.keys}
         for action in self.scene_type.actions:
-            if _key_name(action.key) in told:
+            if _key_name(action.key) in hinted:
                 continue
             column.control((_key_name(action.key),), action.label)
         for keys, words in self.controls:

@@ -85,12 +85,12 @@ class TopBar:
         """Let time pass; numbers change if they are ``fresh``, everything else at once."""
         self.spots.update(dt_s, self.look)
         fresh = fresh or state.ready != self.state.ready or state.task != self.state.task
-        placed_anew = len(state.readouts) != len(self.state.readouts) or state.ready != self.state.ready
-        placed_anew = placed_anew or state.reached != self.state.reached
+        placed_again = len(state.readouts) != len(self.state.readouts) or state.ready != self.state.ready
+        placed_again = placed_again or state.reached != self.state.reached
         self.state = state
         if fresh:
             self._shown = state.readouts
-        if placed_anew:
+        if placed_again:
             self._place_spots()
 
     def tip(self) -> tuple[str, pygame.Rect] | None:
@@ -99,7 +99,7 @@ class TopBar:
         return (spot.tip, spot.rect) if spot is not None and spot.tip else None
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Show the bar; its picture is made anew only when something has changed."""
+        """Show the bar; its picture is made again only when something has changed."""
         if self.rect.w < 1 or self.rect.h < 1:
             return
         wanted = (self.state._replace(readouts=()), self._shown, self.spots.state())

@@ -244,7 +244,7 @@ def test_selftest_reads_the_equations(capsys, monkeypatch):
     odd = (Equation("Odd", r"\aplha", ""),)
     monkeypatch.setattr(sys.modules["example_scene"].BouncingBall, "equations", odd, raising=False)
     status, out, _ = run(capsys, "selftest", "example")
-    assert status == 1 and r"\aplha is not known; did you mean \alpha?" in out
+    assert status == 1 and r"\aplha is not known; did you mean \alpha" in out
 
 
 def test_selftest_checks_invariants(capsys, monkeypatch):

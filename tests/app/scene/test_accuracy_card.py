@@ -1,4 +1,4 @@
-"""What accuracy costs, over a scene: runs behind the window, is clicked, stopped, saved."""
+"""What accuracy costs, over a scene: runs in the background, is clicked, stopped, saved."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def settled(driver) -> None:
 
 @pytest.fixture
 def opened(start):
-    """A scene of the catalogue as a person has it: what takes long is done behind the window."""
+    """A scene of the catalogue as a person has it: what takes long is done in the background."""
 
     def open_scene(name: str):
         driver = start(catalogue=CATALOGUE)

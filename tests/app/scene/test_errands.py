@@ -46,9 +46,9 @@ def test_of_what_waits_under_one_name_the_last_counts():
     errands, done, go_on = Errands(in_background=True), [], Event()
     errands.work(lambda: go_on.wait(LONG_S) and done.clear)
     for value in (1, 2):
-        errands.act(lambda value=value: done.append(value), "knob")
+        errands.act(lambda value=value: done.append(value), "parameter")
     errands.act(lambda: done.append("other"))
-    errands.act(lambda: done.append(3), "knob")
+    errands.act(lambda: done.append(3), "parameter")
     go_on.set()
     errands.wait(LONG_S)
     errands.update(0.0)
@@ -122,7 +122,7 @@ def test_an_effect_acts_at_the_step_at_which_it_was_switched_however_long_its_co
     assert stages[0].digest() == stages[1].digest()
 
 
-def test_a_level_opens_behind_the_window(start, tmp_path):
+def test_a_level_opens_in_the_background(start, tmp_path):
     driver = start()
     driver.app.background = True
     play = driver.open().play
@@ -140,9 +140,9 @@ def test_a_level_opens_behind_the_window(start, tmp_path):
 
 def test_work_inside_says_so_and_of_what_waits_under_one_name_the_last_counts():
     errands, done, go_on = Errands(in_background=True), [], Event()
-    errands.work_inside(lambda: done.append("first") if go_on.wait(LONG_S) else None, "knob")
+    errands.work_inside(lambda: done.append("first") if go_on.wait(LONG_S) else None, "parameter")
     for value in (1, 2):
-        errands.work_inside(lambda value=value: done.append(value), "knob")
+        errands.work_inside(lambda value=value: done.append(value), "parameter")
     assert errands.inside
     go_on.set()
     while errands.busy:

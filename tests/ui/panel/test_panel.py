@@ -214,7 +214,7 @@ def test_the_list_shows_the_level_in_play_also_when_it_is_none_of_the_scene(desk
         assert shown_level(desk) == shown
         sheet = desk.panel._sheet
         desk.frame()
-        assert desk.panel._sheet is sheet  # made anew once
+        assert desk.panel._sheet is sheet  # made again once
 
 
 def test_levels_that_come_later_are_offered(desk):
@@ -280,7 +280,7 @@ def test_values_from_elsewhere_show(desk):
 
 
 def test_a_quiet_panel_that_follows_the_scene_shows_what_a_new_one_shows(desk):
-    """Rows that follow the scene one by one, without a pointer, against the whole sheet drawn anew."""
+    """Rows that follow the scene one by one, without a pointer, against the whole sheet drawn again."""
     for _ in range(60):
         desk.frame()  # at rest
     sheet = desk.panel._sheet

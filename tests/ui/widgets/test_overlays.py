@@ -211,7 +211,7 @@ def test_buttons_follow_the_runs(look):
     assert press_button("stop") is None and press_button("save-csv") == Wish("save-csv")
 
 
-def test_the_sentence_compares_the_cheapest_with_the_dearest():
+def test_the_sentence_compares_the_cheapest_with_the_most_expensive():
     assert (
         sentence_for(ROWS, "one millimetre")
         == "For one millimetre, Verlet is 42 times cheaper than Explicit Euler."
