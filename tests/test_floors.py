@@ -38,7 +38,18 @@ FOLDERS = {
         "search",
         "players",
     ),
-    "ui": ("look raster", "text", "canvas", "painters widgets", "charts panel"),
+    "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),
+    "app": (
+        "window",
+        "stagehand",
+        "compile film report",
+        "screens",
+        "menu scene",
+        "application",
+        "loop",
+        "start fuzz",
+        "commands",
+    ),
 }
 STILL_UPWARD: list[tuple[str, str]] = []  # what is still to be mended; may only become shorter
 # what touches files in physics/ is the kernels' disk cache and nothing else

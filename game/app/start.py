@@ -7,6 +7,7 @@ import sys
 import pygame
 
 from game.app.application import App
+from game.app.loop import Loop
 from game.app.stagehand.opening import Opening
 from game.app.window.settings import Settings
 from game.app.window.window import Window
@@ -15,9 +16,7 @@ from game.scenes import CATALOGUE
 from game.ui.look.icons import logo
 
 REPEAT_AFTER_MS, REPEAT_MS = 350, 50
-SWITCH_S = (
-    0.0005  # the compiler behind the window lets go of the interpreter so often (Python's default is 0.005)
-)
+SWITCH_S = 0.0005  # the compiler in the background lets go of the interpreter so often (Python: 0.005)
 
 
 def start(
@@ -35,6 +34,6 @@ def start(
     if complaint:
         app.tell("Settings not read.", complaint, kind="warning")
     try:
-        app.run()
+        Loop(app).run()
     finally:
         app.save_settings()

@@ -2,7 +2,7 @@
 
 Nothing is read from files. What is heard in a frame is mixed into one short piece, each sound at its own
 moment within the frame, as loud and as bright as the impact was fast, and where on the table it was. Without
-a sound card all of it is silent. The player is told what a scene says of itself and never touches it.
+a sound card all of it is silent. The player hears what a scene says of itself and never changes it.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def sample_of(kind: str, layer: int) -> Array:
     elif kind == "pocket":
         made = _pocket(bright)
     else:
-        raise ValueError(f"sound {kind!r}: one of {', '.join(KINDS)} is wanted")
+        raise ValueError(f"sound {kind!r}: expected one of {', '.join(KINDS)}")
     made = made / np.abs(made).max()
     made.setflags(write=False)
     return made
@@ -150,7 +150,7 @@ class SoundPlayer:
         return self._ready
 
     def prepare(self) -> None:
-        """Open the sound card behind the window; without one, or without a screen, all stays silent."""
+        """Open the sound card in the background; without one, or without a screen, all stays silent."""
         if self._opening is None and self.volume > 0.0 and _wanted():
             self._opening = threading.Thread(target=self._open, daemon=True, name="sound")
             self._opening.start()

@@ -51,7 +51,7 @@ def run_command_line(arguments: Sequence[str]) -> int:
         options = build_parser().parse_args(list(arguments))
         status = int(options.execute(options) or 0)
         if sys.stdout is not None:
-            sys.stdout.flush()  # what cannot be written is to be told here, not at the exit
+            sys.stdout.flush()  # what cannot be written is reported here, not at the exit
         return status
     except MistakeError as mistake:
         print(f"carom: {mistake}", file=sys.stderr)

@@ -30,7 +30,7 @@ def execute(options: argparse.Namespace) -> int:
     from game.lab.benchmarks import all_scenarios, measure_scenario
 
     if not 1 <= options.turns <= MOST_TURNS:
-        raise MistakeError(f"--turns {options.turns}: 1 to {MOST_TURNS} is wanted")
+        raise MistakeError(f"--turns {options.turns}: expected 1 to {MOST_TURNS}")
     for word, option in ((options.json, "--json"), (options.markdown, "--markdown")):
         output.check_writable(word, option)
     scenarios = [s for s in all_scenarios() if not options.names or s.name.startswith(tuple(options.names))]

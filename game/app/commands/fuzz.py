@@ -32,7 +32,7 @@ def execute(options: argparse.Namespace) -> int:
     from game.scenes import CATALOGUE
 
     if not 1 <= options.events <= MOST_EVENTS:
-        raise MistakeError(f"--events {options.events}: 1 to {MOST_EVENTS} is wanted")
+        raise MistakeError(f"--events {options.events}: expected 1 to {MOST_EVENTS}")
     output.check_writable(options.json, "--json")
     names = [given.scene_type_named(name).name for name in options.scenes]
     prepare()

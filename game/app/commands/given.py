@@ -79,7 +79,7 @@ def read_parameters(scene_type: type[Scene], words: Iterable[str]) -> dict[str, 
     for word in words:
         name, equals, text = word.partition("=")
         if not equals or not name.strip():
-            raise MistakeError(f"--set {word}: NAME=VALUE is wanted")
+            raise MistakeError(f"--set {word}: expected NAME=VALUE")
         try:
             values[name.strip()] = scene_type.parameter(name.strip()).parse(text)
         except ParameterError as error:
@@ -107,7 +107,7 @@ def read_seed(text: str | None) -> int | None:
     try:
         seed = int(text)
     except ValueError:
-        raise MistakeError(f"--seed {text}: a whole number is wanted") from None
+        raise MistakeError(f"--seed {text}: expected a whole number") from None
     if not 0 <= seed < 2**63:
         raise MistakeError(f"--seed {text}: outside 0 to 2^63 - 1")
     return seed
@@ -169,9 +169,9 @@ def read_seconds(text: str, name: str = "--seconds") -> float:
     try:
         seconds = float(text)
     except ValueError:
-        raise MistakeError(f"{name} {text}: a number is wanted") from None
+        raise MistakeError(f"{name} {text}: expected a number") from None
     if not math.isfinite(seconds) or seconds < 0.0:
-        raise MistakeError(f"{name} {text}: a finite number of seconds, 0 or more, is wanted")
+        raise MistakeError(f"{name} {text}: expected a finite number of seconds, 0 or more")
     return seconds
 
 
@@ -186,11 +186,11 @@ def read_size(text: str) -> tuple[int, int]:
     """Width and height of a picture from ``1280x720``, px."""
     found = re.fullmatch(r"([0-9]{1,6})[xX×]([0-9]{1,6})", text.strip())
     if found is None:
-        raise MistakeError(f"--size {text}: WIDTHxHEIGHT is wanted, such as 1280x720")
+        raise MistakeError(f"--size {text}: expected WIDTHxHEIGHT, such as 1280x720")
     width, height = int(found[1]), int(found[2])
     if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE and width * height <= MOST_PIXELS):
         raise MistakeError(
-            f"--size {text}: sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels are wanted"
+            f"--size {text}: expected sides of 1 to {LARGEST_SIDE} and at most {MOST_PIXELS} pixels"
         )
     return width, height
 
@@ -211,9 +211,9 @@ def read_film(word: str, size: str, fps: str, option: str) -> Film:
     output.check_writable(word, option)
     width, height = read_size(size)
     if width % 2 or height % 2 or min(width, height) < SMALLEST_FILM:
-        raise MistakeError(f"--size {size}: even numbers, at least {SMALLEST_FILM}, are wanted for a film")
+        raise MistakeError(f"--size {size}: expected even numbers, at least {SMALLEST_FILM}, for a film")
     if not re.fullmatch("[0-9]{1,9}", fps) or not 1 <= int(fps) <= MOST_FPS:
-        raise MistakeError(f"--fps {fps}: a whole number from 1 to {MOST_FPS} is wanted")
+        raise MistakeError(f"--fps {fps}: expected a whole number from 1 to {MOST_FPS}")
     try:
         check_video(Path(word))
     except VideoError as error:

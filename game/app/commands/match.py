@@ -34,7 +34,7 @@ def execute(options: argparse.Namespace) -> int:
     """Play the match; print its rounds, and write them."""
     seed = given.read_seed(options.seed)
     if len(options.title) > MOST_TITLE:
-        raise MistakeError(f"--title: at most {MOST_TITLE} letters are wanted")
+        raise MistakeError(f"--title: expected at most {MOST_TITLE} letters")
     output.check_writable(options.json, "--json")
     film = None
     if options.video is not None:
@@ -71,9 +71,9 @@ def describe(one: Round) -> str:
     """A round for people, its pocket named as in the film."""
     from game.scenes.billiards.layout import pocket_words
 
-    way = " - ".join(["white", *(str(number) for number in one.fallen.chain[1:])])
+    chain = " - ".join(["cue ball", *(str(number) for number in one.fallen.chain[1:])])
     pocket = pocket_words(one.fallen.pocket)
-    return f"round {one.number:>2}  {way:<24} {pocket}, {one.stroke.cue_speed:.1f} m/s"
+    return f"round {one.number:>2}  {chain:<27} {pocket}, {one.stroke.cue_speed:.1f} m/s"
 
 
 def _show_progress(one: Round) -> None:

@@ -25,7 +25,7 @@ def check_writable(word: str | None, option: str) -> None:
     path = Path(word)
     try:
         if os.path.basename(word) in ("", ".", "..") or path.is_dir():  # noqa: PTH119  Path drops a last slash
-            raise MistakeError(f"{option} {word}: a file name is wanted, this is a folder")
+            raise MistakeError(f"{option} {word}: expected a file name, this is a folder")
         if not path.parent.is_dir():
             raise MistakeError(f"{option} {word}: there is no folder {path.parent}")
         with tempfile.TemporaryFile(dir=path.parent):

@@ -34,7 +34,7 @@ def execute(options: argparse.Namespace) -> int:
     """Film it and say where; status 1 if the scene had to be stopped."""
     seconds = given.read_seconds(options.seconds) if options.seconds is not None else USUAL_S
     if options.theme not in ("dark", "light"):
-        raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
+        raise MistakeError(f"--theme {options.theme}: expected dark or light")
     scene_type = given.scene_type_named(options.scene)
     recording = given.read_replay(options, scene_type.name)
     out = options.out if options.out is not None else f"{scene_type.name}.mp4"

@@ -17,6 +17,8 @@ from game.app.window.words import say
 if TYPE_CHECKING:
     from game.stage import Stage
 
+SMALLEST_WINDOW = (320, 240)  # px
+
 
 def add(commands: Any) -> None:
     """Declare the command."""
@@ -25,6 +27,8 @@ def add(commands: Any) -> None:
     parser.add_argument("--seconds", default="10", metavar="S", help="simulated time (10)")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture of the end")
     parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the picture (1280x720)")
+    parser.add_argument("--window", action="store_true",
+                        help="the picture shows the whole window: panel, strips and bar as well")  # fmt: skip
     parser.add_argument("--theme", default="dark", metavar="NAME", help="dark or light")
     parser.add_argument("--json", metavar="FILE", help="write what was measured; - is standard output")
     parser.add_argument("--record", metavar="FILE.json", help="write a recording for replay")
@@ -35,9 +39,10 @@ def execute(options: argparse.Namespace) -> int:
     """Run and write; status 1 if the scene had to be stopped."""
     seconds, size = given.read_seconds(options.seconds), given.read_size(options.size)
     if options.theme not in ("dark", "light"):
-        raise MistakeError(f"--theme {options.theme}: dark or light is wanted")
+        raise MistakeError(f"--theme {options.theme}: expected dark or light")
     for option in ("screenshot", "json", "record"):
         output.check_writable(getattr(options, option), f"--{option}")
+    _check_window(options, size)
     stage = given.make_stage(options)
     steps = given.steps_in(seconds, stage.dt)
     for _, compile_kernel in stage.scene_type.warm_ups():
@@ -47,7 +52,7 @@ def execute(options: argparse.Namespace) -> int:
     cpu_s = time.process_time() - began
     report = describe(stage, cpu_s)
     if options.screenshot:
-        write_screenshot(stage, options.screenshot, size, options.theme)
+        write_screenshot(stage, options.screenshot, size, options.theme, options.window)
     if options.record:
         write_recording(stage, options.record)
     if options.json:
@@ -95,13 +100,31 @@ def print_report(report: dict[str, Any]) -> None:
         say(f"  stopped at step {report['fault']['step']}: {report['fault']['message']}")
 
 
-def write_screenshot(stage: Stage, word: str, size: tuple[int, int], theme: str) -> None:
-    """Draw the stage into a PNG file of its own size."""
-    from game.app.stagehand.headless import picture_of_stage
+def _check_window(options: argparse.Namespace, size: tuple[int, int]) -> None:
+    """``--window`` belongs to a picture that a window can have."""
+    if options.window and not options.screenshot:
+        raise MistakeError("--window: says what the picture shows; name its file with --screenshot FILE.png")
+    if options.window and (size[0] < SMALLEST_WINDOW[0] or size[1] < SMALLEST_WINDOW[1]):
+        raise MistakeError("--size: a window is at least {}x{} pixels".format(*SMALLEST_WINDOW))
+
+
+def write_screenshot(
+    stage: Stage, word: str, size: tuple[int, int], theme: str, whole_window: bool = False
+) -> None:
+    """Draw the stage, or the whole window round it, into a PNG file."""
     from game.app.window.pictures import write_png
 
+    if whole_window:
+        from game.app.commands.window_picture import picture_of_window
+        from game.scenes import CATALOGUE
+
+        picture = picture_of_window(stage, CATALOGUE, size, theme)
+    else:
+        from game.app.stagehand.headless import picture_of_stage
+
+        picture = picture_of_stage(stage, size, theme)
     try:
-        write_png(picture_of_stage(stage, size, theme), Path(word))
+        write_png(picture, Path(word))
     except OSError as error:
         raise MistakeError(f"--screenshot {error}") from None
 

@@ -20,6 +20,7 @@ from game.app.commands import given, output
 from game.app.stagehand.script import Script, demo_of
 from game.app.window.mistake import MistakeError
 from game.app.window.words import say
+from game.ui.text.markup import parse
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -55,7 +56,8 @@ def add(commands: Any) -> None:
     parser.add_argument("--json", metavar="FILE", help="write the results; - is standard output")
     parser.add_argument("--golden", metavar="FILE", help="compare with the digests in this file: one each")
     parser.add_argument("--update-golden", metavar="FILE", nargs="?", const="", default=None,
-                        help="write the digests (to tests/golden/scenes.json of a checkout)")  # fmt: skip
+                        help="write the digests, of the scenes named or of all (into this file, or that of "
+                        "--golden, or tests/golden/scenes.json of a checkout)")  # fmt: skip
     parser.add_argument("--pure", action="store_true", help="also a few steps without the compiler")
     parser.add_argument("--plan", metavar="STEPS", help=argparse.SUPPRESS)
     parser.set_defaults(execute=execute)
@@ -66,12 +68,14 @@ def execute(options: argparse.Namespace) -> int:
     output.check_writable(options.json, "--json")
     golden_file = _golden_file(options)
     golden = _read_golden(options.golden) if options.golden is not None else None
+    updated = _read_golden(str(golden_file)) if golden_file is not None and golden_file.is_file() else {}
     if options.plan is not None:
         return _run_plan(json.loads(options.plan))
     quiet = options.json == output.STANDARD_OUTPUT
     results = []
     tested = check_scenes(options.scenes)
-    for result in tested if golden is None else against_golden(tested, golden, options.scenes):
+    compared = golden is not None and golden_file is None  # those that are written replace what is kept
+    for result in against_golden(tested, golden or {}, options.scenes) if compared else tested:
         results.append(result)
         if not quiet:
             say(f"{result.scene:<16} {result.level:<28} {result.trouble or result.digest}", flush=True)
@@ -82,7 +86,8 @@ def execute(options: argparse.Namespace) -> int:
         output.write_json({"results": [r._asdict() for r in results], "failed": len(failed)}, options.json)
     if golden_file is not None and not failed:
         golden_file.parent.mkdir(parents=True, exist_ok=True)
-        output.write_json({r.name: r.digest for r in results}, str(golden_file), "--update-golden")
+        updated = with_results(updated, results, options.scenes)
+        output.write_json(updated, str(golden_file), "--update-golden")
     if not quiet:
         print(f"{len(results)} levels, {len(failed)} failed")
     return 1 if failed else 0
@@ -123,10 +128,35 @@ def against_golden(
             yield Result(scene, level, "", "a digest is kept, but there is no such level")
 
 
+def with_results(
+    kept: Mapping[str, str], results: Iterable[Result], scenes: Collection[str]
+) -> dict[str, str]:
+    """The digests to keep: of these scenes what they came to, in the place of what was kept of them.
+
+    Without names all that was kept goes.
+    """
+    named = {name.lower() for name in scenes}
+    new: dict[str, dict[str, str]] = {}
+    for result in results:
+        new.setdefault(result.scene, {})[result.name] = result.digest
+    updated: dict[str, str] = {}
+    for name, digest in kept.items():
+        scene = name.partition("/")[0]
+        if scene in named:
+            updated.update(new.pop(scene, {}))
+        elif named:
+            updated[name] = digest
+    for digests in new.values():
+        updated.update(digests)
+    return updated
+
+
 def check_level(scene_type: type[Scene], file: Path | None) -> Result:
     """Run one level twice, the second time by way of steps back; compare the digests."""
     name = file.stem if file is not None else "(none)"
     try:
+        for equation in scene_type.equations:
+            parse(equation.formula)
         first = _begin(scene_type, file)
         straight = _run(first, 2 * HALF_STEPS)
         other = _begin(scene_type, file)
@@ -218,11 +248,10 @@ def _golden_file(options: argparse.Namespace) -> Path | None:
     """Where digests are to be written, if they are."""
     if options.update_golden is None:
         return None
-    if options.scenes:
-        raise MistakeError("--update-golden: writes the digests of all scenes, so none may be named")
-    if options.update_golden:
-        output.check_writable(options.update_golden, "--update-golden")
-        return Path(options.update_golden)
+    file = options.update_golden or options.golden
+    if file:
+        output.check_writable(file, "--update-golden")
+        return Path(file)
     folder = Path(__file__).resolve().parents[3] / "tests"
     if not folder.is_dir():
         raise MistakeError("--update-golden: there is no tests folder here; name a file")

@@ -42,5 +42,5 @@ class CanvasWarming:
                 self.name = name
                 call()
                 self.done += 1
-        except Exception as error:  # told by the scene that cannot draw
+        except Exception as error:  # reported by the scene that cannot draw
             self.error = " ".join(str(error).split())

@@ -23,7 +23,7 @@ OURS = (sys.executable, "-m", "game.app.compile.preparing")
 
 
 class Preparation:
-    """The process and what it has told; ``command`` prints names of scenes, a line each."""
+    """The process and what it has reported; ``command`` prints names of scenes, a line each."""
 
     def __init__(self, command: Sequence[str] = OURS) -> None:
         self.ready: set[str] = set()
@@ -54,7 +54,7 @@ class Preparation:
         return self._process is not None and self._process.poll() is None
 
     def news(self) -> bool:
-        """Take over what was told; True if a scene has become ready since the last call."""
+        """Take over what was reported; True if a scene has become ready since the last call."""
         before = len(self.ready)
         with contextlib.suppress(queue.Empty):
             while True:

@@ -35,7 +35,7 @@ class VideoError(RuntimeError):
 def check_video(path: Path) -> None:
     """VideoError if no such film could be written: another ending, or PyAV is missing."""
     if path.suffix.lower() not in FORMATS:
-        raise VideoError(f"{path}: a name that ends in {', '.join(FORMATS)} is wanted")
+        raise VideoError(f"{path}: expected a name that ends in {' or '.join(FORMATS)}")
     load_av()
 
 
@@ -117,7 +117,7 @@ class VideoWriter:
             while (job := self._jobs.get()) is not None:
                 self._encode(*job)
             self._flush()
-        except Exception as error:  # whatever the encoder finds: told where pictures are added
+        except Exception as error:  # whatever the encoder finds: raised where pictures are added
             words = getattr(error, "strerror", None) or str(error)
             self._failure = " ".join(words.split()) or type(error).__name__
             while self._jobs.get() is not None:

@@ -11,6 +11,7 @@ from typing import Any
 import pygame
 
 from game.app.application import App
+from game.app.loop import Loop
 from game.app.scene.screen import SceneScreen
 from game.app.window.settings import Settings
 from game.app.window.window import Window
@@ -52,9 +53,8 @@ class Driver:
         self.window = Window(size)
         self.clock = SetClock()
         self.waiting: list[pygame.Event] = []
-        self.app = App(
-            self.window, catalogue, Settings(**settings), folder, self.clock, self._take, False, forgiving
-        )
+        self.app = App(self.window, catalogue, Settings(**settings), folder, False, forgiving)
+        self.loop = Loop(self.app, self.clock, self._take)
         self._take()
         self.app.open_menu()
 
@@ -71,7 +71,7 @@ class Driver:
         """So many frames, each that long, drawn or not."""
         for _ in range(count):
             self.clock.time_s += seconds
-            self.app.frame(shown)
+            self.loop.frame(shown)
 
     def post(self, *events: pygame.Event) -> None:
         """One frame with these events."""

@@ -8,7 +8,8 @@ from typing import Any
 
 import pygame
 
-from game.app.window.keys import COMMANDS, Chord, parse_chord
+from game.app.window.commands import COMMANDS
+from game.app.window.keys import Chord, parse_chord
 
 LEAVING = ("quit", "full-screen")  # would end the program, or change the screen of whoever runs it
 SELDOM_USED = ("accuracy", "next", "previous")  # begin something long: pressed, but seldom

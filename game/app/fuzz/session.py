@@ -31,11 +31,11 @@ SHOWN = 8  # one frame in so many is drawn: the others take their events and pas
 FRAME_LENGTHS = (0.0, 0.0, 0.004, 0.016, 0.016, 0.1)  # s of simulated time
 CARD = 30  # events after which, on average, a card that covers the scene is taken away
 BURSTS = (1, 1, 2, 4, 8, 16)  # events in a frame: a mouse may tell of itself a thousand times a second
-AGAIN = 1000  # events after which the scene is opened anew, so that what broke it does not hide the rest
+AGAIN = 1000  # events after which the scene is opened again, so that what broke it does not hide the rest
 
 
 class FuzzReport(NamedTuple):
-    """What came of a scene: events posted, parameter values refused, files refused, faults told to the user,
+    """What came of a scene: events posted, parameter values refused, files refused, faults reported to the user,
     frames of no simulated time in which the drawing thread worked longer than SLOW_S (but for those in which
     a kernel was compiled) and the longest of them (s), growth of memory in the second half (bytes), and the
     trouble: empty, or what was raised, with the number of the event."""
@@ -92,7 +92,7 @@ class FuzzSession:
         return not (app.running and scenes and scenes[-1].entry.name == self.scene)
 
     def _open(self) -> None:
-        """The scene anew, with any of its levels."""
+        """The scene again, with any of its levels."""
         driver = self.driver
         driver.resize(1280, 720)
         driver.post(pygame.Event(pygame.WINDOWRESTORED))  # nothing goes on in a window that is hidden
@@ -107,7 +107,7 @@ class FuzzSession:
         play = getattr(driver.top, "play", None)
         if play is None:
             raise RuntimeError(f"{self.scene} could not be opened")
-        play.errands.behind = True  # as in a window; the hand waits for it, to do the same again
+        play.record.errands.in_background = True  # as in a window; the hand waits for it
         self.events += 1
 
     def _close_cards(self) -> None:
@@ -163,12 +163,12 @@ class FuzzSession:
             self.slow += took > SLOW_S
 
     def _wait_for_errands(self) -> None:
-        """Wait until nothing is done behind the window any more."""
+        """Wait until nothing is done in the background any more."""
         for screen in self.driver.app.screens:
             play = getattr(screen, "play", None)
-            while play is not None and play.errands.busy:
-                play.errands.wait()
-                play.errands.update(0.0)
+            while play is not None and play.record.errands.busy:
+                play.record.errands.wait()
+                play.record.errands.update(0.0)
 
     def _set_something(self, play: Any) -> None:
         """A parameter to any value, or an effect on or off."""
@@ -204,7 +204,7 @@ class FuzzSession:
         self.driver.frames(1, 0.016)
 
     def _check(self) -> str:
-        """What is wrong with the scene now; a fault that was told to the user is counted and reset."""
+        """What is wrong with the scene now; a fault that was reported to the user is counted and reset."""
         play = getattr(self.driver.top, "play", None)
         if play is None:
             return ""
@@ -214,5 +214,5 @@ class FuzzSession:
         if fault.error is not None and not isinstance(fault.error, LimitError):
             return f"the scene raised {fault.quantity}: {fault.message}"
         self.faults += 1
-        play.reset()
+        play.gate.reset()
         return ""

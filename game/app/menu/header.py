@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import pygame
 
+from game.app.screens.host import Host
 from game.ui.look.icons import icon, logo
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot, Hotspots
-
-if TYPE_CHECKING:
-    from game.app.application import App
 
 FIELD_WIDTH, FIELD_HEIGHT = 352, 40  # design px
 BLINK_S = 1.06
@@ -22,8 +18,8 @@ BUTTONS = (("help", "help"), ("settings", "gear"), ("theme", "contrast"))  # fro
 class Header:
     """Draws itself; ``handle`` names what was pressed: theme, settings, help or clear."""
 
-    def __init__(self, app: App):
-        self.app = app
+    def __init__(self, host: Host):
+        self.host = host
         self.query = ""
         self.prompt = ""
         self.spots = Hotspots()
@@ -64,13 +60,13 @@ class Header:
     def update(self, elapsed_s: float) -> None:
         """Let the cursor blink."""
         self._age_s += elapsed_s
-        self.spots.update(elapsed_s, self.app.look)
+        self.spots.update(elapsed_s, self.host.look)
         if bool(self.query) != (self.spots.find("clear") is not None):
-            self.place(self.rect, self.app.look)
+            self.place(self.rect, self.host.look)
 
     def draw(self, surface: pygame.Surface) -> None:
         """Mark, name, field and buttons."""
-        look, px = self.app.look, self.app.look.px
+        look, px = self.host.look, self.host.look.px
         if self.rect.h < px(40):
             return
         mark = logo(px(44), look.theme)
@@ -91,7 +87,7 @@ class Header:
             surface.blit(picture, picture.get_rect(center=spot.rect.center))
 
     def _draw_field(self, surface: pygame.Surface) -> None:
-        look, px, field = self.app.look, self.app.look.px, self.field
+        look, px, field = self.host.look, self.host.look.px, self.field
         edge = look.theme.accent if self.query else look.theme.line2
         draw_box(surface, field, field.h / 2, look.theme.inset, edge, look.border)
         glass = icon("search", px(20), look.theme.text1)

@@ -41,7 +41,7 @@ class LiveScene:
         return stage, script
 
     def advance(self, elapsed_s: float) -> None:
-        """Let it go on; at its end it stands until a thread has begun anew."""
+        """Let it go on; at its end it stands until a thread has begun again."""
         if self._beginning:
             with contextlib.suppress(queue.Empty):
                 self.stage, self._script = self._next.get_nowait()

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import pygame
 
 from game.app.menu import cards, flow
-from game.app.menu.behind import Behind
+from game.app.menu.background import Background
 from game.app.menu.foot import paint_foot
 from game.app.menu.header import Header
 from game.app.menu.items import Offer
 from game.app.menu.sketch import sketch
+from game.app.screens.host import Host
 from game.app.screens.screen import Screen
 from game.app.stagehand.level_index import LevelHead
+from game.app.window.commands import Actions
+from game.app.window.guard import Failure
 from game.stage.catalogue import Entry
 from game.ui.look.motion import LIFT_S, Fade
-
-if TYPE_CHECKING:
-    from game.app.application import App
-    from game.app.window.guard import Failure
 
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 LEVELS_SHOWN = 60  # of those found; more is no list to read
@@ -40,12 +39,12 @@ class MenuScreen(Screen):
 
     called: ClassVar[str] = "The menu"
 
-    def __init__(self, app: App, focus: str = ""):
-        super().__init__(app)
-        self.offer = Offer(app.catalogue)
-        self.header = Header(app)
-        self.behind = Behind(app)
-        self.thumbnails = self.behind.thumbnails
+    def __init__(self, host: Host, focus: str = ""):
+        super().__init__(host)
+        self.offer = Offer(host.catalogue)
+        self.header = Header(host)
+        self.background = Background(host)
+        self.thumbnails = self.background.thumbnails
         self.query = ""
         self.items: list[Item] = []
         self.focus = 0
@@ -60,7 +59,7 @@ class MenuScreen(Screen):
     # -- layout -------------------------------------------------------------------------------------
 
     def restyle(self) -> None:
-        look, (width, height) = self.app.look, self.app.window.size
+        look, (width, height) = self.host.look, self.host.size
         self._top = look.px(flow.HEADER)
         self._bottom = max(self._top + 1, height - look.px(flow.FOOTER))
         self.header.place(pygame.Rect(0, 0, width, self._top), look)
@@ -77,7 +76,7 @@ class MenuScreen(Screen):
             groups = self.offer.groups()
         else:
             groups = [flow.Group("Scenes", tuple(e.name for e in found.scenes))] if found.scenes else []
-        look, (width, _) = self.app.look, self.app.window.size
+        look, (width, _) = self.host.look, self.host.size
         room = self._bottom - self._top
         arranged = flow.arrange_cards(groups, "" if self.query else self.offer.wide, width, room, look.k)
         self._heads = arranged.heads
@@ -93,7 +92,7 @@ class MenuScreen(Screen):
 
     def _add_levels(self, levels: list[LevelHead], count: int, room: int, width: int) -> None:
         """Rows of levels under the cards: all that were found; without a search what there is room for."""
-        look = self.app.look
+        look = self.host.look
         top = self._content_height + look.px(flow.HEAD)
         if not self.query:
             lines = (room - top) // look.px(flow.LIST_ROW)
@@ -120,8 +119,8 @@ class MenuScreen(Screen):
         """Scroll as little as brings the chosen item wholly into view."""
         most = max(0, self._content_height - (self._bottom - self._top))
         if self.focus < len(self.items):
-            rect, head = self.items[self.focus].rect, self.app.look.px(flow.HEAD)
-            lowest = rect.bottom + self.app.look.px(flow.ROW_GAP) - (self._bottom - self._top)
+            rect, head = self.items[self.focus].rect, self.host.look.px(flow.HEAD)
+            lowest = rect.bottom + self.host.look.px(flow.ROW_GAP) - (self._bottom - self._top)
             self._scroll = min(max(self._scroll, lowest), rect.top - head)
         self._set_scroll(min(max(self._scroll, 0), most))
 
@@ -134,25 +133,17 @@ class MenuScreen(Screen):
 
     # -- events -------------------------------------------------------------------------------------
 
-    def command(self, name: str) -> bool:
-        if name == "back" and self.query:
-            self._search("")
-        elif name == "help":
-            self.app.open_keys()
-        else:
-            return name == "back"  # the menu is left by closing the window
-        return True
+    @property
+    def actions(self) -> Actions:
+        """Without ``menu``: it is left by closing the window."""
+        return {"back": lambda: self._search(""), "help": self.host.open_keys}
 
     def handle(self, event: pygame.Event) -> None:
         wish = self.header.handle(event)
-        if wish == "theme":
-            self.app.toggle_theme()
-        elif wish == "settings":
-            self.app.open_settings()
-        elif wish == "help":
-            self.app.open_keys()
-        elif wish == "clear":
+        if wish == "clear":
             self._search("")
+        elif wish is not None:
+            self.host.perform(wish)
         elif event.type == pygame.TEXTINPUT:
             self._search(self.query + "".join(c for c in event.text if c.isprintable()))
         elif event.type == pygame.KEYDOWN:
@@ -160,7 +151,7 @@ class MenuScreen(Screen):
         elif event.type == pygame.MOUSEMOTION:
             self._point(event.pos)
         elif event.type == pygame.MOUSEWHEEL:
-            self._set_scroll(self._scroll - round(event.y * self.app.look.px(WHEEL)))
+            self._set_scroll(self._scroll - round(event.y * self.host.look.px(WHEEL)))
         elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
             index = self._at(event.pos)
             if index is not None:
@@ -202,13 +193,13 @@ class MenuScreen(Screen):
     def _choose(self, index: int) -> None:
         if index != self.focus:
             self.focus = index
-            self._lift = Fade(0.0 if self.app.look.less_motion else LIFT_S)
+            self._lift = Fade(0.0 if self.host.look.less_motion else LIFT_S)
             self._picture = None
 
     def _open(self) -> None:
         if self.focus < len(self.items):
             item = self.items[self.focus]
-            self.app.open_scene(item.entry.name, level=item.level.path if item.level else None)
+            self.host.open_scene(item.entry.name, level=item.level.path if item.level else None)
 
     # -- life ---------------------------------------------------------------------------------------
 
@@ -217,18 +208,18 @@ class MenuScreen(Screen):
         self._picture = None
 
     def closed(self) -> None:
-        self.behind.close()
+        self.background.close()
 
     def update(self, elapsed_s: float) -> None:
         self.header.update(elapsed_s)
-        if self.behind.update(elapsed_s):
+        if self.background.update(elapsed_s):
             self._picture = None
         self._lift.update(elapsed_s, True)
         live = self.items[self.focus] if self.focus < len(self.items) else None
         name = live.entry.name if live is not None and live.card is not None else ""
         sizes = {item.entry.name: item.card.picture.size for item in self.items if item.card is not None}
-        still = self.app.look.less_motion
-        if self.thumbnails.update(elapsed_s, sizes, self.app.look, "" if still else name):
+        still = self.host.look.less_motion
+        if self.thumbnails.update(elapsed_s, sizes, self.host.look, "" if still else name):
             self._picture = None
 
     # -- picture ------------------------------------------------------------------------------------
@@ -237,7 +228,7 @@ class MenuScreen(Screen):
         if self._picture is None or self._picture.get_size() != surface.get_size():
             self._picture = self._paint(surface.get_size())
         surface.blit(self._picture, (0, 0))
-        clip = pygame.Rect(0, self._top - self.app.look.px(8), surface.get_width(), 0)
+        clip = pygame.Rect(0, self._top - self.host.look.px(8), surface.get_width(), 0)
         clip.h = self._bottom - clip.y
         surface.set_clip(clip)
         if self.focus < len(self.items):
@@ -250,29 +241,29 @@ class MenuScreen(Screen):
         if item.card is not None:
             picture = self._thumbnail(item)
             cards.paint_focused(
-                surface, self.app.look, item.card, item.entry, picture, self._lift.amount, down
+                surface, self.host.look, item.card, item.entry, picture, self._lift.amount, down
             )
         else:
             self._paint_row(surface, item, item.rect.move(0, down), lit=True)
-            cards.draw_ring(surface, self.app.look, item.rect.move(0, down), 8)
+            cards.draw_ring(surface, self.host.look, item.rect.move(0, down), 8)
 
     def _thumbnail(self, item: Item) -> pygame.Surface:
         assert item.card is not None
         size = item.card.picture.size
-        picture = self.thumbnails.picture(item.entry.name, size, self.app.look)
+        picture = self.thumbnails.picture(item.entry.name, size, self.host.look)
         if picture is None:
             picture = pygame.Surface(size, 0, 32)
-            picture.fill(self.app.look.theme.stage)
-            with self.app.guard.over(f"The drawing of {item.entry.title}", self._tell_undrawn):
-                picture = sketch(item.entry, size, self.app.look)
+            picture.fill(self.host.look.theme.stage)
+            with self.host.guard.over(f"The drawing of {item.entry.title}", self._tell_undrawn):
+                picture = sketch(item.entry, size, self.host.look)
         return picture
 
     def _tell_undrawn(self, failure: Failure) -> None:
-        self.app.tell_of(failure, "cannot be shown")
+        self.host.tell_of(failure, "cannot be shown")
 
     def _paint(self, size: tuple[int, int]) -> pygame.Surface:
         """Everything but the chosen item and the header."""
-        look = self.app.look
+        look = self.host.look
         picture = pygame.Surface(size, 0, 32)
         picture.fill(look.theme.bg)
         down = self._top - self._scroll
@@ -293,7 +284,7 @@ class MenuScreen(Screen):
             look.text(picture, f"Nothing is called “{self.query}”", middle, 13, "medium", "text2", "center")
         picture.fill(look.theme.bg, (0, 0, size[0], self._top - look.px(6)))
         foot = pygame.Rect(0, self._bottom, size[0], max(1, size[1] - self._bottom))
-        paint_foot(picture, self.app, foot, bool(self.query), self.behind.words())
+        paint_foot(picture, self.host, foot, bool(self.query), self.background.words())
         return picture
 
     def _paint_row(self, surface: pygame.Surface, item: Item, rect: pygame.Rect, lit: bool) -> None:
@@ -301,7 +292,7 @@ class MenuScreen(Screen):
         head = item.level
         title = f"{head.title}  {head.stars}".rstrip()
         cards.paint_row(
-            surface, self.app.look, rect, item.entry.task, title, head.about, bool(head.hard_case), lit
+            surface, self.host.look, rect, item.entry.task, title, head.about, bool(head.hard_case), lit
         )
 
 

@@ -40,7 +40,7 @@ def plain(text: str) -> str:
 
 @lru_cache(maxsize=MOST_KEPT)
 def words_of(text: str) -> Words:
-    """The words of a text, which is asked for anew with every letter that is typed."""
+    """The words of a text, which is asked for again with every letter that is typed."""
     whole = plain(text)
     parts = tuple(_WORD.findall(whole))
     return Words(whole, parts, "".join(part[0] for part in parts))

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import pygame
 
 from game.app.compile.readiness import any_notes, is_ready
+from game.app.screens.host import Host
 from game.app.window.guard import Failure
 from game.app.window.pictures import write_png
 from game.folders import cache_folder
@@ -22,7 +23,6 @@ from game.stage.catalogue import Entry
 from game.ui.look.look import Look
 
 if TYPE_CHECKING:
-    from game.app.application import App
     from game.app.menu.live import LiveScene
 
 Key = tuple[str, str, int, int]  # scene, theme, width, height
@@ -31,10 +31,10 @@ Key = tuple[str, str, int, int]  # scene, theme, width, height
 class Thumbnails:
     """Pictures by scene; ``update`` once a frame, ``picture`` when one is wanted."""
 
-    def __init__(self, app: App):
-        self._app = app
-        self._catalogue = app.catalogue
-        self._canvas = app.canvas_warming
+    def __init__(self, host: Host):
+        self._host = host
+        self._catalogue = host.catalogue
+        self._canvas = host.canvas_warming
         self._pictures: dict[Key, pygame.Surface | None] = {}
         self._live: dict[str, LiveScene] = {}
         self._drawn: set[Key] = set()
@@ -92,9 +92,9 @@ class Thumbnails:
 
         def drop(failure: Failure) -> None:
             del self._live[live.entry.name]
-            self._app.tell_of(failure, "cannot be shown")
+            self._host.tell_of(failure, "cannot be shown")
 
-        return self._app.guard.over(f"The picture of {live.entry.title}", drop)
+        return self._host.guard.over(f"The picture of {live.entry.title}", drop)
 
     def _prepare(self) -> None:
         """Build the scenes that are ready, one after another, and let them come to something worth seeing."""

@@ -148,7 +148,7 @@ def _steps(stage: Stage, active: EffectSet, declared: EffectSet) -> Work:
 
     def work() -> float:
         scene.restore(copy_state(state))
-        scene.advance(stage.dt)  # after a restore some structures are built anew
+        scene.advance(stage.dt)  # after a restore some structures are built again
         begin = thread_time()
         for _ in range(steps):
             scene.advance(stage.dt)

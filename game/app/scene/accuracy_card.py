@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import datetime
 from typing import TYPE_CHECKING, ClassVar
 
 import pygame
 
 from game.app.scene.study_run import StudyRun, accuracy_data
+from game.app.screens.host import Host
 from game.app.screens.page_screen import PageScreen
+from game.app.window.commands import Actions
 from game.folders import user_folder
-from game.stage import SetEffect, SetParameter
+from game.stage import SetEffect, SetParameter, Stage, StageEvent
 from game.ui.charts.accuracy import AccuracyPage
 from game.ui.charts.accuracy_data import AccuracyData
-from game.ui.widgets.commands import Command
 from game.ui.widgets.tooltips import ToolTip
+from game.ui.widgets.wishes import Wish
 
 if TYPE_CHECKING:
-    from game.app.application import App
-    from game.app.scene.play import ScenePlay
     from game.lab import Study, StudyTable
 
 REFRESH_S = 0.25  # s between looks at what has been measured
@@ -35,18 +36,19 @@ class AccuracyCard(PageScreen):
 
     page: AccuracyPage
 
-    def __init__(self, app: App, play: ScenePlay, study: Study):
-        self.play = play
+    def __init__(self, host: Host, study: Study, stage: Stage, post: Callable[[StageEvent], object]):
+        self._stage = stage
+        self._post = post
         self._studies = study.family
         self._start(study)
         self._since_s = 0.0
         self._shown = -1
-        self._tip = ToolTip(app.look)
-        super().__init__(app, AccuracyPage(app.look, self._data()))
+        self._tip = ToolTip(host.look)
+        super().__init__(host, AccuracyPage(host.look, self._data()))
 
     def _start(self, study: Study) -> None:
         """Measure a study, once the run before it, of this card or of one that was closed, has stopped."""
-        scene = self.play.stage.scene
+        scene = self._stage.scene
         effects = {effect.name: effect in scene.active for effect in scene.effects}
         present = {**scene.standing(), **scene.values, **effects}
         for before in _latest:
@@ -55,7 +57,7 @@ class AccuracyCard(PageScreen):
         _tables[study.name], _latest[:] = self.run.table, [self.run]
 
     def _data(self) -> AccuracyData:
-        study, level = self.run.study, self.play.stage.level
+        study, level = self.run.study, self._stage.level
         title = ", ".join(part for part in (study.title, level.title if level is not None else "") if part)
         names = tuple(one.short or one.title for one in self._studies) if len(self._studies) > 1 else ()
         return accuracy_data(self.run, title)._replace(studies=names, study=self._studies.index(study))
@@ -69,16 +71,14 @@ class AccuracyCard(PageScreen):
 
     def restyle(self) -> None:
         super().restyle()
-        self._tip.place(self.app.look)
+        self._tip.place(self.host.look)
 
     def closed(self) -> None:
         self.run.stop()
 
-    def command(self, name: str) -> bool:
-        if name == "accuracy":
-            self.close()
-            return True
-        return super().command(name)
+    @property
+    def actions(self) -> Actions:
+        return {**super().actions, "accuracy": self.close}
 
     def update(self, elapsed_s: float) -> None:
         self._since_s += elapsed_s
@@ -98,7 +98,7 @@ class AccuracyCard(PageScreen):
         if state != self._shown:
             self._shown = state
             if self.run.failure is not None:
-                kept = self.app.guard.keep(self.called, self.run.failure)
+                kept = self.host.guard.keep(self.called, self.run.failure)
                 self.run.error, self.run.failure = f"{self.run.error}. {kept.where}".rstrip(), None
             self.page.show(self._data())
         self.page.report(self.run.progress)
@@ -107,7 +107,7 @@ class AccuracyCard(PageScreen):
         super().draw(surface)
         self._tip.draw(surface)
 
-    def fulfil(self, wish: Command) -> None:
+    def fulfil(self, wish: Wish) -> None:
         if wish.name == "stop":
             self.run.stop()
         elif wish.name == "save-csv":
@@ -121,13 +121,13 @@ class AccuracyCard(PageScreen):
 
     def _set_scene(self, parameters: dict[str, object]) -> None:
         """Set the scene's parameters and effects to those of a point, and go back to it."""
-        scene = self.play.stage.scene
+        scene = self._stage.scene
         declared, effects = scene.declared_parameters(), scene.effects.names
         for name, value in parameters.items():
             if name in declared:
-                self.play.post(SetParameter(name, value))  # type: ignore[arg-type]
+                self._post(SetParameter(name, value))  # type: ignore[arg-type]
             elif name in effects:
-                self.play.post(SetEffect(name, bool(value)))
+                self._post(SetEffect(name, bool(value)))
         self.close()
 
     def _save_csv(self) -> None:
@@ -139,12 +139,12 @@ class AccuracyCard(PageScreen):
             folder.mkdir(parents=True, exist_ok=True)
             write_csv(self.run.table, folder / name)
         except OSError as error:
-            self.app.tell("Not saved.", str(error.strerror or error), "warning")
+            self.host.tell("Not saved.", str(error.strerror or error), "warning")
         else:
-            self.app.tell("Table saved", str(folder / name))
+            self.host.tell("Table saved", str(folder / name))
 
     def _save_picture(self) -> None:
         try:
-            self.app.pictures.save(self.page.picture(), self.run.study.name)
+            self.host.pictures.save(self.page.picture(), self.run.study.name)
         except OSError as error:
-            self.app.tell("Not saved.", str(error.strerror or error), "warning")
+            self.host.tell("Not saved.", str(error.strerror or error), "warning")

@@ -1,39 +1,35 @@
-"""The banner over a scene that was stopped: what went wrong, at which step, and a button that begins anew."""
+"""The banner over a scene that was stopped: what went wrong, at which step, and a button to begin again."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import pygame
 
+from game.app.screens.host import Host
 from game.ui.look.icons import icon
 from game.ui.look.shapes import draw_box, draw_shadow
 from game.ui.widgets.hotspots import Hotspot, Hotspots
-
-if TYPE_CHECKING:
-    from game.app.application import App
 
 HEIGHT, WIDEST, BUTTON = 48, 640, 72  # design px
 
 
 class FaultBanner:
-    """Shown at the top of the stage while there is a trouble; ``handle`` is True when reset is pressed."""
+    """Shown at the top of the stage while there is trouble; ``handle`` is True when reset is pressed."""
 
-    def __init__(self, app: App):
-        self.app = app
+    def __init__(self, host: Host):
+        self.host = host
         self.text = ""
         self.rect = pygame.Rect(0, 0, 0, 0)
         self.spots = Hotspots()
 
     def place(self, stage: pygame.Rect) -> None:
         """Take the stage's place."""
-        px = self.app.look.px
+        px = self.host.look.px
         self.rect = pygame.Rect(0, stage.y + px(16), max(0, min(px(WIDEST), stage.w - px(32))), px(HEIGHT))
         self.rect.centerx = stage.centerx
         self._place_button()
 
     def _place_button(self) -> None:
-        px = self.app.look.px
+        px = self.host.look.px
         button = pygame.Rect(0, 0, px(BUTTON), px(32))
         button.midright = (self.rect.right - px(8), self.rect.centery)
         self.spots.place([Hotspot("reset", button)] if self.text else [])
@@ -47,13 +43,13 @@ class FaultBanner:
         if text != self.text:
             self.text = text
             self._place_button()
-        self.spots.update(elapsed_s, self.app.look)
+        self.spots.update(elapsed_s, self.host.look)
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw the banner if there is something to say."""
-        if not self.text or self.rect.w < self.app.look.px(160):
+        if not self.text or self.rect.w < self.host.look.px(160):
             return
-        look, px, theme, rect = self.app.look, self.app.look.px, self.app.look.theme, self.rect
+        look, px, theme, rect = self.host.look, self.host.look.px, self.host.look.theme, self.rect
         draw_shadow(surface, rect, 5 * look.k, 2 * look.k, 0.4)
         draw_box(surface, rect, px(10), theme.panel, look.color("vermilion"), max(1, px(1.5)))
         sign = icon("warning", px(20), look.color("vermilion"))

@@ -30,9 +30,9 @@ class _Errand(NamedTuple):
 class Errands:
     """The errands of one scene, one after the other; only the window's thread may call this."""
 
-    def __init__(self, behind: bool) -> None:
-        """``behind``: False has everything done at once, for those who do not look on."""
-        self.behind = behind
+    def __init__(self, in_background: bool) -> None:
+        """``in_background``: False has everything done at once, for those who do not look on."""
+        self.in_background = in_background
         self.seconds = 0.0  # that the scene has stood still
         self._waiting: deque[_Errand] = deque()  # the first one is under way
         self._thread: threading.Thread | None = None
@@ -102,7 +102,7 @@ class Errands:
         """Do what is first in the row, and the next, until a thread is to be waited for."""
         while self._waiting and self._thread is None:
             work = self._waiting[0].work
-            if self.behind and not self._waiting[0].quick:
+            if self.in_background and not self._waiting[0].quick:
                 self._thread = threading.Thread(target=self._call, args=(work,), name="errand", daemon=True)
                 self._thread.start()
             else:

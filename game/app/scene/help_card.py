@@ -2,26 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
+from game.app.screens.host import Host
 from game.app.screens.page_screen import PageScreen
+from game.app.window.commands import COMMANDS, Actions
 from game.stage import Scene
 from game.ui.widgets.helppage import HelpPage
-
-if TYPE_CHECKING:
-    from game.app.application import App
-
-SHOWN = (
-    ("pause", "pause and go on"),
-    ("step", "one step"),
-    ("step-back", "one step back"),
-    ("reset", "begin anew"),
-    ("accuracy", "what accuracy costs"),
-    ("levels", "levels and hard cases"),
-    ("save", "save level and recording"),
-    ("open", "open what was saved"),
-    ("pause-menu", "all else"),
-)
 
 
 class HelpCard(PageScreen):
@@ -29,18 +16,16 @@ class HelpCard(PageScreen):
 
     called: ClassVar[str] = "Help"
 
-    def __init__(self, app: App, scene_type: type[Scene]):
+    def __init__(self, host: Host, scene_type: type[Scene]):
         rows = [
-            ((app.keys.label(name),), words)
-            for name, words in SHOWN
-            if name != "accuracy" or scene_type.study
+            ((host.keys.label(command.name),), command.label)
+            for command in COMMANDS
+            if command.helps and (command.name != "accuracy" or scene_type.study is not None)
         ]
         if "wheel" not in scene_type.takes:
             rows.append((("Wheel",), "zoom"))
-        super().__init__(app, HelpPage(app.look, scene_type, rows))
+        super().__init__(host, HelpPage(host.look, scene_type, rows))
 
-    def command(self, name: str) -> bool:
-        if name == "help":
-            self.close()
-            return True
-        return super().command(name)
+    @property
+    def actions(self) -> Actions:
+        return {**super().actions, "help": self.close}

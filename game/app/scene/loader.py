@@ -1,4 +1,4 @@
-"""Opening a scene behind the window's back: import, compile, build, while the main thread goes on drawing."""
+"""Opening a scene in the background: import, compile, build, while the main thread goes on drawing."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Loader:
-    """A thread that makes a scene's stage; ``progress`` tells how far it is."""
+    """A thread that makes a scene's stage; ``done`` of ``total`` says how far it is."""
 
     def __init__(self, entry: Entry, opening: Opening, canvas: CanvasWarming, look: Look, rect: pygame.Rect):
         """``look`` and ``rect``: how and where in the window the scene will be drawn."""
@@ -59,7 +59,7 @@ class Loader:
         return time.perf_counter() - self._began
 
     def stop(self) -> None:
-        """Stop before the next kernel; what is being compiled is finished behind the scenes."""
+        """Stop before the next kernel; what is being compiled is finished in the background."""
         self._stop.set()
 
     def wait(self, seconds: float | None = None) -> None:
@@ -85,7 +85,7 @@ class Loader:
     def _rehearse(self, scene_type: type[Scene]) -> None:
         """Play and draw a scene that is thrown away: what no list of kernels has named compiles here.
 
-        What fails here is told by the scene itself later.
+        What fails here, the scene itself says later.
         """
         import game.app.scene.play
         import game.ui.panel.panel  # noqa: F401

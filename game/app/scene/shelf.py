@@ -1,6 +1,6 @@
 """Levels and recordings of a scene in play: opened, watched, saved.
 
-All of it is done behind the window, as a large file takes longer than a frame; what is broken in one is told
+All of it is done in the background, as a large file takes longer than a frame; what is wrong with one is said
 in a line, and the scene goes on with what it had.
 """
 
@@ -8,96 +8,103 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from game.app.scene.in_play import InPlay
 from game.app.scene.variants import Variants
-from game.app.screens.choices import Row
+from game.app.screens.host import Host
 from game.app.stagehand import files
 from game.app.stagehand.opening import Opening
 from game.levels import Level, LevelError, load_level
 from game.stage import ParameterError, Recording, RecordingError, Scene, Stage
-
-if TYPE_CHECKING:
-    from game.app.scene.play import ScenePlay
+from game.ui.widgets.list_row import ListRow
 
 Act = Callable[[], object]
 PROBLEMS = (LevelError, RecordingError, ParameterError)
 
 
 class Shelf:
-    """Files of one scene in play."""
+    """Files of one scene in play. ``opened`` and ``saved`` are called when one has been."""
 
-    def __init__(self, play: ScenePlay) -> None:
-        self._play = play
+    def __init__(self, record: InPlay, host: Host, opened: Act, saved: Act) -> None:
+        self._record = record
+        self._host = host
+        self._opened = opened
+        self._saved = saved
 
     @property
     def present(self) -> Path | None:
         """File of the level in play."""
-        level = self._play.stage.level
+        level = self._record.stage.level
         return level.path if level is not None else None
 
-    def levels(self) -> list[Row]:
+    def levels(self) -> list[ListRow]:
         """Rows of the gallery."""
-        return files.level_rows(self._play.stage.scene_type)
+        return files.level_rows(self._record.stage.scene_type)
 
-    def saved(self) -> list[Row]:
+    def saved(self) -> list[ListRow]:
         """Rows of what was saved."""
-        return files.saved_rows(self._play.stage.scene_type.name)
+        return files.saved_rows(self._record.stage.scene_type.name)
 
     def open(self, path: Path) -> None:
         """Begin with a level, or watch a recording."""
-        self._play.cancel()
-        self._play.errands.work(lambda: self._read(Path(path)))
+        self._record.errands.work(lambda: self._read(Path(path)))
 
     def save(self) -> None:
         """Keep the present content as a level, and the session as a recording."""
-        self._play.errands.work(self._write, kept=True)
+        self._record.errands.work(self._write, kept=True)
 
     def _read(self, path: Path) -> Act:
         """Read and build what is in a file; what is then to be done with it."""
-        play = self._play
+        record = self._record
         try:
             if path.suffix == ".json":
                 recording = Recording.load(path)
-                stage = self._begin(recording)
-                return lambda: play.watch(stage, recording)
-            scene_type = play.stage.scene_type
+                replay = self._stage_of(recording)
+                return lambda: self._watch(replay, recording)
+            scene_type = record.stage.scene_type
             level = load_level(path, scene_type.name, scene_type.content_type)
-            scene = play.stage.scene_of(level)
-            play.variants.prepare_level(level)
+            scene = record.stage.scene_of(level)
+            record.variants.prepare_level(level)
         except PROBLEMS as error:
             return self._refusal("Not opened.", str(error))
         return lambda: self._begin_level(level, scene)
 
-    def _begin(self, recording: Recording) -> Stage:
-        """A stage at the beginning of a recording, with all compiled that will be wanted on the way."""
-        scene_type = self._play.stage.scene_type
+    def _stage_of(self, recording: Recording) -> Stage:
+        """A stage at the beginning of a recording, with all compiled that it needs on the way."""
+        scene_type = self._record.stage.scene_type
         if recording.scene != scene_type.name:
             raise RecordingError(None, "scene", f"of {recording.scene}")
         stage = Opening(recording=recording).make_stage(scene_type)
         Variants(stage).prepare(stamped.event for stamped in recording.events)
         return stage
 
+    def _watch(self, stage: Stage, recording: Recording) -> None:
+        """Play a recording, from its beginning, before the user's eyes."""
+        self._record.show(stage, recording)
+        self._host.tell("Replaying", f"{recording.steps} steps as they were recorded")
+        self._opened()
+
     def _begin_level(self, level: Level, scene: Scene) -> None:
         """Begin with a level that has been read and built."""
         try:
-            self._play.stage.load_level(level, scene)
+            self._record.stage.load_level(level, scene)
         except PROBLEMS as error:
             self._refusal("Not opened.", str(error))()
             return
-        self._play.begin_anew()
+        self._record.begin_level()
+        self._opened()
 
     def _write(self) -> Act:
-        """Write the scene as it stands; what is then to be told."""
+        """Write the scene as it stands; what is then to be said."""
         try:
-            path = files.save_all(self._play.stage)
+            path = files.save_all(self._record.stage)
         except PROBLEMS as error:
             return self._refusal("Not saved.", str(error))
         return lambda: self._have_saved(path)
 
     def _have_saved(self, path: Path) -> None:
-        self._play.offer_levels()
-        self._play.app.tell("Saved", f"{path.stem} in {path.parent}")
+        self._saved()
+        self._host.tell("Saved", f"{path.stem} in {path.parent}")
 
     def _refusal(self, cause: str, why: str) -> Act:
-        return lambda: self._play.app.tell(cause, why, "warning")
+        return lambda: self._host.tell(cause, why, "warning")

@@ -2,39 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import pygame
 
+from game.app.screens.host import Host
+from game.app.window.commands import COMMANDS
 from game.ui.look.beat import Beat
 from game.ui.look.layout import arrange
 from game.ui.look.pace import Pace
 from game.ui.widgets.hintbar import HintBar
 from game.ui.widgets.legend import Legend
+from game.ui.widgets.list_row import ListRow
 from game.ui.widgets.loading import LoadingCard, draw_shell
 from game.ui.widgets.tooltips import ToolTip
 from game.ui.widgets.topbar import BarState, TopBar
 
 if TYPE_CHECKING:
-    from game.app.application import App
-    from game.app.scene.loader import Loader
     from game.stage import Scene, Stage
     from game.stage.catalogue import Entry
     from game.ui.charts.strips import Strips
     from game.ui.panel.panel import Panel
 
-BEFORE_OWN = (("pause", "pause"), ("step", "step"), ("step-back", "step back"))
-AFTER_OWN = (("accuracy", "accuracy"), ("levels", "levels"), ("help", "help"))
+TRANSPORT = ("pause", "step", "step-back")  # their hints come before those of the scene's own
 
 
 class Shell:
     """The widgets of a scene's screen."""
 
-    def __init__(self, app: App, entry: Entry):
-        self.app = app
+    def __init__(self, host: Host, entry: Entry):
+        self.host = host
         self.entry = entry
-        look = app.look
+        look = host.look
         self.bar = TopBar(look)
         self.hints = HintBar(look)
         self.legend = Legend(look)
@@ -46,38 +46,40 @@ class Shell:
         self.panel: Panel | None = None
         self._grabbed = False
         self.place()
-        self.hints.show([((app.keys.label("back"),), "back to the menu")])
+        self.hints.show([((host.keys.label("back"),), "back to the menu")])
 
-    def open(self, stage: Stage, levels: Any) -> None:
+    def open(self, stage: Stage, levels: Sequence[ListRow]) -> None:
         """The scene is there: make what is built from its declarations."""
         from game.ui.charts.strips import Strips
         from game.ui.panel.panel import Panel
 
         scene_type = type(stage.scene)
-        self.strips = Strips(self.app.look, scene_type.strips)
-        self.panel = Panel(self.app.look, scene_type, levels)
+        self.strips = Strips(self.host.look, scene_type.strips)
+        self.panel = Panel(self.host.look, scene_type, levels)
         self.hints.show(self._hint_rows(scene_type))
         self.place()
 
     def _hint_rows(self, scene_type: type[Scene]) -> list[tuple[tuple[str, ...], str]]:
-        label = self.app.keys.label
-        rows: list[tuple[tuple[str, ...], str]] = [((label(name),), words) for name, words in BEFORE_OWN]
-        rows += [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
+        label = self.host.keys.label
+        before: list[tuple[tuple[str, ...], str]] = []
+        after: list[tuple[tuple[str, ...], str]] = []
+        for command in COMMANDS:
+            if command.hint and (command.name != "accuracy" or scene_type.study is not None):
+                rows = before if command.name in TRANSPORT else after
+                rows.append(((label(command.name),), command.hint))
+        own = [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
         if "wheel" not in scene_type.takes:
-            rows.append((("Wheel",), "zoom"))
-        after = [
-            (name, words) for name, words in AFTER_OWN if name != "accuracy" or scene_type.study is not None
-        ]
-        return rows + [((label(name),), words) for name, words in after]
+            own.append((("Wheel",), "zoom"))
+        return before + own + after
 
     def place(self) -> None:
         """Lay out for the present window, scale and theme."""
-        app, look = self.app, self.app.look
-        panel = app.settings.panel_in_games if self.entry.roomy else app.settings.panel
+        host, look = self.host, self.host.look
+        panel = host.settings.panel_in_games if self.entry.roomy else host.settings.panel
         strips = len(self.strips.strips) if self.strips is not None else 3
         if self.entry.roomy and not panel:
             strips = 0
-        self.layout = arrange(*app.window.size, look.k, panel=panel, strips=strips)
+        self.layout = arrange(*host.size, look.k, panel=panel, strips=strips)
         self.bar.place(self.layout.top_bar, look)
         self.hints.place(self.layout.hint_bar, look)
         for widget in (self.legend, self.tip, self.loading):
@@ -141,7 +143,7 @@ class Shell:
     def _bar_state(self, stage: Stage | None, measured: bool) -> BarState:
         """What the bar shows; ``measured``: with new numbers, which cost as much as some scenes' step."""
         panel = bool(self.layout.panel.w)
-        frame = ("frame", self.app.meter.median_s, "s")
+        frame = ("frame", self.host.meter.median_s, "s")
         if stage is None:
             empty = (("time", 0.0, "s"), ("step", 0.0, "s"), frame)
             return BarState(self.entry.task, self.entry.title, True, 1.0, panel, empty, ready=False)
@@ -169,20 +171,23 @@ class Shell:
     def draw_foot(self, surface: pygame.Surface) -> None:
         """The row of hints, cut where a message stands."""
         row = self.layout.hint_bar
-        taken = self.app.toasts.width(row.w)
-        self.hints.draw(surface, row.w - taken - self.app.look.px(16) if taken else None)
+        taken = self.host.toasts.width(row.w)
+        self.hints.draw(surface, row.w - taken - self.host.look.px(16) if taken else None)
 
-    def draw_loading(self, surface: pygame.Surface, loader: Loader) -> None:
-        """The shell before there is a scene, and how far its kernels are."""
-        draw_shell(surface, self.layout, self.app.look)
+    def draw_loading(self, surface: pygame.Surface, done: int, total: int, name: str, seconds: float) -> None:
+        """The shell before there is a scene, ``seconds`` after the beginning: ``done`` of ``total`` kernels.
+
+        ``name``: of the kernel that is being compiled.
+        """
+        draw_shell(surface, self.layout, self.host.look)
         self.loading.draw(
             surface,
             self.layout.free_stage,
             self.entry.title,
-            loader.done,
-            loader.total,
-            loader.name,
-            loader.seconds,
+            done,
+            total,
+            name,
+            seconds,
         )
         self.draw_foot(surface)
         self.bar.draw(surface)

@@ -1,4 +1,4 @@
-"""A study that runs behind the window, and what the accuracy page shows of it."""
+"""A study that runs in the background, and what the accuracy page shows of it."""
 
 from __future__ import annotations
 

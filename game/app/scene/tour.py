@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 import pygame
 
+from game.app.screens.host import Host
 from game.app.screens.screen import Screen
+from game.app.window.commands import Actions
 from game.ui.look.layout import Layout
 from game.ui.look.shapes import draw_box
 from game.ui.widgets import keycap
@@ -15,8 +18,7 @@ from game.ui.widgets.buttons import draw_button
 from game.ui.widgets.hotspots import Hotspot, Hotspots
 
 if TYPE_CHECKING:
-    from game.app.application import App
-    from game.app.scene.shell import Shell
+    pass
 
 CARD, PADDING, LINE, ROW = 360, 20, 20, 28  # design px
 BESIDE = 16  # design px between a part and its words
@@ -41,7 +43,7 @@ STOPS = (
     Stop(
         "top_bar", "Time is yours", "Stop it, go step by step, forwards and back, or let it run slowly.",
         ((("pause",), "stop and go on"), (("step", "step-back"), "one step, one step back"),
-         (("slower", "faster"), "1/16 to 4 times"), (("reset",), "begin anew")),
+         (("slower", "faster"), "1/16 to 4 times"), (("reset",), "begin again")),
     ),
     Stop(
         "panel", "Every number",
@@ -66,9 +68,9 @@ class TourScreen(Screen):
     called: ClassVar[str] = "The tour"
     overlay: ClassVar[bool] = True
 
-    def __init__(self, app: App, shell: Shell):
-        super().__init__(app)
-        self.shell = shell
+    def __init__(self, host: Host, layout: Callable[[], Layout]):
+        super().__init__(host)
+        self._layout = layout  # of the window now
         self.at = 0
         self.spots = Hotspots()
         self.restyle()
@@ -76,7 +78,7 @@ class TourScreen(Screen):
     @property
     def stops(self) -> list[Stop]:
         """The parts that there are in this window; a panel that is off is named last by its key."""
-        layout = self.shell.layout
+        layout = self._layout()
         stops = [stop for stop in STOPS if not stop.part or self._place(layout, stop.part).w > 0]
         if not layout.panel.w:
             stops[-1] = stops[-1]._replace(keys=(PANEL_OFF, *stops[-1].keys))
@@ -94,7 +96,7 @@ class TourScreen(Screen):
         return stops[min(self.at, len(stops) - 1)]
 
     def restyle(self) -> None:
-        px = self.app.look.px
+        px = self.host.look.px
         card = self.card
         right = card.right - px(PADDING)
         spots = []
@@ -108,8 +110,8 @@ class TourScreen(Screen):
     @property
     def card(self) -> pygame.Rect:
         """Where the words stand: beside what is lit, within the window."""
-        look, px = self.app.look, self.app.look.px
-        window = pygame.Rect((0, 0), self.app.window.size)
+        look, px = self.host.look, self.host.look.px
+        window = pygame.Rect((0, 0), self.host.size)
         lines = (
             look.fonts.wrap(self.stop.words, 13, "medium", px(CARD - 2 * PADDING)) if self.stop.words else []
         )
@@ -118,7 +120,7 @@ class TourScreen(Screen):
         if not self.stop.part:
             card.center = window.center
             return card
-        lit = self._place(self.shell.layout, self.stop.part)
+        lit = self._place(self._layout(), self.stop.part)
         if lit.h > window.h // 2 and lit.w > window.w // 2:
             card.midbottom = (lit.centerx, lit.bottom - px(BESIDE))
         elif lit.h > window.h // 2:
@@ -147,10 +149,9 @@ class TourScreen(Screen):
     def wants_key(self, event: pygame.Event) -> bool:
         return event.key not in (pygame.K_ESCAPE, pygame.K_F2, pygame.K_F11, pygame.K_F12)
 
-    def command(self, name: str) -> bool:
-        if name == "back":
-            self._end()
-        return name == "back"
+    @property
+    def actions(self) -> Actions:
+        return {"back": self._end}
 
     def _go(self, way: int) -> None:
         if self.at + way >= len(self.stops):
@@ -160,20 +161,20 @@ class TourScreen(Screen):
         self.restyle()
 
     def _end(self) -> None:
-        self.app.pop()
+        self.host.pop()
 
     def update(self, elapsed_s: float) -> None:
-        self.spots.update(elapsed_s, self.app.look)
+        self.spots.update(elapsed_s, self.host.look)
 
     # -- picture ------------------------------------------------------------------------------------
 
     def draw(self, surface: pygame.Surface) -> None:
         """Darken all but one part, ring it, and say what it is."""
-        look, px = self.app.look, self.app.look.px
+        look, px = self.host.look, self.host.look.px
         veil = pygame.Surface(surface.get_size(), pygame.SRCALPHA, 32)
         veil.fill(look.theme.scrim)
         if self.stop.part:
-            lit = self._place(self.shell.layout, self.stop.part)
+            lit = self._place(self._layout(), self.stop.part)
             veil.fill((0, 0, 0, 0), lit)
             surface.blit(veil, (0, 0))
             draw_box(surface, lit.inflate(-px(4), -px(4)), px(8), None, look.theme.accent, max(2, px(2)))
@@ -182,7 +183,7 @@ class TourScreen(Screen):
         self._draw_card(surface)
 
     def _draw_card(self, surface: pygame.Surface) -> None:
-        look, px, card = self.app.look, self.app.look.px, self.card
+        look, px, card = self.host.look, self.host.look.px, self.card
         draw_box(surface, card, px(12), look.theme.panel, look.theme.line2, look.border)
         x, y = card.x + px(PADDING), card.y + px(PADDING + 8)
         look.text(surface, self.stop.title, (x, y), 18, "display")
@@ -193,7 +194,7 @@ class TourScreen(Screen):
             y += px(LINE)
         y += px(8)
         for commands, words in self.stop.keys:
-            caps = [self.app.keys.label(command) for command in commands]
+            caps = [self.host.keys.label(command) for command in commands]
             keycap.draw_keys(surface, look, x, y, caps)
             look.text(surface, words, (x + px(112), y), 13, "medium", "text2")
             y += px(ROW)
@@ -211,4 +212,4 @@ class TourScreen(Screen):
             )  # fmt: skip
 
     def message_row(self) -> pygame.Rect:
-        return self.shell.layout.hint_bar
+        return self._layout().hint_bar

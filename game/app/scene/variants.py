@@ -42,7 +42,7 @@ class Variants:
                 active = active.with_(event.name) if event.on else active.without(event.name)
             if self.concerns(event) and self._key(values, active) not in self._known:
                 self._known.add(self._key(values, active))
-                with contextlib.suppress(Exception):  # what is wrong is told when the event itself comes
+                with contextlib.suppress(Exception):  # the event itself says what is wrong when it comes
                     self._try_out(values, active)
 
     def prepare_level(self, level: Level | None) -> None:

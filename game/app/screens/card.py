@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import pygame
 
+from game.app.screens.host import Host
 from game.app.screens.screen import Screen
+from game.app.window.commands import Actions
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot, Hotspots
 from game.ui.widgets.overlay import Overlay, draw_close
-
-if TYPE_CHECKING:
-    from game.app.application import App
 
 TITLE_Y, HEAD = 36, 72  # design px: the title's middle, and where the content begins
 
@@ -24,9 +23,9 @@ class CardScreen(Screen):
     height: ClassVar[float] = 600.0  # design px
     width: ClassVar[float] = 720.0
 
-    def __init__(self, app: App):
-        super().__init__(app)
-        self.veil = Overlay(app.look, self.height, self.width)
+    def __init__(self, host: Host):
+        super().__init__(host)
+        self.veil = Overlay(host.look, self.height, self.width)
         self.spots = Hotspots()
         self.leaving = False
         self._picture: pygame.Surface | None = None
@@ -50,17 +49,17 @@ class CardScreen(Screen):
         """Draw the content on the card's own surface (its corner is (0, 0))."""
 
     def state(self) -> object:
-        """What the content depends on besides the places; a change paints it anew."""
+        """What the content depends on besides the places; a change paints it again."""
         return None
 
     # -- screen -------------------------------------------------------------------------------------
 
     def restyle(self) -> None:
-        self.veil.place(pygame.Rect((0, 0), self.app.window.size), self.app.look)
+        self.veil.place(pygame.Rect((0, 0), self.host.size), self.host.look)
         self.refresh()
 
     def refresh(self) -> None:
-        """Place and paint everything anew."""
+        """Place and paint everything again."""
         self.spots.place([*self.places(), self.veil.close_spot()])
         self._picture = None
 
@@ -69,10 +68,9 @@ class CardScreen(Screen):
         self.leaving = True
         self.veil.leave()
 
-    def command(self, name: str) -> bool:
-        if name == "back":
-            self.close()
-        return name == "back"
+    @property
+    def actions(self) -> Actions:
+        return {"back": self.close}
 
     def handle(self, event: pygame.Event) -> None:
         if self.leaving:
@@ -92,9 +90,9 @@ class CardScreen(Screen):
         self.spots.pressed = None
 
     def update(self, elapsed_s: float) -> None:
-        self.spots.update(elapsed_s, self.app.look)
+        self.spots.update(elapsed_s, self.host.look)
         if not self.veil.update(elapsed_s):
-            self.app.pop()
+            self.host.pop()
 
     def draw(self, surface: pygame.Surface) -> None:
         self.veil.draw_veil(surface)
@@ -110,7 +108,7 @@ class CardScreen(Screen):
         return rect.move(-self.veil.card.x, -self.veil.card.y)
 
     def _paint_head(self, picture: pygame.Surface) -> None:
-        look, px = self.app.look, self.app.look.px
+        look, px = self.host.look, self.host.look.px
         room = picture.get_width() - px(32 + 64)
         look.text(
             picture, look.fonts.fit(self.heading, 20, "display", room), (px(32), px(TITLE_Y)), 20, "display"
@@ -124,7 +122,7 @@ class CardScreen(Screen):
         spot = self.spots.find(name)
         if spot is None:
             return
-        look, px, theme = self.app.look, self.app.look.px, self.app.look.theme
+        look, px, theme = self.host.look, self.host.look.px, self.host.look.theme
         rect, lit = self.inner(spot.rect), self.spots.hover(name)
         if primary:
             draw_box(picture, rect, px(8), theme.accent.lerp(theme.text1, 0.15 * lit))

@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
+from game.app.screens.host import Host
 from game.ui.look.shapes import draw_box, draw_disc
 from game.ui.widgets.hotspots import Hotspot
-
-if TYPE_CHECKING:
-    from game.app.application import App
+from game.ui.widgets.list_row import ListRow
 
 ROW, ROW_GAP, WHEEL_ROWS = 52, 4, 2  # design px; rows for a notch
-
-
-class Row(NamedTuple):
-    """One choice: title, words about it, a short id at the left, an amber mark for a hard case."""
-
-    title: str
-    about: str = ""
-    chip: str = ""
-    marked: bool = False
-    value: Any = None
 
 
 class ChoiceCard(CardScreen):
@@ -34,7 +23,12 @@ class ChoiceCard(CardScreen):
     width = 720.0
 
     def __init__(
-        self, app: App, heading: str, rows: Sequence[Row], chosen: Callable[[Any], None], present: Any = None
+        self,
+        host: Host,
+        heading: str,
+        rows: Sequence[ListRow],
+        chosen: Callable[[Any], object],
+        present: Any = None,
     ):
         self._heading = heading
         self.rows = tuple(rows)
@@ -42,7 +36,7 @@ class ChoiceCard(CardScreen):
         self._present = present
         self._first = 0
         self.focus = next((i for i, row in enumerate(self.rows) if row.value == present), 0)
-        super().__init__(app)
+        super().__init__(host)
         wanted = HEAD + len(self.rows) * (ROW + ROW_GAP) + 24
         self.veil.size = (self.width, min(max(wanted, 160), 640))
         self.restyle()
@@ -54,13 +48,13 @@ class ChoiceCard(CardScreen):
     @property
     def _fits(self) -> int:
         """Rows that there is room for."""
-        look = self.app.look
+        look = self.host.look
         return max(1, (self.veil.card.h - look.px(HEAD) - look.px(16)) // look.px(ROW + ROW_GAP))
 
     def places(self) -> list[Hotspot]:
         self._first = min(max(self._first, self.focus - self._fits + 1, 0), max(self.focus, 0))
         self._first = max(0, min(self._first, len(self.rows) - self._fits))
-        px, card = self.app.look.px, self.veil.card
+        px, card = self.host.look.px, self.veil.card
         spots = []
         for i in range(self._first, min(self._first + self._fits, len(self.rows))):
             y = card.y + px(HEAD) + (i - self._first) * px(ROW + ROW_GAP)
@@ -73,8 +67,7 @@ class ChoiceCard(CardScreen):
     def handle(self, event: pygame.Event) -> None:
         step = 0
         if event.type == pygame.KEYDOWN:
-            step = {pygame.K_DOWN: 1, pygame.K_UP: -1, pygame.K_PAGEDOWN: self._fits,
-                    pygame.K_PAGEUP: -self._fits}.get(event.key, 0)  # fmt: skip
+            step = self._steps().get(event.key, 0)
             if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self.rows and not self.leaving:
                 self.pressed(f"row-{self.focus}")
                 return
@@ -88,6 +81,17 @@ class ChoiceCard(CardScreen):
         if event.type == pygame.MOUSEMOTION and (self.spots.hovered or "").startswith("row-"):
             self.focus = int(str(self.spots.hovered)[4:])
 
+    def _steps(self) -> dict[int, int]:
+        """How far each key moves the choice; it stays within the list."""
+        return {
+            pygame.K_DOWN: 1,
+            pygame.K_UP: -1,
+            pygame.K_PAGEDOWN: self._fits,
+            pygame.K_PAGEUP: -self._fits,
+            pygame.K_HOME: -len(self.rows),
+            pygame.K_END: len(self.rows),
+        }
+
     def pressed(self, name: str) -> None:
         if name.startswith("row-") and not self.leaving:
             value = self.rows[int(name[4:])].value
@@ -95,7 +99,7 @@ class ChoiceCard(CardScreen):
             self._chosen(value)
 
     def paint(self, picture: pygame.Surface) -> None:
-        look, px = self.app.look, self.app.look.px
+        look, px = self.host.look, self.host.look.px
         if not self.rows:
             look.text(picture, "There is nothing here yet.", (px(32), px(HEAD + 20)), 13, "medium", "text2")
         for spot in self.spots.spots:
@@ -110,7 +114,7 @@ class ChoiceCard(CardScreen):
             draw_box(picture, thumb, px(2), look.theme.line2)
 
     def _paint_row(self, picture: pygame.Surface, rect: pygame.Rect, i: int) -> None:
-        look, px, row = self.app.look, self.app.look.px, self.rows[i]
+        look, px, row = self.host.look, self.host.look.px, self.rows[i]
         if i == self.focus:
             draw_box(picture, rect, px(8), look.theme.accent_soft)
         x, right = rect.x + px(12), rect.right - px(12)

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
-from game.app.window.keys import COMMANDS, chord_of
+from game.app.screens.host import Host
+from game.app.window.commands import COMMANDS
+from game.app.window.keys import chord_of
 from game.ui.look.shapes import draw_box
 from game.ui.widgets import keycap
 from game.ui.widgets.hotspots import Hotspot
-
-if TYPE_CHECKING:
-    from game.app.application import App
 
 GESTURES = (
     (("Wheel",), "zoom"),
@@ -39,8 +38,8 @@ class KeysCard(CardScreen):
 
     called: ClassVar[str] = "The card of keys"
 
-    def __init__(self, app: App):
-        super().__init__(app)
+    def __init__(self, host: Host):
+        super().__init__(host)
         self.waiting = ""  # the command whose key is awaited
         self._first = 0  # of the rows that are seen, if not all are
         self.veil.size = (self.width, HEAD + ROW * (ROWS + 1) // 2 + 64)
@@ -51,13 +50,13 @@ class KeysCard(CardScreen):
         return "Keys"
 
     def state(self) -> object:
-        return self.waiting, self._first, tuple(self.app.settings.keys.items())
+        return self.waiting, self._first, tuple(self.host.settings.keys.items())
 
     # -- places -------------------------------------------------------------------------------------
 
     @property
     def _columns(self) -> int:
-        return 1 if self.veil.card.w < self.app.look.px(ONE_COLUMN) else 2
+        return 1 if self.veil.card.w < self.host.look.px(ONE_COLUMN) else 2
 
     @property
     def _half(self) -> int:
@@ -67,19 +66,19 @@ class KeysCard(CardScreen):
     @property
     def _height(self) -> int:
         """Height of a row, window px: less in a low window."""
-        px = self.app.look.px
+        px = self.host.look.px
         fits = (self.veil.card.h - px(HEAD - 4 + FOOT)) // self._half
         return min(px(ROW), max(px(LEAST_ROW), fits))
 
     @property
     def _fits(self) -> int:
         """Rows of a column that there is room for."""
-        px = self.app.look.px
+        px = self.host.look.px
         return max(1, (self.veil.card.h - px(HEAD - 4 + FOOT)) // self._height)
 
     def _row(self, i: int) -> pygame.Rect:
         """The i-th row, on the card's own surface."""
-        px = self.app.look.px
+        px = self.host.look.px
         column = (self.veil.card.w - px(64)) // self._columns
         down = (i % self._half - self._first) * self._height
         return pygame.Rect(
@@ -97,14 +96,14 @@ class KeysCard(CardScreen):
             self.refresh()
 
     def places(self) -> list[Hotspot]:
-        px, card = self.app.look.px, self.veil.card
+        px, card = self.host.look.px, self.veil.card
         self._first = min(self._first, max(0, self._half - self._fits))
         spots = [
             Hotspot(command.name, self._row(i).move(card.topleft))
             for i, command in enumerate(COMMANDS)
             if self._inside(i)
         ]
-        if self.app.settings.keys:
+        if self.host.settings.keys:
             button = pygame.Rect(card.right - px(32 + 128), card.bottom - px(48), px(128), px(32))
             spots.append(Hotspot(DEFAULTS, button))
         return spots
@@ -114,7 +113,7 @@ class KeysCard(CardScreen):
     def pressed(self, name: str) -> None:
         if name == DEFAULTS:
             self.waiting = ""
-            self.app.change_keys({})
+            self.host.change_keys({})
         else:
             self.waiting = "" if name == self.waiting else name
 
@@ -143,16 +142,16 @@ class KeysCard(CardScreen):
         if event.key == pygame.K_ESCAPE:
             return
         try:
-            self.app.change_keys(self.app.keys.changed_by(name, chord_of(event)))
+            self.host.change_keys(self.host.keys.changed_by(name, chord_of(event)))
         except ValueError as error:
-            self.app.tell("The key stays.", f"{error}.", "warning")
+            self.host.tell("The key stays.", f"{error}.", "warning")
 
     # -- picture ------------------------------------------------------------------------------------
 
     def paint(self, picture: pygame.Surface) -> None:
-        look, px = self.app.look, self.app.look.px
+        look, px = self.host.look, self.host.look.px
         beside = px(NARROW_WORDS if self.veil.card.w < px(NARROW) else WORDS)
-        rows = [((self.app.keys.label(c.name),), c.label, c.name) for c in COMMANDS]
+        rows = [((self.host.keys.label(c.name),), c.label, c.name) for c in COMMANDS]
         rows += [(keys, words, "") for keys, words in GESTURES]
         for i, (keys, words, name) in enumerate(rows):
             if not self._inside(i):
@@ -175,7 +174,7 @@ class KeysCard(CardScreen):
 
     def _paint_ground(self, picture: pygame.Surface, row: pygame.Rect, name: str) -> None:
         """What shows that a row can be pressed, has the focus, or waits."""
-        px, theme = self.app.look.px, self.app.look.theme
+        px, theme = self.host.look.px, self.host.look.theme
         if not name:
             return
         lit = 1.0 if name == self.waiting else self.spots.hover(name)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import ClassVar, Protocol
 
 import pygame
 
+from game.app.screens.host import Host
 from game.app.screens.screen import Screen
+from game.app.window.commands import Actions
 from game.ui.look.look import Look
-from game.ui.widgets.commands import Command
-
-if TYPE_CHECKING:
-    from game.app.application import App
+from game.ui.widgets.wishes import Wish
 
 
 class Page(Protocol):
@@ -19,7 +18,7 @@ class Page(Protocol):
 
     def place(self, window: pygame.Rect, look: Look) -> None: ...
 
-    def handle(self, event: pygame.Event) -> Command | None: ...
+    def handle(self, event: pygame.Event) -> Wish | None: ...
 
     def update(self, dt_s: float) -> bool: ...
 
@@ -33,16 +32,16 @@ class PageScreen(Screen):
 
     overlay: ClassVar[bool] = True
 
-    def __init__(self, app: App, page: Page):
-        super().__init__(app)
+    def __init__(self, host: Host, page: Page):
+        super().__init__(host)
         self.page = page
         self.leaving = False
         self.restyle()
 
     def restyle(self) -> None:
-        self.page.place(pygame.Rect((0, 0), self.app.window.size), self.app.look)
+        self.page.place(pygame.Rect((0, 0), self.host.size), self.host.look)
 
-    def fulfil(self, wish: Command) -> None:
+    def fulfil(self, wish: Wish) -> None:
         """A command of the page that is not ``close``."""
 
     def close(self) -> None:
@@ -50,10 +49,9 @@ class PageScreen(Screen):
         self.leaving = True
         self.page.leave()
 
-    def command(self, name: str) -> bool:
-        if name == "back":
-            self.close()
-        return name == "back"
+    @property
+    def actions(self) -> Actions:
+        return {"back": self.close}
 
     def handle(self, event: pygame.Event) -> None:
         if self.leaving:
@@ -68,7 +66,7 @@ class PageScreen(Screen):
 
     def update(self, elapsed_s: float) -> None:
         if not self.page.update(elapsed_s):
-            self.app.pop()
+            self.host.pop()
 
     def draw(self, surface: pygame.Surface) -> None:
         self.page.draw(surface)

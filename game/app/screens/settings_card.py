@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple
 
 import pygame
 
 from game.app.screens.card import HEAD, CardScreen
+from game.app.screens.host import Host
 from game.app.window.settings import settings_path
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
-
-if TYPE_CHECKING:
-    from game.app.application import App
 
 ROW, LEAST_ROW, FOOT = 56, 36, 48  # design px
 LABELS, FEW_LABELS, ROOMY = 260, 116, 560  # design px: before the segments; with words; of a card's width
@@ -45,8 +43,8 @@ class SettingsCard(CardScreen):
 
     called: ClassVar[str] = "The settings"
 
-    def __init__(self, app: App):
-        super().__init__(app)
+    def __init__(self, host: Host):
+        super().__init__(host)
         self.veil.size = (self.width, HEAD + ROW * len(LINES) + FOOT + 16)
         self.restyle()
 
@@ -57,30 +55,30 @@ class SettingsCard(CardScreen):
     @property
     def _roomy(self) -> bool:
         """Whether there is room for words about each line."""
-        return self.veil.card.w >= self.app.look.px(ROOMY)
+        return self.veil.card.w >= self.host.look.px(ROOMY)
 
     @property
     def _row(self) -> int:
         """Height of a line, window px: less in a low window."""
-        px = self.app.look.px
+        px = self.host.look.px
         fits = (self.veil.card.h - px(HEAD)) // len(LINES)
         return min(px(ROW), max(px(LEAST_ROW), fits))
 
     def _chosen(self) -> set[str]:
-        settings = self.app.settings
+        settings = self.host.settings
         return {
             f"theme-{settings.theme}",
             f"scale-{settings.ui_scale:g}",
             f"volume-{settings.volume:g}",
             "motion-less" if settings.less_motion else "motion-all",
-            "screen-full" if self.app.window.full_screen else "screen-window",
+            "screen-full" if self.host.full_screen else "screen-window",
         }
 
     def state(self) -> object:
         return tuple(sorted(self._chosen()))
 
     def places(self) -> list[Hotspot]:
-        px, card = self.app.look.px, self.veil.card
+        px, card = self.host.look.px, self.veil.card
         spots = []
         left = card.x + px(LABELS if self._roomy else FEW_LABELS)
         room = max(card.right - px(32) - left, 1)
@@ -93,26 +91,26 @@ class SettingsCard(CardScreen):
 
     def pressed(self, name: str) -> None:
         kind, _, value = name.partition("-")
-        settings = self.app.settings
+        settings = self.host.settings
         if kind == "keys":
-            self.app.open_keys()
+            self.host.open_keys()
             return
         if kind == "theme":
             settings.theme = "light" if value == "light" else "dark"
         elif kind == "scale":
             settings.ui_scale = float(value)
         elif kind == "volume":
-            settings.volume = self.app.sounds.volume = float(value)
-            self.app.sounds.prepare()
+            settings.volume = self.host.sounds.volume = float(value)
+            self.host.sounds.prepare()
         elif kind == "motion":
             settings.less_motion = value == "less"
-        elif (value == "full") != self.app.window.full_screen:
-            self.app.toggle_full_screen()
-        self.app.save_settings()
-        self.app.restyle()
+        elif (value == "full") != self.host.full_screen:
+            self.host.toggle_full_screen()
+        self.host.save_settings()
+        self.host.restyle()
 
     def paint(self, picture: pygame.Surface) -> None:
-        look, px = self.app.look, self.app.look.px
+        look, px = self.host.look, self.host.look.px
         chosen = self._chosen()
         for i, line in enumerate(LINES):
             y = px(HEAD) + i * self._row + self._row // 2 - px(4)
@@ -130,14 +128,14 @@ class SettingsCard(CardScreen):
                     )
         if picture.get_height() - px(HEAD) - self._row * len(LINES) < px(FOOT):
             return
-        where = f"Kept in {settings_path(self.app.folder)}"
+        where = f"Kept in {settings_path(self.host.folder)}"
         where = look.fonts.fit(where, 12, "medium", picture.get_width() - px(64))
         look.text(picture, where, (px(32), picture.get_height() - px(28)), 12, "medium", "text3")
 
     def _paint_segment(
         self, picture: pygame.Surface, rect: pygame.Rect, words: str, on: bool, lit: float
     ) -> None:
-        look, px, theme = self.app.look, self.app.look.px, self.app.look.theme
+        look, px, theme = self.host.look, self.host.look.px, self.host.look.theme
         inner = rect.inflate(-px(4), -px(4))
         color = theme.text2
         if on:

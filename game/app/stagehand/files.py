@@ -6,10 +6,10 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from game.app.screens.choices import Row
 from game.app.stagehand.level_index import level_heads
 from game.folders import user_folder
 from game.levels import Level, save_level
+from game.ui.widgets.list_row import ListRow
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -51,23 +51,23 @@ def save_all(stage: Stage) -> Path:
     return path
 
 
-def level_rows(scene_type: type[Scene]) -> list[Row]:
+def level_rows(scene_type: type[Scene]) -> list[ListRow]:
     """The scene's levels and the user's own, to choose from."""
     return [
-        Row(head.title, head.about, head.hard_case or head.stars, bool(head.hard_case), head.path)
+        ListRow(head.title, head.about, head.hard_case or head.stars, bool(head.hard_case), head.path)
         for head in level_heads(scene_type.name)
     ]
 
 
-def saved_rows(scene_name: str) -> list[Row]:
+def saved_rows(scene_name: str) -> list[ListRow]:
     """What the user has saved of a scene, the newest first: levels and recordings."""
     levels = [
-        Row(head.title, head.path.name, "level", False, head.path)
+        ListRow(head.title, head.path.name, "level", False, head.path)
         for head in level_heads(scene_name)
         if user_folder() in head.path.parents
     ]
     recordings = [
-        Row(path.stem.removeprefix(f"{scene_name}-"), path.name, "recording", False, path)
+        ListRow(path.stem.removeprefix(f"{scene_name}-"), path.name, "recording", False, path)
         for path in recordings_folder().glob(f"{scene_name}-*.json")
     ]
     return sorted(levels + recordings, key=lambda row: row.value.name.rpartition("saved-")[2], reverse=True)

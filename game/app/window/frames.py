@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import deque
 from statistics import median
@@ -45,8 +46,8 @@ class FrameMeter:
 
     @property
     def median_s(self) -> float:
-        """Half of the frames took less."""
-        return median(self._spent) if self._spent else 0.0
+        """Half of the frames took less; nan if there is none yet."""
+        return median(self._spent) if self._spent else math.nan
 
     @property
     def worst_s(self) -> float:
@@ -54,5 +55,5 @@ class FrameMeter:
         return max(self._spent, default=0.0)
 
     def clear(self) -> None:
-        """Begin anew, after something that has nothing to do with what is drawn now."""
+        """Begin again, after something that has nothing to do with what is drawn now."""
         self._spent.clear()

@@ -1,6 +1,6 @@
 """Nothing that a scene, an overlay, a study or a card raises ends the program: here it is caught, and kept.
 
-Whoever calls such code does so within `Guard.over`. What raises is told in a line by who called it, and its
+Whoever calls such code does so within `Guard.over`. Who called it says in a line what was raised, and its
 traceback is written into a file in the user's folder, once for each place that fails. KeyboardInterrupt and
 SystemExit are no failures: they pass.
 """
@@ -19,7 +19,7 @@ from game.folders import user_folder
 
 NAME = "failures.txt"
 MOST_KEPT = 20  # tracebacks that one run of the program writes
-MOST_BYTES = 1 << 18  # of the file, after which it begins anew
+MOST_BYTES = 1 << 18  # of the file, after which it begins again
 LONGEST = 160  # characters of what an exception says
 
 
@@ -42,7 +42,7 @@ class Failure(NamedTuple):
         return f"Details in {_from_home(self.file)}." if self.file is not None else ""
 
     @property
-    def told(self) -> str:
+    def message(self) -> str:
         """Both, for a message of one line."""
         return " ".join(part for part in (self.where, self.words) if part)
 

@@ -12,6 +12,8 @@ from typing import Any, NamedTuple
 
 import pygame
 
+from game.app.window.commands import BY_NAME, COMMANDS
+
 
 class Chord(NamedTuple):
     """A key by its place, with or without Ctrl (Cmd on a Mac)."""
@@ -19,40 +21,6 @@ class Chord(NamedTuple):
     scancode: int
     control: bool = False
 
-
-class Command(NamedTuple):
-    """Something a key does in the whole program: its name, its words, its key unless the settings differ."""
-
-    name: str
-    label: str
-    key: str
-
-
-COMMANDS = (
-    Command("pause", "pause and go on", "space"),
-    Command("step", "one step", "period"),
-    Command("step-back", "one step back", "comma"),
-    Command("reset", "reset", "backspace"),
-    Command("pause-menu", "what can be done", "p"),
-    Command("slower", "slower", "minus"),
-    Command("faster", "faster", "equals"),
-    Command("view", "whole view", "home"),
-    Command("accuracy", "what accuracy costs", "a"),
-    Command("levels", "levels and hard cases", "l"),
-    Command("panel", "panel on and off", "tab"),
-    Command("next", "next scene", "pagedown"),
-    Command("previous", "previous scene", "pageup"),
-    Command("save", "save level and recording", "ctrl+s"),
-    Command("open", "open level or recording", "ctrl+o"),
-    Command("help", "help", "f1"),
-    Command("tour", "tour of the window", "f3"),
-    Command("theme", "dark or light", "f2"),
-    Command("settings", "settings", "f10"),
-    Command("full-screen", "full screen", "f11"),
-    Command("screenshot", "picture", "f12"),
-    Command("back", "back", "escape"),
-    Command("quit", "leave Carom", "ctrl+q"),
-)
 
 _PLACES = {
     name.removeprefix("KSCAN_").lower(): getattr(pygame, name)
@@ -82,12 +50,11 @@ class Keys:
         A key that was given to another command is taken from the one that has it by default.
         """
         changed = dict(changed or {})
-        defaults = {command.name: command.key for command in COMMANDS}
         self.chords: dict[str, Chord] = {}
         self._commands: dict[Chord, str] = {}
         for name, word in changed.items():
-            if name not in defaults:
-                raise ValueError(f"keys.{name}: no such command; there are {', '.join(defaults)}")
+            if name not in BY_NAME:
+                raise ValueError(f"keys.{name}: no such command; there are {', '.join(BY_NAME)}")
             try:
                 chord = parse_chord(word)
             except ValueError as error:
@@ -95,9 +62,9 @@ class Keys:
             if chord in self._commands:
                 raise ValueError(f"keys.{name}: {word} is also the key of {self._commands[chord]}")
             self._bind(name, chord)
-        for name, word in defaults.items():
-            if name not in changed and parse_chord(word) not in self._commands:
-                self._bind(name, parse_chord(word))
+        for command in COMMANDS:
+            if command.name not in changed and parse_chord(command.key) not in self._commands:
+                self._bind(command.name, parse_chord(command.key))
 
     def _bind(self, name: str, chord: Chord) -> None:
         self.chords[name] = chord
@@ -128,8 +95,7 @@ class Keys:
             if old is not None:
                 chords[other] = old
         chords[name] = chord
-        defaults = {command.name: parse_chord(command.key) for command in COMMANDS}
-        return {n: chord_word(c) for n, c in chords.items() if c != defaults[n]}
+        return {n: chord_word(c) for n, c in chords.items() if c != parse_chord(BY_NAME[n].key)}
 
 
 def chord_word(chord: Chord) -> str:

@@ -70,7 +70,7 @@ class CanvasBase:
         self.surface.set_clip(self._old_clip)
 
     def figure(self, place: Hashable, words: str) -> str:
-        """Words with a measured number: those written at this place when numbers last were taken anew."""
+        """Words with a measured number: those written at this place when numbers last were taken again."""
         return self._figures.setdefault(place, words)
 
     @contextmanager

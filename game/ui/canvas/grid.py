@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
+from game.ui.canvas.base import CanvasBase
 from game.ui.look.numerals import MINUS, format_number
-
-if TYPE_CHECKING:
-    from game.ui.canvas.canvas import Canvas
 
 CLOSEST = 72.0  # design px between lines
 MOST_LINES = 400
@@ -25,7 +22,7 @@ def round_spacing(least: float) -> float:
     return 10.0 * power
 
 
-def draw_grid(canvas: Canvas, spacing: float | None, labels: str) -> None:
+def draw_grid(canvas: CanvasBase, spacing: float | None, labels: str) -> None:
     """Draw lines 1 px wide on whole pixels; at the right the heights, at the foot the widths."""
     camera, rect, surface = canvas.camera, canvas.rect, canvas.surface
     if spacing is None or not (math.isfinite(spacing) and spacing > 0.0):
@@ -59,7 +56,7 @@ def _number(value: float, spacing: float) -> str:
     return f"{value:.{decimals}f}".replace("-", MINUS) if abs(value) > 0.5 * spacing else "0"
 
 
-def _draw_number(canvas: Canvas, place: float, upright: bool, text: str) -> None:
+def _draw_number(canvas: CanvasBase, place: float, upright: bool, text: str) -> None:
     """A number with its unit: above its line at the right end, or at the foot of an upright line."""
     rect, k, insets = canvas.rect, canvas.k, canvas.insets
     if upright:

@@ -19,10 +19,10 @@ from game.ui.look.numerals import format_si
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.buttons import HEIGHT as BUTTON
 from game.ui.widgets.buttons import draw_button
-from game.ui.widgets.commands import Command
 from game.ui.widgets.hotspots import Hotspot, Hotspots
 from game.ui.widgets.loading import seconds_text
 from game.ui.widgets.overlay import Overlay, draw_close
+from game.ui.widgets.wishes import Wish
 
 TITLE = "What accuracy costs"
 CARD, PADDING, FOOT = 608, 32, 72  # design px
@@ -86,7 +86,7 @@ class AccuracyPage:
         self.spots.update(dt_s, self.look)
         return self.overlay.update(dt_s)
 
-    def handle(self, event: pygame.event.Event) -> Command | None:
+    def handle(self, event: pygame.event.Event) -> Wish | None:
         """The command of an event, if it makes one."""
         if event.type in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             at = (event.pos[0] - self.overlay.card.x, event.pos[1] - self.overlay.card.y)
@@ -94,16 +94,16 @@ class AccuracyPage:
             if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
                 self._pressed = self._point
                 if not self.overlay.card.collidepoint(event.pos):
-                    return Command("close")
+                    return Wish("close")
             elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
                 pressed, self._pressed = self._pressed, None
                 if pressed is not None and pressed == self._point:
                     i, j = pressed
-                    return Command("point", dict(self.data.series[i].runs[j].parameters))
+                    return Wish("point", dict(self.data.series[i].runs[j].parameters))
         name = self.spots.handle(event)
         if name is not None and name.startswith("study-"):
-            return Command("study", int(name.removeprefix("study-")))
-        return Command(name) if name is not None else None
+            return Wish("study", int(name.removeprefix("study-")))
+        return Wish(name) if name is not None else None
 
     def _clickable(self, hit: tuple[int, int] | None) -> tuple[int, int] | None:
         """Only a point that says how to set the scene."""

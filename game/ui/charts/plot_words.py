@@ -8,17 +8,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import pygame
 
 from game.ui.charts.plot_data import PlotSeries, Present
+from game.ui.charts.plot_frame import PlotFrame
 from game.ui.charts.plot_marks import Brush
 from game.ui.look.numerals import format_si
 from game.ui.look.shapes import draw_box
-
-if TYPE_CHECKING:
-    from game.ui.charts.plot import WorkPrecisionPlot
 
 # Where a slope may stand from a point, in its own widths and heights; where the leader ends, design px.
 BESIDE = ((0.6, -1.1), (-0.6, 1.3), (0.9, -0.2), (-0.9, 0.3))
@@ -35,7 +32,7 @@ WORD_UNDER, MARK_UNDER, LINE_UNDER = 20, 2, 1  # what these cost under words
 class PlotWords:
     """Places the words of one plot and remembers what is taken."""
 
-    def __init__(self, plot: WorkPrecisionPlot, surface: pygame.Surface, brush: Brush) -> None:
+    def __init__(self, plot: PlotFrame, surface: pygame.Surface, brush: Brush) -> None:
         self.plot, self.look, self.surface, self.brush = plot, plot.look, surface, brush
         self._busy = [plot.place(i, p) for i, one in enumerate(plot.series) for p in one.points]
         self._ways = [way for i, one in enumerate(plot.series) for way in self._lines(i, one)]

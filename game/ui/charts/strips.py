@@ -3,7 +3,7 @@
 Three rules with their numbers at the left, a line for each series with its last point, the first one over a
 fading ground, exact values dashed; name and value stand at the line's end, pushed apart. In a low window only
 the last values are shown.
-Each chart is drawn anew twenty times a second, which is one pixel of its way, and never two in one frame;
+Each chart is redrawn twenty times a second, which is one pixel of its way, and never two in one frame;
 values are those of the moment at which all numbers in the window change.
 """
 
@@ -97,7 +97,7 @@ class Strips:
         return picture
 
     def _paint_column(self, picture: pygame.Surface, layout: Layout, i: int, stage: Stage) -> None:
-        """One chart anew, within its column."""
+        """One chart again, within its column."""
         place = layout.charts[i].move(-layout.strips.x, -layout.strips.y)
         inside = pygame.Rect(place.x, self.look.border, place.w, place.h - self.look.border)
         picture.fill(self.look.theme.panel, inside)

@@ -12,7 +12,7 @@ BEAT_S = 0.25  # s between changes of the shown numbers
 
 
 class Beat:
-    """Says in which pictures numbers are taken anew: ``fresh``."""
+    """Says in which pictures numbers are taken again: ``fresh``."""
 
     def __init__(self) -> None:
         self.fresh = True

@@ -6,7 +6,7 @@ import pygame
 
 from game.ui.look.fonts import FontBook
 from game.ui.look.measures import Metrics, metrics
-from game.ui.look.theme import DataColor, Theme
+from game.ui.look.theme import DataColor, Theme, color_names
 
 
 class Look:
@@ -37,7 +37,7 @@ class Look:
             return found.text if words else found.mark
         if isinstance(found, pygame.Color):
             return found
-        raise ValueError(f"colour {token!r}: the theme has no such token")
+        raise ValueError(f"colour {token!r}: expected one of {', '.join(color_names(self.theme))}")
 
     def text(
         self,

@@ -34,7 +34,7 @@ class Quantity(NamedTuple):
 def format_number(value: float, digits: int = 3) -> str:
     """A number for people: ``digits`` significant digits, narrow groups of three, a true minus.
 
-    Whole numbers and the whole part of a fraction are never rounded; beyond a milliard or below 10^-4 a
+    Whole numbers and the whole part of a fraction are never rounded; beyond a billion or below 10^-4 a
     power of ten is written. Not a number shows as a dash, infinity as its sign.
     """
     if isinstance(value, Integral):

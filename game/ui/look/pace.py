@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:  # a menu needs no compiler
+if TYPE_CHECKING:
     from game.stage import Stage
 
 WINDOW_S = 1.0  # of real time over which it is measured, at least
@@ -23,7 +23,7 @@ class Pace:
         self._begin_s = self._last_s = 0.0  # simulated time at the window's begin, and at the last look
 
     def pass_time(self, real_s: float, stage: Stage) -> None:
-        """Let real time pass. A pause, another speed and a jump in time (a step back, a reset) begin anew."""
+        """Let real time pass. A pause, another speed and a jump in time begin again."""
         still = stage.paused or stage.fault is not None
         if still or stage.speed != self._asked or stage.time_s < self._last_s:
             self.speed = None

@@ -9,7 +9,7 @@ has a marker shape, because colour never speaks alone.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 import pygame
@@ -227,6 +227,12 @@ def theme_named(name: str) -> Theme:
         return THEMES[name]
     except KeyError:
         raise ValueError(f"theme: {name!r} is not one of {', '.join(THEMES)}") from None
+
+
+def color_names(theme: Theme) -> list[str]:
+    """What `Look.color` and a scene's canvas take as the name of a colour."""
+    found = ((field.name, getattr(theme, field.name)) for field in fields(theme))
+    return [name for name, value in found if isinstance(value, Color | DataColor)]
 
 
 def mix(a: Color, b: Color, t: float) -> Color:

@@ -25,6 +25,7 @@ from game.ui.panel.rows import (
 from game.ui.panel.slider import SliderRow
 from game.ui.panel.switch import toggle_row
 from game.ui.panel.table import HEADER, LegendRow, TableLine
+from game.ui.widgets.list_row import ListRow
 
 UNGROUPED = "Parameters"
 LEVEL = ""  # name of the drop-down of levels
@@ -36,7 +37,7 @@ class Contents(NamedTuple):
     what stands of legend and table."""
 
     source: Source
-    levels: tuple[Any, ...]
+    levels: tuple[ListRow, ...]
     measures: tuple[str, ...]
     costs: EffectCosts
     legend: tuple[str, ...] = ()  # words of the rows, for a scene that has its legend here

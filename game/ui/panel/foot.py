@@ -6,8 +6,8 @@ import pygame
 
 from game.ui.look.look import Look
 from game.ui.widgets.buttons import HEIGHT, draw_button
-from game.ui.widgets.commands import Command
 from game.ui.widgets.hotspots import Hotspot, Hotspots
+from game.ui.widgets.wishes import Wish
 
 PADDING, GAP, RESET = 16, 8, 80  # design px
 WORDS = {"accuracy": "What accuracy costs", "defaults": "Reset"}
@@ -41,12 +41,12 @@ class PanelFoot:
             spots.insert(0, Hotspot("accuracy", wide, True, "Error against computing time, of this scene"))
         self.spots.place(spots)
 
-    def handle(self, event: pygame.event.Event) -> Command | None:
+    def handle(self, event: pygame.event.Event) -> Wish | None:
         """The command of a press, if the event makes one."""
         if event.type == pygame.KEYDOWN:
             return None
         name = self.spots.handle(event)
-        return Command(name) if name is not None else None
+        return Wish(name) if name is not None else None
 
     def update(self, dt_s: float) -> None:
         """Let hover light move on."""

@@ -219,5 +219,5 @@ class DropDown(UIDropDownMenu):
         return value
 
     def follow(self, value: str) -> bool:
-        """True if a value was set elsewhere, so that the box must be made anew."""
+        """True if a value was set elsewhere, so that the box must be made again."""
         return value != self._known

@@ -19,7 +19,8 @@ from game.ui.panel.effects import EffectCosts
 from game.ui.panel.flow import Contents
 from game.ui.panel.foot import PanelFoot
 from game.ui.panel.rows import PADDING, Source
-from game.ui.panel.sheet import NOWHERE, PanelSheet, Wish
+from game.ui.panel.sheet import NOWHERE, PanelSheet, PanelWish
+from game.ui.widgets.list_row import ListRow
 
 FOOT, WHEEL = 64, 40  # design px
 READOUTS_IN_BAR = 1  # of a scene's readouts, those that the top bar shows
@@ -33,7 +34,7 @@ class Panel:
     ``meter`` in ``update`` tells what effects cost: ``.costs`` by name and ``.bare``, s a step.
     """
 
-    def __init__(self, look: Look, scene_type: type[Scene], levels: Sequence[Any] = ()) -> None:
+    def __init__(self, look: Look, scene_type: type[Scene], levels: Sequence[ListRow] = ()) -> None:
         self.look = look
         self.levels = tuple(levels)
         self.rect = pygame.Rect(0, 0, 0, 0)
@@ -41,7 +42,7 @@ class Panel:
         self.scroll = 0
         self._contents: Contents | None = None
         self._sheet: PanelSheet | None = None
-        self._wishes: list[Wish] = []
+        self._wishes: list[PanelWish] = []
         self._pointer = NOWHERE
         self._thumb_grip: int | None = None
         self._seen: tuple[dict[str, Any], EffectSet] | None = (
@@ -53,13 +54,13 @@ class Panel:
 
     def place(self, rect: pygame.Rect, look: Look) -> None:
         """Take a place in the window and an appearance."""
-        anew = look is not self.look or rect.size != self.rect.size
+        again = look is not self.look or rect.size != self.rect.size
         self.look, self.rect = look, pygame.Rect(rect)
         self.foot.place(pygame.Rect(rect.x, rect.bottom - look.px(FOOT), rect.w, look.px(FOOT)), look)
-        if anew:
+        if again:
             self._build()
 
-    def offer(self, levels: Sequence[Any]) -> None:
+    def offer(self, levels: Sequence[ListRow]) -> None:
         """The levels that there are to choose from now."""
         if tuple(levels) == self.levels:
             return
@@ -115,7 +116,7 @@ class Panel:
 
     # -- events -------------------------------------------------------------------------------------
 
-    def handle(self, event: pygame.event.Event) -> list[Wish]:
+    def handle(self, event: pygame.event.Event) -> list[PanelWish]:
         """Let an event act; the stage events and commands that it makes."""
         sheet = self._sheet
         if sheet is None or self.rect.w == 0:

@@ -18,7 +18,7 @@ from game.ui.look import motion
 from game.ui.look.look import Look
 from game.ui.look.numerals import quantity
 from game.ui.look.shapes import draw_box, draw_disc
-from game.ui.widgets.commands import Command
+from game.ui.widgets.wishes import Wish
 
 PADDING = 16  # design px
 DOUBLE_CLICK_S = 0.35
@@ -31,7 +31,7 @@ class Context(NamedTuple):
     manager: UIManager
     look: Look
     width: int
-    send: Callable[[StageEvent | Command], None]
+    send: Callable[[StageEvent | Wish], None]
 
 
 class Source:

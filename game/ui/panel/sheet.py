@@ -1,6 +1,6 @@
 """The sheet of the panel: all its rows in pygame_gui's tree, in coordinates of their own, on one picture.
 
-It is as high as its rows and a little more, for a list that opens at the foot. The picture is drawn anew
+It is as high as its rows and a little more, for a list that opens at the foot. The picture is drawn again
 only when some row has another picture or place.
 """
 
@@ -22,9 +22,9 @@ from game.ui.panel.manager import DropDown, PanelManager
 from game.ui.panel.rows import Caption, Context, Heading, Measure, Row
 from game.ui.panel.slider import SliderRow, shown_value
 from game.ui.panel.table import HEADER, LegendRow, TableLine
-from game.ui.widgets.commands import Command
+from game.ui.widgets.wishes import Wish
 
-Wish = StageEvent | Command
+PanelWish = StageEvent | Wish  # what a panel asks for
 LIST_ROOM = 8 * 32  # design px below the last row, for an open list
 NOWHERE = (-1, -1)
 STILL = (Heading, Caption, Measure, CostBar, LegendRow, TableLine)  # rows without a control
@@ -34,7 +34,7 @@ class PanelSheet:
     """Rows, drop-downs and the text field of one panel at one width and look."""
 
     def __init__(
-        self, look: Look, width: int, least_height: int, contents: Contents, send: Callable[[Wish], None]
+        self, look: Look, width: int, least_height: int, contents: Contents, send: Callable[[PanelWish], None]
     ) -> None:
         self.look = look
         self.contents = contents
@@ -166,7 +166,7 @@ class PanelSheet:
             return
         row = next((row for row in self.contents.levels if str(row.value) == value), None)
         if row is not None:
-            self._send(Command("level", row.value))
+            self._send(Wish("level", row.value))
 
     # -- typing -------------------------------------------------------------------------------------
 
@@ -201,7 +201,7 @@ class PanelSheet:
     # -- time and picture ---------------------------------------------------------------------------
 
     def is_behind(self) -> bool:
-        """Whether a drop-down shows another value than the scene has, so that the sheet must be made anew."""
+        """Whether a drop-down shows another value than the scene has, so that the sheet must be made again."""
         values = self.contents.source.values
         present = self.contents.present_level()
         return any(
@@ -279,7 +279,7 @@ class PanelSheet:
                 self.picture.blits([row.blit_data])
 
     def update(self, dt_s: float) -> None:
-        """Let controls move on, and draw the sheet anew if any picture on it is another or elsewhere."""
+        """Let controls move on, and draw the sheet again if any picture on it is another or elsewhere."""
         self.manager.update(dt_s)
         pictures = self.manager.pictures()
         same = len(pictures) == len(self._drawn) and all(

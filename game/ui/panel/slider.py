@@ -15,7 +15,7 @@ from game.ui.look.look import Look
 from game.ui.look.numerals import NARROW_SPACE, Quantity, format_number, quantity
 from game.ui.look.shapes import draw_box, draw_disc
 from game.ui.panel.rows import DOUBLE_CLICK_S, Context, Row, Source, draw_changed
-from game.ui.widgets.commands import Command
+from game.ui.widgets.wishes import Wish
 
 _FACTORS = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
 UNIT_INSET, NUMBER_GAP = 32, 10  # design px: the unit from the right edge, the number from the unit
@@ -121,7 +121,7 @@ class SliderRow(Row):
         self.tip = (f"{parameter.help}\n" if parameter.help else "") + f"{low} to {high}"
         self.typed = False  # the panel's text field is over the value
         self.wants_field = False
-        self._pending: float | None = None  # dragged to, not yet sent: the scene would be built anew
+        self._pending: float | None = None  # dragged to, not yet sent: the scene would be built again
         self._dragging = False
         self._click_age_s, self._click_at = math.inf, (0.0, 0.0)
         self._over_value = False
@@ -223,7 +223,7 @@ class SliderRow(Row):
         try:
             value = read_value(self.parameter, text, shown_value(self.parameter, self.value).unit)
         except ParameterError as error:
-            self.context.send(Command("refused", str(error)))
+            self.context.send(Wish("refused", str(error)))
             return
         if value != self.source.values[self.parameter.name]:
             self._send(value)

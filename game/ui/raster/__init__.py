@@ -2,7 +2,7 @@
 
 Use::
 
-    pixels, clip = pixels_of(surface), clip_of(surface)     # each frame anew, never kept
+    pixels, clip = pixels_of(surface), clip_of(surface)     # each frame again, never kept
     cover, area, extent = scratch_for(pixels)
     stroke_polyline(pixels, clip, cover, points, 2.0, False, 0x5FBAF9, 1.0)
 

@@ -103,7 +103,7 @@ def _add_edge(
 
 @inner_kernel
 def _next_change(area: Any, row: int, column: int, last: int) -> int:
-    """The next column, from this one to ``last``, whose sum is not nought; else the one after ``last``."""
+    """The next column, from this one to ``last``, whose sum is not zero; else the one after ``last``."""
     begin = row * area.shape[1]
     while column + 8 <= last and is_blank(area, begin + column):
         column += 8

@@ -37,5 +37,5 @@ def as_points(points: Any) -> np.ndarray:
     if array.ndim != 2 or array.shape[1] != 2:
         if array.size == 0:
             return np.empty((0, 2))
-        raise ValueError(f"points: an (n, 2) array is wanted, not {array.shape}")
+        raise ValueError(f"points: expected an (n, 2) array, not {array.shape}")
     return array

@@ -105,7 +105,7 @@ mix_four = _mix_four_plainly if config.DISABLE_JIT else _mix_four_at_once
 
 
 def _is_blank_plainly(sums: Any, position: int) -> bool:
-    """Whether eight sums (float32) from ``position`` of a C-ordered picture of them on are nought."""
+    """Whether eight sums (float32) from ``position`` of a C-ordered picture of them on are zero."""
     return not sums.reshape(-1)[position : position + 8].any()
 
 

@@ -24,11 +24,13 @@ A node is a plain tuple whose first member is its kind: ("symbol", text, face, c
 from __future__ import annotations
 
 from collections.abc import Sequence
+from difflib import get_close_matches
 
-from game.ui.text.markup_signs import ACCENTS, Node, named_sign, sign_of
+from game.ui.text.markup_signs import ACCENTS, Node, known_signs, named_sign, sign_of
 
 DEEPEST = 24  # nested braces; more is a mistake, and would only exhaust the stack
 LONGEST = 2000  # characters
+STRUCTURES = frozenset(("v", "text", "frac", "sqrt", "matrix", "cases", "left", "abs", "norm")) | ACCENTS
 
 
 class FormulaError(ValueError):
@@ -66,9 +68,9 @@ class _Reader:
             rest = self.text[self.i :]
             if not rest and "" not in stops:
                 raise self.fail(f"{' or '.join(stops)} is missing")
-            if not rest or any(stop and rest.startswith(stop) for stop in stops):
+            if not rest or any(stop and _begins(rest, stop) for stop in stops):
                 break
-            if rest[0] in "}&" or rest.startswith(("\\\\", "\\right")):
+            if rest[0] in "}&" or _begins(rest, "\\\\") or _begins(rest, "\\right"):
                 raise self.fail(f"{rest[0]} without a beginning")
             nodes.append(self.scripted())
         self.depth -= 1
@@ -133,12 +135,12 @@ class _Reader:
         if self.i == start:
             self.i += 1
         name = self.text[start : self.i]
-        if name in ("v", "text", "frac", "sqrt", "matrix", "cases", "left", "abs", "norm") or name in ACCENTS:
+        if name in STRUCTURES:
             return self.structure(name)
         found = named_sign(name)
         if found is None:
             self.i = start
-            raise self.fail(f"\\{name} is not known")
+            raise self.fail(f"\\{name} is not known; {_known(name)}")
         return found
 
     def structure(self, name: str) -> Node:
@@ -167,7 +169,7 @@ class _Reader:
         self.skip_spaces()
         end = self.text.find("}", self.i)
         if self.peek() != "{" or end < 0:
-            raise self.fail("words in braces are wanted")
+            raise self.fail("expected words in braces")
         words = self.text[self.i + 1 : end]
         self.i = end + 1
         return words
@@ -176,7 +178,7 @@ class _Reader:
         """Cells between & and \\\\ inside braces."""
         self.skip_spaces()
         if self.peek() != "{":
-            raise self.fail("{ is wanted")
+            raise self.fail("expected {")
         self.i += 1
         rows: list[list[Node]] = [[]]
         while True:
@@ -198,6 +200,21 @@ class _Reader:
         right = self.peek()
         self.i += 1
         return ("fence", left.replace(".", ""), inside, right.replace(".", ""))
+
+
+def _known(name: str) -> str:
+    """What may be written after a backslash, first what is most like a name that may not."""
+    names = sorted(
+        STRUCTURES | {"right"} | known_signs(), key=lambda word: (not word.isalpha(), word.lower())
+    )
+    alike = " or ".join("\\" + word for word in get_close_matches(name, names, 3, 0.6))
+    meant = f"did you mean {alike}? " if alike else ""
+    return f"{meant}known are " + " ".join("\\" + word for word in names)
+
+
+def _begins(rest: str, stop: str) -> bool:
+    """Whether a stop comes next: a word only if it ends there, for \\rightarrow is none of \\right."""
+    return rest.startswith(stop) and not (stop[-1].isalpha() and rest[len(stop) : len(stop) + 1].isalpha())
 
 
 def _bold(node: Node) -> Node:

@@ -56,6 +56,12 @@ def sign_of(c: str) -> Node:
     return ("symbol", c, "formula-italic" if c.isalpha() else "formula", "ordinary")
 
 
+def known_signs() -> frozenset[str]:
+    """All names that `named_sign` knows."""
+    tables = (_GREEK, _GREEK_CAPITALS, _RELATIONS, _OPERATORS, _SIGNS, _LARGE, _FUNCTIONS, _SPACES)
+    return frozenset().union(*tables)
+
+
 def named_sign(name: str) -> Node | None:
     """A sign, letter, function or space by its name."""
     if name in _GREEK:

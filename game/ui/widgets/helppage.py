@@ -16,9 +16,9 @@ from game.ui.look.look import Look
 from game.ui.look.shapes import box, draw_box, draw_disc
 from game.ui.text.formula import FormulaError, render_formula
 from game.ui.widgets import keycap
-from game.ui.widgets.commands import Command
 from game.ui.widgets.hotspots import Hotspots
 from game.ui.widgets.overlay import Overlay, draw_close
+from game.ui.widgets.wishes import Wish
 
 HEIGHT, HEAD, PADDING = 624, 72, 32  # design px
 COLUMNS = ((296, 0), (344, 336), (280, 712))  # width and left edge of the columns side by side
@@ -128,7 +128,7 @@ class Column:
         self.y += self.look.px(line)
 
     def _formula(self, markup: str) -> pygame.Surface:
-        """The formula, smaller if it is too wide; as plain words if it cannot be read."""
+        """The formula, smaller if it is too wide; in its place what is wrong with it if it cannot be read."""
         look, room = self.look, self.width - self.look.px(24)
         try:
             for size in (20.0, 18.0, 16.0, 14.0, 12.0):
@@ -136,10 +136,9 @@ class Column:
                 if picture.get_width() <= room:
                     break
             return picture
-        except FormulaError:
-            return look.fonts.render(
-                look.fonts.fit(markup, 13, "italic", room), 13, "italic", look.theme.text1
-            )
+        except FormulaError as error:
+            words = look.fonts.fit(str(error), 13, "medium", room)
+            return look.fonts.render(words, 13, "medium", look.color("vermilion", words=True))
 
 
 class HelpPage:
@@ -172,7 +171,7 @@ class HelpPage:
         self.spots.update(dt_s, self.look)
         return self.overlay.update(dt_s)
 
-    def handle(self, event: pygame.event.Event) -> Command | None:
+    def handle(self, event: pygame.event.Event) -> Wish | None:
         """Scrolling stays here; the command is ``close``: the cross, or a press beside the card."""
         step = {
             pygame.K_DOWN: WHEEL, pygame.K_UP: -WHEEL, pygame.K_PAGEDOWN: 400, pygame.K_PAGEUP: -400,
@@ -184,10 +183,10 @@ class HelpPage:
             self._scroll_by(step[event.key])
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             if not self.overlay.card.collidepoint(event.pos):
-                return Command("close")
+                return Wish("close")
             self.spots.handle(event)
         elif self.spots.handle(event) == "close":
-            return Command("close")
+            return Wish("close")
         return None
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -297,9 +296,9 @@ class HelpPage:
         column.head("Controls")
         for hint in self.scene_type.hints:
             column.control(hint.keys, hint.text)
-        told = {keys for hint in self.scene_type.hints for keys in hint.keys}
+        hinted = {keys for hint in self.scene_type.hints for keys in hint.keys}
         for action in self.scene_type.actions:
-            if _key_name(action.key) in told:
+            if _key_name(action.key) in hinted:
                 continue
             column.control((_key_name(action.key),), action.label)
         for keys, words in self.controls:

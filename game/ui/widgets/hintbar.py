@@ -71,7 +71,7 @@ class HintBar:
         if self.look.less_motion:
             return 1.0
         steps = min(max(self._age_s - FADE_AFTER_S, 0.0) / 1.0, 1.0)
-        return 1.0 - (1.0 - FADED) * round(steps * 8) / 8  # in eighths: the row is painted anew for each
+        return 1.0 - (1.0 - FADED) * round(steps * 8) / 8  # in eighths: the row is painted again for each
 
     def _ends(self) -> list[int]:
         """Right ends of the hints, window px from the left edge."""

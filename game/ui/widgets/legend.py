@@ -21,7 +21,7 @@ TALL_MARKS = frozenset(("box", "dashed-box"))
 
 
 class Legend:
-    """Draws rows; its picture is made anew only when they change, for a count alone only if it is fresh."""
+    """Draws rows; its picture is made again only when they change, for a count alone only if it is fresh."""
 
     def __init__(self, look: Look) -> None:
         self.look = look

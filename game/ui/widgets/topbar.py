@@ -15,20 +15,20 @@ from game.ui.look.icons import icon
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING, format_si
 from game.ui.look.shapes import draw_box, draw_disc
-from game.ui.widgets.commands import Command
 from game.ui.widgets.hotspots import Hotspot, Hotspots
+from game.ui.widgets.wishes import Wish
 
 COLUMN = 76  # design px, width of a readout whose words are no longer than that
 TIPS = {
-    "back": "Back to the menu", "reset": "Reset", "step-back": "One step back", "play": "Pause or go on",
+    "menu": "Back to the menu", "reset": "Reset", "step-back": "One step back", "pause": "Pause or go on",
     "step": "One step", "slower": "Slower", "faster": "Faster", "speed": "Normal speed",
-    "picture": "Save a picture", "help": "Help", "panel": "Panel on or off",
+    "screenshot": "Save a picture", "help": "Help", "panel": "Panel on or off",
 }  # fmt: skip
 TOO_SLOW = "Steps or pictures take too long for the speed that is set. Click for normal speed"
-COMMANDS = {
-    "slower": Command("speed", -1),
-    "faster": Command("speed", 1),
-    "speed": Command("speed", 0),
+SPEED_WISHES = {
+    "slower": Wish("speed", -1),
+    "faster": Wish("speed", 1),
+    "speed": Wish("speed", 0),
 }
 
 
@@ -76,21 +76,21 @@ class TopBar:
         self._picture = None
         self._place_spots()
 
-    def handle(self, event: pygame.event.Event) -> Command | None:
+    def handle(self, event: pygame.event.Event) -> Wish | None:
         """The command of a press, if the event makes one."""
         name = self.spots.handle(event)
-        return None if name is None else COMMANDS.get(name, Command(name))
+        return None if name is None else SPEED_WISHES.get(name, Wish(name))
 
     def update(self, dt_s: float, state: BarState, fresh: bool = True) -> None:
         """Let time pass; numbers change if they are ``fresh``, everything else at once."""
         self.spots.update(dt_s, self.look)
         fresh = fresh or state.ready != self.state.ready or state.task != self.state.task
-        placed_anew = len(state.readouts) != len(self.state.readouts) or state.ready != self.state.ready
-        placed_anew = placed_anew or state.reached != self.state.reached
+        placed_again = len(state.readouts) != len(self.state.readouts) or state.ready != self.state.ready
+        placed_again = placed_again or state.reached != self.state.reached
         self.state = state
         if fresh:
             self._shown = state.readouts
-        if placed_anew:
+        if placed_again:
             self._place_spots()
 
     def tip(self) -> tuple[str, pygame.Rect] | None:
@@ -99,7 +99,7 @@ class TopBar:
         return (spot.tip, spot.rect) if spot is not None and spot.tip else None
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Show the bar; its picture is made anew only when something has changed."""
+        """Show the bar; its picture is made again only when something has changed."""
         if self.rect.w < 1 or self.rect.h < 1:
             return
         wanted = (self.state._replace(readouts=()), self._shown, self.spots.state())
@@ -123,25 +123,25 @@ class TopBar:
             spots.append(Hotspot(name, place, enabled, TOO_SLOW if slow else TIPS[name]))
 
         k, width, ready = self.look.k, self.rect.w / self.look.k, self.state.ready
-        add("back", rect.x + px(24), 32, 32)
+        add("menu", rect.x + px(24), 32, 32)
         middle = rect.x + (0.5 * width - (88 if width >= 880 else 0)) * k
         if width >= 560:
             add("reset", middle - 84 * k, 32, 32, ready)
             add("step-back", middle - 44 * k, 32, 32, ready)
-        add("play", middle, 36, 36, ready)
+        add("pause", middle, 36, 36, ready)
         add("step", middle + 44 * k, 32, 32, ready)
         if width >= 640:
             add("slower", middle + 88 * k, 32, 28, ready)
             add("speed", middle + 122 * k, 36, 28, ready)
             add("faster", middle + 156 * k, 32, 28, ready)
-        for i, name in enumerate(("panel", "help", "picture")[: 3 if width >= 480 else 2]):
+        for i, name in enumerate(("panel", "help", "screenshot")[: 3 if width >= 480 else 2]):
             add(name, rect.right - px(24) - i * px(32), 32, 32)
         self.spots.place(spots)
 
     def _readout_room(self) -> tuple[int, int]:
         """Right edge of the readouts and the room left of it, both px; no room where they are not shown."""
         px = self.look.px
-        picture, faster = self.spots.find("picture"), self.spots.find("faster")
+        picture, faster = self.spots.find("screenshot"), self.spots.find("faster")
         if picture is None or faster is None:
             return 0, 0
         right = picture.rect.x - px(20)
@@ -175,7 +175,7 @@ class TopBar:
         self._paint_title(surface)
         self._paint_speed(surface)
         for spot in self.spots.spots:
-            if spot.name == "play":
+            if spot.name == "pause":
                 self._paint_play(surface, spot)
             elif spot.name != "speed":
                 self._paint_button(surface, spot)
@@ -190,7 +190,7 @@ class TopBar:
 
     def _paint_title(self, surface: pygame.Surface) -> None:
         look, px = self.look, self.look.px
-        first = next(s for s in self.spots.spots if s.name in ("reset", "play"))
+        first = next(s for s in self.spots.spots if s.name in ("reset", "pause"))
         x, limit = px(48), self._inner(first.rect).x - px(12)
         if self.state.task:
             words = look.fonts.size(self.state.task, 12, "semibold")[0]
@@ -221,9 +221,9 @@ class TopBar:
     def _paint_play(self, surface: pygame.Surface, spot: Hotspot) -> None:
         look, theme = self.look, self.look.theme
         rect = self._inner(spot.rect)
-        lit = self.spots.hover("play")
+        lit = self.spots.hover("pause")
         fill = theme.accent.lerp(theme.text1 if theme.name == "dark" else theme.ink, 0.15 * lit)
-        if self.spots.pressed == "play":
+        if self.spots.pressed == "pause":
             fill = theme.accent.lerp(theme.bg, 0.18)
         ink = theme.on_accent
         if not spot.enabled:
@@ -245,7 +245,7 @@ class TopBar:
         if on or lit > 0.0:
             target = theme.line if self.spots.pressed == spot.name else theme.hover
             draw_box(surface, rect, self.look.px(8), base if on else base.lerp(target, lit))
-        names = {"slower": "minus", "faster": "plus", "picture": "camera"}
+        names = {"slower": "minus", "faster": "plus", "screenshot": "camera", "menu": "back"}
         size = self.look.px(14 if spot.name in ("slower", "faster") else 20)
         self._paint_icon(surface, names.get(spot.name, spot.name), rect, size, color)
 

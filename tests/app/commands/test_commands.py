@@ -13,6 +13,10 @@ import pytest
 
 from game.app.commands import run_command_line
 from game.levels import Level, save_level
+from game.stage import Equation
+from game.ui.look.layout import arrange, auto_scale
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 from tests.paths import ROOT
 
 
@@ -82,6 +86,36 @@ def test_run_takes_a_level_and_draws_a_picture(capsys, tmp_path: Path, level: Pa
     assert (report["level"], report["parameters"]["height"]) == ("High", 20.0)
 
 
+def test_a_picture_shows_the_whole_window_if_asked_and_the_run_is_the_same(capsys, tmp_path: Path):
+    import numpy as np
+
+    picture, plain, window = tmp_path / "a.png", tmp_path / "p.json", tmp_path / "w.json"
+    common = ("run", "example", "--seconds", "3", "--size", "1000x600")
+    assert run(capsys, *common, "--json", str(plain))[0] == 0
+    status, *_ = run(capsys, *common, "--window", "--screenshot", str(picture), "--json", str(window))
+    assert status == 0
+    assert json.loads(plain.read_text())["digest"] == json.loads(window.read_text())["digest"]
+
+    look = Look(DARK, auto_scale(1000, 600))
+    strips = sys.modules["example_scene"].BouncingBall.strips
+    layout = arrange(1000, 600, look.k, panel=True, strips=len(strips))
+    shown = pygame.surfarray.array3d(pygame.image.load(str(picture)))
+    assert shown.shape == (1000, 600, 3)
+    for part in (layout.panel, layout.top_bar, layout.hint_bar, layout.strips):
+        colors = np.unique(shown[part.x : part.right, part.y : part.bottom].reshape(-1, 3), axis=0)
+        assert len(colors) > 20, part  # letters, controls, curves
+    panel = shown[layout.panel.x + 4, layout.panel.y + 4]
+    assert tuple(panel) == tuple(look.theme.panel)[:3]
+
+
+def test_a_window_smaller_than_any_and_one_without_a_file_are_refused(capsys, tmp_path: Path):
+    status, _, err = run(capsys, "run", "example", "--window")
+    assert status == 2 and "--screenshot" in err and err.count("\n") == 1
+    file = str(tmp_path / "a.png")
+    status, _, err = run(capsys, "run", "example", "--window", "--screenshot", file, "--size", "200x100")
+    assert status == 2 and "at least 320x240" in err and err.count("\n") == 1
+
+
 def test_recorded_run_is_replayed_with_the_same_digests(capsys, tmp_path: Path):
     recording, file = tmp_path / "r.json", tmp_path / "s.json"
     run(capsys, "run", "example", "--seconds", "3", "--record", str(recording), "--json", str(file))
@@ -131,6 +165,34 @@ def test_selftest_passes_the_example_and_fails_the_broken(capsys, tmp_path: Path
     assert "the kept digest is 000" in out
 
 
+@pytest.mark.parametrize("option", ("--golden", "--update-golden"))
+def test_selftest_updates_the_digests_of_the_scenes_named_and_no_others(capsys, tmp_path: Path, option: str):
+    golden = tmp_path / "golden.json"
+    kept = {
+        "another/one": "1" * 32,
+        "example/(none)": "0" * 32,
+        "example/gone": "3" * 32,
+        "other/two": "2" * 32,
+    }
+    golden.write_text(json.dumps(kept))
+    more = ("--update-golden",) if option == "--golden" else ()
+    status, out, _ = run(capsys, "selftest", "example", option, str(golden), *more)
+    assert status == 0 and "0 failed" in out
+    updated = json.loads(golden.read_text())
+    assert list(updated) == ["another/one", "example/(none)", "other/two"]
+    assert (updated["another/one"], updated["other/two"]) == ("1" * 32, "2" * 32)
+    assert len(updated["example/(none)"]) == 32 and updated["example/(none)"] != "0" * 32
+    assert run(capsys, "selftest", "example", "--golden", str(golden))[0] == 0
+
+
+def test_selftest_writes_nothing_of_a_scene_that_fails(capsys, tmp_path: Path, monkeypatch):
+    golden = tmp_path / "golden.json"
+    golden.write_text(json.dumps({"example/(none)": "0" * 32}))
+    monkeypatch.setattr(sys.modules["example_scene"].BouncingBall, "check", lambda self: 1 / 0)
+    assert run(capsys, "selftest", "example", "--update-golden", str(golden))[0] == 1
+    assert json.loads(golden.read_text()) == {"example/(none)": "0" * 32}
+
+
 def test_selftest_misses_a_digest_that_is_not_kept_and_a_level_that_is_gone(capsys, tmp_path: Path):
     golden = tmp_path / "golden.json"
     _, out, _ = run(capsys, "selftest", "example")
@@ -176,6 +238,13 @@ def test_selftest_finds_a_scene_that_forgets_part_of_its_state(capsys, monkeypat
 
 class _Nothing:
     bytes = 0
+
+
+def test_selftest_reads_the_equations(capsys, monkeypatch):
+    odd = (Equation("Odd", r"\aplha", ""),)
+    monkeypatch.setattr(sys.modules["example_scene"].BouncingBall, "equations", odd, raising=False)
+    status, out, _ = run(capsys, "selftest", "example")
+    assert status == 1 and r"\aplha is not known; did you mean \alpha" in out
 
 
 def test_selftest_checks_invariants(capsys, monkeypatch):
@@ -251,7 +320,6 @@ WRONG = [
     (("replay", str(ROOT / "pyproject.toml")), "pyproject.toml"),
     (("selftest", "nowhere"), "nowhere"),
     (("selftest", "--golden", "missing.json"), "missing.json"),
-    (("selftest", "example", "--update-golden"), "update-golden"),
     (("match", "--video", ""), "--video"),
     (("match", "--json", ""), "--json"),
     (("match", "--video", "film.mp4/"), "this is a folder"),

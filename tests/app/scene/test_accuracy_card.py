@@ -1,4 +1,4 @@
-"""What accuracy costs, over a scene: runs behind the window, is clicked, stopped, saved."""
+"""What accuracy costs, over a scene: runs in the background, is clicked, stopped, saved."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from game.app.scene import accuracy_card
 from game.app.scene.accuracy_card import AccuracyCard
 from game.app.scene.study_run import StudyRun, accuracy_data
 from game.lab import Axes, Knob, Method, Outcome, Setting, Study
-from game.ui.widgets.commands import Command
+from game.ui.widgets.wishes import Wish
 from tests.app.tests_app import Driver
 
 STEPS = (0.1, 0.05, 0.02, 0.01, 0.005)
@@ -224,7 +224,7 @@ def test_what_cannot_be_saved_is_told(scene: Driver, monkeypatch: pytest.MonkeyP
     monkeypatch.setenv("CAROM_HOME", str(blocked))
     for name in ("save-csv", "save-picture"):
         scene.app.toasts.clear()
-        scene.top.fulfil(Command(name))
+        scene.top.fulfil(Wish(name))
         assert scene.app.toasts.shown.cause == "Not saved."
 
 

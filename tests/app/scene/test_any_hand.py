@@ -10,7 +10,6 @@ import pytest
 
 from game.app.fuzz.hand import SIZES, any_event
 from game.app.scene.screen import SceneScreen
-from game.stage import begin
 from game.stage.catalogue import Catalogue
 from tests.app.tests_app import Driver, example_entry
 
@@ -71,18 +70,19 @@ def test_frame_rate_does_not_change_the_state(start):
     assert len(set(ends)) == 1
 
 
-def test_recorded_session_replays_at_any_frame_rate(start):
+def test_recorded_session_replays_at_any_frame_rate(start, tmp_path):
     driver = start()
     drag_script(driver, 1 / 60)
-    recording = driver.stage.recording
+    recording, path = driver.stage.recording, tmp_path / "session.json"
+    recording.save(path)
     for frame_s in (1 / 144, 0.07):
         play = driver.top.play
-        play.watch(begin(recording, play.stage.scene_type), recording)
+        play.open_file(path)
         while driver.stage.step_number < recording.steps:
             driver.frames(
                 1, seconds=min(frame_s, (recording.steps - driver.stage.step_number) * driver.stage.dt)
             )
-        play.script.post_due()
+        play.record.script.post_due()
         assert driver.stage.step_number == recording.steps
         assert driver.stage.digest() == recording.digest
 

@@ -48,14 +48,14 @@ def test_the_table_has_all_of_the_window_until_the_panel_is_asked_for(driver):
     driver.open("billiards")
     lay = driver.top.shell.layout
     assert lay.panel.w == 0 and lay.strips.h == 0 and driver.app.settings.panel
-    driver.top.command("panel")
+    driver.app.perform("panel")
     lay = driver.top.shell.layout
     assert lay.panel.w > 0 and lay.strips.h > 0 and driver.app.settings.panel_in_games
 
 
 def test_escape_closes_an_open_list_before_it_leaves(driver):
     driver.open("billiards")
-    driver.top.command("panel")
+    driver.app.perform("panel")
     driver.frames(3)
     panel = driver.top.shell.panel
     box = panel._sheet.menus["second_player"].rect.move(panel.view.topleft).move(0, -panel.scroll)
@@ -168,7 +168,7 @@ def test_the_arrow_of_the_bar_leaves_for_the_menu_at_once(driver):
     driver.stage.post(Action("set-up"))
     driver.frames(2)
     assert driver.stage.scene.phase == "set-up"
-    driver.click(*driver.top.shell.bar.spots.find("back").rect.center)
+    driver.click(*driver.top.shell.bar.spots.find("menu").rect.center)
     driver.frames(2)
     assert getattr(driver.top, "play", None) is None
 

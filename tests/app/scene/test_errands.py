@@ -15,13 +15,13 @@ LONG_S = 60.0
 
 
 def test_what_is_asked_for_acts_at_once_when_nothing_is_under_way():
-    errands, done = Errands(behind=True), []
+    errands, done = Errands(in_background=True), []
     errands.act(lambda: done.append("a"))
     assert done == ["a"] and not errands.busy
 
 
 def test_what_comes_meanwhile_waits_for_its_turn():
-    errands, done, go_on = Errands(behind=True), [], Event()
+    errands, done, go_on = Errands(in_background=True), [], Event()
 
     def work():
         assert go_on.wait(LONG_S)
@@ -43,12 +43,12 @@ def test_what_comes_meanwhile_waits_for_its_turn():
 
 
 def test_of_what_waits_under_one_name_the_last_counts():
-    errands, done, go_on = Errands(behind=True), [], Event()
+    errands, done, go_on = Errands(in_background=True), [], Event()
     errands.work(lambda: go_on.wait(LONG_S) and done.clear)
     for value in (1, 2):
-        errands.act(lambda value=value: done.append(value), "knob")
+        errands.act(lambda value=value: done.append(value), "parameter")
     errands.act(lambda: done.append("other"))
-    errands.act(lambda: done.append(3), "knob")
+    errands.act(lambda: done.append(3), "parameter")
     go_on.set()
     errands.wait(LONG_S)
     errands.update(0.0)
@@ -56,13 +56,13 @@ def test_of_what_waits_under_one_name_the_last_counts():
 
 
 def test_nobody_looks_on_so_that_all_is_done_at_once():
-    errands, done = Errands(behind=False), []
+    errands, done = Errands(in_background=False), []
     errands.work(lambda: lambda: done.append(current_thread() is main_thread()))
     assert done == [True] and not errands.busy
 
 
 def test_what_is_to_be_kept_is_finished_when_the_scene_is_left():
-    errands, done, go_on = Errands(behind=True), [], Event()
+    errands, done, go_on = Errands(in_background=True), [], Event()
     errands.work(lambda: go_on.wait(LONG_S) and done.clear)
     errands.work(lambda: lambda: done.append("kept"), kept=True)
     errands.act(lambda: done.append("not kept"))
@@ -72,7 +72,7 @@ def test_what_is_to_be_kept_is_finished_when_the_scene_is_left():
 
 
 def test_what_goes_wrong_in_the_thread_is_raised_in_the_window_and_the_rest_goes_on():
-    errands, done = Errands(behind=True), []
+    errands, done = Errands(in_background=True), []
 
     def fail():
         raise ArithmeticError("no")
@@ -94,13 +94,13 @@ def test_an_effect_acts_at_the_step_at_which_it_was_switched_however_long_its_co
         play = driver.open().play
         driver.frames(20)
         go_on = Event()
-        prepare = play.variants.prepare
+        prepare = play.record.variants.prepare
 
         def prepare_late(events, prepare=prepare, go_on=go_on):
             assert go_on.wait(LONG_S)
             prepare(events)
 
-        monkeypatch.setattr(play.variants, "prepare", prepare_late)
+        monkeypatch.setattr(play.record.variants, "prepare", prepare_late)
         if driver is quick:
             go_on.set()
         at = play.stage.step_number
@@ -110,7 +110,7 @@ def test_an_effect_acts_at_the_step_at_which_it_was_switched_however_long_its_co
             driver.frames(7)
             assert play.stage.step_number == at and "test-gravity" in play.stage.scene.active
             go_on.set()
-            play.errands.wait(LONG_S)
+            play.record.errands.wait(LONG_S)
         driver.frames(30)
         assert [stamped.step for stamped in play.stage.recording.events] == [at, at]
         assert "test-gravity" not in play.stage.scene.active and play.stage.scene.restitution == 0.5
@@ -122,27 +122,27 @@ def test_an_effect_acts_at_the_step_at_which_it_was_switched_however_long_its_co
     assert stages[0].digest() == stages[1].digest()
 
 
-def test_a_level_opens_behind_the_window(start, tmp_path):
+def test_a_level_opens_in_the_background(start, tmp_path):
     driver = start()
     driver.app.background = True
     play = driver.open().play
     driver.frames(5)
     play.shelf.save()
-    play.errands.wait(LONG_S)
+    play.record.errands.wait(LONG_S)
     driver.frames(1)
     (saved,) = play.shelf.saved()[:1]
     play.open_file(saved.value)
-    assert play.errands.busy
-    play.errands.wait(LONG_S)
+    assert play.record.errands.busy
+    play.record.errands.wait(LONG_S)
     driver.frames(1)
-    assert play.shelf.present == saved.value and not play.errands.busy
+    assert play.shelf.present == saved.value and not play.record.errands.busy
 
 
 def test_work_inside_says_so_and_of_what_waits_under_one_name_the_last_counts():
-    errands, done, go_on = Errands(behind=True), [], Event()
-    errands.work_inside(lambda: done.append("first") if go_on.wait(LONG_S) else None, "knob")
+    errands, done, go_on = Errands(in_background=True), [], Event()
+    errands.work_inside(lambda: done.append("first") if go_on.wait(LONG_S) else None, "parameter")
     for value in (1, 2):
-        errands.work_inside(lambda value=value: done.append(value), "knob")
+        errands.work_inside(lambda value=value: done.append(value), "parameter")
     assert errands.inside
     go_on.set()
     while errands.busy:

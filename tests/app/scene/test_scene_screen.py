@@ -114,7 +114,7 @@ def test_held_key_repeats_steps_but_not_pause(scene: Driver):
 
 
 @pytest.mark.parametrize(
-    "name", ["play", "step", "step-back", "reset", "slower", "faster", "help", "panel", "picture"]
+    "name", ["pause", "step", "step-back", "reset", "slower", "faster", "help", "panel", "screenshot"]
 )
 def test_every_button_of_the_bar(scene: Driver, name: str):
     screen, stage = scene.top, scene.stage
@@ -124,7 +124,7 @@ def test_every_button_of_the_bar(scene: Driver, name: str):
     assert after != before
     if name == "help":
         assert isinstance(scene.top, HelpCard)
-    if name == "picture":
+    if name == "screenshot":
         scene.app.pictures.wait()
         scene.frames(1)
         assert scene.app.toasts.shown.cause == "Picture saved"
@@ -133,7 +133,7 @@ def test_every_button_of_the_bar(scene: Driver, name: str):
 
 
 def test_back_to_the_menu(scene: Driver):
-    scene.click(*scene.top.shell.bar.spots.find("back").rect.center)
+    scene.click(*scene.top.shell.bar.spots.find("menu").rect.center)
     assert isinstance(scene.top, MenuScreen)
 
 
@@ -335,7 +335,7 @@ def test_saved_session_is_found_and_replayed(scene: Driver):
     scene.frames(20, seconds=0.011)
     while scene.stage.step_number < recording.steps:
         scene.frames(1, seconds=0.0037)
-    assert scene.top.play.script.finished
+    assert scene.top.play.record.script.finished
     while scene.stage.step_number > recording.steps:
         scene.key(pygame.K_COMMA)
     assert scene.stage.digest() == recording.digest
@@ -429,7 +429,7 @@ def test_quit(scene: Driver):
 
 def test_window_close_ends_the_loop(driver: Driver):
     driver.waiting.append(pygame.Event(pygame.QUIT))
-    driver.app.run()
+    driver.loop.run()
     assert len(driver.app.screens) == 0
 
 
@@ -467,12 +467,12 @@ def test_number_is_typed_and_letters_are_no_commands_meanwhile(scene: Driver):
     scene.key(pygame.K_SPACE)
     scene.key(pygame.K_TAB, pygame.KMOD_LSHIFT)
     scene.key(pygame.K_RETURN)
-    assert scene.top.play.typing
+    assert scene.top.shell.panel.typing
     scene.type("3.5")
     scene.key(pygame.K_l)
     scene.key(pygame.K_RETURN)
     assert scene.stage.scene.gravity == 3.5
-    assert not scene.top.play.typing
+    assert not scene.top.shell.panel.typing
     scene.key(pygame.K_l)
     assert isinstance(scene.top, ChoiceCard)
 

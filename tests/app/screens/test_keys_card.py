@@ -5,7 +5,8 @@ import pytest
 
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.settings_card import SettingsCard
-from game.app.window.keys import COMMANDS, Keys, parse_chord
+from game.app.window.commands import COMMANDS
+from game.app.window.keys import Keys, parse_chord
 from tests.app.tests_app import Driver
 
 

@@ -68,7 +68,7 @@ def tracebacks(tmp_path: Path) -> Callable[[], int]:
     return count
 
 
-def told(driver: Driver) -> str:
+def message_of(driver: Driver) -> str:
     toast = driver.app.toasts.shown
     return f"{toast.cause} {toast.consequence}" if toast is not None else ""
 
@@ -105,7 +105,7 @@ def test_an_overlay_that_fails_is_closed(scene: Driver, monkeypatch, tracebacks,
     scene.move(300, 300)
     scene.frames(2)
     assert isinstance(scene.top, SceneScreen) and scene.app.running
-    assert told(scene).startswith("Help was closed. Details in ") and guard.NAME in told(scene)
+    assert message_of(scene).startswith("Help was closed. Details in ") and guard.NAME in message_of(scene)
     assert tracebacks() == 1
     step = scene.stage.step_number
     scene.frames(20)
@@ -116,7 +116,7 @@ def test_a_card_that_cannot_be_made_is_not_opened(scene: Driver, monkeypatch, tr
     monkeypatch.setattr(HelpPage, "__init__", fail)
     scene.key(pygame.K_F1)
     assert isinstance(scene.top, SceneScreen) and scene.stage.fault is None
-    assert told(scene).startswith("Help cannot be opened.") and tracebacks() == 1
+    assert message_of(scene).startswith("Help cannot be opened.") and tracebacks() == 1
     step = scene.stage.step_number
     scene.frames(20)
     assert scene.stage.step_number > step
@@ -129,7 +129,7 @@ def test_a_card_that_cannot_be_closed_is_gone_all_the_same(scene: Driver, monkey
     scene.key(pygame.K_ESCAPE)
     scene.frames(30)
     assert isinstance(scene.top, SceneScreen) and tracebacks() == 1
-    assert told(scene).startswith("Help was closed.")
+    assert message_of(scene).startswith("Help was closed.")
 
 
 @pytest.mark.parametrize(
@@ -152,7 +152,7 @@ def test_a_study_that_fails_is_told_of(scene: Driver, monkeypatch, tracebacks, b
         scene.key(pygame.K_ESCAPE)
         scene.frames(30)
     else:
-        assert told(scene).startswith("What accuracy costs cannot be opened.")
+        assert message_of(scene).startswith("What accuracy costs cannot be opened.")
     assert isinstance(scene.top, SceneScreen) and scene.stage.fault is None
     assert tracebacks() == 1
 
@@ -165,7 +165,7 @@ def test_a_study_page_that_cannot_be_drawn_is_closed(scene: Driver, monkeypatch,
     scene.key(pygame.K_a)
     scene.frames(2)
     assert isinstance(scene.top, SceneScreen) and tracebacks() == 1
-    assert told(scene).startswith("What accuracy costs was closed.")
+    assert message_of(scene).startswith("What accuracy costs was closed.")
 
 
 # -- scenes
@@ -180,8 +180,8 @@ CALLBACKS = [
 def test_a_scene_whose_callback_fails_is_stopped_and_can_begin_anew(
     scene: Driver, monkeypatch, tracebacks, name: str
 ):
-    scene.top.play.errands.behind = True  # as in a window
-    scene.top.play.try_steps()  # asks whether they take long
+    scene.top.play.record.errands.in_background = True  # as in a window
+    scene.top.play.record.try_steps()  # asks whether they take long
     monkeypatch.setattr(example_scene.BouncingBall, name, failing(name))
     scene.frames(60)
     play = scene.top.play
@@ -191,7 +191,7 @@ def test_a_scene_whose_callback_fails_is_stopped_and_can_begin_anew(
         assert guard.NAME in play.banner.text and tracebacks() == 1
         assert {"draw": "picture"}.get(name, name) in play.banner.text
     monkeypatch.undo()
-    play.errands.behind = False
+    play.record.errands.behind = False
     scene.click(*play.banner.spots.find("reset").rect.center)
     scene.frames(20)
     assert scene.stage.fault is None and scene.stage.step_number > 0 and play.banner.text == ""
@@ -238,7 +238,7 @@ def test_a_stopped_scene_can_be_left_and_its_events_change_nothing(scene: Driver
 def test_what_is_round_a_stopped_scene_and_fails_leads_to_the_menu(scene: Driver, monkeypatch):
     monkeypatch.setattr(scene.top.shell, "draw", fail)
     scene.frames(60)
-    assert isinstance(scene.top, MenuScreen) and told(scene).startswith("The scene was closed.")
+    assert isinstance(scene.top, MenuScreen) and message_of(scene).startswith("The scene was closed.")
 
 
 def test_a_scene_that_fails_under_a_card_is_stopped(scene: Driver, monkeypatch):
@@ -263,7 +263,7 @@ def test_a_scene_that_cannot_move_in_its_card_is_dropped(driver: Driver, monkeyp
             patch.setattr(LiveScene, name, fail)
             driver.frames(3)
         assert "example" not in thumbnails._live and isinstance(driver.top, MenuScreen)
-        assert told(driver).startswith("The picture of Bouncing ball cannot be shown.")
+        assert message_of(driver).startswith("The picture of Bouncing ball cannot be shown.")
         driver.app.toasts.clear()
     assert tracebacks() == 1  # both came out of the same line
 
@@ -273,7 +273,7 @@ def test_a_drawing_that_fails_leaves_its_card_empty(driver: Driver, monkeypatch,
     driver.resize(1100, 720)
     driver.frames(3)
     assert isinstance(driver.top, MenuScreen) and driver.app.running
-    assert told(driver).endswith("OddError: as the test has it")
+    assert message_of(driver).endswith("OddError: as the test has it")
     assert tracebacks() == len(driver.app.catalogue)  # one for each
 
 
@@ -308,7 +308,7 @@ def test_where_no_file_can_be_written_it_goes_to_standard_error(tmp_path: Path, 
     seen = []
     with Guard().over("Help", seen.append):
         raise OSError(errno.ENOSPC, "naïve")
-    assert seen[0].file is None and seen[0].where == "" and "OSError" in seen[0].told
+    assert seen[0].file is None and seen[0].where == "" and "OSError" in seen[0].message
     assert "na\\xefve" in capsys.readouterr().err
 
 
@@ -336,5 +336,5 @@ def test_the_program_ends_even_if_a_screen_cannot_be_closed(scene: Driver, monke
     scene.key(pygame.K_F1)
     monkeypatch.setattr(HelpCard, "closed", lambda self: closed.append(self))
     scene.app.running = False
-    scene.app.run()
+    scene.loop.run()
     assert closed and not len(scene.app.screens) and tracebacks() == 1

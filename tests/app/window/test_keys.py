@@ -3,7 +3,8 @@
 import pygame
 import pytest
 
-from game.app.window.keys import COMMANDS, Chord, Keys, chord_label, parse_chord
+from game.app.window.commands import COMMANDS
+from game.app.window.keys import Chord, Keys, chord_label, parse_chord
 
 
 @pytest.fixture(autouse=True)

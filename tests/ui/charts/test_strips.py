@@ -143,7 +143,7 @@ def test_a_frame_draws_one_chart_anew_and_only_for_new_steps(stage):
     strips, surface = painted(Look(DARK), (1280, 720), stage)
 
     def frame(dt):
-        """Numbers of the charts that a frame draws anew."""
+        """Numbers of the charts that a frame draws again."""
         before = [pygame.image.tobytes(surface.subsurface(chart), "RGB") for chart in strips.layout.charts]
         strips.update(dt, stage)
         strips.draw(surface)

@@ -4,9 +4,11 @@ import itertools
 import json
 
 import numpy as np
+import pygame
 import pytest
 
 from game.ui.look.assets import asset
+from game.ui.look.look import Look
 from game.ui.look.theme import (
     BALL_COLORS,
     DARK,
@@ -109,3 +111,12 @@ def test_gui_theme_scales_lengths_only():
     assert two["button"]["misc"]["tool_tip_delay"] == one["button"]["misc"]["tool_tip_delay"]
     assert two["button"]["colours"] == one["button"]["colours"]
     assert two["vertical_scroll_bar"]["misc"]["enable_arrow_buttons"] == "0"
+
+
+def test_an_unknown_colour_name_is_told_with_those_that_there_are():
+    look = Look(DARK)
+    with pytest.raises(ValueError, match="colour 'purple': expected one of ") as caught:
+        look.color("purple")
+    names = str(caught.value).partition("expected one of ")[2].split(", ")
+    assert {"text1", "accent", "amber", "chalk", "vermilion", "stage"} <= set(names)
+    assert "name" not in names and all(isinstance(look.color(name), pygame.Color) for name in names)

@@ -21,7 +21,7 @@ from game.ui.panel.rows import Heading, Measure, SegmentsRow
 from game.ui.panel.slider import SliderRow, read_value, share_of, shown_value, value_at
 from game.ui.panel.switch import SwitchRow
 from game.ui.panel.table import LegendRow, TableLine
-from game.ui.widgets.commands import Command
+from game.ui.widgets.wishes import Wish
 from tests.ui.pointing import click, down, event, move, press, up
 from tests.ui.sample_scene import Sample
 
@@ -67,7 +67,7 @@ class Desk:
         """Do what the app does with wishes: post the stage events, keep the rest."""
         rest = []
         for wish in wishes:
-            if isinstance(wish, Command):
+            if isinstance(wish, Wish):
                 rest.append(wish)
             else:
                 self.stage.post(wish)
@@ -192,7 +192,7 @@ def test_a_level_is_chosen_from_the_list(desk):
     desk.frame()
     assert menu.is_open
     wishes = click(desk.panel, (RECT.x + 100, RECT.y + 16 + 32 + 80))  # below "No level" and "First"
-    assert wishes == [Command("level", "b")]
+    assert wishes == [Wish("level", "b")]
 
 
 def shown_level(desk):
@@ -214,7 +214,7 @@ def test_the_list_shows_the_level_in_play_also_when_it_is_none_of_the_scene(desk
         assert shown_level(desk) == shown
         sheet = desk.panel._sheet
         desk.frame()
-        assert desk.panel._sheet is sheet  # made anew once
+        assert desk.panel._sheet is sheet  # made again once
 
 
 def test_levels_that_come_later_are_offered(desk):
@@ -280,7 +280,7 @@ def test_values_from_elsewhere_show(desk):
 
 
 def test_a_quiet_panel_that_follows_the_scene_shows_what_a_new_one_shows(desk):
-    """Rows that follow the scene one by one, without a pointer, against the whole sheet drawn anew."""
+    """Rows that follow the scene one by one, without a pointer, against the whole sheet drawn again."""
     for _ in range(60):
         desk.frame()  # at rest
     sheet = desk.panel._sheet
@@ -366,7 +366,7 @@ def test_wheel_and_thumb_scroll_within_the_ends(desk):
 
 def test_foot_and_tips(desk):
     reset = desk.panel.foot.spots.find("defaults")
-    assert click(desk.panel, reset.rect.center) == [Command("defaults")]
+    assert click(desk.panel, reset.rect.center) == [Wish("defaults")]
     row = desk.row(SliderRow, "rate")
     desk.panel.handle(move(*desk.place(row, 60, 10)))
     assert desk.panel.tip()[0] == "Particles each second.\n1 1/s to 26 000 1/s".replace(" 000", "\u202f000")

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from game.scenes import CATALOGUE
 from game.ui.look.fonts import FontBook
 from game.ui.text.formula import measure, render_formula
 from game.ui.text.markup import FormulaError, parse
@@ -42,8 +43,8 @@ def test_formulas_of_the_course_are_set(text, k):
         ("{a", "missing"),
         ("a}", "without a beginning"),
         ("a_1_2", "second script"),
-        (r"\matrix a", "wanted"),
-        (r"\text abc", "wanted"),
+        (r"\matrix a", "expected"),
+        (r"\text abc", "expected"),
         (r"\left( a", "missing"),
         ("{" * 200 + "}" * 200, "deep"),
         ("x" * 5000, "longer"),
@@ -96,3 +97,28 @@ def test_pictures_are_kept_by_colour_and_scale():
     fonts = FontBook(1.0)
     assert render_formula(fonts, "x+y", INK) is render_formula(fonts, "x+y", INK)
     assert render_formula(fonts, "x+y", INK) is not render_formula(fonts, "x+y", pygame.Color("red"))
+
+
+@pytest.mark.parametrize(
+    ("text", "token", "meant"),
+    [
+        (r"\aplha + 1", r"\aplha", r"\alpha"),
+        (r"\frc{a}{b}", r"\frc", r"\frac"),
+        (r"a \rightarrow b", r"\rightarrow", r"\Rightarrow"),
+        (r"\sqr{x}", r"\sqr", r"\sqrt"),
+    ],
+)
+def test_a_misspelt_token_is_named_with_what_is_known(text, token, meant):
+    with pytest.raises(FormulaError) as caught:
+        parse(text)
+    said = str(caught.value)
+    assert f"{token} is not known; did you mean " in said and meant in said.partition("?")[0]
+    known = said.partition("known are ")[2].split()
+    assert {r"\alpha", r"\sum", r"\frac", r"\hat", r"\sin", r"\left", r"\right", r"\quad"} <= set(known)
+
+
+@pytest.mark.parametrize("entry", tuple(CATALOGUE), ids=lambda entry: entry.name)
+def test_every_equation_of_every_scene_is_set(entry):
+    fonts = FontBook(1.0)
+    for equation in entry.load().equations:
+        assert render_formula(fonts, equation.formula, INK).get_width() > 1

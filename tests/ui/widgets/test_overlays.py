@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import numpy as np
 import pygame
 import pytest
 from hypothesis import given
@@ -17,8 +18,8 @@ from game.ui.charts.plot import WorkPrecisionPlot
 from game.ui.charts.plot_data import PlotAxes, PlotPoint, PlotSeries, Present, decades
 from game.ui.look.look import Look
 from game.ui.look.theme import DARK
-from game.ui.widgets.commands import Command
 from game.ui.widgets.helppage import HelpPage, paragraphs_of
+from game.ui.widgets.wishes import Wish
 from tests.ui.pointing import click, down, event, move, press
 from tests.ui.sample_scene import Sample
 
@@ -85,14 +86,14 @@ def test_help_scrolls_to_its_end_and_no_farther(look):
 def test_help_closes_by_cross_and_by_a_press_beside_it(look):
     page = HelpPage(look, Sample)
     page.place(pygame.Rect(0, 0, 1280, 720), look)
-    assert click(page, page.spots.spots[0].rect.center) == Command("close")
-    assert page.handle(down(5, 5)) == Command("close")
+    assert click(page, page.spots.spots[0].rect.center) == Wish("close")
+    assert page.handle(down(5, 5)) == Wish("close")
     assert page.handle(down(640, 400)) is None
     page.leave()
     assert not page.update(1.0)
 
 
-def test_a_formula_that_cannot_be_read_is_shown_as_words(look):
+def test_in_place_of_a_formula_that_cannot_be_read_stands_what_is_wrong_with_it(look):
     class Odd(Scene):
         name, title = "odd", "Odd"
         equations = (
@@ -102,8 +103,11 @@ def test_a_formula_that_cannot_be_read_is_shown_as_words(look):
 
     page = HelpPage(look, Odd)
     page.place(pygame.Rect(0, 0, 1280, 720), look)
-    page.draw(pygame.Surface((1280, 720), 0, 32))
-    assert page._sheet is not None
+    surface = pygame.Surface((1280, 720), 0, 32)
+    page.update(1.0)
+    page.draw(surface)
+    shown = {tuple(color) for color in np.unique(pygame.surfarray.array3d(surface).reshape(-1, 3), axis=0)}
+    assert tuple(look.color("vermilion", words=True))[:3] in shown
 
 
 # -- plot ----------------------------------------------------------------------------------------------
@@ -185,7 +189,7 @@ def test_clicking_a_point_gives_its_parameters(look):
     page = page_at(look)
     x, y = page.plot.place(0, SERIES[0].points[3])
     place = (x + page.overlay.card.x, y + page.overlay.card.y)
-    assert click(page, place) == Command("point", {"dt": 0.25})
+    assert click(page, place) == Wish("point", {"dt": 0.25})
     words, rect = page.tip()
     assert words.startswith("Explicit Euler") and rect.collidepoint(place)
     page.handle(move(300, 600))
@@ -199,15 +203,15 @@ def test_buttons_follow_the_runs(look):
         return click(page, page.spots.find(name).rect.center)
 
     assert [press_button(n) for n in ("stop", "save-csv", "save-picture", "close")] == [
-        Command(n) for n in ("stop", "save-csv", "save-picture", "close")
+        Wish(n) for n in ("stop", "save-csv", "save-picture", "close")
     ]
     page.report(Progress(0, 27, "", math.nan, False))
     assert [press_button(n) for n in ("stop", "save-csv")] == [None, None]
     page.report(Progress(27, 27, "", math.nan, False))
-    assert press_button("stop") is None and press_button("save-csv") == Command("save-csv")
+    assert press_button("stop") is None and press_button("save-csv") == Wish("save-csv")
 
 
-def test_the_sentence_compares_the_cheapest_with_the_dearest():
+def test_the_sentence_compares_the_cheapest_with_the_most_expensive():
     assert (
         sentence_for(ROWS, "one millimetre")
         == "For one millimetre, Verlet is 42 times cheaper than Explicit Euler."

@@ -15,7 +15,6 @@ from game.ui.look.look import Look
 from game.ui.look.motion import Fade
 from game.ui.look.shapes import SurfaceStore, box, draw_box, draw_disc, draw_line, shadow
 from game.ui.look.theme import DARK
-from game.ui.widgets.commands import Command
 from game.ui.widgets.hintbar import HintBar
 from game.ui.widgets.hotspots import Hotspot, Hotspots
 from game.ui.widgets.legend import Legend, draw_mark
@@ -24,6 +23,7 @@ from game.ui.widgets.overlay import Overlay
 from game.ui.widgets.toasts import Toasts
 from game.ui.widgets.tooltips import ToolTip
 from game.ui.widgets.topbar import BarState, TopBar, speed_text
+from game.ui.widgets.wishes import Wish
 from tests.ui.pointing import click, down, event, move, press, up
 
 READOUTS = (("time", 12.48, "s"), ("particles", 12112.0, ""), ("step", 52e-6, "s"), ("frame", 0.0031, "s"))
@@ -145,18 +145,19 @@ def bar_at(look, size, state=STATE):
 def test_every_button_gives_its_command(look):
     bar = bar_at(look, (1280, 720))
     found = {name: click(bar, bar.spots.find(name).rect.center) for name in (s.name for s in bar.spots.spots)}
-    assert found["play"] == Command("play") and found["back"] == Command("back")
-    assert found["slower"] == Command("speed", -1) and found["faster"] == Command("speed", 1)
+    assert found["pause"] == Wish("pause") and found["menu"] == Wish("menu")
+    assert found["slower"] == Wish("speed", -1) and found["faster"] == Wish("speed", 1)
     assert set(found) == {
-        "back", "reset", "step-back", "play", "step", "slower", "speed", "faster", "panel", "help", "picture"
+        "menu", "reset", "step-back", "pause", "step", "slower", "speed", "faster", "panel", "help",
+        "screenshot",
     }  # fmt: skip
-    assert bar.spots.find("play").rect.center == (552, 24)
+    assert bar.spots.find("pause").rect.center == (552, 24)
 
 
 def test_transport_is_dead_while_loading(look):
     bar = bar_at(look, (1280, 720), STATE._replace(ready=False))
     assert click(bar, bar.spots.find("step").rect.center) is None
-    assert click(bar, bar.spots.find("back").rect.center) == Command("back")
+    assert click(bar, bar.spots.find("menu").rect.center) == Wish("menu")
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -209,7 +210,7 @@ def test_numbers_change_when_they_are_fresh_and_only_then_is_it_painted(look):
 def test_no_number_runs_into_its_neighbour(any_look, width, value):
     readouts = (("time", 2.05, "s"), ("off", value, "°"), ("L", value, "kg m²/s"), ("frame", 0.0, "s"))
     bar = bar_at(any_look, (width, 720), STATE._replace(readouts=readouts))
-    faster, picture_button = bar.spots.find("faster"), bar.spots.find("picture")
+    faster, picture_button = bar.spots.find("faster"), bar.spots.find("screenshot")
     left_of_it = picture_button.rect.x if picture_button else 0
     for x, _, words in bar.columns():
         assert x < left_of_it

@@ -4,7 +4,7 @@ from threading import current_thread, main_thread
 
 import pytest
 
-from game.app.scene import play as play_module
+from game.app.scene import steps as steps_module
 from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.stage import Action, SetParameter, Stage
@@ -16,14 +16,14 @@ STEPS = 24
 def settled(driver) -> None:
     """Frames until nothing is under way."""
     play = driver.top.play
-    while play.errands.busy:
-        play.errands.wait(LONG_S)
+    while play.record.errands.busy:
+        play.record.errands.wait(LONG_S)
         driver.frames(1)
 
 
 @pytest.fixture
 def opened(start):
-    """A scene of the catalogue as a person has it: what takes long is done behind the window."""
+    """A scene of the catalogue as a person has it: what takes long is done in the background."""
 
     def open_scene(name: str):
         driver = start(catalogue=CATALOGUE)
@@ -42,7 +42,7 @@ def test_many_boxes_are_made_in_a_thread_and_are_the_same(opened, name, monkeypa
     threads = []
     post = play.stage.post
     monkeypatch.setattr(play.stage, "post", lambda event: threads.append(current_thread()) or post(event))
-    play.command("pause")
+    play.actions["pause"]()
     settled(driver)
     events = (
         SetParameter("count", 10_100),
@@ -52,7 +52,7 @@ def test_many_boxes_are_made_in_a_thread_and_are_the_same(opened, name, monkeypa
     )
     for event in events:
         play.post(event)
-        assert play.errands.inside
+        assert play.record.errands.inside
         driver.frames(1)
         settled(driver)
     assert len(threads) == len(events) and main_thread() not in threads
@@ -89,7 +89,7 @@ def test_what_is_said_of_a_level_goes_with_its_scene(opened):
 def test_slow_steps_are_made_in_a_thread_and_each_is_shown(opened, monkeypatch):
     driver = opened("c06")
     play = driver.top.play
-    monkeypatch.setattr(play_module, "STEPS_BUDGET_S", -1.0)  # no step is quick enough
+    monkeypatch.setattr(steps_module, "STEPS_BUDGET_S", -1.0)  # no step is quick enough
     drawn = []
     draw = play.view.draw
     monkeypatch.setattr(
@@ -110,12 +110,12 @@ def test_step_back_goes_behind_the_window_as_well(opened):
     play = driver.top.play
     play.post(SetParameter("count", 10_100))
     settled(driver)
-    play.command("step")
-    assert play.errands.inside
+    play.actions["step"]()
+    assert play.record.errands.inside
     settled(driver)
     step, digest = play.stage.step_number, play.stage.digest()
-    play.command("step")
-    play.command("step-back")
+    play.actions["step"]()
+    play.actions["step-back"]()
     settled(driver)
     assert (play.stage.step_number, play.stage.digest()) == (step, digest)
 
@@ -123,7 +123,7 @@ def test_step_back_goes_behind_the_window_as_well(opened):
 def test_figures_go_on_while_steps_are_made_in_a_thread(opened, monkeypatch):
     driver = opened("c06")
     play = driver.top.play
-    monkeypatch.setattr(play_module, "STEPS_BUDGET_S", -1.0)
+    monkeypatch.setattr(steps_module, "STEPS_BUDGET_S", -1.0)
     elapsed = []
     update = play.shell.update
     monkeypatch.setattr(play.shell, "update", lambda s, *rest: elapsed.append(s) or update(s, *rest))
@@ -132,7 +132,7 @@ def test_figures_go_on_while_steps_are_made_in_a_thread(opened, monkeypatch):
     while play.stage.step_number < first + 5:
         driver.frames(1)
         frames += 1
-        play.errands.wait(LONG_S)
+        play.record.errands.wait(LONG_S)
     driver.frames(1)
     frames += 1
     settled(driver)
@@ -145,5 +145,5 @@ def test_what_is_no_value_of_a_parameter_is_refused_at_once(opened, name, parame
     play = opened(name).top.play
     before = play.stage.scene.values[parameter]
     assert not play.post(SetParameter(parameter, value))
-    assert not play.errands.busy
+    assert not play.record.errands.busy
     assert play.stage.scene.values[parameter] == before

@@ -1,0 +1,41 @@
+"""What is in play on a scene's screen: one record, on which gate, shelf, steps and picture do their work."""
+
+from __future__ import annotations
+
+from game.app.scene.errands import Errands
+from game.app.scene.variants import Variants
+from game.app.stagehand.script import Script
+from game.stage import EffectMeter, Recording, Stage
+
+TRIALS = 2  # steps
+
+
+class InPlay:
+    """The stage in play and what belongs to it; all of that changes together.
+
+    ``script``: the recording that is watched, if one is. ``untried``: how many steps are still to be made
+    before it is known how long a step takes.
+    """
+
+    def __init__(self, stage: Stage, recording: Recording | None, in_background: bool) -> None:
+        """``in_background``: whether threads may do what takes long."""
+        self.errands = Errands(in_background)
+        self.script: Script | None = None
+        self.show(stage, recording)
+
+    def show(self, stage: Stage, recording: Recording | None = None) -> None:
+        """Another stage of the same scene from now on, on which a recording is played if there is one."""
+        self.stage = stage
+        self.variants = Variants(stage)
+        self.meter = EffectMeter(stage)
+        self.script = Script(stage, recording.events) if recording is not None else None
+        self.try_steps()
+
+    def begin_level(self) -> None:
+        """The stage has begun with another level: nothing of what was before is gone on with."""
+        self.script = None
+        self.try_steps()
+
+    def try_steps(self) -> None:
+        """Something has changed by which steps may have become slow."""
+        self.untried = TRIALS
