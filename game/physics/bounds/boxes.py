@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 FEW = 5  # corners up to which all of them are looked at in every direction
 
 
-@kernel
+@lean_kernel
 def extents_along(hull, h, c, s):
     """Least and greatest coordinate of hull (h, 2) on the axes (c, s) and (-s, c): u0, u1, v0, v1."""
     x, y = hull[0, 0], hull[0, 1]
@@ -29,7 +29,7 @@ def extents_along(hull, h, c, s):
     return u0, u1, v0, v1
 
 
-@kernel
+@lean_kernel
 def supports_at(hull, h, c, s, supports):
     """Write the corners farthest along (c, s), (-s, c), (-c, -s) and (s, -c) into ``supports`` (4,)."""
     for side in range(4):
@@ -42,7 +42,7 @@ def supports_at(hull, h, c, s, supports):
         c, s = -s, c
 
 
-@kernel
+@lean_kernel
 def follow_supports(hull, h, c, s, supports):
     """Let ``supports`` walk on, counter-clockwise, to a direction a little further round."""
     for side in range(4):
@@ -56,7 +56,7 @@ def follow_supports(hull, h, c, s, supports):
         c, s = -s, c
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def extents_of_supports(hull, c, s, supports):
     """The same as `extents_along` from the four outermost corners."""
     far, top, back, low = supports[0], supports[1], supports[2], supports[3]
@@ -68,7 +68,7 @@ def extents_of_supports(hull, c, s, supports):
     )
 
 
-@kernel
+@lean_kernel
 def search_box(hull, h, turns, supports):
     """Index of the direction in ``turns`` (k, 2) whose box has the least area; the first of equal ones.
 
@@ -99,7 +99,7 @@ def search_box(hull, h, turns, supports):
     return best
 
 
-@kernel
+@lean_kernel
 def calipers(hull, h, by_width):
     """Direction (c, s) of the hull side on which the box has the least area (or, ``by_width``, breadth).
 
@@ -129,7 +129,7 @@ def calipers(hull, h, by_width):
     return best_c, best_s
 
 
-@kernel
+@lean_kernel
 def climb(hull, h, start, c, s):
     """From a corner on, counter-clockwise, as long as the next one is not less far along (c, s)."""
     at = start
@@ -143,7 +143,7 @@ def climb(hull, h, start, c, s):
     return at
 
 
-@kernel
+@lean_kernel
 def write_box(hull, h, c, s, origin_x, origin_y, volumes, node):
     """Write the box of a hull on the axis (c, s) into row ``node``: centre amid the projections."""
     u0, u1, v0, v1 = extents_along(hull, h, c, s)

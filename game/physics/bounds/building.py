@@ -1,4 +1,4 @@
-"""The top-down building of a bounding-volume tree: one kernel, every node fitted anew.
+"""The top-down building of a bounding-volume tree: one kernel, a fit for every node.
 
 A node holds the segments ``order[begin:end]``. It is halved across its longer side, in the middle of its
 volume, and each half gets a volume of its own (Gottschalk, Lin and Manocha 1996). The end points are sorted
@@ -8,14 +8,15 @@ once by x; their order is handed down by stable partition, so that no node has t
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from game.physics.bounds.boxes import calipers, extents_along, search_box, write_box
 from game.physics.bounds.capsules import area_of_capsule, core_between, search_capsule, write_capsule
 from game.physics.bounds.hull import sorted_hull
-from game.physics.bounds.least_capsule import GOLDEN, write_least_capsule
-from game.physics.kernels.jit import kernel
+from game.physics.bounds.least_capsule import CELLS, GOLDEN, write_least_capsule
+from game.physics.kernels.lean import lean_kernel
 
 OBB, CAPSULE, AABB = 0, 1, 2
 SEARCH, REFINED, THINNEST, EXACT = 0, 1, 2, 3
@@ -24,7 +25,52 @@ GOLDEN_ROUNDS = 44  # shrink a degree to 1e-11 rad
 CHILD, BEGIN, END, PARENT, DEPTH = 0, 1, 2, 3, 4  # columns of links; child: the first of two, or -1
 
 
-@kernel
+class Fit(NamedTuple):
+    """Which volume is fitted, and how."""
+
+    kind: int  # OBB, CAPSULE or AABB
+    fit: int  # SEARCH, REFINED, THINNEST or EXACT
+    turns: Any  # (k, 2) directions of a search
+    step: float  # rad between them
+
+
+class FitScratch(NamedTuple):
+    """What a fit overwrites."""
+
+    supports: Any  # (4,) whole numbers
+    bounds: Any  # (2 k, 3)
+    cells: Any  # (CELLS, 4)
+    best: Any  # (3,)
+
+
+def fit_scratch(directions: int) -> FitScratch:
+    """Scratch for fits with so many directions of a search."""
+    supports, bounds = np.zeros(4, dtype=np.int64), np.zeros((2 * directions, 3))
+    return FitScratch(supports, bounds, np.empty((CELLS, 4)), np.zeros(3))
+
+
+class Nodes(NamedTuple):
+    """The arrays of a tree; see `BoundingTree`."""
+
+    kind: int  # OBB, CAPSULE or AABB
+    volumes: Any  # (m, 6)
+    links: Any  # (m, 5)
+    sizes: Any  # (m,) m
+    ends: Any  # (n, 4) m
+    order: Any  # (n,)
+
+
+class GrowScratch(NamedTuple):
+    """What the building of a tree over n segments overwrites."""
+
+    hull: Any  # (4 n + 2, 2)
+    sides: Any  # (n,) whole numbers
+    keys: Any  # (n,)
+    ids: Any  # (n,) whole numbers
+    later: Any  # (2 n,) whole numbers
+
+
+@lean_kernel
 def area_on_axis(kind, hull, h, c, s):
     """Area of the box or the capsule of a hull on the axis (c, s), m²."""
     u0, u1, v0, v1 = extents_along(hull, h, c, s)
@@ -35,7 +81,7 @@ def area_on_axis(kind, hull, h, c, s):
     return area_of_capsule(high - low, radius)
 
 
-@kernel
+@lean_kernel
 def golden_angle(kind, hull, h, angle, step):
     """An angle (rad) within ``step`` of ``angle`` whose volume is no larger, by golden section (Kiefer 1953).
 
@@ -69,17 +115,18 @@ def golden_angle(kind, hull, h, angle, step):
     return best
 
 
-@kernel(inline="always")
-def best_axis(kind, fit, hull, h, turns, step, supports, bounds):
+@lean_kernel(inline="always")
+def best_axis(method, hull, h, scratch):
     """Direction (c, s) of the core, or of a side of the box, of a hull (h, 2)."""
+    kind, fit, turns, step = method
     if kind == AABB or h < 2:
         return 1.0, 0.0
     if fit in (THINNEST, EXACT):
         return calipers(hull, h, fit == THINNEST)
     if kind == OBB:
-        best = search_box(hull, h, turns, supports)
+        best = search_box(hull, h, turns, scratch.supports)
     else:
-        best = search_capsule(hull, h, turns, supports, bounds)
+        best = search_capsule(hull, h, turns, scratch.supports, scratch.bounds)
     count = len(turns)
     c, s = turns[best % count, 0], turns[best % count, 1]
     if best >= count:
@@ -90,20 +137,23 @@ def best_axis(kind, fit, hull, h, turns, step, supports, bounds):
     return c, s
 
 
-@kernel
-def fit_volume(kind, fit, hull, h, turns, step, origin_x, origin_y, volumes, node, supports, bounds):
-    """Write the volume of a hull (h, 2) about its origin into row ``node`` of ``volumes`` (m, 6)."""
-    if kind == CAPSULE and fit == EXACT:
-        write_least_capsule(hull, h, turns, supports, bounds, origin_x, origin_y, volumes, node)
+@lean_kernel
+def fit_volume(method, hull, h, origin_x, origin_y, volumes, node, scratch):
+    """Write the volume of a hull (h, 2) about its origin into row ``node`` of ``volumes`` (m, 6).
+
+    method: `Fit`; scratch: `FitScratch`.
+    """
+    if method.kind == CAPSULE and method.fit == EXACT:
+        write_least_capsule(hull, h, method.turns, scratch, origin_x, origin_y, volumes, node)
         return
-    c, s = best_axis(kind, fit, hull, h, turns, step, supports, bounds)
-    if kind == CAPSULE:
+    c, s = best_axis(method, hull, h, scratch)
+    if method.kind == CAPSULE:
         write_capsule(hull, h, c, s, origin_x, origin_y, volumes, node)
     else:
         write_box(hull, h, c, s, origin_x, origin_y, volumes, node)
 
 
-@kernel
+@lean_kernel
 def middle_of(kind, volumes, node):
     """Centre of a volume and unit vector along its longer side: x, y, c, s."""
     if kind != CAPSULE:
@@ -116,7 +166,7 @@ def middle_of(kind, volumes, node):
     return x, y, 1.0, 0.0
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def write_size(kind, volumes, node, sizes):
     """Write the greatest extent of a volume, m: the larger of two volumes is opened first."""
     if kind != CAPSULE:
@@ -128,7 +178,7 @@ def write_size(kind, volumes, node, sizes):
         sizes[node] = math.sqrt(dx * dx + dy * dy) + 2.0 * volumes[node, 4]
 
 
-@kernel
+@lean_kernel
 def sort_by_key(keys, ids, count):
     """Sort ``ids[:count]`` by ``keys[:count]``, both in place and stable for what few equal keys there are.
 
@@ -146,7 +196,7 @@ def sort_by_key(keys, ids, count):
             ids[j] = number
 
 
-@kernel
+@lean_kernel
 def cheapest_cut(ends, ids, count, c, s, widths):
     """How many of the sorted segments go to the first half: least sum of half perimeter times segments.
 
@@ -173,10 +223,13 @@ def cheapest_cut(ends, ids, count, c, s, widths):
     return best
 
 
-@kernel
-def choose_sides(kind, split, ends, order, begin, end, volumes, node, too_deep, sides, keys, ids):
+@lean_kernel
+def choose_sides(tree, node, split, too_deep, scratch):
     """Write 1 into ``sides`` for the segments of a node that go to its second half; returns their number."""
-    x, y, c, s = middle_of(kind, volumes, node)
+    ends, order = tree.ends, tree.order
+    sides, keys, ids = scratch.sides, scratch.keys, scratch.ids
+    begin, end = tree.links[node, BEGIN], tree.links[node, END]
+    x, y, c, s = middle_of(tree.kind, tree.volumes, node)
     count = end - begin
     second = 0
     for k in range(count):
@@ -201,9 +254,9 @@ def choose_sides(kind, split, ends, order, begin, end, volumes, node, too_deep, 
     return second
 
 
-@kernel(inline="always")
-def part(row, begin, end, sides, shift, room):
-    """Stable partition of ``row[begin:end]`` by ``sides`` of entries over 2**shift; ``room``: scratch."""
+@lean_kernel(inline="always")
+def part(row, begin, end, sides, shift, others):
+    """Stable partition of ``row[begin:end]`` by ``sides`` of entries over 2**shift; ``others``: scratch."""
     first = begin
     later = 0
     for k in range(begin, end):
@@ -211,24 +264,25 @@ def part(row, begin, end, sides, shift, room):
             row[first] = row[k]
             first += 1
         else:
-            room[later] = row[k]
+            others[later] = row[k]
             later += 1
     for k in range(later):
-        row[first + k] = room[k]
+        row[first + k] = others[k]
 
 
-@kernel
-def grow_tree(
-    kind, fit, split, leaf_size, deepest, turns, step, ends, points, order, sorted_ids, volumes, links, sizes,
-    hull, sides, keys, ids, room, supports, bounds,
-):  # fmt: skip
+@lean_kernel
+def grow_tree(method, split, leaf_size, deepest, tree, points, sorted_ids, scratch, fitting):
     """Build all nodes, breadth first; returns their number.
 
-    ends (n, 4) m: segments x0 y0 x1 y1; points (2 n, 2): the same as points 2 i and 2 i + 1. order (n,),
-    sorted_ids (2 n,): permuted. volumes (2 n, 6), links (2 n, 5), sizes (2 n,): written. hull (4 n + 2, 2),
-    sides (n,), keys (n,), ids (n,), room (2 n,),
-    supports (4,), bounds (2 len(turns), 3): scratch. Nodes at depth ``deepest`` are halved by number.
+    tree: `Nodes` with room for 2 n volumes: ends given, order (n,) permuted, the rest written. points
+    (2 n, 2): the ends once more, as points 2 i and 2 i + 1; sorted_ids (2 n,): sorts them by x, permuted.
+    Nodes at depth ``deepest`` are halved by number. method: `Fit`, scratch: `GrowScratch`, fitting:
+    `FitScratch`, and tree as plain tuples.
     """
+    method, tree = Fit(*method), Nodes(*tree)
+    scratch, fitting = GrowScratch(*scratch), FitScratch(*fitting)
+    kind, volumes, links, sizes, ends, order = tree
+    hull, sides, later = scratch.hull, scratch.sides, scratch.later
     links[0, BEGIN], links[0, END], links[0, PARENT], links[0, DEPTH] = 0, len(ends), -1, 0
     count = np.int64(1)
     node = np.int64(0)
@@ -236,30 +290,15 @@ def grow_tree(
         begin, end = links[node, BEGIN], links[node, END]
         h = sorted_hull(points, sorted_ids, 2 * begin, 2 * end, hull)
         first = sorted_ids[2 * begin]
-        fit_volume(
-            kind,
-            fit,
-            hull,
-            h,
-            turns,
-            step,
-            points[first, 0],
-            points[first, 1],
-            volumes,
-            node,
-            supports,
-            bounds,
-        )
+        fit_volume(method, hull, h, points[first, 0], points[first, 1], volumes, node, fitting)
         write_size(kind, volumes, node, sizes)
         if end - begin <= leaf_size:
             links[node, CHILD] = -1
         else:
             too_deep = links[node, DEPTH] >= deepest
-            second = choose_sides(
-                kind, split, ends, order, begin, end, volumes, node, too_deep, sides, keys, ids
-            )
-            part(order, begin, end, sides, 0, room)
-            part(sorted_ids, 2 * begin, 2 * end, sides, 1, room)
+            second = choose_sides(tree, node, split, too_deep, scratch)
+            part(order, begin, end, sides, 0, later)
+            part(sorted_ids, 2 * begin, 2 * end, sides, 1, later)
             links[node, CHILD] = count
             middle = end - second
             for side in range(2):

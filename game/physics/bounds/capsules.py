@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 
 from game.physics.bounds.boxes import FEW, extents_along, extents_of_supports, follow_supports, supports_at
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 
-@kernel
+@lean_kernel
 def core_between(hull, h, c, s, middle, radius):
     """Ends u0 <= u1 of the shortest core along (c, s) at height ``middle`` that reaches the hull.
 
@@ -33,13 +33,13 @@ def core_between(hull, h, c, s, middle, radius):
     return low, high
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def area_of_capsule(length, radius):
     """Area of a capsule with a core of that length, m²."""
     return 2.0 * radius * length + math.pi * radius * radius
 
 
-@kernel
+@lean_kernel
 def bound_directions(hull, h, turns, supports, bounds):
     """Write what the capsule on each direction has at least; returns the index of the least of these areas.
 
@@ -69,7 +69,7 @@ def bound_directions(hull, h, turns, supports, bounds):
     return promising
 
 
-@kernel
+@lean_kernel
 def search_capsule(hull, h, turns, supports, bounds):
     """Index of the best direction: i for ``turns`` (k, 2), k + i for those turned by a right angle.
 
@@ -114,18 +114,22 @@ def search_capsule(hull, h, turns, supports, bounds):
     return best
 
 
-@kernel
+@lean_kernel
 def write_capsule(hull, h, c, s, origin_x, origin_y, volumes, node):
     """Write the capsule of a hull on the axis (c, s) into row ``node``."""
     _, _, v0, v1 = extents_along(hull, h, c, s)
     middle, radius = 0.5 * (v0 + v1), 0.5 * (v1 - v0)
     low, high = core_between(hull, h, c, s, middle, radius)
-    write_core(hull, h, c, s, middle, low, high, origin_x, origin_y, volumes, node)
+    write_core(hull, h, c, s, (middle, low, high), origin_x, origin_y, volumes, node)
 
 
-@kernel
-def write_core(hull, h, c, s, middle, low, high, origin_x, origin_y, volumes, node):
-    """Write the capsule with this core; its radius is the distance of the farthest corner from it."""
+@lean_kernel
+def write_core(hull, h, c, s, core, origin_x, origin_y, volumes, node):
+    """Write the capsule with this core; its radius is the distance of the farthest corner from it.
+
+    core: its coordinate across the axis (c, s), and the least and greatest one along it, m.
+    """
+    middle, low, high = core
     ax, ay = c * low - s * middle, s * low + c * middle
     bx, by = c * high - s * middle, s * high + c * middle
     farthest = 0.0

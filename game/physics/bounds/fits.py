@@ -8,7 +8,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.bounds.building import AABB, CAPSULE, EXACT, OBB, REFINED, SEARCH, THINNEST, fit_volume
+from game.physics.bounds.building import (
+    AABB,
+    CAPSULE,
+    EXACT,
+    OBB,
+    REFINED,
+    SEARCH,
+    THINNEST,
+    Fit,
+    fit_scratch,
+    fit_volume,
+)
 from game.physics.bounds.hull import hull_of
 from game.physics.bounds.least_capsule import (
     CELLS,
@@ -93,8 +104,7 @@ def fit_row(points: Array, kind: int, fit: int, step_degrees: float) -> NDArray[
     x, y = origin.tolist()
     step = math.radians(step_degrees)
     turns = turns_of(step_degrees)
-    supports, bounds = np.zeros(4, dtype=np.int64), np.zeros((2 * len(turns), 3))
-    fit_volume(kind, fit, hull, len(hull), turns, step, x, y, volumes, 0, supports, bounds)
+    fit_volume(Fit(kind, fit, turns, step), hull, len(hull), x, y, volumes, 0, fit_scratch(len(turns)))
     return volumes[0]
 
 
@@ -178,7 +188,7 @@ def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Caps
     """
     given = as_points(points)
     if not 1e-6 <= tolerance <= 0.5:
-        raise ValueError(f"tolerance: 1e-6 to 0.5 is wanted, not {tolerance!r}")
+        raise ValueError(f"tolerance: expected 1e-6 to 0.5, not {tolerance!r}")
     hull, origin = hull_of(given)
     h = len(hull)
     start = capsule_of(fit_row(given, CAPSULE, REFINED, 1.0))
@@ -194,9 +204,9 @@ def least_capsule(points: ArrayLike, tolerance: float = TOLERANCE) -> tuple[Caps
     bound = float(
         prove_least(hull, h, thin.radius, diameter_bound(hull, h), tolerance, np.empty((CELLS, 4)), best)
     )
-    radius_room = 0.1 * best[2]
+    radius_range = 0.1 * best[2]
     for i in range(POLISHING):
-        polish(hull, h, POLISHED_ANGLE * 0.1**i, radius_room * 0.1**i, thin.radius, best)
+        polish(hull, h, POLISHED_ANGLE * 0.1**i, radius_range * 0.1**i, thin.radius, best)
     row = np.zeros((1, 6))
     write_shortest(hull, h, best[1], best[2], *origin.tolist(), row, 0)
     found = min((capsule_of(row[0]), start, thin), key=lambda capsule: capsule.area)

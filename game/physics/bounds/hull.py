@@ -8,17 +8,17 @@ from __future__ import annotations
 import numpy as np
 
 from game.physics.bounds.validation import Array
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def turn_of(hull, h, x, y):
     """Twice the signed area of the last two corners and (x, y): above 0 turns left."""
     ax, ay = hull[h - 2, 0], hull[h - 2, 1]
     return (hull[h - 1, 0] - ax) * (y - ay) - (hull[h - 1, 1] - ay) * (x - ax)
 
 
-@kernel
+@lean_kernel
 def sorted_hull(points, ids, begin, end, hull):
     """Hull of ``points`` (n, 2) m listed by ``ids[begin:end]``, which sort them by x, then y.
 
@@ -47,7 +47,20 @@ def sorted_hull(points, ids, begin, end, hull):
     return moved_hull(hull, h, points[ids[begin], 0], points[ids[begin], 1])
 
 
-@kernel
+@lean_kernel(inline="always")
+def is_passed(hull, h, x, y):
+    """Whether the last corner says nothing, as the next one is (x, y): no turn to the left, and no way back.
+
+    Where all corners are almost on a line, rounding hides the turn at its far end. It is the end, as there
+    the next corner lies backwards; without it a volume would not hold its segments.
+    """
+    if turn_of(hull, h, x, y) > 0.0:
+        return False
+    px, py = hull[h - 1, 0], hull[h - 1, 1]
+    return (px - hull[h - 2, 0]) * (x - px) + (py - hull[h - 2, 1]) * (y - py) >= 0.0
+
+
+@lean_kernel
 def moved_hull(hull, h, origin_x, origin_y):
     """A hull's ``h`` corners counted from an origin, its first one; those that then say nothing are left out.
 
@@ -58,12 +71,12 @@ def moved_hull(hull, h, origin_x, origin_y):
         x, y = hull[k, 0] - origin_x, hull[k, 1] - origin_y
         if n > 0 and x == hull[n - 1, 0] and y == hull[n - 1, 1]:
             continue
-        while n > 1 and turn_of(hull, n, x, y) <= 0.0:
+        while n > 1 and is_passed(hull, n, x, y):
             n -= 1
         hull[n, 0] = x
         hull[n, 1] = y
         n += 1
-    while n > 2 and turn_of(hull, n, 0.0, 0.0) <= 0.0:
+    while n > 2 and is_passed(hull, n, 0.0, 0.0):
         n -= 1
     return n
 

@@ -16,8 +16,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from game.physics.bounds.boxes import calipers, extents_along
 from game.physics.bounds.capsules import (
     area_of_capsule,
@@ -26,7 +24,7 @@ from game.physics.bounds.capsules import (
     write_capsule,
     write_core,
 )
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 ROUNDS = 40  # at most, of any search in one dimension
@@ -40,7 +38,7 @@ TOLERANCE = 1e-3  # of the area, to which the capsules of a tree are the least
 MANY = 400  # corners; above that the diameter is taken from the box
 
 
-@kernel
+@lean_kernel
 def span_at(hull, h, c, s, middle, radius):
     """Length of the core at height ``middle``, m, below 0 where one centre would do; and its slope there.
 
@@ -58,7 +56,7 @@ def span_at(hull, h, c, s, middle, radius):
     return high - low, high_slope - low_slope
 
 
-@kernel
+@lean_kernel
 def shortest_core(hull, h, c, s, radius):
     """Length of the shortest core along (c, s) for a radius, and its height; inf if the hull is broader.
 
@@ -93,7 +91,7 @@ def shortest_core(hull, h, c, s, radius):
     return max(best, 0.0), height
 
 
-@kernel
+@lean_kernel
 def radius_within(extent, area):
     """The greatest radius of a capsule of that area that is as long as an extent, its ends included, m."""
     radius = math.sqrt(area / math.pi)
@@ -104,7 +102,7 @@ def radius_within(extent, area):
     return area / (extent + math.sqrt(room))
 
 
-@kernel
+@lean_kernel
 def least_in_cell(hull, h, cell, most, enough, diameter):
     """What no capsule of a cell with an area of at most ``most`` is below, m²; and one found on the way.
 
@@ -138,7 +136,7 @@ def least_in_cell(hull, h, cell, most, enough, diameter):
     return least, area_of_capsule(length, radius), radius
 
 
-@kernel
+@lean_kernel
 def prove_least(hull, h, least_radius, diameter, tolerance, cells, best):
     """Branch and bound over direction and radius; returns the lower bound of the area, m².
 
@@ -176,7 +174,7 @@ def prove_least(hull, h, least_radius, diameter, tolerance, cells, best):
     return min(bound, best[0])
 
 
-@kernel
+@lean_kernel
 def best_radius(hull, h, angle, near, far, best):
     """Least area on one angle for radii from ``near`` to ``far``, m²; ``best`` is improved."""
     c, s = math.cos(angle), math.sin(angle)
@@ -202,7 +200,7 @@ def best_radius(hull, h, angle, near, far, best):
     return least
 
 
-@kernel
+@lean_kernel
 def polish(hull, h, angle_room, radius_room, least_radius, best):
     """Improve ``best`` (area, angle, radius) by golden section over angles, and over radii for each."""
     near, far = max(best[2] - radius_room, least_radius), best[2] + radius_room
@@ -224,7 +222,7 @@ def polish(hull, h, angle_room, radius_room, least_radius, best):
             low, at_left, at_right = left, at_right, -1.0
 
 
-@kernel
+@lean_kernel
 def diameter_bound(hull, h):
     """The greatest distance of two corners (h, 2), m, or a little more where there are very many."""
     if h > MANY:
@@ -238,7 +236,7 @@ def diameter_bound(hull, h):
     return math.sqrt(farthest)
 
 
-@kernel
+@lean_kernel
 def try_axis(hull, h, c, s, best):
     """Improve ``best`` (area, angle, radius) by the capsule amid the projection; returns its radius, m."""
     _, _, v0, v1 = extents_along(hull, h, c, s)
@@ -250,32 +248,34 @@ def try_axis(hull, h, c, s, best):
     return radius
 
 
-@kernel
+@lean_kernel
 def write_shortest(hull, h, angle, radius, origin_x, origin_y, volumes, node):
     """Write the capsule with the shortest core for a direction (rad) and a radius into row ``node``."""
     c, s = math.cos(angle), math.sin(angle)
     _, middle = shortest_core(hull, h, c, s, radius)
     low, high = core_between(hull, h, c, s, middle, radius)
-    write_core(hull, h, c, s, middle, low, high, origin_x, origin_y, volumes, node)
+    write_core(hull, h, c, s, (middle, low, high), origin_x, origin_y, volumes, node)
 
 
-@kernel
-def write_least_capsule(hull, h, turns, supports, bounds, origin_x, origin_y, volumes, node):
+@lean_kernel
+def write_least_capsule(hull, h, turns, scratch, origin_x, origin_y, volumes, node):
     """Write a capsule whose area is within TOLERANCE of the least into row ``node``.
 
-    It begins with the best direction of the search by steps and with the least radius.
+    It begins with the best direction of the search by steps and with the least radius. scratch: a
+    `building.FitScratch`, overwritten.
     """
+    best = scratch.best
     c, s = calipers(hull, h, True)
-    best = np.array((math.inf, 0.0, 0.0))
+    best[0], best[1], best[2] = math.inf, 0.0, 0.0
     thinnest = try_axis(hull, h, c, s, best)
     if h <= 2 or thinnest <= 0.0:
         write_capsule(hull, h, c, s, origin_x, origin_y, volumes, node)
         return
-    found = search_capsule(hull, h, turns, supports, bounds)
+    found = search_capsule(hull, h, turns, scratch.supports, scratch.bounds)
     count = len(turns)
     c, s = turns[found % count, 0], turns[found % count, 1]
     if found >= count:
         c, s = -s, c
     try_axis(hull, h, c, s, best)
-    prove_least(hull, h, thinnest, diameter_bound(hull, h), TOLERANCE, np.empty((CELLS, 4)), best)
+    prove_least(hull, h, thinnest, diameter_bound(hull, h), TOLERANCE, scratch.cells, best)
     write_shortest(hull, h, best[1], best[2], origin_x, origin_y, volumes, node)

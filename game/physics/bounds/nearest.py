@@ -12,12 +12,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from game.physics.bounds.building import BEGIN, CHILD, END
+from game.physics.bounds.building import BEGIN, CHILD, END, Nodes
 from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import nearest_points
 from game.physics.bounds.tree import BoundingTree
 from game.physics.bounds.validation import as_angle, as_vector
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 
 class Nearest(NamedTuple):
@@ -30,9 +30,11 @@ class Nearest(NamedTuple):
     segment_tests: int
 
 
-@kernel
-def nearest_of_leaves(la, ends_a, order_a, a, lb, ends_b, order_b, b, place, best):
+@lean_kernel
+def nearest_of_leaves(first, a, second, b, place, best):
     """Improve ``best`` (7,): square of the distance, points, counts; by all segments of two leaves."""
+    la, ends_a, order_a = first.links, first.ends, first.order
+    lb, ends_b, order_b = second.links, second.ends, second.order
     c, s, x, y = place[0], place[1], place[2], place[3]
     for k in range(lb[b, BEGIN], lb[b, END]):
         j = order_b[k]
@@ -49,11 +51,15 @@ def nearest_of_leaves(la, ends_a, order_a, a, lb, ends_b, order_b, b, place, bes
                 best[0], best[1], best[2], best[3], best[4] = square, px, py, qx, qy
 
 
-@kernel
-def search_nearest(
-    kind, va, la, sizes_a, ends_a, order_a, vb, lb, sizes_b, ends_b, order_b, place, stack, bounds, best
-):
-    """Walk both trees; ``best`` (7,) begins with inf in front. stack (d, 2), bounds (d,): overwritten."""
+@lean_kernel
+def search_nearest(first, second, place, stack, bounds, best):
+    """Walk both trees, `Nodes` as plain tuples; ``best`` (7,) begins with inf in front.
+
+    stack (d, 2), bounds (d,): overwritten.
+    """
+    first, second = Nodes(*first), Nodes(*second)
+    kind, va, la, sizes_a = first.kind, first.volumes, first.links, first.sizes
+    vb, lb, sizes_b = second.volumes, second.links, second.sizes
     stack[0, 0], stack[0, 1], bounds[0] = 0, 0, -math.inf
     top = 1
     while top > 0:
@@ -62,7 +68,7 @@ def search_nearest(
         if bound > 0.0 and bound * bound >= best[0]:
             continue
         if la[a, CHILD] < 0 and lb[b, CHILD] < 0:
-            nearest_of_leaves(la, ends_a, order_a, a, lb, ends_b, order_b, b, place, best)
+            nearest_of_leaves(first, a, second, b, place, best)
             continue
         open_a = lb[b, CHILD] < 0 or (la[a, CHILD] >= 0 and sizes_a[a] >= sizes_b[b])
         for side in range(2):
@@ -90,19 +96,16 @@ def nearest(
     ValueError for trees of different kinds, or what is no place.
     """
     if tree_a.kind != tree_b.kind:
-        raise ValueError(f"trees: of one kind are wanted, not {tree_a.kind} and {tree_b.kind}")
+        raise ValueError(f"trees: expected two of one kind, not {tree_a.kind} and {tree_b.kind}")
     x, y = as_vector(offset_b, "offset_b")
     turn = as_angle(turn_b, "turn_b")
     if tree_a.kind == "aabb" and turn != 0.0:
         tree_b, turn = tree_b.turned(turn), 0.0
-    a, b = tree_a, tree_b
-    room = a.depth + b.depth + 3
+    capacity = tree_a.depth + tree_b.depth + 3
     best = np.zeros(7)
     best[0] = math.inf
-    search_nearest(
-        a.kind_number, a.volumes, a.links, a.sizes, a.ends, a.order, b.volumes, b.links, b.sizes, b.ends,
-        b.order, np.array([math.cos(turn), math.sin(turn), x, y]), np.zeros((room, 2), dtype=np.int64),
-        np.zeros(room), best,
-    )  # fmt: skip
+    place = np.array([math.cos(turn), math.sin(turn), x, y])
+    stack, bounds = np.zeros((capacity, 2), dtype=np.int64), np.zeros(capacity)
+    search_nearest(tree_a.nodes, tree_b.nodes, place, stack, bounds, best)
     square, px, py, qx, qy, volumes, segments = best.tolist()
     return Nearest(math.sqrt(square), (px, py), (qx, qy), int(volumes), int(segments))

@@ -13,10 +13,10 @@ import math
 
 from game.physics.bounds.building import CAPSULE
 from game.physics.bounds.segments import nearest_points
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 
-@kernel
+@lean_kernel
 def gap_of_boxes(va, a, vb, b, c, s, x, y):
     """Widest gap on the four side directions of two boxes, m (negative: they overlap), and its axis.
 
@@ -49,7 +49,7 @@ def gap_of_boxes(va, a, vb, b, c, s, x, y):
     return gap, nx, ny
 
 
-@kernel
+@lean_kernel
 def gap_of_capsules(va, a, vb, b, c, s, x, y):
     """Gap between two capsules, m (negative: they overlap), and the unit vector from a to b along it."""
     px, py, qx, qy = nearest_points(
@@ -65,7 +65,7 @@ def gap_of_capsules(va, a, vb, b, c, s, x, y):
     return gap, 1.0, 0.0
 
 
-@kernel(inline="always")
+@lean_kernel(inline="always")
 def gap_of_volumes(kind, va, a, vb, b, place):
     """Gap and axis of two volumes of one kind; ``place`` (4,): cosine, sine, x, y of the second's frame."""
     if kind == CAPSULE:

@@ -76,7 +76,7 @@ def mark_nodes(rows, count, parents_a, parents_b, marks_a, marks_b):
 
 
 class Query:
-    """Two trees that are asked again and again; keeps its room, and the front if told to go on from it.
+    """Two trees that are asked again and again; keeps its arrays, and the front if told to go on from it.
 
     After `run`: ``volume_tests``, ``segment_tests``, ``leaves_met``, ``crossing_count``; `answer` copies all.
     most: pairs of volumes, and of segments that meet, that there is room for: two polylines that cross
@@ -85,7 +85,7 @@ class Query:
 
     def __init__(self, tree_a: BoundingTree, tree_b: BoundingTree, most: int = MAX_ROWS):
         if tree_a.kind != tree_b.kind:
-            raise ValueError(f"trees: of one kind are wanted, not {tree_a.kind} and {tree_b.kind}")
+            raise ValueError(f"trees: expected two of one kind, not {tree_a.kind} and {tree_b.kind}")
         self.most = most
         self.tree_a, self.tree_b = tree_a, tree_b
         self._rows = np.zeros((256, 5), dtype=np.int32)
@@ -113,13 +113,13 @@ class Query:
         """Ask with the second tree turned by ``turn_b`` (rad) and moved by ``offset_b`` (2,) m.
 
         exact: test the segments of leaves that overlap. coherent: begin with the front of the last query.
-        Upright boxes cannot be turned here: turn their tree. ValueError for what is no place; LimitError for
-        more pairs than there is room for, and then the next query begins anew.
+        Axis-aligned boxes cannot be turned here: turn their tree. ValueError for what is no place; LimitError
+        for more pairs than ``most``, and then the next query begins afresh.
         """
         x, y = as_vector(offset_b, "offset_b")
         turn = as_angle(turn_b, "turn_b")
         if turn != 0.0 and self.tree_a.kind == "aabb":
-            raise ValueError("turn_b: upright boxes do not turn; give the tree of the turned polyline")
+            raise ValueError("turn_b: axis-aligned boxes do not turn; give the tree of the turned polyline")
         self._place[:] = math.cos(turn), math.sin(turn), x, y
         if coherent:
             self._old, self._rows, self._old_count = self._rows, self._old, self.row_count
@@ -134,34 +134,34 @@ class Query:
             self._counts[:] = 0
             raise
 
-    def _traverse(self, way: float, exact: bool, patience: int) -> int:
-        """One attempt; a result that has no room gets more of it."""
+    def _traverse(self, distance: float, exact: bool, patience: int) -> int:
+        """One attempt; a result that does not fit gets larger arrays."""
         a, b = self.tree_a, self.tree_b
-        slack = ROUNDINGS * (a.reach + b.reach + way)
+        slack = ROUNDINGS * (a.reach + b.reach + distance)
+        old, scratch = self._old[: self._old_count], (self._stack, self._scratch)
+        written = (self._rows, self._gaps, self._crossings, self._counts)
         status = traversal.traverse(
-            a.kind_number, a.volumes, a.links, a.sizes, a.ends, a.order, b.volumes, b.links, b.sizes, b.ends,
-            b.order, self._place, slack, exact, patience, self._old[: self._old_count], self._rows,
-            self._gaps, self._crossings, self._stack, self._counts, self._scratch,
-        )  # fmt: skip
+            a.nodes, b.nodes, self._place, slack, exact, patience, old, written, scratch
+        )
         if status == traversal.MORE_ROWS:
-            room = self._more("volumes", len(self._rows) + 1, 2 * len(self._rows))
-            self._rows, self._gaps = np.zeros((room, 5), dtype=np.int32), np.zeros((room, 3))
+            capacity = self._more("volumes", len(self._rows) + 1, 2 * len(self._rows))
+            self._rows, self._gaps = np.zeros((capacity, 5), dtype=np.int32), np.zeros((capacity, 3))
         elif status == traversal.MORE_CROSSINGS:
             found = int(self._counts[traversal.CROSSINGS])
-            room = self._more("segments that meet", found, 2 * found)
-            self._crossings = np.zeros((room, 2), dtype=np.int64)
+            capacity = self._more("segments that meet", found, 2 * found)
+            self._crossings = np.zeros((capacity, 2), dtype=np.int64)
         elif len(self._gaps) < len(self._rows):
             self._gaps = np.zeros((len(self._rows), 3))
         return int(status)
 
-    def _more(self, what: str, needed: int, wanted: int) -> int:
-        """Room for more of a kind; LimitError if those that are needed are too many."""
+    def _more(self, what: str, needed: int, wished: int) -> int:
+        """The capacity for more of a kind; LimitError if those that are needed are too many."""
         if needed > self.most:
             raise LimitError(
                 f"the outlines lie in each other: more than {self.most} pairs of {what}, which there is no "
                 "room for"
             )
-        return min(max(wanted, needed), self.most)
+        return min(max(wished, needed), self.most)
 
     @property
     def row_count(self) -> int:
@@ -274,7 +274,7 @@ def tandem(
     """Which leaves of two trees overlap, which of their segments meet, and how that was found.
 
     The second tree is turned by ``turn_b`` (rad) about its origin and moved by ``offset_b`` (2,) m. Touching
-    counts. Upright boxes cannot be turned here: give ``tree_b.turned(angle)``, whose leaves are others.
+    counts. Axis-aligned boxes cannot be turned here: give ``tree_b.turned(angle)``, whose leaves are others.
     ValueError for that, for trees of different kinds, or what is no place.
     """
     query = Query(tree_a, tree_b)

@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from game.physics.bounds.validation import as_points
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 FILTER = (3.0 + 16.0 * 2.0**-53) * 2.0**-53  # relative error of the rounded determinant
 SPLITTER = 2.0**27 + 1.0
 SCRATCH = 16  # numbers that an exact sum takes
 
 
-@kernel
+@lean_kernel
 def orientation(ax, ay, bx, by, cx, cy, scratch):
     """1.0, 0.0 or -1.0: c lies left of the line from a to b, on it, right of it.
 
@@ -36,7 +36,7 @@ def orientation(ax, ay, bx, by, cx, cy, scratch):
     return 1.0 if determinant > 0.0 else -1.0 if determinant < 0.0 else 0.0
 
 
-@kernel
+@lean_kernel
 def exact_orientation(ax, ay, bx, by, cx, cy, parts):
     """A number of the sign of the determinant: six products and their errors, summed without rounding.
 
@@ -80,7 +80,7 @@ def exact_orientation(ax, ay, bx, by, cx, cy, parts):
     return 0.0
 
 
-@kernel
+@lean_kernel
 def segments_meet(ax, ay, bx, by, cx, cy, dx, dy, scratch):
     """Whether the closed segments ab and cd have a point in common; exact for the numbers given."""
     if max(ax, bx) < min(cx, dx) or max(cx, dx) < min(ax, bx):
@@ -108,7 +108,7 @@ def segments_meet(ax, ay, bx, by, cx, cy, dx, dy, scratch):
     return True
 
 
-@kernel
+@lean_kernel
 def nearest_on_segment(ax, ay, bx, by, x, y):
     """The point of the segment ab nearest to (x, y)."""
     dx, dy = bx - ax, by - ay
@@ -123,7 +123,7 @@ def nearest_on_segment(ax, ay, bx, by, x, y):
     return ax + t * dx, ay + t * dy
 
 
-@kernel
+@lean_kernel
 def nearest_points(ax, ay, bx, by, cx, cy, dx, dy):
     """Nearest points of the segments ab and cd: px, py on the first, qx, qy on the second.
 

@@ -10,12 +10,14 @@ A pair whose two parts were apart is asked again after a while, and if it is apa
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
 import numpy as np
 
-from game.physics.bounds.building import BEGIN, CHILD, END
+from game.physics.bounds.building import BEGIN, CHILD, END, Nodes
 from game.physics.bounds.overlap import gap_of_volumes
 from game.physics.bounds.segments import segments_meet
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 APART, OPENED, MET = 0, 1, 2  # verdicts: separated; the larger one opened; two leaves that overlap
 ROW_A, ROW_B, VERDICT, AGE, TESTED = 0, 1, 2, 3, 4  # columns of rows
@@ -24,12 +26,24 @@ VOLUMES_TESTED, SEGMENTS_TESTED, LEAVES_MET, CROSSINGS, ROWS = 0, 1, 2, 3, 4  # 
 DONE, MORE_ROWS, MORE_CROSSINGS = 0, 1, 2
 
 
-@kernel(inline="always")
-def test_leaves(la, ends_a, order_a, a, lb, ends_b, order_b, b, place, crossings, found, counts, scratch):
+class Written(NamedTuple):
+    """What a query writes."""
+
+    rows: Any  # (n, 5) pairs of nodes
+    gaps: Any  # (n, 3) gap and axis of each pair that was tested
+    crossings: Any  # (c, 2)
+    counts: Any  # (5,)
+
+
+@lean_kernel(inline="always")
+def test_leaves(first, a, second, b, place, written, found, scratch):
     """Test all segments of two leaves; pairs that meet are listed in ``crossings``. Returns their number.
 
     What does not fit into ``crossings`` is only counted.
     """
+    la, ends_a, order_a = first.links, first.ends, first.order
+    lb, ends_b, order_b = second.links, second.ends, second.order
+    crossings, counts = written.crossings, written.counts
     c, s, x, y = place[0], place[1], place[2], place[3]
     for k in range(lb[b, BEGIN], lb[b, END]):
         j = order_b[k]
@@ -45,19 +59,20 @@ def test_leaves(la, ends_a, order_a, a, lb, ends_b, order_b, b, place, crossings
     return found
 
 
-@kernel
-def traverse(
-    kind, va, la, sizes_a, ends_a, order_a, vb, lb, sizes_b, ends_b, order_b, place, slack, exact, patience,
-    old, rows, gaps, crossings, stack, counts, scratch,
-):  # fmt: skip
-    """All pairs of a query, in the order of a walk that goes deep first; returns DONE or what has no room.
+@lean_kernel
+def traverse(first, second, place, slack, exact, patience, old, written, scratch):
+    """All pairs of a query, in the order of a walk that goes deep first; returns DONE or what has no place.
 
-    va, la, ...: volumes, links, sizes, ends and order of the trees. place (4,): cosine, sine, x, y of the
-    second one's frame in the first one's. slack: m, a gap up to this is rounding. exact: whether segments are
-    tested. old (k, 5): rows of the last query, or one row 0, 0, MET to begin anew. rows (n, 5), gaps (n, 3):
-    written: gap and axis of each pair that was tested. crossings (c, 2), counts (5,): written. stack (d, 2),
-    scratch (16,): overwritten.
+    first, second: `Nodes` of the trees; written: `Written`; both as plain tuples. place (4,): cosine, sine,
+    x, y of the second one's frame in the first one's. slack: m, a gap up to this is rounding. exact: whether
+    segments are tested. old (k, 5): rows of the last query, or one row 0, 0, MET to begin afresh. scratch:
+    stack (d, 2) and numbers (16,), overwritten.
     """
+    first, second, written = Nodes(*first), Nodes(*second), Written(*written)
+    kind, va, la, sizes_a = first.kind, first.volumes, first.links, first.sizes
+    vb, lb, sizes_b = second.volumes, second.links, second.sizes
+    rows, gaps, crossings, counts = written
+    stack, numbers = scratch
     n = k = top = 0
     found = np.int64(0)
     for i in range(len(counts)):
@@ -98,9 +113,7 @@ def traverse(
             verdict = MET
             counts[LEAVES_MET] += 1
             if exact:
-                found = test_leaves(
-                    la, ends_a, order_a, a, lb, ends_b, order_b, b, place, crossings, found, counts, scratch
-                )
+                found = test_leaves(first, a, second, b, place, written, found, numbers)
         else:
             open_a = lb[b, CHILD] < 0 or (la[a, CHILD] >= 0 and sizes_a[a] >= sizes_b[b])
             for side in range(1, -1, -1):

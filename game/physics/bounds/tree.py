@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, grow_tree
+from game.physics.bounds.building import BEGIN, CHILD, DEPTH, END, PARENT, fit_scratch, grow_tree
 from game.physics.bounds.fits import ROUNDING, box_of, capsule_of
 from game.physics.bounds.validation import Array, as_angle, as_points, as_step, turns_of
 
@@ -48,6 +48,7 @@ class BoundingTree:
         self.kind, self.points, self.closed, self.ends, self.order = kind, points, closed, ends, order
         self.volumes, self.links, self.sizes = volumes, links, sizes
         self.kind_number = KINDS.index(kind)
+        self.nodes = (self.kind_number, volumes, links, sizes, ends, order)  # plain `Nodes`, for kernels
         self.reach = float(np.abs(points).max()) + float(sizes[0])
         self._rebuild = rebuild
 
@@ -132,6 +133,10 @@ class BoundingTree:
             assert outside <= slack, f"node {node}: a point lies {outside} m outside"
 
 
+def _integers(count: int) -> Indices:
+    return np.empty(count, dtype=np.int64)
+
+
 def build_tree(
     polyline: ArrayLike,
     kind: str = "obb",
@@ -167,12 +172,16 @@ def build_tree(
     order, sorted_ids = np.arange(n), np.lexsort((loose[:, 1], loose[:, 0]))
     volumes, links, sizes = np.zeros((2 * n, 6)), np.zeros((2 * n, 5), dtype=np.int64), np.zeros(2 * n)
     count = grow_tree(
-        KINDS.index(kind), FITS.index(fit), SPLITS.index(split), int(leaf_size),
-        2 * math.ceil(math.log2(max(n, 2))) + 8, turns, math.radians(step), ends, loose, order,
-        sorted_ids, volumes, links, sizes, np.empty((4 * n + 2, 2)), np.empty(n, dtype=np.int64), np.empty(n),
-        np.empty(n, dtype=np.int64), np.empty(2 * n, dtype=np.int64), np.zeros(4, dtype=np.int64),
-        np.zeros((2 * len(turns), 3)),
-    )  # fmt: skip
+        (KINDS.index(kind), FITS.index(fit), turns, math.radians(step)),
+        SPLITS.index(split),
+        int(leaf_size),
+        2 * math.ceil(math.log2(max(n, 2))) + 8,
+        (KINDS.index(kind), volumes, links, sizes, ends, order),
+        loose,
+        sorted_ids,
+        (np.empty((4 * n + 2, 2)), _integers(n), np.empty(n), _integers(n), _integers(2 * n)),
+        tuple(fit_scratch(len(turns))),
+    )
 
     def rebuild(turned: Array) -> BoundingTree:
         return build_tree(

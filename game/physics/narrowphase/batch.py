@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
-from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, gjk_query
+from game.physics.narrowphase.features import Frame, Pair, Polygon, point_in
+from game.physics.narrowphase.gjk import LIMIT, METHODS, TOLERANCE, Start, gjk_query
 from game.physics.narrowphase.vclip import vclip_query
 
 Array = NDArray[np.float64]
@@ -49,6 +50,10 @@ class PolygonSet:
     def __len__(self) -> int:
         return len(self.anchors)
 
+    def side(self, poses: Array) -> tuple[Array, Integers, Array, Array, Array]:
+        """The plain tuple of a `Side`, with poses (k, 4)."""
+        return self.vertices, self.first, self.anchors, self.centres, poses
+
 
 class Proximities(NamedTuple):
     """Answers of a batch, a row for each pair; see `Proximity`. Feature 2 i is a vertex, 2 i + 1 an edge."""
@@ -62,27 +67,49 @@ class Proximities(NamedTuple):
     normal: Array  # (m, 2)
 
 
+class Side(NamedTuple):
+    """The polygons of one side of a batch, as kernels take them; see `PolygonSet`."""
+
+    vertices: Array  # (N, 2) m
+    first: Integers  # (k + 1,)
+    anchors: Array  # (k, 2) m
+    centres: Array  # (k, 2) m
+    poses: Array  # (k, 4) x, y, cos, sin
+
+
+class Answers(NamedTuple):
+    """Where kernels write what they found, a row for each pair."""
+
+    numbers: Array  # (m, COLUMNS)
+    features: Integers  # (m, 2) where to begin (or -1), then what was found
+    iterations: Integers  # (m,)
+
+
 @inner_kernel
-def relative_frame(anchors_a, k, pose_a, anchors_b, m, pose_b):
-    """(c, s, tx, ty) from B's frame to A's, of polygons k and m at poses (x, y, cos, sin)."""
-    px, py, pc, ps = pose_a[0], pose_a[1], pose_a[2], pose_a[3]
-    qx, qy, qc, qs = pose_b[0], pose_b[1], pose_b[2], pose_b[3]
-    bx, by = anchors_b[m, 0], anchors_b[m, 1]
+def relative_pair(a, k, b, m):
+    """Polygons k and m of two sides as a `Pair`."""
+    px, py, pc, ps = a.poses[k, 0], a.poses[k, 1], a.poses[k, 2], a.poses[k, 3]
+    qx, qy, qc, qs = b.poses[m, 0], b.poses[m, 1], b.poses[m, 2], b.poses[m, 3]
+    bx, by = b.anchors[m, 0], b.anchors[m, 1]
     dx, dy = qc * bx - qs * by + qx - px, qs * bx + qc * by + qy - py
-    return (
+    frame = Frame(
         pc * qc + ps * qs,
         pc * qs - ps * qc,
-        pc * dx + ps * dy - anchors_a[k, 0],
-        pc * dy - ps * dx - anchors_a[k, 1],
+        pc * dx + ps * dy - a.anchors[k, 0],
+        pc * dy - ps * dx - a.anchors[k, 1],
     )
+    first = Polygon(a.vertices, a.first[k], a.first[k + 1] - a.first[k])
+    second = Polygon(b.vertices, b.first[m], b.first[m + 1] - b.first[m])
+    return Pair(first, second, frame)
 
 
 @inner_kernel
-def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, iterations):
-    """Write what was found, taken from A's frame into the world."""
+def write_answer(found, steps, a, k, answers, row):
+    """Write what was found, taken from the frame of polygon k of A into the world."""
     distance, ax, ay, bx, by, nx, ny, feature_a, feature_b = found
-    px, py, pc, ps = pose_a[0], pose_a[1], pose_a[2], pose_a[3]
-    x, y = anchors_a[k, 0], anchors_a[k, 1]
+    numbers, features, iterations = answers
+    px, py, pc, ps = a.poses[k, 0], a.poses[k, 1], a.poses[k, 2], a.poses[k, 3]
+    x, y = a.anchors[k, 0], a.anchors[k, 1]
     ax, ay, bx, by = ax + x, ay + y, bx + x, by + y
     numbers[row, 0] = distance
     numbers[row, 1], numbers[row, 2] = pc * ax - ps * ay + px, ps * ax + pc * ay + py
@@ -93,38 +120,31 @@ def write_answer(found, steps, anchors_a, k, pose_a, row, numbers, features, ite
 
 
 @lean_kernel
-def gjk_many(
-    va, first_a, anchors_a, centres_a, poses_a, vb, first_b, anchors_b, centres_b, poses_b, pairs, tolerance,
-    limit, method, deep, trace, numbers, features, iterations,
-):  # fmt: skip
-    """GJK for each pair (m, 2); ``features`` (m, 2) holds where to start (or -1) and then what was found."""
+def gjk_many(a, b, pairs, search, deep, trace, answers):
+    """GJK for each pair (m, 2) of polygons of two sides; sides, search and answers in plain tuples."""
+    a, b = Side(*a), Side(*b)
+    answers = Answers(*answers)
     for row in range(pairs.shape[0]):
         k, m = pairs[row, 0], pairs[row, 1]
-        c, s, tx, ty = relative_frame(anchors_a, k, poses_a[k], anchors_b, m, poses_b[m])
-        x, y = centres_b[m, 0], centres_b[m, 1]
-        hx, hy = c * x - s * y + tx - centres_a[k, 0], s * x + c * y + ty - centres_a[k, 1]
-        found, steps = gjk_query(
-            va, first_a[k], first_a[k + 1] - first_a[k], vb, first_b[m], first_b[m + 1] - first_b[m],
-            c, s, tx, ty, hx, hy, features[row, 0], features[row, 1], tolerance, limit, method, deep,
-            trace,
-        )  # fmt: skip
-        write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
+        pair = relative_pair(a, k, b, m)
+        x, y = point_in(pair.frame, b.centres[m, 0], b.centres[m, 1])
+        start = Start(
+            answers.features[row, 0], answers.features[row, 1], x - a.centres[k, 0], y - a.centres[k, 1]
+        )
+        found, steps = gjk_query(pair, start, search, deep, trace)
+        write_answer(found, steps, a, k, answers, row)
 
 
 @lean_kernel
-def vclip_many(
-    va, first_a, anchors_a, poses_a, vb, first_b, anchors_b, poses_b, pairs, deep, trace, numbers, features,
-    iterations,
-):  # fmt: skip
-    """V-Clip for each pair (m, 2); ``features`` (m, 2) holds where to start and then what was found."""
+def vclip_many(a, b, pairs, deep, trace, answers):
+    """V-Clip for each pair (m, 2) of polygons of two sides; sides and answers in plain tuples."""
+    a, b = Side(*a), Side(*b)
+    answers = Answers(*answers)
+    features = answers.features
     for row in range(pairs.shape[0]):
         k, m = pairs[row, 0], pairs[row, 1]
-        c, s, tx, ty = relative_frame(anchors_a, k, poses_a[k], anchors_b, m, poses_b[m])
-        found, steps = vclip_query(
-            va, first_a[k], first_a[k + 1] - first_a[k], vb, first_b[m], first_b[m + 1] - first_b[m],
-            c, s, tx, ty, features[row, 0], features[row, 1], deep, trace,
-        )  # fmt: skip
-        write_answer(found, steps, anchors_a, k, poses_a[k], row, numbers, features, iterations)
+        found, steps = vclip_query(relative_pair(a, k, b, m), features[row, 0], features[row, 1], deep, trace)
+        write_answer(found, steps, a, k, answers, row)
 
 
 NO_GJK_TRACE = np.empty((0, 16))
@@ -151,12 +171,8 @@ def gjk_batch(
     fit.
     """
     query = _Query(a, b, pairs, poses_a, poses_b, features)
-    a, b = query.a, query.b
-    gjk_many(
-        a.vertices, a.first, a.anchors, a.centres, query.poses_a, b.vertices, b.first, b.anchors, b.centres,
-        query.poses_b, query.pairs, float(tolerance), LIMIT, METHODS.index(method), deep, NO_GJK_TRACE,
-        query.numbers, query.features, query.iterations,
-    )  # fmt: skip
+    search = (float(tolerance), LIMIT, METHODS.index(method))
+    gjk_many(*query.sides, query.pairs, search, deep, NO_GJK_TRACE, query.written)
     return query.answers()
 
 
@@ -171,11 +187,7 @@ def vclip_batch(
 ) -> Proximities:
     """V-Clip for many pairs of convex polygons; arguments as for `gjk_batch`."""
     query = _Query(a, b, pairs, poses_a, poses_b, features)
-    a, b = query.a, query.b
-    vclip_many(
-        a.vertices, a.first, a.anchors, query.poses_a, b.vertices, b.first, b.anchors, query.poses_b,
-        query.pairs, deep, NO_VCLIP_TRACE, query.numbers, query.features, query.iterations,
-    )  # fmt: skip
+    vclip_many(*query.sides, query.pairs, deep, NO_VCLIP_TRACE, query.written)
     return query.answers()
 
 
@@ -186,18 +198,18 @@ class _Query:
         self.a = a if isinstance(a, PolygonSet) else PolygonSet(a)
         self.b = self.a if b is a else b if isinstance(b, PolygonSet) else PolygonSet(b)
         self.pairs = self._pairs(pairs)
-        self.poses_a = _poses("poses_a", poses_a, len(self.a))
-        self.poses_b = self.poses_a if poses_b is poses_a and self.a is self.b else _poses(
-            "poses_b", poses_b, len(self.b)
-        )  # fmt: skip
+        placed = _poses("poses_a", poses_a, len(self.a))
+        same = poses_b is poses_a and self.a is self.b
+        self.sides = (
+            self.a.side(placed),
+            self.b.side(placed if same else _poses("poses_b", poses_b, len(self.b))),
+        )
         m = len(self.pairs)
         if features is None:
             features = np.full((m, 2), -1, dtype=np.int64)
         elif features.shape != (m, 2) or features.dtype != np.int64 or not features.flags.c_contiguous:
             raise ValueError(f"features: an int64 array ({m}, 2) is wanted")
-        self.features = features
-        self.numbers = np.empty((m, COLUMNS))
-        self.iterations = np.empty(m, dtype=np.int64)
+        self.written = (np.empty((m, COLUMNS)), features, np.empty(m, dtype=np.int64))
 
     def _pairs(self, pairs: Any) -> Integers:
         if pairs is None:
@@ -216,10 +228,10 @@ class _Query:
 
     def answers(self) -> Proximities:
         """The answers, as views of the arrays that the kernel wrote."""
-        numbers = self.numbers
+        numbers, features, iterations = self.written
         return Proximities(
-            numbers[:, 0], numbers[:, 1:3], numbers[:, 3:5], self.features[:, 0], self.features[:, 1],
-            self.iterations, numbers[:, 5:7],
+            numbers[:, 0], numbers[:, 1:3], numbers[:, 3:5], features[:, 0], features[:, 1], iterations,
+            numbers[:, 5:7],
         )  # fmt: skip
 
 

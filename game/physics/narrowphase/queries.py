@@ -15,7 +15,7 @@ from game.physics.narrowphase.convex import ConvexPolygon, as_polygon
 from game.physics.narrowphase.features import Feature
 from game.physics.narrowphase.gjk import METHODS
 from game.physics.narrowphase.proximity import Proximity, certify
-from game.physics.narrowphase.separating_axis import measure_overlap
+from game.physics.narrowphase.separating_axis import overlap_query
 from game.physics.narrowphase.vclip import vclip_query
 
 Array = NDArray[np.float64]
@@ -33,9 +33,7 @@ def vclip(
     `vclip_trace`.
     """
     a, b = as_polygon(a), as_polygon(b)
-    found, steps = vclip_query(
-        a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b), *_codes(start), deep, trace
-    )  # fmt: skip
+    found, steps = vclip_query(_pair(a, b), *_codes(start), deep, trace)
     return checked(a, b, found, steps)
 
 
@@ -60,24 +58,22 @@ def gjk(
     if limit < 1:
         raise ValueError(f"gjk: limit must be at least 1, not {limit}")
     a, b = as_polygon(a), as_polygon(b)
-    frame = _frame(a, b)
-    toward = b.centre - a.centre
-    found, steps = gjk_kernels.gjk_query(
-        a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
-        *_codes(start), float(tolerance), int(limit), METHODS.index(method), deep, trace,
-    )  # fmt: skip
+    pair = _pair(a, b)
+    search = (float(tolerance), int(limit), METHODS.index(method))
+    found, steps = gjk_kernels.gjk_query(pair, _start(a, b, pair, start), search, deep, trace)
     if tolerance > gjk_kernels.TOLERANCE or limit < gjk_kernels.LIMIT:
         return _proximity(a, found, steps)
     return checked(a, b, found, steps)
 
 
 def sat(a: Any, b: Any) -> Proximity:
-    """The edge that parts two polygons best (separating axis): exact depth, but no distance of two vertices.
+    """The edge that separates two polygons best (separating axis).
 
-    For polygons that are apart the distance is a lower bound.
+    The depth is exact, but it knows no distance of two vertices: for polygons that are apart the distance is
+    a lower bound.
     """
     a, b = as_polygon(a), as_polygon(b)
-    found = measure_overlap(a.local, 0, len(a), b.local, 0, len(b), *_frame(a, b))
+    found = overlap_query(_pair(a, b))
     return _proximity(a, found, len(a) + len(b))
 
 
@@ -98,14 +94,14 @@ def epa(
     """
     _check_options("epa", tolerance, method)
     a, b = as_polygon(a), as_polygon(b)
-    frame = _frame(a, b)
-    toward = b.centre - a.centre
-    room = len(a) + len(b) + 3
+    pair = _pair(a, b)
+    search = (float(tolerance), gjk_kernels.LIMIT, METHODS.index(method))
+    capacity = len(a) + len(b) + 3
+    polytope = (np.empty((capacity, 2), dtype=np.int64), np.empty(capacity))
+    traces = (trace, expansion, first)
     found, steps, more = epa_kernels.epa_query(
-        a.local, 0, len(a), b.local, 0, len(b), *frame, toward[0] + frame[2], toward[1] + frame[3],
-        *_codes(start), float(tolerance), gjk_kernels.LIMIT, METHODS.index(method), deep,
-        np.empty((room, 2), dtype=np.int64), np.empty(room), trace, expansion, first,
-    )  # fmt: skip
+        pair, _start(a, b, pair, start), search, deep, polytope, traces
+    )
     if tolerance > gjk_kernels.TOLERANCE:
         return _proximity(a, found, steps + more)
     return checked(a, b, found, steps + more)
@@ -250,9 +246,16 @@ def checked(a: ConvexPolygon, b: ConvexPolygon, found: Any, steps: int) -> Proxi
     return answer
 
 
-def _frame(a: ConvexPolygon, b: ConvexPolygon) -> tuple[float, float, float, float]:
-    offset = b.anchor - a.anchor
-    return 1.0, 0.0, float(offset[0]), float(offset[1])
+def _pair(a: ConvexPolygon, b: ConvexPolygon) -> tuple[Any, Any, Any]:
+    """Two polygons where they lie, as the plain tuples of a `Pair`."""
+    x, y = (b.anchor - a.anchor).tolist()
+    return (a.local, 0, len(a)), (b.local, 0, len(b)), (1.0, 0.0, x, y)
+
+
+def _start(a: ConvexPolygon, b: ConvexPolygon, pair: Any, start: Start) -> tuple[int, int, float, float]:
+    """The plain tuple of a `gjk.Start` for a `_pair`."""
+    x, y = (b.centre - a.centre).tolist()
+    return *_codes(start), x + pair[2][2], y + pair[2][3]
 
 
 def _codes(start: Start) -> tuple[int, int]:

@@ -15,7 +15,7 @@ NEW_ONLY, FIRST_AND_NEW, SECOND_AND_NEW, INSIDE = 1, 2, 3, 4
 
 @lean_kernel
 def closest_point(px, py, qx, qy):
-    """The point of the segment p q closest to the origin, and its share of the way from p (0 to 1)."""
+    """The point of the segment p q closest to the origin, and its share of the path from p (0 to 1)."""
     ex, ey = qx - px, qy - py
     along = -(px * ex + py * ey)
     squared = ex * ex + ey * ey
@@ -51,12 +51,13 @@ def best_simplex(count, px, py, qx, qy, wx, wy):
 
 
 @lean_kernel
-def support_hc(v, first, count, start, dx, dy):
+def support_hc(polygon, start, dx, dy):
     """The vertex farthest along (dx, dy), by climbing from vertex ``start`` to better neighbours.
 
     A convex polygon has no other hilltop. Next to the top two vertices may be equally far; either is right.
     With a zero direction the start itself.
     """
+    v, first, count = polygon
     best = start
     here = v[first + best, 0] * dx + v[first + best, 1] * dy
     k = after(best, count)
@@ -77,8 +78,9 @@ def support_hc(v, first, count, start, dx, dy):
 
 
 @lean_kernel
-def support_scan(v, first, count, dx, dy):
+def support_scan(polygon, dx, dy):
     """The vertex farthest along (dx, dy), by looking at all of them."""
+    v, first, count = polygon
     best = 0
     here = v[first, 0] * dx + v[first, 1] * dy
     for k in range(1, count):
@@ -89,10 +91,11 @@ def support_scan(v, first, count, dx, dy):
 
 
 @lean_kernel
-def support_cold(v, first, count, dx, dy):
+def support_cold(polygon, dx, dy):
     """The same with nothing to start from: eight vertices far apart are asked, then it climbs."""
+    v, first, count = polygon
     if count <= 8:
-        return support_scan(v, first, count, dx, dy)
+        return support_scan(polygon, dx, dy)
     stride = count >> 3
     best = 0
     here = v[first, 0] * dx + v[first, 1] * dy
@@ -100,4 +103,4 @@ def support_cold(v, first, count, dx, dy):
         there = v[first + k, 0] * dx + v[first + k, 1] * dy
         if there > here:
             best, here = k, there
-    return support_hc(v, first, count, best, dx, dy)
+    return support_hc(polygon, best, dx, dy)

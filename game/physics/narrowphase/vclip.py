@@ -21,10 +21,14 @@ from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.narrowphase.features import (
     after,
     before,
-    inverse_frame,
     known_feature,
     measure,
     measure_to_edge,
+    pair_of,
+    turned_back,
+    turned_round,
+    vertex,
+    vertex_in,
 )
 from game.physics.narrowphase.separating_axis import measure_overlap, measure_touching
 
@@ -37,39 +41,42 @@ NO_TRACE = np.empty((0, TRACE_WIDTH))
 
 
 @lean_kernel
-def clip_vertex(v, first, count, feature, x, y):
+def clip_vertex(polygon, feature, x, y):
     """Where a vertex (x, y) of the other polygon lies as a feature's Voronoi region sees it.
 
     Returns the feature itself if within (borders included), the neighbour beyond the border that is crossed,
     or BEHIND an edge (or on it). Cases vertex-vertex and vertex-edge.
     """
+    count = polygon.count
     if count == 1:
         return feature
     i = feature >> 1
-    ox, oy = v[first + i, 0], v[first + i, 1]
+    ox, oy = vertex(polygon, i)
     n = after(i, count)
-    ex, ey = v[first + n, 0] - ox, v[first + n, 1] - oy
+    px, py = vertex(polygon, n)
+    ex, ey = px - ox, py - oy
     dx, dy = x - ox, y - oy
     along = ex * dx + ey * dy
     if feature & 1:
         if along < 0.0:
             return 2 * i
-        if ex * (x - v[first + n, 0]) + ey * (y - v[first + n, 1]) > 0.0:
+        if ex * (x - px) + ey * (y - py) > 0.0:
             return 2 * n
         return BEHIND if ex * dy - ey * dx >= 0.0 else feature
     if along > 0.0:
         return feature + 1
     n = before(i, count)
-    if (ox - v[first + n, 0]) * dx + (oy - v[first + n, 1]) * dy < 0.0:
+    px, py = vertex(polygon, n)
+    if (ox - px) * dx + (oy - py) * dy < 0.0:
         return 2 * n + 1
     return feature
 
 
 @lean_kernel
-def clip_edge(v, first, count, feature, px, py, qx, qy):
+def clip_edge(polygon, feature, px, py, qx, qy):
     """Where the nearest point of the edge p to q of the other polygon lies, as a feature's region sees it.
 
-    The other polygon is on the left of the way from p to q.
+    The other polygon is on the left of the direction from p to q.
 
     Of a vertex: the edge is clipped by the region's two borders; if the distance to the vertex still
     falls where it leaves the region, the answer is the edge on that side, else the vertex itself. The
@@ -79,18 +86,21 @@ def clip_edge(v, first, count, feature, px, py, qx, qy):
     Of an edge: the answer is the vertex whose border the part beside the edge must cross to come nearer, the
     edge itself if an end of p q is nearest (or both are parallel), CROSSING, or BEHIND.
     """
+    count = polygon.count
     if count == 1:
         return feature
     i = feature >> 1
     n = after(i, count)
-    ox, oy = v[first + i, 0], v[first + i, 1]
-    ex, ey = v[first + n, 0] - ox, v[first + n, 1] - oy
+    ox, oy = vertex(polygon, i)
+    ux, uy = vertex(polygon, n)
+    ex, ey = ux - ox, uy - oy
     gx, gy = qx - px, qy - py
     if not feature & 1:
         if ex * gy - ey * gx < 0.0:
             return feature + 1
         n = before(i, count)
-        if (ox - v[first + n, 0]) * gy - (oy - v[first + n, 1]) * gx > 0.0:
+        ux, uy = vertex(polygon, n)
+        if (ox - ux) * gy - (oy - uy) * gx > 0.0:
             return 2 * n + 1
         return feature
     start, end = ex * (px - ox) + ey * (py - oy), ex * (qx - ox) + ey * (qy - oy)
@@ -122,13 +132,13 @@ def clip_edge(v, first, count, feature, px, py, qx, qy):
 
 
 @inner_kernel
-def edge_in_front(v, first, count, x, y):
+def edge_in_front(polygon, x, y):
     """The edge that a point is farthest in front of, and how far; not above 0 if it is inside."""
     best, edge = -math.inf, 0
-    for i in range(count):
-        n = after(i, count)
-        ox, oy = v[first + i, 0], v[first + i, 1]
-        ex, ey = v[first + n, 0] - ox, v[first + n, 1] - oy
+    for i in range(polygon.count):
+        ox, oy = vertex(polygon, i)
+        px, py = vertex(polygon, after(i, polygon.count))
+        ex, ey = px - ox, py - oy
         distance = (ey * (x - ox) - ex * (y - oy)) / math.sqrt(ex * ex + ey * ey)
         if distance > best:
             best, edge = distance, i
@@ -136,56 +146,34 @@ def edge_in_front(v, first, count, x, y):
 
 
 @inner_kernel
-def into(c, s, tx, ty, v, row):
-    """A vertex in the other frame."""
-    x, y = v[row, 0], v[row, 1]
-    return c * x - s * y + tx, s * x + c * y + ty
+def clip_vertex_to_edge(a, b, frame, feature_a, feature_b):
+    """One step from a vertex of A and an edge of B: (new vertex or edge of A, of B, verdict).
 
-
-@inner_kernel
-def clip_vertex_to_edge(vx, fx, nx, vertex, vy, fy, ny, edge, c, s, tx, ty):
-    """One step from a vertex of X and an edge of Y: (new vertex or edge of X, of Y, verdict).
-
-    (c, s, tx, ty) takes points of X into the frame of Y. The verdict is MOVED_A for X, MOVED_B for Y.
+    ``frame`` takes points of A into the frame of B.
     """
-    x, y = into(c, s, tx, ty, vx, fx + (vertex >> 1))
-    seen = clip_vertex(vy, fy, ny, edge, x, y)
+    x, y = vertex_in(frame, a, feature_a >> 1)
+    seen = clip_vertex(b, feature_b, x, y)
     if seen == BEHIND:
-        best, distance = edge_in_front(vy, fy, ny, x, y)
-        return vertex, 2 * best + 1, OVERLAPPING if distance <= 0.0 else REPAIRED_B
-    if seen != edge:
-        return vertex, seen, MOVED_B
-    o = fy + (edge >> 1)
-    p = fy + after(edge >> 1, ny)
-    gx, gy = vy[p, 0] - vy[o, 0], vy[p, 1] - vy[o, 1]
-    # of a vertex's region only the direction of the edge matters, turned into the frame of X
-    seen = clip_edge(vx, fx, nx, vertex, 0.0, 0.0, c * gx + s * gy, c * gy - s * gx)
-    return seen, edge, CLOSEST if seen == vertex else MOVED_A
+        best, distance = edge_in_front(b, x, y)
+        return feature_a, 2 * best + 1, OVERLAPPING if distance <= 0.0 else REPAIRED_B
+    if seen != feature_b:
+        return feature_a, seen, MOVED_B
+    ox, oy = vertex(b, feature_b >> 1)
+    px, py = vertex(b, after(feature_b >> 1, b.count))
+    # of a vertex's region only the direction of the edge matters, turned into the frame of A
+    ex, ey = turned_back(frame, px - ox, py - oy)
+    seen = clip_edge(a, feature_a, 0.0, 0.0, ex, ey)
+    return seen, feature_b, CLOSEST if seen == feature_a else MOVED_A
 
 
 @inner_kernel
-def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
+def step(pair, feature_a, feature_b):
     """One step of the walk: (feature of A, feature of B, verdict)."""
-    i, j = feature_a >> 1, feature_b >> 1
+    a, b, frame = pair
     if feature_a & 1 and feature_b & 1:
-        px, py = into(c, s, tx, ty, vb, fb + j)
-        qx, qy = into(c, s, tx, ty, vb, fb + after(j, nb))
-        seen = clip_edge(va, fa, na, feature_a, px, py, qx, qy)
-        if seen == CROSSING:
-            return feature_a, feature_b, OVERLAPPING
-        if seen == BEHIND:
-            if clip_vertex(va, fa, na, feature_a, px, py) != BEHIND:
-                px, py, feature_b = qx, qy, 2 * after(j, nb) + 1
-            best, distance = edge_in_front(va, fa, na, px, py)
-            return 2 * best + 1, feature_b - 1, OVERLAPPING if distance <= 0.0 else REPAIRED_A
-        if seen != feature_a:
-            return seen, feature_b, MOVED_A
-        return end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, after(j, nb))
-    ci, si, ux, uy = inverse_frame(c, s, tx, ty)
+        return step_of_edges(pair, feature_a, feature_b)
     if feature_a & 1:
-        new_b, new_a, verdict = clip_vertex_to_edge(
-            vb, fb, nb, feature_b, va, fa, na, feature_a, c, s, tx, ty
-        )  # fmt: skip
+        new_b, new_a, verdict = clip_vertex_to_edge(b, a, frame, feature_b, feature_a)
         if verdict == MOVED_A:
             verdict = MOVED_B
         elif verdict == MOVED_B:
@@ -193,23 +181,45 @@ def step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b):
         elif verdict == REPAIRED_B:
             verdict = REPAIRED_A
         return new_a, new_b, verdict
+    back = turned_round(pair).frame
     if feature_b & 1:
-        return clip_vertex_to_edge(va, fa, na, feature_a, vb, fb, nb, feature_b, ci, si, ux, uy)
-    x, y = into(c, s, tx, ty, vb, fb + j)
-    seen = clip_vertex(va, fa, na, feature_a, x, y)
+        return clip_vertex_to_edge(a, b, back, feature_a, feature_b)
+    x, y = vertex_in(frame, b, feature_b >> 1)
+    seen = clip_vertex(a, feature_a, x, y)
     if seen != feature_a:
         return seen, feature_b, MOVED_A
-    x, y = into(ci, si, ux, uy, va, fa + i)
-    seen = clip_vertex(vb, fb, nb, feature_b, x, y)
+    x, y = vertex_in(back, a, feature_a >> 1)
+    seen = clip_vertex(b, feature_b, x, y)
     return feature_a, seen, CLOSEST if seen == feature_b else MOVED_B
 
 
 @inner_kernel
-def end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, next_b):
+def step_of_edges(pair, feature_a, feature_b):
+    """`step` from two edges."""
+    a, b, frame = pair
+    next_b = after(feature_b >> 1, b.count)
+    px, py = vertex_in(frame, b, feature_b >> 1)
+    qx, qy = vertex_in(frame, b, next_b)
+    seen = clip_edge(a, feature_a, px, py, qx, qy)
+    if seen == CROSSING:
+        return feature_a, feature_b, OVERLAPPING
+    if seen == BEHIND:
+        if clip_vertex(a, feature_a, px, py) != BEHIND:
+            px, py, feature_b = qx, qy, 2 * next_b + 1
+        best, distance = edge_in_front(a, px, py)
+        return 2 * best + 1, feature_b - 1, OVERLAPPING if distance <= 0.0 else REPAIRED_A
+    if seen != feature_a:
+        return seen, feature_b, MOVED_A
+    return end_of_edge(pair, feature_a, feature_b, px, py, qx, qy)
+
+
+@inner_kernel
+def end_of_edge(pair, feature_a, feature_b, px, py, qx, qy):
     """Of an edge of B (from p to q) beside one of A: its nearer end, or itself if they are face to face."""
-    n = after(feature_a >> 1, na)
-    ox, oy = va[fa + (feature_a >> 1), 0], va[fa + (feature_a >> 1), 1]
-    ex, ey = va[fa + n, 0] - ox, va[fa + n, 1] - oy
+    a, next_b = pair.a, after(feature_b >> 1, pair.b.count)
+    ox, oy = vertex(a, feature_a >> 1)
+    ex, ey = vertex(a, after(feature_a >> 1, a.count))
+    ex, ey = ex - ox, ey - oy
     near = ey * (px - ox) - ex * (py - oy)
     falls = ey * (qx - px) - ex * (qy - py)
     if falls == 0.0 and near >= 0.0 and ex * (qx - px) + ey * (qy - py) < 0.0:
@@ -222,53 +232,61 @@ def end_of_edge(va, fa, na, feature_a, px, py, qx, qy, feature_b, next_b):
 
 
 @lean_kernel
-def closest_features(va, fa, na, vb, fb, nb, c, s, tx, ty):
+def closest_features(pair):
     """The closest vertex and edge, or two vertices, by looking at all pairs of them."""
+    a, b, frame = pair
     best, best_a, best_b = math.inf, 0, 0
-    for i in range(na):
-        for j in range(nb):
-            bx, by = into(c, s, tx, ty, vb, fb + j)
-            dx, dy = bx - va[fa + i, 0], by - va[fa + i, 1]
+    for i in range(a.count):
+        ax, ay = vertex(a, i)
+        for j in range(b.count):
+            bx, by = vertex_in(frame, b, j)
+            dx, dy = bx - ax, by - ay
             distance = math.sqrt(dx * dx + dy * dy)
             if distance < best:
                 best, best_a, best_b = distance, 2 * i, 2 * j
-    ci, si, ux, uy = inverse_frame(c, s, tx, ty)
-    for i in range(na):
-        x, y = into(ci, si, ux, uy, va, fa + i)
-        edge, distance = nearest_edge(vb, fb, nb, x, y)
+    there = turned_round(pair).frame
+    for i in range(a.count):
+        x, y = vertex_in(there, a, i)
+        edge, distance = nearest_edge(b, x, y)
         if distance < best:
             best, best_a, best_b = distance, 2 * i, edge
-    for j in range(nb):
-        x, y = into(c, s, tx, ty, vb, fb + j)
-        edge, distance = nearest_edge(va, fa, na, x, y)
+    for j in range(b.count):
+        x, y = vertex_in(frame, b, j)
+        edge, distance = nearest_edge(a, x, y)
         if distance < best:
             best, best_a, best_b = distance, edge, 2 * j
     return best_a, best_b
 
 
 @inner_kernel
-def nearest_edge(v, first, count, x, y):
+def nearest_edge(polygon, x, y):
     """Of the edges that a point lies beside and before, the nearest and its distance (inf if none)."""
     best, feature = math.inf, 0
-    for i in range(count):
-        if clip_vertex(v, first, count, 2 * i + 1, x, y) == 2 * i + 1 and count > 1:
-            o, p = first + i, first + after(i, count)
-            distance = measure_to_edge(x, y, v[o, 0], v[o, 1], v[p, 0], v[p, 1])[0]
+    for i in range(polygon.count):
+        if clip_vertex(polygon, 2 * i + 1, x, y) == 2 * i + 1 and polygon.count > 1:
+            ox, oy = vertex(polygon, i)
+            px, py = vertex(polygon, after(i, polygon.count))
+            distance = measure_to_edge(x, y, ox, oy, px, py)[0]
             if distance < best:
                 best, feature = distance, 2 * i + 1
     return feature, best
 
 
 @lean_kernel
-def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, deep, trace):
-    """The walk from two features to the closest ones: the nine numbers of `measure`, and the steps made."""
+def vclip_query(pair, start_a, start_b, deep, trace):
+    """The walk from two features to the closest ones: the nine numbers of `measure`, and the steps made.
+
+    pair: `Pair`, or plain tuples of the same form.
+    """
+    pair = pair_of(pair)
+    na, nb = pair.a.count, pair.b.count
     feature_a = start_a if known_feature(start_a, na) else 0
     feature_b = start_b if known_feature(start_b, nb) else 0
     seen_a, seen_b, renewed = feature_a, feature_b, 1
     limit = 4 * (na + nb) + 8
     steps, verdict = 0, MOVED_A
     while steps < limit:
-        new_a, new_b, verdict = step(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b)
+        new_a, new_b, verdict = step(pair, feature_a, feature_b)
         if steps < trace.shape[0]:
             trace[steps, 0], trace[steps, 1], trace[steps, 2] = feature_a, feature_b, verdict
         steps += 1
@@ -283,14 +301,14 @@ def vclip_query(va, fa, na, vb, fb, nb, c, s, tx, ty, start_a, start_b, deep, tr
     if verdict not in (CLOSEST, OVERLAPPING):
         if steps < trace.shape[0]:
             trace[steps, 0], trace[steps, 1], trace[steps, 2] = feature_a, feature_b, CIRCLED
-        found = measure_overlap(va, fa, na, vb, fb, nb, c, s, tx, ty)
+        found = measure_overlap(pair)
         if found[0] <= 0.0 and na + nb > 2 and deep:
             return found, steps
         if found[0] > 0.0 or na + nb == 2:
-            feature_a, feature_b = closest_features(va, fa, na, vb, fb, nb, c, s, tx, ty)
+            feature_a, feature_b = closest_features(pair)
             verdict = CLOSEST
     if verdict == CLOSEST:
-        found = measure(va, fa, na, vb, fb, nb, c, s, tx, ty, feature_a, feature_b)
+        found = measure(pair, feature_a, feature_b)
         if found[0] > 0.0:
             return found, steps
-    return measure_touching(va, fa, na, vb, fb, nb, c, s, tx, ty, deep, feature_a, feature_b), steps
+    return measure_touching(pair, deep, feature_a, feature_b), steps

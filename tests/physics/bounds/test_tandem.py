@@ -29,6 +29,25 @@ kinds = pytest.mark.parametrize("kind", KINDS)
 SPARE = np.zeros(SCRATCH)
 
 
+@kinds
+@pytest.mark.parametrize("extent", [1.0, 1e3, 1e9])
+def test_volumes_hold_segments_that_are_a_line_but_for_rounding(kind, extent):
+    """Where rounding alone turns the outline, its far end must not be taken for a point on its way."""
+    random = np.random.default_rng(1)
+    for _ in range(300):
+        count, angle = int(random.integers(2, 6)), 0.0 if kind == "aabb" else random.normal()
+        along, across = np.sort(random.random(count)), random.normal(0.0, 1e-16, count)
+        line = extent * turned(np.column_stack((along, across)), angle, (0.0, 0.0))
+        trees = [build_tree(line * scale, kind, 1) for scale in (1.0, random.uniform(0.1, 1.5))]
+        for tree in trees:
+            tree.check()
+        query = Query(*trees)
+        query.run(
+            line[-1] * random.normal() + extent * 1e-13, 0.0 if kind == "aabb" else random.normal(0, 1e-12)
+        )
+        query.check()
+
+
 def arc(n, radius, start=0.3, sweep=math.pi / 2):
     angles = np.linspace(start, start + sweep, n + 1)
     return radius * np.column_stack((np.cos(angles), np.sin(angles)))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from game.physics.narrowphase import ConvexPolygon, gjk, gjk_trace
+from game.physics.narrowphase.features import Polygon
 from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.simplex import (
     FIRST_AND_NEW,
@@ -32,21 +33,23 @@ def test_climbing_finds_what_a_look_at_all_finds():
     ]
     for corners in shapes:
         n = len(corners)
+        polygon = Polygon(corners, 0, n)
         edges = np.roll(corners, -1, axis=0) - corners
         ways = [*np.column_stack((edges[:, 1], -edges[:, 0])), *random.normal(0.0, 1.0, (10, 2)), *edges]
         for x, y in ways:
             best = (corners @ (x, y)).max()
             near = 1e-15 * math.hypot(x, y) * np.ptp(corners)
-            found = [support_scan(corners, 0, n, x, y), support_cold(corners, 0, n, x, y)]
-            found += [support_hc(corners, 0, n, start, x, y) for start in range(n)]
+            found = [support_scan(polygon, x, y), support_cold(polygon, x, y)]
+            found += [support_hc(polygon, start, x, y) for start in range(n)]
             assert (best - (corners @ (x, y))[found]).max() <= near
 
 
 def test_no_direction_gives_the_vertex_one_has():
-    square = ConvexPolygon(SQUARE).local
-    assert [support_hc(square, 0, 4, k, 0.0, 0.0) for k in range(4)] == [0, 1, 2, 3]
-    assert support_hc(square, 0, 4, 2, math.nan, 1.0) == 2
-    assert support_hc(square, 0, 1, 0, 1.0, 1.0) == 0
+    local = ConvexPolygon(SQUARE).local
+    square = Polygon(local, 0, 4)
+    assert [support_hc(square, k, 0.0, 0.0) for k in range(4)] == [0, 1, 2, 3]
+    assert support_hc(square, 2, math.nan, 1.0) == 2
+    assert support_hc(Polygon(local, 0, 1), 0, 1.0, 1.0) == 0
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from game.physics.narrowphase import ConvexPolygon, Feature, certify, epa_trace, vclip, vclip_trace
+from game.physics.narrowphase.features import Frame, Pair, Polygon
 from game.physics.narrowphase.vclip import BEHIND, CROSSING, clip_edge, clip_vertex, closest_features
 from tests.physics.narrowphase.hard_pairs import PAIRS, SQUARE, box
 
@@ -32,7 +33,7 @@ LOCAL = ConvexPolygon(SQUARE).local  # (0, 0) to (2, 2); edge 1 at the foot, 3 r
 )
 def test_clip_vertex(feature, point, seen):
     for scale in (1.0, 2.0**-100, 2.0**100):
-        assert clip_vertex(LOCAL * scale, 0, 4, feature, *(scale * x for x in point)) == seen
+        assert clip_vertex(Polygon(LOCAL * scale, 0, 4), feature, *(scale * x for x in point)) == seen
 
 
 @pytest.mark.parametrize(
@@ -54,13 +55,13 @@ def test_clip_vertex(feature, point, seen):
 def test_clip_edge(feature, edge, seen):
     for scale in (1.0, 2.0**-100, 2.0**100):
         flat = [scale * value for point in edge for value in point]
-        assert clip_edge(LOCAL * scale, 0, 4, feature, *flat) == seen
+        assert clip_edge(Polygon(LOCAL * scale, 0, 4), feature, *flat) == seen
 
 
 def test_a_point_has_no_other_features():
-    point = np.zeros((1, 2))
-    assert clip_vertex(point, 0, 1, 0, 3.0, 4.0) == 0
-    assert clip_edge(point, 0, 1, 0, 3.0, 4.0, 5.0, 6.0) == 0
+    point = Polygon(np.zeros((1, 2)), 0, 1)
+    assert clip_vertex(point, 0, 3.0, 4.0) == 0
+    assert clip_edge(point, 0, 3.0, 4.0, 5.0, 6.0) == 0
 
 
 def test_local_minimum_is_left_by_repair():
@@ -91,8 +92,8 @@ def test_looking_at_all_features_is_right(name):
     """What a walk falls back on if rounding should lead it in a circle."""
     a, b = (ConvexPolygon(points) for points in PAIRS[name][:2])
     expected = vclip(a, b)
-    offset = b.anchor - a.anchor
-    codes = closest_features(a.local, 0, len(a), b.local, 0, len(b), 1.0, 0.0, *offset)
+    frame = Frame(1.0, 0.0, *(b.anchor - a.anchor).tolist())
+    codes = closest_features(Pair(Polygon(a.local, 0, len(a)), Polygon(b.local, 0, len(b)), frame))
     if expected.distance > 0.0:
         again = vclip(a, b, tuple(map(Feature.of, codes)))
         assert again.distance == expected.distance

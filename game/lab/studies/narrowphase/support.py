@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study, Workload
 from game.physics.kernels.lean import lean_kernel
 from game.physics.narrowphase import PolygonSet
+from game.physics.narrowphase.features import Polygon
 from game.physics.narrowphase.simplex import support_cold, support_hc, support_scan
 
 Array = NDArray[np.float64]
@@ -43,16 +44,16 @@ NO_PAIR = "No mark: there are no two convex polygons."
 @lean_kernel
 def ask(vertices, directions, way, found):
     """Write the vertex of (n, 2) farthest along each direction (m, 2), found in one of the ``WAYS``."""
-    n = vertices.shape[0]
+    polygon = Polygon(vertices, 0, vertices.shape[0])
     k = 0
     for i in range(directions.shape[0]):
         x, y = directions[i, 0], directions[i, 1]
         if way == 0:
-            k = support_hc(vertices, 0, n, k, x, y)
+            k = support_hc(polygon, k, x, y)
         elif way == 1:
-            k = support_cold(vertices, 0, n, x, y)
+            k = support_cold(polygon, x, y)
         else:
-            k = support_scan(vertices, 0, n, x, y)
+            k = support_scan(polygon, x, y)
         found[i] = k
 
 
