@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.animation import Skeleton
+from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.skeletons.cells import Cell
 from game.scenes.skeletons.rig import Rig
-from game.scenes.skeletons.skin_painter import NO_EDGE, paint
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 
 Array = NDArray[np.float64]

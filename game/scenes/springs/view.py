@@ -13,7 +13,7 @@ from game.physics.constraints import AREAS, CONTACTS
 from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
 from game.physics.kernels.jit import kernel
-from game.scenes.skeletons.skin_painter import NO_EDGE, paint
+from game.scenes.shared.polygons import NO_EDGE, paint
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
 
