@@ -289,6 +289,8 @@ class Stage:
         """
         self._session.let_in(checked_event(event, self.scene_type))
         self._follow_session()
+        if self._paused and self._session.fault is None:
+            self._sample()  # no step will do it
 
     def listen(self, at_once: bool = False) -> None:
         """Post what the scene's own players have decided, unless a remembered future will say it.

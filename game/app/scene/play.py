@@ -314,6 +314,11 @@ class ScenePlay:
         return self.stopping.trouble(self.stage)
 
     @property
+    def repeating(self) -> bool:
+        """Whether a recording is being played, which a new event would end."""
+        return self.script is not None and not self.script.finished
+
+    @property
     def stopped(self) -> bool:
         """Whether something asked of the scene has failed, so that nothing more is asked of it."""
         return self.stopping.holds(self.stage)

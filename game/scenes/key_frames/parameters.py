@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from game.physics.animation import EASINGS, INTERPOLATIONS
 from game.scenes.key_frames.clock import REPEATS
-from game.scenes.key_frames.level import FARTHEST, MOST_TURNED
+from game.scenes.key_frames.level import FARTHEST, MOST_TURNED, View
 from game.stage import Choice, Param, Parameters, Toggle
 
 LABELS = (
@@ -16,6 +16,15 @@ SHORT = dict(zip(INTERPOLATIONS, LABELS, strict=True))
 OWN = "own"  # the timing curve of the level or of the hand
 SHAPING = ("interpolation", "closed", "shortest", "turning", "easing")  # undo takes these back as well
 CHOSEN = ("key_time", "key_x", "key_y", "key_angle")
+
+
+TURNS = (-360.0, 360.0)  # degrees, on the slider
+
+
+def range_of_slider(name: str, view: View) -> tuple[float, float] | None:
+    """What the slider of a parameter of the chosen key spans: the part of the world in view, or a turn."""
+    ends = {"key_x": (view.left, view.right), "key_y": (view.bottom, view.top), "key_angle": TURNS}.get(name)
+    return ends if ends is not None and ends[0] < ends[1] else None
 
 
 class KeyFrameParameters(Parameters):
@@ -51,7 +60,7 @@ class KeyFrameParameters(Parameters):
         "loop", REPEATS, labels=("Again", "Once", "Back"), group="Time",
         label="At the end",
     )  # fmt: skip
-    playing = Toggle(True, group="Time", label="Play", help="Space plays and pauses")
+    playing = Toggle(True, group="Time", label="Play", in_panel=False)  # Space plays and pauses
 
     easing = Choice(
         "ease-in-out", (*EASINGS, OWN), group="Timing curve",

@@ -17,7 +17,7 @@ from game.scenes.key_frames.figure import draw_casteljau
 from game.scenes.key_frames.hand import Hand
 from game.scenes.key_frames.level import Motion
 from game.scenes.key_frames.model import KeyFrameModel, KeyFrameState
-from game.scenes.key_frames.parameters import KeyFrameParameters
+from game.scenes.key_frames.parameters import KeyFrameParameters, range_of_slider
 from game.scenes.key_frames.readouts import readouts_of
 from game.scenes.key_frames.view import KeyFramingView
 from game.stage import (
@@ -76,6 +76,7 @@ class KeyFraming(Scene):
         SceneAction("earlier", "to the key before", "leftbracket"),
         SceneAction("later", "to the next key", "rightbracket"),
     )
+    play_action = "play"
     figure = staticmethod(draw_casteljau)
     equations = (
         Equation(
@@ -147,6 +148,13 @@ class KeyFraming(Scene):
 
     def pointer(self, event: Pointer) -> None:
         self.hand.take_pointer(event)
+
+    @property
+    def resting(self) -> bool:
+        return not self.parameters.playing
+
+    def slider_range(self, name: str) -> tuple[float, float] | None:
+        return range_of_slider(name, self.model.motion.view)
 
     def messages(self) -> Sequence[str]:
         return self.model.document.take_messages()
