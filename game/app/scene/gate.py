@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from game.stage import Action, ParameterError, SetParameter, StageEvent
+from game.stage import ParameterError, SetParameter, StageEvent
 from game.stage.validation import checked_event
 
 if TYPE_CHECKING:
@@ -104,31 +104,12 @@ class Gate:
             self._refuse(error, "Not reset.")
 
     def _pause(self) -> None:
-        """Stand still, or go on; of a scene with a timeline of its own that alone pauses."""
-        stage, resting = self._play.stage, self._rests()
-        if stage.paused or resting:
-            stage.resume()
-            if resting:
-                self._turn_playing()
-        elif stage.scene.play_action and not self._play.repeating:
-            self._turn_playing()
-        else:
-            stage.pause()
-
-    def _rests(self) -> bool:
-        """Whether the scene's own timeline is paused, and no recording says when it plays."""
-        return self._play.stage.scene.resting and not self._play.repeating
-
-    def _turn_playing(self) -> None:
-        """Let the scene's own timeline play, or pause."""
-        self.post_hand()
-        self.post(Action(self._play.stage.scene.play_action))
+        """Stand still, or go on; a recording that is played goes on or stands as a whole."""
+        self._play.stage.play_or_pause(own=not self._play.repeating)
 
     def _step(self) -> None:
-        """One step, after what the hand has done before it; a timeline that is paused takes part in it."""
+        """One step, after what the hand has done before it."""
         self.post_hand()
-        if self._rests():
-            self._turn_playing()
         self._stepped()
 
     def _step_back(self) -> None:

@@ -149,10 +149,10 @@ class Shell:
         if measured or not self.bar.state.ready:
             own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
             readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
-        still = stage.paused or stage.scene.resting
         return BarState(
-            self.entry.task, self.entry.title, still, stage.speed, panel, readouts, reached=self.pace.speed
-        )
+            self.entry.task, self.entry.title, stage.still, stage.speed, panel, readouts,
+            reached=self.pace.speed,
+        )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, stage: Stage, legend: Iterable[tuple[str, str, str]]) -> None:
         """Draw the widgets round and over the picture of the scene."""

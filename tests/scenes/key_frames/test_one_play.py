@@ -52,8 +52,7 @@ def test_space_plays_from_where_the_slider_was_put(driver):
     assert 0.4 < shown_time(driver) < 0.5
 
 
-def test_a_step_takes_the_paused_motion_along_and_space_goes_on(driver):
-    driver.key(pygame.K_SPACE)
+def test_a_step_pauses_all_and_space_goes_on(driver):
     time, step = shown_time(driver), driver.stage.step_number
     driver.key(pygame.K_PERIOD)
     assert driver.stage.step_number == step + 1 and shown_time(driver) > time
@@ -62,6 +61,11 @@ def test_a_step_takes_the_paused_motion_along_and_space_goes_on(driver):
     driver.key(pygame.K_SPACE)
     driver.frames(5)
     assert driver.stage.step_number > step + 1 and not driver.top.shell.bar.state.paused
+    driver.key(pygame.K_SPACE)
+    driver.key(pygame.K_PERIOD)
+    driver.key(pygame.K_SPACE)  # once for both
+    driver.frames(5)
+    assert not driver.stage.still
 
 
 def test_a_step_back_and_then_space_goes_on(driver):
@@ -73,6 +77,19 @@ def test_a_step_back_and_then_space_goes_on(driver):
     driver.key(pygame.K_SPACE)
     driver.frames(5)
     assert not driver.stage.paused and shown_time(driver) > time
+
+
+def test_what_was_stepped_back_is_repeated_while_the_motion_is_paused(driver):
+    driver.key(pygame.K_SPACE)
+    driver.top.play.post(SetParameter("time", 0.2))
+    driver.frames(5)
+    driver.top.play.post(SetParameter("time", 0.9))
+    driver.frames(5)
+    step, digest = driver.stage.step_number, driver.stage.digest()
+    for key in (pygame.K_COMMA, pygame.K_PERIOD):
+        for _ in range(20):
+            driver.key(key)
+    assert (driver.stage.step_number, driver.stage.digest()) == (step, digest)
 
 
 @pytest.mark.parametrize("stepped", [False, True])
