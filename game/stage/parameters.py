@@ -24,13 +24,21 @@ class Parameter(Generic[T]):
     name: str = ""
 
     def __init__(
-        self, default: T, *, label: str = "", help: str = "", group: str = "", rebuild: bool = False
+        self,
+        default: T,
+        *,
+        label: str = "",
+        help: str = "",
+        group: str = "",
+        rebuild: bool = False,
+        in_panel: bool = True,
     ):
         self.default = default
         self._label = label
         self.help = help
         self.group = group
         self.rebuild = rebuild  # a change builds the scene again
+        self.in_panel = in_panel  # else its control is elsewhere: a key, the picture, the bar
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name

@@ -63,6 +63,7 @@ class Scene:
     try_this: ClassVar[tuple[str, ...]] = ()
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
+    play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
     def __init_subclass__(cls) -> None:
@@ -230,6 +231,11 @@ class Scene:
         """The action that leads out of a part of the scene, such as a replay, before one leaves it; or ""."""
         return ""
 
+    @property
+    def resting(self) -> bool:
+        """Whether the scene's own timeline is paused; Space then plays it by the ``play_action``."""
+        return False
+
     def decisions(self, at_once: bool = False) -> Sequence[Decision]:
         """What the scene's own players have decided since the last call; each is to be posted as an event.
 
@@ -258,6 +264,13 @@ class Scene:
         same.
         """
         return ""
+
+    def slider_range(self, name: str) -> tuple[float, float] | None:
+        """The part of a parameter's range that its slider spans now; None: all of it.
+
+        What is typed may still be any value of the range. It is asked for in every frame.
+        """
+        return None
 
     def takes_long(self, event: StageEvent | None) -> bool:
         """Whether an event (None: a step) may take longer than a frame, so that a window had better not wait.

@@ -21,11 +21,13 @@ class StripSeries:
     def __init__(self, window_s: float = WINDOW_S, rate_hz: float = RATE_HZ):
         self.window_s = window_s
         self.rate_hz = rate_hz
+        self.changes = 0  # how often samples were added or forgotten
         self._room = int(window_s * rate_hz * 1.25) + 8
         self.clear()
 
     def clear(self) -> None:
         """Forget all samples and names."""
+        self.changes += 1
         self._first = 0
         self._end = 0
         self._times = np.empty(2 * self._room)
@@ -55,6 +57,7 @@ class StripSeries:
             self.cut(step - 1)
         if self._end == 2 * self._room:
             self._compact()
+        self.changes += 1
         index = self._end
         self._end += 1
         self._steps[index] = step
@@ -70,6 +73,7 @@ class StripSeries:
 
     def cut(self, step: int) -> None:
         """Forget samples of later steps."""
+        self.changes += 1
         while self._end > self._first and self._steps[self._end - 1] > step:
             self._end -= 1
 

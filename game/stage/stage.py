@@ -13,7 +13,7 @@ from game.levels import Level, LevelError, format_level
 from game.physics.effects import EffectSet
 from game.stage.clock import FixedStep
 from game.stage.declarations import Readout
-from game.stage.events import StageEvent
+from game.stage.events import Action, StageEvent
 from game.stage.fault import Fault
 from game.stage.records.recipe import Recipe, checked_seed
 from game.stage.records.recording import Recording, RecordingError
@@ -113,6 +113,28 @@ class Stage:
             self._paused = value
             self.clock.hold()
             self._session.keep_previous()  # the picture goes on from the state it shows
+
+    @property
+    def still(self) -> bool:
+        """True while it stands still, or a timeline of the scene's own is paused."""
+        return self._paused or self.scene.resting
+
+    def play_or_pause(self, own: bool = True) -> None:
+        """Go on if it is `still`, else stand still.
+
+        Of a scene that has a ``play_action`` its own timeline pauses, and steps are made all the same; but
+        not while remembered events act again, which an action would end, nor if it is not to (``own``).
+        """
+        own = own and not self._session.repeating and bool(self.scene.play_action)
+        rests = own and self.scene.resting
+        if self._paused or rests:
+            self.resume()
+            if rests:
+                self.post(Action(self.scene.play_action))
+        elif own:
+            self.post(Action(self.scene.play_action))
+        else:
+            self.pause()
 
     def pause(self) -> None:
         """Stand still."""
@@ -289,6 +311,8 @@ class Stage:
         """
         self._session.let_in(checked_event(event, self.scene_type))
         self._follow_session()
+        if self._paused and self._session.fault is None:
+            self._sample()  # no step will do it
 
     def listen(self, at_once: bool = False) -> None:
         """Post what the scene's own players have decided, unless a remembered future will say it.

@@ -26,8 +26,8 @@ def test_every_level_of_the_gallery_runs(path):
     stage = stage_of(InverseKinematics, path)
     stage.run(60)
     assert stage.fault is None
-    assert np.abs(stage.scene.methods).max() < 100.0
-    stage.scene.rig.skeleton.check()
+    assert np.abs(stage.scene.model.methods).max() < 100.0
+    stage.scene.model.rig.skeleton.check()
 
 
 def test_every_level_says_which_case_it_is():

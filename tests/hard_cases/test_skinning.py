@@ -37,9 +37,9 @@ def test_every_level_of_the_gallery_runs(path):
         stage.scene.values["blend"] = blend
         stage.run(20)
         assert stage.fault is None
-        stage.scene.rig.skeleton.check()
-        if stage.scene.rig.binding is not None:
-            stage.scene.rig.binding.check()
+        stage.scene.model.rig.skeleton.check()
+        if stage.scene.model.rig.binding is not None:
+            stage.scene.model.rig.binding.check()
 
 
 def test_h1_beyond_every_threshold_the_nearest_bone_leads():
@@ -47,7 +47,7 @@ def test_h1_beyond_every_threshold_the_nearest_bone_leads():
     points = [(0.3, 5.0), (1.7, -5.0), (1.0, 4.0)]
     binding = bind_weights(skeleton, points, 0.1)
     assert binding.dense().tolist() == [[1.0, 0.0], [0.0, 1.0], [1.0, 0.0]]  # a tie goes to the lower index
-    rig = open_level(Skinning, "hard-01-beyond-the-threshold").scene.rig
+    rig = open_level(Skinning, "hard-01-beyond-the-threshold").scene.model.rig
     assert set(np.unique(rig.weights[rig.outline(0)]).tolist()) == {0.0, 1.0}
 
 
@@ -55,7 +55,7 @@ def test_h2_on_a_bone_or_a_joint_the_weight_is_finite():
     skeleton = Skeleton([-1, 0], [1.0, 1.0])
     weights = bind_weights(skeleton, [(0.5, 0.0), (1.0, 0.0), (2.0, 0.0)], 0.4).dense()
     assert weights.tolist() == [[1.0, 0.0], [0.5, 0.5], [0.0, 1.0]]
-    rig = open_level(Skinning, "hard-02-on-the-bone").scene.rig
+    rig = open_level(Skinning, "hard-02-on-the-bone").scene.model.rig
     assert np.abs(rig.weights.sum(axis=1) - 1.0).max() <= 4 * EPS
 
 
@@ -68,7 +68,7 @@ def test_h3_a_bone_without_length_is_a_point():
 
 
 def test_h4_weights_are_cut_made_whole_or_refused():
-    rig = open_level(Skinning, "hard-04-weights-given").scene.rig
+    rig = open_level(Skinning, "hard-04-weights-given").scene.model.rig
     assert np.count_nonzero(rig.weights, axis=1).max() == 2
     text = next(p for p in LEVELS if "04" in p.stem).read_text()
     level = parse_level(text, "c02", FigureContent)
@@ -112,9 +112,9 @@ def test_h6_what_has_no_size_cannot_be_bound():
     with pytest.raises(WeightError, match="bone 1"):
         invert_frames(frames)
     small, plain = open_level(Skinning, "hard-06-tiny"), open_level(Skinning, "bent-bar")
-    assert np.allclose(small.scene.rig.skeleton.lengths * 1e3, plain.scene.rig.skeleton.lengths)
+    assert np.allclose(small.scene.model.rig.skeleton.lengths * 1e3, plain.scene.model.rig.skeleton.lengths)
     small.run(2)
-    assert small.scene.skin_areas["rotor"] > 0.9
+    assert small.scene.model.skin_areas["rotor"] > 0.9
 
 
 def test_h7_a_thousand_bones():
@@ -130,11 +130,11 @@ def test_h7_a_thousand_bones():
 def test_h8_binding_again_and_any_order_give_the_same():
     stage = open_level(Skinning, "hard-08-scrambled")
     stage.run(1)
-    rig = stage.scene.rig
+    rig = stage.scene.model.rig
     before, ends = rig.move("linear")[rig.outline(0)].copy(), rig.skeleton.ends.copy()
     stage.post(Action("rebind"))
     stage.run(1)
-    rig = stage.scene.rig
+    rig = stage.scene.model.rig
     assert np.allclose(rig.skeleton.ends, ends, rtol=0, atol=1e-12)
     again = rig.skinned[rig.outline(0)]
     assert all(np.abs(again - point).sum(axis=1).min() < 1e-12 for point in before)
@@ -150,14 +150,14 @@ def test_h8_binding_again_and_any_order_give_the_same():
 def test_h9_weights_do_not_change_while_a_bone_moves():
     """Points on the threshold of two bones: the skin moves without a jump."""
     stage = open_level(Skinning, "hard-09-at-the-threshold")
-    weights = stage.scene.rig.weights.copy()
-    before, largest = stage.scene.rig.skinned.copy(), 0.0
+    weights = stage.scene.model.rig.weights.copy()
+    before, largest = stage.scene.model.rig.skinned.copy(), 0.0
     for _ in range(200):
         stage.run(1)
-        now = stage.scene.rig.skinned
+        now = stage.scene.model.rig.skinned
         largest = max(largest, float(np.abs(now - before).max()))
         before = now.copy()
-    assert np.array_equal(stage.scene.rig.weights, weights)
+    assert np.array_equal(stage.scene.model.rig.weights, weights)
     bone = 40.0 * math.pi / 180.0 * 2 * math.pi * 0.3 / 60.0  # rad that the bone turns in a step, at most
     assert largest < 1.3 * bone * 1.3
 

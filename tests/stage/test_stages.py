@@ -338,3 +338,15 @@ def test_a_scene_says_what_it_cannot_restore() -> None:
     stage.run(1)
     with pytest.raises(NotImplementedError, match=r"Hidden\.restore must set field"):
         stage.step_back()
+
+
+@pytest.mark.parametrize("event", [KICK, SetParameter("gravity", 2.0)])
+def test_what_is_changed_while_paused_is_sampled_at_once(event) -> None:
+    stage = Stage(BouncingBall)
+    stage.run(50)
+    stage.pause()
+    before = stage.series.values("energy")[-1]
+    stage.post(event)
+    energy = stage.readouts()[0].value
+    assert stage.series.values("energy")[-1] == energy != before
+    assert stage.series.times[-1] == stage.time_s

@@ -90,8 +90,8 @@ class Gate:
         self._record.errands.act(self._pause)
 
     def _pause(self) -> None:
-        stage = self._record.stage
-        stage.paused = not stage.paused
+        """Stand still, or go on; a recording that is played goes on or stands as a whole."""
+        self._record.stage.play_or_pause(own=not self._record.repeating)
 
     def step(self) -> None:
         """One step, after what the hand has done before it."""

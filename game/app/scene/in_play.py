@@ -31,6 +31,11 @@ class InPlay:
         self.script = Script(stage, recording.events) if recording is not None else None
         self.try_steps()
 
+    @property
+    def repeating(self) -> bool:
+        """Whether a recording is being played, which a new event would end."""
+        return self.script is not None and not self.script.finished
+
     def begin_level(self) -> None:
         """The stage has begun with another level: nothing of what was before is gone on with."""
         self.script = None

@@ -152,7 +152,7 @@ class Shell:
             own = tuple((r.name, r.value, r.unit) for r in tuple(stage.readouts())[:1])
             readouts = (("time", stage.time_s, "s"), *own, ("step", stage.step_cost_s, "s"), frame)
         return BarState(
-            self.entry.task, self.entry.title, stage.paused, stage.speed, panel, readouts,
+            self.entry.task, self.entry.title, stage.still, stage.speed, panel, readouts,
             reached=self.pace.speed,
         )  # fmt: skip
 

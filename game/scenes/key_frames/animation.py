@@ -138,7 +138,7 @@ class Animation:
 
     @cached_property
     def speeds(self) -> Array:
-        """Speed (k,) m/s at those, at the end that of the way there."""
+        """Speed (k,) m/s at those, at the end that on arrival."""
         return np.minimum(self.playback.speed(np.minimum(self.parts, 1.0 - 1e-9)), TOP_SPEED)
 
     @cached_property
@@ -146,14 +146,14 @@ class Animation:
         """Part of the second (n,) at which each key is reached first; NaN for one that never is."""
         shown = self.playback.key_times(self.parts) - self.motion.start
         before, after = shown[:-1], shown[1:]
-        steady = np.abs(after - before) < 0.5  # not where a closed curve begins anew
+        steady = np.abs(after - before) < 0.5  # not where a closed curve begins again
         found = np.full(len(self.rows), np.nan)
         for i, time in enumerate(self.rows[:, 0].tolist()):
             reached = np.flatnonzero(steady & ((before - time) * (after - time) <= 0.0))
             if len(reached):
                 k = int(reached[0])
-                way = after[k] - before[k]
-                share = (time - before[k]) / way if way != 0.0 else 0.0
+                rise = after[k] - before[k]
+                share = (time - before[k]) / rise if rise != 0.0 else 0.0
                 found[i] = self.parts[k] + share * (self.parts[k + 1] - self.parts[k])
         return found
 
@@ -164,7 +164,7 @@ class Animation:
         return path.length if path is not None and self.track.interpolation != "nearest" else 0.0
 
     @cached_property
-    def jolt(self) -> float:
+    def velocity_jump(self) -> float:
         """Largest change of velocity at an inner key, m/s."""
         times = self.track.times
         inner = times[1:-1]

@@ -32,7 +32,7 @@ def draw_key_frames(pen: Pen) -> None:
 
 
 def _box_on_path(place: Point, ahead: Point) -> list[Point]:
-    """Corners of a box that looks the way of a path, the first one again at the end."""
+    """Corners of a box that looks along a path, the first one again at the end."""
     angle = math.atan2(ahead[1] - place[1], ahead[0] - place[0])
     cos, sin = math.cos(angle), math.sin(angle)
     sides = ((-10.0, -6.0), (10.0, -6.0), (10.0, 6.0), (-10.0, 6.0), (-10.0, -6.0))

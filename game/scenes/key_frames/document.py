@@ -1,35 +1,19 @@
-"""A motion that is edited: the parameters that shape it, the chosen key, undo and redo."""
+"""The motion that is edited: the chosen key, a drag that has begun, undo and redo."""
 
 from __future__ import annotations
 
 from collections import deque
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
-import numpy as np
 
-from game.physics.animation import CONSTANT_SPEED, EASING, EASINGS, INTERPOLATIONS
+from game.physics.animation import EASINGS
 from game.scenes.key_frames import editing
-from game.scenes.key_frames.animation import Animation, Settings
 from game.scenes.key_frames.level import Motion
-from game.stage import Choice, Param, Parameter, Scene, Toggle
+from game.scenes.key_frames.parameters import OWN, SHAPING, KeyFrameParameters
+from game.stage.part import Part
 
-LABELS = (
-    "Nearest key", "Linear", "Bezier curves", "Rest at every key", "Catmull-Rom, uniform",
-    "Catmull-Rom, centripetal", "Catmull-Rom, chordal", "Secants", "Monotone", "Parabolas", "Natural spline",
-    "Spline",
-)  # fmt: skip
-SHORT = dict(zip(INTERPOLATIONS, LABELS, strict=True))
-SHAPING = (
-    "interpolation",
-    "closed",
-    "shortest",
-    "turning",
-    "easing",
-)  # parameters that an undo takes back as well
-CHOSEN = ("key_time", "key_x", "key_y", "key_angle")
 MOST_UNDO = 200
-OWN = "own"
 NOTHING = ("", -1)  # what an empty hand holds
 
 
@@ -40,74 +24,54 @@ class Edit(NamedTuple):
     parameters: tuple[Any, ...]
 
 
-class MotionScene(Scene):
-    """Base of the key-framing scene: what is edited, and how it is taken back."""
+class Document(Part):
+    """A motion and its history.
 
-    effects = EASING | CONSTANT_SPEED
-    content_type = Motion
+    chosen: number of the chosen key, -1 for none. held: what a drag has taken, and its number. before: the
+    edit that the drag began from, so that one drag is one edit to undo.
+    """
 
-    interpolation = Choice(
-        "centripetal", INTERPOLATIONS, labels=LABELS, group="Interpolation",
-        help="how the box goes from key to key",
-    )  # fmt: skip
-    closed = Toggle(False, group="Interpolation", label="Back to the first key", help="at one second")
-    shortest = Toggle(
-        True,
-        group="Interpolation",
-        label="Turn the shortest way",
-        help="from 350° to 10° by 20°, not by −340°",
-    )
-    turning = Choice(
-        "keys", ("keys", "path"), labels=("By its keys", "Along the path"), group="Interpolation",
-        label="The box turns", help="angles of the keys, or the direction of the way",
-    )  # fmt: skip
-    easing = Choice(
-        "ease-in-out", (*EASINGS, OWN), group="Timing curve",
-        labels=("Linear", "Ease", "Ease in", "Ease out", "Ease in and out", "Swing", "Rush", "My own"),
-        help="drag its two handles at the top right", label="Timing curve",
-    )  # fmt: skip
-    key_time = Param(0.0, 0.0, 1.0, unit="s", step=0.001, group="Chosen key", label="At the time")
-    key_x = Param(0.0, -1000.0, 1000.0, unit="m", group="Chosen key", label="x")
-    key_y = Param(0.0, -1000.0, 1000.0, unit="m", group="Chosen key", label="y")
-    key_angle = Param(0.0, -36_000.0, 36_000.0, unit="°", group="Chosen key", label="Angle")
-
-    groups: ClassVar[tuple[str, ...]] = ("Interpolation", "Time", "Timing curve", "Chosen key", "Shown")
-
-    @classmethod
-    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
-        """Parameters by name, group by group."""
-        order = {group: i for i, group in enumerate(cls.groups)}
-        return dict(
-            sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
-        )
-
-    def begin_editing(self, motion: Motion) -> None:
-        """Start with a motion that nobody has changed."""
+    def __init__(self, parameters: KeyFrameParameters, motion: Motion) -> None:
+        self.parameters = parameters
         self.motion = editing.ordered(motion)
         self.past: list[Edit] = []
         self.future: list[Edit] = []
         self.before: Edit | None = None
-        self.hand: tuple[str, int] = NOTHING
-        self.grip = (0.0, 0.0)
+        self.held: tuple[str, int] = NOTHING
         self.chosen = -1
-        self.told: deque[str] = deque(maxlen=8)
-        self._kept: dict[str, tuple[Any, Animation]] = {}
         self.shaped = self.shaping()
+        self._messages: deque[str] = deque(maxlen=8)
+        self._reason = ""  # told last, why a parameter does nothing
 
     def shaping(self) -> tuple[Any, ...]:
         """Values of the parameters that an undo takes back as well."""
-        return tuple(self.values[name] for name in SHAPING)
+        return tuple(self.parameters.values[name] for name in SHAPING)
 
-    def animation(self, interpolation: str | None = None) -> Animation:
-        """The motion made ready (or the same with another interpolation); made anew when it changes."""
-        name = interpolation or self.interpolation
-        settings = Settings(name, self.closed, self.shortest, self.turning == "path", self.easing)
-        kept = self._kept.get("compared" if interpolation else "")
-        if kept is not None and kept[0][0] is self.motion and kept[0][1:] == (settings, self.active):
-            return kept[1]
-        made = Animation(self.motion, settings, self.active)
-        self._kept["compared" if interpolation else ""] = ((self.motion, settings, self.active), made)
-        return made
+    # -- messages -----------------------------------------------------------------------------------
+
+    def tell(self, words: str) -> None:
+        """Something worth telling the user."""
+        self._messages.append(words)
+
+    def refuse(self, error: ValueError) -> None:
+        """Tell why an edit cannot be."""
+        self.tell(f"{str(error).capitalize()}.")
+
+    def tell_once(self, words: str) -> None:
+        """Say why a parameter does nothing, but not again with each pixel of its slider."""
+        if words != self._reason:
+            self._reason = words
+            self.tell(words)
+
+    def forget_reason(self) -> None:
+        """From now on a reason may be told again."""
+        self._reason = ""
+
+    def take_messages(self) -> tuple[str, ...]:
+        """What is new since the last call."""
+        new = tuple(self._messages)
+        self._messages.clear()
+        return new
 
     # -- edits --------------------------------------------------------------------------------------
 
@@ -118,7 +82,7 @@ class MotionScene(Scene):
     def set_edit(self, edit: Edit) -> None:
         """Go to what there was."""
         self.motion = edit.motion
-        self.values.update(zip(SHAPING, edit.parameters, strict=True))
+        self.parameters.values.update(zip(SHAPING, edit.parameters, strict=True))
         self.shaped = edit.parameters
         self.choose(min(self.chosen, len(self.motion.keys) - 1))
 
@@ -128,11 +92,27 @@ class MotionScene(Scene):
             self.past = [*self.past, before][-MOST_UNDO:]
             self.future = []
 
+    def note_shaping(self) -> None:
+        """A parameter that shapes the motion has been changed: that is an edit."""
+        self.note(Edit(self.motion, self.shaped))
+        self.shaped = self.shaping()
+
+    def take_hold(self, what: str, index: int) -> None:
+        """A drag has taken something."""
+        self.held = (what, index)
+
     def let_go(self) -> None:
         """End a drag here: what it has done so far is one edit."""
         if self.before is not None:
             self.note(self.before, self.shaped)
-        self.before, self.hand = None, NOTHING
+        self.before, self.held = None, NOTHING
+
+    def cancel(self) -> None:
+        """End a drag and take back what it has done."""
+        if self.before is not None:
+            self.set_edit(self.before)
+            self.before = None
+        self.let_go()
 
     def change(self, motion: Motion) -> None:
         """Another motion, in one edit."""
@@ -141,9 +121,17 @@ class MotionScene(Scene):
         self.note(before)
         self.choose(min(self.chosen, len(motion.keys) - 1))
 
-    def go_between(self, source: list[Edit], target: list[Edit], words: str) -> None:
+    def undo(self) -> None:
+        """Take the last edit back."""
+        self._go_between(self.past, self.future, "There is nothing to undo.")
+
+    def redo(self) -> None:
+        """Do again what was taken back last."""
+        self._go_between(self.future, self.past, "There is nothing to redo.")
+
+    def _go_between(self, source: list[Edit], target: list[Edit], words: str) -> None:
         if not source:
-            self.told.append(words)
+            self.tell(words)
             return
         now = self.edit()
         edit = source[-1]
@@ -151,12 +139,14 @@ class MotionScene(Scene):
         target.append(now)
         self.set_edit(edit)
 
+    # -- keys and timing ----------------------------------------------------------------------------
+
     def delete_key(self, index: int) -> None:
         """Take a key away."""
         try:
             motion = editing.without_key(self.motion, index)
         except ValueError as error:
-            self.told.append(f"{str(error).capitalize()}.")
+            self.refuse(error)
             return
         if self.chosen >= index:
             self.chosen -= 1
@@ -171,46 +161,28 @@ class MotionScene(Scene):
         """The panel's numbers are those of the chosen key."""
         if not 0 <= self.chosen < len(self.motion.keys):
             return
-        key = self.motion.keys[self.chosen]
-        self.values["key_time"], self.values["key_angle"] = key.time, key.angle
-        self.values["key_x"], self.values["key_y"] = key.position
+        key, shown = self.motion.keys[self.chosen], self.parameters
+        shown.key_time, shown.key_angle = key.time, key.angle
+        shown.key_x, shown.key_y = key.position
+
+    def take_chosen(self, name: str) -> None:
+        """Give the chosen key what the panel says."""
+        index, motion, shown = self.chosen, self.motion, self.parameters
+        if name == "key_time":
+            motion, self.chosen = editing.with_time(motion, index, shown.key_time)
+        elif name == "key_angle":
+            motion = editing.with_change(motion, index, angle=shown.key_angle)
+        else:
+            motion = editing.with_change(motion, index, position=(shown.key_x, shown.key_y))
+        self.change(motion)
 
     def timing(self) -> tuple[float, float, float, float]:
         """Handles of the present timing curve."""
-        return self.motion.timing if self.easing == OWN else EASINGS[self.easing]
+        easing = self.parameters.easing
+        return self.motion.timing if easing == OWN else EASINGS[easing]
 
     def set_timing(self, four: list[float]) -> None:
         """A timing curve of one's own."""
         self.motion = msgspec.structs.replace(self.motion, timing=tuple(four))
-        self.values["easing"] = OWN
+        self.parameters.easing = OWN
         self.shaped = self.shaping()
-
-    def take_chosen(self, name: str) -> None:
-        """Give the chosen key what the panel says."""
-        index, motion = self.chosen, self.motion
-        if name == "key_time":
-            motion, self.chosen = editing.with_time(motion, index, self.key_time)
-        elif name == "key_angle":
-            motion = editing.with_change(motion, index, angle=self.key_angle)
-        else:
-            motion = editing.with_change(motion, index, position=(self.key_x, self.key_y))
-        self.change(motion)
-
-    def toggle_corner(self) -> None:
-        """Make the joint of the chosen key a corner, or smooth again."""
-        if self.chosen < 0:
-            return
-        key = self.motion.keys[self.chosen]
-        if key.velocity_before is not None:
-            self.change(editing.with_change(self.motion, self.chosen, velocity_before=None))
-            return
-        animation = self.animation()
-        after = animation.handles()[self.chosen, 1] - key.position
-        gap = animation.gap(self.chosen, before=False)
-        velocity = key.velocity
-        if velocity is None and gap > 0.0 and np.isfinite(after).all():
-            x, y = (after * (3.0 / gap)).tolist()
-            velocity = editing.limited((x, y), editing.FASTEST)
-        if velocity is not None:
-            change = {"velocity": velocity, "velocity_before": velocity}
-            self.change(editing.with_change(self.motion, self.chosen, **change))

@@ -8,11 +8,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from game.scenes.key_frames.level import MOST_KEYS, KeyEntry, Motion, Point
+from game.scenes.key_frames.level import FARTHEST, FASTEST, MOST_KEYS, MOST_TURNED, KeyEntry, Motion, Point
 
 Array = NDArray[np.float64]
-FARTHEST = 1000.0  # m
-FASTEST = 100_000.0  # m/s
 AUTOMATIC, SMOOTH, CORNER = 0.0, 1.0, 2.0  # how a key's velocities come about
 COLUMNS = 9  # time, x, y, angle, velocity after, velocity before, kind
 
@@ -88,7 +86,7 @@ def with_velocity(motion: Motion, index: int, velocity: Point, before: bool, cor
 def nearest_angle(angle: float, to: float) -> float:
     """The angle (degrees) plus whole turns that is nearest to another one, within what a file may hold."""
     turned = angle + 360.0 * round((to - angle) / 360.0)
-    return min(max(turned, -36_000.0), 36_000.0) + 0.0
+    return min(max(turned, -MOST_TURNED), MOST_TURNED) + 0.0
 
 
 # -- as arrays ------------------------------------------------------------------------------------------
@@ -122,7 +120,7 @@ def from_rows(motion: Motion, rows: Array, timing: Array) -> Motion:
 
 
 def angle_at(center: Point, point: Point) -> float:
-    """Angle (degrees) of the way from one point to another."""
+    """Angle (degrees) of the direction from one point to another."""
     return math.degrees(math.atan2(point[1] - center[1], point[0] - center[0]))
 
 

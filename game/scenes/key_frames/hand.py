@@ -1,239 +1,181 @@
-"""The hand in the key-framing scene: keys, handles, the box itself, the timeline, the timing curve.
-
-The scene keeps ``hand`` (what is held, and its number) and ``grip`` (from the pointer to it, m) as plain
-attributes, and ``before``, the edit that a drag began from, so that one drag is one thing to undo.
-"""
+"""The hand in the key-framing scene: keys, handles, the box itself, the timeline, the timing curve."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
-
-import numpy as np
 
 from game.physics.animation import EASING
 from game.scenes.key_frames import editing
+from game.scenes.key_frames.box import is_inside, turning_handle
 from game.scenes.key_frames.document import NOTHING
-from game.scenes.key_frames.level import KeyEntry, Point
-from game.scenes.key_frames.timeline import places_of, time_at, x_of
+from game.scenes.key_frames.keying import key_now, new_key
+from game.scenes.key_frames.level import Point
+from game.scenes.key_frames.model import KeyFrameModel
+from game.scenes.key_frames.timeline import Places, places_of, time_at, x_of
 from game.stage import Pointer
+from game.stage.part import Part
 
-if TYPE_CHECKING:
-    from game.scenes.key_frames.scene import KeyFraming
-
-SAME_TIME = 0.004  # s: a key so near to the present time is meant by "now"
-ARM = 0.45  # m beyond the box's end: where the handle is that turns it
 SNAP = 15.0  # degrees, with Ctrl
 
 
-def turning_handle(scene: KeyFraming, x: float, y: float, angle: float) -> Point:
-    """Where the handle is that turns a box with this pose (m, rad)."""
-    arm = 0.5 * scene.motion.box[0] + ARM
-    return x + arm * math.cos(angle), y + arm * math.sin(angle)
+class Hand(Part):
+    """Edits the document by the pointer. grip: from the pointer to what is held, m."""
 
+    def __init__(self, model: KeyFrameModel) -> None:
+        self.model = model
+        self.grip = (0.0, 0.0)
 
-def take_pointer(scene: KeyFraming, event: Pointer) -> None:
-    """A pointer event in world coordinates."""
-    point = editing.limited((event.x, event.y))
-    if event.kind == "down":
-        scene.let_go()
-    if event.kind == "down" and event.button == 1:
-        _press(scene, point)
-    elif event.kind == "down" and event.button == 3:
-        _delete_at(scene, point)
-    elif event.kind == "wheel" and scene.hand == NOTHING:
-        _turn(scene, event.wheel)
-    elif event.kind == "move" and scene.hand != NOTHING:
-        _drag(scene, point, event.shift, event.control)
-    elif event.kind in ("up", "cancel"):
-        if event.kind == "cancel" and scene.before is not None:
-            scene.set_edit(scene.before)
-            scene.before = None
-        scene.let_go()
+    @property
+    def _places(self) -> Places:
+        return places_of(self.model.motion.view)
 
+    def take_pointer(self, event: Pointer) -> None:
+        """A pointer event in world coordinates."""
+        point, document = editing.limited((event.x, event.y)), self.model.document
+        if event.kind == "down":
+            document.forget_reason()
+            document.let_go()
+        if event.kind == "down" and event.button == 1:
+            self._press(point)
+        elif event.kind == "down" and event.button == 3:
+            self._delete_at(point)
+        elif event.kind == "wheel" and document.held == NOTHING:
+            self._turn(event.wheel)
+        elif event.kind == "move" and document.held != NOTHING:
+            self._drag(point, event.shift, event.control)
+        elif event.kind == "cancel":
+            document.cancel()
+        elif event.kind == "up":
+            document.let_go()
+        self.model.place_box()
 
-def what_is_at(scene: KeyFraming, point: Point) -> tuple[str, int]:
-    """What the pointer would take there: handle, turn, key, box, move, time, ease, or nothing."""
-    places = places_of(scene.motion.view)
-    if places.timing.holds(point, places.reach) and EASING in scene.active:
-        ends = [places.timing.at(*scene.timing()[i : i + 2]) for i in (0, 2)]
-        return "ease", min((0, 1), key=lambda i: math.dist(point, ends[i]))
-    if places.band.holds(point):
-        return _on_timeline(scene, point)
-    spots: list[tuple[float, str, int]] = []
-    animation = scene.animation()
-    for i, pair in enumerate(animation.handles().tolist()):
-        spots += [(math.dist(point, spot), "handle", 2 * i + side) for side, spot in enumerate(pair)]
-    x, y, angle = scene.pose.tolist()
-    spots += [(math.dist(point, key.position), "key", i) for i, key in enumerate(scene.motion.keys)]
-    if scene.turning == "keys":
-        spots.append((math.dist(point, turning_handle(scene, x, y, angle)), "turn", -1))
-        for i, key in enumerate(scene.motion.keys):
-            spot = turning_handle(scene, *key.position, math.radians(key.angle))
-            spots.append((math.dist(point, spot), "turn", i))
-    near = [spot for spot in spots if spot[0] <= places.reach]
-    if near:
-        return min(near, key=lambda spot: spot[0])[1:]
-    along = math.cos(angle) * (point[0] - x) + math.sin(angle) * (point[1] - y)
-    across = math.cos(angle) * (point[1] - y) - math.sin(angle) * (point[0] - x)
-    width, height = scene.motion.box
-    return ("box", -1) if abs(along) <= 0.5 * width and abs(across) <= 0.5 * height else NOTHING
+    # -- what is there ------------------------------------------------------------------------------
 
+    def what_is_at(self, point: Point) -> tuple[str, int]:
+        """What the pointer would take there: handle, turn, key, box, move, time, ease, or nothing."""
+        model, places = self.model, self._places
+        if places.timing.holds(point, places.reach) and EASING in model.active:
+            ends = [places.timing.at(*model.document.timing()[i : i + 2]) for i in (0, 2)]
+            return "ease", min((0, 1), key=lambda i: math.dist(point, ends[i]))
+        if places.band.holds(point):
+            return self._on_timeline(point)
+        near = [spot for spot in self._spots(point) if spot[0] <= places.reach]
+        if near:
+            return min(near, key=lambda spot: spot[0])[1:]
+        return ("box", -1) if is_inside(point, model.pose.tolist(), model.motion.box) else NOTHING
 
-def _on_timeline(scene: KeyFraming, point: Point) -> tuple[str, int]:
-    places = places_of(scene.motion.view)
-    marks = [
-        math.hypot(x_of(places, key.time) - point[0], places.axis - point[1]) for key in scene.motion.keys
-    ]
-    nearest = min(range(len(marks)), key=lambda i: (marks[i], i != scene.chosen))
-    return ("move", nearest) if marks[nearest] <= places.reach else ("time", -1)
+    def _spots(self, point: Point) -> list[tuple[float, str, int]]:
+        """How far it is (m) to each thing that can be taken on the stage."""
+        model, motion = self.model, self.model.motion
+        spots: list[tuple[float, str, int]] = []
+        for i, pair in enumerate(model.animation().handles().tolist()):
+            spots += [(math.dist(point, spot), "handle", 2 * i + side) for side, spot in enumerate(pair)]
+        spots += [(math.dist(point, key.position), "key", i) for i, key in enumerate(motion.keys)]
+        if model.parameters.turning == "keys":
+            spots.append((math.dist(point, turning_handle(motion.box, *model.pose.tolist())), "turn", -1))
+            for i, key in enumerate(motion.keys):
+                spot = turning_handle(motion.box, *key.position, math.radians(key.angle))
+                spots.append((math.dist(point, spot), "turn", i))
+        return spots
 
+    def _on_timeline(self, point: Point) -> tuple[str, int]:
+        document, places = self.model.document, self._places
+        marks = [
+            math.hypot(x_of(places, key.time) - point[0], places.axis - point[1])
+            for key in document.motion.keys
+        ]
+        nearest = min(range(len(marks)), key=lambda i: (marks[i], i != document.chosen))
+        return ("move", nearest) if marks[nearest] <= places.reach else ("time", -1)
 
-def _press(scene: KeyFraming, point: Point) -> None:
-    what, index = what_is_at(scene, point)
-    scene.before = scene.edit()
-    if what == "":
-        _new_key(scene, point)
-        what, index = "key", scene.chosen
-    elif what in ("box", "turn") and index < 0:
-        index = key_now(scene)
-        what = "key" if what == "box" else what
-    if index < 0 and what != "time":
-        scene.before = None
-        return
-    scene.hand = (what, index)
-    scene.grip = (0.0, 0.0)
-    if what in ("key", "turn", "move"):
-        scene.choose(index)
-    if what == "handle":
-        scene.choose(index // 2)
-    if what == "key":
-        x, y = scene.motion.keys[index].position
-        scene.grip = (x - point[0], y - point[1])
-    elif what == "time":
-        _drag(scene, point, False, False)
-    elif what == "move":
-        places = places_of(scene.motion.view)
-        scene.grip = (x_of(places, scene.motion.keys[index].time) - point[0], 0.0)
+    # -- a drag -------------------------------------------------------------------------------------
 
+    def _press(self, point: Point) -> None:
+        what, index = self.what_is_at(point)
+        document = self.model.document
+        document.before = document.edit()
+        if what == "":
+            new_key(self.model, point)
+            what, index = "key", document.chosen
+        elif what in ("box", "turn") and index < 0:
+            index = key_now(self.model)
+            what = "key" if what == "box" else what
+        if index < 0 and what != "time":
+            document.before = None
+            return
+        document.take_hold(what, index)
+        self.grip = (0.0, 0.0)
+        if what in ("key", "turn", "move"):
+            document.choose(index)
+        if what == "handle":
+            document.choose(index // 2)
+        if what == "key":
+            x, y = document.motion.keys[index].position
+            self.grip = (x - point[0], y - point[1])
+        elif what == "time":
+            self._drag(point, False, False)
+        elif what == "move":
+            self.grip = (x_of(self._places, document.motion.keys[index].time) - point[0], 0.0)
 
-def _drag(scene: KeyFraming, point: Point, shift: bool, control: bool) -> None:
-    what, index = scene.hand
-    x, y = editing.limited((point[0] + scene.grip[0], point[1] + scene.grip[1]))
-    motion, places = scene.motion, places_of(scene.motion.view)
-    if what == "time":
-        scene.set_time(time_at(places, point[0]))
-    elif what == "move":
-        moved, now = editing.with_time(motion, index, time_at(places, x))
-        scene.motion, scene.hand = moved, (what, now)
-        scene.choose(now)
-    elif what == "key":
-        scene.motion = editing.with_change(motion, index, position=(x, y))
-    elif what == "turn":
-        key = motion.keys[index]
-        angle = editing.angle_at(key.position, point)
-        angle = SNAP * round(angle / SNAP) if control else angle
-        scene.motion = editing.with_change(motion, index, angle=editing.nearest_angle(angle, key.angle))
-    elif what == "handle":
-        _bend(scene, point, index // 2, index % 2 == 0, shift)
-    elif what == "ease":
-        _shape_timing(scene, point, index)
-    if what in ("key", "turn", "move"):
-        scene.show_chosen()
+    def _drag(self, point: Point, shift: bool, control: bool) -> None:
+        document, places = self.model.document, self._places
+        what, index = document.held
+        motion = document.motion
+        x, y = editing.limited((point[0] + self.grip[0], point[1] + self.grip[1]))
+        if what == "time":
+            self.model.player.set_time(time_at(places, point[0]))
+        elif what == "move":
+            document.motion, now = editing.with_time(motion, index, time_at(places, x))
+            document.take_hold(what, now)
+            document.choose(now)
+        elif what == "key":
+            document.motion = editing.with_change(motion, index, position=(x, y))
+        elif what == "turn":
+            key = motion.keys[index]
+            angle = editing.angle_at(key.position, point)
+            angle = SNAP * round(angle / SNAP) if control else angle
+            document.motion = editing.with_change(
+                motion, index, angle=editing.nearest_angle(angle, key.angle)
+            )
+        elif what == "handle":
+            self._bend(point, index // 2, index % 2 == 0, shift)
+        elif what == "ease":
+            self._shape_timing(point, index)
+        if what in ("key", "turn", "move"):
+            document.show_chosen()
 
+    def _bend(self, point: Point, index: int, before: bool, corner: bool) -> None:
+        """Drag a control point: the velocity at its key is three times the displacement to it by the piece's
+        duration."""
+        gap = self.model.animation().gap(index, before)
+        if gap <= 0.0:
+            return
+        document = self.model.document
+        x, y = document.motion.keys[index].position
+        scale = (-3.0 if before else 3.0) / gap
+        velocity = ((point[0] - x) * scale, (point[1] - y) * scale)
+        document.motion = editing.with_velocity(document.motion, index, velocity, before, corner)
 
-def _bend(scene: KeyFraming, point: Point, index: int, before: bool, corner: bool) -> None:
-    """Drag a control point: the velocity at its key is three times the way to it by the piece's duration."""
-    gap = scene.animation().gap(index, before)
-    if gap <= 0.0:
-        return
-    x, y = scene.motion.keys[index].position
-    scale = (-3.0 if before else 3.0) / gap
-    velocity = ((point[0] - x) * scale, (point[1] - y) * scale)
-    scene.motion = editing.with_velocity(scene.motion, index, velocity, before, corner)
+    def _shape_timing(self, point: Point, index: int) -> None:
+        x, y = self._places.timing.shares(point)
+        four = list(self.model.document.timing())
+        four[2 * index], four[2 * index + 1] = min(max(x, 0.0), 1.0) + 0.0, min(max(y, -3.0), 4.0) + 0.0
+        self.model.document.set_timing(four)
 
+    # -- other buttons ------------------------------------------------------------------------------
 
-def _shape_timing(scene: KeyFraming, point: Point, index: int) -> None:
-    x, y = places_of(scene.motion.view).timing.shares(point)
-    four = list(scene.timing())
-    four[2 * index], four[2 * index + 1] = min(max(x, 0.0), 1.0) + 0.0, min(max(y, -3.0), 4.0) + 0.0
-    scene.set_timing(four)
+    def _turn(self, notches: float) -> None:
+        """Pause, so many frames later or earlier; past the end begin again."""
+        player = self.model.player
+        frame = math.floor(player.present() * player.frames + 0.5) + notches
+        time = frame / player.frames
+        player.pause_at(time if 0.0 <= time <= 1.0 else time % 1.0)
 
-
-def key_now(scene: KeyFraming) -> int:
-    """The key at the time that is shown, made if there is none; -1 if there is no room."""
-    part = scene.shown_part()
-    time, pose = scene.animation().key_time(part), scene.animation().pose(part)
-    for i, key in enumerate(scene.motion.keys):
-        if abs(key.time - time) <= SAME_TIME:
-            return i
-    return _insert(scene, time, (float(pose[0]), float(pose[1])), math.degrees(pose[2]), True)
-
-
-def _insert(scene: KeyFraming, time: float, point: Point, angle: float, on_curve: bool) -> int:
-    """A key at a time; one on a Bezier curve gets the curve's velocity, so that the curve stays as it is."""
-    velocity = None
-    if on_curve and scene.interpolation == "bezier":
-        rate = scene.animation().track.rate(scene.motion.start + time)
-        velocity = editing.limited((float(rate[0]), float(rate[1])), editing.FASTEST)
-        scene.motion = _with_velocities(scene)
-    before = min(scene.motion.keys, key=lambda key: abs(key.time - time))
-    entry = KeyEntry(
-        time=time,
-        position=editing.limited(point),
-        angle=editing.nearest_angle(angle, before.angle),
-        velocity=velocity,
-    )
-    try:
-        scene.motion, index = editing.with_key(scene.motion, entry)
-    except ValueError as error:
-        scene.told.append(f"{str(error).capitalize()}.")
-        return -1
-    scene.choose(index)
-    return index
-
-
-def _with_velocities(scene: KeyFraming) -> editing.Motion:
-    """The motion with the velocities of all keys said, that were found from their neighbours before."""
-    motion, handles, animation = scene.motion, scene.animation().handles(), scene.animation()
-    for i, key in enumerate(motion.keys):
-        sides = [side for side in (1, 0) if np.isfinite(handles[i, side]).all()]
-        if key.velocity is None and sides:
-            way = handles[i, sides[0]] - key.position
-            scale = (3.0 if sides[0] else -3.0) / animation.gap(i, not sides[0])
-            velocity = editing.limited((float(way[0]) * scale, float(way[1]) * scale), editing.FASTEST)
-            motion = editing.with_change(motion, i, velocity=velocity)
-    return motion
-
-
-def _turn(scene: KeyFraming, notches: float) -> None:
-    """Rest, so many frames later or earlier; past the end begin anew."""
-    frames = scene.fps * scene.duration
-    frame = math.floor(scene.present() * frames + 0.5) + notches
-    time = frame / frames
-    scene.values["playing"] = False
-    scene.set_time(time if 0.0 <= time <= 1.0 else time % 1.0)
-
-
-def _new_key(scene: KeyFraming, point: Point) -> None:
-    """A click on the stage: the box is there now; if this time has a key already, there at the end."""
-    part = scene.shown_part()
-    time, angle = scene.animation().key_time(part), math.degrees(scene.animation().pose(part)[2])
-    if all(abs(key.time - time) > SAME_TIME for key in scene.motion.keys):
-        _insert(scene, time, point, angle, False)
-        return
-    last = scene.motion.keys[-1]
-    try:
-        scene.motion, index = editing.with_key_at_end(scene.motion, point, last.angle, scene.closed)
-    except ValueError as error:
-        scene.told.append(f"{str(error).capitalize()}.")
-        return
-    scene.choose(index)
-
-
-def _delete_at(scene: KeyFraming, point: Point) -> None:
-    what, index = what_is_at(scene, point)
-    if what in ("key", "move", "turn") and index >= 0:
-        scene.delete_key(index)
-    elif what == "handle":
-        scene.change(editing.with_change(scene.motion, index // 2, velocity=None, velocity_before=None))
+    def _delete_at(self, point: Point) -> None:
+        what, index = self.what_is_at(point)
+        document = self.model.document
+        if what in ("key", "move", "turn") and index >= 0:
+            document.delete_key(index)
+        elif what == "handle":
+            document.change(
+                editing.with_change(document.motion, index // 2, velocity=None, velocity_before=None)
+            )

@@ -7,8 +7,12 @@ from typing import Annotated
 import msgspec
 
 MOST_KEYS = 200
-Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
-Speed = Annotated[float, msgspec.Meta(ge=-100_000.0, le=100_000.0)]  # m/s
+FARTHEST = 1000.0  # m
+FASTEST = 100_000.0  # m/s
+MOST_TURNED = 36_000.0  # degrees
+Metre = Annotated[float, msgspec.Meta(ge=-FARTHEST, le=FARTHEST)]
+Speed = Annotated[float, msgspec.Meta(ge=-FASTEST, le=FASTEST)]  # m/s
+Degrees = Annotated[float, msgspec.Meta(ge=-MOST_TURNED, le=MOST_TURNED)]
 Part = Annotated[float, msgspec.Meta(ge=0.0, le=1.0)]
 Point = tuple[Metre, Metre]
 Velocity = tuple[Speed, Speed]
@@ -24,7 +28,7 @@ class KeyEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=
 
     time: Part
     position: Point = (0.0, 0.0)
-    angle: Annotated[float, msgspec.Meta(ge=-36_000.0, le=36_000.0)] = 0.0
+    angle: Degrees = 0.0
     velocity: Velocity | None = None
     velocity_before: Velocity | None = None
 

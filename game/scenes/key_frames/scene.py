@@ -2,52 +2,38 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from game.lab.studies.animation.keyframing import keyframing_study
 from game.levels import Level
-from game.physics.animation import EASING, INTERPOLATIONS, CubicBezier, Easing, Keyframes
-from game.scenes.key_frames import C01, editing, hand
-from game.scenes.key_frames.clock import frame_of
-from game.scenes.key_frames.document import CHOSEN, LABELS, SHAPING, Edit
+from game.physics.animation import CONSTANT_SPEED, EASING, CubicBezier, Easing, Keyframes
+from game.scenes.key_frames import C01
+from game.scenes.key_frames.commands import take_action
 from game.scenes.key_frames.figure import draw_casteljau
+from game.scenes.key_frames.hand import Hand
 from game.scenes.key_frames.level import Motion
-from game.scenes.key_frames.playing import PlayedScene
+from game.scenes.key_frames.model import KeyFrameModel, KeyFrameState
+from game.scenes.key_frames.parameters import KeyFrameParameters, range_of_slider
+from game.scenes.key_frames.readouts import readouts_of
 from game.scenes.key_frames.view import KeyFramingView
 from game.stage import (
-    Choice,
     Equation,
     Frame,
     Hint,
-    Param,
     Pointer,
     Readout,
+    Scene,
     SceneAction,
     Strip,
-    Toggle,
     WarmUp,
 )
 
-Array = NDArray[np.float64]
 
-
-class KeyFrameState(NamedTuple):
-    """The box and what it moves by. pose: x, y m, angle rad. clock: see c01_clock. timing: x1, y1, x2, y2."""
-
-    pose: Array
-
-    clock: Array
-    keys: Array
-    timing: Array
-
-
-class KeyFraming(PlayedScene):
+class KeyFraming(Scene):
     """Key-frames say where the box is and how it is turned at a few times; an interpolation says the rest.
     Nearest neighbour jumps, lines have corners, cubics differ only in how steep they are at the keys: that
     alone decides between overshoot, loops, jolts and accuracy.
@@ -56,34 +42,21 @@ class KeyFraming(PlayedScene):
     handles to turn them, their diamonds in time. With Bezier curves drag the control points.
 
     The curve under the stage is the speed. It shows what the path does not: where the box is in a hurry, and
-    where it is jolted. Even speed spreads the time by the length of the path, easing by a timing curve.
+    where its velocity jumps. Constant speed spreads the time by the length of the path, easing by a timing
+    curve.
     """
 
     name, task, title = C01.names
+    effects = EASING | CONSTANT_SPEED
+    content_type = Motion
+    parameters_type = KeyFrameParameters
+    parameters: KeyFrameParameters
     study = keyframing_study
     takes = frozenset(("right", "wheel"))
 
-    onion = Param(
-        16, 0, 120, whole=True, group="Shown", label="Onion skin", help="boxes at as many equal steps of time"
-    )
-    compare = Choice(
-        "none", ("none", *(name for name in INTERPOLATIONS if name != "bezier")), group="Shown",
-        labels=("Nothing", *(label for label in LABELS if label != "Bezier curves")), label="Compared with",
-    )  # fmt: skip
-    velocity = Toggle(True, group="Shown", label="Velocity")
-    corners = Toggle(
-        False, group="Shown", label="Lines it is drawn by", help="found by halving pieces until flat"
-    )
-    tolerance = Param(
-        0.005, 0.0005, 0.5, unit="m", log=True, group="Shown", label="Lines are off by", help="at most"
-    )
-    matrices = Toggle(
-        False, group="Shown", label="Rotation matrices mixed", help="what becomes of the box without angles"
-    )
-
     strips = (
         Strip("Speed", "m/s", ("speed",)),
-        Strip("Place", "m", ("x", "y")),
+        Strip("Position", "m", ("x", "y")),
         Strip("Angle", "°", ("angle",)),
     )
     hints = (
@@ -98,11 +71,12 @@ class KeyFraming(PlayedScene):
         SceneAction("insert", "key here and now", "i"),
         SceneAction("delete", "delete the chosen key", "delete"),
         SceneAction("corner", "corner or smooth joint", "c"),
-        SceneAction("play", "play or rest", "k"),
+        SceneAction("play", "play or pause", "k"),
         SceneAction("method", "next interpolation", "m"),
         SceneAction("earlier", "to the key before", "leftbracket"),
         SceneAction("later", "to the next key", "rightbracket"),
     )
+    play_action = "play"
     figure = staticmethod(draw_casteljau)
     equations = (
         Equation(
@@ -114,7 +88,7 @@ class KeyFraming(PlayedScene):
             "Bernstein weights; Bézier 1966",
         ),
         Equation(
-            "Joint without a jolt",
+            "Smooth joint",
             r"\frac{P_3 - P_2}{h_i} = \frac{Q_1 - Q_0}{h_{i+1}}",
             "C1: equal velocities",
         ),
@@ -130,7 +104,7 @@ class KeyFraming(PlayedScene):
             "de Boor 1978",
         ),
         Equation(
-            "Even speed",
+            "Constant speed",
             r"s(u) = \int_0^u \abs{B'(v)} dv,  u_{n+1} = u_n - \frac{s(u_n) - s}{\abs{B'(u_n)}}",
             "Guenter and Parent 1990",
         ),
@@ -144,7 +118,7 @@ class KeyFraming(PlayedScene):
     try_this = (
         "Grab the flying box and pull it aside: it has a key there now. Ctrl+Z takes it back.",
         "Change the interpolation and watch the speed below: linear has steps, a spline has none.",
-        "Switch even speed on: the curve below becomes flat, the boxes of the onion skin evenly spaced.",
+        "Switch constant speed on: the curve below becomes flat, the boxes of the onion skin evenly spaced.",
         "Set frames per second to 8, then the second to 1 s: what early films looked like.",
         "Choose Bezier curves and drag a control point; with Shift its joint becomes a corner.",
         "Open the half turn and switch mixed matrices on: the box collapses to a point.",
@@ -154,148 +128,62 @@ class KeyFraming(PlayedScene):
 
     def build(self, level: Level | None) -> None:
         content = level.content if level is not None and level.content is not None else Motion()
-        self.begin_editing(content)
-        self.reason = ""  # told last, why a parameter does nothing
-        self.clock = np.array([self.values["time"], 0.0, self.dt, float(self.playing)])
-        self.pose = np.zeros(3)
-        self._timing = np.array(self.motion.timing)
-        self.view = KeyFramingView()
-        self.place_box()
+        self.model = KeyFrameModel(self.parameters, self.active, content)
+        self.hand = Hand(self.model)
+        self.view = KeyFramingView(self.model)
 
-    # -- parameters and actions --------------------------------------------------------------------------
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+
+    # -- events -------------------------------------------------------------------------------------
 
     def parameter_changed(self, name: str) -> None:
-        if name in SHAPING or name in CHOSEN:
-            self.let_go()
-        if name == "time":
-            self.values["playing"] = False
-            self.set_time(self.values["time"])
-        elif name in ("duration", "repeat"):
-            self.clock[:2] = self.values["time"], 0.0
-        elif name == "playing":
-            ended = self.playing and self.repeat == "once" and self.present() >= 1.0
-            self.clock[:2] = 0.0 if ended else self.phase(), 0.0
-            self.clock[3] = float(self.playing)
-        elif name in SHAPING:
-            self.note(Edit(self.motion, self.shaped))
-            self.shaped = self.shaping()
-            if name == "easing" and EASING not in self.active:
-                self._tell_once("The timing curve counts while easing is on: see the effects.")
-        elif name in CHOSEN and self.chosen >= 0:
-            self.take_chosen(name)
-        elif name in CHOSEN:
-            self._tell_once("No key is chosen: click one first.")
-        self.place_box()
-
-    def _tell_once(self, words: str) -> None:
-        """Say why a parameter does nothing, but not again with each pixel of its slider."""
-        if words != self.reason:
-            self.reason = words
-            self.told.append(words)
+        self.model.follow_parameter(name)
 
     def effects_changed(self) -> None:
-        self.place_box()
+        self.model.follow_effects(self.active)
 
     def action(self, name: str) -> None:
-        self.let_go()
-        if name == "undo":
-            self.go_between(self.past, self.future, "There is nothing to undo.")
-        elif name == "redo":
-            self.go_between(self.future, self.past, "There is nothing to do again.")
-        elif name == "delete":
-            if self.chosen >= 0:
-                self.delete_key(self.chosen)
-        elif name == "insert":
-            before = self.edit()
-            self.choose(hand.key_now(self))
-            if self.motion is not before.motion:
-                self.note(before)
-        elif name == "corner":
-            self.toggle_corner()
-        elif name == "play":
-            self.values["playing"] = not self.playing
-            self.parameter_changed("playing")
-        elif name == "method":
-            place = INTERPOLATIONS.index(self.interpolation)
-            self.values["interpolation"] = INTERPOLATIONS[(place + 1) % len(INTERPOLATIONS)]
-            self.parameter_changed("interpolation")
-        else:
-            self._to_key(-1 if name == "earlier" else 1)
-        self.place_box()
-
-    def _to_key(self, way: int) -> None:
-        """Rest at the key before or after the present time."""
-        times = sorted({key.time for key in self.motion.keys})
-        now = self.present()
-        if way > 0:
-            target = next((t for t in times if t > now + 1e-9), times[0])
-        else:
-            target = next((t for t in reversed(times) if t < now - 1e-9), times[-1])
-        self.values["playing"] = False
-        self.set_time(target)
-        self.choose(max(i for i, key in enumerate(self.motion.keys) if key.time == target))
+        take_action(self.model, name)
 
     def pointer(self, event: Pointer) -> None:
-        if event.kind == "down":
-            self.reason = ""
-        hand.take_pointer(self, event)
-        self.place_box()
+        self.hand.take_pointer(event)
+
+    @property
+    def resting(self) -> bool:
+        return not self.parameters.playing
+
+    def slider_range(self, name: str) -> tuple[float, float] | None:
+        return range_of_slider(name, self.model.motion.view)
+
+    def messages(self) -> Sequence[str]:
+        return self.model.document.take_messages()
 
     # -- remembering --------------------------------------------------------------------------------
 
     def state(self) -> KeyFrameState:
-        animation = self.animation()
-        if tuple(self._timing) != self.motion.timing:
-            self._timing = np.array(self.motion.timing)
-        return KeyFrameState(self.pose, self.clock, animation.rows, self._timing)
+        return self.model.state()
 
     def restore(self, state: KeyFrameState) -> None:
-        self.clock[:] = state.clock
-        self.values["playing"] = bool(state.clock[3])
-        self.values["time"] = self.present()
-        same = np.array_equal(state.keys, editing.as_rows(self.motion))
-        if not same or tuple(state.timing) != self.motion.timing:
-            self.motion = editing.from_rows(self.motion, state.keys, state.timing)
-        self.shaped = self.shaping()
-        self.pose[:] = state.pose
+        self.model.restore(state)
 
     def save_content(self) -> Motion:
-        return self.motion
-
-    def messages(self) -> Sequence[str]:
-        new = tuple(self.told)
-        self.told.clear()
-        return new
+        return self.model.motion
 
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        animation, part = self.animation(), self.shown_part()
-        x, y, angle = self.pose.tolist()
-        turned = math.degrees(angle)
-        frames = self.fps * self.duration
-        return [
-            Readout("speed", float(np.minimum(animation.playback.speed(part), 1e6)), "m/s"),
-            Readout("on the slider", self.present(), "s"),
-            Readout("angle", turned - 360.0 * math.ceil(turned / 360.0 - 0.5), "°"),
-            Readout("frame", frame_of(self.phase(), frames)),
-            Readout("x", x, "m"),
-            Readout("y", y, "m"),
-            Readout("keys", len(self.motion.keys)),
-            Readout("way", animation.length, "m"),
-            Readout("jolt", animation.jolt, "m/s"),
-            Readout("lines", sum(len(chain) - 1 for chain in animation.chains(self.tolerance))),
-        ]
+        return readouts_of(self.model)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        return self.view.legend(self)
+        return self.view.legend()
 
     def frame(self) -> Frame:
-        view = self.motion.view
+        view = self.model.motion.view
         return Frame(view.left, view.bottom, view.right, view.top)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(self, canvas)
+        self.view.draw(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
@@ -309,7 +197,7 @@ class KeyFraming(PlayedScene):
         return (
             *(WarmUp(f"keys, {name}", partial(sample, name)) for name in ("spline", "linear", "nearest")),
             WarmUp("lengths", lambda: path.length),
-            WarmUp("equal ways", lambda: path.parameter_at(times)),
+            WarmUp("arc lengths", lambda: path.parameter_at(times)),
             WarmUp("lines", lambda: path.flatten(0.1)),
             WarmUp("directions", lambda: path.direction(times)),
             WarmUp("timing curve", lambda: Easing("ease").slope(times)),

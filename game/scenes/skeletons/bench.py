@@ -32,7 +32,7 @@ class Bench(msgspec.Struct, frozen=True):
     """The figure and the hand on it. drawn: points of the skin being drawn, m. pointer: where the hand is.
 
     held: "" or what is dragged ("bone", "root"); grip: how it was taken. picked: first bone of a chain being
-    picked, or NOWHERE. told: what the last event has to say, or "".
+    picked, or NOWHERE. message: what the last event has to say, or "".
     """
 
     figure: FigureContent
@@ -44,7 +44,7 @@ class Bench(msgspec.Struct, frozen=True):
     grip: tuple[float, float] = (0.0, 0.0)
     past: tuple[Memo, ...] = ()
     future: tuple[Memo, ...] = ()
-    told: str = ""
+    message: str = ""
 
 
 class Turn(NamedTuple):
@@ -59,9 +59,9 @@ def reach_of(figure: FigureContent) -> float:
     return REACH * (figure.view.top - figure.view.bottom)
 
 
-def told(bench: Bench, words: str) -> Bench:
+def with_message(bench: Bench, words: str) -> Bench:
     """The bench with something to say."""
-    return msgspec.structs.replace(bench, told=words)
+    return msgspec.structs.replace(bench, message=words)
 
 
 def remembered(bench: Bench, pose: Array) -> Bench:
@@ -75,7 +75,7 @@ def undo(bench: Bench, rig: Rig) -> Turn:
     if bench.drawn:
         return Turn(msgspec.structs.replace(bench, drawn=bench.drawn[:-1]))
     if not bench.past:
-        return Turn(told(bench, "Nothing to take back."))
+        return Turn(with_message(bench, "There is nothing to undo."))
     future = (*bench.future, Memo(bench.figure, tuple(rig.now.tolist())))[-HISTORY:]
     return _as_it_was(bench, bench.past[-1], bench.past[:-1], future)
 
@@ -83,7 +83,7 @@ def undo(bench: Bench, rig: Rig) -> Turn:
 def redo(bench: Bench, rig: Rig) -> Turn:
     """Do again what was taken back last."""
     if not bench.future:
-        return Turn(told(bench, "Nothing to do again."))
+        return Turn(with_message(bench, "There is nothing to redo."))
     past = (*bench.past, Memo(bench.figure, tuple(rig.now.tolist())))[-HISTORY:]
     return _as_it_was(bench, bench.future[-1], past, bench.future[:-1])
 

@@ -1,13 +1,18 @@
-"""Where a figure is drawn: the whole picture, or a cell of it beside other figures."""
+"""Where a figure is drawn: the whole picture, or a cell of it beside the figures of other methods."""
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from game.scenes.skeletons.level import View
+from game.stage import Frame
+
 Array = NDArray[np.float64]
+COLUMNS, ROWS = 3, 2
 
 
 class Cell(NamedTuple):
@@ -30,3 +35,27 @@ class Cell(NamedTuple):
 
 
 WHOLE = Cell()
+
+
+def frame_of_cells(view: View) -> Frame:
+    """The picture that holds all cells, for figures with this view."""
+    return Frame(0.0, 0.0, COLUMNS * (view.right - view.left), ROWS * (view.top - view.bottom))
+
+
+def cells_of(view: View, compare: bool) -> list[Cell]:
+    """Where each method's figure stands; without comparison the chosen one, twice as large, in the middle."""
+    wide, high = view.right - view.left, view.top - view.bottom
+    if not compare:
+        return [Cell(0.5 * wide - 2.0 * view.left, -2.0 * view.bottom, 2.0)] * (COLUMNS * ROWS)
+    return [
+        Cell(column * wide - view.left, (ROWS - 1 - row) * high - view.bottom)
+        for row in range(ROWS)
+        for column in range(COLUMNS)
+    ]
+
+
+def cell_at(x: float, y: float, frame: Frame) -> int:
+    """Which method's figure is at a place of the picture."""
+    column = math.floor(COLUMNS * x / frame.right)
+    row = ROWS - 1 - math.floor(ROWS * y / frame.top)
+    return min(max(row, 0), ROWS - 1) * COLUMNS + min(max(column, 0), COLUMNS - 1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
-from game.scenes.skeletons.cells import Cell
-from game.scenes.skeletons.level import FigureContent
+from game.scenes.skeletons.cells import COLUMNS, ROWS, Cell, cells_of, frame_of_cells
+from game.scenes.skeletons.parameters import SHOWN
+from game.scenes.skeletons.reaching_model import ReachingModel, ReachingState
+from game.scenes.skeletons.skin_painter import SkinPainter
 from game.scenes.skeletons.view import bone_tokens, draw_bones, draw_limits, draw_pen, draw_weights
 from game.stage import Frame, blend_angles
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
@@ -20,36 +22,12 @@ from game.ui.look.numerals import quantity
 from game.ui.look.shapes import draw_disc
 from game.ui.raster.curves import thinned
 
-if TYPE_CHECKING:
-    from game.scenes.skeletons.inverse_kinematics import InverseKinematics
-
 Array = NDArray[np.float64]
-COLUMNS, ROWS = 3, 2
 TITLES = ("Gradient", "Buss step", "Armijo", "Damped least squares", "CCD", "FABRIK")
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")  # as the charts have them
 DECADES = 8.0  # of the small chart, below the reach
 TRAIL_DOWN, TRAIL_WIDE, TRAIL_HIGH = 72.0, 84.0, 30.0  # design px: where the small chart is, its size
 CARD_WIDE, CARD_HIGH, MOST_CARDS = 180.0, 124.0, 64
-
-
-def cells_of(figure: FigureContent, compare: bool, chosen: int) -> list[Cell]:
-    """Where each method's figure stands; without comparison the chosen one, twice as large, in the middle."""
-    view = figure.view
-    wide, high = view.right - view.left, view.top - view.bottom
-    if not compare:
-        return [Cell(0.5 * wide - 2.0 * view.left, -2.0 * view.bottom, 2.0)] * (COLUMNS * ROWS)
-    return [
-        Cell(column * wide - view.left, (ROWS - 1 - row) * high - view.bottom)
-        for row in range(ROWS)
-        for column in range(COLUMNS)
-    ]
-
-
-def cell_at(x: float, y: float, frame: Frame) -> int:
-    """Which method's figure is at a place of the picture."""
-    column = math.floor(COLUMNS * x / frame.right)
-    row = ROWS - 1 - math.floor(ROWS * y / frame.top)
-    return min(max(row, 0), ROWS - 1) * COLUMNS + min(max(column, 0), COLUMNS - 1)
 
 
 class Words(NamedTuple):
@@ -63,50 +41,54 @@ class Words(NamedTuple):
 class ChainView:
     """Draws the figures of all methods."""
 
-    def __init__(self) -> None:
+    def __init__(self, model: ReachingModel) -> None:
+        self._model, self._shown = model, model.parameters
+        self._painter = SkinPainter()
         self._words = [Words("", "", "")] * len(TITLES)
         self._quarters = [-1] * len(TITLES)
         self._cards: dict[tuple[Any, ...], pygame.Surface] = {}
         self._curves: tuple[Array, float] = (np.zeros((len(TITLES), 1, 2)), 0.0)
 
-    def draw(self, scene: InverseKinematics, canvas: Canvas, alpha: float) -> None:
+    def draw(self, canvas: Canvas, previous: ReachingState | None, alpha: float) -> None:
         """All of it: figures, bones of all figures, words."""
-        cells = cells_of(scene.bench.figure, scene.compare, scene.master)
-        frame = scene.frame()
-        if scene.compare:
+        model, view = self._model, self._model.bench.figure.view
+        compare, master = self._shown.compare, self._shown.master
+        cells, frame = cells_of(view, compare), frame_of_cells(view)
+        if compare:
             self._draw_lines(canvas, frame)
-        shown = range(len(TITLES)) if scene.compare else (scene.master,)
-        poses = self._poses(scene, alpha)
+        places = list(range(len(TITLES))) if compare else [master]
+        poses = self._poses(previous, alpha)
         bases, ends = [], []
-        for k in shown:
-            self._draw_body(scene, canvas, k, cells[k], poses[k])
-            bases.append(cells[k].out(scene.rig.shown.bases))
-            ends.append(cells[k].out(scene.rig.shown.ends))
-        if scene.bones:
-            self._draw_bones(scene, canvas, list(shown), np.concatenate(bases), np.concatenate(ends))
-        self._refresh(scene)
-        if scene.solver is not None:
-            self._curves = self._trails(scene, canvas)
-        for n, k in enumerate(shown):
-            if scene.solver is not None:
-                self._draw_target(scene, canvas, cells[k], ends[n][scene.inside[-1]])
-            self._draw_words(scene, canvas, k, frame)
-        self._draw_hand(scene, canvas, cells[scene.master], ends[list(shown).index(scene.master)])
+        for k in places:
+            self._draw_body(canvas, k, cells[k], poses[k])
+            bases.append(cells[k].out(model.rig.shown.bases))
+            ends.append(cells[k].out(model.rig.shown.ends))
+        if self._shown.bones:
+            self._draw_bones(canvas, places, np.concatenate(bases), np.concatenate(ends))
+        self._refresh()
+        if model.solver is not None:
+            self._curves = self._trails(canvas)
+        for n, k in enumerate(places):
+            if model.solver is not None:
+                self._draw_target(canvas, cells[k], ends[n][model.inside[-1]])
+            self._draw_words(canvas, k, frame)
+        self._draw_hand(canvas, cells[master], ends[places.index(master)])
 
-    def _draw_bones(
-        self, scene: InverseKinematics, canvas: Canvas, shown: list[int], bases: Array, ends: Array
-    ) -> None:
+    def _draw_bones(self, canvas: Canvas, places: list[int], bases: Array, ends: Array) -> None:
+        """Bones of the figures of these methods, all in one call."""
+        model, shown = self._model, self._shown
         tokens: list[str] = []
-        inside = frozenset(scene.inside.tolist())
-        for k in shown:
-            chosen = scene.bench.chosen if k == scene.master and scene.tool != "pull" else NOWHERE
-            tokens += bone_tokens(scene.rig.shown.count, chosen, scene.weights, inside)
+        inside = frozenset(model.inside.tolist())
+        for k in places:
+            mine = k == shown.master and shown.tool != "pull"
+            chosen = model.bench.chosen if mine else NOWHERE
+            tokens += bone_tokens(model.rig.shown.count, chosen, shown.weights, inside)
         draw_bones(canvas, bases, ends, tokens)
 
-    def _draw_hand(self, scene: InverseKinematics, canvas: Canvas, cell: Cell, ends: Array) -> None:
+    def _draw_hand(self, canvas: Canvas, cell: Cell, ends: Array) -> None:
         """What is being made by hand."""
-        bench = scene.bench
-        if scene.tool == "bone" and bench.chosen != NOWHERE:
+        bench = self._model.bench
+        if self._shown.tool == "bone" and bench.chosen != NOWHERE:
             pointer = cell.out(np.array([bench.pointer]))[0]
             canvas.line(ends[bench.chosen], pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, cell)
@@ -117,47 +99,49 @@ class ChainView:
             canvas.line((x, 0.0), (x, frame.top), "line", 1.0)
         canvas.line((0.0, frame.top / ROWS), (frame.right, frame.top / ROWS), "line", 1.0)
 
-    def _poses(self, scene: InverseKinematics, alpha: float) -> Array:
+    def _poses(self, previous: ReachingState | None, alpha: float) -> Array:
         """Poses (6, n + 2) of all methods between the last two steps."""
-        now, before = scene.methods, scene.previous
+        now, before = self._model.methods, previous
         if before is None or before.poses.shape != now.shape:
             return now
         poses = blend_angles(before.poses, now, alpha)
         poses[:, -2:] = before.poses[:, -2:] + alpha * (now[:, -2:] - before.poses[:, -2:])
         return poses
 
-    def _draw_body(self, scene: InverseKinematics, canvas: Canvas, k: int, cell: Cell, pose: Array) -> None:
+    def _draw_body(self, canvas: Canvas, k: int, cell: Cell, pose: Array) -> None:
         """Skins, and what lies below the bones; ``rig.shown`` is posed so."""
-        rig, bench, mine = scene.rig, scene.bench, k == scene.master
+        model, shown = self._model, self._shown
+        rig, bench, mine = model.rig, model.bench, k == shown.master
         figure, view = bench.figure, bench.figure.view
-        few = scene.compare and not scene.weights
-        points = rig.show_few(pose, scene.blend) if few else rig.show(pose, scene.blend)
+        few = shown.compare and not shown.weights
+        points = rig.show_few(pose, shown.blend) if few else rig.show(pose, shown.blend)
         if figure.ground is not None:
             ends = cell.out(np.array([(view.left, figure.ground), (view.right, figure.ground)]))
             canvas.line(ends[0], ends[1], "line2", 1.0)
-        if scene.circles and mine:
-            self._draw_reach(scene, canvas, cell)
-        if SKINNING in scene.active:
-            if scene.skins:
-                strength = 0.35 if scene.weights else 1.0
-                scene.painter.paint(canvas, rig, points, strength, not few, cell)
-            if scene.weights:
+        if shown.circles and mine:
+            self._draw_reach(canvas, cell)
+        if SKINNING in model.active:
+            if shown.skins:
+                strength = 0.35 if shown.weights else 1.0
+                self._painter.paint(canvas, rig, points, strength, not few, cell)
+            if shown.weights:
                 draw_weights(canvas, rig, cell.out(points), bench.chosen)
-        if mine and bench.chosen != NOWHERE and JOINT_LIMITS in scene.active and scene.tool == "pose":
+        turning = shown.tool == "pose" and JOINT_LIMITS in model.active
+        if mine and turning and bench.chosen != NOWHERE:
             draw_limits(canvas, rig.shown, cell, bench.chosen)
 
-    def _draw_reach(self, scene: InverseKinematics, canvas: Canvas, cell: Cell) -> None:
-        if scene.solver is None:
+    def _draw_reach(self, canvas: Canvas, cell: Cell) -> None:
+        if self._model.solver is None:
             return
-        first = int(scene.inside[0])
-        root = cell.out(scene.rig.shown.bases[first : first + 1])[0]
-        reach, hole = scene.solver.chain.reach, scene.solver.chain.hole
+        first = int(self._model.inside[0])
+        root = cell.out(self._model.rig.shown.bases[first : first + 1])[0]
+        reach, hole = self._model.solver.chain.reach, self._model.solver.chain.hole
         canvas.circle(root, reach * cell.scale, outline="line2", width=1.0, dash=EXACT_DASH, alpha=0.8)
         if hole > 0.0:
             canvas.circle(root, hole * cell.scale, outline="line2", width=1.0, dash=EXACT_DASH, alpha=0.8)
 
-    def _draw_target(self, scene: InverseKinematics, canvas: Canvas, cell: Cell, end: Array) -> None:
-        place = cell.out(scene.target[None])[0]
+    def _draw_target(self, canvas: Canvas, cell: Cell, end: Array) -> None:
+        place = cell.out(self._model.target[None])[0]
         if math.dist(place, end) > canvas.px(9.0):
             canvas.line(end, place, "amber", 1.2, dash=(4.0, 4.0))
         canvas.dot(place, 3.0, "amber")
@@ -165,28 +149,28 @@ class ChainView:
 
     # -- words --------------------------------------------------------------------------------------
 
-    def _refresh(self, scene: InverseKinematics) -> None:
-        """Numbers anew, four times a second, one method after the other: quicker ones cannot be read."""
-        for k, found in enumerate(scene.measured):
-            quarter = math.floor(4.0 * scene.time + k / len(TITLES))
+    def _refresh(self) -> None:
+        """New numbers, four times a second, one method after the other: quicker ones cannot be read."""
+        for k, found in enumerate(self._model.measured):
+            quarter = math.floor(4.0 * self._model.time + k / len(TITLES))
             if quarter == self._quarters[k]:
                 continue
             self._quarters[k] = quarter
-            seconds = " ".join(quantity(scene.watch.median(scene.shown_methods[k]), "s"))
+            seconds = " ".join(quantity(self._model.watch.median(SHOWN[k]), "s"))
             times = "iteration" if found.iterations == 1 else "iterations"
             error = " ".join(quantity(found.error, "m"))
             self._words[k] = Words(error, f"{found.iterations} {times}", seconds)
 
-    def _draw_words(self, scene: InverseKinematics, canvas: Canvas, k: int, frame: Frame) -> None:
+    def _draw_words(self, canvas: Canvas, k: int, frame: Frame) -> None:
         """Name, what it took, and the errors of the last steps, at the top left of a figure's place."""
         if not canvas.words:
             return
-        column, row = (k % COLUMNS, k // COLUMNS) if scene.compare else (0, 0)
+        column, row = (k % COLUMNS, k // COLUMNS) if self._shown.compare else (0, 0)
         x = frame.right * column / COLUMNS + canvas.px(10.0)
         y = frame.top * (ROWS - row) / ROWS - canvas.px(8.0)
-        mine = k == scene.master
-        title = TITLES[k] if scene.adaptive or k != 3 else "Damped, fixed"
-        words = self._words[k] if scene.solver is not None else None
+        mine = k == self._shown.master
+        title = TITLES[k] if self._shown.adaptive or k != 3 else "Damped, fixed"
+        words = self._words[k] if self._model.solver is not None else None
         canvas.blit(self._card(canvas, k, title, mine, words), (x, y), "topleft")
         if words is not None:
             self._draw_trail(canvas, k, (x, y - canvas.px(TRAIL_DOWN)))
@@ -202,16 +186,16 @@ class ChainView:
             found = self._cards[key] = _paint_card(canvas, COLORS[k], title, mine, words, level)
         return found
 
-    def _trails(self, scene: InverseKinematics, canvas: Canvas) -> tuple[Array, float]:
+    def _trails(self, canvas: Canvas) -> tuple[Array, float]:
         """Errors of the last steps (6, TRAIL, 2), logarithmic from the reach down, and the tolerance."""
-        assert scene.solver is not None
+        assert self._model.solver is not None
         wide, high = canvas.px(TRAIL_WIDE), canvas.px(TRAIL_HIGH)
-        share = 1.0 / scene.solver.chain.reach
-        places = np.empty((*scene.trail.shape, 2))
-        places[:, :, 0] = np.linspace(0.0, wide, scene.trail.shape[1])
-        places[:, :, 1] = np.log10(np.maximum(scene.trail * share, 1e-300))
+        share = 1.0 / self._model.solver.chain.reach
+        places = np.empty((*self._model.trail.shape, 2))
+        places[:, :, 0] = np.linspace(0.0, wide, self._model.trail.shape[1])
+        places[:, :, 1] = np.log10(np.maximum(self._model.trail * share, 1e-300))
         places[:, :, 1] = high / DECADES * np.clip(places[:, :, 1], -DECADES, 0.0)
-        level = high / DECADES * min(max(math.log10(scene.tolerance * share), -DECADES), 0.0)
+        level = high / DECADES * min(max(math.log10(self._shown.tolerance * share), -DECADES), 0.0)
         return places, level
 
     def _draw_trail(self, canvas: Canvas, k: int, corner: tuple[float, float]) -> None:

@@ -1,282 +1,110 @@
-"""The hand of the skeleton scenes: bones made and turned, skins drawn, chains picked.
-
-Each event gives another bench, and the pose that the hand wants: see skeleton_bench.
-"""
+"""The hand in both skeleton scenes: tools, keys and the pointer on the bench."""
 
 from __future__ import annotations
 
-import math
-
 import msgspec
-import numpy as np
-from numpy.typing import NDArray
 
-from game.physics.animation.skeleton_editing import NOWHERE, SHORTEST, bone_at
-from game.scenes.skeletons.bench import Bench, Turn, reach_of, remembered, told
-from game.scenes.skeletons.level import (
-    MOST_BONES,
-    MOST_POINTS,
-    BoneEntry,
-    ChainEntry,
-    FigureContent,
-    Point,
-    SkinEntry,
-    fresh_name,
-)
-from game.scenes.skeletons.rig import Rig
+from game.physics.animation import JOINT_LIMITS
+from game.scenes.skeletons import bench as skeleton_bench
+from game.scenes.skeletons import editing
+from game.scenes.skeletons.cells import cell_at, cells_of, frame_of_cells
+from game.scenes.skeletons.editing import FARTHEST
+from game.scenes.skeletons.model import FigureModel
+from game.scenes.skeletons.parameters import SHOWN
+from game.scenes.skeletons.reaching_model import ReachingModel
 from game.stage import Pointer
-
-Array = NDArray[np.float64]
-FARTHEST = 5_000.0  # m
-DRAWN_FILL = "chalk"
+from game.stage.part import Part
 
 
-# -- the pointer ----------------------------------------------------------------------------------------
+class FigureHand(Part):
+    """Edits the model's figure by the pointer and by named actions."""
+
+    def __init__(self, model: FigureModel) -> None:
+        self.model = model
+
+    def take_tool(self) -> None:
+        """Begin with another tool: what is made by hand is made standing still, a skin in the bind pose."""
+        model, tool = self.model, self.model.parameters.tool
+        model.clear_hand()
+        if tool in ("bone", "skin", "chain"):
+            model.hold_still()
+        if tool == "skin":
+            model.stand_as_bound()
+
+    def take_pointer(self, event: Pointer) -> None:
+        """A pointer event in the figure's own coordinates."""
+        model = self.model
+        before, limited = model.bench.held, JOINT_LIMITS in model.active
+        model.take(editing.take_pointer(model.bench, model.rig, event, model.parameters.tool, limited))
+        if model.bench.held and not before:
+            model.hold_still()
+
+    def take_action(self, name: str) -> None:
+        """One of the named actions, a tool among them."""
+        model = self.model
+        if name in model.parameters.tools:
+            model.parameters.tool = name
+            self.take_tool()
+        elif name in ("undo", "redo"):
+            model.hold_still()
+            go = skeleton_bench.undo if name == "undo" else skeleton_bench.redo
+            model.take(go(model.bench, model.rig))
+        elif name == "move":
+            model.parameters.motion = not model.parameters.motion
+        elif name == "delete":
+            model.take(editing.delete(model.bench, model.rig, model.parameters.tool))
+        elif name == "finish":
+            model.take(editing.finish(model.bench, model.rig))
+        elif name == "rebind":
+            model.hold_still()
+            model.take(editing.rebind(model.bench, model.rig, model.parameters.blend))
+        elif name == "stand":
+            model.hold_still()
+            model.stand_as_bound()
 
 
-def take_pointer(bench: Bench, rig: Rig, event: Pointer, tool: str, limited: bool) -> Turn:
-    """The bench after a pointer event in the figure's own coordinates, with one of the tools."""
-    point = (min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST))
-    bench = msgspec.structs.replace(bench, pointer=point, told="")
-    if event.kind == "down" and event.button == 1:
-        press = {"pose": _take, "bone": _grow, "skin": _draw, "chain": _pick}.get(tool)
-        return press(bench, rig, point) if press is not None else Turn(bench)
-    if event.kind == "move" and bench.held:
-        return _drag(bench, rig, point, limited)
-    if event.kind == "up" and bench.held:
-        return Turn(_let_go(bench, rig))
-    if event.kind == "cancel":
-        return _take_back(bench)
-    return Turn(bench)
+class ReachingHand(FigureHand):
+    """The hand of C03, which also pulls the target, in any of the figures side by side. pulling: whether."""
 
+    model: ReachingModel
 
-def _take(bench: Bench, rig: Rig, point: Point) -> Turn:
-    """Press: the root by its beginning, else a bone to be turned."""
-    skeleton, reach = rig.skeleton, reach_of(bench.figure)
-    root = int(np.argmax(skeleton.parents < 0))
-    start = skeleton.bases[root].tolist()
-    if math.dist(start, point) <= 0.6 * reach:
-        grip = (point[0] - start[0], point[1] - start[1])
-        return Turn(_hold(bench, rig, root, "root", grip))
-    bone = bone_at(skeleton, point, reach)
-    if bone == NOWHERE:
-        return Turn(msgspec.structs.replace(bench, chosen=NOWHERE))
-    x, y = skeleton.bases[bone].tolist()
-    toward = math.atan2(point[1] - y, point[0] - x)
-    return Turn(_hold(bench, rig, bone, "bone", (float(skeleton.angles[bone]) - toward, 0.0)))
+    def __init__(self, model: ReachingModel) -> None:
+        super().__init__(model)
+        self.pulling = False
 
+    def take_pointer(self, event: Pointer) -> None:
+        """A pointer event in the picture: it is for the figure under it, or for that where a drag began."""
+        model, shown = self.model, self.model.parameters
+        view = model.bench.figure.view
+        k = cell_at(event.x, event.y, frame_of_cells(view)) if shown.compare else shown.master
+        if event.kind == "down" and event.button == 1 and shown.compare:
+            shown.method = SHOWN[k]
+            model.stand_as_chosen()
+        elif self.pulling or model.bench.held:
+            k = shown.master  # a drag stays in the figure where it began
+        x, y = cells_of(view, shown.compare)[k].into(event.x, event.y)
+        event = msgspec.structs.replace(event, x=x, y=y)
+        if event.kind == "down":
+            model.note_target()
+        if shown.tool == "pull":
+            self._pull(event)
+        else:
+            super().take_pointer(event)
 
-def _hold(bench: Bench, rig: Rig, bone: int, held: str, grip: tuple[float, float]) -> Bench:
-    return msgspec.structs.replace(remembered(bench, rig.now), chosen=bone, held=held, grip=grip)
+    def _pull(self, event: Pointer) -> None:
+        model = self.model
+        if event.kind == "down" and event.button == 1:
+            model.remember()
+            model.hold_still()
+            self.pulling = True
+        elif event.kind in ("up", "cancel"):
+            self.pulling = False
+        if self.pulling and event.kind in ("down", "move"):
+            model.target[:] = min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST)
 
-
-def _drag(bench: Bench, rig: Rig, point: Point, limited: bool) -> Turn:
-    pose, bone = rig.now, bench.chosen
-    if bench.held == "root":
-        base = rig.skeleton.bases[bone]
-        pose[-2] += point[0] - bench.grip[0] - base[0]
-        pose[-1] += point[1] - bench.grip[1] - base[1]
-        return Turn(bench, pose)
-    x, y = rig.skeleton.bases[bone].tolist()
-    if math.dist((x, y), point) <= SHORTEST:
-        return Turn(bench)
-    angle = math.atan2(point[1] - y, point[0] - x) + bench.grip[0]
-    before = float(pose[bone])
-    angle = before + math.remainder(angle - before, 2.0 * math.pi)  # the short way: no jump after many turns
-    if limited:
-        angle = min(max(angle, float(rig.skeleton.lower[bone])), float(rig.skeleton.upper[bone]))
-    pose[bone] = angle
-    return Turn(bench, pose)
-
-
-def _let_go(bench: Bench, rig: Rig) -> Bench:
-    """The end of a drag; one that changed nothing leaves nothing to undo."""
-    unmoved = bool(bench.past) and bench.past[-1].pose == tuple(rig.now.tolist())
-    past = bench.past[:-1] if unmoved else bench.past
-    return msgspec.structs.replace(bench, held="", past=past)
-
-
-def _take_back(bench: Bench) -> Turn:
-    """What is held goes back; a skin or a chain that was begun is given up."""
-    pose = None
-    if bench.held and bench.past:
-        pose = np.array(bench.past[-1].pose)
-        bench = msgspec.structs.replace(bench, past=bench.past[:-1])
-    return Turn(msgspec.structs.replace(bench, held="", drawn=(), picked=NOWHERE), pose)
-
-
-# -- bones ----------------------------------------------------------------------------------------------
-
-
-def _grow(bench: Bench, rig: Rig, point: Point) -> Turn:
-    """A click on a bone chooses the parent; one beside all bones lays a new bone from its end."""
-    figure = bench.figure
-    bone = bone_at(rig.skeleton, point, 0.6 * reach_of(figure))
-    if bone != NOWHERE:
-        return Turn(msgspec.structs.replace(bench, chosen=bone))
-    parent = bench.chosen
-    if parent == NOWHERE:
-        return Turn(told(bench, "Click the parent bone first."))
-    if len(figure.bones) >= MOST_BONES:
-        return Turn(told(bench, f"There is room for {MOST_BONES} bones."))
-    x, y = rig.skeleton.ends[parent].tolist()
-    dx, dy = point[0] - x, point[1] - y
-    turn = math.degrees(math.atan2(dy, dx) - rig.skeleton.world_angle(parent))
-    made = BoneEntry(
-        name=fresh_name(figure), parent=figure.bones[parent].name, length=math.sqrt(dx * dx + dy * dy),
-        angle=math.remainder(turn, 360.0),
-    )  # fmt: skip
-    longer = msgspec.structs.replace(figure, bones=(*figure.bones, made), skins=_widened(figure))
-    pose = np.insert(rig.now, len(figure.bones), math.radians(made.angle))
-    bench = remembered(bench, rig.now)
-    return Turn(msgspec.structs.replace(bench, figure=longer, chosen=len(figure.bones)), pose)
-
-
-def _widened(figure: FigureContent) -> tuple[SkinEntry, ...]:
-    """Skins with weights given: nothing of them on the new bone."""
-    return tuple(
-        msgspec.structs.replace(skin, weights=tuple((*row, 0.0) for row in skin.weights))
-        if skin.weights is not None
-        else skin
-        for skin in figure.skins
-    )
-
-
-def delete(bench: Bench, rig: Rig, tool: str) -> Turn:
-    """Take away the last point drawn, with the pen the last skin, else the chosen bone with its children."""
-    figure = bench.figure
-    if bench.drawn:
-        return Turn(msgspec.structs.replace(bench, drawn=bench.drawn[:-1]))
-    if tool == "skin":
-        if not figure.skins:
-            return Turn(told(bench, "There is no skin."))
-        fewer = msgspec.structs.replace(figure, skins=figure.skins[:-1])
-        return Turn(msgspec.structs.replace(remembered(bench, rig.now), figure=fewer), rig.now)
-    if bench.chosen == NOWHERE:
-        return Turn(told(bench, "Choose a bone first."))
-    return _without(bench, rig)
-
-
-def _without(bench: Bench, rig: Rig) -> Turn:
-    figure, gone = bench.figure, {figure_bone(bench).name}
-    while True:
-        more = {bone.name for bone in figure.bones if bone.parent in gone} - gone
-        if not more:
-            break
-        gone |= more
-    stays = np.array([bone.name not in gone for bone in figure.bones])
-    if not stays.any():
-        return Turn(told(bench, "The last bone stays."))
-    if figure.chain is not None and gone & {figure.chain.start, figure.chain.end}:
-        return Turn(told(bench, "The chain needs this bone; pick another chain first."))
-    skins = []
-    for skin in figure.skins:
-        if skin.bones:
-            left = tuple(name for name in skin.bones if name not in gone)
-            if not left:
-                continue
-            skin = msgspec.structs.replace(skin, bones=left)
-        if skin.weights is not None:
-            rows = np.array(skin.weights)[:, stays]
-            if np.any(rows.max(axis=1) <= 0.0):
-                continue
-            skin = msgspec.structs.replace(skin, weights=tuple(tuple(row) for row in rows.tolist()))
-        skins.append(skin)
-    bones = tuple(bone for bone in figure.bones if bone.name not in gone)
-    fewer = msgspec.structs.replace(figure, bones=bones, skins=tuple(skins))
-    pose = rig.now[np.append(stays, (True, True))]
-    bench = remembered(bench, rig.now)
-    return Turn(msgspec.structs.replace(bench, figure=fewer, chosen=NOWHERE, picked=NOWHERE), pose)
-
-
-def figure_bone(bench: Bench) -> BoneEntry:
-    """The chosen bone."""
-    return bench.figure.bones[bench.chosen]
-
-
-# -- skins ----------------------------------------------------------------------------------------------
-
-
-def _draw(bench: Bench, rig: Rig, point: Point) -> Turn:
-    """A click with the pen: another corner of the skin, or its end at the first one."""
-    drawn = bench.drawn
-    if len(drawn) >= 3 and math.dist(point, drawn[0]) <= 0.6 * reach_of(bench.figure):
-        return finish(bench, rig)
-    if drawn and math.dist(point, drawn[-1]) <= SHORTEST:
-        return Turn(bench)
-    if len(drawn) >= MOST_POINTS:
-        return Turn(told(bench, f"A skin has {MOST_POINTS} points at most."))
-    return Turn(msgspec.structs.replace(bench, drawn=(*drawn, point)))
-
-
-def finish(bench: Bench, rig: Rig) -> Turn:
-    """Close the skin being drawn."""
-    if len(bench.drawn) < 3:
-        return Turn(told(bench, "A skin needs three points."))
-    figure = bench.figure
-    made = SkinEntry(points=bench.drawn, fill=DRAWN_FILL, strength=0.35)
-    more = msgspec.structs.replace(figure, skins=(*figure.skins, made))
-    bench = msgspec.structs.replace(remembered(bench, rig.now), figure=more, drawn=())
-    return Turn(bench, rig.now)
-
-
-def rebind(bench: Bench, rig: Rig, blend: str) -> Turn:
-    """Make the present pose the one in which skins are bound: their points become what they look like now."""
-    figure, now = bench.figure, rig.now
-    rig.move(blend)
-    bones = tuple(
-        msgspec.structs.replace(
-            bone, angle=math.degrees(angle), turn=0.0, limits=_shifted(bone, math.degrees(angle))
-        )
-        for bone, angle in zip(figure.bones, now[:-2].tolist(), strict=True)
-    )
-    bones = tuple(
-        bone if bone.parent else msgspec.structs.replace(bone, place=tuple(rig.skeleton.offsets[i].tolist()))
-        for i, bone in enumerate(bones)
-    )
-    skins = tuple(
-        msgspec.structs.replace(
-            skin, points=tuple((x, y) for x, y in rig.skinned[rig.outline(i)].tolist())
-        )
-        for i, skin in enumerate(figure.skins)
-    )  # fmt: skip
-    bound = msgspec.structs.replace(figure, bones=bones, skins=skins, shift=(0.0, 0.0))
-    pose = now.copy()
-    pose[-2:] = 0.0
-    return Turn(msgspec.structs.replace(remembered(bench, now), figure=bound), pose)
-
-
-def _shifted(bone: BoneEntry, angle: float) -> tuple[float, float] | None:
-    """Limits against another pose of binding, so that the joint's limits stay where they are."""
-    if bone.limits is None:
-        return None
-    return bone.limits[0] + bone.angle - angle, bone.limits[1] + bone.angle - angle
-
-
-# -- chains ---------------------------------------------------------------------------------------------
-
-
-def _pick(bench: Bench, rig: Rig, point: Point) -> Turn:
-    """Two clicks: the first and the last bone of the chain, in either order."""
-    bone = bone_at(rig.skeleton, point, reach_of(bench.figure))
-    if bone == NOWHERE:
-        return Turn(told(bench, "Click a bone."))
-    if bench.picked == NOWHERE:
-        return Turn(msgspec.structs.replace(bench, picked=bone, chosen=bone))
-    ends = (bench.picked, bone)
-    bench = msgspec.structs.replace(bench, picked=NOWHERE, chosen=bone)
-    for start, end in (ends, ends[::-1]):
-        try:
-            rig.skeleton.path(start, end)
-        except ValueError:
-            continue
-        return _chained(bench, rig, start, end)
-    return Turn(told(bench, "One of the two bones must hang on the other."))
-
-
-def _chained(bench: Bench, rig: Rig, start: int, end: int) -> Turn:
-    figure = bench.figure
-    x, y = rig.skeleton.ends[end].tolist()
-    chain = ChainEntry(start=figure.bones[start].name, end=figure.bones[end].name, target=(x, y))
-    bench = remembered(bench, rig.now)
-    return Turn(msgspec.structs.replace(bench, figure=msgspec.structs.replace(figure, chain=chain)), rig.now)
+    def take_action(self, name: str) -> None:
+        if name == "compare-all":
+            self.model.parameters.compare = not self.model.parameters.compare
+        else:
+            self.model.note_target()
+            super().take_action(name)

@@ -31,10 +31,10 @@ class SwingEntry(_Entry, frozen=True, kw_only=True):
 
 
 class BoneEntry(_Entry, frozen=True, kw_only=True):
-    """A bone in the pose of binding. angle: against its parent. place: in the parent's frame, else its end.
+    """A bone in the bind pose. angle: against its parent. place: in the parent's frame, else its end.
 
-    turn: degrees from the pose of binding to the pose at the beginning. limits: of the angle against the
-    pose of binding, degrees.
+    turn: degrees from the bind pose to the pose at the beginning. limits: of the angle against the bind
+    pose, degrees.
     """
 
     name: Name
@@ -48,7 +48,7 @@ class BoneEntry(_Entry, frozen=True, kw_only=True):
 
 
 class SkinEntry(_Entry, frozen=True, kw_only=True):
-    """A closed outline in the pose of binding, bound by distance or by weights given.
+    """A closed outline in the bind pose, bound by distance or by weights given.
 
     fill: a colour by name or "#rrggbb". bones: those that it may follow, else all. weights: a row for each
     point, a column for each bone.

@@ -1,7 +1,7 @@
 """A figure as it is computed: its skeleton, its skins bound to it, and both moved together.
 
-Made from the content of a level; made anew after each edit. Angles are those of the pose; the pose of
-binding is kept, and weights are of it alone.
+Made from the content of a level; made again after each edit. Angles are those of the pose; the bind
+pose is kept, and weights are of it alone.
 """
 
 from __future__ import annotations

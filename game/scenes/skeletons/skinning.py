@@ -2,41 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any
 
 from game.lab.studies.animation.skinning import skinning_study
-from game.physics.animation import JOINT_LIMITS, SKINNING
-from game.physics.animation.skeleton_editing import NOWHERE
-from game.physics.animation.skinning import BLENDS
+from game.physics.animation import BLENDS
 from game.scenes.skeletons import C02
 from game.scenes.skeletons.base import EDITING, FigureScene, warm_ups_of_figures
-from game.scenes.skeletons.cells import WHOLE
 from game.scenes.skeletons.figure import draw_bend
-from game.scenes.skeletons.view import (
-    bone_tokens,
-    draw_bones,
-    draw_limits,
-    draw_outlines,
-    draw_pen,
-    draw_weights,
-)
-from game.stage import Equation, Hint, Readout, SceneAction, Strip, Toggle, WarmUp, blend_angles
-
-Array = NDArray[np.float64]
-ROUNDING = 1e-13  # of the farthest coordinate: blends that differ by less agree
-
-
-class SkinningState(NamedTuple):
-    """Angles (n,) rad and shift (2,) m in a row, time (1,) s, and the figure if it is not the level's."""
-
-    pose: Array
-    clock: Array
-    figure: NDArray[np.uint8]
+from game.scenes.skeletons.hand import FigureHand
+from game.scenes.skeletons.level import FigureContent
+from game.scenes.skeletons.parameters import SkinningParameters
+from game.scenes.skeletons.readouts import readouts_of_skin
+from game.scenes.skeletons.skinning_model import SkinningModel
+from game.scenes.skeletons.skinning_view import SkinningView
+from game.stage import Equation, Hint, Readout, SceneAction, Strip, WarmUp
 
 
 class Skinning(FigureScene):
@@ -52,9 +32,10 @@ class Skinning(FigureScene):
     """
 
     name, task, title = C02.names
+    parameters_type = SkinningParameters
+    parameters: SkinningParameters
+    model: SkinningModel
     study = skinning_study
-
-    compare = Toggle(False, group="Shown", label="The other blend", help="as a dashed outline")
 
     strips = (
         Strip("Area kept", "%", BLENDS),
@@ -86,7 +67,7 @@ class Skinning(FigureScene):
         Hint(("1", "2", "3"), "turn, bone, skin"),
         Hint(("W",), "weights"),
         Hint(("M",), "motion"),
-        Hint(("Ctrl+Z",), "take back"),
+        Hint(("Ctrl+Z",), "undo"),
     )
     actions = (
         SceneAction("pose", "turn a bone", "1"),
@@ -96,117 +77,33 @@ class Skinning(FigureScene):
         SceneAction("show-weights", "weights", "w"),
     )
 
-    def refresh(self) -> None:
-        self.skin_areas = dict.fromkeys(BLENDS, 1.0)
-        self.apart = 0.0
+    # -- building and events ------------------------------------------------------------------------
 
-    def state(self) -> SkinningState:
-        return SkinningState(self.rig.now, np.array([self.time]), self.document())
-
-    def restore(self, state: SkinningState) -> None:
-        self.restore_document(state.figure)
-        self.take_pose(state.pose)
-        self.time = float(state.clock[0])
+    def make_parts(self, content: FigureContent) -> None:
+        self.model = SkinningModel(self.parameters, self.active, content)
+        self.hand = FigureHand(self.model)
+        self.view = SkinningView(self.model)
 
     def action(self, name: str) -> None:
         if name == "show-weights":
-            self.values["weights"] = not self.weights
+            self.parameters.weights = not self.parameters.weights
         else:
             super().action(name)
-
-    def advance(self, dt: float) -> None:
-        self.time += dt
-        if self.motion:
-            pose = self.rig.swung(self.time)
-            if JOINT_LIMITS in self.active:
-                np.clip(pose[:-2], self.rig.skeleton.lower, self.rig.skeleton.upper, out=pose[:-2])
-            self.take_pose(pose)
-        if SKINNING in self.active:
-            self._measure()
-
-    def _measure(self) -> None:
-        """Move the skin by both blends, the chosen one last."""
-        rig = self.rig
-        if rig.skinner is None:
-            return
-        whole = float(np.abs(rig.areas).sum())
-        last = rig.skinned
-        for blend in sorted(BLENDS, key=lambda b: b == self.blend):
-            with self.watch.time(blend):
-                rig.move(blend)
-            self.skin_areas[blend] = float(np.abs(rig.areas_now()).sum()) / whole if whole > 0.0 else 1.0
-            if blend != self.blend:
-                last = rig.skinned.copy()
-        off = rig.skinned - last
-        apart = math.sqrt(float((off * off).sum(axis=1).max(initial=0.0)))
-        self.apart = apart if apart > ROUNDING * float(np.abs(last).max(initial=0.0)) else 0.0
 
     # -- what there is to see -----------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        rig = self.rig
-        return [
-            Readout("bones", rig.skeleton.count),
-            Readout("points", len(rig.skinned)),
-            Readout("area kept", 100.0 * self.skin_areas[self.blend], "%"),
-            Readout("skin", self.watch.median(self.blend), "s"),
-            Readout("linear", 100.0 * self.skin_areas["linear"], "%"),
-            Readout("rotor", 100.0 * self.skin_areas["rotor"], "%"),
-            Readout("apart", self.apart, "m"),
-            Readout("linear time", self.watch.median("linear"), "s"),
-            Readout("rotor time", self.watch.median("rotor"), "s"),
-        ]
+        return readouts_of_skin(self.model)
 
     def standing(self) -> dict[str, float]:
         """bend: of the joint that is bent most, ° from where it was bound."""
-        bends = np.degrees(self.rig.skeleton.angles - self.rig.rest)[self.rig.skeleton.parents >= 0]
-        return {"bend": float(np.abs((bends + 180.0) % 360.0 - 180.0).max(initial=0.0))}
+        return {"bend": self.model.largest_bend()}
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        rows = []
-        if self.bones:
-            rows.append(("diamond:text1", "bones", str(self.rig.skeleton.count)))
-        if self.weights and self.bench.chosen != NOWHERE:
-            name = self.bench.figure.bones[self.bench.chosen].name
-            rows.append(("scale:grid2:amber", f"weight of {name}", "0 1"))
-        elif self.weights:
-            rows.append(("disc:green", "points in the colours of their bones", ""))
-        if self.compare:
-            other = "rotors" if self.blend == "linear" else "matrices"
-            rows.append(("dash:text1", f"blend of {other}", ""))
-        if self.bench.chosen != NOWHERE and not self.weights:
-            rows.append(("diamond:amber", self.bench.figure.bones[self.bench.chosen].name, ""))
-        return rows
+        return self.view.legend()
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        rig, bench = self.rig, self.bench
-        pose = rig.now
-        if self.previous is not None and self.previous.pose.shape == pose.shape:
-            before = self.previous.pose
-            pose = np.concatenate(
-                [blend_angles(before[:-2], pose[:-2], alpha), before[-2:] + alpha * (pose[-2:] - before[-2:])]
-            )
-        points = rig.show(pose, self.blend)
-        if SKINNING not in self.active:
-            points = rig.binding.points if rig.binding is not None else points
-        canvas.grid(None, "y")
-        if bench.figure.ground is not None:
-            canvas.ground(bench.figure.ground)
-        if self.skins:
-            self.painter.paint(canvas, rig, points, 0.35 if self.weights else 1.0)
-        if self.weights:
-            draw_weights(canvas, rig, points, bench.chosen)
-        if self.compare and SKINNING in self.active:
-            other = BLENDS[1 - BLENDS.index(self.blend)]
-            draw_outlines(canvas, rig, rig.skin_shown(other), "text1")
-        if bench.chosen != NOWHERE and JOINT_LIMITS in self.active and self.tool == "pose":
-            draw_limits(canvas, rig.shown, WHOLE, bench.chosen)
-        if self.bones:
-            tokens = bone_tokens(rig.shown.count, bench.chosen, self.weights)
-            draw_bones(canvas, rig.shown.bases, rig.shown.ends, [token or "text1" for token in tokens])
-        if self.tool == "bone" and bench.chosen != NOWHERE:
-            canvas.line(rig.shown.ends[bench.chosen], bench.pointer, "accent", 1.6, dash=(8.0, 6.0))
-        draw_pen(canvas, bench.drawn, bench.pointer, WHOLE)
+        self.view.draw(canvas, self.previous, alpha)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -46,9 +46,9 @@ class Strips:
         self._picture: pygame.Surface | None = None
         self._since_s = 0.0
         self._next = 0  # chart whose turn it is
-        self._steps: dict[int, tuple[int, int]] = {}  # by chart, the steps of its curves and values
+        self._painted: dict[int, tuple[int, int]] = {}  # by chart, the changes of its curves and values
         self._last: dict[str, float] = {}  # by series, the value that is written
-        self._measured = -1  # step of these values
+        self._measured = -1  # change of the series that these values are of
         self._stage: Stage | None = None
 
     def place(self, layout: Layout, look: Look) -> None:
@@ -66,7 +66,7 @@ class Strips:
         if fresh:
             series = {name: _values(stage, name) for strip in self.strips for name in strip.series}
             self._last = {name: float(values[-1]) for name, values in series.items() if values.size}
-            self._measured = stage.step_number
+            self._measured = stage.series.changes
 
     def draw(self, surface: pygame.Surface) -> None:
         """Show the charts."""
@@ -80,7 +80,7 @@ class Strips:
                 self._paint_column(self._picture, layout, i, self._stage)
         elif count and self._since_s * count >= REFRESH_S:  # one chart at a time: no frame pays for all
             self._next = (self._next + 1) % count
-            if self._steps.get(self._next) != (self._stage.step_number, self._measured):
+            if self._painted.get(self._next) != (self._stage.series.changes, self._measured):
                 self._paint_column(self._picture, layout, self._next, self._stage)
         surface.blit(self._picture, layout.strips)
 
@@ -107,7 +107,7 @@ class Strips:
         else:
             self._paint_chart(picture, place, i, stage)
         picture.set_clip(None)
-        self._since_s, self._steps[i] = 0.0, (stage.step_number, self._measured)
+        self._since_s, self._painted[i] = 0.0, (stage.series.changes, self._measured)
 
     def _paint_values(self, picture: pygame.Surface, place: pygame.Rect, strip: Strip, stage: Stage) -> None:
         """Only title and last values, in one row."""

@@ -80,7 +80,8 @@ class Flow:
             self._row(Heading, title)
             for index in range(HEADER, room):
                 self._row(TableLine, index)
-        for title, declared in grouped(source.scene.declared_parameters().values()):
+        parameters = source.scene.declared_parameters().values()
+        for title, declared in grouped(parameter for parameter in parameters if parameter.in_panel):
             self._row(Heading, title)
             for parameter in declared:
                 self._parameter(parameter, title, source)

@@ -22,10 +22,13 @@ UNIT_INSET, NUMBER_GAP = 32, 10  # design px: the unit from the right edge, the 
 _MANY = 272  # places on a track at scale 1
 
 
-def value_at(parameter: Param, share: float) -> float:
-    """The value ``share`` (0 to 1) along the track, rounded to the parameter's grain or to a neat number."""
+def value_at(parameter: Param, share: float, ends: tuple[float, float] | None = None) -> float:
+    """The value ``share`` (0 to 1) along the track, rounded to the parameter's grain or to a neat number.
+
+    ``ends``: the part of the range that the track spans, else all of it.
+    """
     share = min(max(share, 0.0), 1.0)
-    low, high = parameter.minimum, parameter.maximum
+    low, high = _ends(parameter, ends)
     if parameter.log:
         value = low * (high / low) ** share
         if parameter.step is None:
@@ -41,15 +44,22 @@ def value_at(parameter: Param, share: float) -> float:
     return min(max(value, low), high)
 
 
-def share_of(parameter: Param, value: float) -> float:
-    """How far along the track a value is, 0 to 1."""
+def share_of(parameter: Param, value: float, ends: tuple[float, float] | None = None) -> float:
+    """How far along the track a value is, 0 to 1; ``ends`` as in `value_at`."""
+    low, high = _ends(parameter, ends)
     if parameter.log:
-        share = math.log(max(value, parameter.minimum) / parameter.minimum) / math.log(
-            parameter.maximum / parameter.minimum
-        )
+        share = math.log(max(value, low) / low) / math.log(high / low)
     else:
-        share = (value - parameter.minimum) / (parameter.maximum - parameter.minimum)
+        share = (value - low) / (high - low)
     return min(max(share, 0.0), 1.0)
+
+
+def _ends(parameter: Param, ends: tuple[float, float] | None) -> tuple[float, float]:
+    """Both ends of a track within the parameter's range."""
+    if ends is None:
+        return parameter.minimum, parameter.maximum
+    low, high = max(ends[0], parameter.minimum), min(ends[1], parameter.maximum)
+    return (low, high) if low < high else (parameter.minimum, parameter.maximum)
 
 
 def shown_value(parameter: Param, value: float) -> Quantity:
@@ -132,6 +142,10 @@ class SliderRow(Row):
         """The value shown."""
         return self._pending if self._pending is not None else self.source.values[self.parameter.name]
 
+    def _range(self) -> tuple[float, float] | None:
+        """What the track spans now, if not the whole range."""
+        return self.source.scene.slider_range(self.parameter.name)
+
     def _unit_x(self) -> int:
         """Where the unit begins: 32 design px from the edge, or more for a long one."""
         unit = shown_value(self.parameter, self.value).unit
@@ -166,7 +180,7 @@ class SliderRow(Row):
         return waits or self._over_value != was_over
 
     def shows(self) -> tuple[object, ...]:
-        return (self.value, self.typed, self._over_value, self._dragging)
+        return (self.value, self._range(), self.typed, self._over_value, self._dragging)
 
     def press(self, x: float, y: float) -> None:
         near = max(abs(x - self._click_at[0]), abs(y - self._click_at[1])) <= self.look.px(4)
@@ -187,7 +201,7 @@ class SliderRow(Row):
         if not self._dragging:
             return
         start, end = self.left + self.look.px(8), self.right - self.look.px(8)
-        value = value_at(self.parameter, (x - start) / max(end - start, 1))
+        value = value_at(self.parameter, (x - start) / max(end - start, 1), self._range())
         if self.parameter.rebuild:
             self._pending = value
         elif value != self.source.values[self.parameter.name]:
@@ -211,9 +225,12 @@ class SliderRow(Row):
             return
         direction = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1}.get(key, 0)
         if direction:
-            here = self.source.values[self.parameter.name]
+            here, ends = self.source.values[self.parameter.name], self._range()
+            if ends is not None and not ends[0] <= here <= ends[1]:
+                ends = None  # a value that was typed goes on from where it is
             for places in (1, 2, 4, 8, 16, 32, 64, 128, 256):  # until a coarse grain moves
-                value = value_at(self.parameter, share_of(self.parameter, here) + direction * places / _MANY)
+                share = share_of(self.parameter, here, ends) + direction * places / _MANY
+                value = value_at(self.parameter, share, ends)
                 if value != here:
                     self._send(value)
                     return
@@ -250,9 +267,8 @@ class SliderRow(Row):
         )
         if self.value != self.source.base(self.parameter):
             draw_changed(surface, look, y)
-        draw_track(
-            surface, look, self.left, self.right, px(30), share_of(self.parameter, self.value), self._grip()
-        )
+        share = share_of(self.parameter, self.value, self._range())
+        draw_track(surface, look, self.left, self.right, px(30), share, self._grip())
 
     def _grip(self) -> float:
         return 1.0 if self._dragging else self._lit.amount * (0.0 if self._over_value else 1.0)

@@ -244,6 +244,13 @@ class TestMemory:
 
 
 class TestSeries:
+    def test_changes_are_counted(self) -> None:
+        series, seen = StripSeries(), set()
+        for change in (lambda: series.sample(1, 0.1, []), lambda: series.cut(0), series.clear):
+            change()
+            seen.add(series.changes)
+        assert len(seen) == 3
+
     def test_a_window_of_seconds(self) -> None:
         series = StripSeries(window_s=1.0, rate_hz=10.0)
         for step in range(100):
