@@ -22,7 +22,7 @@ ACTIONS = (
     SceneAction("replay", "replay of the last stroke", "R"),
     SceneAction("view", "aim line on or off", "V"),
     SceneAction("set-up", "place the balls freely", "E"),
-    SceneAction("rack", "next rack, or the same anew", "N"),
+    SceneAction("rack", "next rack, or the same again", "N"),
     SceneAction("demo", "plays itself", "D"),
     SceneAction("centre", "strike the middle of the ball", "C"),
     SceneAction("safety", "announce a safety or a push-out", "B"),

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from game.billiards.shot_effects import EXACT_EFFECTS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
-from game.scenes.billiards.players import GRADE_LABELS, GRADES
-from game.stage import Choice, Param, Scene, Toggle
+from game.scenes.billiards.opponents.thinking import GRADE_LABELS, GRADES
+from game.stage import Choice, Param, Parameters, Toggle
 
 
-class BilliardsParameters(Scene):
-    """Base of the scene: what of game and table can be chosen."""
-
-    effects = EXACT_EFFECTS
+class BilliardsParameters(Parameters):
+    """What of game and table can be chosen."""
 
     game = Choice(
         "level",
@@ -36,9 +33,9 @@ class BilliardsParameters(Scene):
     tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
     tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
     elevation = Param(0.0, 0.0, 80.0, unit="°", group="Stroke", help="of the butt of the cue")
-    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the ways after it")
+    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the paths after it")
     events = Param(
-        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
+        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the paths shown end"
     )
     sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")

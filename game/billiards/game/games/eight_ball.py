@@ -31,10 +31,10 @@ GROUPS = {"solids": tuple(range(1, 8)), "stripes": tuple(range(9, 16))}
 OTHER_GROUP = {"solids": "stripes", "stripes": "solids"}
 
 ACCEPT = Option("accept", "Play the table as it lies.")
-RACK_AND_BREAK = Option("break", "Rack anew and break.")
-RACK_FOR_OTHER = Option("other breaks", "Rack anew; the same player breaks again.")
+RACK_AND_BREAK = Option("break", "Rack again and break.")
+RACK_FOR_OTHER = Option("other breaks", "Rack again; the same player breaks again.")
 SPOT_EIGHT = Option("spot the eight", "Put the 8 back and play on.")
-IN_HAND = Option("in hand", "Take the white ball behind the line.")
+IN_HAND = Option("in hand", "Take the cue ball behind the line.")
 
 
 class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
@@ -145,7 +145,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
         words = [foul.words for foul in fouls]
         if fouls:
             after = msgspec.structs.replace(self._after(shot, fouls, in_hand="anywhere"), turn=self.other)
-            words.append(f"{after.shooter} has the white ball in hand.")
+            words.append(f"{after.shooter} has the cue ball in hand.")
             return Verdict(after, fouls, (), tuple(words))
         after = self._after(shot, fouls, in_hand="")
         scored = () if call.safety else self._scored(shot, call)
@@ -226,7 +226,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
         if name == IN_HAND.name:
             return Verdict(
                 msgspec.structs.replace(going_on, in_hand="behind the line"),
-                words=(f"{self.shooter} has the white ball behind the line.",),
+                words=(f"{self.shooter} has the cue ball behind the line.",),
             )
         if name == SPOT_EIGHT.name:
             state = msgspec.structs.replace(

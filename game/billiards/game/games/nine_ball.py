@@ -94,7 +94,7 @@ class NineBall(Game, frozen=True, kw_only=True, tag="nine-ball"):
     def _judge_foul(
         self, after: NineBall, fouls: tuple[Foul, ...], words: list[str], back: tuple[int, ...]
     ) -> Verdict:
-        """The white ball in hand for the other player; three fouls in a row lose the rack (2.8)."""
+        """The cue ball in hand for the other player; three fouls in a row lose the rack (2.8)."""
         count = after.fouls_in_row[self.turn]
         if count >= MOST_FOULS:
             fouls += (Foul("three in a row", f"{self.shooter} fouled {count} times in a row."),)
@@ -104,7 +104,7 @@ class NineBall(Game, frozen=True, kw_only=True, tag="nine-ball"):
         if count == MOST_FOULS - 1:
             words.append(f"{self.shooter} is on two fouls: a third loses the rack.")
         after = msgspec.structs.replace(after, turn=self.other, in_hand="anywhere")
-        words.append(f"{after.shooter} has the white ball in hand.")
+        words.append(f"{after.shooter} has the cue ball in hand.")
         return Verdict(after, fouls, (), tuple(words), back)
 
     def choose(self, name: str) -> Verdict:
