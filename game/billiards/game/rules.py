@@ -99,9 +99,9 @@ class Verdict(NamedTuple):
     """What follows from a stroke, or from a choice.
 
     game: the state to go on with. fouls: of this stroke. scored: balls that count for the shooter. words:
-    messages in order, fouls among it. spot: balls to be put back on the foot spot. rack: all
-    balls are to be racked again; the cue ball is in hand behind the line. reset: all balls are to be put back
-    where they were before the stroke.
+    messages in order, fouls among them, the last says what follows. spot: balls to be put back on the foot
+    spot. rack: all balls are to be racked again; the cue ball is in hand behind the line. reset: all balls are
+    to be put back where they were before the stroke.
     """
 
     game: Game

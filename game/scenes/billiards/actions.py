@@ -1,12 +1,15 @@
-"""What the billiard game can be told by a key, and the hints that say so."""
+"""What a key does in the billiard game, and the hints that say so."""
 
 from game.stage import Hint, SceneAction
 
 HINTS = (
     Hint(("Move",), "aim"),
+    Hint(("Click",), "lock the aim"),
     Hint(("Drag",), "pull back, let go"),
-    Hint(("Shift",), "fine aim"),
+    Hint(("Right drag",), "spin"),
+    Hint(("Ctrl", "Wheel"), "power"),
     Hint(("Wheel",), "turn by 0.05°"),
+    Hint(("Shift",), "fine aim"),
     Hint(("Enter",), "strike"),
     Hint(("Click a name",), "computer player"),
     Hint(("N",), "new rack"),
@@ -27,10 +30,15 @@ ACTIONS = (
     SceneAction("centre", "strike the middle of the ball", "C"),
     SceneAction("safety", "announce a safety or a push-out", "B"),
     SceneAction("hint", "show how a puzzle is solved", "H"),
+    SceneAction("lock", "lock or free the aim", "K"),
     SceneAction("left", "turn the cue left", "left"),
     SceneAction("right", "turn the cue right", "right"),
     SceneAction("harder", "more power", "up"),
     SceneAction("softer", "less power", "down"),
+    SceneAction("spin-up", "tip up: follow", "W"),
+    SceneAction("spin-down", "tip down: draw", "S"),
+    SceneAction("spin-left", "tip to the left", "Z"),
+    SceneAction("spin-right", "tip to the right", "X"),
     SceneAction("first", "take the first option", "1"),
     SceneAction("second", "take the second option", "2"),
     SceneAction("third", "take the third option", "3"),

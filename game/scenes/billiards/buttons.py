@@ -95,6 +95,8 @@ class Buttons(Part):
         elif name in ("left", "right"):
             if play.person_plays and play.phase == AIMING:
                 aiming.nudge(name)
+        elif name.startswith("spin-"):
+            aiming.nudge_tip(name)
         elif name in ("harder", "softer"):
             step = POWER_STEP if name == "harder" else -POWER_STEP
             aiming.set_power(round(play.parameters.power + step, 3))
@@ -107,6 +109,7 @@ class Buttons(Part):
                 "rack": play.rack,
                 "view": self._show_aim_line,
                 "safety": self._announce,
+                "lock": self._lock,
                 "demo": self._play_itself,
                 "hint": self._show_hint,
                 "centre": aiming.centre,
@@ -139,6 +142,10 @@ class Buttons(Part):
 
     def _show_aim_line(self) -> None:
         self.play.parameters.prediction = not self.play.parameters.prediction
+
+    def _lock(self) -> None:
+        if self.play.may_aim:
+            self.play.toggle_lock()
 
     def _announce(self) -> None:
         if self.play.person_plays and self.play.phase == AIMING:

@@ -26,14 +26,17 @@ class BilliardsHand(Part):
         self.replay = replay
         self.set_up = set_up
         self.buttons = buttons
+        self.spin_from = (0.0, 0.0)  # m; where the tip would be in the middle of the ball
 
     def take(self, event: Pointer) -> None:
         """A pointer event."""
-        if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
+        if event.kind == "cancel" or (event.kind == "down" and event.button == 3 and self.play.grip):
             self._let_go()
+        elif event.kind == "down" and event.button == 3:
+            self._begin_spin(event)
         elif event.kind == "down" and event.button == 1 and not self.play.grip:
             self._press(event)
-        elif event.kind == "up" and event.button == 1:
+        elif event.kind == "up" and event.button == (3 if self.play.grip == "right spin" else 1):
             self._release(event)
         elif event.kind == "move":
             self._move(event)
@@ -46,12 +49,23 @@ class BilliardsHand(Part):
             self.aiming.take_back()
         self.play.grip = ""
 
+    def _begin_spin(self, event: Pointer) -> None:
+        """With the right button the tip is moved from anywhere on the table, while one watches the line."""
+        if self.play.may_aim and layout.TABLE.holds(event.x, event.y):
+            chosen = self.play.parameters
+            dx, dy = layout.spin_offset(chosen.tip_left, chosen.tip_up)
+            self.spin_from = (event.x - dx, event.y - dy)
+            self.play.grip = "right spin"
+            self.aiming.hold()
+
     def _press(self, event: Pointer) -> None:
         """Take hold of what lies under the pointer."""
         play, x, y = self.play, event.x, event.y
         name = self.buttons.at(x, y)
         if name:
             play.grip = f"button {name}"
+            if play.may_aim and name in ("safety", "view", "hint"):
+                self.aiming.keep()
         elif play.phase == REPLAY:
             if layout.SCRUBBER.holds(x, y):
                 play.grip = "scrub"
@@ -66,7 +80,7 @@ class BilliardsHand(Part):
             self._take_instrument(event)
 
     def _take_instrument(self, event: Pointer) -> None:
-        """Power bar, spin, elevation; or on the table the cue ball in hand, a pocket to call, the cue."""
+        """Power bar, spin, elevation; or on the table the cue ball in hand, or the cue."""
         play, x, y = self.play, event.x, event.y
         if layout.POWER.holds(x, y):
             play.grip = "power"
@@ -75,6 +89,7 @@ class BilliardsHand(Part):
         elif layout.on_elevation(x, y):
             play.grip = "elevation"
         if play.grip:
+            self.aiming.keep()
             self._move(event)
             return
         frame = play.model.frame
@@ -83,8 +98,6 @@ class BilliardsHand(Part):
             return
         if frame.game.in_hand and layout.near(cue_ball, x, y, float(frame.layout.balls.radii[CUE_BALL])):
             play.grip = "cue ball"
-        elif frame.game.needs_call() and self._call_at(x, y):
-            return
         elif layout.TABLE.holds(x, y):
             play.grip = "cue"
             self.aiming.begin_pull(event, cue_ball)
@@ -115,11 +128,18 @@ class BilliardsHand(Part):
             self._release_cue(event)
 
     def _release_cue(self, event: Pointer) -> None:
-        """Strike with the pull, or take it as a change of mind."""
+        """Strike with the pull, or take it as a change of mind; a click calls, or locks and frees the aim."""
         frame = self.play.model.frame
         if frame.cue_ball is None or self.play.phase != AIMING:
             self.aiming.cue.let_go()
-        elif self.aiming.release(event, frame.cue_ball):
+            return
+        done = self.aiming.release(event, frame.cue_ball)
+        if done == "click":
+            if frame.game.needs_call() and self._call_at(event.x, event.y):
+                self.aiming.keep()
+            else:
+                self.play.toggle_lock()
+        elif done == "strike":
             stroke = self.aiming.stroke
             self.play.begin_stroke(stroke, call_for(frame, self.aiming.call, stroke), practised=False)
             self.aiming.keep_pull()
@@ -131,6 +151,9 @@ class BilliardsHand(Part):
             self.aiming.set_power(layout.power_at(x, MAX_SPEED))
         elif play.grip == "spin":
             self.aiming.set_tip(*layout.spin_at(x, y, LARGEST_TIP))
+        elif play.grip == "right spin":
+            dx, dy = event.x - self.spin_from[0], event.y - self.spin_from[1]
+            self.aiming.set_tip(*layout.spin_at(layout.SPIN[0] + dx, layout.SPIN[1] + dy, LARGEST_TIP))
         elif play.grip == "elevation":
             self.aiming.set_elevation(layout.elevation_at(x, y))
         elif play.grip == "scrub":
@@ -150,8 +173,17 @@ class BilliardsHand(Part):
             return
         if self.play.grip == "cue":
             self.aiming.pull(event, cue_ball)
-        elif layout.TABLE.holds(event.x, event.y):
+        elif layout.TABLE.holds(event.x, event.y) and not self._may_call_pocket(event.x, event.y):
             self.aiming.turn_to(event, cue_ball)
+        else:
+            self.aiming.follows = False
+
+    def _may_call_pocket(self, x: float, y: float) -> bool:
+        """True over a pocket that a click would call, where the cue does not follow."""
+        frame = self.play.model.frame
+        return frame.game.needs_call() and any(
+            layout.near((px, py), x, y, radius) for px, py, radius in frame.table.pockets.tolist()
+        )
 
     def _wheel(self, event: Pointer) -> None:
         """The wheel turns the cue finely; over the power bar, or with Control, it sets the power."""

@@ -122,6 +122,11 @@ def spin_at(x: float, y: float, most: float) -> tuple[float, float]:
     return left * shrink, up * shrink
 
 
+def spin_offset(left: float, up: float) -> tuple[float, float]:
+    """Where the tip is in the spin picture, from its middle (x, y), m."""
+    return -up * SPIN_RADIUS, -left * SPIN_RADIUS
+
+
 def on_spin(x: float, y: float) -> bool:
     """True on the picture of the cue ball."""
     dx, dy = x - SPIN[0], y - SPIN[1]

@@ -39,6 +39,7 @@ class Play(Part):
         self.grip = ""
         self.plays_itself = False
         self.rest_s = 0.0
+        self.lock_explained = False
         self.news: deque[str] = deque(maxlen=8)
 
     # -- who plays ----------------------------------------------------------------------------------
@@ -92,6 +93,7 @@ class Play(Part):
             self._roll()
         elif self.phase == AIMING:
             self.rest_s += dt
+            self.aiming.advance(dt)
 
     @property
     def motion(self) -> StrokeMotion:
@@ -153,6 +155,13 @@ class Play(Part):
             self.clock[PHASE_S] = self.shown_s
             self._roll()
 
+    def toggle_lock(self) -> None:
+        """Lock the aim or free it; the first time, in words."""
+        self.aiming.toggle_lock()
+        if self.aiming.locked and not self.lock_explained:
+            self.lock_explained = True
+            self.news.append("The aim is locked. Another click frees it.")
+
     # -- back, on, and again ------------------------------------------------------------------------
 
     def undo(self) -> None:
@@ -180,7 +189,7 @@ class Play(Part):
         """The next rack if the game is over, else this game, or this drill, from its beginning."""
         self.model.rack()
         if not isinstance(self.model.frame.game, Drill):  # a shot that is tried again is aimed as it was
-            self.aiming.cue.point_to(AT_THE_RACK)
+            self.aiming.point_along(AT_THE_RACK)
         self.pending, self.aiming.call = None, Call()
         self.let_go()
         self.start_phase(AIMING)

@@ -12,11 +12,11 @@ from game.billiards.table.rack import BALL_RADIUS, HEAD_SPOT
 from game.levels import LevelError
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import REPLAY_S
-from game.scenes.billiards.stroke.aiming import AT_THE_RACK, LARGEST_TIP, NOTCH
+from game.scenes.billiards.stroke.aiming import AT_THE_RACK, LARGEST_TIP, NOTCH, TIP_STEP
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.motion import cue_speed_of, power_of, pull_of, stroke_motion
 from game.scenes.billiards.stroke.prediction import foresee
-from game.scenes.billiards.view.words import foul_of
+from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED
 from game.stage import Action, Decision, ParameterError, SetEffect, SetParameter
 from tests.scenes.billiards.billiards_stages import (
@@ -212,6 +212,86 @@ def test_fine_aim_by_wheel_keys_and_shift_is_not_spoilt_by_a_trembling_hand():
     assert abs(abs(scene.aiming.cue.aim) - math.pi) == pytest.approx(0.1 * math.atan2(0.02, 0.1), rel=1e-6)
 
 
+def click(stage, x, y):
+    """Press and let go where the pointer already is."""
+    point(stage, "down", x, y, button=1)
+    point(stage, "up", x, y, button=1)
+
+
+def test_a_click_locks_the_aim_and_another_frees_it():
+    stage = straight_pot()
+    scene = stage.scene
+    aim(stage, 1.0)
+    x, y = scene.model.frame.cue_ball
+    click(stage, x + 0.1 * math.cos(1.0), y + 0.1 * math.sin(1.0))
+    assert scene.aiming.locked and scene.play.phase == "aiming" and "locked" in scene.messages()[0]
+    for place in ((0.9, 1.9), layout.SPIN, (0.2, 2.4)):
+        point(stage, "move", *place)
+    assert scene.aiming.cue.aim == pytest.approx(1.0)
+    stage.post(Action("left"))
+    assert scene.aiming.cue.aim > 1.0  # finely, by keys and wheel, it can still be turned
+    stage.step_back()
+    stage.resume()
+    assert scene.aiming.locked
+    click(stage, 0.2, 2.4)
+    assert not scene.aiming.locked and not scene.messages()
+    point(stage, "move", x + 0.1, y)
+    assert scene.aiming.cue.aim == pytest.approx(0.0)
+    stage.post(Action("lock"))
+    assert scene.aiming.locked
+
+
+def test_a_locked_aim_is_pulled_from_anywhere_and_is_free_after_the_stroke():
+    stage = straight_pot()
+    scene = stage.scene
+    aim(stage, AT_THE_CORNER)
+    stage.post(Action("lock"))
+    drag(stage, (0.9, 1.8), (1.0, 1.9))
+    assert scene.play.phase == "striking"
+    assert scene.play.pending.azimuth == pytest.approx(AT_THE_CORNER)
+    until_aiming(stage)
+    assert scene.model.frame.game.potted == 1 and not scene.aiming.locked
+    stage.post(Action("undo"))
+    point(stage, "move", 0.9, 1.8)
+    assert scene.aiming.cue.aim == pytest.approx(AT_THE_CORNER)  # undo aims as before, and so it stays
+
+
+def test_the_aim_that_stood_is_kept_on_the_way_to_an_instrument():
+    stage = straight_pot()
+    scene = stage.scene
+    aim(stage, 1.0)
+    seconds(stage, 0.5)
+    for share in (0.3, 0.6, 0.9):  # over the cloth to the spin at its right
+        point(stage, "move", 0.6, 0.5 + 2.0 * share)
+        seconds(stage, 0.1)
+    assert scene.aiming.cue.aim != pytest.approx(1.0)
+    drag(stage, layout.SPIN, (layout.SPIN[0], layout.SPIN[1] + 0.01))
+    assert scene.aiming.cue.aim == pytest.approx(1.0) and scene.aiming.locked
+    assert scene.parameters.tip_left < 0.0
+
+
+def test_the_right_button_and_keys_set_spin_while_one_watches_the_line():
+    stage = straight_pot()
+    scene = stage.scene
+    aim(stage, 1.0)
+    scene.aiming.set_tip(0.1, 0.0)
+    point(stage, "down", 0.6, 0.6, button=3)
+    point(stage, "move", 0.6 + 0.3 * layout.SPIN_RADIUS, 0.6 + 0.2 * layout.SPIN_RADIUS, button=3)
+    assert (scene.parameters.tip_left, scene.parameters.tip_up) == pytest.approx((-0.1, -0.3))
+    assert scene.aiming.cue.aim == pytest.approx(1.0)
+    point(stage, "move", 1.2, 0.6, button=3)
+    assert scene.parameters.tip_up == pytest.approx(-math.sqrt(LARGEST_TIP**2 - 0.0), abs=0.02)
+    point(stage, "up", 1.2, 0.6, button=3)
+    assert not scene.play.grip and scene.play.phase == "aiming"
+    scene.aiming.centre()
+    for name in ("spin-up", "spin-up", "spin-right", "spin-down", "spin-left", "spin-left"):
+        stage.post(Action(name))
+    assert (scene.parameters.tip_left, scene.parameters.tip_up) == pytest.approx((TIP_STEP, TIP_STEP))
+    point(stage, "down", 0.45, 0.45, button=1)  # with the cue in hand it still takes the stroke back
+    point(stage, "down", 0.45, 0.45, button=3)
+    assert not scene.play.grip and scene.play.phase == "aiming"
+
+
 def test_instruments_follow_the_pointer():
     stage = straight_pot()
     scene = stage.scene
@@ -258,7 +338,9 @@ def test_undo_goes_back_before_the_stroke_with_the_same_aim():
     check_balls(stage)
     stage.post(Action("undo"))
     stage.post(Action("undo"))
-    assert scene.model.frame.layout.places == before.layout.places  # there was nothing more to undo, and it was said
+    assert (
+        scene.model.frame.layout.places == before.layout.places
+    )  # there was nothing more to undo, and it was said
     assert any("undo" in text for text in scene.messages())
 
 
@@ -374,15 +456,20 @@ def test_a_click_on_a_name_makes_it_a_computer_player_of_the_next_grade():
     assert stage.scene.parameters.first_player == "person" and stage.scene.play.phase == "aiming"
 
 
-def test_pockets_are_called_by_hand_or_by_the_line_of_aim():
-    stage = level_of(
+def called_pockets():
+    return level_of(
         'game = "eight-ball"\ncalling = "all"\nballs = [{ number = 0, position = [0.5, 0.5] },'
         " { number = 3, position = [0.22, 0.22] }, { number = 5, position = [0.9, 2.2] },"
         " { number = 8, position = [0.3, 1.9] }, { number = 10, position = [0.6, 1.9] }]"
     )
+
+
+def test_pockets_are_called_by_hand_or_by_the_line_of_aim():
+    stage = called_pockets()
     scene = stage.scene
     aim(stage, AT_THE_CORNER)
     assert call_for(scene.model.frame, scene.aiming.call, scene.aiming.stroke) == (3, 0, False, False)
+    assert line_of(scene.play, None).more == "Called: the 3 into the upper left pocket."
     x, y, _ = scene.model.frame.table.pockets[5].tolist()
     point(stage, "down", x, y, button=1)
     point(stage, "up", x, y, button=1)
@@ -392,10 +479,60 @@ def test_pockets_are_called_by_hand_or_by_the_line_of_aim():
     stage.post(Action("safety"))
     assert scene.aiming.call.safety and scene.aiming.call.ball is None
     stage.post(Action("safety"))
+    stage.post(Action("lock"))  # which frees the aim that was locked when the pocket was called
     aim(stage, AT_THE_CORNER)
     stage.post(Action("strike"))
     until_aiming(stage)
     assert scene.model.frame.game.groups == ("solids", "stripes") and scene.model.frame.game.turn == 0
+
+
+def test_a_click_on_a_pocket_calls_it_and_leaves_the_aim_alone():
+    stage = called_pockets()
+    scene = stage.scene
+    aim(stage, AT_THE_CORNER)
+    seconds(stage, 0.5)
+    x, y, _ = scene.model.frame.table.pockets[5].tolist()
+    for place in ((0.7, 1.0), (0.9, 2.0), (x, y)):
+        point(stage, "move", *place)
+        seconds(stage, 0.1)
+    before = scene.aiming.cue.aim
+    seconds(stage, 2.0)  # however long one looks
+    assert scene.aiming.cue.aim == before
+    click(stage, x, y)
+    assert scene.aiming.call.pocket == 5
+    assert scene.aiming.cue.aim == pytest.approx(AT_THE_CORNER) and scene.aiming.locked
+
+
+def test_a_pull_that_begins_on_a_ball_is_a_pull():
+    stage = called_pockets()
+    scene = stage.scene
+    aim(stage, AT_THE_CORNER)
+    stage.post(Action("lock"))
+    drag(stage, (0.9, 2.2), (1.0, 2.3))
+    assert scene.play.phase == "striking" and scene.play.pending.azimuth == pytest.approx(AT_THE_CORNER)
+    assert scene.aiming.call[:2] == (3, 0)
+
+
+def test_it_is_said_that_a_call_is_needed():
+    stage = called_pockets()
+    aim(stage, -0.2)  # past all balls
+    assert line_of(stage.scene.play, None).more.startswith("A call is needed")
+    stage.post(Action("safety"))
+    assert line_of(stage.scene.play, None).more == "A safety."
+
+
+def test_what_follows_is_said_first_and_then_why():
+    stage = level_of(
+        'game = "eight-ball"\nballs = [{ number = 0, position = [0.3, 0.3] },'
+        " { number = 3, position = [0.9, 2.2] }, { number = 8, position = [0.3, 2.0] },"
+        " { number = 9, position = [0.5, 1.6] }]"
+    )
+    aim(stage, AT_THE_CORNER)
+    stage.post(Action("strike"))
+    until_aiming(stage)
+    line = line_of(stage.scene.play, None)
+    assert line.lead == "Ben has the cue ball in hand." and line.foul
+    assert line.more.startswith("The cue ball went down.")
 
 
 def test_a_drill_puts_its_balls_back_and_gives_stars():

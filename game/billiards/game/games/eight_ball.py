@@ -112,10 +112,10 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
             options += [] if lawful else [RACK_AND_BREAK, RACK_FOR_OTHER]
             return self._ask(after, self.other, tuple(options), fouls, words, back)
         if shot.pocketed:
-            words.append(f"The table is open: any ball but the 8. {self.shooter} plays on.")
+            words += ["The table is open: any ball but the 8.", f"{self.shooter} plays on."]
             return Verdict(after, fouls, shot.balls_down, tuple(words))
         after = msgspec.structs.replace(after, turn=self.other)
-        words.append(f"Nothing went down. {after.shooter} plays; the table is open.")
+        words += ["Nothing went down.", f"{after.shooter} plays; the table is open."]
         return Verdict(after, fouls, (), tuple(words))
 
     def _judge_eight(self, shot: ShotSummary, call: Call, fouls: tuple[Foul, ...]) -> Verdict:
@@ -234,7 +234,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
                 on_table=tuple(sorted({*self.on_table, EIGHT})),
                 in_hand="" if self.turn == self.breaker else "behind the line",
             )
-            return Verdict(state, words=(f"The 8 is put back. {self.shooter} plays.",), spot=(EIGHT,))
+            return Verdict(state, words=("The 8 is put back.", f"{self.shooter} plays."), spot=(EIGHT,))
         breaker = self.turn if name == RACK_AND_BREAK.name else self.other
         return self._racked(breaker)
 

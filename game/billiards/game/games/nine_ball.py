@@ -75,12 +75,12 @@ class NineBall(Game, frozen=True, kw_only=True, tag="nine-ball"):
             return Verdict(won, (), shot.balls_down, (*words, f"{self.shooter} pots the 9 and wins."))
         if call.push_out:
             asked = msgspec.structs.replace(after, turn=self.other, options=(PLAY, PASS_BACK))
-            words.append(f"{self.shooter} pushed out. {asked.shooter} chooses who plays.")
+            words += [f"{self.shooter} pushed out.", f"{asked.shooter} chooses who plays."]
             return Verdict(asked, (), (), tuple(words), back)
         if shot.pocketed:
             return Verdict(after, (), shot.balls_down, (*words, f"{self.shooter} plays on."))
         after = msgspec.structs.replace(after, turn=self.other)
-        return Verdict(after, (), (), (*words, f"Nothing went down. {after.shooter} plays."))
+        return Verdict(after, (), (), (*words, "Nothing went down.", f"{after.shooter} plays."))
 
     def _break_fouls(self, shot: ShotSummary, fouls: tuple[Foul, ...]) -> tuple[Foul, ...]:
         """2.3: at the break four balls reach a cushion, or one goes down."""

@@ -38,7 +38,7 @@ class Instruments:
         _draw_stroke(canvas, look, play.pending if swinging and play.pending else play.aiming.stroke)
         _, y = layout.SPIN
         x, _ = canvas.camera.to_screen(layout.SPIN[0], y)
-        _draw_aim(canvas, look, x, play.aiming.cue.aim)
+        _draw_aim(canvas, look, x, play.aiming.cue.aim, play.aiming.locked and play.may_aim)
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
         game = play.model.frame.game
@@ -76,10 +76,11 @@ def _draw_offsets(
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
 
 
-def _draw_aim(canvas: Canvas, look: Look, x: float, azimuth: float) -> None:
+def _draw_aim(canvas: Canvas, look: Look, x: float, azimuth: float, locked: bool) -> None:
     """The aim in degrees of the picture: 0 to the right, against the clock."""
     _, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
-    look.text(canvas.surface, "Aim", (x, top), 13, "medium", "text2", "center")
+    title, color = ("Aim locked", "accent") if locked else ("Aim", "text2")
+    look.text(canvas.surface, title, (x, top), 13, "medium", color, "center")
     text = aim_words(azimuth)
     look.text(canvas.surface, text, (x, top + look.px(20)), 13, "semibold", "text1", "center")
 

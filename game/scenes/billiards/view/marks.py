@@ -23,6 +23,10 @@ def draw_marks(canvas: Canvas, play: Play) -> None:
     if isinstance(game, Drill) and play.phase != SET_UP:
         _draw_goal(canvas, game, table)
     _draw_call(canvas, play)
+    if aiming and play.may_aim and play.aiming.locked and frame.cue_ball is not None:
+        canvas.circle(
+            frame.cue_ball, 1.4 * float(frame.layout.balls.radii[CUE_BALL]), outline=FELT_WARM, width=2.0
+        )
     if game.in_hand and aiming and frame.cue_ball is not None and play.person_plays:
         radius = 1.7 * float(frame.layout.balls.radii[CUE_BALL])
         canvas.circle(frame.cue_ball, radius, outline=FELT_WARM, width=1.5, dash=(4.0, 3.0))

@@ -119,8 +119,8 @@ class BilliardsView:
         play = self.play
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
         if play.phase not in (SET_UP, REPLAY):
-            words, foul = line_of(play, self.hint)
-            draw_line(canvas, look, words, foul, with_key=play.may_aim and play.parameters.prediction)
+            line = line_of(play, self.hint)
+            draw_line(canvas, look, line, with_key=play.may_aim and play.parameters.prediction)
         self.instruments.draw(canvas, look)
 
 

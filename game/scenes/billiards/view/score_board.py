@@ -8,6 +8,7 @@ import pygame
 
 from game.scenes.billiards import layout
 from game.scenes.billiards.view.standing import Card, Standing
+from game.scenes.billiards.view.words import Line
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.icons import icon
 from game.ui.look.look import Look
@@ -87,19 +88,29 @@ def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: in
             picture.blit(chip, chip.get_rect(center=at))
 
 
-def draw_line(canvas: Canvas, look: Look, words: str, foul: bool, with_key: bool) -> None:
+def draw_line(canvas: Canvas, look: Look, line: Line, with_key: bool) -> None:
     """What was said last, or what to do now; with_key: what the lines on the cloth mean at its right."""
     rect = layout.rect_of(canvas, layout.FOOT)
     taken = _draw_key(canvas, look, rect) if with_key else 0
-    if not words:
+    if not line.lead:
         return
     x = rect.x + look.px(4)
-    if foul:
+    if line.foul:
         mark = icon("warning", look.px(18), look.color("vermilion"))
         canvas.surface.blit(mark, mark.get_rect(midleft=(x, rect.centery)))
         x += look.px(26)
-    text = look.fonts.fit(words, 14, "medium", rect.right - x - taken)
-    look.text(canvas.surface, text, (x, rect.centery), 14, "medium", "vermilion" if foul else "text1")
+    width, color = rect.right - x - taken, "vermilion" if line.foul else "text1"
+    more = line.more
+    lead = look.fonts.fit(line.lead, 14, "medium", width)
+    if lead != line.lead and not more:  # too long for one line: broken in two
+        lead, *rest = look.fonts.wrap(line.lead, 14, "medium", width)
+        more = " ".join(rest)
+    if not more:
+        look.text(canvas.surface, lead, (x, rect.centery), 14, "medium", color)
+        return
+    look.text(canvas.surface, lead, (x, rect.centery - look.px(9)), 14, "medium", color)
+    more = look.fonts.fit(more, 12, "medium", width)
+    look.text(canvas.surface, more, (x, rect.centery + look.px(10)), 12, "medium", "text2")
 
 
 def _draw_key(canvas: Canvas, look: Look, rect: pygame.Rect) -> int:

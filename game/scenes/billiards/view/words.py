@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
@@ -10,6 +11,7 @@ from game.billiards.game.goals import described
 from game.billiards.game.rules import Call, Game, listed
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, ROLLING, STRIKING, Play
+from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.motion import power_of
 
 
@@ -43,36 +45,67 @@ def foul_of(game: Game, call: Call, first: int | None) -> str:
     return f"foul: {listed(allowed)} first" if len(allowed) == 1 else f"foul: not the {first}"
 
 
-def line_of(play: Play, hint: Stroke | None) -> tuple[str, bool]:
-    """The line below the table, and whether it says a foul. hint: a solution that is shown."""
+class Line(NamedTuple):
+    """The line below the table: what follows or is to be done, and why; foul: it says a foul."""
+
+    lead: str
+    more: str = ""
+    foul: bool = False
+
+
+def line_of(play: Play, hint: Stroke | None) -> Line:
+    """The line below the table. hint: a solution that is shown."""
     frame = play.model.frame
     game = frame.game
     if play.phase in (STRIKING, ROLLING):
-        return _announced(play), False
+        return Line(_announced(play))
     if hint is not None and play.phase == AIMING:
-        return f"Hint: {', '.join(stroke_words(hint))}.", False
+        return Line(f"Hint: {', '.join(stroke_words(hint))}.")
     if frame.words:
-        return " ".join(frame.words), frame.foul
+        lead, *rest = frame.words if len(game.players) == 1 else (frame.words[-1], *frame.words[:-1])
+        return Line(lead, " ".join((*_call_due(play), *rest)), frame.foul)
     if isinstance(game, Drill):
-        return " ".join(described(game.goal, layout.POCKETS)), False
-    if play.phase != AIMING or play.plays_itself or not play.person_plays:
-        return "", False
+        lead, *rest = described(game.goal, layout.POCKETS)
+        return Line(lead, " ".join(rest))
+    if play.phase != AIMING or not play.person_plays:
+        return Line("")
+    return Line(_what_to_do(game), " ".join(_call_due(play)))
+
+
+def _what_to_do(game: Game) -> str:
+    """What a person at turn can do."""
     alone = len(game.players) == 1
     if game.in_hand:
         where = " behind the line" if game.in_hand == "behind the line" else ""
         who = "The cue ball is" if alone else f"{game.shooter} has the cue ball"
-        return f"{who} in hand: drag it{where}, then pull the cue back and let go.", False
-    return "Aim, pull the cue back and let go." if alone else f"{game.shooter} plays.", False
+        return f"{who} in hand: drag it{where}, then pull the cue back and let go."
+    return "Aim, pull the cue back and let go." if alone else f"{game.shooter} plays."
+
+
+def _call_due(play: Play) -> tuple[str, ...]:
+    """What is called for the stroke that is aimed, or that a call is needed; empty where none is."""
+    frame = play.model.frame
+    if not play.may_aim or not frame.game.needs_call():
+        return ()
+    words = call_words(call_for(frame, play.aiming.call, play.aiming.stroke))
+    return (words or "A call is needed: aim at a ball, or click a ball and a pocket.",)
+
+
+def call_words(call: Call) -> str:
+    """What is called, in words; empty if that is not enough to score."""
+    if call.safety:
+        return "A safety."
+    if call.push_out:
+        return "A push-out."
+    if call.ball is None or call.pocket is None:
+        return ""
+    return f"Called: the {call.ball} into the {layout.pocket_words(call.pocket)}."
 
 
 def _announced(play: Play) -> str:
     """What was called before the stroke, in words."""
     last = play.model.frame.last
     call = play.aiming.call if play.phase == STRIKING or last is None else last.call
-    if call.safety:
-        return "A safety."
-    if call.push_out:
-        return "A push-out."
-    if call.ball is None or call.pocket is None or not play.model.frame.game.needs_call():
+    if not (call.safety or call.push_out or play.model.frame.game.needs_call()):
         return ""
-    return f"Called: the {call.ball} into the {layout.pocket_words(call.pocket)}."
+    return call_words(call)
