@@ -4,14 +4,14 @@ from game.stage import Hint, SceneAction
 
 HINTS = (
     Hint(("Move",), "aim"),
-    Hint(("Click",), "lock the aim"),
+    Hint(("Click",), "lock aim"),
     Hint(("Drag",), "pull back, let go"),
     Hint(("Right drag",), "spin"),
     Hint(("Ctrl", "Wheel"), "power"),
-    Hint(("Wheel",), "turn by 0.05°"),
-    Hint(("Shift",), "fine aim"),
     Hint(("Enter",), "strike"),
     Hint(("Click a name",), "computer player"),
+    Hint(("Wheel",), "turn by 0.05°"),
+    Hint(("Shift",), "fine aim"),
     Hint(("N",), "new rack"),
     Hint(("D",), "plays itself"),
     Hint(("U",), "undo"),  # from here on there are buttons too; a narrow bar drops them

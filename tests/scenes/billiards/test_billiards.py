@@ -600,6 +600,18 @@ def test_effects_and_measures_of_the_table_hold_for_the_next_stroke():
     assert scene.play.phase == "aiming" and len(scene.model.frame.layout.places) == 3
 
 
+def test_what_is_changed_while_balls_roll_holds_after_the_stroke():
+    stage = straight_pot()
+    scene = stage.scene
+    stage.post(Action("strike"))
+    seconds(stage, 0.5)
+    assert scene.play.phase == "rolling"
+    stage.post(SetParameter("sliding", 0.31))
+    stage.post(SetEffect("pockets", False))
+    until_aiming(stage)
+    assert scene.model.frame.physics.sliding == 0.31 and len(scene.model.frame.table.pockets) == 0
+
+
 def test_balls_of_different_sizes_are_racked_and_played():
     stage = open_level("combination", mass_spread=0.5, radius_spread=0.3)
     radii, masses = stage.scene.model.frame.conditions.radii, stage.scene.model.frame.conditions.masses

@@ -86,7 +86,7 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
     if game.fouls_in_row[player] and isinstance(game, NineBall):
         parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
     if doing:
-        parts.append(doing)
+        parts.insert(0, doing)  # first, since what is too long is cut at its end
     grade = play.grade_of(player)
     name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
     return Card(name, " · ".join(parts), active or won, chips)
@@ -109,7 +109,7 @@ def _doing(play: Play, thinker: Thinker) -> str:
         return "plays safe"
     if play.aiming.call.push_out:
         return "pushes out"
-    return "cue ball in hand" if game.in_hand else "aims"
+    return "ball in hand" if game.in_hand else "aims"
 
 
 def _single(game: Game, level_title: str) -> Card:
