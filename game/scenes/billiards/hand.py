@@ -10,8 +10,8 @@ from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import POWER_STEP, Buttons
 from game.scenes.billiards.modes import Replay, SetUp
+from game.scenes.billiards.parameters import LARGEST_TIP
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, Play
-from game.scenes.billiards.stroke.aiming import LARGEST_TIP
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.stage import Part, Pointer

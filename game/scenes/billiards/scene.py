@@ -102,7 +102,7 @@ class Billiards(Scene):
         Equation("Throw", r"\mu = a + b e^{-c v}", "Alciatore 2006"),
     )
     try_this = (
-        "Drag the blue mark on the cue ball's picture down, and see the line after the contact bend back.",
+        "Lock the aim by a click, drag down with the right button, and see the line bend back.",
         "Raise the cue to 60 degrees, the tip to the side, strike gently: the ball turns round another.",
         "Choose a computer player as second player, and let it show its thoughts.",
         "Press E, lay out a position of your own, save it, and play it again and again.",

@@ -57,7 +57,7 @@ def test_what_is_missing(goal, shot, lacking):
 
 
 @pytest.mark.parametrize("goal", [case[0] for case in CASES])
-def test_goals_are_told_and_kept(goal):
+def test_goals_are_described_and_kept(goal):
     lines = described(goal, POCKET_NAMES)
     assert lines and all(line[0].isupper() and line.endswith(".") for line in lines)
     assert msgspec.json.decode(msgspec.json.encode(goal), type=Goal) == goal

@@ -251,7 +251,7 @@ PRACTICE = [
     Situation("the cue ball down is in hand", Practice(), shot(1, down=(1,), cue_pocketed=True),
               {"in_hand": "anywhere", "run": 0, "potted": 1, "turn": 0}),
     Situation("no contact is no foul", Practice(), shot(), {"fouls": [], "in_hand": ""}),
-    Situation("the last ball: racked anew", Practice(on_table=(3,)), shot(3, down=(3,)),
+    Situation("the last ball: racked again", Practice(on_table=(3,)), shot(3, down=(3,)),
               {"rack": True, "opening": True, "winner": None, "on_table": tuple(range(1, 16))}),
     Situation("the last ball of a set-up: over", Practice(on_table=(3,), rack=""), shot(3, down=(3,)),
               {"rack": False, "winner": 0}),
@@ -282,13 +282,13 @@ def test_situation(situation):
     assert {name: observed(situation, name) for name in situation.expected} == situation.expected
 
 
-def test_there_are_enough_and_all_are_told_apart():
+def test_there_are_enough_and_all_differ():
     assert len(ALL) >= 60
     assert len({(type(s.game), s.name, s.game.opening) for s in ALL}) == len(ALL)
 
 
 @pytest.mark.parametrize("situation", ALL, ids=lambda s: f"{s.game.__class__.__name__}: {s.name}")
-def test_every_verdict_is_told_and_can_be_kept(situation):
+def test_every_verdict_has_words_and_can_be_kept(situation):
     verdict = situation.game.judge(situation.shot, situation.call)
     assert all(foul.words in verdict.words for foul in verdict.fouls)
     assert verdict.words or isinstance(verdict.game, Practice)

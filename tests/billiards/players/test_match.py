@@ -142,12 +142,12 @@ def test_clean_is_what_the_referee_calls_so(chain):
     for k in down.tolist():
         trajectory = simulate(layout.shot(POOL, PHYSICS, Stroke(*strokes[k].tolist())))
         summary = summarize(trajectory)
-        wanted = len(summary.pocketed) == 1 and not summary.cue_pocketed
-        if wanted and chain:
+        expected = len(summary.pocketed) == 1 and not summary.cue_pocketed
+        if expected and chain:
             fallen = summary.pocketed[0]
             hits = sum(str(fallen.ball) in e.ids for e in trajectory.events if e.type == "ball-ball")
-            wanted = hits == 1 and what_counts(trajectory, 15) == fallen
-        assert clean[k] == wanted
+            expected = hits == 1 and what_counts(trajectory, 15) == fallen
+        assert clean[k] == expected
 
 
 def test_neighbours_in_a_run():

@@ -81,6 +81,12 @@ def drag(stage: Stage, start: tuple[float, float], end: tuple[float, float], ste
     point(stage, "up", *end, button=1)
 
 
+def click(stage: Stage, x: float, y: float) -> None:
+    """Press and let go where the pointer already is."""
+    point(stage, "down", x, y, button=1)
+    point(stage, "up", x, y, button=1)
+
+
 def press(stage: Stage, box: layout.Box) -> None:
     """Press a button of the layout."""
     point(stage, "move", *box.middle)

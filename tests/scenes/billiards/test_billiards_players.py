@@ -26,8 +26,8 @@ def simply(question: Question) -> Thought:
 
 def thought_over(thinker: Thinker) -> None:
     """Wait until the question that was asked last is answered, however long the machine takes."""
-    if thinker._thread is not None:
-        thinker._thread.join()
+    while thinker.thinking:
+        time.sleep(0.001)
 
 
 def play_on(stage, strokes: int) -> None:

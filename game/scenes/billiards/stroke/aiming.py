@@ -6,7 +6,7 @@ import math
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
-from game.scenes.billiards.parameters import BilliardsParameters
+from game.scenes.billiards.parameters import LARGEST_TIP, STEEPEST_DEG, BilliardsParameters
 from game.scenes.billiards.stroke.motion import cue_speed_of, power_in_range, power_of
 from game.scenes.shared.tables.cue import PULLING, CueControl
 from game.scenes.shared.tables.cue import STRIKING as LET_GO
@@ -19,9 +19,7 @@ STICKY = math.radians(2.0)  # the pointer turns so far before an aim that was ma
 CLICK = 0.008  # m; a pointer that moves no farther while it presses has clicked, not pulled
 REST_S = 0.4  # s; an aim that stands for so long is meant
 TRAVEL_S = 1.5  # s; so long after it the hand is still on its way to an instrument
-LARGEST_TIP = 0.6  # ball radii
-TIP_STEP = 0.05  # of them, for a key
-STEEPEST_DEG = 80.0
+TIP_STEP = 0.05  # ball radii, for a key
 
 Point = tuple[float, float]
 

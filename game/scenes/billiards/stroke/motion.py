@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from game.billiards.shot.cue import strike as struck_ball
 from game.physics.animation import Keyframes
+from game.scenes.billiards.parameters import LEAST_POWER
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED, REST_GAP
 from game.stage import WarmUp
 
@@ -22,9 +23,6 @@ SWING_FEWEST_S, SWING_MOST_S = 0.07, 0.32
 FOLLOW = 0.16  # m that the tip goes on behind a hard hit
 FOLLOW_S, STAND_S, LEAVE_S = 0.14, 0.22, 0.30
 PRACTICE = ((0.16, 0.55), (0.03, 0.42), (0.13, 0.45), (0.025, 0.38))  # m, and s from the key before
-
-
-LEAST_POWER = 0.1  # m/s
 
 
 @lru_cache(maxsize=1)
