@@ -4,7 +4,7 @@
     measure_clearing(GRADES["master"], range(200))
     measure_series(GRADES["master"], GRADES["expert"], range(100))
 
-A table is a rack of eight-ball after a hard break, the white ball in hand anywhere, no group taken yet.
+A table is a rack of eight-ball after a hard break, the cue ball in hand anywhere, no group taken yet.
 """
 
 from __future__ import annotations
@@ -54,20 +54,22 @@ class Series(NamedTuple):
 
 
 def broken_table(seed: int) -> Frame:
-    """Eight-ball after a break at which the 8 stayed up; the white ball is in hand for the first player."""
+    """Eight-ball after a break at which the 8 stayed up; the cue ball is in hand for the first player."""
     random = np.random.default_rng(seed)
     while True:
         frame = new_frame(EightBall(), seed=int(random.integers(1 << 30)))
         x = frame.table.width * random.uniform(FROM[0], 1.0 - FROM[0])
-        placed = frame.place_white(x, FROM[1])
-        apex = apex_of(placed.lie, placed.table)
+        placed = frame.place_cue_ball(x, FROM[1])
+        apex = apex_of(placed.layout, placed.table)
         azimuth = math.atan2(apex[1] - FROM[1], apex[0] - x) + SPREAD * random.standard_normal()
         played = placed.play(Stroke(BREAK_SPEED, azimuth, tip_up=0.1))
         if EIGHT in played.summary.balls_down:
             continue
-        lie = after_shot(placed.lie, played.summary).without(CUE_BALL)
-        game = msgspec.structs.replace(EightBall(), opening=False, in_hand="anywhere", on_table=lie.numbers)
-        return frame._replace(game=game, lie=lie)
+        layout = after_shot(placed.layout, played.summary).without(CUE_BALL)
+        game = msgspec.structs.replace(
+            EightBall(), opening=False, in_hand="anywhere", on_table=layout.numbers
+        )
+        return frame.replace(game=game, layout=layout)
 
 
 def visit(seed: int, grade: Grade, threads: int | None = None) -> Visit:
@@ -77,7 +79,7 @@ def visit(seed: int, grade: Grade, threads: int | None = None) -> Visit:
     for turn in range(20):
         thought = decide(frame, grade, 1000 * seed + turn, threads=threads, alone=True)
         if thought.place is not None:
-            frame = frame.place_white(*thought.place)
+            frame = frame.place_cue_ball(*thought.place)
         if thought.stroke is None:
             break
         stroke = stroke_of_hand(thought.stroke, grade, 1000 * seed + 500 + turn)
@@ -109,7 +111,7 @@ def play_rack(
 ) -> tuple[Frame, list[Stroke]]:
     """A rack played to its end, or for at most so many turns: the last frame, and all strokes."""
     strokes: list[Stroke] = []
-    radius = float(frame.lie.balls.radii[CUE_BALL])
+    radius = float(frame.layout.balls.radii[CUE_BALL])
     for turn in range(most):
         if frame.game.over:
             break
@@ -119,7 +121,7 @@ def play_rack(
             frame = frame.choose(decision.option, seed * 100_003 + turn)
             continue
         if decision.place is not None:
-            frame = frame.place_white(*decision.place)
+            frame = frame.place_cue_ball(*decision.place)
         assert decision.stroke is not None
         stroke = stroke_of_hand(decision.stroke, grade, seed * 100_003 + 50_021 + turn, radius)
         strokes.append(stroke)

@@ -58,21 +58,21 @@ def test_billiards(name, value):
     stage = opened(Billiards, "default", **{name: value})
     scene = stage.scene
     aim(stage, 0.5 * math.pi)
-    before = scene.round.places
+    before = scene.model.frame.layout.places
     stage.post(Action("strike"))
     for _ in range(300):
         run(stage, 0.25)
-        assert scene.phase in ("striking", "rolling", "aiming")
-        if scene.phase == "aiming":
+        assert scene.play.phase in ("striking", "rolling", "aiming")
+        if scene.play.phase == "aiming":
             break
-    assert scene.phase == "aiming" and scene.round.strokes == 1
-    assert scene.round.last.places == before != scene.round.places
+    assert scene.play.phase == "aiming" and scene.model.frame.strokes == 1
+    assert scene.model.frame.last.frame.layout.places == before != scene.model.frame.layout.places
 
 
 @pytest.mark.parametrize("cushion", sorted(CUSHION_MODELS))
 def test_the_smallest_ball_of_all_meets_a_cushion(cushion):
     """The spread of radii ends where a nose is still below the top of the ball, whatever is drawn."""
-    radius = (1.0 - Billiards.radius_spread.maximum) * BALL_RADIUS
+    radius = (1.0 - Billiards.parameter("radius_spread").maximum) * BALL_RADIUS
     shot = make_shot(
         Table.pool(), [[0.6, 1.0]], [(-2.0, 0.3)], radii=radius, physics=Physics(cushion=cushion)
     )

@@ -12,8 +12,7 @@ from game.billiards.game.rules import CUE_BALL
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.players.match import Match, Round
 from game.physics.animation import Keyframes
-from game.scenes.billiards.play import speed_ratio
-from game.scenes.billiards.stroke_motion import StrokeMotion, stroke_motion
+from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
 
 Array = NDArray[np.float64]
 
@@ -60,7 +59,7 @@ def write_script(match: Match) -> Script:
     acts = []
     time = TITLE_S
     for one in match.rounds:
-        motion = stroke_motion(one.stroke.cue_speed * speed_ratio(), practised=True)
+        motion = stroke_motion(one.stroke.cue_speed, practised=True)
         hits = time + BEFORE_S + motion.hit_s
         rolls = max(one.trajectory.end_time, motion.end_s - motion.hit_s)
         ends = hits + rolls + AFTER_S + rest

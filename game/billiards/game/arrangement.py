@@ -1,4 +1,4 @@
-"""Where the balls lie: balls by number, their places, and how balls are put on the table by hand."""
+"""Layouts of balls: balls by number, their places, and how balls are put on the table by hand."""
 
 from __future__ import annotations
 
@@ -23,8 +23,9 @@ from game.billiards.table.rack import (
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
+Places = tuple[tuple[int, float, float], ...]  # ball, x, y m; ascending
 
-BALLS = 16  # the white one and fifteen numbered ones
+BALLS = 16  # the cue ball and fifteen numbered ones
 SPOT_GAP = 1e-9  # m; between a ball that is put back and the one it would touch
 
 
@@ -61,6 +62,12 @@ class Arrangement(NamedTuple):
     def radii(self) -> Array:
         """Radii (n,) m."""
         return self.balls.radii[list(self.numbers)]
+
+    @property
+    def places(self) -> Places:
+        """Ball, x, y m of each, as plain values."""
+        rows = zip(self.numbers, self.positions.tolist(), strict=True)
+        return tuple((number, x, y) for number, (x, y) in rows)
 
     def place_of(self, number: int) -> tuple[float, float] | None:
         """Where a ball lies, m; None if it is not on the table."""
@@ -124,7 +131,7 @@ def after_shot(before: Arrangement, summary: ShotSummary) -> Arrangement:
 def racked(
     table: Table, game: str = "eight-ball", balls: BallSet | None = None, seed: int | None = None
 ) -> Arrangement:
-    """The rack of a game ("nine-ball" or any other), the white ball on the head spot.
+    """The rack of a game ("nine-ball" or any other), the cue ball on the head spot.
 
     Balls of different radii lie on the lattice of the largest, those of one radius touch: apart by a tenth of
     a millimetre only they would be struck one after the other, and half of them would hardly leave their
@@ -137,18 +144,20 @@ def racked(
     return Arrangement(tuple(range(len(positions))), positions, balls)
 
 
-def is_free(lie: Arrangement, table: Table, number: int, x: float, y: float, hand: Hand = "anywhere") -> bool:
+def is_free(
+    layout: Arrangement, table: Table, number: int, x: float, y: float, hand: Hand = "anywhere"
+) -> bool:
     """True if a ball may be put at (x, y) m: on the bed, clear of the others, behind the line if said."""
-    radius = float(lie.balls.radii[number])
+    radius = float(layout.balls.radii[number])
     left, right, lower, upper = bed_for(table, radius)
     if not (left <= x <= right and lower <= y <= upper):
         return False
     if hand == "behind the line" and y > HEAD_SPOT * table.length:
         return False
-    for other, place in zip(lie.numbers, lie.positions.tolist(), strict=True):
+    for other, place in zip(layout.numbers, layout.positions.tolist(), strict=True):
         if other == number:
             continue
-        reach = 2.0 * math.sqrt(radius * float(lie.balls.radii[other]))
+        reach = 2.0 * math.sqrt(radius * float(layout.balls.radii[other]))
         dx, dy = place[0] - x, place[1] - y
         if dx * dx + dy * dy < reach * reach:
             return False
@@ -157,9 +166,9 @@ def is_free(lie: Arrangement, table: Table, number: int, x: float, y: float, han
 
 def bed_for(table: Table, radius: float) -> tuple[float, float, float, float]:
     """Where the centre of a ball can lie within the straight rails: left, right, lower, upper, m."""
-    layout = layout_of(table)
-    left, right, lower, upper = layout.free
-    x, y = layout.middle
+    edges = layout_of(table)
+    left, right, lower, upper = edges.free
+    x, y = edges.middle
     return (
         max(left + x, 0.0) + radius, min(right + x, table.width) - radius,
         max(lower + y, 0.0) + radius, min(upper + y, table.length) - radius,
@@ -167,10 +176,10 @@ def bed_for(table: Table, radius: float) -> tuple[float, float, float, float]:
 
 
 def nearest_free(
-    lie: Arrangement, table: Table, number: int, x: float, y: float, hand: Hand = "anywhere"
+    layout: Arrangement, table: Table, number: int, x: float, y: float, hand: Hand = "anywhere"
 ) -> tuple[float, float]:
     """The free place for a ball nearest to (x, y) m, sought on rings about it; ValueError if none is."""
-    radius = float(lie.balls.radii[number])
+    radius = float(layout.balls.radii[number])
     left, right, lower, upper = bed_for(table, radius)
     if hand == "behind the line":
         upper = min(upper, HEAD_SPOT * table.length)
@@ -182,26 +191,26 @@ def nearest_free(
             angle = 2.0 * math.pi * spoke / spokes
             px = min(max(x + distance * math.cos(angle), left), right)
             py = min(max(y + distance * math.sin(angle), lower), upper)
-            if is_free(lie, table, number, px, py, hand):
+            if is_free(layout, table, number, px, py, hand):
                 return px, py
     raise ValueError(f"ball {number}: there is no free place near ({x:.3f}, {y:.3f}) m")
 
 
-def spotted(lie: Arrangement, table: Table, numbers: tuple[int, ...]) -> Arrangement:
+def spotted(layout: Arrangement, table: Table, numbers: tuple[int, ...]) -> Arrangement:
     """Balls put back (WPA 1.4): on the foot spot, else behind it as near as can be, else before it."""
     x, y = 0.5 * table.width, FOOT_SPOT * table.length
     for number in sorted(numbers):
-        lie = lie.without(number)
-        radius = float(lie.balls.radii[number])
+        layout = layout.without(number)
+        radius = float(layout.balls.radii[number])
         behind, before = [y], []
-        for other, (px, py) in zip(lie.numbers, lie.positions.tolist(), strict=True):
-            reach = 2.0 * math.sqrt(radius * float(lie.balls.radii[other])) + SPOT_GAP
+        for other, (px, py) in zip(layout.numbers, layout.positions.tolist(), strict=True):
+            reach = 2.0 * math.sqrt(radius * float(layout.balls.radii[other])) + SPOT_GAP
             under = reach * reach - (px - x) * (px - x)
             if under > 0.0:
                 behind.append(py + math.sqrt(under))
                 before.append(py - math.sqrt(under))
         order = sorted(v for v in behind if v >= y) + sorted((v for v in before if v < y), reverse=True)
-        free = next((v for v in order if is_free(lie, table, number, x, v)), None)
-        place = (x, free) if free is not None else nearest_free(lie, table, number, x, y)
-        lie = lie.with_ball(number, place)
-    return lie
+        free = next((v for v in order if is_free(layout, table, number, x, v)), None)
+        place = (x, free) if free is not None else nearest_free(layout, table, number, x, y)
+        layout = layout.with_ball(number, place)
+    return layout

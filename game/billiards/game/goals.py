@@ -36,10 +36,10 @@ class Zone(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_default
 class Goal(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
     """What one stroke must bring about; everything that is said must come true.
 
-    pots: balls that go down. down: at least so many numbered balls go down. cue_touches: balls the white one
-    touches, in this order. cushions_first: cushions the white ball touches before any ball. direct: it
+    pots: balls that go down. down: at least so many numbered balls go down. cue_touches: balls the cue ball
+    touches, in this order. cushions_first: cushions the cue ball touches before any ball. direct: it
     touches none before its first ball. cushions_between: cushions it touches before the last ball of
-    `cue_touches`. untouched: balls that nothing touches. zones: where balls come to rest. scratch: the white
+    `cue_touches`. untouched: balls that nothing touches. zones: where balls come to rest. scratch: the cue
     ball must go down, which else it must not.
     """
 
@@ -58,9 +58,7 @@ def missed(goal: Goal, shot: ShotSummary) -> tuple[str, ...]:
     """What a stroke did not bring about, each in words; empty if the goal is met."""
     lacking = []
     if shot.cue_pocketed != goal.scratch:
-        lacking.append(
-            "The white ball went down." if shot.cue_pocketed else "The white ball did not go down."
-        )
+        lacking.append("The cue ball went down." if shot.cue_pocketed else "The cue ball did not go down.")
     lacking += [text for pot in goal.pots if (text := _pot_missed(pot, shot))]
     if len(shot.pocketed) < goal.down:
         lacking.append(f"{len(shot.pocketed)} of {goal.down} balls went down.")
@@ -85,7 +83,7 @@ def _pot_missed(pot: Pot, shot: ShotSummary) -> str:
 
 
 def _path_missed(goal: Goal, shot: ShotSummary) -> list[str]:
-    """What is wrong with the way of the white ball."""
+    """What is wrong with the path of the cue ball."""
     lacking = []
     before = 0
     for kind, _ in shot.cue_path:
@@ -93,22 +91,22 @@ def _path_missed(goal: Goal, shot: ShotSummary) -> list[str]:
             break
         before += 1
     if goal.cushions_first and (before < goal.cushions_first or not shot.first):
-        lacking.append(f"The white ball touched {before} of {goal.cushions_first} cushions before a ball.")
+        lacking.append(f"The cue ball touched {before} of {goal.cushions_first} cushions before a ball.")
     if goal.direct and before:
-        lacking.append("The white ball touched a cushion before any ball.")
-    wanted = list(goal.cue_touches)
+        lacking.append("The cue ball touched a cushion before any ball.")
+    awaited = list(goal.cue_touches)
     between = 0
     for kind, number in shot.cue_path:
-        if not wanted:
+        if not awaited:
             break
         if kind == "cushion":
             between += 1
-        elif number == wanted[0]:
-            del wanted[0]
-    if wanted:
-        lacking.append(f"The white ball did not touch {listed(tuple(wanted[:1]))}.")
+        elif number == awaited[0]:
+            del awaited[0]
+    if awaited:
+        lacking.append(f"The cue ball did not touch {listed(tuple(awaited[:1]))}.")
     elif between < goal.cushions_between:
-        lacking.append(f"The white ball touched {between} of {goal.cushions_between} cushions on its way.")
+        lacking.append(f"The cue ball touched {between} of {goal.cushions_between} cushions on its path.")
     return lacking
 
 

@@ -1,6 +1,6 @@
 """What all games share: the summary of a shot, fouls in words, verdicts, and the state of a game.
 
-No screen and no physics: a game is told what a stroke did (`ShotSummary`, made from a played shot by
+No screen and no physics: a game is given what a stroke did (`ShotSummary`, made from a played shot by
 `game.billiards.game.summary`), and says what follows (`Verdict`). Games are immutable values; the one before
 a stroke is the one to go back to, and msgspec writes any of them to a file. Each game has its own module in
 `game.billiards.game.games`.
@@ -25,8 +25,8 @@ Hand = Literal["", "behind the line", "anywhere"]
 class Pocketing(NamedTuple):
     """A numbered ball that went down: into which pocket, and how it was sent there.
 
-    chain: the balls from the white one (0) to this one in order of contact; empty: not known. cushions: how
-    often it touched cushions and jaws on its way.
+    chain: the balls from the cue ball (0) to this one in order of contact; empty: not known. cushions: how
+    often it touched cushions and jaws on its path.
     """
 
     ball: int
@@ -36,14 +36,14 @@ class Pocketing(NamedTuple):
 
 
 class ShotSummary(NamedTuple):
-    """What a stroke did, as the referee sees it. Balls by their numbers, the white one is 0.
+    """What a stroke did, as the referee sees it. Balls by their numbers, the cue ball is 0.
 
-    first: the balls that the white one touched first, several if at one moment. pocketed: numbered balls in
-    order. cue_pocketed: the white one went down. cushioned: balls that were driven to a cushion after the
-    first contact, each once, in order. off_table: balls that left the table. cue_path: what the white ball
+    first: the balls that the cue ball touched first, several if at one moment. pocketed: numbered balls in
+    order. cue_pocketed: the cue ball went down. cushioned: balls that were driven to a cushion after the
+    first contact, each once, in order. off_table: balls that left the table. cue_path: what the cue ball
     touched, ("ball" or "cushion", number), in order. touched: numbered balls that any ball touched, in
     order. rest: (ball, x, y) m of what lies on the table in the end. short: the first ball lay behind the
-    head string, and the white one had not crossed it before.
+    head string, and the cue ball had not crossed it before.
     """
 
     first: tuple[int, ...] = ()
@@ -99,9 +99,9 @@ class Verdict(NamedTuple):
     """What follows from a stroke, or from a choice.
 
     game: the state to go on with. fouls: of this stroke. scored: balls that count for the shooter. words:
-    all that is to be told, in order, fouls among it. spot: balls to be put back on the foot spot. rack: all
-    balls are to be racked anew; the white one is in hand behind the line. reset: all balls are to be put back
-    where they were before the stroke.
+    messages in order, fouls among them, the last says what follows. spot: balls to be put back on the foot
+    spot. rack: all balls are to be racked again; the cue ball is in hand behind the line. reset: all balls
+    are to be put back where they were before the stroke.
     """
 
     game: Game
@@ -121,7 +121,7 @@ class Verdict(NamedTuple):
 class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
     """A game between two players, or of one, before a stroke.
 
-    turn: who plays (or chooses). on_table: numbered balls in play. in_hand: where the white ball may be put,
+    turn: who plays (or chooses). on_table: numbered balls in play. in_hand: where the cue ball may be put,
     "" if it stays. opening: the next stroke is the break. options: ways to go on of which the player at turn
     must choose one before anybody plays. winner: None while the rack goes on. fouls_in_row, won: of each
     player; won counts racks.
@@ -154,7 +154,7 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
         return self.winner is not None
 
     def legal_first(self) -> tuple[int, ...]:
-        """Numbers of the balls that the white one may touch first."""
+        """Numbers of the balls that the cue ball may touch first."""
         return self.on_table
 
     def targets(self) -> tuple[int, ...]:
@@ -196,22 +196,22 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
             raise ValueError(f"game option {name!r}: {', '.join(names) or 'there is nothing to choose'}")
 
 
-def common_fouls(game: Game, shot: ShotSummary, wanted: tuple[int, ...], push_out: bool) -> tuple[Foul, ...]:
+def common_fouls(game: Game, shot: ShotSummary, allowed: tuple[int, ...], push_out: bool) -> tuple[Foul, ...]:
     """Fouls of every game: scratch (6.1), wrong ball first (6.2), no cushion (6.3), off the table (6.5), and
     from behind the line a ball that lies there, too (6.11).
 
-    wanted: balls that may be touched first. push_out: 6.2 and 6.3 do not hold.
+    allowed: balls that may be touched first. push_out: 6.2 and 6.3 do not hold.
     """
     fouls = []
     if shot.cue_pocketed:
-        fouls.append(Foul("scratch", "The white ball went down."))
+        fouls.append(Foul("scratch", "The cue ball went down."))
     fouls += [Foul("off the table", f"The {named(ball)} left the table.") for ball in shot.off_table]
     if push_out:
         return tuple(fouls)
     if not shot.first:
-        fouls.append(Foul("no contact", "The white ball touched no ball."))
-    elif not any(ball in wanted for ball in shot.first):
-        fouls.append(Foul("wrong ball", f"The {named(shot.first[0])} was hit first, not {listed(wanted)}."))
+        fouls.append(Foul("no contact", "The cue ball touched no ball."))
+    elif not any(ball in allowed for ball in shot.first):
+        fouls.append(Foul("wrong ball", f"The {named(shot.first[0])} was hit first, not {listed(allowed)}."))
     if shot.short and game.in_hand == "behind the line":
         fouls.append(Foul("behind the line", f"The {named(shot.first[0])} lies behind the line, too."))
     reached = shot.pocketed or shot.cushioned or shot.cue_pocketed or shot.off_table
@@ -245,7 +245,7 @@ def driven_to_cushions(shot: ShotSummary) -> int:
 
 def named(ball: int) -> str:
     """A ball in words."""
-    return "white ball" if ball == CUE_BALL else str(ball)
+    return "cue ball" if ball == CUE_BALL else str(ball)
 
 
 def listed(balls: tuple[int, ...]) -> str:

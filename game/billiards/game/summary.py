@@ -2,7 +2,7 @@
 
 Who sent a ball into its pocket is followed contact by contact. A moving ball that meets one at rest sends it
 on its way; where both move, each counts as sent on by the other. A ball that comes back to one that it owes
-its way to does not send that one: a chain names no ball twice.
+its motion to does not send that one: a chain names no ball twice.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ Row = tuple[float, int, int, int]
 
 
 def summarize(trajectory: Trajectory) -> ShotSummary:
-    """Summary of a played shot whose balls are named by their numbers, the white one "0".
+    """Summary of a played shot whose balls are named by their numbers, the cue ball "0".
 
     ValueError if a ball's name is no number.
     """
@@ -157,13 +157,13 @@ def _still_frozen(trajectory: Trajectory, ball: int, cushion: int, time: float) 
 
 
 def _is_short(trajectory: Trajectory, cue: int, ball: int, time: float) -> bool:
-    """True if a ball lies behind the head string when the white one touches it, not having crossed it yet."""
+    """True if a ball lies behind the head string when the cue ball touches it, not having crossed it yet."""
     line = HEAD_SPOT * trajectory.shot.table.length
     if float(trajectory.state_at(time).positions[ball, 1]) > line:
         return False
     highest = float(trajectory.shot.positions[cue, 1])
     starts = [t for t, of in trajectory.segments[:, [SEG_TIME, SEG_BALL]].tolist() if of == cue and t < time]
-    # a way is highest where it begins or ends; a curve between is seen well enough by its middle
+    # a path is highest where it begins or ends; a curve between is seen well enough by its middle
     for start, end in pairwise([*starts, time]):
         for moment in (start, 0.5 * (start + end), end):
             highest = max(highest, float(trajectory.state_at(moment).positions[cue, 1]))
@@ -171,7 +171,7 @@ def _is_short(trajectory: Trajectory, cue: int, ball: int, time: float) -> bool:
 
 
 def _cue_path(rows: list[Row], numbers: list[int], cue: int) -> tuple[tuple[str, int], ...]:
-    """What the white ball touched, in order."""
+    """What the cue ball touched, in order."""
     path = []
     for _, event, i, j in rows:
         if event == BALL_BALL and cue in (i, j):

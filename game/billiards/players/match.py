@@ -52,7 +52,7 @@ class Round(NamedTuple):
     """One round: who plays, the stroke, what fell how, and the shot and its paths.
 
     number: from 1. player: 0 or 1. fallen: the ball, its pocket and its chain. shot: the state just after the
-    cue has left the white ball. seconds: what the search took.
+    cue has left the cue ball. seconds: what the search took.
     """
 
     number: int
@@ -78,7 +78,7 @@ class Match(NamedTuple):
 
 
 def unlike_balls(seed: int) -> BallSet:
-    """Balls of different radius and mass: up to 6 % and some 30 % from the usual; the white one is usual."""
+    """Balls of different radius and mass: up to 6 % and some 30 % from the usual; the cue ball is usual."""
     rng = np.random.default_rng([seed, 1])
     scale = rng.uniform(1.0 - LARGEST_CHANGE, 1.0 + LARGEST_CHANGE, 16)
     density = rng.uniform(1.0 - DENSITY_CHANGE, 1.0 + DENSITY_CHANGE, 16)
@@ -101,26 +101,26 @@ def play_match(
     table = Table.pool() if table is None else table
     balls = unlike_balls(seed) if balls is None else balls
     finder = _Finder(seed, table, physics, processors() if threads is None else threads)
-    lie = racked(table, balls=balls, seed=seed)
-    stack: list[tuple[Arrangement, Iterator[Option], float]] = [(lie, finder.options(lie, 1), 0.0)]
+    layout = racked(table, balls=balls, seed=seed)
+    stack: list[tuple[Arrangement, Iterator[Option], float]] = [(layout, finder.options(layout, 1), 0.0)]
     rounds: list[Round] = []
     while stack:
-        lie, options, spent = stack[-1]
+        layout, options, spent = stack[-1]
         started = time.perf_counter()
-        played = next(filter(None, (finder.play(lie, option, len(stack)) for option in options)), None)
+        played = next(filter(None, (finder.play(layout, option, len(stack)) for option in options)), None)
         spent += time.perf_counter() - started
         if played is None:
             stack.pop()
             del rounds[max(len(stack) - 1, 0) :]
             continue
-        stack[-1] = (lie, options, spent)
+        stack[-1] = (layout, options, spent)
         rounds = [*rounds[: len(stack) - 1], played._replace(seconds=spent)]
         if progress is not None:
             progress(rounds[-1])
-        lie = after_shot(lie, summarize(played.trajectory))
-        if lie.numbers == (CUE_BALL,):
+        layout = after_shot(layout, summarize(played.trajectory))
+        if layout.numbers == (CUE_BALL,):
             return Match(seed, balls, tuple(rounds))
-        stack.append((lie, finder.options(lie, len(stack) + 1), 0.0))
+        stack.append((layout, finder.options(layout, len(stack) + 1), 0.0))
     raise MatchError(f"match {seed}: no stroke was found")
 
 
@@ -133,24 +133,24 @@ class _Finder:
         self.physics = physics
         self.pool = thread_pool(threads)
 
-    def options(self, lie: Arrangement, number: int) -> Iterator[Option]:
+    def options(self, layout: Arrangement, number: int) -> Iterator[Option]:
         """Strokes for a round, the best first; searched when the first is asked for."""
         if number == 1:
-            yield from self._breaks(lie)
+            yield from self._breaks(layout)
             return
-        chain = SHORTEST_CHAIN if len(lie.numbers) > 2 else 0
+        chain = SHORTEST_CHAIN if len(layout.numbers) > 2 else 0
         kinds = ("combination",) if chain else ("direct", "bank", "kick")
-        view = View(Board(lie, self.table, self.physics), EYE)
+        view = View(Board(layout, self.table, self.physics), EYE)
         yield from options_for(view, chain, kinds, KEPT, self.pool)
 
-    def _breaks(self, lie: Arrangement) -> Iterator[Option]:
+    def _breaks(self, layout: Arrangement) -> Iterator[Option]:
         """Breaks that pot one ball."""
         rng = np.random.default_rng([self.seed, 2])
-        x, y = apex_of(lie, self.table)
-        white = lie.place_of(CUE_BALL)
-        assert white is not None
-        board = Board(lie, self.table, self.physics)
-        azimuth = math.atan2(y - white[1], x - white[0])
+        x, y = apex_of(layout, self.table)
+        cue_ball = layout.place_of(CUE_BALL)
+        assert cue_ball is not None
+        board = Board(layout, self.table, self.physics)
+        azimuth = math.atan2(y - cue_ball[1], x - cue_ball[0])
         for _ in range(MOST_BREAKS):
             strokes = np.zeros((BREAKS, 5))
             strokes[:, 0] = rng.uniform(4.0, 6.0, BREAKS)
@@ -160,11 +160,11 @@ class _Finder:
             for row in np.flatnonzero(is_clean(outcomes, SHORTEST_CHAIN, once=False)).tolist():
                 yield Option(Stroke(*strokes[row].tolist()), 1.0)
 
-    def play(self, lie: Arrangement, option: Option, number: int) -> Round | None:
+    def play(self, layout: Arrangement, option: Option, number: int) -> Round | None:
         """The round that an option makes, played from its shot file; None if it does not count there."""
-        shot = parse_shot(shot_data(_named(lie.shot(self.table, self.physics, option.stroke))))
+        shot = parse_shot(shot_data(_named(layout.shot(self.table, self.physics, option.stroke))))
         trajectory = simulate(shot)
-        fallen = what_counts(trajectory, len(lie.numbers) - 1)
+        fallen = what_counts(trajectory, len(layout.numbers) - 1)
         if fallen is None:
             return None
         return Round(number, (number - 1) % 2, option.stroke, fallen, shot, trajectory, 0.0)
@@ -230,8 +230,8 @@ def check_match_data(data: dict[str, Any]) -> None:
         fallen = what_counts(simulate(shot), len(numbered))
         if fallen is None:
             raise ValueError(f"rounds[{k}].shot: no ball goes down as the round says")
-        told = (one["ball"], one["pocket"], one["chain"])
-        if told != (str(fallen.ball), shot.pocket_ids[fallen.pocket], [str(n) for n in fallen.chain]):
+        said = (one["ball"], one["pocket"], one["chain"])
+        if said != (str(fallen.ball), shot.pocket_ids[fallen.pocket], [str(n) for n in fallen.chain]):
             raise ValueError(f"rounds[{k}]: ball, pocket and chain are not those of the shot")
         before = numbered - {str(fallen.ball)}
     if before:

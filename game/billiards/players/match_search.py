@@ -1,6 +1,6 @@
 """Finding the strokes of a combination match: one ball goes down, by way of another, and cleanly.
 
-A hand that does not shake plays them, so a stroke is looked for that works, that does so with room to spare,
+A hand that does not shake plays them, so a stroke is looked for that works, that does so with a margin,
 and that leaves a table where the next one can be found.
 """
 
@@ -41,11 +41,11 @@ ROUND_RAYS = 1500  # directions all around, when geometry finds nothing
 ROUND_SPEEDS = (0.9, 1.5, 2.2, 3.0, 4.0, 5.0)  # m/s
 NEXT_LOOKS = 40  # strokes whose next table is looked at
 NEXT_KINDS = 3  # candidates that are counted there
-WIDE = 0.002  # rad; a window that leaves room to spare
+WIDE = 0.002  # rad; a window that leaves a margin
 
 
 class Option(NamedTuple):
-    """A stroke that pots one ball in the way that is wanted; merit: how much better than others."""
+    """A stroke that pots one ball as a round expects; merit: how much better than others."""
 
     stroke: Stroke
     merit: float
@@ -56,7 +56,7 @@ def options_for(
 ) -> list[Option]:
     """Strokes that pot exactly one ball, the best first; empty if none was found.
 
-    chain: least balls in its chain, the white one counted. kinds: of candidates to try before all directions.
+    chain: least balls in its chain, the cue ball counted. kinds: of candidates to try before all directions.
     """
     aims = _aims(view, chain)
     candidates = view.candidates(aims, kinds, TRIED)
@@ -129,7 +129,7 @@ def _ranked(
 
 
 def is_clean(outcomes: Outcomes, chain: int, once: bool = True) -> NDArray[np.bool_]:
-    """Which strokes (m,) pot exactly one ball, and not the white one, by a chain of at least so many.
+    """Which strokes (m,) pot exactly one ball, and not the cue ball, by a chain of at least so many.
 
     once: only one ball touched the one that falls, so that there is no doubt by way of what it fell.
     """

@@ -29,7 +29,7 @@ from game.billiards.table.rack import BALL_RADIUS, HEAD_SPOT
 
 Array = NDArray[np.float64]
 
-FULLY = 2  # places of a white ball in hand that are looked at in full
+FULLY = 2  # places of a cue ball in hand that are looked at in full
 SHOWN = 6  # shots that a decision shows as considered
 PUSH_OUT_BELOW = 0.45  # worth of the best stroke, below which a player pushes out
 SAFE_BELOW = 0.9  # chance of the best pot, below which a player looks for safety too
@@ -39,7 +39,7 @@ class Grade(NamedTuple):
     """A grade of players.
 
     unsteady: how many times the usual noise of a hand. effort: how hard it looks. placing: how hard it looks
-    at each of `places` where a white ball in hand could go, of which it keeps `kept`. safe: safe strokes it
+    at each of `places` where a cue ball in hand could go, of which it keeps `kept`. safe: safe strokes it
     samples (0: none). careful: it weighs what a stroke leaves; else it takes what goes down most often.
     break_speed m/s of the cue; breaks: samples for each way to break (0: straight from the middle).
     """
@@ -105,7 +105,7 @@ class Decision(NamedTuple):
     """What a player has decided.
 
     option: the name of the option it chooses, "" if there was nothing to choose. place: where it puts the
-    white ball (m), None if that is not in hand. stroke: as meant, None with an option. considered: what it
+    cue ball (m), None if that is not in hand. stroke: as meant, None with an option. considered: what it
     thought of, the best first. worth: its estimate of the chance to win.
     """
 
@@ -140,14 +140,14 @@ def decide(
         return mind.break_off(frame)
     if not game.in_hand:
         return mind.stroke(frame)
-    lies = mind.places(frame)
-    if len(lies) > 1 and grade.effort.deep:
-        lies = mind.likeliest(frame, lies, FULLY)
-    return mind.best_of(frame, lies)
+    layouts = mind.places(frame)
+    if len(layouts) > 1 and grade.effort.deep:
+        layouts = mind.likeliest(frame, layouts, FULLY)
+    return mind.best_of(frame, layouts)
 
 
 def stroke_of_hand(stroke: Stroke, grade: Grade, seed: int, radius: float = BALL_RADIUS) -> Stroke:
-    """A stroke as the player's hand does it. radius of the white ball, m."""
+    """A stroke as the player's hand does it. radius of the cue ball, m."""
     draw = np.random.default_rng(seed).standard_normal((1, 5))
     return Stroke(*with_noise(np.array([stroke]), draw, grade.noise, radius)[0].tolist())
 
@@ -170,77 +170,77 @@ class _Mind:
         for name in (IN_HAND.name, SPOT_EIGHT.name):
             if name in names:
                 return name
-        here = self.stroke(frame._replace(game=_without_options(frame.game))).worth
+        here = self.stroke(frame.replace(game=_without_options(frame.game))).worth
         if PLAY.name in names:
             return PLAY.name if here >= 0.5 else PASS_BACK.name
         return names[0] if here >= 0.5 else RACK_AND_BREAK.name
 
     def break_off(self, frame: Frame) -> Decision:
         """The break."""
-        numbers = frame.lie.with_ball(CUE_BALL, (0.0, 0.0)).numbers
+        numbers = frame.layout.with_ball(CUE_BALL, (0.0, 0.0)).numbers
         aims = aims_of(frame.game, numbers)[0]
         some = frame.game.legal_first()
         every = sum(1 << row for row, number in enumerate(numbers) if number in frame.game.on_table)
         first = sum(1 << row for row, number in enumerate(numbers) if number in some)
         aims = aims._replace(first=first, score=every, called=False, lose=0)
         found = best_break(
-            frame.lie, frame.table, frame.physics, aims, self.grade.noise, self.grade.break_speed,
+            frame.layout, frame.table, frame.physics, aims, self.grade.noise, self.grade.break_speed,
             self.draws[: self.grade.breaks], self.pool,
         )  # fmt: skip
         return Decision(place=found.place, stroke=found.stroke, worth=found.merit)
 
     def places(self, frame: Frame) -> list[Arrangement]:
-        """Where the white ball in hand could go."""
-        lies: list[Arrangement] = []
-        for aims in self._aims(frame, frame.lie.with_ball(CUE_BALL, (0.0, 0.0))):
-            lies += place_white(
-                frame.lie, frame.table, frame.physics, frame.game.in_hand, aims, self.grade.noise,
+        """Where the cue ball in hand could go."""
+        layouts: list[Arrangement] = []
+        for aims in self._aims(frame, frame.layout.with_ball(CUE_BALL, (0.0, 0.0))):
+            layouts += place_white(
+                frame.layout, frame.table, frame.physics, frame.game.in_hand, aims, self.grade.noise,
                 self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool, self.clock,
             )  # fmt: skip
-        return lies
+        return layouts
 
-    def _aims(self, frame: Frame, lie: Arrangement) -> list[Aims]:
+    def _aims(self, frame: Frame, layout: Arrangement) -> list[Aims]:
         """What to be after; from behind the line no ball that lies there, too (6.11)."""
-        found = aims_of(frame.game, lie.numbers, self.alone)
+        found = aims_of(frame.game, layout.numbers, self.alone)
         if frame.game.in_hand != "behind the line":
             return found
         beyond = sum(
-            1 << row for row, y in enumerate(lie.positions[:, 1]) if y > HEAD_SPOT * frame.table.length
+            1 << row for row, y in enumerate(layout.positions[:, 1]) if y > HEAD_SPOT * frame.table.length
         )
         return [aims._replace(first=aims.first & beyond) for aims in found]
 
-    def likeliest(self, frame: Frame, lies: list[Arrangement], most: int) -> list[Arrangement]:
+    def likeliest(self, frame: Frame, layouts: list[Arrangement], most: int) -> list[Arrangement]:
         """The places from which the best strokes are worth most, without a look at the stroke after them."""
         shallow = self.grade.effort._replace(deep=0)
         worths: list[float] = []
-        for lie in lies:
+        for layout in layouts:
             if worths and self.clock.is_out():
                 break
-            worths.append(self.stroke(frame._replace(lie=lie), shallow).worth)
-        return [lies[i] for i in np.argsort(-np.array(worths), kind="stable")[:most].tolist()]
+            worths.append(self.stroke(frame.replace(layout=layout), shallow).worth)
+        return [layouts[i] for i in np.argsort(-np.array(worths), kind="stable")[:most].tolist()]
 
-    def best_of(self, frame: Frame, lies: list[Arrangement]) -> Decision:
+    def best_of(self, frame: Frame, layouts: list[Arrangement]) -> Decision:
         """The best decision of all places, as far as time allows."""
         best: Decision | None = None
-        for lie in lies:
+        for layout in layouts:
             if best is not None and self.clock.is_out():
                 break
-            found = self.stroke(frame._replace(lie=lie))
+            found = self.stroke(frame.replace(layout=layout))
             if best is None or found.worth > best.worth:
-                best = found._replace(place=lie.place_of(CUE_BALL))
+                best = found._replace(place=layout.place_of(CUE_BALL))
         assert best is not None
         return best
 
     def stroke(self, frame: Frame, effort: Effort | None = None) -> Decision:
-        """The best stroke from where the white ball lies, a safe one and a push-out among them.
+        """The best stroke from where the cue ball lies, a safe one and a push-out among them.
 
         effort: how hard to look; left out, that of the grade.
         """
         grade = self.grade
         effort = grade.effort if effort is None else effort
-        view = View(Board(frame.lie, frame.table, frame.physics), grade.noise)
+        view = View(Board(frame.layout, frame.table, frame.physics), grade.noise)
         found: list[tuple[Looked, Aims]] = []
-        every_aim = self._aims(frame, frame.lie)
+        every_aim = self._aims(frame, frame.layout)
         for aims in every_aim:
             looked = search(view, aims, effort, self.seed, self.threads, self.clock)
             if looked is not None:
@@ -271,9 +271,9 @@ class _Mind:
         ball, pocket = (int(value) for value in looked.candidates[best, BALL : BALL + 2])
         if ball < 0:
             return Call(safety=True)
-        return Call(frame.lie.numbers[ball], pocket)
+        return Call(frame.layout.numbers[ball], pocket)
 
 
 def _without_options(game: Game) -> Game:
-    """The game as if the option had been taken to play on as the table lies."""
+    """The game as if the option had been taken to play on as the table layouts."""
     return game.choose(game.options[0].name).game

@@ -2,142 +2,163 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from game.scenes.billiards import calling, layout, modes
-from game.scenes.billiards import play as moves
-from game.scenes.billiards.play import AIMING, REPLAY, ROLLING, SET_UP
-from game.scenes.billiards.players import GRADES
-from game.scenes.shared.tables.cue import MAX_SPEED
-
-if TYPE_CHECKING:
-    from game.scenes.billiards.scene import Billiards
+from game.scenes.billiards import layout
+from game.scenes.billiards.modes import Replay, SetUp, leave
+from game.scenes.billiards.opponents.thinking import GRADES
+from game.scenes.billiards.play import AIMING, PERSON, REPLAY, ROLLING, SET_UP, Play
+from game.scenes.billiards.stroke.calling import announced, call_for
+from game.stage import Part
 
 POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
 OPTIONS = ("first", "second", "third", "fourth")
 
 
-def buttons(scene: Billiards) -> list[tuple[str, str, bool]]:
-    """Buttons right of the table, from below: action, words, whether it is on."""
-    if scene.phase == SET_UP:
-        return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False)]
-    if scene.phase == REPLAY:
-        return [("replay", "Back", True)]
-    rows = [("set-up", "Set up", False), ("replay", "Replay", False), ("undo", "Undo", False),
-            ("view", "Aim line", bool(scene.prediction))]  # fmt: skip
-    game = scene.round.game
-    if scene.content.solution is not None:
-        rows.append(("hint", "Hint", scene.hint_shown))
-    if game.over:
-        rows.append(("rack", "Next rack", True))
-    elif game.may_push_out():
-        rows.append(("safety", "Push out", scene.call.push_out))
-    elif game.needs_call():
-        rows.append(("safety", "Safety", scene.call.safety))
-    return rows
+class Buttons(Part):
+    """What buttons and keys do. hint_shown: the solution of a puzzle."""
 
+    def __init__(self, play: Play, replay: Replay, set_up: SetUp) -> None:
+        self.play = play
+        self.replay = replay
+        self.set_up = set_up
+        self.hint_shown = False
 
-def button_at(scene: Billiards, x: float, y: float) -> str:
-    """Name of the button, or of the option, at a point; empty if there is none."""
-    for row, (name, _, _) in enumerate(buttons(scene)):
-        if layout.button_box(row).holds(x, y):
-            return name
-    if len(scene.round.game.players) == 2:
-        for player in range(2):
-            if layout.card_box(player).holds(x, y):
-                return f"card-{player}"
-    if scene.phase == AIMING:
-        options = scene.round.game.options
-        for row in range(len(options)):
-            if scene.person_plays and layout.option_box(row, len(options)).holds(x, y):
-                return f"option-{row}"
-    if scene.phase == REPLAY:
-        if layout.PLAY.holds(x, y):
-            return "replay-run"
-        if layout.SPEED.holds(x, y):
-            return "replay-speed"
-    return ""
+    def rows(self) -> list[tuple[str, str, bool]]:
+        """Buttons right of the table, from below: action, words, whether it is on."""
+        play = self.play
+        if play.phase == SET_UP:
+            return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False)]
+        if play.phase == REPLAY:
+            return [("replay", "Back", True)]
+        rows = [("set-up", "Set up", False), ("replay", "Replay", False), ("undo", "Undo", False),
+                ("view", "Aim line", bool(play.parameters.prediction))]  # fmt: skip
+        game = play.model.frame.game
+        if play.model.content.solution is not None:
+            rows.append(("hint", "Hint", self.hint_shown))
+        if game.over:
+            rows.append(("rack", "Next rack", True))
+        elif game.may_push_out():
+            rows.append(("safety", "Push out", play.aiming.call.push_out))
+        elif game.needs_call():
+            rows.append(("safety", "Safety", play.aiming.call.safety))
+        return rows
 
+    def at(self, x: float, y: float) -> str:
+        """Name of the button, or of the option, at a point; empty if there is none."""
+        for row, (name, _, _) in enumerate(self.rows()):
+            if layout.button_box(row).holds(x, y):
+                return name
+        game = self.play.model.frame.game
+        if len(game.players) == 2:
+            for player in range(2):
+                if layout.card_box(player).holds(x, y):
+                    return f"card-{player}"
+        if self.play.phase == AIMING and self.play.person_plays:
+            for row in range(len(game.options)):
+                if layout.option_box(row, len(game.options)).holds(x, y):
+                    return f"option-{row}"
+        if self.play.phase == REPLAY:
+            if layout.PLAY.holds(x, y):
+                return "replay-run"
+            if layout.SPEED.holds(x, y):
+                return "replay-speed"
+        return ""
 
-def press(scene: Billiards, name: str) -> None:
-    """A button has been pressed and let go."""
-    if name.startswith("option-"):
-        moves.take_option(scene, int(name.removeprefix("option-")))
-    elif name.startswith("card-"):
-        change_player(scene, int(name.removeprefix("card-")))
-    elif name == "replay-run":
-        modes.toggle_replay(scene)
-    elif name == "replay-speed":
-        modes.change_replay_speed(scene)
-    elif name in ("clear", "full"):
-        modes.fill_table(scene, name == "full")
-    else:
-        action(scene, name)
+    def press(self, name: str) -> None:
+        """A button has been pressed and let go."""
+        if name.startswith("option-"):
+            self.play.take_option(int(name.removeprefix("option-")))
+        elif name.startswith("card-"):
+            self._change_player(int(name.removeprefix("card-")))
+        elif name == "replay-run":
+            self.replay.toggle()
+        elif name == "replay-speed":
+            self.replay.change_speed()
+        elif name in ("clear", "full"):
+            self.set_up.fill(name == "full")
+        else:
+            self.act(name)
 
+    def _change_player(self, player: int) -> None:
+        """The next grade for a player: a person, then computer players from weak to strong."""
+        grades = (PERSON, *GRADES)
+        following = grades[(grades.index(self.play.grade_of(player)) + 1) % len(grades)]
+        self.play.set_grade(player, following)
 
-def change_player(scene: Billiards, player: int) -> None:
-    """The next grade for a player: a person, then computer players from weak to strong."""
-    grades = ("person", *GRADES)
-    following = grades[(grades.index(scene.grade_of(player)) + 1) % len(grades)]
-    if player == 0:
-        scene.first_player = following
-    else:
-        scene.second_player = following
+    def act(self, name: str) -> None:
+        """A named action."""
+        play, aiming = self.play, self.play.aiming
+        if name in OPTIONS:
+            if play.person_plays:
+                play.take_option(OPTIONS.index(name))
+        elif name in ("undo", "rack") and play.phase in (REPLAY, SET_UP):
+            leave(self.replay, self.set_up)
+        elif name in ("left", "right"):
+            if play.person_plays and play.phase == AIMING:
+                aiming.nudge(name)
+        elif name.startswith("spin-"):
+            aiming.nudge_tip(name)
+        elif name in ("harder", "softer"):
+            step = POWER_STEP if name == "harder" else -POWER_STEP
+            aiming.set_power(round(play.parameters.power + step, 3))
+        else:
+            {
+                "strike": self._strike_or_skip,
+                "undo": play.undo,
+                "replay": self._watch,
+                "set-up": self._lay_out,
+                "rack": play.rack,
+                "view": self._show_aim_line,
+                "safety": self._announce,
+                "lock": self._lock,
+                "demo": self._play_itself,
+                "hint": self._show_hint,
+                "centre": aiming.centre,
+            }[name]()
 
+    def _strike_or_skip(self) -> None:
+        """Strike with the power that is set; while balls roll, go to the end; in a replay, run or stand."""
+        play = self.play
+        if play.phase == REPLAY:
+            self.replay.toggle()
+        elif play.phase == ROLLING:
+            play.skip()
+        elif play.phase == AIMING and play.model.frame.game.over:
+            play.rack()
+        elif play.may_aim:
+            stroke = play.aiming.stroke
+            play.begin_stroke(stroke, call_for(play.model.frame, play.aiming.call, stroke), practised=False)
 
-def action(scene: Billiards, name: str) -> None:
-    """A named action."""
-    if name in OPTIONS:
-        if scene.person_plays:
-            moves.take_option(scene, OPTIONS.index(name))
-    elif name == "strike":
-        strike_or_skip(scene)
-    elif name in ("undo", "rack") and scene.phase in (REPLAY, SET_UP):
-        modes.leave(scene)
-    elif name == "undo":
-        moves.undo(scene)
-    elif name == "replay":
-        modes.watch(scene)
-    elif name == "set-up":
-        modes.set_up(scene)
-    elif name == "rack":
-        moves.rack(scene)
-    elif name == "view":
-        scene.prediction = not scene.prediction
-    elif name == "safety":
-        if scene.person_plays:
-            calling.announce(scene)
-    elif name == "demo":
-        scene.plays_itself = not scene.plays_itself
-        scene.cue.let_go()
-        scene.grip = ""
-        scene.rest_s = 0.0
-        if scene.phase in (REPLAY, SET_UP):
-            modes.leave(scene)
-    elif name == "hint":
-        scene.hint_shown = not scene.hint_shown
-        if scene.content.solution is None:
-            scene.hint_shown = False
-            scene.told.append("No hint. Only puzzles and drills have one.")
-    elif name == "centre":
-        scene.tip_left = scene.tip_up = scene.elevation = 0.0
-    elif name in ("left", "right"):
-        if scene.person_plays and scene.phase == AIMING:
-            scene.cue.nudge(name)
-            scene.fine_at = float(scene.cue.data[5])
-    else:
-        step = POWER_STEP if name == "harder" else -POWER_STEP
-        scene.power = min(max(round(scene.power + step, 3), 0.1), MAX_SPEED)
+    def _watch(self) -> None:
+        if self.play.phase == REPLAY:
+            self.replay.end()
+        elif self.play.phase == AIMING:
+            self.replay.begin()
 
+    def _lay_out(self) -> None:
+        if self.play.phase == SET_UP:
+            self.set_up.end()
+        elif self.play.phase == AIMING:
+            self.set_up.begin()
 
-def strike_or_skip(scene: Billiards) -> None:
-    """Strike with the power that is set; while balls roll, go to the end; in a replay, run or stand."""
-    if scene.phase == REPLAY:
-        modes.toggle_replay(scene)
-    elif scene.phase == ROLLING:
-        moves.skip(scene)
-    elif scene.phase == AIMING and scene.round.game.over:
-        moves.rack(scene)
-    elif scene.phase == AIMING and scene.person_plays and scene.round.playable:
-        stroke = moves.aimed_stroke(scene)
-        moves.begin_stroke(scene, stroke, calling.call_for(scene, stroke), practised=False)
+    def _show_aim_line(self) -> None:
+        self.play.parameters.prediction = not self.play.parameters.prediction
+
+    def _lock(self) -> None:
+        if self.play.may_aim:
+            self.play.toggle_lock()
+
+    def _announce(self) -> None:
+        if self.play.person_plays and self.play.phase == AIMING:
+            self.play.aiming.call = announced(self.play.model.frame, self.play.aiming.call)
+
+    def _play_itself(self) -> None:
+        self.play.plays_itself = not self.play.plays_itself
+        self.play.let_go()
+        self.play.rest_s = 0.0
+        leave(self.replay, self.set_up)
+
+    def _show_hint(self) -> None:
+        self.hint_shown = not self.hint_shown
+        if self.play.model.content.solution is None:
+            self.hint_shown = False
+            self.play.news.append("No hint. Only puzzles and drills have one.")

@@ -9,7 +9,7 @@ from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, WOOD_DARK
 
 
 def draw_billiards(pen: Pen) -> None:
-    """A cut into the corner: cue, aim, ghost ball, the ways after it."""
+    """A cut into the corner: cue, aim, ghost ball, the paths after it."""
     pen.fill(WOOD_DARK)
     pen.box(-80.0, 7.0, 226.0, 90.0, FELT.lerp(pygame.Color("black"), 0.3))
     pen.box(-80.0, 10.0, 223.0, 84.0, FELT)

@@ -34,9 +34,9 @@ def draw_aim(pen: Pen) -> None:
     pen.arrow(cue, ahead(cue, aim, 62.0), "chalk", 2.2)
     pen.arrow(ghost, ahead(ghost, tangent, 70.0), "chalk", 2.2)
     pen.arrow(ahead(target, normal - throw, RADIUS), ahead(pocket, normal - throw, -6.0), "green", 2.0)
-    way = _way(ghost, normal, cut, 70.0, 44.0)
-    pen.line(way[:-1], "green", 2.0)
-    pen.arrow(way[-2], way[-1], "green", 2.0)
+    path = _path(ghost, normal, cut, 70.0, 44.0)
+    pen.line(path[:-1], "green", 2.0)
+    pen.arrow(path[-2], path[-1], "green", 2.0)
     pen.arc(ghost, 74.0, aim, normal, "text1", 1.2)
     right_angle(pen, ghost, tangent, color="text2")
     dot(pen, ahead(ghost, normal, RADIUS), "amber", 3.4)
@@ -46,14 +46,14 @@ def draw_aim(pen: Pen) -> None:
     pen.words("throw", *ahead(target, normal + 11.0, 62.0), "green", align="right")
     pen.words("ghost ball", ghost[0] + 7.0, ghost[1] + 31.0, "text2", align="right")
     pen.formula(r"\v{v}_0", *ahead(ahead(ghost, tangent, 60.0), tangent - 90.0, 13.0), "chalk")
-    pen.formula(r"\v{r}(t)", way[-1][0] + 2.0, way[-1][1] - 22.0, "green")
+    pen.formula(r"\v{r}(t)", path[-1][0] + 2.0, path[-1][1] - 22.0, "green")
 
 
-def _way(start: Point, normal: float, cut: float, sliding: float, rolling: float) -> list[Point]:
-    """Way of a rolling ball's centre from an impact: ``sliding`` along the tangent, then straight on.
+def _path(start: Point, normal: float, cut: float, sliding: float, rolling: float) -> list[Point]:
+    """Path of a rolling ball's centre from an impact: ``sliding`` along the tangent, then straight on.
 
     With speed v it leaves with v sin(cut) along the tangent; its spin pulls it along the normal until it
-    rolls, with 2/7 v cos(cut) that way. A parabola in between: the mean of that speed is the half.
+    rolls, with 2/7 v cos(cut) along it. A parabola in between: the mean of that speed is the half.
     """
     slope = (2.0 / 7.0) / math.tan(math.radians(cut))
     bend = [(s, 0.5 * slope * s * s / sliding) for s in spaced(0.0, sliding, 30)]

@@ -1,194 +1,196 @@
-"""The hand at the billiard table: what pointer and wheel do, in each phase of the game."""
+"""The hand at the billiard table: what pointer and wheel do, in each phase of the game.
+
+What it holds is `Play.grip`, since a new phase of the game takes it away.
+"""
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING
-
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.rack import BALL_RADIUS
-from game.scenes.billiards import buttons, calling, layout, modes
-from game.scenes.billiards import play as moves
-from game.scenes.billiards import round as rounds
-from game.scenes.billiards.buttons import POWER_STEP
-from game.scenes.billiards.play import AIMING, REPLAY, SET_UP
+from game.scenes.billiards import layout
+from game.scenes.billiards.buttons import POWER_STEP, Buttons
+from game.scenes.billiards.modes import Replay, SetUp
+from game.scenes.billiards.parameters import LARGEST_TIP
+from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, Play
+from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.shared.tables.cue import MAX_SPEED
-from game.scenes.shared.tables.cue import STRIKING as LET_GO
-from game.stage import Pointer
-
-if TYPE_CHECKING:
-    from game.scenes.billiards.scene import Billiards
-
-NOTCH = math.radians(0.05)  # rad, that a notch of the wheel turns the cue
-FINER = 0.1  # of it while Shift is held
-STICKY = math.radians(2.0)  # the pointer turns so far before an aim that was made finely is given up
-LARGEST_TIP = 0.6
+from game.stage import Part, Pointer
 
 
-# -- the pointer --------------------------------------------------------------------------------------
+class BilliardsHand(Part):
+    """What the pointer takes hold of, and what becomes of it."""
 
+    def __init__(self, play: Play, replay: Replay, set_up: SetUp, buttons: Buttons) -> None:
+        self.play = play
+        self.aiming = play.aiming
+        self.replay = replay
+        self.set_up = set_up
+        self.buttons = buttons
+        self.spin_from = (0.0, 0.0)  # m; where the tip would be in the middle of the ball
 
-def pointer(scene: Billiards, event: Pointer) -> None:
-    """A pointer event."""
-    if event.kind == "cancel" or (event.kind == "down" and event.button == 3):
-        let_go(scene)
-    elif event.kind == "down" and event.button == 1 and not scene.grip:
-        down(scene, event)
-    elif event.kind == "up" and event.button == 1:
-        up(scene, event)
-    elif event.kind == "move":
-        move(scene, event)
-    elif event.kind == "wheel":
-        wheel(scene, event)
+    def take(self, event: Pointer) -> None:
+        """A pointer event."""
+        if event.kind == "cancel" or (event.kind == "down" and event.button == 3 and self.play.grip):
+            self._let_go()
+        elif event.kind == "down" and event.button == 3:
+            self._begin_spin(event)
+        elif event.kind == "down" and event.button == 1 and not self.play.grip:
+            self._press(event)
+        elif event.kind == "up" and event.button == (3 if self.play.grip == "right spin" else 1):
+            self._release(event)
+        elif event.kind == "move":
+            self._move(event)
+        elif event.kind == "wheel":
+            self._wheel(event)
 
+    def _let_go(self) -> None:
+        """Take back what is held."""
+        if self.play.grip == "cue":
+            self.aiming.take_back()
+        self.play.grip = ""
 
-def let_go(scene: Billiards) -> None:
-    """Take back what is held."""
-    if scene.grip == "cue":
-        scene.power = scene.power_before
-        scene.cue.let_go()
-    scene.grip = ""
+    def _begin_spin(self, event: Pointer) -> None:
+        """With the right button the tip is moved from anywhere on the table, while one watches the line."""
+        if self.play.may_aim and layout.TABLE.holds(event.x, event.y):
+            chosen = self.play.parameters
+            dx, dy = layout.spin_offset(chosen.tip_left, chosen.tip_up)
+            self.spin_from = (event.x - dx, event.y - dy)
+            self.play.grip = "right spin"
+            self.aiming.hold()
 
+    def _press(self, event: Pointer) -> None:
+        """Take hold of what lies under the pointer."""
+        play, x, y = self.play, event.x, event.y
+        name = self.buttons.at(x, y)
+        if name:
+            play.grip = f"button {name}"
+            if play.may_aim and name in ("safety", "view", "hint"):
+                self.aiming.keep()
+        elif play.phase == REPLAY:
+            if layout.SCRUBBER.holds(x, y):
+                play.grip = "scrub"
+                self._move(event)
+        elif play.phase == SET_UP:
+            ball = self.set_up.ball_at(x, y)
+            play.grip = f"ball {ball}" if ball >= 0 else ""
+        elif play.plays_itself:
+            play.plays_itself = False
+            play.news.append("The cue is yours. Pull back and let go.")
+        elif play.person_plays:
+            self._take_instrument(event)
 
-def down(scene: Billiards, event: Pointer) -> None:
-    """Take hold of what lies under the pointer."""
-    x, y = event.x, event.y
-    name = buttons.button_at(scene, x, y)
-    if name:
-        scene.grip = f"button {name}"
-    elif scene.phase == REPLAY:
-        if layout.SCRUBBER.holds(x, y):
-            scene.grip = "scrub"
-            move(scene, event)
-    elif scene.phase == SET_UP:
-        ball = modes.ball_to_place(scene, x, y)
-        scene.grip = f"ball {ball}" if ball >= 0 else ""
-    elif scene.plays_itself:
-        scene.plays_itself = False
-        scene.told.append("The cue is yours. Pull back and let go.")
-    elif scene.person_plays:
-        take_instrument(scene, event)
+    def _take_instrument(self, event: Pointer) -> None:
+        """Power bar, spin, elevation; or on the table the cue ball in hand, or the cue."""
+        play, x, y = self.play, event.x, event.y
+        if layout.POWER.holds(x, y):
+            play.grip = "power"
+        elif layout.on_spin(x, y):
+            play.grip = "spin"
+        elif layout.on_elevation(x, y):
+            play.grip = "elevation"
+        if play.grip:
+            self.aiming.keep()
+            self._move(event)
+            return
+        frame = play.model.frame
+        cue_ball = frame.cue_ball
+        if play.phase != AIMING or not frame.playable or cue_ball is None:
+            return
+        if frame.game.in_hand and layout.near(cue_ball, x, y, float(frame.layout.balls.radii[CUE_BALL])):
+            play.grip = "cue ball"
+        elif layout.TABLE.holds(x, y):
+            play.grip = "cue"
+            self.aiming.begin_pull(event, cue_ball)
 
+    def _call_at(self, x: float, y: float) -> bool:
+        """Call the pocket or the ball at a point; False if there is none to be called."""
+        frame, call = self.play.model.frame, self.aiming.call
+        for row, (px, py, radius) in enumerate(frame.table.pockets.tolist()):
+            if layout.near((px, py), x, y, radius):
+                self.aiming.call = call._replace(pocket=None if call.pocket == row else row, safety=False)
+                return True
+        for number, bx, by in frame.layout.places:
+            if number != CUE_BALL and layout.near((bx, by), x, y, 0.8 * BALL_RADIUS):
+                self.aiming.call = call._replace(ball=None if call.ball == number else number, safety=False)
+                return True
+        return False
 
-def take_instrument(scene: Billiards, event: Pointer) -> None:
-    """Power bar, spin, elevation; or on the table the white ball in hand, a pocket to be called, the cue."""
-    x, y = event.x, event.y
-    if layout.POWER.holds(x, y):
-        scene.grip = "power"
-    elif layout.on_spin(x, y):
-        scene.grip = "spin"
-    elif layout.on_dial(x, y):
-        scene.grip = "elevation"
-    if scene.grip:
-        move(scene, event)
-        return
-    white = scene.round.white
-    if scene.phase != AIMING or not scene.round.playable or white is None:
-        return
-    if scene.round.game.in_hand and layout.near(white, x, y, float(scene.round.conditions.radii[0])):
-        scene.grip = "white"
-    elif scene.round.game.needs_call() and call_at(scene, x, y):
-        return
-    elif layout.TABLE.holds(x, y):
-        scene.grip, scene.power_before = "cue", scene.power
-        scene.cue.pointer(event, *white, ready=True)
+    def _release(self, event: Pointer) -> None:
+        """Let go: a button acts, the cue strikes."""
+        grip, self.play.grip = self.play.grip, ""
+        if grip.startswith("button "):
+            name = grip.removeprefix("button ")
+            if self.buttons.at(event.x, event.y) == name:
+                self.buttons.press(name)
+        elif grip.startswith("ball "):
+            self.set_up.put_down(int(grip.removeprefix("ball ")), event.x, event.y)
+        elif grip == "cue":
+            self._release_cue(event)
 
+    def _release_cue(self, event: Pointer) -> None:
+        """Strike with the pull, or take it as a change of mind; a click calls, or locks and frees the aim."""
+        frame = self.play.model.frame
+        if frame.cue_ball is None or self.play.phase != AIMING:
+            self.aiming.cue.let_go()
+            return
+        done = self.aiming.release(event, frame.cue_ball)
+        if done == "click":
+            if frame.game.needs_call() and self._call_at(event.x, event.y):
+                self.aiming.keep()
+            else:
+                self.play.toggle_lock()
+        elif done == "strike":
+            stroke = self.aiming.stroke
+            self.play.begin_stroke(stroke, call_for(frame, self.aiming.call, stroke), practised=False)
+            self.aiming.keep_pull()
 
-def call_at(scene: Billiards, x: float, y: float) -> bool:
-    """Call the pocket or the ball at a point; False if there is none to be called."""
-    table, call = scene.round.conditions.table, scene.call
-    for row, (px, py, radius) in enumerate(table.pockets.tolist()):
-        if layout.near((px, py), x, y, radius):
-            scene.call = call._replace(pocket=None if call.pocket == row else row, safety=False)
-            return True
-    for number, bx, by in scene.round.places:
-        if number != CUE_BALL and layout.near((bx, by), x, y, 0.8 * BALL_RADIUS):
-            scene.call = call._replace(ball=None if call.ball == number else number, safety=False)
-            return True
-    return False
+    def _move(self, event: Pointer) -> None:
+        """What is held follows the pointer; else the cue turns to it."""
+        play, x, y = self.play, event.x, event.y
+        if play.grip == "power":
+            self.aiming.set_power(layout.power_at(x, MAX_SPEED))
+        elif play.grip == "spin":
+            self.aiming.set_tip(*layout.spin_at(x, y, LARGEST_TIP))
+        elif play.grip == "right spin":
+            dx, dy = event.x - self.spin_from[0], event.y - self.spin_from[1]
+            self.aiming.set_tip(*layout.spin_at(layout.SPIN[0] + dx, layout.SPIN[1] + dy, LARGEST_TIP))
+        elif play.grip == "elevation":
+            self.aiming.set_elevation(layout.elevation_at(x, y))
+        elif play.grip == "scrub":
+            self.replay.scrub(layout.share_of_scrubber(y))
+        elif play.grip == "cue ball":
+            if play.model.frame.game.in_hand and play.phase == AIMING:
+                play.model.move_cue_ball(x, y)
+        elif play.grip.startswith("ball "):
+            self.set_up.drag(int(play.grip.removeprefix("ball ")), x, y)
+        elif play.may_aim:
+            self._aim(event)
 
+    def _aim(self, event: Pointer) -> None:
+        """Turn the cue to the pointer, or draw it back."""
+        cue_ball = self.play.model.frame.cue_ball
+        if cue_ball is None:
+            return
+        if self.play.grip == "cue":
+            self.aiming.pull(event, cue_ball)
+        elif layout.TABLE.holds(event.x, event.y) and not self._may_call_pocket(event.x, event.y):
+            self.aiming.turn_to(event, cue_ball)
+        else:
+            self.aiming.follows = False
 
-def up(scene: Billiards, event: Pointer) -> None:
-    """Let go: a button acts, the cue strikes."""
-    grip, scene.grip = scene.grip, ""
-    if grip.startswith("button "):
-        name = grip.removeprefix("button ")
-        if buttons.button_at(scene, event.x, event.y) == name:
-            buttons.press(scene, name)
-    elif grip.startswith("ball "):
-        modes.put_down(scene, int(grip.removeprefix("ball ")), event.x, event.y)
-    elif grip == "cue":
-        release_cue(scene, event)
+    def _may_call_pocket(self, x: float, y: float) -> bool:
+        """True over a pocket that a click would call, where the cue does not follow."""
+        frame = self.play.model.frame
+        return frame.game.needs_call() and any(
+            layout.near((px, py), x, y, radius) for px, py, radius in frame.table.pockets.tolist()
+        )
 
-
-def release_cue(scene: Billiards, event: Pointer) -> None:
-    """Strike with the pull, or take it as a change of mind."""
-    white = scene.round.white
-    if white is None or scene.phase != AIMING:
-        scene.cue.let_go()
-        return
-    scene.cue.pointer(event, *white, ready=True)
-    if scene.cue.phase != LET_GO:
-        scene.power = scene.power_before
-        return
-    scene.power = min(max(scene.cue.speed, 0.1), MAX_SPEED)
-    scene.cue.data[2] = 0.0
-    stroke = moves.aimed_stroke(scene)
-    moves.begin_stroke(scene, stroke, calling.call_for(scene, stroke), practised=False)
-    scene.pulled = scene.power
-
-
-def move(scene: Billiards, event: Pointer) -> None:
-    """What is held follows the pointer; else the cue turns to it."""
-    x, y, grip = event.x, event.y, scene.grip
-    if grip == "power":
-        scene.power = max(layout.power_at(x, MAX_SPEED), 0.1)
-    elif grip == "spin":
-        scene.tip_left, scene.tip_up = layout.spin_at(x, y, LARGEST_TIP)
-    elif grip == "elevation":
-        scene.elevation = min(math.degrees(layout.elevation_at(x, y)), 80.0)
-    elif grip == "scrub":
-        scene.clock[moves.REPLAY_S] = layout.share_of_scrubber(y) * moves.shown_s(scene)
-    elif grip == "white":
-        if scene.round.game.in_hand and scene.phase == AIMING:
-            scene.round = rounds.white_moved(scene.round, x, y)
-            moves.lay_out(scene)
-    elif grip.startswith("ball "):
-        modes.drag_ball(scene, int(grip.removeprefix("ball ")), x, y)
-    elif scene.phase == AIMING and scene.person_plays and scene.round.playable:
-        aim(scene, event)
-
-
-def aim(scene: Billiards, event: Pointer) -> None:
-    """Turn the cue to the pointer, or draw it back."""
-    white = scene.round.white
-    if white is None:
-        return
-    if scene.grip == "cue":
-        scene.cue.pointer(event, *white, ready=True)
-        scene.power = min(max(scene.cue.speed, 0.1), MAX_SPEED)
-        return
-    if not layout.TABLE.holds(event.x, event.y):
-        return
-    bearing = math.atan2(event.y - white[1], event.x - white[0])
-    if event.shift:
-        scene.fine_at = bearing
-    elif abs(math.remainder(bearing - scene.fine_at, 2.0 * math.pi)) < STICKY:
-        scene.cue.data[5] = bearing  # a pointer that only trembles does not spoil a fine aim
-        return
-    else:
-        scene.fine_at = math.nan
-    scene.cue.pointer(event, *white, ready=True)
-
-
-def wheel(scene: Billiards, event: Pointer) -> None:
-    """The wheel turns the cue finely; over the power bar, or with Control, it sets the power."""
-    if scene.phase != AIMING or not scene.person_plays:
-        return
-    if event.control or layout.POWER.holds(event.x, event.y):
-        scene.power = min(max(scene.power + POWER_STEP * event.wheel, 0.1), MAX_SPEED)
-    elif not scene.grip:
-        scene.cue.point_to(scene.cue.aim - NOTCH * event.wheel * (FINER if event.shift else 1.0))
-        white = scene.round.white
-        if white is not None:
-            scene.fine_at = math.atan2(event.y - white[1], event.x - white[0])
+    def _wheel(self, event: Pointer) -> None:
+        """The wheel turns the cue finely; over the power bar, or with Control, it sets the power."""
+        play = self.play
+        if play.phase != AIMING or not play.person_plays:
+            return
+        if event.control or layout.POWER.holds(event.x, event.y):
+            self.aiming.set_power(play.parameters.power + POWER_STEP * event.wheel)
+        elif not play.grip and play.model.frame.cue_ball is not None:
+            self.aiming.turn_finely(event, play.model.frame.cue_ball)

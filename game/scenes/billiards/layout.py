@@ -66,8 +66,8 @@ POWER_TOP, POWER_FOOT = metres(52.0), metres(68.0)  # of its box that are not th
 
 SPIN = (TABLE.top + metres(54.0), RIGHT_MIDDLE)
 SPIN_RADIUS = metres(30.0)
-DIAL = (TABLE.top + metres(222.0), RIGHT_MIDDLE - metres(20.0))  # pivot
-DIAL_RADIUS = metres(40.0)
+ELEVATION = (TABLE.top + metres(222.0), RIGHT_MIDDLE - metres(20.0))  # pivot
+ELEVATION_RADIUS = metres(40.0)
 NUMBERS_TOP = TABLE.top + metres(278.0)
 
 BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(6.0)
@@ -77,7 +77,7 @@ SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - m
 
 
 def pocket_words(row: int) -> str:
-    """How people are told of a pocket, whose row the table gives: as it is seen in game and film."""
+    """The name of a pocket for people, as it is seen in game and film, by its row of the table."""
     return f"{POCKETS[row]} pocket"
 
 
@@ -122,22 +122,27 @@ def spin_at(x: float, y: float, most: float) -> tuple[float, float]:
     return left * shrink, up * shrink
 
 
+def spin_offset(left: float, up: float) -> tuple[float, float]:
+    """Where the tip is in the spin picture, from its middle (x, y), m."""
+    return -up * SPIN_RADIUS, -left * SPIN_RADIUS
+
+
 def on_spin(x: float, y: float) -> bool:
-    """True on the picture of the white ball."""
+    """True on the picture of the cue ball."""
     dx, dy = x - SPIN[0], y - SPIN[1]
     return dx * dx + dy * dy <= (1.2 * SPIN_RADIUS) ** 2
 
 
-def on_dial(x: float, y: float) -> bool:
-    """True on the dial of the elevation."""
-    up, right = DIAL[0] - x, y - DIAL[1]
-    reach = DIAL_RADIUS + metres(12.0)
+def on_elevation(x: float, y: float) -> bool:
+    """True on the picture of the elevation."""
+    up, right = ELEVATION[0] - x, y - ELEVATION[1]
+    reach = ELEVATION_RADIUS + metres(12.0)
     return -metres(10.0) <= up <= reach and -metres(10.0) <= right <= reach
 
 
 def elevation_at(x: float, y: float) -> float:
-    """Elevation, rad, that the dial says at a point."""
-    return min(max(math.atan2(DIAL[0] - x, y - DIAL[1]), 0.0), 0.5 * math.pi)
+    """Elevation, rad, that its picture says at a point."""
+    return min(max(math.atan2(ELEVATION[0] - x, y - ELEVATION[1]), 0.0), 0.5 * math.pi)
 
 
 def share_of_scrubber(y: float) -> float:

@@ -27,7 +27,7 @@ Offset = Annotated[float, msgspec.Meta(ge=-0.7, le=0.7)]
 
 
 class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """A ball on the table: its number (0 is the white one) and its place, m."""
+    """A ball on the table: its number (0 is the cue ball) and its place, m."""
 
     number: Annotated[int, msgspec.Meta(ge=0, le=15)]
     position: tuple[Coordinate, Coordinate]
@@ -54,7 +54,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     """[content] of a billiards level.
 
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
-    the second and third star. in_hand: the white ball may be moved before each try. saved: a game under way,
+    the second and third star. in_hand: the cue ball may be moved before each try. saved: a game under way,
     as msgspec writes it.
     """
 
@@ -103,7 +103,7 @@ def game_of(content: BilliardsContent) -> AnyGame:
         game = msgspec.structs.replace(game, calling=content.calling)
     if placed:
         own = {"rack": ""} if content.game == "practice" and numbers != tuple(range(1, 16)) else {}
-        hand = content.in_hand or ("" if _has_white(content) else "anywhere")
+        hand = content.in_hand or ("" if _has_cue_ball(content) else "anywhere")
         game = msgspec.structs.replace(game, on_table=numbers, opening=False, in_hand=hand, **own)
     return game
 
@@ -122,7 +122,7 @@ def check_game(game: Game) -> None:
     """ValueError if a game read from a file contradicts itself."""
     count = len(game.players)
     if not 1 <= count <= 2:
-        raise ValueError("saved.players: one or two names are wanted")
+        raise ValueError("saved.players: expected one or two names")
     for name, number in (("turn", game.turn), ("breaker", game.breaker)):
         if not 0 <= number < count:
             raise ValueError(f"saved.{name}: {number} is no player")
@@ -130,12 +130,12 @@ def check_game(game: Game) -> None:
         raise ValueError(f"saved.winner: {game.winner} is no player")
     for name in ("fouls_in_row", "won", "points"):
         if len(getattr(game, name, (0,) * count)) != count:
-            raise ValueError(f"saved.{name}: a number for each player is wanted")
+            raise ValueError(f"saved.{name}: expected a number for each player")
     if any(not 1 <= ball <= 15 for ball in game.on_table) or len(set(game.on_table)) != len(game.on_table):
-        raise ValueError("saved.on_table: different numbers from 1 to 15 are wanted")
+        raise ValueError("saved.on_table: expected different numbers from 1 to 15")
 
 
-def lie_of(content: BilliardsContent, game: Game, table: Table, balls: BallSet, seed: int) -> Arrangement:
+def layout_for(content: BilliardsContent, game: Game, table: Table, balls: BallSet, seed: int) -> Arrangement:
     """Where the balls of a level lie. ValueError for a ball that is there twice, outside or in another."""
     if not content.balls:
         return rack_for(game, table, balls, seed)
@@ -143,19 +143,19 @@ def lie_of(content: BilliardsContent, game: Game, table: Table, balls: BallSet, 
     if len(set(numbers)) != len(numbers):
         double = next(number for number in numbers if numbers.count(number) > 1)
         raise ValueError(f"balls: number {double} is there twice")
-    lie = Arrangement((), np.empty((0, 2)), balls)
+    layout = Arrangement((), np.empty((0, 2)), balls)
     for ball in content.balls:
-        _check_place(lie, table, ball)
-        lie = lie.with_ball(ball.number, ball.position)
-    wanted = {number for number in numbers if number != CUE_BALL}
-    if wanted != set(game.on_table):
+        _check_place(layout, table, ball)
+        layout = layout.with_ball(ball.number, ball.position)
+    placed = {number for number in numbers if number != CUE_BALL}
+    if placed != set(game.on_table):
         raise ValueError("saved.on_table: not the balls that lie on the table")
     if CUE_BALL not in numbers and not game.in_hand and not game.over:
-        raise ValueError("balls: the white one (number 0) is wanted")
-    return lie
+        raise ValueError("balls: expected the cue ball (number 0)")
+    return layout
 
 
-def _check_place(lie: Arrangement, table: Table, ball: PlacedBall) -> None:
+def _check_place(layout: Arrangement, table: Table, ball: PlacedBall) -> None:
     """ValueError for a ball beyond the cushions' noses, or in another.
 
     Balls that a shot has left touching overlap by rounding, and one may stand in the mouth of a pocket.
@@ -163,12 +163,12 @@ def _check_place(lie: Arrangement, table: Table, ball: PlacedBall) -> None:
     x, y = ball.position
     if not (-MOUTH <= x <= table.width + MOUTH and -MOUTH <= y <= table.length + MOUTH):
         raise ValueError(f"balls: number {ball.number} at {ball.position} lies outside")
-    radius = float(lie.balls.radii[ball.number])
-    for other, (ox, oy) in zip(lie.numbers, lie.positions.tolist(), strict=True):
-        reach = 2.0 * math.sqrt(radius * float(lie.balls.radii[other]))
+    radius = float(layout.balls.radii[ball.number])
+    for other, (ox, oy) in zip(layout.numbers, layout.positions.tolist(), strict=True):
+        reach = 2.0 * math.sqrt(radius * float(layout.balls.radii[other]))
         if math.hypot(x - ox, y - oy) < reach - OVERLAP:
             raise ValueError(f"balls: number {ball.number} at {ball.position} lies in number {other}")
 
 
-def _has_white(content: BilliardsContent) -> bool:
+def _has_cue_ball(content: BilliardsContent) -> bool:
     return any(ball.number == CUE_BALL for ball in content.balls)

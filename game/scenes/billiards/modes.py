@@ -1,130 +1,127 @@
-"""Replay and set-up: two ways to look at the billiard table, or lay it out, without playing."""
+"""Replay and set-up: two modes to look at the billiard table, or lay it out, without playing."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-import msgspec
-
 from game.billiards.game.arrangement import is_free, nearest_free, racked
-from game.billiards.game.games import Practice
-from game.billiards.game.rules import CUE_BALL, Call, Hand
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
-from game.scenes.billiards import round as rounds
-from game.scenes.billiards.play import AIMING, REPLAY, REPLAY_S, SET_UP, lay_out, shown_s, start_phase
-
-if TYPE_CHECKING:
-    from game.scenes.billiards.scene import Billiards
+from game.scenes.billiards.play import AIMING, REPLAY, REPLAY_S, SET_UP, Play
+from game.stage import Part
 
 REPLAY_SPEEDS = (0.0625, 0.125, 0.25, 0.5, 1.0, 2.0)
 
 
-def watch(scene: Billiards) -> None:
-    """Into the replay of the last stroke, or out of it."""
-    if scene.phase == REPLAY:
-        leave(scene)
-    elif scene.phase == AIMING and scene.round.last is not None:
-        scene.grip = ""
-        scene.cue.let_go()
-        scene.clock[REPLAY_S] = 0.0
-        scene.replay_runs = True
-        start_phase(scene, REPLAY)
-    elif scene.phase == AIMING:
-        scene.told.append("Nothing to show. No stroke has been played.")
+class Replay(Part):
+    """The last stroke seen once more: whether it runs, and how fast."""
 
+    def __init__(self, play: Play) -> None:
+        self.play = play
+        self.runs = True
+        self.speed = 1.0
 
-def run_replay(scene: Billiards, dt: float) -> None:
-    """Let the replay go on; it stops at the end of the stroke."""
-    if not scene.replay_runs or scene.grip == "scrub":
-        return
-    scene.clock[REPLAY_S] = min(scene.clock[REPLAY_S] + dt * scene.replay_speed, shown_s(scene))
-    if scene.clock[REPLAY_S] >= shown_s(scene):
-        scene.replay_runs = False
+    @property
+    def time(self) -> float:
+        """The moment of the stroke that is shown, s."""
+        return float(self.play.clock[REPLAY_S])
 
-
-def toggle_replay(scene: Billiards) -> None:
-    """Run or stand; from the end it begins anew."""
-    if not scene.replay_runs and scene.clock[REPLAY_S] >= shown_s(scene):
-        scene.clock[REPLAY_S] = 0.0
-    scene.replay_runs = not scene.replay_runs
-
-
-def change_replay_speed(scene: Billiards) -> None:
-    """The next slower speed, and after the slowest the fastest."""
-    place = REPLAY_SPEEDS.index(scene.replay_speed)
-    scene.replay_speed = REPLAY_SPEEDS[(place - 1) % len(REPLAY_SPEEDS)]
-
-
-def set_up(scene: Billiards) -> None:
-    """Into the free placing of balls, or out of it."""
-    if scene.phase == SET_UP:
-        leave(scene)
-    elif scene.phase == AIMING:
-        scene.grip = ""
-        scene.cue.let_go()
-        scene.plays_itself = False
-        scene.round = msgspec.structs.replace(scene.round, earlier=rounds.shortened(scene.round))
-        start_phase(scene, SET_UP)
-
-
-def leave(scene: Billiards) -> None:
-    """Out of replay or set-up; what was set up is practised."""
-    if scene.phase == SET_UP and scene.round.earlier is not None:
-        before = scene.round.earlier
-        if before.places != scene.round.places:
-            numbers = tuple(number for number, _, _ in scene.round.places if number != CUE_BALL)
-            hand: Hand = "" if scene.round.white is not None else "anywhere"
-            game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
-            scene.round = rounds.with_white(
-                msgspec.structs.replace(scene.round, game=game, last=None, words=(), call=Call())
-            )
-            lay_out(scene)
-        else:
-            scene.round = before
-    scene.grip = ""
-    start_phase(scene, AIMING)
-
-
-def fill_table(scene: Billiards, full: bool) -> None:
-    """While balls are placed: all of them racked, or the white one alone."""
-    if scene.phase != SET_UP:
-        return
-    frame = scene.round.frame
-    lie = racked(frame.table, "eight-ball", scene.round.conditions.balls)
-    kept = lie if full else lie.without(*range(1, 16))
-    scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(kept))
-    lay_out(scene)
-
-
-def ball_to_place(scene: Billiards, x: float, y: float) -> int:
-    """Number of the ball on the table or in the tray at a point; -1 if there is none."""
-    for number, bx, by in scene.round.places:
-        if layout.near((bx, by), x, y, BALL_RADIUS):
-            return number
-    for number in range(16):
-        if layout.near(layout.tray_place(number), x, y, BALL_RADIUS):
-            return number
-    return -1
-
-
-def drag_ball(scene: Billiards, number: int, x: float, y: float) -> None:
-    """The ball goes where the pointer is, if it may lie there."""
-    if scene.phase != SET_UP or not layout.TABLE.holds(x, y):
-        return
-    lie, table = scene.round.lie, scene.round.conditions.table
-    if not is_free(lie, table, number, x, y):
-        try:
-            x, y = nearest_free(lie, table, number, x, y)
-        except ValueError:
+    def begin(self) -> None:
+        """Show the last stroke, if there is one."""
+        if self.play.model.frame.last is None:
+            self.play.news.append("Nothing to show. No stroke has been played.")
             return
-    placed = lie.with_ball(number, (x, y))
-    scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(placed))
-    lay_out(scene)
+        self.play.let_go()
+        self.play.clock[REPLAY_S] = 0.0
+        self.runs = True
+        self.play.start_phase(REPLAY)
+
+    def advance(self, dt: float) -> None:
+        """Go on; it stops at the end of the stroke."""
+        if self.play.phase != REPLAY or not self.runs or self.play.grip == "scrub":
+            return
+        self.play.clock[REPLAY_S] = min(self.time + dt * self.speed, self.play.shown_s)
+        if self.time >= self.play.shown_s:
+            self.runs = False
+
+    def toggle(self) -> None:
+        """Run or stand; from the end it begins again."""
+        if not self.runs and self.time >= self.play.shown_s:
+            self.play.clock[REPLAY_S] = 0.0
+        self.runs = not self.runs
+
+    def change_speed(self) -> None:
+        """The next slower speed, and after the slowest the fastest."""
+        place = REPLAY_SPEEDS.index(self.speed)
+        self.speed = REPLAY_SPEEDS[(place - 1) % len(REPLAY_SPEEDS)]
+
+    def scrub(self, share: float) -> None:
+        """Go to a share of the stroke, 0 to 1."""
+        self.play.clock[REPLAY_S] = share * self.play.shown_s
+
+    def end(self) -> None:
+        """Back to the game."""
+        self.play.grip = ""
+        self.play.start_phase(AIMING)
 
 
-def put_down(scene: Billiards, number: int, x: float, y: float) -> None:
-    """A ball let go beside the table goes back into the tray."""
-    if scene.phase == SET_UP and not layout.TABLE.holds(x, y) and number in scene.round.lie.numbers:
-        lie = scene.round.lie.without(number)
-        scene.round = msgspec.structs.replace(scene.round, places=rounds.places_from(lie))
+class SetUp(Part):
+    """Balls placed freely."""
+
+    def __init__(self, play: Play) -> None:
+        self.play = play
+
+    def begin(self) -> None:
+        """Let balls be placed."""
+        self.play.let_go()
+        self.play.plays_itself = False
+        self.play.model.begin_set_up()
+        self.play.start_phase(SET_UP)
+
+    def end(self) -> None:
+        """Back to the game; what was set up is practised."""
+        self.play.model.end_set_up()
+        self.play.grip = ""
+        self.play.start_phase(AIMING)
+
+    def fill(self, full: bool) -> None:
+        """All balls racked, or the cue ball alone."""
+        if self.play.phase != SET_UP:
+            return
+        frame = self.play.model.frame
+        balls = racked(frame.table, "eight-ball", frame.layout.balls)
+        self.play.model.set_up(balls if full else balls.without(*range(1, 16)))
+
+    def ball_at(self, x: float, y: float) -> int:
+        """Number of the ball on the table or in the tray at a point; -1 if there is none."""
+        for number, bx, by in self.play.model.frame.layout.places:
+            if layout.near((bx, by), x, y, BALL_RADIUS):
+                return number
+        for number in range(16):
+            if layout.near(layout.tray_place(number), x, y, BALL_RADIUS):
+                return number
+        return -1
+
+    def drag(self, number: int, x: float, y: float) -> None:
+        """The ball goes where the pointer is, if it may lie there."""
+        if self.play.phase != SET_UP or not layout.TABLE.holds(x, y):
+            return
+        balls, table = self.play.model.frame.layout, self.play.model.frame.table
+        if not is_free(balls, table, number, x, y):
+            try:
+                x, y = nearest_free(balls, table, number, x, y)
+            except ValueError:
+                return
+        self.play.model.set_up(balls.with_ball(number, (x, y)))
+
+    def put_down(self, number: int, x: float, y: float) -> None:
+        """A ball let go beside the table goes back into the tray."""
+        balls = self.play.model.frame.layout
+        if self.play.phase == SET_UP and not layout.TABLE.holds(x, y) and number in balls.numbers:
+            self.play.model.set_up(balls.without(number))
+
+
+def leave(replay: Replay, set_up: SetUp) -> None:
+    """Out of whichever of the two goes on."""
+    if replay.play.phase == REPLAY:
+        replay.end()
+    elif set_up.play.phase == SET_UP:
+        set_up.end()

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from game.billiards.shot_effects import EXACT_EFFECTS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
-from game.scenes.billiards.players import GRADE_LABELS, GRADES
-from game.stage import Choice, Param, Scene, Toggle
+from game.scenes.billiards.opponents.thinking import GRADE_LABELS, GRADES
+from game.scenes.shared.tables.cue import MAX_SPEED
+from game.stage import Choice, Param, Parameters, Toggle
+
+LEAST_POWER = 0.1  # m/s
+LARGEST_TIP = 0.6  # ball radii
+STEEPEST_DEG = 80.0
 
 
-class BilliardsParameters(Scene):
-    """Base of the scene: what of game and table can be chosen."""
-
-    effects = EXACT_EFFECTS
+class BilliardsParameters(Parameters):
+    """What of game and table can be chosen."""
 
     game = Choice(
         "level",
@@ -31,14 +33,16 @@ class BilliardsParameters(Scene):
         False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
     )
     power = Param(
-        4.0, 0.1, 10.0, unit="m/s", group="Stroke", help="speed of a ball that is struck in its middle"
-    )
-    tip_left = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip left")
-    tip_up = Param(0.0, -0.6, 0.6, unit="R", group="Stroke", label="Tip up", help="follow above, draw below")
-    elevation = Param(0.0, 0.0, 80.0, unit="°", group="Stroke", help="of the butt of the cue")
-    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the ways after it")
+        4.0, LEAST_POWER, MAX_SPEED, unit="m/s", group="Stroke",
+        help="speed of a ball that is struck in its middle",
+    )  # fmt: skip
+    tip_left = Param(0.0, -LARGEST_TIP, LARGEST_TIP, unit="R", group="Stroke", label="Tip left")
+    tip_up = Param(0.0, -LARGEST_TIP, LARGEST_TIP, unit="R", group="Stroke", label="Tip up",
+                   help="follow above, draw below")  # fmt: skip
+    elevation = Param(0.0, 0.0, STEEPEST_DEG, unit="°", group="Stroke", help="of the butt of the cue")
+    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the paths after it")
     events = Param(
-        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the ways shown end"
+        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the paths shown end"
     )
     sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")

@@ -2,40 +2,34 @@
 
 from __future__ import annotations
 
-import math
-from collections import deque
 from typing import Any, NamedTuple
 
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.frame import Frame as GameFrame
 from game.billiards.game.games import Drill
-from game.billiards.game.rules import CUE_BALL, Call
-from game.billiards.lecture.state import POCKETS
-from game.billiards.shot.shot import Physics
-from game.billiards.shot.trajectory import rotation_matrices
-from game.billiards.shot_effects import physics_of
+from game.billiards.game.rules import Call
+from game.billiards.shot_effects import EXACT_EFFECTS
 from game.lab.studies.billiards.effects import effects_study
 from game.levels import Level
-from game.scenes.billiards import BILLIARDS, buttons, deciding, hand, modes, view
-from game.scenes.billiards import play as moves
+from game.scenes.billiards import BILLIARDS, saving
 from game.scenes.billiards.actions import ACTIONS, HINTS
+from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.figure import draw_aim
-from game.scenes.billiards.kept import Kept
+from game.scenes.billiards.hand import BilliardsHand
 from game.scenes.billiards.layout import FRAME
-from game.scenes.billiards.level import BilliardsContent, PlacedBall, ball_set, game_of, lie_of
+from game.scenes.billiards.level import BilliardsContent
+from game.scenes.billiards.model import BilliardsModel
+from game.scenes.billiards.modes import Replay, SetUp
+from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.parameters import BilliardsParameters
-from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, ROLLING, SET_UP, STRIKING
-from game.scenes.billiards.players import think, warm_up
-from game.scenes.billiards.round import Conditions, Played, Round, begin
-from game.scenes.billiards.sounds import hearing_of
-from game.scenes.billiards.stroke_motion import warm_ups as cue_warm_ups
-from game.scenes.billiards.thinker import Thinker
-from game.scenes.shared.tables.cue import CueControl
-from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.billiards.play import REPLAY, SET_UP, Play
+from game.scenes.billiards.readouts import readouts
+from game.scenes.billiards.sounds import StrokeSounds
+from game.scenes.billiards.stroke.aiming import Aiming
+from game.scenes.billiards.stroke.motion import warm_ups as cue_warm_ups
+from game.scenes.billiards.view.picture import BilliardsView
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (
     Action,
@@ -45,7 +39,7 @@ from game.stage import (
     Hearing,
     Pointer,
     Readout,
-    Sound,
+    Scene,
     Stamped,
     Strip,
     WarmUp,
@@ -58,7 +52,8 @@ class BilliardsState(NamedTuple):
     """What is on the table at this moment.
 
     clock (2,) s: time of the phase, place in the replay. places (16, 2) m by number. turns, turns_before
-    (16, 3, 3): how the balls lie, and lay before the last stroke. cue (7,). word: of the round.
+    (16, 3, 3): how the balls are turned, and were before the last
+    stroke. cue (7,). word: of the frame.
     """
 
     clock: Array
@@ -69,7 +64,7 @@ class BilliardsState(NamedTuple):
     word: str
 
 
-class Billiards(BilliardsParameters):
+class Billiards(Scene):
     """A pool table to play on. Every stroke is computed to its end at the moment when the tip meets the ball,
     from one event to the next: ball meets ball, cushion, jaw or pocket, sliding turns into rolling. What you
     see afterwards is that computation looked at in its time, and so is the line before you strike: it is no
@@ -81,6 +76,9 @@ class Billiards(BilliardsParameters):
     """
 
     name, task, title = BILLIARDS.names
+    parameters_type = BilliardsParameters
+    parameters: BilliardsParameters
+    effects = EXACT_EFFECTS
     study = effects_study
     covers = True
     quarter_turns = 1
@@ -89,7 +87,7 @@ class Billiards(BilliardsParameters):
 
     strips = (
         Strip("Energy", "J", ("energy",)),
-        Strip("White ball", "m/s", ("white ball",)),
+        Strip("Cue ball", "m/s", ("cue ball",)),
         Strip("Events", "", ("events",)),
     )
     hints = HINTS
@@ -104,7 +102,7 @@ class Billiards(BilliardsParameters):
         Equation("Throw", r"\mu = a + b e^{-c v}", "Alciatore 2006"),
     )
     try_this = (
-        "Drag the blue mark on the white ball's picture down, and see the line after the contact bend back.",
+        "Lock the aim by a click, drag down with the right button, and see the line bend back.",
         "Raise the cue to 60 degrees, the tip to the side, strike gently: the ball turns round another.",
         "Choose a computer player as second player, and let it show its thoughts.",
         "Press E, lay out a position of your own, save it, and play it again and again.",
@@ -116,132 +114,73 @@ class Billiards(BilliardsParameters):
     def build(self, level: Level | None) -> None:
         given = level.content if level is not None else None
         content: BilliardsContent = given or BilliardsContent()
-        if self.game not in ("level", content.game):
-            content = BilliardsContent(game=self.game, players=content.players, calling=content.calling)  # type: ignore[arg-type]
-        self.content = content
-        balls = ball_set(self.radius_spread, self.mass_spread, self.seed)
-        conditions = self.conditions(tuple(balls.radii.tolist()), tuple(balls.masses.tolist()))
-        game = game_of(content)
-        lie = lie_of(content, game, conditions.table, balls, self.seed)
-        self.round: Round = begin(GameFrame(game, lie, conditions.table, conditions.physics), conditions)
-        self.phase = AIMING
-        self.clock = np.zeros(2)
-        self.places = np.zeros((16, 2))
-        self.turns = rotation_matrices(scattered_orientations(16, self.seed))
-        self.turns_before = self.turns.copy()
-        self.cue = CueControl(moves.AT_THE_RACK)
-        self.pending: Stroke | None = None  # while the cue swings
-        self.practised = False
-        self.grip = ""  # what the pointer holds
-        self.call = Call()  # what the player has announced by hand
-        self.replay_runs = True
-        self.replay_speed = 1.0
-        self.plays_itself = False
-        self.rest_s = 0.0
-        self.racks = 0
-        self.told: deque[str] = deque(maxlen=8)
-        self.thinker = Thinker(think, warm_up)
-        self.hint_shown = False  # the solution of a puzzle
-        self.fine_at = math.nan  # bearing of the pointer at which the aim was made finely, rad
-        self.power_before = self.power
-        self.pulled = math.nan  # power of the stroke that the cue was drawn back for, m/s
-        self.kept = Kept()
-        moves.lay_out(self)
-
-    def conditions(self, radii: tuple[float, ...], masses: tuple[float, ...]) -> Conditions:
-        """What parameters and effects make of the table."""
-        physics = Physics(
-            sliding=self.sliding, rolling=self.rolling,
-            ball_restitution=self.ball_restitution, cushion_restitution=self.cushion_restitution,
-        )  # fmt: skip
-        return Conditions(radii, masses, physics_of(self.active, physics), POCKETS in self.active)
+        if self.parameters.game not in ("level", content.game):
+            content = BilliardsContent(
+                game=self.parameters.game,  # type: ignore[arg-type]
+                players=content.players, calling=content.calling,
+            )  # fmt: skip
+        self.model = BilliardsModel(content, self.parameters, self.active, self.seed)
+        self.aiming = Aiming(self.parameters)
+        self.play = Play(self.parameters, self.model, self.aiming)
+        self.replay = Replay(self.play)
+        self.set_up = SetUp(self.play)
+        self.buttons = Buttons(self.play, self.replay, self.set_up)
+        self.hand = BilliardsHand(self.play, self.replay, self.set_up, self.buttons)
+        self.opponents = Opponents(self.play, self.seed)
+        self.sounds = StrokeSounds(self.play, self.replay)
+        title = level.title if level is not None else ""
+        self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, title)
 
     def state(self) -> BilliardsState:
+        model = self.model
         return BilliardsState(
-            self.clock, self.places, self.turns, self.turns_before, self.cue.data, self.word
-        )
+            self.play.clock, model.places, model.turns, model.turns_before, self.aiming.cue.data,
+            f"{self.play.phase} {model.word}",
+        )  # fmt: skip
 
     def restore(self, state: BilliardsState) -> None:
         for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
-            mine[...] = then  # the round comes back with the plain attributes
-
-    @property
-    def word(self) -> str:
-        """A word that stands for the round, for the digest: equal rounds, equal words."""
-        return f"{self.phase} {self.kept.word(self.round)}"
+            mine[...] = then  # the frame comes back with the plain attributes
 
     def parameter_changed(self, name: str) -> None:
         if name in ("sliding", "rolling", "ball_restitution", "cushion_restitution"):
-            self.effects_changed()
+            self.model.configure(self.active)
 
     def effects_changed(self) -> None:
-        now = self.round.conditions
-        self.round = msgspec.structs.replace(self.round, conditions=self.conditions(now.radii, now.masses))
+        self.model.configure(self.active)
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
-        return [
-            WarmUp("exact table", lambda: moves.warm_up(cls())),
-            *cue_warm_ups(),
-            *table_warm_ups(),
-        ]
+        return [WarmUp("exact table", lambda: _warm_up(cls())), *cue_warm_ups(), *table_warm_ups()]
 
     # -- stepping -----------------------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        if self.phase == STRIKING:
-            self.clock[PHASE_S] += dt
-            moves.swing(self)
-        elif self.phase == ROLLING:
-            self.clock[PHASE_S] += dt
-            moves.roll(self)
-        elif self.phase == REPLAY:
-            modes.run_replay(self, dt)
-        elif self.phase == AIMING:
-            self.rest_s += dt
-            if self.plays_itself or self.plays_alone:
-                deciding.play_by_itself(self)
-
-    @property
-    def played(self) -> Played | None:
-        """What comes, or came, of the last stroke; None before the first."""
-        return self.kept.played(self.round)
-
-    @property
-    def sounds(self) -> tuple[Sound, ...]:
-        """What is to be heard of the last stroke."""
-        return self.kept.sounds(self.round)
-
-    @property
-    def person_plays(self) -> bool:
-        """True if the player at turn is a person."""
-        return not self.plays_itself and self.grade_of(self.round.game.turn) == "person"
-
-    def grade_of(self, player: int) -> str:
-        """ "person", or the grade of a computer player."""
-        return str(self.first_player if player == 0 else self.second_player)
+        self.replay.advance(dt)
+        self.play.advance(dt)
+        self.opponents.play_on()
 
     # -- what comes in ------------------------------------------------------------------------------
 
     def pointer(self, event: Pointer) -> None:
-        hand.pointer(self, event)
+        self.hand.take(event)
 
     def action(self, name: str) -> None:
-        buttons.action(self, name)
+        self.buttons.act(name)
 
     @property
     def way_out(self) -> str:
-        return {REPLAY: "replay", SET_UP: "set-up"}.get(self.phase, "")
+        return {REPLAY: "replay", SET_UP: "set-up"}.get(self.play.phase, "")
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
-        return deciding.decisions(self, at_once)
+        return self.opponents.decisions(at_once)
 
     @property
     def plays_alone(self) -> bool:
-        return all(self.grade_of(player) != "person" for player in range(len(self.round.game.players)))
+        return self.play.plays_alone
 
     def decide(self, event: Decision) -> None:
-        deciding.decide(self, event)
+        self.opponents.decide(event)
 
     # -- what is shown ------------------------------------------------------------------------------
 
@@ -249,48 +188,38 @@ class Billiards(BilliardsParameters):
         return FRAME
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        view.draw(self, canvas, alpha)
+        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
 
     def hearing(self) -> Hearing | None:
-        return hearing_of(self)
-
-    def legend(self) -> list[tuple[str, str, str]]:
-        return []
+        return self.sounds.hearing()
 
     def readouts(self) -> tuple[Readout, ...]:
-        energy, speed, count = moves.measures(self)
-        return (
-            Readout("balls", len([1 for number, *_ in self.round.places if number != CUE_BALL])),
-            Readout("energy", energy, "J"),
-            Readout("white ball", speed, "m/s"),
-            Readout("events", count),
-            Readout("strokes", self.round.strokes),
-            Readout("shot", float(self.clock[PHASE_S]) if self.phase == ROLLING else 0.0, "s"),
-        )
+        return readouts(self.play)
 
     def messages(self) -> list[str]:
-        told = list(self.told)
-        self.told.clear()
-        return told
+        news = list(self.play.news)
+        self.play.news.clear()
+        return news
+
+    # -- what is kept -------------------------------------------------------------------------------
 
     def worth_keeping(self) -> object:
-        puzzle = isinstance(self.round.game, Drill)  # which begins anew with every stroke
-        if puzzle or self.plays_itself or not self.round.strokes:
-            return None
-        return self.round.game, self.round.places
+        return saving.worth_keeping(self.model, self.play.plays_itself)
 
     @property
     def stars(self) -> tuple[int, int] | None:
-        game = self.round.game
-        if self.plays_itself or not isinstance(game, Drill):
+        game = self.model.frame.game
+        if self.play.plays_itself or not isinstance(game, Drill):
             return None
         return game.best, 1 + len(game.more)
 
     def save_content(self) -> BilliardsContent:
-        """Game and table as they are; in the midst of a stroke, as they were before it."""
-        balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in self.round.places]
-        return BilliardsContent(
-            game=self.content.game, players=self.content.players, calling=self.content.calling,
-            balls=balls, solution=self.content.solution,
-            saved=msgspec.to_builtins(self.round.game),
-        )  # fmt: skip
+        return saving.content_of(self.model)
+
+
+def _warm_up(scene: Billiards) -> None:
+    """Play one stroke, so that all kernels of the table are compiled."""
+    scene.play.begin_stroke(Stroke(4.0, 0.5 * np.pi), Call(), practised=False)
+    for _ in range(100):
+        scene.advance(0.02)
+    scene.readouts()

@@ -26,13 +26,13 @@ def pixel(driver: Driver, x: float, y: float) -> tuple[int, int]:
 
 def break_off(driver: Driver) -> None:
     """A hard break by mouse, skipped to its end."""
-    x, y = driver.stage.scene.round.white
+    x, y = driver.stage.scene.model.frame.cue_ball
     driver.move(*pixel(driver, x + 0.01, y + 1.0))
     driver.button(True, *pixel(driver, x + 0.01, y + 1.0))
     driver.move(*pixel(driver, x + 0.01, y + 0.6))
     driver.button(False, *pixel(driver, x + 0.01, y + 0.6))
     driver.frames(8, 0.08)
-    assert driver.stage.scene.phase == "rolling"
+    assert driver.stage.scene.play.phase == "rolling"
     driver.key(pygame.K_RETURN)
     driver.frames(2)
 
@@ -84,7 +84,7 @@ def test_every_phase_is_drawn_at_every_size(driver, size):
         stage.post(event)
         pictures.append(drawn(driver))
     driver.frames(40, 0.1)
-    assert stage.scene.phase == "rolling"
+    assert stage.scene.play.phase == "rolling"
     pictures.append(drawn(driver))
     stage.post(Action("strike"))
     for event in (Action("replay"), Action("replay"), Action("set-up"), Action("set-up"), Action("view")):
@@ -94,7 +94,7 @@ def test_every_phase_is_drawn_at_every_size(driver, size):
     stage.post(Decision("stroke", (0.7, 1.57, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0)))
     driver.frames(40, 0.1)
     stage.post(Action("strike"))
-    assert stage.scene.round.game.options
+    assert stage.scene.model.frame.game.options
     pictures.append(drawn(driver))
     driver.app.toggle_theme()
     pictures.append(drawn(driver))
@@ -104,14 +104,16 @@ def test_every_phase_is_drawn_at_every_size(driver, size):
 def test_a_game_goes_on_after_the_program_was_closed_and_n_begins_a_new_one(driver, tmp_path):
     driver.open("billiards")
     break_off(driver)
-    places, game = driver.stage.scene.round.places, driver.stage.scene.round.game
+    places, game = driver.stage.scene.model.frame.layout.places, driver.stage.scene.model.frame.game
     driver.app.open_menu()
     again = Driver(tmp_path, catalogue=CATALOGUE)
     again.open("billiards")
     assert again.app.toasts.shown.cause == "Your game goes on."
-    assert again.stage.scene.round.places == places and again.stage.scene.round.game == game
+    assert (
+        again.stage.scene.model.frame.layout.places == places and again.stage.scene.model.frame.game == game
+    )
     again.key(pygame.K_n)
-    assert again.stage.scene.round.game.opening
+    assert again.stage.scene.model.frame.game.opening
     again.close()
 
 
@@ -123,7 +125,7 @@ def test_a_kept_game_that_cannot_be_read_costs_a_line(driver):
         if driver.top.loader is not None:
             driver.top.loader.wait(300.0)
         driver.frames(2)
-    assert driver.top.play is not None and driver.stage.scene.round.game.opening
+    assert driver.top.play is not None and driver.stage.scene.model.frame.game.opening
     assert "cannot be read" in driver.app.toasts.shown.cause
 
 
@@ -149,15 +151,15 @@ def test_strokes_are_heard_and_the_state_knows_nothing_of_it(driver, monkeypatch
 def test_escape_ends_a_replay_or_the_set_up_and_only_then_leaves_for_the_menu(driver, key, phase):
     driver.open("billiards")
     break_off(driver)
-    assert driver.stage.scene.phase == "aiming"
-    before = driver.stage.scene.round.places
+    assert driver.stage.scene.play.phase == "aiming"
+    before = driver.stage.scene.model.frame.layout.places
     driver.key(key)
     driver.frames(2)
-    assert driver.stage.scene.phase == phase
+    assert driver.stage.scene.play.phase == phase
     driver.key(pygame.K_ESCAPE)
     driver.frames(2)
-    assert driver.top.play is not None and driver.stage.scene.phase == "aiming"
-    assert driver.stage.scene.round.places == before
+    assert driver.top.play is not None and driver.stage.scene.play.phase == "aiming"
+    assert driver.stage.scene.model.frame.layout.places == before
     driver.key(pygame.K_ESCAPE)
     driver.frames(2)
     assert getattr(driver.top, "play", None) is None
@@ -167,7 +169,7 @@ def test_the_arrow_of_the_bar_leaves_for_the_menu_at_once(driver):
     driver.open("billiards")
     driver.stage.post(Action("set-up"))
     driver.frames(2)
-    assert driver.stage.scene.phase == "set-up"
+    assert driver.stage.scene.play.phase == "set-up"
     driver.click(*driver.top.shell.bar.spots.find("menu").rect.center)
     driver.frames(2)
     assert getattr(driver.top, "play", None) is None

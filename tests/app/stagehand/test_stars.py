@@ -50,7 +50,7 @@ def test_what_cannot_be_written_costs_a_line():
 
 def solve(driver: Driver) -> None:
     """Play the puzzle as its level says that it is solved."""
-    stroke = driver.stage.scene.content.solution.stroke()
+    stroke = driver.stage.scene.model.content.solution.stroke()
     assert math.isfinite(stroke.azimuth)
     driver.stage.post(Decision("stroke", (*stroke, -1.0, -1.0, 0.0, 0.0)))
     driver.frames(400, 0.1)
@@ -79,7 +79,7 @@ def test_a_table_that_plays_itself_wins_no_stars(tmp_path):
     driver.app.open_scene("billiards", level=path)
     driver.top.loader.wait(300.0)
     driver.frames(2)
-    driver.stage.scene.plays_itself = True
+    driver.stage.scene.play.plays_itself = True
     solve(driver)
-    assert driver.stage.scene.round.game.made >= 1 and kept_stars("billiards") == {}
+    assert driver.stage.scene.model.frame.game.made >= 1 and kept_stars("billiards") == {}
     driver.close()

@@ -26,7 +26,7 @@ CASES = [
     (Goal(pots=(Pot(1), Pot(2))), ShotSummary((1,), (COMBINATION,)), "1 did not"),
     (Goal(down=2), ShotSummary((1,), (BANK, COMBINATION)), ""),
     (Goal(down=3), ShotSummary((1,), (BANK, COMBINATION)), "2 of 3 balls"),
-    (Goal(pots=(Pot(1),)), ShotSummary((1,), (BANK,), cue_pocketed=True), "white ball went down"),
+    (Goal(pots=(Pot(1),)), ShotSummary((1,), (BANK,), cue_pocketed=True), "cue ball went down"),
     (Goal(scratch=True), ShotSummary((1,), cue_pocketed=True), ""),
     (Goal(scratch=True), ShotSummary((1,)), "did not go down"),
     (Goal(cue_touches=(1, 2)), ShotSummary((1,), cue_path=CAROM), ""),
@@ -57,7 +57,7 @@ def test_what_is_missing(goal, shot, lacking):
 
 
 @pytest.mark.parametrize("goal", [case[0] for case in CASES])
-def test_goals_are_told_and_kept(goal):
+def test_goals_are_described_and_kept(goal):
     lines = described(goal, POCKET_NAMES)
     assert lines and all(line[0].isupper() and line.endswith(".") for line in lines)
     assert msgspec.json.decode(msgspec.json.encode(goal), type=Goal) == goal
@@ -71,15 +71,15 @@ def test_in_words():
         "Nothing touches the 4 or the 5.",
     )
     assert described(Goal(pots=(Pot(1),), cushions_first=1)) == (
-        "Pot the 1.", "The white ball touches one cushion before any ball.",
+        "Pot the 1.", "The cue ball touches one cushion before any ball.",
     )  # fmt: skip
 
 
 def test_a_direct_way_in_words():
     assert described(Goal(cue_touches=(1, 2), direct=True)) == (
-        "The white ball touches no cushion, then the 1, then the 2.",
+        "The cue ball touches no cushion, then the 1, then the 2.",
     )
-    assert described(Goal(direct=True)) == ("The white ball touches no cushion before any ball.",)
+    assert described(Goal(direct=True)) == ("The cue ball touches no cushion before any ball.",)
 
 
 def test_stars_come_in_their_order():

@@ -9,7 +9,7 @@ from game.billiards.game.frame import Frame
 from game.billiards.game.goals import described, missed
 from game.billiards.table.table import POCKET_NAMES, Table
 from game.levels import level_files, load_level
-from game.scenes.billiards.level import BilliardsContent, ball_set, game_of, lie_of
+from game.scenes.billiards.level import BilliardsContent, ball_set, game_of, layout_for
 
 TABLE = Table.pool()
 FILES = [path for path in level_files("billiards") if path.stem.startswith(("trick-", "drill-"))]
@@ -19,7 +19,7 @@ def opened(path):
     """Level, and the frame that it begins with."""
     level = load_level(path, "billiards", BilliardsContent)
     game = game_of(level.content)
-    return level, Frame(game, lie_of(level.content, game, TABLE, ball_set(0.0, 0.0, 0), 0), TABLE)
+    return level, Frame(game, layout_for(level.content, game, TABLE, ball_set(0.0, 0.0, 0), 0), TABLE)
 
 
 def test_there_are_enough():
@@ -36,11 +36,11 @@ def test_the_kept_stroke_wins_all_stars(path):
     played = frame.play(level.content.solution.stroke())
     assert frame.game.stars(played.summary) == 1 + len(frame.game.more)
     assert played.verdict.words[0].startswith("★") and "☆" not in played.verdict.words[0]
-    assert played.frame.lie is frame.lie and played.frame.game.best == 1 + len(frame.game.more)
+    assert played.frame.layout is frame.layout and played.frame.game.best == 1 + len(frame.game.more)
 
 
 def test_around_the_corner_goes_by_a_bend_and_no_cushion():
-    """The white ball runs round the row of balls in a curve, as the level's words say."""
+    """The cue ball runs round the row of balls in a curve, as the level's words say."""
     level, frame = opened(next(path for path in FILES if path.stem.startswith("trick-08")))
     trajectory = frame.play(level.content.solution.stroke()).trajectory
     first = next(event for event in trajectory.events if event.type.startswith("ball-"))

@@ -57,7 +57,7 @@ BREAKS = [
               {"turn": 0, "open_table": True, "opening": False, "scored": (3,), "in_hand": ""}),
     Situation("four to a cushion: legal, the other plays", EightBall(), shot(1, cushioned=FOUR),
               {"turn": 1, "options": [], "fouls": [], "in_hand": ""}),
-    Situation("the white ball is no object ball at a cushion", EightBall(), shot(1, cushioned=(0, 1, 2, 3)),
+    Situation("the cue ball is no object ball at a cushion", EightBall(), shot(1, cushioned=(0, 1, 2, 3)),
               {"turn": 1, "options": ["accept", "break", "other breaks"], "fouls": []}),
     Situation("any ball may be hit first", EightBall(), shot(12, cushioned=FOUR), {"fouls": [], "turn": 1}),
     Situation("no ball is called at the break", EightBall(calling="all"), shot(1, down=(9,)),
@@ -76,7 +76,7 @@ BREAKS = [
               {"turn": 0, "options": ["spot the eight", "break"], "winner": None}),
     Situation("the 8 down and scratch: the other chooses", EightBall(), shot(1, down=(8,), cue_pocketed=True),
               {"turn": 1, "options": ["spot the eight", "break"], "winner": None}),
-    Situation("a ball off the table: the other may take the white ball", EightBall(),
+    Situation("a ball off the table: the other may take the cue ball", EightBall(),
               shot(1, cushioned=FOUR, off_table=(4,)),
               {"turn": 1, "options": ["accept", "in hand"], "fouls": ["off the table"], "missing": (4,)}),
     Situation("the 8 off the table is put back", EightBall(), shot(1, cushioned=FOUR, off_table=(8,)),
@@ -120,7 +120,7 @@ EIGHT_BALL = [
               {"turn": 1, "scored": (9,), "fouls": []}, Call(9, 0)),
     Situation("no cushion after contact", grouped(), shot(1, cushioned=()),
               {"turn": 1, "fouls": ["no cushion"], "in_hand": "anywhere"}, CALL_1),
-    Situation("the white ball at a cushion is enough", grouped(), shot(1, cushioned=(0,)),
+    Situation("the cue ball at a cushion is enough", grouped(), shot(1, cushioned=(0,)),
               {"turn": 1, "fouls": [], "in_hand": ""}, CALL_1),
     Situation("a ball down needs no cushion", grouped(), shot(1, down=(1,), cushioned=()),
               {"turn": 0, "fouls": []}, CALL_1),
@@ -164,7 +164,7 @@ THE_EIGHT = [
               {"winner": 0}),
     Situation("the 8 must be called where only it is", grouped(LATE, calling="eight"), shot(8, down=(8,)),
               {"winner": 1}),
-    Situation("the 8 and the white ball", grouped(LATE), shot(8, down=(8,), cue_pocketed=True),
+    Situation("the 8 and the cue ball", grouped(LATE), shot(8, down=(8,), cue_pocketed=True),
               {"winner": 1, "fouls": ["scratch"]}, CALL_8),
     Situation("the 8 by way of the other's ball", grouped(LATE), shot(9, down=(8,)),
               {"winner": 1, "fouls": ["wrong ball"]}, CALL_8),
@@ -183,7 +183,7 @@ NINE_BALL = [
     Situation("break, the 1 is not first", NineBall(), shot(2, cushioned=FOUR),
               {"turn": 1, "fouls": ["wrong ball"], "in_hand": "anywhere"}),
     Situation("break, the 9 down wins", NineBall(), shot(1, down=(9,)), {"winner": 0, "won": (1, 0)}),
-    Situation("break, the 9 down with the white ball", NineBall(), shot(1, down=(9,), cue_pocketed=True),
+    Situation("break, the 9 down with the cue ball", NineBall(), shot(1, down=(9,), cue_pocketed=True),
               {"winner": None, "turn": 1, "spot": (9,), "missing": ()}),
     Situation("break, no ball touched", NineBall(), shot(), {"fouls": ["no contact"], "turn": 1}),
     Situation("push-out: any ball or none, no cushion", nine(push_out_next=True), shot(cushioned=()),
@@ -248,10 +248,10 @@ PRACTICE = [
     Situation("any ball in any order", Practice(), shot(12, down=(12,)),
               {"turn": 0, "potted": 1, "run": 1, "strokes": 1}),
     Situation("a miss ends the run", Practice(run=4, potted=9), shot(1), {"run": 0, "potted": 9}),
-    Situation("the white ball down is in hand", Practice(), shot(1, down=(1,), cue_pocketed=True),
+    Situation("the cue ball down is in hand", Practice(), shot(1, down=(1,), cue_pocketed=True),
               {"in_hand": "anywhere", "run": 0, "potted": 1, "turn": 0}),
     Situation("no contact is no foul", Practice(), shot(), {"fouls": [], "in_hand": ""}),
-    Situation("the last ball: racked anew", Practice(on_table=(3,)), shot(3, down=(3,)),
+    Situation("the last ball: racked again", Practice(on_table=(3,)), shot(3, down=(3,)),
               {"rack": True, "opening": True, "winner": None, "on_table": tuple(range(1, 16))}),
     Situation("the last ball of a set-up: over", Practice(on_table=(3,), rack=""), shot(3, down=(3,)),
               {"rack": False, "winner": 0}),
@@ -282,13 +282,13 @@ def test_situation(situation):
     assert {name: observed(situation, name) for name in situation.expected} == situation.expected
 
 
-def test_there_are_enough_and_all_are_told_apart():
+def test_there_are_enough_and_all_differ():
     assert len(ALL) >= 60
     assert len({(type(s.game), s.name, s.game.opening) for s in ALL}) == len(ALL)
 
 
 @pytest.mark.parametrize("situation", ALL, ids=lambda s: f"{s.game.__class__.__name__}: {s.name}")
-def test_every_verdict_is_told_and_can_be_kept(situation):
+def test_every_verdict_has_words_and_can_be_kept(situation):
     verdict = situation.game.judge(situation.shot, situation.call)
     assert all(foul.words in verdict.words for foul in verdict.fouls)
     assert verdict.words or isinstance(verdict.game, Practice)

@@ -96,9 +96,9 @@ def test_contacts_of_one_moment_spread_from_what_moves():
 
 @pytest.mark.parametrize("seed", range(8))
 def test_chains_of_a_break_hold_against_the_contacts_one_by_one(seed):
-    """Every link is a contact that took place, in order of time; every chain begins with the white ball."""
-    lie = racked(POOL, seed=seed)
-    trajectory = simulate(lie.shot(POOL, PHYSICS).struck(0, (0.02 * (seed - 4), 9.0), (-20.0, 0.0, 0.0)))
+    """Every link is a contact that took place, in order of time; every chain begins with the cue ball."""
+    layout = racked(POOL, seed=seed)
+    trajectory = simulate(layout.shot(POOL, PHYSICS).struck(0, (0.02 * (seed - 4), 9.0), (-20.0, 0.0, 0.0)))
     summary = summarize(trajectory)
     contacts = [(e.time, {int(k) for k in e.ids}) for e in trajectory.events if e.type == "ball-ball"]
     for fallen in summary.pocketed:
@@ -110,14 +110,14 @@ def test_chains_of_a_break_hold_against_the_contacts_one_by_one(seed):
     left = {ball for ball, _, _ in summary.rest}
     down = {*summary.balls_down, *([0] if summary.cue_pocketed else [])}
     assert left | down == set(range(16)) and not left & down
-    apex = min(range(1, 16), key=lambda ball: lie.place_of(ball)[1])
+    apex = min(range(1, 16), key=lambda ball: layout.place_of(ball)[1])
     assert summary.first[0] == apex and len(summary.touched) >= 12
 
 
 def test_balls_that_were_down_before_are_not_there():
-    lie = arrange({0: (0.4, 0.4), 5: (0.4, 1.0), 12: (0.9, 2.0)})
+    layout = arrange({0: (0.4, 0.4), 5: (0.4, 1.0), 12: (0.9, 2.0)})
     summary = summarize(
-        simulate(lie.shot(POOL, FRICTIONLESS._replace(rolling=0.01, sliding=0.2)).struck(0, (0.0, 1.0)))
+        simulate(layout.shot(POOL, FRICTIONLESS._replace(rolling=0.01, sliding=0.2)).struck(0, (0.0, 1.0)))
     )
     assert summary.first == (5,) and {ball for ball, _, _ in summary.rest} <= {0, 5, 12}
 

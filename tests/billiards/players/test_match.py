@@ -124,30 +124,30 @@ def test_a_record_that_does_not_hold_is_refused(record, spoil, complaint):
 
 
 def test_a_ball_that_falls_directly_does_not_count():
-    lie = arrange({0: (0.8, 1.27), 1: (0.3, 1.27), 2: (0.9, 0.4)})
-    shot = lie.shot(POOL, PHYSICS, Stroke(1.0, np.pi, tip_up=-0.3))
+    layout = arrange({0: (0.8, 1.27), 1: (0.3, 1.27), 2: (0.9, 0.4)})
+    shot = layout.shot(POOL, PHYSICS, Stroke(1.0, np.pi, tip_up=-0.3))
     assert what_counts(simulate(shot), 2) is None
-    alone = lie.without(2).shot(POOL, PHYSICS, Stroke(1.0, np.pi, tip_up=-0.3))
+    alone = layout.without(2).shot(POOL, PHYSICS, Stroke(1.0, np.pi, tip_up=-0.3))
     assert what_counts(simulate(alone), 1).chain == (0, 1)
 
 
 @pytest.mark.parametrize("chain", [0, 3])
 def test_clean_is_what_the_referee_calls_so(chain):
-    lie = scattered(12)
+    layout = scattered(12)
     strokes = random_strokes(4, 600)
-    outcomes = Board(lie, POOL).play(strokes)
+    outcomes = Board(layout, POOL).play(strokes)
     clean = is_clean(outcomes, chain)
     down = np.flatnonzero(outcomes.facts[:, DOWN])
     assert not clean[np.setdiff1d(np.arange(len(strokes)), down)].any() and clean.any()
     for k in down.tolist():
-        trajectory = simulate(lie.shot(POOL, PHYSICS, Stroke(*strokes[k].tolist())))
+        trajectory = simulate(layout.shot(POOL, PHYSICS, Stroke(*strokes[k].tolist())))
         summary = summarize(trajectory)
-        wanted = len(summary.pocketed) == 1 and not summary.cue_pocketed
-        if wanted and chain:
+        expected = len(summary.pocketed) == 1 and not summary.cue_pocketed
+        if expected and chain:
             fallen = summary.pocketed[0]
             hits = sum(str(fallen.ball) in e.ids for e in trajectory.events if e.type == "ball-ball")
-            wanted = hits == 1 and what_counts(trajectory, 15) == fallen
-        assert clean[k] == wanted
+            expected = hits == 1 and what_counts(trajectory, 15) == fallen
+        assert clean[k] == expected
 
 
 def test_neighbours_in_a_run():

@@ -36,7 +36,7 @@ def test_racks_come_to_their_end_by_the_rules(game):
     frame = new_frame(game(), seed=3)
     last, strokes = play_rack(frame, (NOVICE, CLUB), 5, most=24)
     assert strokes and (last.game.over or len(strokes) > 12)
-    assert set(last.lie.numbers) - {CUE_BALL} <= set(game().on_table)
+    assert set(last.layout.numbers) - {CUE_BALL} <= set(game().on_table)
 
 
 def test_a_decision_depends_on_nothing_but_frame_grade_and_seed():
@@ -49,8 +49,8 @@ def test_a_decision_depends_on_nothing_but_frame_grade_and_seed():
 
 def _turn(game, seed=8):
     """A frame in the middle of a rack."""
-    lie = scattered(seed, 1 + max(game.on_table))
-    return Frame(game, lie.without(*(n for n in lie.numbers if n and n not in game.on_table)), POOL)
+    layout = scattered(seed, 1 + max(game.on_table))
+    return Frame(game, layout.without(*(n for n in layout.numbers if n and n not in game.on_table)), POOL)
 
 
 @pytest.mark.parametrize("grade", [NOVICE, CLUB, MIDDLE], ids=lambda grade: grade.name)
@@ -66,10 +66,10 @@ def test_calls_name_ball_and_pocket_or_a_safety(grade):
 
 def test_ball_in_hand_is_put_on_a_free_place():
     game = EightBall(opening=False, in_hand="behind the line", groups=("solids", "stripes"))
-    frame = _turn(game)._replace(lie=scattered(8).without(0))
+    frame = _turn(game).replace(layout=scattered(8).without(0))
     for grade in (NOVICE, MIDDLE):
         thought = decide(frame, grade, 1)
-        assert is_free(frame.lie, POOL, CUE_BALL, *thought.place, "behind the line")
+        assert is_free(frame.layout, POOL, CUE_BALL, *thought.place, "behind the line")
 
 
 def test_an_open_table_is_looked_at_for_both_groups():
@@ -96,11 +96,11 @@ def test_a_nine_ball_player_without_a_shot_pushes_out():
     """The 1 is walled in; the first stroke after the break may be pushed out."""
     ring = {k + 2: (0.635 + 0.075 * math.cos(k), 1.9 + 0.075 * math.sin(k)) for k in range(6)}
     game = NineBall(opening=False, in_hand="", push_out_next=True, on_table=(1, *range(2, 8), 9))
-    lie = arrange({0: (0.635, 0.3), 1: (0.635, 1.9), 9: (0.2, 2.3), **ring})
-    thought = decide(Frame(game, lie, POOL), CLUB, 1)
+    layout = arrange({0: (0.635, 0.3), 1: (0.635, 1.9), 9: (0.2, 2.3), **ring})
+    thought = decide(Frame(game, layout, POOL), CLUB, 1)
     assert thought.call.push_out and thought.stroke is not None
     later = msgspec.structs.replace(game, push_out_next=False)
-    assert not decide(Frame(later, lie, POOL), CLUB, 1).call.push_out
+    assert not decide(Frame(later, layout, POOL), CLUB, 1).call.push_out
 
 
 def test_nobody_plays_on_when_the_rack_is_over():
@@ -111,7 +111,7 @@ def test_nobody_plays_on_when_the_rack_is_over():
 
 def test_no_time_still_gives_a_decision():
     frame = _turn(EightBall(opening=False, in_hand="anywhere", groups=("solids", "stripes")))
-    thought = decide(frame._replace(lie=frame.lie.without(0)), MIDDLE, 1, seconds=0.0)
+    thought = decide(frame.replace(layout=frame.layout.without(0)), MIDDLE, 1, seconds=0.0)
     assert thought.stroke is not None and thought.place is not None
 
 
@@ -133,9 +133,13 @@ def test_a_hand_is_as_unsteady_as_its_grade():
 def test_broken_tables_repeat_and_have_the_eight():
     frame = broken_table(4)
     again = broken_table(4)
-    assert frame.game == again.game and np.array_equal(frame.lie.positions, again.lie.positions)
-    assert 8 in frame.lie.numbers and CUE_BALL not in frame.lie.numbers and frame.game.in_hand == "anywhere"
-    assert frame.game.on_table == frame.lie.numbers
+    assert frame.game == again.game and np.array_equal(frame.layout.positions, again.layout.positions)
+    assert (
+        8 in frame.layout.numbers
+        and CUE_BALL not in frame.layout.numbers
+        and frame.game.in_hand == "anywhere"
+    )
+    assert frame.game.on_table == frame.layout.numbers
 
 
 def test_a_steadier_hand_pots_more():

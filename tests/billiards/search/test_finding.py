@@ -200,11 +200,11 @@ def test_every_break_meets_the_apex_ball_first(game, unsteady):
     noise = Noise().scaled(unsteady)
     for seed in range(6):
         frame = new_frame(game(), seed=seed)
-        breaks = list_breaks(frame.lie, POOL, 6.0)
+        breaks = list_breaks(frame.layout, POOL, 6.0)
         assert len(breaks) == 30 and breaks[0].place[0] == pytest.approx(0.5 * POOL.width)
         for one in breaks:
-            lie = frame.lie.with_ball(CUE_BALL, one.place)
-            assert is_free(frame.lie.without(CUE_BALL), POOL, CUE_BALL, *one.place, "behind the line")
+            lie = frame.layout.with_ball(CUE_BALL, one.place)
+            assert is_free(frame.layout.without(CUE_BALL), POOL, CUE_BALL, *one.place, "behind the line")
             board = Board(lie, POOL)
             outcomes = board.play(
                 with_noise(np.array([one.stroke]), draw_noise(seed, 8), noise, board.radius)

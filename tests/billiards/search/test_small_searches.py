@@ -26,7 +26,7 @@ STRAIGHT = {0: (0.635, 1.27), 3: (0.3, 0.6), 8: (1.0, 2.0)}  # the three lies be
 
 def turn(game, places):
     """A frame in which it is somebody's turn, no rack being broken."""
-    return new_frame(game, seed=1)._replace(lie=arrange(places))
+    return new_frame(game, seed=1).replace(layout=arrange(places))
 
 
 def test_a_shot_is_found_and_goes():
@@ -48,7 +48,7 @@ def test_the_white_ball_in_hand_is_put_where_it_may_lie():
     game = EightBall(opening=False, in_hand="anywhere", groups=("solids", "stripes"))
     frame = turn(game, {3: (0.3, 0.6), 8: (1.0, 2.0)})
     thought = decide(frame, LEARNER, 1, threads=1)
-    assert is_free(frame.lie, POOL, CUE_BALL, *thought.place, "anywhere")
+    assert is_free(frame.layout, POOL, CUE_BALL, *thought.place, "anywhere")
 
 
 @pytest.mark.parametrize("game", [EightBall, NineBall])

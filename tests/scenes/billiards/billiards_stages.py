@@ -6,6 +6,7 @@ from game.billiards.game.rules import CUE_BALL
 from game.levels import Level, level_files, load_level, parse_level
 from game.scenes.billiards import layout
 from game.scenes.billiards.scene import Billiards
+from game.scenes.billiards.view.standing import Standing, standing_of
 from game.stage import Pointer, Stage
 
 
@@ -26,7 +27,7 @@ def level_of(content: str, **parameters) -> Stage:
 
 
 def straight_pot(game: str = "practice") -> Stage:
-    """The 3 before a corner pocket, the white ball behind it on the same line, the 5 far off."""
+    """The 3 before a corner pocket, the cue ball behind it on the same line, the 5 far off."""
     return level_of(
         f'game = "{game}"\nballs = [{{ number = 0, position = [0.5, 0.5] }},'
         " { number = 3, position = [0.22, 0.22] }, { number = 5, position = [0.9, 2.2] }]"
@@ -34,6 +35,11 @@ def straight_pot(game: str = "practice") -> Stage:
 
 
 AT_THE_CORNER = math.atan2(-1.0, -1.0)  # rad, aim of that pot
+
+
+def standing(stage: Stage) -> Standing:
+    """What the score board says."""
+    return standing_of(stage.scene.play, stage.scene.opponents.thinker)
 
 
 def seconds(stage: Stage, s: float) -> Stage:
@@ -46,7 +52,7 @@ def seconds(stage: Stage, s: float) -> Stage:
 def until_aiming(stage: Stage, longest_s: float = 40.0) -> Stage:
     """Until the shot is over."""
     for _ in range(round(longest_s * 4)):
-        if stage.scene.phase == "aiming":
+        if stage.scene.play.phase == "aiming":
             return stage
         seconds(stage, 0.25)
     raise AssertionError("the shot does not end")
@@ -59,8 +65,8 @@ def point(stage: Stage, kind: str, x: float, y: float, button: int = 0, **more) 
 
 def aim(stage: Stage, angle: float) -> None:
     """Turn the cue, without fine aiming in the way."""
-    x, y = stage.scene.round.white
-    stage.scene.fine_at = math.nan
+    x, y = stage.scene.model.frame.cue_ball
+    stage.scene.aiming.fine_at = math.nan
     point(stage, "move", x + 0.1 * math.cos(angle), y + 0.1 * math.sin(angle))
 
 
@@ -75,6 +81,12 @@ def drag(stage: Stage, start: tuple[float, float], end: tuple[float, float], ste
     point(stage, "up", *end, button=1)
 
 
+def click(stage: Stage, x: float, y: float) -> None:
+    """Press and let go where the pointer already is."""
+    point(stage, "down", x, y, button=1)
+    point(stage, "up", x, y, button=1)
+
+
 def press(stage: Stage, box: layout.Box) -> None:
     """Press a button of the layout."""
     point(stage, "move", *box.middle)
@@ -86,18 +98,18 @@ def check_balls(stage: Stage) -> None:
     """No ball is lost: rules and cloth agree on which lie on the table, none outside or in another."""
     scene = stage.scene
     assert stage.fault is None, stage.fault
-    round_ = scene.round
-    numbers = [number for number, _, _ in round_.places]
+    frame = scene.model.frame
+    numbers = [number for number, _, _ in frame.layout.places]
     assert len(set(numbers)) == len(numbers)
-    if scene.phase in ("set-up", "rolling"):
+    if scene.play.phase in ("set-up", "rolling"):
         return
-    assert {n for n in numbers if n != CUE_BALL} == set(round_.game.on_table), scene.phase
-    if not round_.game.over and not round_.game.options:
+    assert {n for n in numbers if n != CUE_BALL} == set(frame.game.on_table), scene.play.phase
+    if not frame.game.over and not frame.game.options:
         assert CUE_BALL in numbers
-    table = round_.conditions.table
-    radii = round_.conditions.radii
-    for k, (number, x, y) in enumerate(round_.places):
+    table = frame.table
+    radii = frame.layout.balls.radii
+    for k, (number, x, y) in enumerate(frame.layout.places):
         assert -0.06 <= x <= table.width + 0.06 and -0.06 <= y <= table.length + 0.06, (number, x, y)
-        for other, ox, oy in round_.places[:k]:
+        for other, ox, oy in frame.layout.places[:k]:
             reach = 2.0 * math.sqrt(radii[number] * radii[other])
             assert math.hypot(x - ox, y - oy) > reach - 2e-6, (number, other)

@@ -21,7 +21,7 @@ def places_worth_pressing() -> list[tuple[float, float]]:
     places = [layout.button_box(row).middle for row in range(5)]
     places += [layout.option_box(row, 3).middle for row in range(3)]
     places += [layout.PLAY.middle, layout.SPEED.middle, layout.SCRUBBER.middle, layout.POWER.middle]
-    places += [layout.SPIN, layout.DIAL, *(layout.tray_place(number) for number in (0, 3, 15))]
+    places += [layout.SPIN, layout.ELEVATION, *(layout.tray_place(number) for number in (0, 3, 15))]
     return places
 
 
@@ -35,8 +35,8 @@ def random_event(random: np.random.Generator, scene: Billiards):
         where = random.random()
         if where < 0.25:
             x, y = PRESSED[random.integers(len(PRESSED))]
-        elif where < 0.5 and scene.round.places:
-            _, x, y = scene.round.places[random.integers(len(scene.round.places))]
+        elif where < 0.5 and scene.model.frame.layout.places:
+            _, x, y = scene.model.frame.layout.places[random.integers(len(scene.model.frame.layout.places))]
         else:
             x, y = random.uniform(-0.4, 1.7), random.uniform(-0.5, 3.0)
         kind = KINDS[random.integers(len(KINDS))]
@@ -80,7 +80,7 @@ def test_random_sequences_lose_no_ball(seed):
             stage.post(random_event(random, stage.scene))
         stage.run(int(random.choice((0, 1, 5, 40, 240), p=(0.4, 0.3, 0.15, 0.1, 0.05))))
         assert stage.fault is None, (number, stage.fault)
-        if stage.scene.phase in ("aiming", "replay"):
+        if stage.scene.play.phase in ("aiming", "replay"):
             check_balls(stage)
         if number % 20 == 19:
             for _ in range(3):
@@ -104,18 +104,18 @@ HARD = [path.stem for path in level_files("billiards") if path.stem.startswith("
 def test_hard_cases_end_without_a_ball_lost_whichever_way_one_strikes(name):
     stage = open_level(name, power=10.0, tip_up=0.3, tip_left=0.2)
     scene = stage.scene
-    start = scene.round.places
+    start = scene.model.frame.layout.places
     for aim in np.linspace(0.0, 2.0 * math.pi, 13)[:-1].tolist():
-        scene.cue.point_to(aim)
+        scene.aiming.cue.point_to(aim)
         stage.post(Action("strike"))
         stage.run(60)
-        assert scene.phase == "rolling"
+        assert scene.play.phase == "rolling"
         stage.post(Action("strike"))
-        assert scene.phase == "aiming"
+        assert scene.play.phase == "aiming"
         check_balls(stage)
-        if scene.round.places != start:
+        if scene.model.frame.layout.places != start:
             stage.post(Action("undo"))
-        assert scene.round.places == start
+        assert scene.model.frame.layout.places == start
 
 
 def test_a_tight_rack_struck_straight_on_stays_mirror_symmetric():
@@ -123,8 +123,8 @@ def test_a_tight_rack_struck_straight_on_stays_mirror_symmetric():
     scene = stage.scene
     stage.post(Action("strike"))
     stage.run(60)
-    first = next(time for time, code, *_ in scene.played.trajectory.rows.tolist() if code == 0)
-    velocities = scene.played.trajectory.state_at(first + 1e-6).velocities
+    first = next(time for time, code, *_ in scene.model.played.trajectory.rows.tolist() if code == 0)
+    velocities = scene.model.played.trajectory.state_at(first + 1e-6).velocities
     across = np.sort(velocities[:, 0])
     assert across == pytest.approx(-across[::-1], abs=1e-6)
     assert across[-1] > 0.3

@@ -11,6 +11,7 @@ import msgspec
 
 from game.app.scene.keeping import Keeper, kept_path
 from game.app.stagehand.files import present_level
+from game.billiards.game.frame import Frame
 from game.levels import format_level, load_level, parse_level
 from game.scenes.billiards.scene import Billiards
 from game.stage import Action, Pointer, SetParameter, Stage
@@ -36,36 +37,35 @@ def test_a_kept_game_goes_on_with_all_that_the_rules_know():
     for level in ("default", "nine-ball", "combination", "practice"):
         stage = broken_off(level)
         again = opened_again(stage)
-        assert again.scene.round.game == stage.scene.round.game
-        assert again.scene.round.places == stage.scene.round.places
-        assert again.scene.round.conditions == stage.scene.round.conditions
+        assert again.scene.model.frame.game == stage.scene.model.frame.game
+        assert again.scene.model.frame.layout.places == stage.scene.model.frame.layout.places
+        assert again.scene.model.frame.conditions == stage.scene.model.frame.conditions
         check_balls(again)
-        assert again.scene.power == 8.5
+        assert again.scene.parameters.power == 8.5
 
 
 def test_a_kept_game_plays_on_to_the_same_end():
     stage = broken_off("combination")
     again = opened_again(stage)
     for one in (stage, again):
-        if one.scene.round.game.options:
+        if one.scene.model.frame.game.options:
             one.post(Action("first"))
-        x, y = one.scene.round.white
+        x, y = one.scene.model.frame.cue_ball
         one.post(Pointer("move", x + 0.3, y + 0.4))
         one.post(Action("strike"))
         until_aiming(one)
-    assert again.scene.round.places == stage.scene.round.places
+    assert again.scene.model.frame.layout.places == stage.scene.model.frame.layout.places
 
 
 def test_touching_balls_and_one_in_the_jaws_are_kept_as_they_lie():
     stage = open_level("hard-05-jammed-in-the-jaws")
     stage.post(Action("set-up"))
     scene = stage.scene
-    touching = 2.0 * scene.round.conditions.radii[0] - 5e-10
-    scene.round = msgspec.structs.replace(
-        scene.round, places=(*scene.round.places, (9, 0.5 + touching, 0.5), (10, 0.9, -0.002 + 0.03))
-    )
+    touching = 2.0 * scene.model.frame.conditions.radii[0] - 5e-10
+    layout = scene.model.frame.layout.with_ball(9, (0.5 + touching, 0.5)).with_ball(10, (0.9, -0.002 + 0.03))
+    scene.model.set_up(layout)
     stage.post(Action("set-up"))
-    assert opened_again(stage).scene.round.places == scene.round.places
+    assert opened_again(stage).scene.model.frame.layout.places == scene.model.frame.layout.places
 
 
 def test_nothing_is_kept_before_the_first_stroke_nor_while_it_plays_itself():
@@ -84,10 +84,10 @@ def test_the_keeper_writes_what_is_new_and_waits_for_its_thread_at_the_end():
         keeper.update(stage)
     keeper.close()
     kept = load_level(kept_path("billiards"), "billiards", Billiards.content_type)
-    saved = msgspec.json.encode(stage.scene.round.game)  # whose tuples are lists
+    saved = msgspec.json.encode(stage.scene.model.frame.game)  # whose tuples are lists
     assert kept.content.saved == {k: v for k, v in msgspec.json.decode(saved).items() if v is not None}
     again = Stage(Billiards, level=kept)
-    assert again.scene.round.places == stage.scene.round.places
+    assert again.scene.model.frame.layout.places == stage.scene.model.frame.layout.places
     kept_path("billiards").unlink()
 
 
@@ -124,28 +124,28 @@ def test_a_kept_game_survives_a_kill_at_any_moment(tmp_path):
 
 def test_undo_turns_the_balls_back_as_they_were():
     stage = open_level("practice")
-    before = stage.scene.turns.copy()
+    before = stage.scene.model.turns.copy()
     aim(stage, 0.5 * math.pi)
     stage.post(Action("strike"))
     until_aiming(stage)
-    assert (stage.scene.turns != before).any()
+    assert (stage.scene.model.turns != before).any()
     stage.post(Action("undo"))
     stage.run(1)
-    assert (stage.scene.turns == before).all()
+    assert (stage.scene.model.turns == before).all()
 
 
 def test_a_stroke_that_cannot_be_played_leaves_the_round_as_it_was(monkeypatch):
     stage = open_level("practice")
     scene = stage.scene
-    before = scene.round
+    before = scene.model.frame
 
-    def refuse(_scene):
+    def refuse(_frame):
         raise ValueError("it is too far.")
 
-    monkeypatch.setattr(type(scene), "played", property(refuse))
+    monkeypatch.setattr(Frame, "outcome", refuse)
     aim(stage, 0.5 * math.pi)
     stage.post(Action("strike"))
     stage.run(round(4.0 / stage.dt))
     assert stage.fault is None
-    assert scene.phase == "aiming" and scene.round is before and scene.pending is None
+    assert scene.play.phase == "aiming" and scene.model.frame is before and scene.play.pending is None
     assert any("cannot be played" in text for text in scene.messages())

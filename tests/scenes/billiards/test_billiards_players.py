@@ -9,10 +9,10 @@ import pytest
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.players import opponents
-from game.scenes.billiards import deciding
-from game.scenes.billiards.players import GRADES, decision_of, simple_stroke, think
+from game.scenes.billiards.opponents.deciding import NEW_RACK_S
+from game.scenes.billiards.opponents.thinker import Question, Thinker, Thought
+from game.scenes.billiards.opponents.thinking import GRADES, decision_of, simple_stroke, think
 from game.scenes.billiards.scene import Billiards
-from game.scenes.billiards.thinker import Question, Thinker, Thought
 from game.stage import Action, Decision, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import check_balls, open_level, seconds, until_aiming
 
@@ -26,19 +26,19 @@ def simply(question: Question) -> Thought:
 
 def thought_over(thinker: Thinker) -> None:
     """Wait until the question that was asked last is answered, however long the machine takes."""
-    if thinker._thread is not None:
-        thinker._thread.join()
+    while thinker.thinking:
+        time.sleep(0.001)
 
 
 def play_on(stage, strokes: int) -> None:
     """Let computer players play so many strokes, as the window would: polling before each frame."""
     scene = stage.scene
     for _ in range(4000):
-        if scene.round.strokes >= strokes and scene.phase == "aiming":
+        if scene.model.frame.strokes >= strokes and scene.play.phase == "aiming":
             return
         stage.listen()
-        thought_over(scene.thinker)
-        if scene.phase == "rolling":
+        thought_over(scene.opponents.thinker)
+        if scene.play.phase == "rolling":
             stage.post(Action("strike"))
         stage.run(6)
     raise AssertionError("the players do not play")
@@ -50,7 +50,7 @@ def test_grades_are_those_of_the_search():
 
 def test_a_recording_of_two_computer_players_replays_to_the_same_digest():
     stage = open_level("nine-ball")
-    stage.scene.thinker = Thinker(simply, lambda: None)
+    stage.scene.opponents.thinker = Thinker(simply, lambda: None)
     for name in ("first_player", "second_player"):
         stage.post(SetParameter(name, "club"))
     play_on(stage, 5)
@@ -59,13 +59,13 @@ def test_a_recording_of_two_computer_players_replays_to_the_same_digest():
     assert sum(isinstance(stamped.event, Decision) for stamped in recording.events) >= 5
     again = replay_scene(recording, Billiards)
     assert again.digest() == stage.digest()
-    assert not again.scene.thinker.thinking and again.scene.thinker.failure == ""
+    assert not again.scene.opponents.thinker.thinking and again.scene.opponents.thinker.failure == ""
 
 
 def test_stepping_back_over_a_stroke_does_not_ask_again():
     stage = open_level("nine-ball")
     asked = []
-    stage.scene.thinker = Thinker(lambda q: asked.append(q.key) or simply(q), lambda: None)
+    stage.scene.opponents.thinker = Thinker(lambda q: asked.append(q.key) or simply(q), lambda: None)
     for name in ("first_player", "second_player"):
         stage.post(SetParameter(name, "club"))
     play_on(stage, 1)
@@ -75,7 +75,7 @@ def test_stepping_back_over_a_stroke_does_not_ask_again():
         stage.step_back()
     stage.resume()
     while stage.step_number < steps:
-        if stage.scene.round.strokes < 1:  # what comes after the stroke was not decided before
+        if stage.scene.model.frame.strokes < 1:  # what comes after the stroke was not decided before
             stage.listen()
         stage.run(1)
     assert stage.digest() == end and asked.count(first) == 1
@@ -89,21 +89,21 @@ def test_frames_go_on_while_a_player_thinks_and_an_old_answer_is_forgotten():
         gate.wait()
         return simply(question)
 
-    stage.scene.thinker = Thinker(slowly, lambda: None)
+    stage.scene.opponents.thinker = Thinker(slowly, lambda: None)
     stage.post(SetParameter("first_player", "club"))
     for _ in range(50):
         stage.listen()
         seconds(stage, 0.02)
-    assert stage.scene.phase == "aiming" and stage.scene.thinker.thinking
+    assert stage.scene.play.phase == "aiming" and stage.scene.opponents.thinker.thinking
     stage.post(SetParameter("first_player", "person"))
     stage.listen()
     gate.set()
-    thought_over(stage.scene.thinker)
-    assert not stage.scene.thinker.thinking
+    thought_over(stage.scene.opponents.thinker)
+    assert not stage.scene.opponents.thinker.thinking
     for _ in range(20):
         stage.listen()
         seconds(stage, 0.02)
-    assert stage.scene.phase == "aiming" and stage.scene.round.strokes == 0
+    assert stage.scene.play.phase == "aiming" and stage.scene.model.frame.strokes == 0
 
 
 def test_without_a_window_time_stands_still_while_players_think():
@@ -118,12 +118,12 @@ def test_without_a_window_time_stands_still_while_players_think():
 
     for _ in range(2):
         stage = open_level("nine-ball")
-        stage.scene.thinker = Thinker(slowly, lambda: None)
+        stage.scene.opponents.thinker = Thinker(slowly, lambda: None)
         for name in ("first_player", "second_player"):
             stage.post(SetParameter(name, "club"))
         assert stage.scene.plays_alone
         stage.run(round(25.0 / stage.dt), players=True)
-        assert stage.scene.round.strokes >= 2
+        assert stage.scene.model.frame.strokes >= 2
         digests.append(stage.digest())
     assert digests[0] == digests[1] and set(asked) == {threading.current_thread()}
     count = len(asked)
@@ -133,11 +133,15 @@ def test_without_a_window_time_stands_still_while_players_think():
 def test_a_rack_of_two_computer_players_is_followed_by_the_next():
     stage = open_level("masters")
     scene = stage.scene
-    scene.round = msgspec.structs.replace(
-        scene.round, game=msgspec.structs.replace(scene.round.game, winner=0, won=(1, 0))
+    scene.model.frame = scene.model.frame.replace(
+        game=msgspec.structs.replace(scene.model.frame.game, winner=0, won=(1, 0))
     )
-    seconds(stage, deciding.NEW_RACK_S + 0.1)
-    assert not scene.round.game.over and scene.round.game.opening and scene.round.game.won == (1, 0)
+    seconds(stage, NEW_RACK_S + 0.1)
+    assert (
+        not scene.model.frame.game.over
+        and scene.model.frame.game.opening
+        and scene.model.frame.game.won == (1, 0)
+    )
 
 
 def test_a_player_that_fails_does_not_stop_the_game():
@@ -146,16 +150,16 @@ def test_a_player_that_fails_does_not_stop_the_game():
     def failing(question: Question) -> Thought:
         raise RuntimeError("no idea")
 
-    stage.scene.thinker = Thinker(failing, lambda: None)
+    stage.scene.opponents.thinker = Thinker(failing, lambda: None)
     stage.post(SetParameter("first_player", "club"))
     play_on(stage, 1)
-    assert "no idea" in stage.scene.thinker.failure
+    assert "no idea" in stage.scene.opponents.thinker.failure
     check_balls(stage)
 
 
 def test_what_is_thought_becomes_decisions(monkeypatch):
     stage = open_level("nine-ball")
-    question = deciding.question_of(stage.scene)._replace(grade="master")
+    question = stage.scene.opponents.question._replace(grade="master")
     meant = Stroke(4.0, 1.5, 0.1, 0.1, -0.2)
     made = opponents.Decision("", (0.4, 0.4), meant, Call(3, 2), (), 0.5)
     monkeypatch.setattr(opponents, "decide", lambda *_, **__: made)
@@ -165,9 +169,9 @@ def test_what_is_thought_becomes_decisions(monkeypatch):
     assert stroke.values[0] == pytest.approx(4.0, abs=0.5) and stroke.values[0] != 4.0  # the hand's noise
     for event in (white, stroke):
         stage.post(event)
-    assert stage.scene.phase == "striking"
+    assert stage.scene.play.phase == "striking"
     until_aiming(stage)
-    asked = question.frame._replace(game=with_options(question.frame.game))
+    asked = question.frame.replace(game=with_options(question.frame.game))
     monkeypatch.setattr(opponents, "decide", lambda *_, **__: opponents.Decision("pass back"))
     assert think(question._replace(frame=asked)).decisions == (Decision("option", (1.0,)),)
 
@@ -184,7 +188,7 @@ def test_it_plays_itself_the_same_way_each_time():
         stage = open_level()
         stage.post(Action("demo"))
         seconds(stage, 12.0)
-        assert stage.scene.round.strokes >= 1
+        assert stage.scene.model.frame.strokes >= 1
         digests.append(stage.digest())
     assert digests[0] == digests[1]
     stage.post(Action("demo"))

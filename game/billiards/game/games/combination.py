@@ -1,6 +1,6 @@
 """The combination match: a ball counts if it goes down by way of at least one other ball.
 
-The white ball strikes a numbered ball, that one another, and so on to the one that falls. A single last
+The cue ball strikes a numbered ball, that one another, and so on to the one that falls. A single last
 ball has no other to go by: it is potted directly. In a stroke that counts, whatever else goes down counts
 too. What goes down without counting is put back.
 """
@@ -21,7 +21,7 @@ from game.billiards.game.rules import (
     remaining,
 )
 
-SHORTEST_CHAIN = 3  # the white ball, another, and the one that falls
+SHORTEST_CHAIN = 3  # the cue ball, another, and the one that falls
 
 
 class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
@@ -54,14 +54,14 @@ class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
             rounds=self.rounds + scores,
         )
         if scores:
-            words += [_told(fallen) for fallen in shot.pocketed]
+            words += [_described(fallen) for fallen in shot.pocketed]
             if not after.on_table:
                 return self._finished(after, scored, words)
             return Verdict(after, fouls, scored, (*words, f"{self.shooter} plays on."))
         if shot.pocketed and not fouls:
             words.append("No ball went down by way of another, so it is put back.")
         after = msgspec.structs.replace(after, turn=self.other)
-        hand = " with the white ball in hand" if fouls else ""
+        hand = " with the cue ball in hand" if fouls else ""
         return Verdict(after, fouls, (), (*words, f"{after.shooter} plays{hand}."), back)
 
     def _finished(self, after: CombinationMatch, scored: tuple[int, ...], words: list[str]) -> Verdict:
@@ -85,9 +85,9 @@ class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
         return Verdict(state, words=(f"{state.shooter} breaks.",), rack=True)
 
 
-def _told(fallen: Pocketing) -> str:
+def _described(fallen: Pocketing) -> str:
     """How a ball went down, in words."""
-    way = fallen.chain[1:-1]
-    if not way:
+    between = fallen.chain[1:-1]
+    if not between:
         return f"The {fallen.ball} went down."
-    return f"The {fallen.ball} went down by way of {' and '.join(f'the {ball}' for ball in way)}."
+    return f"The {fallen.ball} went down by way of {' and '.join(f'the {ball}' for ball in between)}."

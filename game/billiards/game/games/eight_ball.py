@@ -31,10 +31,10 @@ GROUPS = {"solids": tuple(range(1, 8)), "stripes": tuple(range(9, 16))}
 OTHER_GROUP = {"solids": "stripes", "stripes": "solids"}
 
 ACCEPT = Option("accept", "Play the table as it lies.")
-RACK_AND_BREAK = Option("break", "Rack anew and break.")
-RACK_FOR_OTHER = Option("other breaks", "Rack anew; the same player breaks again.")
+RACK_AND_BREAK = Option("break", "Rack again and break.")
+RACK_FOR_OTHER = Option("other breaks", "Rack again; the same player breaks again.")
 SPOT_EIGHT = Option("spot the eight", "Put the 8 back and play on.")
-IN_HAND = Option("in hand", "Take the white ball behind the line.")
+IN_HAND = Option("in hand", "Take the cue ball behind the line.")
 
 
 class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
@@ -112,10 +112,10 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
             options += [] if lawful else [RACK_AND_BREAK, RACK_FOR_OTHER]
             return self._ask(after, self.other, tuple(options), fouls, words, back)
         if shot.pocketed:
-            words.append(f"The table is open: any ball but the 8. {self.shooter} plays on.")
+            words += ["The table is open: any ball but the 8.", f"{self.shooter} plays on."]
             return Verdict(after, fouls, shot.balls_down, tuple(words))
         after = msgspec.structs.replace(after, turn=self.other)
-        words.append(f"Nothing went down. {after.shooter} plays; the table is open.")
+        words += ["Nothing went down.", f"{after.shooter} plays; the table is open."]
         return Verdict(after, fouls, (), tuple(words))
 
     def _judge_eight(self, shot: ShotSummary, call: Call, fouls: tuple[Foul, ...]) -> Verdict:
@@ -145,7 +145,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
         words = [foul.words for foul in fouls]
         if fouls:
             after = msgspec.structs.replace(self._after(shot, fouls, in_hand="anywhere"), turn=self.other)
-            words.append(f"{after.shooter} has the white ball in hand.")
+            words.append(f"{after.shooter} has the cue ball in hand.")
             return Verdict(after, fouls, (), tuple(words))
         after = self._after(shot, fouls, in_hand="")
         scored = () if call.safety else self._scored(shot, call)
@@ -226,7 +226,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
         if name == IN_HAND.name:
             return Verdict(
                 msgspec.structs.replace(going_on, in_hand="behind the line"),
-                words=(f"{self.shooter} has the white ball behind the line.",),
+                words=(f"{self.shooter} has the cue ball behind the line.",),
             )
         if name == SPOT_EIGHT.name:
             state = msgspec.structs.replace(
@@ -234,7 +234,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
                 on_table=tuple(sorted({*self.on_table, EIGHT})),
                 in_hand="" if self.turn == self.breaker else "behind the line",
             )
-            return Verdict(state, words=(f"The 8 is put back. {self.shooter} plays.",), spot=(EIGHT,))
+            return Verdict(state, words=("The 8 is put back.", f"{self.shooter} plays."), spot=(EIGHT,))
         breaker = self.turn if name == RACK_AND_BREAK.name else self.other
         return self._racked(breaker)
 

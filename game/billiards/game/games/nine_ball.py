@@ -75,12 +75,12 @@ class NineBall(Game, frozen=True, kw_only=True, tag="nine-ball"):
             return Verdict(won, (), shot.balls_down, (*words, f"{self.shooter} pots the 9 and wins."))
         if call.push_out:
             asked = msgspec.structs.replace(after, turn=self.other, options=(PLAY, PASS_BACK))
-            words.append(f"{self.shooter} pushed out. {asked.shooter} chooses who plays.")
+            words += [f"{self.shooter} pushed out.", f"{asked.shooter} chooses who plays."]
             return Verdict(asked, (), (), tuple(words), back)
         if shot.pocketed:
             return Verdict(after, (), shot.balls_down, (*words, f"{self.shooter} plays on."))
         after = msgspec.structs.replace(after, turn=self.other)
-        return Verdict(after, (), (), (*words, f"Nothing went down. {after.shooter} plays."))
+        return Verdict(after, (), (), (*words, "Nothing went down.", f"{after.shooter} plays."))
 
     def _break_fouls(self, shot: ShotSummary, fouls: tuple[Foul, ...]) -> tuple[Foul, ...]:
         """2.3: at the break four balls reach a cushion, or one goes down."""
@@ -94,7 +94,7 @@ class NineBall(Game, frozen=True, kw_only=True, tag="nine-ball"):
     def _judge_foul(
         self, after: NineBall, fouls: tuple[Foul, ...], words: list[str], back: tuple[int, ...]
     ) -> Verdict:
-        """The white ball in hand for the other player; three fouls in a row lose the rack (2.8)."""
+        """The cue ball in hand for the other player; three fouls in a row lose the rack (2.8)."""
         count = after.fouls_in_row[self.turn]
         if count >= MOST_FOULS:
             fouls += (Foul("three in a row", f"{self.shooter} fouled {count} times in a row."),)
@@ -104,7 +104,7 @@ class NineBall(Game, frozen=True, kw_only=True, tag="nine-ball"):
         if count == MOST_FOULS - 1:
             words.append(f"{self.shooter} is on two fouls: a third loses the rack.")
         after = msgspec.structs.replace(after, turn=self.other, in_hand="anywhere")
-        words.append(f"{after.shooter} has the white ball in hand.")
+        words.append(f"{after.shooter} has the cue ball in hand.")
         return Verdict(after, fouls, (), tuple(words), back)
 
     def choose(self, name: str) -> Verdict:

@@ -29,10 +29,10 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
     run: int = 0
 
     def judge(self, shot: ShotSummary, call: Call = Call()) -> Verdict:  # noqa: B008  (immutable)
-        """What follows from a stroke: a white ball that went down is in hand."""
+        """What follows from a stroke: a cue ball that went down is in hand."""
         self.check_playable()
         down = shot.balls_down
-        fouls = (Foul("scratch", "The white ball went down; put it anywhere."),) if shot.cue_pocketed else ()
+        fouls = (Foul("scratch", "The cue ball went down; put it anywhere."),) if shot.cue_pocketed else ()
         left = tuple(sorted({*remaining(self, shot), *shot.off_table}))
         after = msgspec.structs.replace(
             self,
@@ -47,7 +47,7 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
         if left:
             return Verdict(after, fouls, down, tuple(words), shot.off_table)
         if self.rack:
-            return self._racked(after, fouls, down, (*words, "The table is empty: racked anew."))
+            return self._racked(after, fouls, down, (*words, "The table is empty: racked again."))
         after = msgspec.structs.replace(after, winner=0, won=(self.won[0] + 1,))
         return Verdict(after, fouls, down, (*words, "The table is empty."))
 
@@ -65,7 +65,7 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
         return Verdict(racked, fouls, down, words, rack=True)
 
     def next_rack(self) -> Verdict:
-        """The balls racked anew; ValueError if this table has no rack."""
+        """The balls racked again; ValueError if this table has no rack."""
         if not self.rack:
-            raise ValueError("practice: this table has no rack; set it up anew")
-        return self._racked(self, (), (), ("Racked anew.",))
+            raise ValueError("practice: this table has no rack; set it up again")
+        return self._racked(self, (), (), ("Racked again.",))

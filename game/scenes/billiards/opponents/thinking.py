@@ -7,14 +7,14 @@ import numpy as np
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
-from game.scenes.billiards.thinker import Question, Thought
+from game.scenes.billiards.opponents.thinker import Question, Thought
 from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.stage import Decision
 
 GRADES = ("novice", "club", "expert", "master")  # of game.billiards.players.opponents
 GRADE_LABELS = ("Novice", "Club player", "Expert", "Master")
 THINK_S = 3.0  # s, that a player thinks at most
-SWING_RATIO = 0.65  # speed of a cue over that of a ball that it strikes in the middle
+SWING_RATIO = 0.65  # speed of the cue over that of the ball that a simple stroke is meant to give
 HAND_SEED = 50_021
 
 
@@ -31,7 +31,7 @@ def think(question: Question) -> Thought:
         return Thought((Decision("option", (float(names.index(made.option)),)),))
     decisions = [Decision("white", made.place)] if made.place is not None else []
     if made.stroke is not None:
-        radius = float(frame.lie.balls.radii[CUE_BALL])
+        radius = float(frame.layout.balls.radii[CUE_BALL])
         stroke = stroke_of_hand(made.stroke, grade, question.seed + HAND_SEED, radius)
         decisions.append(decision_of(stroke, made.call))
     return Thought(tuple(decisions), made.considered)
@@ -50,9 +50,11 @@ def warm_up() -> None:
 
 def simple_stroke(frame: Frame, seed: int) -> Stroke:
     """The straightest open pot of a ball that counts, or a hit at the nearest ball; the same for a seed."""
-    lie, wanted = frame.lie, set(frame.game.targets())
-    in_play = np.array([number == CUE_BALL or number in wanted for number in lie.numbers])
-    chosen = choose_stroke(lie.positions, lie.radii, in_play, frame.table, seed, int(not frame.game.opening))
+    balls, targets = frame.layout, set(frame.game.targets())
+    in_play = np.array([number == CUE_BALL or number in targets for number in balls.numbers])
+    chosen = choose_stroke(
+        balls.positions, balls.radii, in_play, frame.table, seed, int(not frame.game.opening)
+    )
     return Stroke(chosen.speed * SWING_RATIO, chosen.aim)
 
 

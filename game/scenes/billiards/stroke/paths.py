@@ -1,4 +1,4 @@
-"""Points along the ways of balls, from the stretches of a played shot."""
+"""Points along the paths of balls, from the stretches of a played shot."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ STRAIGHT = 1e-9  # m^2/s^3; velocity times acceleration across it, below which a
 
 
 @lean_kernel
-def trace_way(segments, order, first, last, start, end, out):
-    """Points of one ball's way between two times to out (m, 2); how many. Its rows: order[first:last]."""
+def trace_path(segments, order, first, last, start, end, out):
+    """Points of one ball's path between two times to out (m, 2); how many. Its rows: order[first:last]."""
     count = 0
     for k in range(first, last):
         row = segments[order[k]]
@@ -43,8 +43,8 @@ def trace_way(segments, order, first, last, start, end, out):
     return count
 
 
-class Ways:
-    """Where the balls of a shot are, just before a moment, and on their ways; times in s."""
+class Paths:
+    """Where the balls of a shot are, just before a moment, and on their paths; times in s."""
 
     def __init__(self, trajectory: Trajectory) -> None:
         self.segments = trajectory.segments
@@ -60,10 +60,10 @@ class Ways:
         rows = self.order[self.starts[ball] : self.starts[ball + 1]]
         return bool(self.segments[rows, SEG_VX : SEG_VY + 1].any())
 
-    def way(self, ball: int, start: float, end: float) -> Array:
-        """Points (n, 2) m of a ball's way between two times, n at least 1."""
+    def path(self, ball: int, start: float, end: float) -> Array:
+        """Points (n, 2) m of a ball's path between two times, n at least 1."""
         first, last = self.starts[ball], self.starts[ball + 1]
-        count = trace_way(self.segments, self.order, first, last, start, end, self._points)
+        count = trace_path(self.segments, self.order, first, last, start, end, self._points)
         return self._points[:count].copy()
 
     def arriving(self, ball: int, time: float) -> tuple[tuple[float, float], tuple[float, float]]:

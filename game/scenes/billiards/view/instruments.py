@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 import pygame
 
-from game.scenes.billiards import buttons, layout
-from game.scenes.billiards import play as moves
-from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING
-from game.scenes.billiards.prediction import aim_words
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.rules import Game
+from game.scenes.billiards import layout
+from game.scenes.billiards.buttons import Buttons
+from game.scenes.billiards.modes import Replay
+from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING, Play
+from game.scenes.billiards.stroke.motion import power_of
+from game.scenes.billiards.view.words import aim_words
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
@@ -19,43 +22,48 @@ from game.ui.look.shapes import draw_box, draw_disc, draw_line, draw_polygon
 from game.ui.painters.ball_picture import ball_chip
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
-if TYPE_CHECKING:
-    from game.scenes.billiards.scene import Billiards
 
-
-def draw_instruments(scene: Billiards, canvas: Canvas, look: Look) -> None:
+class Instruments:
     """All of them, as far as the phase of the game has them."""
+
+    def __init__(self, play: Play, replay: Replay, buttons: Buttons) -> None:
+        self.play = play
+        self.replay = replay
+        self.buttons = buttons
+
+    def draw(self, canvas: Canvas, look: Look) -> None:
+        """Draw them round the table."""
+        play = self.play
+        swinging = play.phase == STRIKING and play.pending is not None
+        _draw_stroke(canvas, look, play.pending if swinging and play.pending else play.aiming.stroke)
+        _, y = layout.SPIN
+        x, _ = canvas.camera.to_screen(layout.SPIN[0], y)
+        _draw_aim(canvas, look, x, play.aiming.cue.aim, play.aiming.locked and play.may_aim)
+        for row, (name, words, on) in enumerate(self.buttons.rows()):
+            draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
+        game = play.model.frame.game
+        if play.phase == AIMING and game.options:
+            _draw_options(canvas, look, game, play.grip)
+        if play.phase == SET_UP:
+            _draw_tray(canvas, look, play.model.frame.layout.numbers)
+        elif play.phase == REPLAY:
+            _draw_scrubber(canvas, look, self.replay)
+
+
+def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:
+    """Power, spin and elevation of a stroke."""
     surface, book, theme = canvas.surface, look.fonts, look.theme
-    stroke = (
-        scene.pending if scene.phase == STRIKING and scene.pending is not None else moves.aimed_stroke(scene)
-    )
-    power = stroke.cue_speed * moves.speed_ratio()
+    power = power_of(stroke.cue_speed)
     draw_power(surface, layout.rect_of(canvas, layout.POWER), power, MAX_SPEED, theme, book)
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
     _draw_offsets(look, surface, (x, y + look.px(46)), stroke.tip_left, stroke.tip_up)
-    px, py = canvas.camera.to_screen(*layout.DIAL)
+    px, py = canvas.camera.to_screen(*layout.ELEVATION)
     look.text(surface, "Elevation", (x, py - look.px(56)), 13, "medium", "text2", "center")
     draw_elevation(surface, (px, py), stroke.elevation, theme, book)
-    look.text(
-        surface,
-        f"{math.degrees(stroke.elevation):.0f}°",
-        (x, py + look.px(16)),
-        13,
-        "semibold",
-        "text1",
-        "center",
-    )
-    _draw_numbers(scene, canvas, look, x)
-    for row, (name, words, on) in enumerate(buttons.buttons(scene)):
-        draw_button(canvas, look, layout.button_box(row), words, on, scene.grip == f"button {name}")
-    if scene.phase == AIMING and scene.round.game.options:
-        _draw_options(scene, canvas, look)
-    if scene.phase == SET_UP:
-        _draw_tray(scene, canvas, look)
-    elif scene.phase == REPLAY:
-        _draw_scrubber(scene, canvas, look)
+    degrees = f"{math.degrees(stroke.elevation):.0f}°"
+    look.text(surface, degrees, (x, py + look.px(16)), 13, "semibold", "text1", "center")
 
 
 def _draw_offsets(
@@ -68,11 +76,12 @@ def _draw_offsets(
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
 
 
-def _draw_numbers(scene: Billiards, canvas: Canvas, look: Look, x: float) -> None:
+def _draw_aim(canvas: Canvas, look: Look, x: float, azimuth: float, locked: bool) -> None:
     """The aim in degrees of the picture: 0 to the right, against the clock."""
     _, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
-    look.text(canvas.surface, "Aim", (x, top), 13, "medium", "text2", "center")
-    text = aim_words(scene.cue.aim)
+    title, color = ("Aim locked", "accent") if locked else ("Aim", "text2")
+    look.text(canvas.surface, title, (x, top), 13, "medium", color, "center")
+    text = aim_words(azimuth)
     look.text(canvas.surface, text, (x, top + look.px(20)), 13, "semibold", "text1", "center")
 
 
@@ -87,7 +96,7 @@ def draw_button(
 
 @lru_cache(maxsize=64)
 def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pressed: bool) -> pygame.Surface:
-    """A button, made anew only when it looks otherwise."""
+    """A button, made again only when it looks otherwise."""
     picture = pygame.Surface(size, pygame.SRCALPHA, 32)
     rect, theme = picture.get_rect(), look.theme
     fill = theme.accent if on else theme.hover if pressed else theme.inset
@@ -98,10 +107,9 @@ def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pre
     return picture
 
 
-def _draw_options(scene: Billiards, canvas: Canvas, look: Look) -> None:
-    """Ways to go on, one below the other, in the middle of the table."""
-    options = scene.round.game.options
-    whose = scene.round.game.shooter
+def _draw_options(canvas: Canvas, look: Look, game: Game, grip: str) -> None:
+    """What may be chosen, one below the other, in the middle of the table."""
+    options, whose = game.options, game.shooter
     top = layout.option_box(0, len(options))
     look_at = layout.rect_of(
         canvas, layout.Box(top.top - layout.metres(44.0), top.left, top.top - layout.metres(8.0), top.right)
@@ -110,17 +118,14 @@ def _draw_options(scene: Billiards, canvas: Canvas, look: Look) -> None:
     look.text(canvas.surface, f"{whose} chooses", look_at.center, 15, "semibold", "text1", "center")
     for row, option in enumerate(options):
         box = layout.option_box(row, len(options))
-        draw_button(
-            canvas, look, box, f"{row + 1}   {option.words}", False, scene.grip == f"button option-{row}"
-        )
+        draw_button(canvas, look, box, f"{row + 1}   {option.words}", False, grip == f"button option-{row}")
 
 
-def _draw_tray(scene: Billiards, canvas: Canvas, look: Look) -> None:
+def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:
     """The balls that are not on the table, below it."""
     rect = layout.rect_of(canvas, layout.FOOT)
     theme = look.theme
     draw_box(canvas.surface, rect, look.px(10), theme.inset, theme.line, look.border)
-    on_table = {number for number, _, _ in scene.round.places}
     for number in range(16):
         x, y = canvas.camera.to_screen(*layout.tray_place(number))
         if number in on_table:
@@ -132,36 +137,36 @@ def _draw_tray(scene: Billiards, canvas: Canvas, look: Look) -> None:
     look.text(canvas.surface, words, (rect.right - look.px(14), rect.centery), 12, "medium", "text2", "right")
 
 
-def _draw_scrubber(scene: Billiards, canvas: Canvas, look: Look) -> None:
+def _draw_scrubber(canvas: Canvas, look: Look, replay: Replay) -> None:
     """Run or stand, speed, and the bar of the replay with the contacts as ticks."""
     surface, theme, px = canvas.surface, look.theme, look.px
     rect = layout.rect_of(canvas, layout.PLAY)
     draw_box(surface, rect, px(8), theme.inset, theme.line2, look.border)
     x, y = rect.center
-    if scene.replay_runs:
+    if replay.runs:
         for side in (-4, 4):
             bar = pygame.Rect(0, 0, px(4), px(14))
             bar.center = (x + px(side), y)
             draw_box(surface, bar, 1, theme.text1)
     else:
         draw_polygon(surface, [(x - px(5), y - px(8)), (x + px(8), y), (x - px(5), y + px(8))], theme.text1)
-    speed = scene.replay_speed
+    speed = replay.speed
     words = f"{speed:g}×" if speed >= 1.0 else f"1/{round(1.0 / speed)}×"
     draw_button(canvas, look, layout.SPEED, words)
     bar = layout.rect_of(canvas, layout.SCRUBBER)
-    length = moves.shown_s(scene)
-    share = float(scene.clock[moves.REPLAY_S]) / length
+    length = replay.play.shown_s
+    share = replay.time / length
     track = pygame.Rect(bar.x, bar.centery - px(2), bar.w, max(px(4), 2))
     draw_box(surface, track, px(2), theme.hover)
     draw_box(
         surface, pygame.Rect(track.x, track.y, max(round(track.w * share), 1), track.h), px(2), theme.accent
     )
-    played = scene.played
+    played = replay.play.model.played
     for time in (
         played.trajectory.times[played.trajectory.rows[:, 1] <= 1].tolist() if played is not None else ()
     ):
         at = bar.x + bar.w * time / length
         draw_line(surface, theme.line2, (at, bar.centery + px(5)), (at, bar.centery + px(9)), look.border)
     draw_disc(surface, (bar.x + bar.w * share, bar.centery), px(8), theme.knob)
-    words = f"{float(scene.clock[moves.REPLAY_S]):.2f} s"
+    words = f"{replay.time:.2f} s"
     look.text(surface, words, (bar.right + px(14), bar.centery), 13, "semibold", "text1")

@@ -1,0 +1,219 @@
+"""What lies on the billiard table: the frame that is played, where the balls are, how they are turned."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import lru_cache
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Arrangement, Stroke
+from game.billiards.game.frame import Frame, Played, Struck
+from game.billiards.game.games import Drill, Practice
+from game.billiards.game.rules import CUE_BALL, Call, Hand
+from game.billiards.lecture.state import POCKETS
+from game.billiards.shot.shot import Physics
+from game.billiards.shot.trajectory import rotation_matrices
+from game.billiards.shot_effects import physics_of
+from game.billiards.table.table import Table
+from game.physics.effects import EffectSet
+from game.scenes.billiards.level import BilliardsContent, ball_set, game_of, layout_for
+from game.scenes.billiards.parameters import BilliardsParameters
+from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.stage import Part
+
+Array = NDArray[np.float64]
+
+
+class BilliardsModel(Part):
+    """The frame, and the balls as they move.
+
+    places (16, 2) m by number. turns, turns_before (16, 3, 3): how the balls are turned, and were before the
+    last stroke. These arrays belong to the state; frames are immutable and are remembered as they are.
+    """
+
+    def __init__(
+        self, content: BilliardsContent, parameters: BilliardsParameters, active: EffectSet, seed: int
+    ) -> None:
+        self.content = content
+        self.parameters = parameters
+        self.racks = 0
+        self._rack_seed = seed * 1000
+        balls = ball_set(parameters.radius_spread, parameters.mass_spread, seed)
+        table, physics = self._table_and_physics(active)
+        game = game_of(content)
+        self.frame = Frame(
+            game, layout_for(content, game, table, balls, seed), table, physics
+        ).with_cue_ball()
+        self.places = np.zeros((16, 2))
+        self.turns = rotation_matrices(scattered_orientations(16, seed))
+        self.turns_before = self.turns.copy()
+        self._outcome = _Outcome()
+        self._lay_out()
+
+    def configure(self, active: EffectSet) -> None:
+        """Let parameters and effects act from the next stroke on."""
+        table, physics = self._table_and_physics(active)
+        self.frame = self.frame.replace(table=table, physics=physics)
+
+    def _table_and_physics(self, active: EffectSet) -> tuple[Table, Physics]:
+        chosen = self.parameters
+        physics = Physics(
+            sliding=chosen.sliding, rolling=chosen.rolling,
+            ball_restitution=chosen.ball_restitution, cushion_restitution=chosen.cushion_restitution,
+        )  # fmt: skip
+        return _tables()[0 if POCKETS in active else 1], physics_of(active, physics)
+
+    @property
+    def played(self) -> Played | None:
+        """What comes, or came, of the last stroke; None before the first. ValueError if it cannot be."""
+        return self._outcome.played(self.frame)
+
+    @property
+    def word(self) -> str:
+        """A word that stands for the frame, for the digest: equal frames, equal words."""
+        return self._outcome.word(self.frame)
+
+    def _lay_out(self) -> None:
+        """The places follow the frame."""
+        self.places[list(self.frame.layout.numbers)] = self.frame.layout.positions
+
+    # -- strokes ------------------------------------------------------------------------------------
+
+    def strike(self, stroke: Stroke, call: Call) -> None:
+        """Play a stroke. ValueError if it cannot be played; then the frame is what it was."""
+        before = self.frame
+        self.frame = before.strike(stroke, call)
+        try:
+            self._outcome.played(self.frame)
+        except ValueError:
+            self.frame = before
+            raise
+        self.turns_before[:] = self.turns
+
+    def roll(self, time: float) -> None:
+        """The balls where they are at a time of the shot, s."""
+        played = self.played
+        if played is not None:
+            self.places[self._struck_numbers()] = played.trajectory.state_at(time).positions
+
+    def settle(self) -> None:
+        """The shot is over: its verdict holds."""
+        played = self.played
+        assert played is not None
+        numbers = self._struck_numbers()
+        end = played.trajectory.orientations_at(played.trajectory.end_time, self.turns_before[numbers])
+        self.turns[numbers] = end
+        now = self.frame  # table and physics may have been changed while the balls rolled
+        self.frame = played.frame.with_cue_ball().replace(table=now.table, physics=now.physics)
+        self._lay_out()
+
+    def _struck_numbers(self) -> list[int]:
+        """Numbers of the balls of the last stroke, in its trajectory's order."""
+        return list(self.frame.last.frame.layout.numbers) if self.frame.last is not None else []
+
+    def go_back_to(self, frame: Frame) -> None:
+        """A frame before the last stroke, the balls turned as they were."""
+        self.frame = frame
+        self.turns[:] = self.turns_before
+        self._lay_out()
+
+    # -- choices ------------------------------------------------------------------------------------
+
+    def move_cue_ball(self, x: float, y: float) -> None:
+        """The cue ball in hand put at (x, y) m, or near it. ValueError if it is not in hand."""
+        self.frame = self.frame.move_cue_ball(x, y)
+        self._lay_out()
+
+    def choose(self, row: int) -> None:
+        """The player at turn chooses one of the options, counted from 0."""
+        name = self.frame.game.options[row].name
+        self.frame = self.frame.choose(name, self._next_seed()).with_cue_ball()
+        self._lay_out()
+
+    def rack(self) -> None:
+        """The next rack if the game is over, else this game, or this drill, from its beginning."""
+        seed = self._next_seed()
+        frame, drill = self.frame, isinstance(self.frame.game, Drill)
+        if frame.game.over and not drill:
+            self.frame = frame.next_rack(seed).with_cue_ball()
+        else:
+            content = self.content
+            if not drill:
+                content = msgspec.structs.replace(content, balls=[], saved={})
+            game = game_of(content)
+            layout = layout_for(content, game, frame.table, frame.layout.balls, seed)
+            self.frame = Frame(game, layout, frame.table, frame.physics).with_cue_ball()
+        self._lay_out()
+
+    def _next_seed(self) -> int:
+        self.racks += 1
+        return self._rack_seed + self.racks
+
+    # -- balls placed freely ------------------------------------------------------------------------
+
+    def begin_set_up(self) -> None:
+        """What is placed from here on can be undone in one."""
+        self.frame = self.frame.replace(earlier=self.frame.shortened())
+
+    def set_up(self, layout: Arrangement) -> None:
+        """Other balls, at other places."""
+        self.frame = self.frame.replace(layout=layout)
+        self._lay_out()
+
+    def end_set_up(self) -> None:
+        """What was set up is practised; if nothing was, the game goes on."""
+        before = self.frame.earlier
+        if before is None:
+            return
+        if before.layout.places == self.frame.layout.places:
+            self.frame = before
+            return
+        numbers = tuple(number for number in self.frame.layout.numbers if number != CUE_BALL)
+        hand: Hand = "" if self.frame.cue_ball is not None else "anywhere"
+        game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
+        self.frame = self.frame.replace(game=game, last=None, words=()).with_cue_ball()
+        self._lay_out()
+
+
+@lru_cache(maxsize=1)
+def _tables() -> tuple[Table, Table]:
+    """The pool table, and the same bed with unbroken rails."""
+    pool = Table.pool()
+    return pool, Table.bare(pool.width, pool.length, pool.cushion_height)
+
+
+class _Outcome:
+    """What is computed from a frame and kept while that holds; no part of the state."""
+
+    def __init__(self) -> None:
+        self._word_of: Frame | None = None
+        self._word = ""
+        self._played_of: Struck | None = None
+        self._played: Played | None = None
+
+    def word(self, frame: Frame) -> str:
+        """A hash of all that a frame says."""
+        if self._word_of is not frame:
+            self._word_of, self._word = frame, _word_of(frame)
+        return self._word
+
+    def played(self, frame: Frame) -> Played | None:
+        """What comes, or came, of a frame's last stroke; None before the first."""
+        if self._played_of is not frame.last:
+            self._played = frame.outcome() if frame.last is not None else None
+            self._played_of = frame.last
+        return self._played
+
+
+def _word_of(frame: Frame) -> str:
+    """A hash of all that a frame says, but for the frames before it."""
+    last = frame.last
+    said = (
+        msgspec.to_builtins(frame.game), frame.layout.places, frame.conditions, Call(), frame.strokes,
+        None if last is None
+        else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
+    )  # fmt: skip
+    return hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()

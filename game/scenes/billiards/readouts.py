@@ -1,0 +1,41 @@
+"""What is measured of the balls on the billiard table."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.billiards.game.rules import CUE_BALL
+from game.scenes.billiards.play import PHASE_S, REPLAY, REPLAY_S, ROLLING, Play
+from game.stage import Readout
+
+
+def readouts(play: Play) -> tuple[Readout, ...]:
+    """Balls, energy (of motion along the cloth), speed of the cue ball, events so far, strokes, time."""
+    frame = play.model.frame
+    energy, speed, count = _measured(play)
+    return (
+        Readout("balls", len([number for number in frame.layout.numbers if number != CUE_BALL])),
+        Readout("energy", energy, "J"),
+        Readout("cue ball", speed, "m/s"),
+        Readout("events", count),
+        Readout("strokes", frame.strokes),
+        Readout("shot", float(play.clock[PHASE_S]) if play.phase == ROLLING else 0.0, "s"),
+    )
+
+
+def _measured(play: Play) -> tuple[float, float, int]:
+    """Energy J, speed of the cue ball m/s, and events so far; zeros while nothing moves."""
+    last = play.model.frame.last
+    if play.phase not in (ROLLING, REPLAY) or play.model.played is None or last is None:
+        return 0.0, 0.0, 0
+    time = float(play.clock[PHASE_S if play.phase == ROLLING else REPLAY_S])
+    trajectory = play.model.played.trajectory
+    moving = trajectory.state_at(time).velocities
+    numbers = list(last.frame.layout.numbers)
+    masses = last.frame.layout.balls.masses[numbers]
+    energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum())
+    cue_ball = moving[numbers.index(CUE_BALL)]
+    count = int(np.searchsorted(trajectory.times, time, side="right"))
+    return energy, math.sqrt(float(cue_ball @ cue_ball)), count

@@ -1,0 +1,1 @@
+"""A stroke: how it is aimed, called and foreseen, and how the cue moves."""

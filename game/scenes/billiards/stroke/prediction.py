@@ -1,0 +1,130 @@
+"""What a stroke would do, seen before it is played: the exact paths of the balls up to the n-th event."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Frame, Struck, trajectory_of
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.laws.state import (
+    BALL_BALL,
+    BALL_CUSHION,
+    BALL_JAW,
+    BALL_POCKET,
+)
+from game.scenes.billiards.stroke.paths import Paths
+
+Array = NDArray[np.float64]
+
+LEAST_PATH = 0.004  # m; a ball that moves less is not shown to move
+
+
+class BallPath(NamedTuple):
+    """The path of one ball: its number, points (n, 2) m, and whether it ends in a pocket."""
+
+    number: int
+    points: Array
+    potted: bool
+
+
+class Sight(NamedTuple):
+    """What is foreseen. approach: of the cue ball to its first ball; after: from there on.
+
+    ghost: where the cue ball then is; target: the ball it meets, None if none; cut: rad. others: paths of
+    the balls that move. bounces: where the cue ball meets cushions. last: where it comes to rest, None if
+    that is later than is shown, or in a pocket.
+    """
+
+    approach: Array
+    after: Array
+    ghost: tuple[float, float] | None
+    target: int | None
+    target_place: tuple[float, float]
+    cut: float
+    others: tuple[BallPath, ...]
+    bounces: tuple[tuple[float, float], ...]
+    last: tuple[float, float] | None
+
+
+def foresee(struck: Struck, events: int) -> Sight:
+    """The paths of a stroke up to its n-th contact. ValueError if it cannot be played."""
+    trajectory = trajectory_of(struck)
+    rows = trajectory.rows
+    contacts = rows[rows[:, 1] <= BALL_POCKET]
+    whole = len(contacts) < events
+    until = trajectory.end_time if whole else float(contacts[events - 1, 0])
+    numbers = list(struck.frame.layout.numbers)
+    cue = numbers.index(CUE_BALL)
+    seen = contacts[contacts[:, 0] <= until]
+    first = next((row for row in seen.tolist() if row[1] == BALL_BALL and cue in row[2:]), None)
+    meets = first[0] if first is not None else until
+    paths = Paths(trajectory)
+    ghost, target, cut, place = None, None, 0.0, (0.0, 0.0)
+    if first is not None:
+        other = int(first[3] if int(first[2]) == cue else first[2])
+        ghost, target = paths.arriving(cue, meets)[0], numbers[other]
+        place = paths.arriving(other, meets)[0]
+        cut = _cut(paths.path(cue, 0.0, meets), ghost, place)
+    sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
+    others = tuple(
+        BallPath(numbers[ball], points, ball in sunk)
+        for ball in range(len(numbers))
+        if ball != cue and paths.moves(ball) and _length(points := paths.path(ball, 0.0, until)) > LEAST_PATH
+    )
+    bounces = tuple(
+        paths.arriving(cue, t)[0]
+        for t, e, i, _ in seen.tolist()
+        if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
+    )
+    last = paths.arriving(cue, until + 1e-9)[0] if whole and cue not in sunk else None
+    return Sight(
+        paths.path(cue, 0.0, meets),
+        paths.path(cue, meets, until),
+        ghost,
+        target,
+        place,
+        cut,
+        others,
+        bounces,
+        last,
+    )
+
+
+def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]) -> float:
+    """Angle between the path at the contact and the line of centres, rad."""
+    if len(approach) < 2:
+        return 0.0
+    along = approach[-1] - approach[-2]
+    normal = np.array(place) - ghost
+    size = math.sqrt(float(along @ along) * float(normal @ normal))
+    return math.acos(min(max(float(along @ normal) / size, -1.0), 1.0)) if size > 0.0 else 0.0
+
+
+def _length(points: Array) -> float:
+    """How far the end of a path, or its middle, is from its beginning, m."""
+    (x, y), (mx, my), (ex, ey) = points[0].tolist(), points[len(points) // 2].tolist(), points[-1].tolist()
+    return max(abs(mx - x), abs(my - y), abs(ex - x), abs(ey - y))
+
+
+class Foresight:
+    """What is foreseen of one stroke, kept while neither it nor what it is played from changes."""
+
+    def __init__(self) -> None:
+        self._key: object = None
+        self._sight: Sight | None = None
+
+    def of(self, frame: Frame, stroke: Stroke, events: int) -> Sight | None:
+        """What is foreseen up to the n-th contact; None if the stroke cannot be played."""
+        key = (frame.layout.places, stroke, frame.conditions, events)
+        if key != self._key:
+            self._key = key
+            try:
+                self._sight = foresee(Struck(frame, stroke), events)
+            except ValueError:
+                self._sight = None
+        return self._sight

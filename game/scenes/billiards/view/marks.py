@@ -1,0 +1,66 @@
+"""Marks on the cloth: the head string, rings of goals, what is called, the cue ball in hand."""
+
+from __future__ import annotations
+
+from game.billiards.game.games import Drill
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.table.rack import HEAD_SPOT
+from game.billiards.table.table import Table
+from game.scenes.billiards.play import AIMING, SET_UP, Play
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
+
+STAR = "★"
+
+
+def draw_marks(canvas: Canvas, play: Play) -> None:
+    """All of them, as far as game and phase have them."""
+    frame, aiming = play.model.frame, play.phase == AIMING
+    table, game = frame.table, frame.game
+    if game.in_hand == "behind the line" and aiming:
+        y = HEAD_SPOT * table.length
+        canvas.line((0.0, y), (table.width, y), FELT_LINE, 1.25, dash=(6.0, 6.0), alpha=0.6)
+    if isinstance(game, Drill) and play.phase != SET_UP:
+        _draw_goal(canvas, game, table)
+    _draw_call(canvas, play)
+    if aiming and play.may_aim and play.aiming.locked and frame.cue_ball is not None:
+        canvas.circle(
+            frame.cue_ball, 1.4 * float(frame.layout.balls.radii[CUE_BALL]), outline=FELT_WARM, width=2.0
+        )
+    if game.in_hand and aiming and frame.cue_ball is not None and play.person_plays:
+        radius = 1.7 * float(frame.layout.balls.radii[CUE_BALL])
+        canvas.circle(frame.cue_ball, radius, outline=FELT_WARM, width=1.5, dash=(4.0, 3.0))
+
+
+def _draw_goal(canvas: Canvas, game: Drill, table: Table) -> None:
+    """Rings where balls must stop, and the pockets where balls must fall."""
+    with canvas.within((0.0, 0.0), (table.width, table.length)):
+        _draw_rings(game, table, canvas)
+    for pot in game.goal.pots:
+        if pot.pocket is not None and pot.pocket < len(table.pockets):
+            x, y, radius = table.pockets[pot.pocket].tolist()
+            canvas.circle((x, y), radius + canvas.px(3.0), outline=FELT_WARM, width=2.0)
+
+
+def _draw_call(canvas: Canvas, play: Play) -> None:
+    """The pocket and the ball that are called."""
+    frame, call = play.model.frame, play.aiming.call
+    if call.pocket is not None and call.pocket < len(frame.table.pockets):
+        x, y, radius = frame.table.pockets[call.pocket].tolist()
+        canvas.circle((x, y), radius + canvas.px(3.0), outline=FELT_COOL, width=2.5)
+    for number, x, y in frame.layout.places:
+        if number == call.ball and play.phase == AIMING:
+            radius = 1.35 * float(frame.layout.balls.radii[number])
+            canvas.circle((x, y), radius, outline=FELT_COOL, width=2.0)
+
+
+def _draw_rings(game: Drill, table: Table, canvas: Canvas) -> None:
+    """Where a ball must stop, each ring with the stars that it brings at its end towards the middle."""
+    middle = 0.5 * table.width
+    for stars, goal in enumerate((game.goal, *game.more), 1):
+        for zone in goal.zones:
+            inward = 1.0 if zone.x < middle else -1.0
+            canvas.circle((zone.x, zone.y), zone.radius, fill=FELT_WARM, fill_alpha=0.08, outline=FELT_WARM,
+                          width=1.5, dash=(5.0, 4.0))  # fmt: skip
+            end = (zone.x + inward * zone.radius, zone.y)
+            canvas.label(end, STAR * stars, FELT_WARM, 11, offset=(0.0, -9.0 * inward), halo=False)

@@ -1,0 +1,135 @@
+"""How the billiard game is drawn: table, balls at any moment, cue, aim, and the instruments round them."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.rules import CUE_BALL
+from game.scenes.billiards import layout
+from game.scenes.billiards.buttons import Buttons
+from game.scenes.billiards.modes import Replay
+from game.scenes.billiards.opponents.deciding import Opponents
+from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.stroke.prediction import Foresight, Sight
+from game.scenes.billiards.view.balls import balls_at, balls_at_rest
+from game.scenes.billiards.view.cue import draw_players_cue
+from game.scenes.billiards.view.instruments import Instruments
+from game.scenes.billiards.view.marks import draw_marks
+from game.scenes.billiards.view.score_board import draw_board, draw_line
+from game.scenes.billiards.view.sight import draw_considered, draw_label, draw_sight
+from game.scenes.billiards.view.standing import standing_of
+from game.scenes.billiards.view.words import foul_of, line_of
+from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import FELT, FELT_WARM, Theme
+
+Array = NDArray[np.float64]
+
+HINT_EVENTS = 200  # to the end of its shot
+
+
+class BilliardsView:
+    """The picture of the game. title: of the level."""
+
+    def __init__(
+        self, play: Play, replay: Replay, buttons: Buttons, opponents: Opponents, title: str
+    ) -> None:
+        self.play = play
+        self.buttons = buttons
+        self.opponents = opponents
+        self.title = title
+        self.instruments = Instruments(play, replay, buttons)
+        self._foresight = Foresight()
+        self._hint_foresight = Foresight()
+
+    def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
+        """The game, ``alpha`` of the step from the clock before to the clock now."""
+        play, frame = self.play, self.play.model.frame
+        draw_table(canvas, frame.table)
+        canvas.halo = FELT
+        draw_marks(canvas, play)
+        time = self._moment(alpha, clock_before)
+        shows_aim = play.may_aim and play.parameters.prediction and play.grip != "cue ball"
+        sight = self._draw_aim(canvas) if shows_aim else None
+        if self.hint is not None and play.phase == AIMING:
+            self._draw_hint(canvas, self.hint)
+        draw_balls(canvas, self.balls_at(time), frame.table)
+        if sight is not None:
+            foul = foul_of(frame.game, play.aiming.call, sight.target)
+            radius = float(frame.layout.balls.radii[CUE_BALL])
+            draw_label(canvas, sight, frame.layout.places, frame.table, radius, foul)
+        if play.parameters.considered and play.phase == STRIKING and not play.person_plays:
+            shots = self.opponents.considered
+            draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
+        draw_players_cue(canvas, play, time)
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+            self._draw_around(canvas, look_of(canvas))
+
+    @property
+    def hint(self) -> Stroke | None:
+        """The solution of a puzzle while it is shown."""
+        solution = self.play.model.content.solution
+        return solution.stroke() if self.buttons.hint_shown and solution is not None else None
+
+    def _moment(self, alpha: float, clock_before: Array | None) -> float:
+        """Time of the phase, or place in the replay, that is shown, s."""
+        column = REPLAY_S if self.play.phase == REPLAY else PHASE_S
+        time = float(self.play.clock[column])
+        if clock_before is None or self.play.phase not in (STRIKING, ROLLING, REPLAY):
+            return time
+        before = float(clock_before[column])
+        return before + alpha * (time - before) if before <= time <= before + 0.1 else time
+
+    def balls_at(self, time: float) -> Balls:
+        """The balls as they are drawn: at rest, or on their paths at a time of the shot, s."""
+        model = self.play.model
+        played = model.played if self.play.phase in (ROLLING, REPLAY) else None
+        if played is None or model.frame.last is None:
+            return balls_at_rest(model)
+        return balls_at(model.frame.last.frame, played, model.turns_before, time)
+
+    def _draw_aim(self, canvas: Canvas) -> Sight | None:
+        """Cue line and paths of the stroke that is set; what is foreseen, None if it cannot be played."""
+        play, frame = self.play, self.play.model.frame
+        sight = self._foresight.of(frame, play.aiming.stroke, int(play.parameters.events))
+        if sight is None:
+            return None
+        radii = frame.layout.balls.radii.tolist()
+        target = radii[sight.target] if sight.target is not None else 0.0
+        foul = foul_of(frame.game, play.aiming.call, sight.target)
+        draw_sight(canvas, sight, radii[CUE_BALL], target, bool(foul))
+        return sight
+
+    def _draw_hint(self, canvas: Canvas, stroke: Stroke) -> None:
+        """The paths of a puzzle's solution; the line below the table says in words how it is struck."""
+        sight = self._hint_foresight.of(self.play.model.frame, stroke, HINT_EVENTS)
+        if sight is None:
+            return
+        for points in (sight.approach, sight.after, *(other.points for other in sight.others)):
+            if len(points) > 1:
+                canvas.polyline(points, FELT_WARM, 2.0, alpha=0.75)
+
+    def _draw_around(self, canvas: Canvas, look: Look) -> None:
+        """Score board, line of words, instruments."""
+        play = self.play
+        draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
+        if play.phase not in (SET_UP, REPLAY):
+            line = line_of(play, self.hint)
+            draw_line(canvas, look, line, with_key=play.may_aim and play.parameters.prediction)
+        self.instruments.draw(canvas, look)
+
+
+@lru_cache(maxsize=16)
+def _look(theme: Theme, k: float, less_motion: bool) -> Look:
+    return Look(theme, k, less_motion=less_motion)
+
+
+def look_of(canvas: Canvas) -> Look:
+    """Letters and lines in the measure of the table's picture."""
+    k = min(max(round(canvas.pixels_per_unit / layout.PIXELS, 2), 0.5), 6.0)
+    return _look(canvas.theme, k, canvas.look.less_motion)

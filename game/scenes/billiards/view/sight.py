@@ -1,0 +1,104 @@
+"""What is foreseen of a stroke as lines on the cloth, and the strokes that a computer player considers."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from game.billiards.game.arrangement import Places
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.table.table import Table
+from game.scenes.billiards.stroke.prediction import Sight
+from game.scenes.shared.tables.view import cut_words
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
+from game.ui.painters.aim import draw_cloth_label
+
+if TYPE_CHECKING:
+    from game.billiards.search.finding import FoundShot
+
+DASH = (8.0, 6.0)  # design px
+
+
+def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, foul: bool = False) -> None:
+    """The lines on the cloth. foul: the ball that is met first must not be."""
+    for path in sight.others:
+        own = path.number == sight.target
+        canvas.polyline(path.points, FELT_COOL, 2.0 if own else 1.5, dash=DASH, alpha=0.9 if own else 0.55)
+        if path.potted:
+            canvas.ring(path.points[-1], 5.0, FELT_COOL, 1.5)
+    if len(sight.after) > 1:
+        canvas.polyline(sight.after, FELT_LINE, 1.5, dash=DASH, alpha=0.9)
+    canvas.polyline(sight.approach, FELT_LINE, 1.5)
+    for place in sight.bounces:
+        canvas.dot(place, 3.0, FELT)
+        canvas.ring(place, 3.0, FELT_LINE, 1.25)
+    if sight.ghost is not None:
+        canvas.circle(sight.ghost, radius, fill=FELT_LINE, fill_alpha=0.22, outline=FELT_LINE, width=1.5)
+        ring = (FELT_WARM, 2.5) if foul else (FELT_COOL, 1.5)
+        canvas.circle(sight.target_place, target_radius + canvas.px(4.0), outline=ring[0], width=ring[1])
+    if sight.last is not None:
+        canvas.circle(
+            sight.last, radius, fill=FELT_LINE, fill_alpha=0.16, outline=FELT_LINE, width=1.0, alpha=0.7
+        )
+
+
+def draw_label(canvas: Canvas, sight: Sight, places: Places, table: Table, radius: float, foul: str) -> None:
+    """The cut, or why the stroke is a foul, on a plate on the cloth beside the ghost ball where no ball is
+    covered.
+    """
+    if sight.ghost is None:
+        return
+    gx, gy = sight.ghost
+    tx, ty = sight.target_place
+    apart = math.sqrt((tx - gx) ** 2 + (ty - gy) ** 2) or 1.0
+    ux, uy = (tx - gx) / apart, (ty - gy) / apart
+    best = (-1.0, gx, gy)
+    high, wide = canvas.px(20.0), canvas.px(46.0)  # the plate is wide along y
+    for ring in range(1, 4):
+        side = (1.6 * radius + canvas.px(34.0)) * (0.6 + 0.4 * ring)
+        for ax, ay in ((-uy, ux), (uy, -ux), (-ux, -uy)):
+            x, y = gx + side * ax, gy + side * ay
+            if not (high < x < table.width - high and wide < y < table.length - wide):
+                continue
+            clear = min(max(abs(bx - x) / high, abs(by - y) / wide) for _, bx, by in places)
+            if min(clear, 1.0) > best[0]:
+                best = (min(clear, 1.0), x, y)
+    words = foul or cut_words(sight.cut)
+    draw_cloth_label(canvas.surface, canvas.fonts, words, canvas.camera.to_screen(*best[1:]))
+
+
+def draw_considered(
+    canvas: Canvas, shots: tuple[FoundShot, ...], places: Places, table: Table, played: bool
+) -> None:
+    """Shots that a computer player considered: from the cue ball to the ball and on to its pocket.
+
+    The best is strongest, with the chance that it was given; ``played``: that is the one being played.
+    """
+    where = {number: (x, y) for number, x, y in places}
+    cue_ball = where.get(CUE_BALL)
+    if cue_ball is None:
+        return
+    named = {shot.ball: rank for rank, shot in reversed(list(enumerate(shots)))}  # the best for each ball
+    for rank, shot in reversed(list(enumerate(shots))):
+        strong = rank == 0
+        color, alpha = (FELT_WARM, 0.95 if strong else 0.4)
+        width = 2.0 if strong else 1.25
+        reach = 0.25
+        direction = (math.cos(shot.stroke.azimuth), math.sin(shot.stroke.azimuth))
+        ball = where.get(shot.ball) if shot.ball is not None else None
+        first = where.get(shot.via) if shot.via is not None else ball
+        if first is not None and shot.kind != "kick":
+            reach = math.hypot(first[0] - cue_ball[0], first[1] - cue_ball[1])
+        end = (cue_ball[0] + reach * direction[0], cue_ball[1] + reach * direction[1])
+        canvas.line(cue_ball, end, color, width, alpha=alpha)
+        if ball is None or shot.pocket is None:
+            continue
+        if shot.via is not None and first is not None:
+            canvas.line(first, ball, color, width, dash=DASH, alpha=alpha)
+        canvas.line(ball, table.pockets[shot.pocket, :2], color, width, dash=DASH, alpha=alpha)
+        if strong or (not played and named[shot.ball] == rank):
+            words = f"{shot.kind} {100.0 * shot.chance:.0f} %"
+            canvas.label(
+                ball, words, color, 11, "semibold", offset=(0.0, -18.0), alpha=1.0 if strong else 0.7
+            )

@@ -1,0 +1,129 @@
+"""How the game stands, in words: who plays, with what, what each player does, the score."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from game.billiards.game.games import CombinationMatch, Drill, EightBall, NineBall, Practice
+from game.billiards.game.games.eight_ball import GROUPS
+from game.billiards.game.rules import Game, listed
+from game.scenes.billiards.opponents.thinker import Thinker
+from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
+
+GAME_TITLES = {
+    EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination", Practice: "Practice",
+    Drill: "Drill",
+}  # fmt: skip
+MOST_CHIPS = 9
+
+
+class Card(NamedTuple):
+    """What the card of a player says. lit: at turn, or the winner. chips: balls; those gone are ticked."""
+
+    name: str
+    status: str
+    lit: bool
+    chips: tuple[tuple[int, bool], ...] = ()
+
+
+class Standing(NamedTuple):
+    """All that the board says."""
+
+    title: str
+    under: str
+    cards: tuple[Card, ...]
+    score: str
+    caption: str
+
+
+def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
+    """How the game stands. title: of the level, which names a drill."""
+    game = play.model.frame.game
+    game_title = GAME_TITLES.get(type(game), "")
+    if play.phase == SET_UP:
+        game_title, under = "Set up", "free placing"
+    elif play.phase == REPLAY:
+        under = "replay"
+    else:
+        under = _situation(game)
+    if len(game.players) == 1:
+        return Standing(game_title, under, (_single(game, title),), "", "")
+    cards = tuple(_card(play, thinker, player) for player in range(2))
+    score = f"{game.won[0]} : {game.won[1]}"
+    caption = "racks"
+    if isinstance(game, CombinationMatch):
+        score, caption = f"{game.points[0]} : {game.points[1]}", "balls"
+    return Standing(game_title, under, cards, score, caption)
+
+
+def _situation(game: Game) -> str:
+    if game.over:
+        return "rack over"
+    if game.opening:
+        return "break"
+    if isinstance(game, EightBall) and game.open_table:
+        return "open table"
+    return f"{len(game.on_table)} on the table"
+
+
+def _card(play: Play, thinker: Thinker, player: int) -> Card:
+    """The card of one of two players."""
+    game = play.model.frame.game
+    active = game.turn == player and not game.over
+    won = game.over and game.winner == player
+    doing = _doing(play, thinker) if active else "won the rack" if won else ""
+    parts = []
+    chips: tuple[tuple[int, bool], ...] = ()
+    if isinstance(game, EightBall) and game.groups[player]:
+        group = GROUPS[game.groups[player]]
+        left = game.balls_of(player)
+        chips = tuple((ball, ball not in left) for ball in group)
+        count = "" if doing else f", {len(left)} left"  # at the turn the chips alone tell it: space is scarce
+        if not won:
+            parts.append(f"{game.groups[player]}{count}" if left else "on the 8")
+    elif isinstance(game, NineBall) and active and not game.options:
+        parts.append(f"on {listed(game.legal_first())}")
+    if game.fouls_in_row[player] and isinstance(game, NineBall):
+        parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
+    if doing:
+        parts.insert(0, doing)  # first, since what is too long is cut at its end
+    grade = play.grade_of(player)
+    name = game.players[player] if grade == "person" else f"{game.players[player]} ({grade})"
+    return Card(name, " · ".join(parts), active or won, chips)
+
+
+def _doing(play: Play, thinker: Thinker) -> str:
+    """What the player at turn does."""
+    game = play.model.frame.game
+    if play.phase in (SET_UP, REPLAY):
+        return ""
+    if play.phase in (STRIKING, ROLLING):
+        return "plays"
+    if game.options:
+        return "chooses"
+    if play.plays_itself:
+        return "plays by itself"
+    if not play.person_plays:
+        return "thinks" if thinker.warm else "gets ready (once, some seconds)"
+    if play.aiming.call.safety:
+        return "plays safe"
+    if play.aiming.call.push_out:
+        return "pushes out"
+    return "ball in hand" if game.in_hand else "aims"
+
+
+def _single(game: Game, level_title: str) -> Card:
+    """The card of the only player."""
+    if isinstance(game, Drill):
+        stars = "★" * game.best + "☆" * (1 + len(game.more) - game.best)
+        tries = (
+            f"{game.made} of {game.attempts} made, {game.streak} in a row" if game.attempts else "first try"
+        )
+        return Card(level_title or game.players[0], f"{stars}   {tries}", True)
+    if isinstance(game, Practice):
+        strokes = f"{game.strokes} stroke{'s' * (game.strokes != 1)}"
+        status = f"{game.potted} potted with {strokes}, run of {game.run}"
+        return Card(
+            game.players[0], status, True, tuple((ball, False) for ball in game.on_table[:MOST_CHIPS])
+        )
+    return Card(game.players[0], "", True)

@@ -1,0 +1,111 @@
+"""What is said in words: directions, strokes, fouls to come, and the line below the table."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.games import Drill
+from game.billiards.game.goals import described
+from game.billiards.game.rules import Call, Game, listed
+from game.scenes.billiards import layout
+from game.scenes.billiards.play import AIMING, ROLLING, STRIKING, Play
+from game.scenes.billiards.stroke.calling import call_for
+from game.scenes.billiards.stroke.motion import power_of
+
+
+def aim_words(azimuth: float) -> str:
+    """A direction (rad from x) in degrees of the picture: 0 to the right, against the clock."""
+    degrees = math.degrees(math.remainder(0.5 * math.pi - azimuth, 2.0 * math.pi))
+    return f"{-degrees if degrees else 0.0:.2f}°".replace("-", "\u2212")
+
+
+def stroke_words(stroke: Stroke) -> tuple[str, ...]:
+    """How a stroke is set, in lines: power, and where the tip strikes; aim, and how far the cue is raised.
+
+    Nothing is left out that the instruments show as other than 0.
+    """
+    offsets = [
+        f"{abs(value):.2f} R {more if value > 0.0 else less}"
+        for value, more, less in ((stroke.tip_up, "above", "below"), (stroke.tip_left, "left", "right"))
+        if abs(value) >= 0.005
+    ]
+    power = f"{power_of(stroke.cue_speed):.1f} m/s, {' and '.join(offsets) or 'in the middle'}"
+    degrees = math.degrees(stroke.elevation)
+    raised = f", cue raised by {degrees:.0f}°" if degrees >= 0.5 else ""
+    return power, f"aim {aim_words(stroke.azimuth)}{raised}"
+
+
+def foul_of(game: Game, call: Call, first: int | None) -> str:
+    """Why a stroke is a foul whose cue ball meets that ball first, empty if it is none."""
+    allowed = game.legal_first()
+    if first is None or first in allowed or call.push_out:
+        return ""
+    return f"foul: {listed(allowed)} first" if len(allowed) == 1 else f"foul: not the {first}"
+
+
+class Line(NamedTuple):
+    """The line below the table: what follows or is to be done, and why; foul: it says a foul."""
+
+    lead: str
+    more: str = ""
+    foul: bool = False
+
+
+def line_of(play: Play, hint: Stroke | None) -> Line:
+    """The line below the table. hint: a solution that is shown."""
+    frame = play.model.frame
+    game = frame.game
+    if play.phase in (STRIKING, ROLLING):
+        return Line(_announced(play))
+    if hint is not None and play.phase == AIMING:
+        return Line(f"Hint: {', '.join(stroke_words(hint))}.")
+    if frame.words:
+        lead, *rest = frame.words if len(game.players) == 1 else (frame.words[-1], *frame.words[:-1])
+        return Line(lead, " ".join((*_call_due(play), *rest)), frame.foul)
+    if isinstance(game, Drill):
+        lead, *rest = described(game.goal, layout.POCKETS)
+        return Line(lead, " ".join(rest))
+    if play.phase != AIMING or not play.person_plays:
+        return Line("")
+    return Line(_what_to_do(game), " ".join(_call_due(play)))
+
+
+def _what_to_do(game: Game) -> str:
+    """What a person at turn can do."""
+    alone = len(game.players) == 1
+    if game.in_hand:
+        where = " behind the line" if game.in_hand == "behind the line" else ""
+        who = "The cue ball is" if alone else f"{game.shooter} has the cue ball"
+        return f"{who} in hand: drag it{where}, then pull the cue back and let go."
+    return "Aim, pull the cue back and let go." if alone else f"{game.shooter} plays."
+
+
+def _call_due(play: Play) -> tuple[str, ...]:
+    """What is called for the stroke that is aimed, or that a call is needed; empty where none is."""
+    frame = play.model.frame
+    if not play.may_aim or not frame.game.needs_call():
+        return ()
+    words = call_words(call_for(frame, play.aiming.call, play.aiming.stroke))
+    return (words or "A call is needed: aim at a ball, or click a ball and a pocket.",)
+
+
+def call_words(call: Call) -> str:
+    """What is called, in words; empty if that is not enough to score."""
+    if call.safety:
+        return "A safety."
+    if call.push_out:
+        return "A push-out."
+    if call.ball is None or call.pocket is None:
+        return ""
+    return f"Called: the {call.ball} into the {layout.pocket_words(call.pocket)}."
+
+
+def _announced(play: Play) -> str:
+    """What was called before the stroke, in words."""
+    last = play.model.frame.last
+    call = play.aiming.call if play.phase == STRIKING or last is None else last.call
+    if not (call.safety or call.push_out or play.model.frame.game.needs_call()):
+        return ""
+    return call_words(call)
