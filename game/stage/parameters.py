@@ -7,7 +7,7 @@ replay. Controls, help page, level file and command line are made from the decla
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from numbers import Real
 from typing import Any, Generic, TypeVar, overload
 
@@ -138,7 +138,12 @@ class Param(Parameter[float]):
 
 
 class Choice(Parameter[str]):
-    """One of a few named options. ValueError for more or fewer labels than options."""
+    """One of a few named options.
+
+    ``formerly``: names that options had in earlier versions, and what each is called now; levels and
+    recordings that have them still open. ValueError for more or fewer labels than options, and for a former
+    name that is an option or stands for none.
+    """
 
     def __init__(
         self,
@@ -146,22 +151,28 @@ class Choice(Parameter[str]):
         options: tuple[str, ...],
         *,
         labels: tuple[str, ...] = (),
+        formerly: Mapping[str, str] | None = None,
         label: str = "",
         help: str = "",
         group: str = "",
         rebuild: bool = False,
     ):
         self.options = options
+        self.formerly = dict(formerly or {})
+        for old, new in self.formerly.items():
+            if old in options or new not in options:
+                raise ValueError(f"Choice: formerly {old!r}, now {new!r}: expected a name no longer in use")
         self.labels = labels or tuple(option.replace("-", " ").capitalize() for option in options)
         if len(self.labels) != len(options):
             raise ValueError("Choice: expected as many labels as options")
         super().__init__(default, label=label, help=help, group=group, rebuild=rebuild)
 
     def check(self, value: Any) -> str:
-        """The option; ParameterError, naming all, if it is none."""
-        if not isinstance(value, str) or value not in self.options:
+        """The option, by its present name; ParameterError, naming all, if it is none."""
+        option = self.formerly.get(value, value) if isinstance(value, str) else value
+        if not isinstance(option, str) or option not in self.options:
             raise self._refuse(value, "expected one of " + ", ".join(self.options))
-        return str(value)
+        return str(option)
 
     def parse(self, text: str) -> str:
         """The option that a text names; ParameterError if it is none."""

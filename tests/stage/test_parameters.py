@@ -128,6 +128,27 @@ class TestOthers:
         with pytest.raises(ValueError, match="as many labels"):
             Choice("a", ("a", "b"), labels=("A",))
 
+    def test_an_option_is_taken_by_the_name_that_it_had_formerly(self) -> None:
+        class Other:
+            name = "other"
+            fit = Choice("fine", ("fine", "least-area"), formerly={"calipers": "least-area"})
+
+            def __init__(self):
+                self.values = {}
+
+        assert Other.fit.check("calipers") == Other.fit.parse(" calipers ") == "least-area"
+        owner = Other()
+        owner.fit = "calipers"
+        assert owner.fit == "least-area"
+        with pytest.raises(ParameterError, match="one of fine, least-area is wanted"):
+            Other.fit.check("caliper")
+        assert Choice("old", ("new",), formerly={"old": "new"}).formerly == {"old": "new"}
+
+    @pytest.mark.parametrize("formerly", [{"fine": "rough"}, {"old": "gone"}])
+    def test_a_former_name_is_none_of_the_options_and_stands_for_one(self, formerly) -> None:
+        with pytest.raises(ValueError, match="Choice: formerly"):
+            Choice("fine", ("fine", "rough"), formerly=formerly)
+
     def test_toggle(self) -> None:
         assert Owner.on.check(False) is False
         assert [Owner.on.parse(text) for text in ("on", "YES", "1", "false", "Off")] == [True] * 3 + [

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.bounds import traversal
+from game.physics.bounds import Nearest, traversal
 from game.physics.bounds.segments import nearest_points
 from game.scenes.bounds import walk_view
-from game.scenes.bounds.pair import Pane, Place, TreePair
+from game.scenes.bounds.pair import Place, TreePair
+from game.scenes.bounds.panes import Pane
 from game.scenes.bounds.volumes import MOST_RED
 from game.scenes.shared.outlines.drawn_lines import DrawnLines
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
-
-if TYPE_CHECKING:
-    from game.scenes.bounds.base import BoundsScene
 
 Array = NDArray[np.float64]
 MOST_CROSSINGS, MOST_AXES = 200, 10
@@ -32,7 +29,7 @@ def length_text(length: float) -> str:
     return f"{length / 1e-9:.3g} nm"
 
 
-class Findings:
+class Annotations:
     """Draws what was found; keeps on which side of its point each of the words stands."""
 
     def __init__(self) -> None:
@@ -53,8 +50,8 @@ class Findings:
             canvas.contact(points[-1])
         if words:
             count = query.crossing_count
-            told = "1 crossing" if count == 1 else f"{count} crossings"
-            self._leader(lines, max(points, key=lambda point: point[1]), told, "amber", (44.0, -34.0))
+            text = "1 crossing" if count == 1 else f"{count} crossings"
+            self._leader(lines, max(points, key=lambda point: point[1]), text, "amber", (44.0, -34.0))
 
     def tell_touching(self, canvas: Canvas, lines: DrawnLines, pair: TreePair, places: list[Place]) -> None:
         """Say of one red pair without a crossing that it is one."""
@@ -76,10 +73,8 @@ class Findings:
             names = "boxes" if pair.options.kind != "capsule" else "capsules"
             self._leader(lines, at, f"{names} touch, segments do not", "vermilion", (40.0, 40.0))
 
-    def draw_gap(self, scene: BoundsScene, canvas: Canvas, lines: DrawnLines, pane: Pane) -> None:
-        gap = scene.gap()
-        if gap is None:
-            return
+    def draw_gap(self, canvas: Canvas, lines: DrawnLines, pane: Pane, gap: Nearest) -> None:
+        """The line between the nearest points, and how long it is."""
         ends = [pane.point(gap.point_a), pane.point(gap.point_b)]
         canvas.line(ends[0], ends[1], "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
         for point in ends:

@@ -5,16 +5,13 @@ from __future__ import annotations
 from typing import ClassVar
 
 from game.lab.studies.bounds.fits import capsule_study
-from game.physics.bounds import FITS, KINDS, near_least_capsule
-from game.physics.kernels.limits import LimitError
-from game.physics.proximity_effects import EXACT_ANSWER
+from game.physics.bounds import near_least_capsule
 from game.scenes.bounds import C09
 from game.scenes.bounds.base import BoundsScene
 from game.scenes.bounds.figure import draw_capsules
-from game.scenes.bounds.pair import Pane
-from game.stage import Choice, Equation, Strip, Toggle, WarmUp
-
-TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Upright boxes"}
+from game.scenes.bounds.panes import Panes, SideBySide
+from game.scenes.bounds.parameters import CapsuleParameters
+from game.stage import Equation, Strip, WarmUp
 
 
 class Capsules(BoundsScene):
@@ -36,40 +33,8 @@ class Capsules(BoundsScene):
     study = capsule_study
     second_kind: ClassVar[str] = "obb"
 
-    volume = Choice(
-        "capsule", KINDS, labels=("Boxes", "Capsules", "Upright"), group="Volumes",
-        help="oriented boxes, capsules, or boxes that stay upright",
-    )  # fmt: skip
-
-    fit = Choice(
-        "search", FITS, labels=("Degrees", "Refined", "Least radius", "Exact"), group="Volumes",
-        help="by angle steps; improved by golden section; least radius (boxes: breadth), by calipers; least "
-        "area to 0.1 %, by branch and bound",
-    )  # fmt: skip
-
-    side_by_side = Toggle(
-        False, group="Shown", help="these trees on the left, the other ones on the same outlines on the right"
-    )
-
-    def panes(self) -> list[Pane]:
-        if not self.side_by_side or self.walked != "off" or len(self.outlines) != 2:
-            return super().panes()
-        try:
-            self.beside.ask_if_moved(self.outlines, EXACT_ANSWER in self.active)
-        except LimitError:  # too many pairs to be kept: these trees alone
-            return super().panes()
-        seen = self.frame()
-        quarter, middle = 0.25 * (seen.right - seen.left), 0.5 * (seen.left + seen.right)
-        height = 0.5 * (seen.bottom + seen.top)
-        return [
-            Pane(pair, 0.5, 0.5 * middle + way * quarter, 0.5 * height, TITLES[pair.options.kind])
-            for pair, way in ((self.pair, -1.0), (self.beside, 1.0))
-        ]
-
-    @classmethod
-    def warm_ups(cls) -> list[WarmUp]:
-        square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
-        return [*super().warm_ups(), WarmUp("least capsule", lambda: near_least_capsule(square))]
+    parameters_type = CapsuleParameters
+    parameters: CapsuleParameters
 
     strips = (
         Strip("Volume tests", "", ("tests", "with boxes", "upright"), sometimes=("with boxes", "upright")),
@@ -101,3 +66,11 @@ class Capsules(BoundsScene):
         "Open the two arcs and bring them close: boxes separate them with fewer tests.",
         "Open the square: choose Least radius, then Exact, and read the area above the exact one.",
     )
+
+    def make_panes(self) -> Panes:
+        return SideBySide(self.model, self.parameters)
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+        return [*super().warm_ups(), WarmUp("least capsule", lambda: near_least_capsule(square))]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,28 +56,6 @@ class Place(NamedTuple):
         world[..., 0] = c * x - s * y + self.x
         world[..., 1] = s * x + c * y + self.y
         return world
-
-
-class Pane(NamedTuple):
-    """A part of the picture with trees of one kind; the world is smaller in it, and moved."""
-
-    pair: TreePair
-    scale: float = 1.0
-    x: float = 0.0
-    y: float = 0.0
-    title: str = ""
-
-    def point(self, at: Sequence[float]) -> tuple[float, float]:
-        """Where a point of the world is drawn."""
-        return self.scale * at[0] + self.x, self.scale * at[1] + self.y
-
-    def world(self, at: Sequence[float]) -> tuple[float, float]:
-        """The point of the world that is drawn there."""
-        return (at[0] - self.x) / self.scale, (at[1] - self.y) / self.scale
-
-    def place(self, place: Place) -> Place:
-        """Where a frame is drawn."""
-        return Place(*self.point((place.x, place.y)), place.angle, self.scale)
 
 
 def tree_of(outline: Outline, options: TreeOptions) -> BoundingTree:
@@ -149,7 +127,6 @@ class TreePair:
         self._shapes: list[tuple[object, bool, float]] = []
         self._asked: object = None
         self._exact: list[float] = []
-        self.kept_walk: Any = None  # what is being walked through, see bounds_walk
         self._gap: tuple[Outline, Outline, Nearest] | None = None  # the distance that is known, and of what
 
     def exact_area(self, index: int) -> float:

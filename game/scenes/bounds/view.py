@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,17 +12,19 @@ from numpy.typing import NDArray
 from game.physics.bounds.building import middle_of
 from game.physics.bounds.segments import nearest_points
 from game.physics.proximity_effects import EXACT_ANSWER
-from game.scenes.bounds import volumes, walk, walk_view
-from game.scenes.bounds.annotations import Findings
-from game.scenes.bounds.pair import Pane, Place, TreePair
+from game.scenes.bounds import volumes, walk_view
+from game.scenes.bounds.annotations import Annotations
+from game.scenes.bounds.model import BoundsModel
+from game.scenes.bounds.pair import Place, TreePair
+from game.scenes.bounds.panes import Pane, Panes
+from game.scenes.bounds.state import BoundsState
 from game.scenes.bounds.volumes import Shown, VolumePainter
+from game.scenes.bounds.walk import Walk
+from game.scenes.bounds.walk_words import caption
 from game.scenes.shared.outlines.board import NOBODY
 from game.scenes.shared.outlines.drawn_lines import DrawnLines
 from game.scenes.shared.outlines.outline import handle_of
 from game.ui.canvas.canvas import Canvas
-
-if TYPE_CHECKING:
-    from game.scenes.bounds.base import BoundsScene
 
 Array = NDArray[np.float64]
 COLORS = ("text1", "chalk")  # of A and B
@@ -39,78 +41,83 @@ DRAW_ON = (
 class BoundsView:
     """Draws the scene; keeps the arrays that drawing needs."""
 
-    def __init__(self) -> None:
-        self.volumes = VolumePainter()
-        self._findings = Findings()
+    def __init__(self, model: BoundsModel, walk: Walk, panes: Panes):
+        self.model, self.walk = model, walk
+        self._panes = panes
+        self._volumes = VolumePainter()
+        self._annotations = Annotations()
         self._names = [0, 0]  # where the names of A and B stand, of ASIDE
 
     # -- legend -------------------------------------------------------------------------------------
 
-    def legend(self, scene: BoundsScene) -> list[tuple[str, str, str]]:
+    def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean, with counts."""
-        if scene.walked == "fit":
-            return walk_view.fit_legend(scene)
-        if scene.walked == "build":
+        pair, parameters, cursor = self.model.pair, self.model.parameters, self.walk.cursor
+        if parameters.walked == "fit":
+            return walk_view.fit_legend()
+        if parameters.walked == "build":
             return [
                 ("box:amber", "volume being fitted", ""),
-                ("box:ghost", "fitted so far", str(scene.cursor)),
+                ("box:ghost", "fitted so far", str(cursor)),
             ]
         names = {"obb": "boxes", "capsule": "capsules", "aabb": "upright boxes"}
-        name = names[scene.pair.options.kind]
-        red, green, rest = scene.marked()
-        rows = [("box:vermilion", f"overlapping {name}", str(red))]
-        if scene.ancestors:
+        red, green, rest = self.model.marked(cursor if parameters.walked == "query" else None)
+        rows = [("box:vermilion", f"overlapping {names[pair.options.kind]}", str(red))]
+        if parameters.ancestors:
             rows.append(("dashed-box:green", "their ancestors", str(green)))
-        if scene.hierarchy:
+        if parameters.hierarchy:
             rows.append(("box:ghost", "rest of the hierarchy", str(rest)))
-        query = scene.pair.query
+        query = pair.query
         if query is not None and query.crossing_count:
             rows.append(("disc:amber", "crossing of segments", str(query.crossing_count)))
         elif query is not None:
             rows.append(("dash:text1", "least distance", ""))
-        if scene.walked == "query":
-            rows.append(
-                ("box:amber", "pair being tested", f"{scene.cursor} of {query.row_count if query else 0}")
-            )
+        if parameters.walked == "query":
+            total = query.row_count if query else 0
+            rows.append(("box:amber", "pair being tested", f"{cursor} of {total}"))
         return rows
 
     # -- the whole ----------------------------------------------------------------------------------
 
-    def draw(self, scene: BoundsScene, canvas: Canvas, alpha: float) -> None:
-        """All of it, from the back to the front."""
+    def draw(self, canvas: Canvas, before: BoundsState | None, alpha: float) -> None:
+        """All of it, from the back to the front, ``alpha`` of the step after the state ``before``."""
         canvas.grid(None, "")
-        now = self.places(scene, alpha)
-        for pane in scene.panes():
-            places = [pane.place(place) for place in now]
-            drawn = []
-            for i, outline in enumerate(scene.outlines):
-                points = places[i].to_world(scene.local_points(i))
-                aside = scene.walked == "fit" and i != scene.chosen  # the walk is through the other one
-                self._draw_outline(canvas, points, outline.closed, "ghost" if aside else COLORS[i])
-                drawn.append((points, outline.closed))
-            lines = DrawnLines(canvas, drawn)
-            tree_places = self._tree_places(pane.pair, places)
-            if scene.walked == "fit" and scene.outlines:
-                walk_view.draw_fit(scene, canvas, tree_places)
-            elif scene.walked == "build" and scene.outlines:
-                walk_view.draw_build(scene, canvas, tree_places)
-            else:
-                self._draw_query(scene, canvas, lines, pane, tree_places)
-            named = () if scene.walked == "fit" else range(len(tree_places))
-            self._draw_names(canvas, lines, pane.pair, tree_places, named)
-            self._draw_hand(scene, canvas, pane, places)
-            if pane.title:
-                self._draw_title(scene, canvas, pane)
-        if scene.walked != "off":
-            walk_view.draw_caption(canvas, walk.caption(scene))
-        elif scene.tool == "draw":
-            count = len(scene.outlines)
+        now = self._places(before, alpha)
+        for pane in self._panes():
+            self._draw_pane(canvas, pane, [pane.place(place) for place in now])
+        if self.model.parameters.walked != "off":
+            walk_view.draw_caption(canvas, caption(self.walk))
+        elif self.model.parameters.tool == "draw":
+            count = len(self.model.outlines)
             first = DRAW_FIRST.format("AB"[count] if count < 2 else "a new outline")
-            walk_view.draw_caption(canvas, DRAW_ON if scene.board.drawn else first)
+            walk_view.draw_caption(canvas, DRAW_ON if self.model.board.drawn else first)
 
-    def _draw_title(self, scene: BoundsScene, canvas: Canvas, pane: Pane) -> None:
+    def _draw_pane(self, canvas: Canvas, pane: Pane, places: list[Place]) -> None:
+        """Outlines, volumes and hand in a part of the picture; ``places``: of the outlines there."""
+        model, walked = self.model, self.model.parameters.walked
+        drawn = []
+        for i, outline in enumerate(model.outlines):
+            points = places[i].to_world(model.local_points(i))
+            aside = walked == "fit" and i != model.chosen  # the walk is through the other one
+            self._draw_outline(canvas, points, outline.closed, "ghost" if aside else COLORS[i])
+            drawn.append((points, outline.closed))
+        lines = DrawnLines(canvas, drawn)
+        tree_places = self._tree_places(pane.pair, places)
+        if walked == "fit" and model.outlines:
+            walk_view.draw_fit(self.walk, canvas, tree_places)
+        elif walked == "build" and model.outlines:
+            walk_view.draw_build(self.walk, canvas, tree_places, self._volumes)
+        else:
+            self._draw_query(canvas, lines, pane, tree_places)
+        named = () if walked == "fit" else range(len(tree_places))
+        self._draw_names(canvas, lines, pane.pair, tree_places, named)
+        self._draw_hand(canvas, pane, places)
+        if pane.title:
+            self._draw_title(canvas, pane)
+
+    def _draw_title(self, canvas: Canvas, pane: Pane) -> None:
         """What a pane shows, and what it costs."""
-        seen = scene.frame()
+        seen = self.model.content.view
         at = pane.point((0.5 * (seen.left + seen.right), seen.bottom))
         canvas.label(at, pane.title, "text1", 15, "semibold", offset=(0.0, 14.0))
         query = pane.pair.query
@@ -120,11 +127,10 @@ class BoundsView:
             words = f"{tests}, {pairs} of leaves"
             canvas.label(at, words, "text2", 12, offset=(0.0, 34.0))
 
-    def places(self, scene: BoundsScene, alpha: float) -> list[Place]:
+    def _places(self, before: BoundsState | None, alpha: float) -> list[Place]:
         """Where the outlines are, between the last two steps."""
-        now = [Place(*outline.position, outline.angle) for outline in scene.outlines]
-        before = scene.previous
-        if before is None or len(before.places) != len(now) or scene.board.held:
+        now = [Place(*outline.position, outline.angle) for outline in self.model.outlines]
+        if before is None or len(before.places) != len(now) or self.model.board.held:
             return now
         return [
             Place(
@@ -172,12 +178,12 @@ class BoundsView:
             canvas.label(at, "AB"[i], COLORS[i], 22, "semibold", offset=(aside, down - 9.0))
             canvas.label(at, words, "text2", 12, offset=(aside, down + 11.0))
 
-    def _draw_hand(self, scene: BoundsScene, canvas: Canvas, pane: Pane, places: list[Place]) -> None:
-        board = scene.board
+    def _draw_hand(self, canvas: Canvas, pane: Pane, places: list[Place]) -> None:
+        model, board = self.model, self.model.board
         if board.chosen != NOBODY and board.chosen < len(places):
-            moved = scene.outlines[board.chosen]
-            if scene.tool == "points" and len(moved.points) <= MOST_CORNERS:
-                corners = places[board.chosen].to_world(scene.local_points(board.chosen))
+            moved = model.outlines[board.chosen]
+            if model.parameters.tool == "points" and len(moved.points) <= MOST_CORNERS:
+                corners = places[board.chosen].to_world(model.local_points(board.chosen))
                 canvas.discs(corners, canvas.px(3.0), "accent")
                 if board.corner != NOBODY:
                     canvas.ring(corners[board.corner], 7.0, "amber", 1.8)
@@ -191,29 +197,27 @@ class BoundsView:
 
     # -- volumes and what was found -----------------------------------------------------------------
 
-    def _draw_query(
-        self, scene: BoundsScene, canvas: Canvas, lines: DrawnLines, pane: Pane, places: list[Place]
-    ) -> None:
-        pair, query = pane.pair, pane.pair.query
-        count = scene.cursor if scene.walked == "query" else None
+    def _draw_query(self, canvas: Canvas, lines: DrawnLines, pane: Pane, places: list[Place]) -> None:
+        pair, query, parameters = pane.pair, pane.pair.query, self.model.parameters
+        count = self.walk.cursor if parameters.walked == "query" else None
         marks: Any = [np.zeros(len(tree), dtype=np.uint8) for tree in pair.trees]
         if query is not None:
             marks = query.marks(count)
-        shown = Shown(scene.hierarchy, scene.ancestors, int(scene.deepest))
-        self.volumes.draw_volumes(canvas, pair, places, marks, shown)
+        shown = Shown(parameters.hierarchy, parameters.ancestors, int(parameters.deepest))
+        self._volumes.draw_volumes(canvas, pair, places, marks, shown)
         if query is None:
             return
-        if scene.walked == "query":
-            walk_view.draw_pair(scene, canvas, places)
+        if parameters.walked == "query":
+            walk_view.draw_pair(self.walk, canvas, places)
             return
-        if scene.axes:
-            self._findings.draw_axes(canvas, pair, places)
+        if parameters.axes:
+            self._annotations.draw_axes(canvas, pair, places)
         if query.crossing_count:
-            self._findings.draw_crossings(canvas, lines, pair, places, not pane.title)
-        else:
-            self._findings.draw_gap(scene, canvas, lines, pane)
-        if EXACT_ANSWER in scene.active and not pane.title:
-            self._findings.tell_touching(canvas, lines, pair, places)
+            self._annotations.draw_crossings(canvas, lines, pair, places, not pane.title)
+        elif (gap := self.model.gap()) is not None:
+            self._annotations.draw_gap(canvas, lines, pane, gap)
+        if EXACT_ANSWER in self.model.active and not pane.title:
+            self._annotations.tell_touching(canvas, lines, pair, places)
 
 
 def warm_up() -> None:

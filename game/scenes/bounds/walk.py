@@ -1,38 +1,25 @@
-"""Walking through the method: the fit direction by direction, the tree node by node, the query pair by pair.
-
-A walk is a row of steps that is known from its beginning; the scene's cursor says how many have been made.
-So it goes back as well as on.
-"""
+"""Walks through the method: the fit by directions, the tree node by node, the query pair by pair."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.bounds import (
-    Query,
-    build_tree,
-    fit_capsule,
-    fit_obb,
-    nearest,
-    traversal,
-)
+from game.physics.bounds import BoundingTree, Query, build_tree, fit_capsule, fit_obb, nearest
 from game.physics.bounds.boxes import write_box
-from game.physics.bounds.building import CHILD, area_on_axis
+from game.physics.bounds.building import area_on_axis
 from game.physics.bounds.capsules import write_capsule
 from game.physics.bounds.hull import hull_of
+from game.scenes.bounds.model import BoundsModel
 from game.scenes.bounds.pair import least_area
-
-if TYPE_CHECKING:
-    from game.physics.bounds import BoundingTree
-    from game.scenes.bounds.base import BoundsScene
+from game.scenes.bounds.parameters import WALKS
+from game.stage import Part
 
 Array = NDArray[np.float64]
 BEAT_ROUNDING = 1e-9  # so that sixty sixtieths of a second make a whole one
-WALKS = ("off", "fit", "build", "query")
 
 
 class FitWalk(NamedTuple):
@@ -49,36 +36,6 @@ class FitWalk(NamedTuple):
         return float(self.areas[index]) / self.exact
 
 
-def node_of(scene: BoundsScene) -> int:
-    """The node whose fit is walked through."""
-    trees = scene.pair.trees
-    return min(int(scene.node), len(trees[scene.chosen]) - 1) if trees else 0
-
-
-def fit_walk(scene: BoundsScene) -> FitWalk:
-    """The search on the chosen node, all of it; kept until another one is asked for."""
-    tree = scene.pair.trees[scene.chosen]
-    key = (node_of(scene), scene.angle_step)
-    kept = scene.pair.kept_walk
-    if kept is None or kept[0] is not tree or kept[1] != key:
-        kept = scene.pair.kept_walk = (tree, key, _make_walk(scene, tree))
-    return kept[2]
-
-
-def _make_walk(scene: BoundsScene, tree: BoundingTree) -> FitWalk:
-    points = tree.ends[tree.segments_of(node_of(scene))].reshape(-1, 2)
-    hull, origin = hull_of(points)
-    quarter = 90.0 if tree.kind == "obb" else 180.0
-    count = max(1, math.ceil(quarter / scene.angle_step - 1e-9))
-    angles = np.radians(scene.angle_step * np.arange(count))
-    if tree.kind == "aabb":
-        angles = angles[:1]
-    kind = tree.kind_number if tree.kind != "aabb" else 0
-    areas = np.array([area_on_axis(kind, hull, len(hull), math.cos(a), math.sin(a)) for a in angles.tolist()])
-    exact = least_area(tree.kind, points)
-    return FitWalk(angles, areas, hull, origin, exact)
-
-
 def fit_row(walk: FitWalk, angle: float, kind: str) -> Array:
     """The volume (1, 6) on an axis at an angle (rad)."""
     row = np.zeros((1, 6))
@@ -88,114 +45,107 @@ def fit_row(walk: FitWalk, angle: float, kind: str) -> Array:
     return row
 
 
-def length_of(scene: BoundsScene) -> int:
-    """How many steps the walk in play has."""
-    trees, query = scene.pair.trees, scene.pair.query
-    if not trees or scene.walked == "off":
-        return 0
-    if scene.walked == "fit":
-        if scene.pair.options.kind == "aabb":
-            return 1
-        quarter = 90.0 if scene.pair.options.kind == "obb" else 180.0
-        return max(1, math.ceil(quarter / scene.angle_step - 1e-9))
-    if scene.walked == "build":
-        return sum(len(tree) for tree in trees)
-    return query.row_count if query is not None else 0
+class Walk(Part):
+    """A row of steps that is known from its beginning, so that it goes back as well as on.
+
+    cursor: how many steps have been made; beat: what there is of the next one.
+    """
+
+    def __init__(self, model: BoundsModel):
+        self.model = model
+        self.cursor, self.beat = 0, 0.0
+        self._kept: tuple[BoundingTree, tuple[int, float], FitWalk] | None = None
+
+    # -- its steps ----------------------------------------------------------------------------------
+
+    def length(self) -> int:
+        """How many steps the walk in play has."""
+        pair, walked = self.model.pair, self.model.parameters.walked
+        if not pair.trees or walked == "off":
+            return 0
+        if walked == "fit":
+            return _directions(pair.options.kind, self.model.parameters.angle_step)
+        if walked == "build":
+            return sum(len(tree) for tree in pair.trees)
+        return pair.query.row_count if pair.query is not None else 0
+
+    def stand_at(self, cursor: int) -> None:
+        """Stand after so many steps of the walk, as far as it has them; it no longer plays."""
+        self.cursor = min(max(cursor, 0), self.length())
+        self.beat = 0.0
+        self.model.parameters.playing = False
+
+    def stay_within(self) -> None:
+        """Stand no further than at the end of a walk that may have become shorter."""
+        self.cursor = min(self.cursor, self.length())
+
+    def begin(self) -> None:
+        """Stand at the start of a walk that was chosen."""
+        self.stand_at(0)
+        self.model.ask(self.model.coherent)
+
+    def take_next(self) -> None:
+        """Choose the walk after this one, or none after the last."""
+        parameters = self.model.parameters
+        parameters.walked = WALKS[(WALKS.index(parameters.walked) + 1) % len(WALKS)]
+        self.begin()
+
+    def start_if_ended(self) -> None:
+        """Where there is nothing left to play, stand at the start again."""
+        if self.cursor >= self.length():
+            self.cursor = 0
+
+    def play(self, dt: float) -> None:
+        """Go on at the chosen pace, if it plays; at its end it stands."""
+        parameters = self.model.parameters
+        if not parameters.playing:
+            return
+        self.beat += parameters.pace * dt
+        made = int(self.beat + BEAT_ROUNDING)
+        self.beat -= made
+        self.cursor += made
+        if self.cursor >= self.length():
+            self.stand_at(self.cursor)
+
+    # -- what a step is of --------------------------------------------------------------------------
+
+    def building_at(self) -> tuple[int, int]:
+        """The tree and the node that are built in the present step; the root of A before the first."""
+        trees = self.model.pair.trees
+        left = max(self.cursor - 1, 0)
+        for i, tree in enumerate(trees):
+            if left < len(tree):
+                return i, left
+            left -= len(tree)
+        return len(trees) - 1, len(trees[-1]) - 1
+
+    def fit(self) -> FitWalk:
+        """The search on the chosen node, all of it; kept until another one is asked for."""
+        parameters = self.model.parameters
+        tree = self.model.pair.trees[self.model.chosen]
+        node = min(int(parameters.node), len(tree) - 1)
+        key = (node, parameters.angle_step)
+        if self._kept is None or self._kept[0] is not tree or self._kept[1] != key:
+            self._kept = (tree, key, _fit_walk(tree, node, parameters.angle_step))
+        return self._kept[2]
 
 
-def stand_at(scene: BoundsScene, cursor: int) -> None:
-    """Stand after so many steps of the walk, as far as it has them; it no longer plays."""
-    scene.cursor = min(max(cursor, 0), length_of(scene))
-    scene.beat = 0.0
-    scene.values["playing"] = False
+def _directions(kind: str, step_degrees: float) -> int:
+    """How many directions are tried for a volume of a kind."""
+    if kind == "aabb":
+        return 1
+    range_degrees = 90.0 if kind == "obb" else 180.0
+    return max(1, math.ceil(range_degrees / step_degrees - 1e-9))
 
 
-def play(scene: BoundsScene, dt: float) -> None:
-    """Go on at the chosen pace, if it plays; at its end it stands."""
-    if not scene.playing:
-        return
-    scene.beat += scene.pace * dt
-    made = int(scene.beat + BEAT_ROUNDING)
-    scene.beat -= made
-    scene.cursor += made
-    if scene.cursor >= length_of(scene):
-        stand_at(scene, scene.cursor)
-
-
-def building_at(scene: BoundsScene) -> tuple[int, int]:
-    """The tree and the node that are built in the present step; the root of A before the first."""
-    left = max(scene.cursor - 1, 0)
-    for i, tree in enumerate(scene.pair.trees):
-        if left < len(tree):
-            return i, left
-        left -= len(tree)
-    return len(scene.pair.trees) - 1, len(scene.pair.trees[-1]) - 1
-
-
-def caption(scene: BoundsScene) -> str:
-    """What the present step of the walk does, in words."""
-    total = length_of(scene)
-    if scene.cursor == 0 or not scene.pair.trees:
-        return f"From the start, {total} steps: → goes on, ← back, G plays it"
-    if scene.walked == "fit":
-        return _fit_caption(scene, total)
-    if scene.walked == "build":
-        return _build_caption(scene, total)
-    return _query_caption(scene, total)
-
-
-def _fit_caption(scene: BoundsScene, total: int) -> str:
-    walk = fit_walk(scene)
-    k = min(scene.cursor, len(walk.angles)) - 1
-    best = int(walk.areas[: k + 1].argmin())
-    area = f"{math.degrees(walk.angles[k]):.3g}°: {walk.areas[k]:.4g} m²"
-    words = f"Direction {k + 1} of {total}, {area}"
-    words += ", the least so far" if best == k else f"; least so far {walk.areas[best]:.4g} m²"
-    return words + (f", {walk.ratio(best):.4f} times the exact one" if walk.exact > 0.0 else "")
-
-
-def _build_caption(scene: BoundsScene, total: int) -> str:
-    index, node = building_at(scene)
-    tree = scene.pair.trees[index]
-    count = len(tree.segments_of(node))
-    child = int(tree.links[node, CHILD])
-    words = f"{'AB'[index]}, node {node + 1} of {len(tree)}: {count} segments, "
-    if child < 0:
-        return words + "a leaf"
-    return words + f"halved: {len(tree.segments_of(child))} and {len(tree.segments_of(child + 1))}"
-
-
-def _query_caption(scene: BoundsScene, total: int) -> str:
-    query = scene.pair.query
-    if query is None:
-        return "Two outlines are wanted"
-    k = min(scene.cursor, query.row_count) - 1
-    a, b, verdict = query.rows[k, :3].tolist()
-    words = f"Pair {k + 1} of {total}, A{a} and B{b}: "
-    if verdict == traversal.APART:
-        return words + f"apart by {query.gaps[k, 0]:.3g} m, this branch ends"
-    if verdict == traversal.MET:
-        return words + "two leaves overlap, their segments are tested"
-    opens_a = is_opened_first(query.tree_a, query.tree_b, a, b)
-    return words + f"they overlap, {'A' if opens_a else 'B'} is larger and is opened"
-
-
-def is_opened_first(tree_a: BoundingTree, tree_b: BoundingTree, a: int, b: int) -> bool:
-    """Whether of an overlapping pair the first tree's volume is opened."""
-    if tree_b.links[b, CHILD] < 0:
-        return True
-    return bool(tree_a.links[a, CHILD] >= 0 and tree_a.sizes[a] >= tree_b.sizes[b])
-
-
-def excess_of(scene: BoundsScene) -> float:
-    """Area of both roots over that of exact ones, less 1; NaN without any, and while corners are dragged."""
-    if scene.board.held == "point":
-        return math.nan
-    found = exact = 0.0
-    for i, tree in enumerate(scene.pair.trees):
-        found += float(tree.areas()[0])
-        exact += scene.pair.exact_area(i)
-    return found / exact - 1.0 if exact > 0.0 else math.nan
+def _fit_walk(tree: BoundingTree, node: int, step_degrees: float) -> FitWalk:
+    """The search by angle steps round the segments of a node."""
+    points = tree.ends[tree.segments_of(node)].reshape(-1, 2)
+    hull, origin = hull_of(points)
+    angles = np.radians(step_degrees * np.arange(_directions(tree.kind, step_degrees)))
+    kind = tree.kind_number if tree.kind != "aabb" else 0
+    areas = np.array([area_on_axis(kind, hull, len(hull), math.cos(a), math.sin(a)) for a in angles.tolist()])
+    return FitWalk(angles, areas, hull, origin, least_area(tree.kind, points))
 
 
 def warm_up(part: str) -> None:

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.bounds import traversal
 from game.physics.bounds.building import CHILD, middle_of
-from game.scenes.bounds import walk
 from game.scenes.bounds.pair import FINE_ROUND, Place, TreePair, rows_to_paths
+from game.scenes.bounds.volumes import VolumePainter
+from game.scenes.bounds.walk import FitWalk, Walk, fit_row
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
-
-if TYPE_CHECKING:
-    from game.scenes.bounds.base import BoundsScene
 
 Array = NDArray[np.float64]
 CHART = (300.0, 104.0)  # design px, of the curve of areas
@@ -32,7 +29,7 @@ def draw_caption(canvas: Canvas, words: str) -> None:
 # -- the fit ------------------------------------------------------------------------------------------
 
 
-def fit_legend(scene: BoundsScene) -> list[tuple[str, str, str]]:
+def fit_legend() -> list[tuple[str, str, str]]:
     """What the marks of the fit mean."""
     return [
         ("dashed-box:amber", "on the present direction", ""),
@@ -41,19 +38,19 @@ def fit_legend(scene: BoundsScene) -> list[tuple[str, str, str]]:
     ]
 
 
-def draw_fit(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
+def draw_fit(walk: Walk, canvas: Canvas, places: list[Place]) -> None:
     """The volume on the present direction, the best one so far, and the curve of areas."""
-    found = walk.fit_walk(scene)
-    kind, place = scene.pair.options.kind, places[scene.chosen]
-    k = min(max(scene.cursor - 1, 0), len(found.angles) - 1)
+    found = walk.fit()
+    kind, place = walk.model.pair.options.kind, places[walk.model.chosen]
+    k = min(max(walk.cursor - 1, 0), len(found.angles) - 1)
     best = int(found.areas[: k + 1].argmin())
     for index, color, fill, dash in ((best, "green", 0.12, None), (k, "amber", 0.0, (7.0, 4.0))):
-        row = walk.fit_row(found, float(found.angles[index]), kind)
+        row = fit_row(found, float(found.angles[index]), kind)
         path = place.to_world(rows_to_paths(kind, row, FINE_ROUND)[0])
         canvas.polygon(
             path, fill=color if fill else None, fill_alpha=fill, outline=color, width=2.0, dash=dash
         )
-    row = walk.fit_row(found, float(found.angles[k]), kind)[0]
+    row = fit_row(found, float(found.angles[k]), kind)[0]
     _draw_axes_through(canvas, row, place, float(found.angles[k]))
     _draw_curve(canvas, found, k, best)
 
@@ -71,7 +68,7 @@ def _draw_axes_through(canvas: Canvas, row: Array, place: Place, angle: float) -
         canvas.arrow(tail, (2.0 * reach * c, 2.0 * reach * s), "text1", width=1.6)
 
 
-def _draw_curve(canvas: Canvas, found: walk.FitWalk, k: int, best: int) -> None:
+def _draw_curve(canvas: Canvas, found: FitWalk, k: int, best: int) -> None:
     """Area against direction at the bottom right of the stage, with the exact one dashed."""
     rect, unit = canvas.rect, canvas.k
     left = rect.right - (MARGIN + CHART[0]) * unit
@@ -110,15 +107,15 @@ def _draw_curve(canvas: Canvas, found: walk.FitWalk, k: int, best: int) -> None:
 # -- the building -------------------------------------------------------------------------------------
 
 
-def draw_build(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
+def draw_build(walk: Walk, canvas: Canvas, places: list[Place], painter: VolumePainter) -> None:
     """Nodes fitted so far, the present one with the line that halves it."""
-    index, node = walk.building_at(scene)
-    pair = scene.pair
+    index, node = walk.building_at()
+    pair = walk.model.pair
     for i, tree in enumerate(pair.trees):
         done = len(tree) if i < index else node if i == index else 0
-        if scene.cursor and done:
-            scene.view.volumes.draw_grey(canvas, pair, i, np.arange(done), places[i])
-    if not scene.cursor:
+        if walk.cursor and done:
+            painter.draw_grey(canvas, pair, i, np.arange(done), places[i])
+    if not walk.cursor:
         return
     tree, place = pair.trees[index], places[index]
     path = rows_to_paths(pair.options.kind, tree.volumes[node : node + 1], FINE_ROUND)[0]
@@ -143,19 +140,19 @@ def _draw_segments(canvas: Canvas, ends: Array, place: Place, color: str) -> Non
 # -- the query ----------------------------------------------------------------------------------------
 
 
-def draw_pair(scene: BoundsScene, canvas: Canvas, places: list[Place]) -> None:
+def draw_pair(walk: Walk, canvas: Canvas, places: list[Place]) -> None:
     """The pair that is tested now, and what separates it."""
-    query = scene.pair.query
-    if query is None or scene.cursor == 0 or not query.row_count:
+    query = walk.model.pair.query
+    if query is None or walk.cursor == 0 or not query.row_count:
         return
-    k = min(scene.cursor, query.row_count) - 1
+    k = min(walk.cursor, query.row_count) - 1
     a, b, verdict = query.rows[k, :3].tolist()
     for i, node in enumerate((a, b)):
-        row = scene.pair.trees[i].volumes[node : node + 1]
-        path = places[i].to_world(rows_to_paths(scene.pair.options.kind, row, FINE_ROUND)[0])
+        row = walk.model.pair.trees[i].volumes[node : node + 1]
+        path = places[i].to_world(rows_to_paths(walk.model.pair.options.kind, row, FINE_ROUND)[0])
         canvas.polygon(path, fill="amber", fill_alpha=0.10, outline="amber", width=2.2)
     if verdict == traversal.APART:
-        draw_separation(canvas, scene.pair, places, k, 1.0)
+        draw_separation(canvas, walk.model.pair, places, k, 1.0)
 
 
 def draw_separation(canvas: Canvas, pair: TreePair, places: list[Place], k: int, alpha: float) -> None:

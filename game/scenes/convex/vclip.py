@@ -5,18 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.lab.studies.narrowphase.distance import vclip_study
-from game.physics.narrowphase import ConvexPolygon, Feature, PolygonSet, Proximity, vclip, vclip_batch
-from game.physics.narrowphase.queries import FeatureStep, vclip_trace
-from game.physics.proximity_effects import EXACT_ANSWER
 from game.scenes.convex import C10
-from game.scenes.convex import vclip_view as view
 from game.scenes.convex.base import ConvexPairScene
 from game.scenes.convex.figure import draw_regions
-from game.stage import Equation, Toggle
+from game.scenes.convex.model.vclip import VClipModel
+from game.scenes.convex.parameters import VClipParameters
+from game.scenes.convex.view import vclip as view
+from game.stage import Equation
 
 
 class VClip(ConvexPairScene):
@@ -35,10 +31,10 @@ class VClip(ConvexPairScene):
     name, task, title = C10.names
     study = vclip_study
 
-    regions = Toggle(
-        True, group="Shown", label="Voronoi regions", help="borders; those of the two features filled"
-    )
-    walk = Toggle(True, group="Shown", label="Walk", help="features visited by the last query, numbered")
+    parameters_type = VClipParameters
+    parameters: VClipParameters
+    model_type = VClipModel
+    model: VClipModel
 
     figure = staticmethod(draw_regions)
     equations = (
@@ -64,33 +60,8 @@ class VClip(ConvexPairScene):
         "Choose Draw and click a star: it is refused; press H to take its hull.",
     )
 
-    def measure(self, a: ConvexPolygon, b: ConvexPolygon, start: tuple[Feature, Feature]) -> Proximity:
-        return vclip(a, b, start, EXACT_ANSWER in self.active)
-
-    def time_batch(self, shapes: PolygonSet, pairs: NDArray[np.int64], features: NDArray[np.int64]) -> None:
-        vclip_batch(shapes, shapes, pairs, features=features, deep=EXACT_ANSWER in self.active)
-
-    def trace(self) -> list[FeatureStep]:
-        """The steps of the last query."""
-        a, b = self.shape(0), self.shape(1)
-        if a is None or b is None:
-            return []
-        return vclip_trace(a, b, self.start_features(a, b), EXACT_ANSWER in self.active)[1]
-
-    def trace_length(self) -> int:
-        return len(self.trace()) if self.ready else 0
-
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        if not self.ready:
-            return (("dash:vermilion", "not convex: refused", ""), ("dash:green", "hull offered", ""))
-        rows = [("line:green", "closest features", ""), ("disc:amber", "closest points", "")]
-        if self.answer[0] <= 0.0:
-            rows = [("line:green", "features of the shortest way out", ""), ("arrow:vermilion", "depth", "")]
-        if self.walk:
-            rows.append(("line:amber", "features visited", str(int(self.answer[7]))))
-        if self.regions:
-            rows.append(("box:text1:chalk", "their Voronoi regions", ""))
-        return rows
+        return view.legend(self.model)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        view.draw(self, canvas)
+        view.draw(self.model, self.hand, canvas)

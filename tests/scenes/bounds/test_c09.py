@@ -18,7 +18,7 @@ HELD = {
 
 def test_every_node_has_the_capsule_of_its_segments():
     """C09.2, C09.3"""
-    for tree in open_level(Capsules, "default").scene.pair.trees:
+    for tree in open_level(Capsules, "default").scene.model.pair.trees:
         for node in range(0, len(tree), 5):
             points = tree.ends[tree.segments_of(node)].reshape(-1, 2)
             assert tree.volume(node).area == pytest.approx(fit_capsule(points).area, rel=1e-9)
@@ -34,16 +34,17 @@ def test_cores_at_known_distances(name):
 def test_the_least_capsule_of_a_square_is_no_circle():
     """Beyond: the exact one as a reference."""
     stage = open_level(Capsules, "square")
-    tree = stage.scene.pair.trees[0]
+    tree = stage.scene.model.pair.trees[0]
     least = minimal_capsule(tree.points)
     assert least.area < 0.98 * tree.areas()[0]
-    assert stage.scene.pair.exact_area(0) == pytest.approx(least.area, rel=1e-6)
+    assert stage.scene.model.pair.exact_area(0) == pytest.approx(least.area, rel=1e-6)
     assert readouts(stage)["area above exact"] > 0.02
     stage.post(SetParameter("fit", "thinnest"))
     assert readouts(stage)["area above exact"] > 0.05
     stage.post(SetParameter("fit", "exact"))
     assert 0.0 <= readouts(stage)["area above exact"] <= 1e-3
-    labels = dict(zip(Capsules.fit.options, Capsules.fit.labels, strict=True))
+    fit = Capsules.parameter("fit")
+    labels = dict(zip(fit.options, fit.labels, strict=True))
     assert labels["thinnest"] == "Least radius" and labels["exact"] == "Exact"
 
 
@@ -52,16 +53,16 @@ def test_capsules_and_boxes_side_by_side():
     stage = open_level(Capsules, "side-by-side")
     stage.pause()
     scene = stage.scene
-    left, right = scene.panes()
+    left, right = scene.hand.panes()
     assert (left.pair.options.kind, right.pair.options.kind) == ("capsule", "obb")
     assert right.pair.query.volume_tests == readouts(stage)["with boxes"]
     for pane in (left, right):
-        x, y = scene.outlines[0].position
+        x, y = scene.model.outlines[0].position
         start = pane.point((x, y))
         drag(stage, start, (start[0], start[1] + 0.1), run=0)
-        assert scene.outlines[0].position == pytest.approx((x, y + 0.2))
+        assert scene.model.outlines[0].position == pytest.approx((x, y + 0.2))
     stage.post(SetParameter("side_by_side", False))
-    assert len(scene.panes()) == 1
+    assert len(scene.hand.panes()) == 1
 
 
 def test_touching_capsules_overlap():
@@ -69,10 +70,9 @@ def test_touching_capsules_overlap():
 
 
 def test_degenerate_fits():
-    row = open_level(Capsules, "hard-06-fits").scene.pair
+    row = open_level(Capsules, "hard-06-fits").scene.model.pair
     assert all(tree.volume(0).radius <= 1e-12 for tree in row.trees[1:])
-    circle = open_level(Capsules, "hard-06-circle-of-points").scene.pair.trees[0].volume(0)
+    tree = open_level(Capsules, "hard-06-circle-of-points").scene.model.pair.trees[0]
+    circle = tree.volume(0)
     assert circle.length < 0.02 * circle.radius
-    assert np.all(
-        circle.outside(open_level(Capsules, "hard-06-circle-of-points").scene.pair.trees[0].points) < 1e-12
-    )
+    assert np.all(circle.outside(tree.points) < 1e-12)

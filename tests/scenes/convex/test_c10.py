@@ -7,8 +7,8 @@ import pytest
 
 from game.physics.narrowphase import ConvexPolygon, Feature
 from game.scenes.convex.vclip import VClip
-from game.scenes.convex.vclip_view import region
-from game.scenes.convex.vclip_words import WORDS, caption_of, case_of, distance_of, function_of
+from game.scenes.convex.view.vclip import region
+from game.scenes.convex.view.vclip_words import WORDS, caption_of, case_of, distance_of, function_of
 from game.stage import SetEffect, SetParameter
 from tests.scenes.particle_stages import open_level, readouts
 
@@ -21,7 +21,7 @@ def test_clip_vertex_and_clip_edge_take_the_steps():
     for i in range(18):
         stage.post(SetParameter("start_a", i))
         stage.post(SetParameter("start_b", (5 * i) % 14))
-        for step in stage.scene.trace():
+        for step in stage.scene.model.trace():
             kinds.add(step.feature_a.kind[0] + step.feature_b.kind[0])
             assert step.verdict in WORDS
     assert kinds == {"vv", "ve", "ev", "ee"}
@@ -30,7 +30,7 @@ def test_clip_vertex_and_clip_edge_take_the_steps():
 def test_local_minimum_is_shown_being_repaired():
     stage = open_level(VClip, "hard-23-local-minimum")
     stage.run(1)
-    assert any(step.verdict.startswith("repair") for step in stage.scene.trace())
+    assert any(step.verdict.startswith("repair") for step in stage.scene.model.trace())
     assert readouts(stage)["distance"] == 7.0
 
 
@@ -68,10 +68,10 @@ def test_captions_name_case_function_border_and_distance():
     for i in range(40):
         stage.post(SetParameter("start_a", i % 14))
         stage.post(SetParameter("start_b", (3 * i) % 10))
-        trace = scene.trace()
-        shapes = [scene.drawn_corners(k) for k in (0, 1)]
+        trace = scene.model.trace()
+        shapes = [scene.model.drawn_corners(k) for k in (0, 1)]
         for k, step in enumerate(trace):
-            first, second = caption_of(trace, k, shapes, scene.content.scale)
+            first, second = caption_of(trace, k, shapes, scene.model.content.scale)
             assert f", {case_of(step)}: " in first and " m apart" in first.replace(" mm", " m")
             assert second.startswith(function_of(step))
             seen.add((case_of(step), function_of(step)))
@@ -80,6 +80,6 @@ def test_captions_name_case_function_border_and_distance():
                 here, there = getattr(step, name), getattr(trace[k + 1], name)
                 assert f"border of {here} and {there}: on to {there}" in second and here != there
                 assert distance_of(shapes, trace[k + 1]) <= distance_of(shapes, step) + 1e-12
-        apart = distance_of(shapes, trace[-1]) * scene.content.scale
+        apart = distance_of(shapes, trace[-1]) * scene.model.content.scale
         assert apart == pytest.approx(readouts(stage)["distance"], rel=1e-12)
     assert {("VV", "clip_vertex"), ("VE", "clip_vertex"), ("VE", "clip_edge"), ("EE", "clip_edge")} <= seen

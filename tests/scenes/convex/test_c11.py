@@ -9,7 +9,7 @@ from game.app.stagehand.headless import picture_of_stage
 from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
 from game.scenes.convex.gjk import Gjk
-from game.scenes.convex.gjk_view import frame_of, inset_for, words_of
+from game.scenes.convex.view.gjk import frame_of, inset_for, words_of
 from game.stage import SetEffect, SetParameter
 from game.ui.canvas.canvas import Canvas
 from tests.scenes.particle_stages import open_level, readouts
@@ -29,7 +29,7 @@ def test_same_answer_as_vclip_to_rounding():
 def test_an_overlap_is_walked_by_simplexes_and_then_by_polytopes():
     stage = open_level(Gjk, "hard-11-inside")
     stage.run(1)
-    trace = stage.scene.trace()
+    trace = stage.scene.model.trace()
     kinds = [type(step) for step in trace]
     assert kinds == sorted(kinds, key=[SimplexStep, PolytopeStep].index)
     assert kinds[-1] is PolytopeStep and not trace[-1].grows
@@ -60,9 +60,9 @@ def test_the_difference_and_the_origin_fit_beside_the_polygons():
     stage = open_level(Gjk, "default")
     stage.run(1)
     scene = stage.scene
-    seen, frame = scene.content.view, frame_of(scene.content.view)
+    seen, frame = scene.model.content.view, frame_of(scene.model.content.view)
     for shift in (0.0, 3.0):
-        a, b = scene.drawn_corners(0), np.add(scene.drawn_corners(1), (shift, 0.0))
+        a, b = scene.model.drawn_corners(0), np.add(scene.model.drawn_corners(1), (shift, 0.0))
         difference = minkowski_difference(a, b)
         inset = inset_for(seen, difference)
         placed = np.vstack((inset.place(difference), [(inset.x, inset.y)]))
@@ -81,12 +81,12 @@ def test_corners_are_named_and_the_bounds_are_circles_about_the_origin(monkeypat
     scene, drawn, words = stage.scene, [], []
     monkeypatch.setattr(Canvas, "polyline", lambda self, points, *more: drawn.append(np.asarray(points)))
     monkeypatch.setattr(Canvas, "label", lambda self, place, text, *more, **options: words.append(text))
-    difference = minkowski_difference(scene.drawn_corners(0), scene.drawn_corners(1))
-    inset = inset_for(scene.content.view, difference)
-    trace = scene.trace()
+    difference = minkowski_difference(scene.model.drawn_corners(0), scene.model.drawn_corners(1))
+    inset = inset_for(scene.model.content.view, difference)
+    trace = scene.model.trace()
     assert len(trace) > 2
     for index, step in enumerate(trace):
-        scene.shown = index
+        scene.hand.shown = index
         drawn.clear()
         words.clear()
         picture_of_stage(stage, (640, 360))
@@ -97,5 +97,5 @@ def test_corners_are_named_and_the_bounds_are_circles_about_the_origin(monkeypat
             float(lengths[0]) for points in drawn if len(points) == 181
             if np.ptp(lengths := np.hypot(*(points - (inset.x, inset.y)).T)) < 1e-9
         ]  # fmt: skip
-        wanted = [d * inset.scale / scene.content.scale for d in (step.distance, step.bound) if d > 0.0]
-        assert radii == pytest.approx(wanted) and step.bound <= scene.answer[0] <= step.distance + 1e-12
+        wanted = [d * inset.scale / scene.model.content.scale for d in (step.distance, step.bound) if d > 0.0]
+        assert radii == pytest.approx(wanted) and step.bound <= scene.model.answer[0] <= step.distance + 1e-12

@@ -60,15 +60,17 @@ def test_every_level_is_measured_exactly(scene_type, path):
     stage = stage_of(scene_type, path)
     stage.run(1)
     scene = stage.scene
-    if not scene.ready:
+    if not scene.model.ready:
         assert "not-convex" in path.stem
         return
-    a, b = scene.shape(0), scene.shape(1)
+    a, b = scene.model.shape(0), scene.model.shape(1)
     extent = max(np.ptp(np.vstack((a.vertices, b.vertices)), axis=0).max(), 1e-300)
     if len(a) + len(b) < 40:
-        assert scene.answer[0] == pytest.approx(exact_distance(a.vertices, b.vertices), abs=1e-12 * extent)
-    assert scene.certificate() <= 1e-12
-    assert readouts(stage)["distance"] == scene.answer[0]
+        assert scene.model.answer[0] == pytest.approx(
+            exact_distance(a.vertices, b.vertices), abs=1e-12 * extent
+        )
+    assert scene.model.certificate() <= 1e-12
+    assert readouts(stage)["distance"] == scene.model.answer[0]
     assert math.isfinite(readouts(stage)["query"])
 
 
@@ -77,15 +79,15 @@ def test_a_polygon_is_clicked(scene_type):
     """C10.1, C11.1"""
     stage = still(scene_type)
     stage.pause()
-    click(stage, stage.scene.board.outlines[0].position)
+    click(stage, stage.scene.model.board.outlines[0].position)
     draw(stage, TRIANGLE)
     scene = stage.scene
-    assert len(scene.board.outlines) == 2 and len(scene.shape(0)) == 3
-    assert np.allclose(sorted(scene.shape(0).vertices.tolist()), sorted(TRIANGLE), rtol=0, atol=1e-12)
-    assert distance(stage) == vclip(scene.shape(0), scene.shape(1)).distance
+    assert len(scene.model.board.outlines) == 2 and len(scene.model.shape(0)) == 3
+    assert np.allclose(sorted(scene.model.shape(0).vertices.tolist()), sorted(TRIANGLE), rtol=0, atol=1e-12)
+    assert distance(stage) == vclip(scene.model.shape(0), scene.model.shape(1)).distance
     text = format_level(Level(scene=scene_type.name, content=scene.save_content()))
     back = scene_type(parse_level(text, scene_type.name, PairContent))
-    assert back.answer[0] == pytest.approx(scene.answer[0], abs=1e-12)
+    assert back.model.answer[0] == pytest.approx(scene.model.answer[0], abs=1e-12)
 
 
 @both
@@ -93,26 +95,26 @@ def test_one_that_is_not_convex_is_refused_and_its_hull_offered(scene_type):
     """C10.1, C11.1: clicked or read; one key accepts, and it can be taken back."""
     stage = still(scene_type)
     stage.run(2)
-    before = stage.scene.answer.copy()
-    click(stage, stage.scene.board.outlines[1].position)
+    before = stage.scene.model.answer.copy()
+    click(stage, stage.scene.model.board.outlines[1].position)
     draw(stage, STAR)
     scene = stage.scene
-    assert not scene.ready and len(scene.refusal(1).hull) == 5
+    assert not scene.model.ready and len(scene.model.refusal(1).hull) == 5
     assert any("not convex at corner" in words and "H" in words for words in scene.messages())
     stage.run(2)
-    assert np.array_equal(scene.answer, before)
+    assert np.array_equal(scene.model.answer, before)
     assert any(words == "hull offered" for _, words, _ in scene.legend())
     stage.post(Action("hull"))
-    assert scene.ready and len(scene.shape(1)) == 5
-    assert distance(stage) == vclip(scene.shape(0), scene.shape(1)).distance
+    assert scene.model.ready and len(scene.model.shape(1)) == 5
+    assert distance(stage) == vclip(scene.model.shape(0), scene.model.shape(1)).distance
     stage.post(Action("undo"))
-    assert not scene.ready
+    assert not scene.model.ready
     stage.post(Action("redo"))
-    assert scene.ready
+    assert scene.model.ready
     read = open_level(scene_type, "hard-26-not-convex")
-    assert [len(read.scene.refusal(k).hull) for k in (0, 1)] == [5, 5]
+    assert [len(read.scene.model.refusal(k).hull) for k in (0, 1)] == [5, 5]
     read.post(Action("hull"))
-    assert read.scene.ready and distance(read) > 0.0
+    assert read.scene.model.ready and distance(read) > 0.0
 
 
 @both
@@ -121,18 +123,18 @@ def test_dragged_and_turned(scene_type):
     stage = still(scene_type)
     stage.pause()
     scene = stage.scene
-    x, y = scene.board.outlines[1].position
+    x, y = scene.model.board.outlines[1].position
     far = distance(stage)
     drag(stage, (x, y), (x + 1.0, y), run=0)
     assert distance(stage) == pytest.approx(far + 1.0, abs=0.2)
-    angle = scene.board.outlines[1].angle
+    angle = scene.model.board.outlines[1].angle
     press(stage, (x + 1.0, y + 0.3), shift=True)
     stage.post(Pointer("move", x + 0.7, y, button=1))
     release(stage, (x + 0.7, y))
-    assert scene.board.outlines[1].angle - angle == pytest.approx(0.5 * math.pi)
+    assert scene.model.board.outlines[1].angle - angle == pytest.approx(0.5 * math.pi)
     stage.post(Action("turn-right"))
-    assert scene.board.outlines[1].angle - angle == pytest.approx(0.5 * math.pi - math.radians(5))
-    drag(stage, scene.board.outlines[1].position, scene.board.outlines[0].position, run=0)
+    assert scene.model.board.outlines[1].angle - angle == pytest.approx(0.5 * math.pi - math.radians(5))
+    drag(stage, scene.model.board.outlines[1].position, scene.model.board.outlines[0].position, run=0)
     assert distance(stage) < -0.5
     for _ in range(4):
         stage.post(Action("undo"))
@@ -145,11 +147,11 @@ def test_closest_points_and_features_are_found(scene_type):
     stage = still(scene_type)
     stage.run(1)
     scene = stage.scene
-    found = scene.present()
+    found = scene.model.present()
     assert math.dist(found.point_a, found.point_b) == pytest.approx(found.distance, abs=1e-12)
     for k, feature in ((0, found.feature_a), (1, found.feature_b)):
-        assert 0 <= feature.index < len(scene.shape(k))
-    assert found == vclip(scene.shape(0), scene.shape(1))._replace(iterations=found.iterations)
+        assert 0 <= feature.index < len(scene.model.shape(k))
+    assert found == vclip(scene.model.shape(0), scene.model.shape(1))._replace(iterations=found.iterations)
 
 
 @both
@@ -157,21 +159,21 @@ def test_a_corner_is_dragged_added_and_taken_away(scene_type):
     stage = still(scene_type)
     scene = stage.scene
     stage.post(SetParameter("tool", "points"))
-    corner = scene.drawn_corners(0)[3]
+    corner = scene.model.drawn_corners(0)[3]
     drag(stage, corner, np.add(corner, (0.2, 0.0)), run=0)
-    assert np.allclose(scene.drawn_corners(0)[3], np.add(corner, (0.2, 0.0)), rtol=0, atol=1e-12)
-    count = len(scene.shape(0))
+    assert np.allclose(scene.model.drawn_corners(0)[3], np.add(corner, (0.2, 0.0)), rtol=0, atol=1e-12)
+    count = len(scene.model.shape(0))
     stage.post(Action("delete"))
-    assert len(scene.shape(0)) == count - 1
+    assert len(scene.model.shape(0)) == count - 1
 
 
 @both
 def test_one_polygon_alone_and_none_can_be_looked_at_and_acted_on(scene_type):
     stage = still(scene_type)
     for left in (1, 0):
-        click(stage, stage.scene.drawn_corners(0).mean(axis=0))
+        click(stage, stage.scene.model.drawn_corners(0).mean(axis=0))
         stage.post(Action("delete"))
-        assert len(stage.scene.board.outlines) == left
+        assert len(stage.scene.model.board.outlines) == left
         for action in scene_type.actions:
             if action.name not in ("delete", "undo", "redo"):
                 stage.post(Action(action.name))
@@ -199,7 +201,7 @@ def test_depth_is_left_out_when_it_is_switched_off(scene_type):
     stage.post(SetEffect("exact-answer", False))
     stage.run(1)
     assert distance(stage) == 0.0
-    assert stage.scene.present().overlapping
+    assert stage.scene.model.present().overlapping
 
 
 @both
@@ -209,36 +211,38 @@ def test_the_walk_is_stepped_forward_and_backward(scene_type):
     scene = stage.scene
     stage.post(SetParameter("start_a", 11))
     stage.post(SetParameter("start_b", 7))
-    length = scene.trace_length()
-    assert length > 2 and scene.shown == -1
+    length = scene.model.trace_length()
+    assert length > 2 and scene.hand.shown == -1
     digest = stage.digest()
     for k in range(length - 2, -1, -1):
         stage.post(Action("earlier"))
-        assert scene.shown == k
+        assert scene.hand.shown == k
     stage.post(Action("earlier"))
-    assert scene.shown == 0
+    assert scene.hand.shown == 0
     stage.post(Action("later"))
-    assert scene.shown == 1
+    assert scene.hand.shown == 1
     for _ in range(length):
         stage.post(Action("later"))
-    assert scene.shown == -1
+    assert scene.hand.shown == -1
     assert stage.digest() == digest
     starts = set()
     for _ in range(20):
         stage.post(Action("start"))
-        starts.add((scene.start_a, scene.start_b))
-        assert scene.answer[0] == pytest.approx(vclip(scene.shape(0), scene.shape(1)).distance, abs=1e-12)
+        starts.add((scene.parameters.start_a, scene.parameters.start_b))
+        assert scene.model.answer[0] == pytest.approx(
+            vclip(scene.model.shape(0), scene.model.shape(1)).distance, abs=1e-12
+        )
     assert len(starts) == 20
 
 
 @both
 def test_shapes_turn_back_at_the_border(scene_type):
     stage = open_level(scene_type, "crystals")
-    view = stage.scene.content.view
+    view = stage.scene.model.content.view
     places = []
     for _ in range(90):
         stage.run(20)
-        places.append(stage.scene.board.outlines[1].position[0])
+        places.append(stage.scene.model.board.outlines[1].position[0])
     assert view.left - 0.2 < min(places) < view.left + 0.5
     assert view.right - 0.5 < max(places) < view.right + 0.2
     assert stage.fault is None
@@ -248,7 +252,7 @@ def test_shapes_turn_back_at_the_border(scene_type):
 def test_a_recorded_session_replays_exactly(scene_type):
     stage = open_level(scene_type, "default")
     stage.run(5)
-    drag(stage, stage.scene.board.outlines[1].position, (0.0, 0.4), steps=6)
+    drag(stage, stage.scene.model.board.outlines[1].position, (0.0, 0.4), steps=6)
     draw(stage, STAR)
     stage.run(3)
     stage.post(Action("hull"))
@@ -266,7 +270,7 @@ def test_stepping_back_undoes_a_drag(scene_type):
     stage = open_level(scene_type, "default")
     stage.run(4)
     before = stage.digest()
-    drag(stage, stage.scene.board.outlines[0].position, (-1.0, 0.5), steps=4)
+    drag(stage, stage.scene.model.board.outlines[0].position, (-1.0, 0.5), steps=4)
     assert stage.digest() != before
     while stage.step_number > 3:
         assert stage.step_back()

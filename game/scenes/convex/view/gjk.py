@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.narrowphase.minkowski import minkowski_difference
 from game.physics.narrowphase.queries import PolytopeStep, SimplexStep
-from game.scenes.convex import view
+from game.scenes.convex.hand import Hand
+from game.scenes.convex.level import View
+from game.scenes.convex.model.gjk import GjkModel
+from game.scenes.convex.view import polygons
 from game.stage import Frame
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.look.numerals import format_si
-
-if TYPE_CHECKING:
-    from game.scenes.convex.gjk import Gjk
-    from game.scenes.convex.level import View
 
 Array = NDArray[np.float64]
 INSET = 0.72  # width of the difference's part of the stage, over that of the polygons
@@ -78,26 +77,37 @@ def inset_for(seen: View, difference: Array) -> Inset:
     )
 
 
-def draw(scene: Gjk, canvas: Canvas) -> None:
+def legend(model: GjkModel) -> list[tuple[str, str, str]]:
+    """What the marks mean."""
+    rows = polygons.answer_legend(model)
+    if model.ready and model.parameters.minkowski:
+        rows.append(("line:amber", "simplex, closest point v", str(int(model.answer[7]))))
+        rows.append(("diamond:pink", "new corner w", ""))
+        if model.answer[0] > 0.0:
+            rows.append(("line:amber", "circle: no farther than |v|", ""))
+            rows.append(("dash:pink", "circle: no nearer than v·w / |v|", ""))
+    return rows
+
+
+def draw(model: GjkModel, hand: Hand, canvas: Canvas) -> None:
     """All of it, from the back to the front."""
-    trace = scene.trace() if scene.ready else []
-    index = len(trace) - 1 if scene.shown < 0 else min(scene.shown, len(trace) - 1)
+    trace, chosen = model.trace(), model.parameters
+    index = len(trace) - 1 if hand.shown < 0 else min(hand.shown, len(trace) - 1)
     whole = index == len(trace) - 1
-    shapes = view.draw_shapes(scene, canvas)
-    view.draw_hulls(scene, canvas)
-    if scene.ready:
-        if scene.supports and trace and (scene.shown >= 0 or not whole):
+    shapes = polygons.draw_shapes(model, canvas)
+    polygons.draw_hulls(model, canvas)
+    if model.ready:
+        if chosen.supports and trace and (hand.shown >= 0 or not whole):
             draw_supports(canvas, shapes, trace[index])
         if whole:
-            view.draw_parted(scene, canvas, shapes)
-            view.draw_answer(scene, canvas, shapes)
-        if scene.minkowski:
-            draw_difference(scene, canvas, shapes, trace[: index + 1], whole)
-        if trace and (scene.shown >= 0 or len(trace) > 1) and scene.tool != "draw":
-            words = f"step {index + 1} of {len(trace)}: {words_of(trace[index])}"
-            view.caption(scene, canvas, words)
-    view.draw_hand(scene, canvas)
-    view.draw_invitation(scene, canvas)
+            polygons.draw_separated(model, canvas, shapes)
+            polygons.draw_answer(model, canvas, shapes)
+        if chosen.minkowski:
+            draw_difference(model, canvas, shapes, trace[: index + 1])
+        if trace and (hand.shown >= 0 or len(trace) > 1) and chosen.tool != "draw":
+            polygons.caption(canvas, f"step {index + 1} of {len(trace)}: {words_of(trace[index])}")
+    polygons.draw_hand(model, canvas)
+    polygons.draw_invitation(model, canvas)
 
 
 def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | PolytopeStep) -> None:
@@ -128,10 +138,10 @@ def draw_supports(canvas: Canvas, shapes: list[Array], step: SimplexStep | Polyt
 
 
 def draw_difference(
-    scene: Gjk, canvas: Canvas, shapes: list[Array], shown: list[SimplexStep | PolytopeStep], whole: bool
-) -> None:  # fmt: skip
+    model: GjkModel, canvas: Canvas, shapes: list[Array], shown: list[SimplexStep | PolytopeStep]
+) -> None:
     """A - B, the origin, the simplexes so far, v and w."""
-    seen = scene.content.view
+    seen = model.content.view
     difference = minkowski_difference(shapes[0], shapes[1])
     inset = inset_for(seen, difference)
     corners = inset.place(difference)
@@ -152,7 +162,7 @@ def draw_difference(
     simplexes = [step for step in shown if isinstance(step, SimplexStep)]
     growing = [step for step in shown if isinstance(step, PolytopeStep)]
     if simplexes:
-        draw_simplexes(scene, canvas, shapes, inset, simplexes, bool(growing))
+        draw_simplexes(model, canvas, shapes, inset, simplexes, bool(growing))
     if growing:
         draw_polytope(canvas, shapes, inset, growing[-1])
     place = simplexes[-1].closest if simplexes and not growing else (0.0, 0.0)
@@ -201,7 +211,7 @@ def corner_of(shapes: list[Array], inset: Inset, pair: tuple[int, int]) -> Array
 
 
 def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: PolytopeStep) -> None:
-    """EPA's polygon, its nearest edge, the way to it from the origin, and the corner beyond it."""
+    """EPA's polygon, its nearest edge, the vector to it from the origin, and the corner beyond it."""
     corners = np.array([corner_of(shapes, inset, pair) for pair in step.corners])
     canvas.polygon(corners, "amber", 0.13, "amber", 1.8)
     canvas.discs(corners, canvas.px(3.0), "amber")
@@ -213,9 +223,9 @@ def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: Polyt
     if length > 0.0:
         origin = np.array((inset.x, inset.y))
         part = ((origin - p) @ (q - p)) / (length * length)
-        way = p + part * (q - p) - origin
+        out = p + part * (q - p) - origin
         canvas.arrow(
-            tuple(origin.tolist()), tuple(way.tolist()), color if step.grows else "vermilion", None, width=2.0
+            tuple(origin.tolist()), tuple(out.tolist()), color if step.grows else "vermilion", None, width=2.0
         )
     label_corners(canvas, shapes, inset, list(step.corners) if len(corners) <= FEW_NAMED else [])
     if step.grows:
@@ -226,10 +236,10 @@ def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: Polyt
 
 
 def draw_simplexes(
-    scene: Gjk, canvas: Canvas, shapes: list[Array], inset: Inset, shown: list[SimplexStep], past: bool
+    model: GjkModel, canvas: Canvas, shapes: list[Array], inset: Inset, shown: list[SimplexStep], past: bool
 ) -> None:
     """Simplexes, the newer the stronger; of the last one, unless EPA has gone past it, also v and w."""
-    scale = scene.content.scale
+    scale = model.content.scale
     for number, step in enumerate(shown, start=1):
         alpha = (0.2 + 0.8 * number / len(shown)) * (0.4 if past else 1.0)
         points = [corner_of(shapes, inset, pair) for pair in step.corners]
@@ -240,7 +250,7 @@ def draw_simplexes(
     last = shown[-1]
     if past:
         return
-    draw_bounds(canvas, inset, last, scale, scene.content.view.right)
+    draw_bounds(canvas, inset, last, scale, model.content.view.right)
     label_corners(canvas, shapes, inset, list(last.corners))
     new = corner_of(shapes, inset, last.support)
     if last.kept == "inside":
@@ -256,8 +266,8 @@ def draw_simplexes(
     if last.support not in last.corners:
         name = f"w = a{last.support[0]} − b{last.support[1]}"
         canvas.label(new, name, "pink", 12, "semibold", offset=(0.0, 19.0 if below else -19.0), clear=True)
-    if last.kept == "done" and scene.answer[0] > 0.0 and math.dist(tip, origin) > canvas.px(110.0):
-        words = f"|v| = {format_si(float(scene.answer[0]), 'm')}"
+    if last.kept == "done" and model.answer[0] > 0.0 and math.dist(tip, origin) > canvas.px(110.0):
+        words = f"|v| = {format_si(float(model.answer[0]), 'm')}"
         canvas.label(
             (0.5 * (tip[0] + origin[0]), 0.5 * (tip[1] + origin[1])), words, "green", 12, "semibold",
             offset=(0.0, -16.0), clear=True,

@@ -3,57 +3,65 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.narrowphase import Feature
-from game.scenes.convex import view
-from game.scenes.convex.vclip_words import caption_of
+from game.physics.narrowphase.queries import FeatureStep
+from game.scenes.convex.hand import Hand
+from game.scenes.convex.model.vclip import VClipModel
+from game.scenes.convex.view import polygons
+from game.scenes.convex.view.vclip_words import caption_of
 from game.ui.canvas.canvas import Canvas
-
-if TYPE_CHECKING:
-    from game.physics.narrowphase.queries import FeatureStep
-    from game.scenes.convex.vclip import VClip
 
 Array = NDArray[np.float64]
 MOST_RAYS = 200  # vertices whose borders are drawn
 
 
-def draw(scene: VClip, canvas: Canvas) -> None:
+def legend(model: VClipModel) -> list[tuple[str, str, str]]:
+    """What the marks mean."""
+    rows = polygons.answer_legend(model)
+    if model.ready and model.parameters.walk:
+        rows.append(("line:amber", "features visited", str(int(model.answer[7]))))
+    if model.ready and model.parameters.regions:
+        rows.append(("box:text1:chalk", "their Voronoi regions", ""))
+    return rows
+
+
+def draw(model: VClipModel, hand: Hand, canvas: Canvas) -> None:
     """All of it, from the back to the front."""
-    trace = scene.trace() if scene.ready else []
-    shown = trace[: scene.shown + 1] if scene.shown >= 0 else trace
-    if scene.regions and scene.ready:
-        draw_regions(scene, canvas, shown)
-    shapes = view.draw_shapes(scene, canvas)
-    view.draw_hulls(scene, canvas)
-    if scene.ready:
-        if scene.walk:
+    trace = model.trace()
+    shown = trace[: hand.shown + 1] if hand.shown >= 0 else trace
+    if model.parameters.regions and model.ready:
+        draw_regions(model, canvas, shown)
+    shapes = polygons.draw_shapes(model, canvas)
+    polygons.draw_hulls(model, canvas)
+    if model.ready:
+        if model.parameters.walk:
             draw_walk(canvas, shapes, shown, len(shown) == len(trace))
         if len(shown) == len(trace):
-            view.draw_parted(scene, canvas, shapes)
-            view.draw_answer(scene, canvas, shapes)
-        if shown and (scene.shown >= 0 or len(trace) > 1) and scene.tool != "draw":
-            words, detail = caption_of(trace, len(shown) - 1, shapes, scene.content.scale)
-            view.caption(scene, canvas, words, detail=detail)
-    view.draw_hand(scene, canvas)
-    view.draw_invitation(scene, canvas)
+            polygons.draw_separated(model, canvas, shapes)
+            polygons.draw_answer(model, canvas, shapes)
+        if shown and (hand.shown >= 0 or len(trace) > 1) and model.parameters.tool != "draw":
+            words, detail = caption_of(trace, len(shown) - 1, shapes, model.content.scale)
+            polygons.caption(canvas, words, detail=detail)
+    polygons.draw_hand(model, canvas)
+    polygons.draw_invitation(model, canvas)
 
 
-def draw_regions(scene: VClip, canvas: Canvas, shown: list[FeatureStep]) -> None:
+def draw_regions(model: VClipModel, canvas: Canvas, shown: list[FeatureStep]) -> None:
     """Borders of all Voronoi regions as hairlines, those of the present features filled."""
     seen = canvas.camera.visible()
     far = math.dist((seen.left, seen.bottom), (seen.right, seen.top))
     for k in (0, 1):
-        corners = scene.drawn_corners(k)
+        corners = model.drawn_corners(k)
         if len(corners) < 2:
             continue
         edges = np.roll(corners, -1, axis=0) - corners
         lengths = np.sqrt((edges * edges).sum(axis=1))
         normals = np.column_stack((edges[:, 1], -edges[:, 0])) / lengths[:, None]
-        color = view.COLORS[k]
+        color = polygons.COLORS[k]
         if shown:
             feature = (shown[-1].feature_a, shown[-1].feature_b)[k]
             canvas.polygon(region(corners, normals, feature, far), color, 0.09)
@@ -91,18 +99,18 @@ def draw_walk(canvas: Canvas, shapes: list[Array], shown: list[FeatureStep], who
             feature_before = feature
             alpha = 0.25 + 0.75 * number / count
             if not (whole and number == count):
-                view.draw_feature(canvas, shapes[k], feature, "amber", alpha)
+                polygons.draw_feature(canvas, shapes[k], feature, "amber", alpha)
             last = feature == (shown[-1].feature_a, shown[-1].feature_b)[k]
-            if count <= view.FEW and count > 1 and not (whole and last):
-                place = view.feature_points(shapes[k], feature).mean(axis=0)
-                x, y = view.outward(shapes[k], feature)
+            if count <= polygons.FEW and count > 1 and not (whole and last):
+                place = polygons.feature_points(shapes[k], feature).mean(axis=0)
+                x, y = polygons.outward(shapes[k], feature)
                 canvas.label(
                     place, str(number), "amber", 12, "semibold", offset=(15.0 * x, -15.0 * y), alpha=alpha,
                     clear=True,
                 )  # fmt: skip
     if not whole and shown:
         points = [
-            view.feature_points(shapes[k], (shown[-1].feature_a, shown[-1].feature_b)[k]).mean(axis=0)
+            polygons.feature_points(shapes[k], (shown[-1].feature_a, shown[-1].feature_b)[k]).mean(axis=0)
             for k in (0, 1)
         ]
         canvas.line(points[0], points[1], "amber", 1.2, dash=(6.0, 6.0), alpha=0.7)

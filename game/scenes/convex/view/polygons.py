@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.narrowphase import Feature
+from game.scenes.convex.model.pair import PairModel
 from game.scenes.shared.outlines.drawn_lines import DrawnLines
 from game.scenes.shared.outlines.outline import handle_of, placed
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.look.numerals import format_si
-
-if TYPE_CHECKING:
-    from game.scenes.convex.base import ConvexPairScene
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]
@@ -51,12 +48,12 @@ def outward(corners: Array, feature: Feature) -> Point:
     return ey / length, -ex / length
 
 
-def draw_shapes(scene: ConvexPairScene, canvas: Canvas) -> list[Array]:
+def draw_shapes(model: PairModel, canvas: Canvas) -> list[Array]:
     """Both outlines, with names and numbers; returns their corners."""
     canvas.grid(None, "")
-    shapes = [scene.drawn_corners(k) for k in range(len(scene.board.outlines))]
+    shapes = [model.drawn_corners(k) for k in range(len(model.board.outlines))]
     for k, corners in enumerate(shapes):
-        refused = scene.refusal(k)
+        refused = model.refusal(k)
         color = COLORS[k] if refused is None else "vermilion"
         if len(corners) > 2:
             dash = None if refused is None else PREDICTION_DASH
@@ -67,11 +64,11 @@ def draw_shapes(scene: ConvexPairScene, canvas: Canvas) -> list[Array]:
             canvas.dot(corners[0], 4.0, color)
         if refused is None and 2 < len(corners) <= FEW:
             canvas.discs(corners, canvas.px(2.6), color)
-    draw_names(scene, canvas, shapes)
+    draw_names(model, canvas, shapes)
     return shapes
 
 
-def draw_names(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
+def draw_names(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
     """The letters of the polygons and their numbers of vertices: inside, or beyond if there is no room."""
     middles = [corners.mean(axis=0) for corners in shapes]
     crowded = len(shapes) == 2 and math.dist(*middles) < canvas.px(64.0)
@@ -81,14 +78,14 @@ def draw_names(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> N
         count = len(corners)
         noun = "point" if count == 1 else "segment" if count == 2 else f"{count} vertices"
         place, offset = tuple(middles[k].tolist()), -9.0
-        if crowded or not tall or scene.refusal(k) is not None:
+        if crowded or not tall or model.refusal(k) is not None:
             above = crowded and k == 0
             row = int(corners[:, 1].argmax() if above else corners[:, 1].argmin())
             place = (float(middles[k][0]), float(corners[row, 1]))
             offset = -40.0 if above else 22.0
         canvas.label(place, "AB"[k], COLORS[k], 20, "semibold", offset=(0.0, offset))
         canvas.label(place, noun, "text2", 11, offset=(0.0, offset + 20.0))
-        if scene.numbers and 2 < count <= FEW and tall and scene.refusal(k) is None:
+        if model.parameters.numbers and 2 < count <= FEW and tall and model.refusal(k) is None:
             number_corners(canvas, corners)
 
 
@@ -96,20 +93,20 @@ def number_corners(canvas: Canvas, corners: Array) -> None:
     """The numbers of the vertices, inside of them."""
     inner = corners.mean(axis=0)
     for i, corner in enumerate(corners):
-        way = inner - corner
-        length = math.sqrt(float(way @ way)) or 1.0
-        canvas.label(corner + way / length * canvas.px(13.0), str(i), "text3", 11, halo=False)
+        inward = inner - corner
+        length = math.sqrt(float(inward @ inward)) or 1.0
+        canvas.label(corner + inward / length * canvas.px(13.0), str(i), "text3", 11, halo=False)
 
 
-def draw_hulls(scene: ConvexPairScene, canvas: Canvas) -> None:
+def draw_hulls(model: PairModel, canvas: Canvas) -> None:
     """The hulls that are offered in place of what is refused."""
-    for k, outline in enumerate(scene.board.outlines):
-        refused = scene.refusal(k)
+    for k, outline in enumerate(model.board.outlines):
+        refused = model.refusal(k)
         if refused is None:
             continue
         hull = refused.hull.moved(*outline.position, outline.angle).vertices
         canvas.polygon(hull, "green", 0.06, "green", 1.6, PREDICTION_DASH)
-        bad = scene.drawn_corners(k)[refused.vertex]
+        bad = model.drawn_corners(k)[refused.vertex]
         canvas.ring(bad, 9.0, "vermilion", 1.8)
         canvas.label(bad, "not convex here", "vermilion", offset=(0.0, -18.0), clear=True)
         top = hull[int(hull[:, 1].argmax())]
@@ -143,10 +140,10 @@ def label_feature(lines: DrawnLines, place: Point, words: str, toward: Point) ->
     )
 
 
-def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
+def draw_answer(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
     """Closest points, the line between them, the distance, and the features they lie on."""
-    distance, ax, ay, bx, by, nx, ny, _ = scene.answer.tolist()
-    features = [Feature.of(int(code)) for code in scene.features]
+    distance, ax, ay, bx, by, nx, ny, _ = model.answer.tolist()
+    features = [Feature.of(int(code)) for code in model.features]
     lines = DrawnLines(canvas, [(corners, True) for corners in shapes])
     p, q = (ax, ay), (bx, by)
     for k, toward in ((0, (nx, ny)), (1, (-nx, -ny))):
@@ -173,23 +170,23 @@ def draw_answer(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> 
     )
 
 
-def draw_parted(scene: ConvexPairScene, canvas: Canvas, shapes: list[Array]) -> None:
+def draw_separated(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
     """B as it would be, shifted out of an overlap by its depth."""
-    distance, nx, ny = scene.answer[0], scene.answer[5], scene.answer[6]
+    distance, nx, ny = model.answer[0], model.answer[5], model.answer[6]
     if distance < 0.0 and len(shapes[1]) > 1:
-        shift = -distance / scene.content.scale * np.array((nx, ny))
+        shift = -distance / model.content.scale * np.array((nx, ny))
         canvas.polyline(shapes[1] + shift, "ghost", 1.4, True, PREDICTION_DASH)
 
 
-def draw_hand(scene: ConvexPairScene, canvas: Canvas) -> None:
+def draw_hand(model: PairModel, canvas: Canvas) -> None:
     """The handle for turning, chosen corners, and the line being drawn."""
-    board = scene.board
+    board = model.board
     if 0 <= board.chosen < len(board.outlines):
         outline = board.outlines[board.chosen]
         handle = handle_of(outline)
         canvas.line(outline.position, handle, "accent", 1.2, dash=(4.0, 4.0), alpha=0.7)
         canvas.handle(handle, board.held == "turn")
-        if scene.tool == "points":
+        if model.parameters.tool == "points":
             for k, corner in enumerate(placed(outline).tolist()):
                 canvas.handle(corner, k == board.corner)
     if board.drawn:
@@ -203,17 +200,15 @@ def draw_hand(scene: ConvexPairScene, canvas: Canvas) -> None:
         )
 
 
-def draw_invitation(scene: ConvexPairScene, canvas: Canvas) -> None:
+def draw_invitation(model: PairModel, canvas: Canvas) -> None:
     """What the pen is for, before its first click."""
-    if scene.tool == "draw" and not scene.board.drawn:
-        count = len(scene.board.outlines)
+    if model.parameters.tool == "draw" and not model.board.drawn:
+        count = len(model.board.outlines)
         name = "AB"[count] if count < 2 else "a new polygon"
-        caption(scene, canvas, f"click the corners of {name}; a click at the first one, or Enter, closes it")
+        caption(canvas, f"click the corners of {name}; a click at the first one, or Enter, closes it")
 
 
-def caption(
-    scene: ConvexPairScene, canvas: Canvas, words: str, color: str = "text1", detail: str = ""
-) -> None:
+def caption(canvas: Canvas, words: str, color: str = "text1", detail: str = "") -> None:
     """A line at the foot of the stage, and one below it that says more."""
     seen = canvas.camera.visible()
     place = (0.5 * (seen.left + seen.right), seen.bottom)
@@ -222,3 +217,12 @@ def caption(
     canvas.label(place, words, color, 13, "semibold", anchor="bottom", offset=(0.0, rise))
     if detail:
         canvas.label(place, detail, "text2", 12, "medium", anchor="bottom", offset=(0.0, -14.0))
+
+
+def answer_legend(model: PairModel) -> list[tuple[str, str, str]]:
+    """Rows for the answer, or for what is refused."""
+    if not model.ready:
+        return [("dash:vermilion", "not convex: refused", ""), ("dash:green", "hull offered", "")]
+    if model.answer[0] <= 0.0:
+        return [("line:green", "features of the shortest way out", ""), ("arrow:vermilion", "depth", "")]
+    return [("line:green", "closest features", ""), ("disc:amber", "closest points", "")]

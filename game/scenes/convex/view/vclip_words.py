@@ -5,7 +5,7 @@ from __future__ import annotations
 from game.physics.bounds import segment_distance
 from game.physics.narrowphase import Feature
 from game.physics.narrowphase.queries import FeatureStep
-from game.scenes.convex.view import Array, feature_points
+from game.scenes.convex.view.polygons import Array, feature_points
 from game.ui.look.numerals import format_si
 
 WORDS = {

@@ -1,0 +1,1 @@
+"""How the V-Clip and GJK scenes are drawn."""
