@@ -49,7 +49,8 @@ class BouncingBall(Scene):
         self.time += dt
         pull = 9.81 if GRAVITY in self.active else 0.0
         restitution = self.restitution if GROUND in self.active else None
-        self.ball[:] = fall(*self.ball.tolist(), pull, restitution, self.impact == "root", dt)
+        height, speed = self.ball.tolist()
+        self.ball[:] = fall(height, speed, pull, restitution, self.impact == "root", dt)
 
     def state(self):
         return BallState(self.ball)

@@ -47,7 +47,7 @@ class SpringChain(Scene):
         places = np.arange(1, self.count + 1) / (self.count + 1)
         number = min(self.mode, self.count)
         beads = np.sin(number * math.pi * places) if number else 1.0 - np.abs(2.0 * places - 1.0)
-        self.chain, self.time, self.held = ChainState(beads, np.zeros(self.count)), 0.0, -1
+        self.chain, self.time, self.held = ChainState(beads, 0.0 * beads), 0.0, -1
         self.free = beads.tolist(), 0.0  # displacements and time of letting go, for the exact motion
 
     def advance(self, dt):
@@ -72,7 +72,7 @@ class SpringChain(Scene):
             self.free = self.chain.beads.tolist(), self.time
 
     def effects_changed(self):
-        self.free = [math.nan] * self.count, self.time  # of what begins now no exact motion is known
+        self.free = [math.nan for _ in self.free[0]], self.time  # of what begins now no exact motion is known
 
     def frame(self):
         return Frame(-0.3, -1.3, WIDE + 0.3, 1.3)
@@ -88,7 +88,7 @@ class SpringChain(Scene):
 
     def draw(self, canvas, alpha):
         canvas.grid()
-        x = np.linspace(0.0, WIDE, self.count + 2)
+        x = WIDE * np.arange(self.count + 2) / (self.count + 1)
         for wall in (0.0, WIDE):
             canvas.line((wall, -0.25), (wall, 0.25), "text1", 3.0)
         beads = self.previous.beads + alpha * (self.chain.beads - self.previous.beads)

@@ -201,7 +201,7 @@ class PanelSheet:
     # -- time and picture ---------------------------------------------------------------------------
 
     def is_behind(self) -> bool:
-        """Whether a drop-down shows another value than the scene has, so that the sheet must be made again."""
+        """Whether a drop-down shows another value than the scene has, so the sheet must be made again."""
         values = self.contents.source.values
         present = self.contents.present_level()
         return any(
