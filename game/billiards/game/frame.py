@@ -21,7 +21,7 @@ from game.billiards.game.arrangement import (
     racked,
     spotted,
 )
-from game.billiards.game.rules import CUE_BALL, Call, Game, ShotSummary, Verdict
+from game.billiards.game.rules import CUE_BALL, Call, Game, Hand, ShotSummary, Verdict
 from game.billiards.game.summary import summarize
 from game.billiards.shot.cue import strike as struck_ball
 from game.billiards.shot.shot import Physics, Shot, ShotError
@@ -106,7 +106,8 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
             return self
         return self.move_cue_ball(0.5 * self.table.width, HEAD_SPOT * self.table.length)
 
-    def _hand(self) -> Any:
+    def _hand(self) -> Hand:
+        """Where the cue ball may be put; ValueError if it stays."""
         if not self.game.in_hand:
             raise ValueError("cue ball: it is not in hand")
         return self.game.in_hand

@@ -56,7 +56,7 @@ class BilliardsHand(Part):
             dx, dy = layout.spin_offset(chosen.tip_left, chosen.tip_up)
             self.spin_from = (event.x - dx, event.y - dy)
             self.play.grip = "right spin"
-            self.aiming.hold()
+            self.play.hold_aim()
 
     def _press(self, event: Pointer) -> None:
         """Take hold of what lies under the pointer."""
@@ -65,7 +65,7 @@ class BilliardsHand(Part):
         if name:
             play.grip = f"button {name}"
             if play.may_aim and name in ("safety", "view", "hint"):
-                self.aiming.keep()
+                self.play.keep_aim()
         elif play.phase == REPLAY:
             if layout.SCRUBBER.holds(x, y):
                 play.grip = "scrub"
@@ -89,7 +89,7 @@ class BilliardsHand(Part):
         elif layout.on_elevation(x, y):
             play.grip = "elevation"
         if play.grip:
-            self.aiming.keep()
+            self.play.keep_aim()
             self._move(event)
             return
         frame = play.model.frame
@@ -136,7 +136,7 @@ class BilliardsHand(Part):
         done = self.aiming.release(event, frame.cue_ball)
         if done == "click":
             if frame.game.needs_call() and self._call_at(event.x, event.y):
-                self.aiming.keep()
+                self.play.keep_aim()
             else:
                 self.play.toggle_lock()
         elif done == "strike":

@@ -156,11 +156,25 @@ class Play(Part):
             self._roll()
 
     def toggle_lock(self) -> None:
-        """Lock the aim or free it; the first time, in words."""
+        """Lock the aim or free it."""
         self.aiming.toggle_lock()
+        self._explain_lock()
+
+    def keep_aim(self) -> None:
+        """Lock the aim that stood before the hand went to an instrument."""
+        self.aiming.keep()
+        self._explain_lock()
+
+    def hold_aim(self) -> None:
+        """Lock the aim as it is."""
+        self.aiming.hold()
+        self._explain_lock()
+
+    def _explain_lock(self) -> None:
+        """Say, the first time, how a locked aim is freed."""
         if self.aiming.locked and not self.lock_explained:
             self.lock_explained = True
-            self.news.append("The aim is locked. Another click frees it.")
+            self.news.append("The aim is locked. A click on the table frees it.")
 
     # -- back, on, and again ------------------------------------------------------------------------
 
@@ -182,6 +196,7 @@ class Play(Part):
         self.model.go_back_to(taken)
         if last is not None and self.grade_of(taken.game.turn) == PERSON:
             self.aiming.aim_as(last.stroke)
+            self._explain_lock()
         self.aiming.call = Call()
         self.start_phase(AIMING)
 

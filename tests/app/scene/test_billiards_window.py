@@ -207,3 +207,21 @@ def test_random_hands_in_the_window(driver):
         driver.frames(int(random.integers(1, 4)))
         if getattr(driver.top, "play", None) is not None:
             assert driver.top.play.trouble == ""
+
+
+def test_the_right_button_sets_spin_and_a_click_locks_the_aim(driver):
+    driver.open("billiards")
+    scene = driver.stage.scene
+    x, y = scene.model.frame.cue_ball
+    driver.move(*pixel(driver, x + 0.05, y + 1.0))
+    driver.click(*pixel(driver, x + 0.05, y + 1.0))
+    driver.frames(2)
+    aim = scene.aiming.cue.aim
+    assert scene.aiming.locked
+    start = pixel(driver, 0.4, 1.6)
+    driver.button(True, *start, 3)
+    driver.move(start[0], start[1] + 12)
+    driver.frames(2)
+    driver.button(False, start[0], start[1] + 12, 3)
+    driver.frames(2)
+    assert scene.parameters.tip_up < -0.2 and scene.aiming.cue.aim == aim and scene.play.phase == "aiming"

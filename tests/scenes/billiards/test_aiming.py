@@ -99,7 +99,24 @@ def test_the_aim_that_stood_is_kept_on_the_way_to_an_instrument():
     assert scene.aiming.cue.aim != pytest.approx(1.0)
     drag(stage, layout.SPIN, (layout.SPIN[0], layout.SPIN[1] + 0.01))
     assert scene.aiming.cue.aim == pytest.approx(1.0) and scene.aiming.locked
-    assert scene.parameters.tip_left < 0.0
+    assert scene.parameters.tip_left < 0.0 and "frees it" in scene.messages()[0]
+
+
+def test_who_sets_the_power_before_aiming_finds_the_cue_free():
+    stage = straight_pot()
+    scene = stage.scene
+    for share in (0.2, 0.6):  # on the way over the cloth, without a halt
+        point(stage, "move", 0.5, 1.0 - share)
+        seconds(stage, 0.1)
+    drag(stage, layout.POWER.middle, layout.POWER.middle)
+    assert not scene.aiming.locked
+    aim(stage, 1.0)
+    assert scene.aiming.cue.aim == pytest.approx(1.0)
+    stage.post(Action("strike"))
+    until_aiming(stage)
+    seconds(stage, 1.0)  # the pointer lies where it was
+    drag(stage, layout.POWER.middle, layout.POWER.middle)
+    assert not scene.aiming.locked
 
 
 def test_the_right_button_and_keys_set_spin_while_one_watches_the_line():

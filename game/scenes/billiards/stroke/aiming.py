@@ -28,10 +28,10 @@ class Aiming(Part):
     """The cue and its instruments. The cue's array belongs to the state.
 
     call: what the player has announced by hand. locked: the cue does not follow the pointer; follows: the
-    pointer is where the cue would follow it. rested: the last aim that stood, or was set otherwise than by
-    the pointer, rad; away_s: how long the cue has followed the pointer since. fine_at: direction of the
-    pointer at which the aim was made finely, rad. power_before: what was set before the cue was drawn back;
-    pulled: power of the stroke that it was drawn back for; m/s.
+    pointer is where the cue would follow it. rested: the last aim that a hand let stand, or set by key or
+    wheel, rad, nan if none; away_s: how long the cue has followed the pointer since. fine_at: direction of
+    the pointer at which the aim was made finely, rad. power_before: what was set before the cue was drawn
+    back; pulled: power of the stroke that it was drawn back for; m/s.
     """
 
     def __init__(self, parameters: BilliardsParameters) -> None:
@@ -40,7 +40,7 @@ class Aiming(Part):
         self.call = Call()
         self.locked = False
         self.follows = False
-        self.rested = self.cue.aim
+        self.rested = math.nan
         self.still_s = self.away_s = 0.0
         self._aim_before = self.cue.aim
         self.moved = 0.0  # m, how far the pointer has gone since it grasped the cue
@@ -74,8 +74,8 @@ class Aiming(Part):
         """Let the cue go and point it in a direction, rad; it follows the pointer again."""
         self.cue.let_go()
         self.cue.point_to(azimuth)
-        self.locked = False
-        self._stand()
+        self.locked = self.follows = False
+        self.rested = math.nan
 
     # -- an aim that stands -------------------------------------------------------------------------
 
@@ -94,7 +94,7 @@ class Aiming(Part):
 
     def keep(self) -> None:
         """The hand has gone to an instrument or a pocket: lock the aim that stood before it set out."""
-        if not self.locked and self.away_s <= TRAVEL_S:
+        if not self.locked and self.away_s <= TRAVEL_S and not math.isnan(self.rested):
             self.cue.point_to(self.rested)
             self.locked = True
 
