@@ -42,7 +42,7 @@ def draw_chaos(pen: Pen) -> None:
 
 
 def _combination(start: Point, aim: float, second: Point, third: Point, last: float) -> list[Path]:
-    """Paths of three equal balls' centres, each from its place to its impact; the last one ``last`` px."""
+    """The paths of three equal balls' centres, each to its impact; the last one ``last`` px."""
     paths = []
     for at, target in ((start, second), (second, third)):
         met, aim = _impact(at, aim, target)
