@@ -181,20 +181,10 @@ def make_shot(
     layout = layout_of(table)
     balls = np.zeros((n, IN_COLUMNS))
     balls[:, 0:2] = xy
-    columns = (
-        ("velocities", velocities, 2, 4),
-        ("spins", spins, 4, 7),
-        ("radii", radii, 7, 8),
-        ("masses", masses, 8, 9),
-    )
-    for name, value, start, end in columns:
-        array = np.asarray(value, dtype=np.float64)
-        if array.ndim == 1 and end - start == 1:
-            array = array[:, None]
-        try:
-            balls[:, start:end] = array
-        except ValueError:
-            raise ShotError(f"{name}: shape {array.shape} does not fit {n} balls") from None
+    _fill("velocities", velocities, balls[:, 2:4])
+    _fill("spins", spins, balls[:, 4:7])
+    _fill("radii", radii, balls[:, 7:8])
+    _fill("masses", masses, balls[:, 8:9])
     balls[:, 9] = _guess_motions(balls) if motions is None else _motion_numbers(motions, n)
     names = tuple(str(i) for i in range(n)) if ids is None else tuple(ids)
     if len(names) != n or len(set(names)) != n:
@@ -210,6 +200,17 @@ def make_shot(
         )  # type: ignore[assignment]
     assert element_ids is not None
     return Shot(table, physics, balls, names, *element_ids, layout)
+
+
+def _fill(name: str, value: ArrayLike, columns: Array) -> None:
+    """Write numbers to columns (n, k) of the balls, one for all; ShotError if the shape does not fit."""
+    array = np.asarray(value, dtype=np.float64)
+    if array.ndim == 1 and columns.shape[1] == 1:
+        array = array[:, None]
+    try:
+        columns[:] = array
+    except ValueError:
+        raise ShotError(f"{name}: shape {array.shape} does not fit {len(columns)} balls") from None
 
 
 def _guess_motions(balls: Array) -> Array:

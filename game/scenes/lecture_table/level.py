@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=20.0)]  # m
 
 
-class Stroke(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
+class StrokeEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """A stroke that the level plays by itself."""
 
     speed: Annotated[float, msgspec.Meta(ge=0.0, le=1e4)]  # m/s
@@ -35,7 +35,7 @@ class LectureTableContent(msgspec.Struct, forbid_unknown_fields=True, frozen=Tru
     rack: bool = True
     rack_gap: Annotated[float, msgspec.Meta(ge=-0.01, le=0.02)] = 0.0  # m; below 0 the rack is compressed
     balls: Annotated[list[BallEntry], msgspec.Meta(max_length=200)] = []
-    stroke: Stroke | None = None
+    stroke: StrokeEntry | None = None
     plays_itself: bool = False  # goes on with strokes of its own until a person takes the cue
 
 

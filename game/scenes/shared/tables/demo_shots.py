@@ -43,7 +43,7 @@ def free_head_spot(table: Table, radius: float, is_free: Callable[[Array], bool]
     return None
 
 
-class Stroke(NamedTuple):
+class ChosenStroke(NamedTuple):
     """Direction (rad) and speed of the cue ball (m/s)."""
 
     aim: float
@@ -52,7 +52,7 @@ class Stroke(NamedTuple):
 
 def choose_stroke(
     positions: Array, radii: Array, in_play: NDArray[np.bool_], table: Table, seed: int, stroke: int
-) -> Stroke:
+) -> ChosenStroke:
     """A stroke for ball 0: the ball and pocket of the straightest open pot, else the nearest ball.
 
     positions (n, 2) m, radii (n,) m. ``stroke`` counts strokes since the rack: the first is a break.
@@ -61,10 +61,10 @@ def choose_stroke(
     cue_ball = positions[0]
     others = [ball for ball in range(1, len(radii)) if in_play[ball]]
     if not others:
-        return Stroke(0.5 * math.pi, 1.0)
+        return ChosenStroke(0.5 * math.pi, 1.0)
     if stroke == 0:
         apex = min(others, key=lambda ball: float(positions[ball, 1]))
-        return Stroke(_bearing(cue_ball, positions[apex]) + random.normal(0.0, 0.004), BREAK_SPEED)
+        return ChosenStroke(_bearing(cue_ball, positions[apex]) + random.normal(0.0, 0.004), BREAK_SPEED)
     best: tuple[float, float, float] | None = None
     for ball in others:
         for pocket in table.pockets:
@@ -73,10 +73,10 @@ def choose_stroke(
                 best = pot
     if best is None:
         nearest = min(others, key=lambda ball: float(np.sum((positions[ball] - cue_ball) ** 2)))
-        return Stroke(
+        return ChosenStroke(
             _bearing(cue_ball, positions[nearest]) + random.normal(0.0, 0.01), 3.0 + 2.0 * random.random()
         )
-    return Stroke(best[1] + random.normal(0.0, 0.0015), best[2])
+    return ChosenStroke(best[1] + random.normal(0.0, 0.0015), best[2])
 
 
 def _bearing(start: Array, end: Array) -> float:
