@@ -16,7 +16,7 @@ from tests.scenes.boxes.box_stages import brute_pairs, open_level, readouts
 
 def test_random_boxes_have_random_velocities_and_another_seed_gives_others():
     stages = [Stage(UniformGridScene, seed=seed) for seed in (0, 0, 1)]
-    same, again, other = (stage.scene for stage in stages)
+    same, again, other = (stage.scene.model.boxes for stage in stages)
     assert np.array_equal(same.lowers, again.lowers) and np.array_equal(same.velocities, again.velocities)
     assert not np.array_equal(same.lowers, other.lowers)
     assert len(np.unique(same.velocities[:, 0])) == 500
@@ -87,10 +87,12 @@ def test_the_matrix_grows_with_the_ids():
     scene = stage.scene
     assert scene.model.matrix is not None and scene.model.matrix.capacity == 256
     before = scene.model.matrix.pairs()
-    scene._fit_matrix(300)
+    corners = -100.0 - np.repeat(np.arange(44.0)[:, None], 2, axis=1)  # apart from all others
+    scene.model.add(corners, corners + 0.5, np.zeros((44, 2)))
+    scene.model.pair_up()
     assert scene.model.matrix.capacity == 512
     assert np.array_equal(scene.model.matrix.pairs(), before)
-    assert [len(events) for events in scene.model.matrix.take_events()] == [0, 0]
+    assert scene.model.compared and scene.model.same and scene.model.begun == scene.model.ended == 0
 
 
 def test_a_managers_time_is_the_mean_over_both_turns_so_that_it_does_not_jump():

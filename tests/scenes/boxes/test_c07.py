@@ -58,7 +58,7 @@ def test_pairs_are_kept_in_a_matrix_and_in_a_hash_table_where_that_is_too_small(
     assert isinstance(stage.scene.model.sap.manager, MatrixPairs)
     stage.run(5)
     for _ in range(3):
-        stage.scene.add(np.full((1, 2), 2.0), np.full((1, 2), 2.5), np.zeros((1, 2)))
+        stage.scene.model.add(np.full((1, 2), 2.0), np.full((1, 2), 2.5), np.zeros((1, 2)))
     assert stage.scene.model.sap.manager.greatest == 511
     stage.run(5)
     assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
