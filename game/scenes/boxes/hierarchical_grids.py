@@ -25,8 +25,8 @@ class HierarchicalGridScene(ComparedScene):
     tilted stack shows the levels above each other, and beside each the chains of boxes in its buckets.
 
     Pairs on one level are found as in a uniform grid. Between two levels either the smaller boxes look up
-    the few large cells around them, or the large boxes run over the small cells below. The naive way, every
-    box against every other, does the same beside it and judges the answer.
+    the few large cells around them, or the large boxes run over the small cells below. The naive method,
+    every box against every other, does the same beside it and judges the answer.
     """
 
     name, task, title = C06.names

@@ -49,7 +49,7 @@ class BoxesParameters(Parameters):
     )  # fmt: skip
     step_length = Param(
         1.0 / 60.0, 1.0 / 960.0, 0.25, log=True, unit="s", group="Step", label="Length of a step",
-        help="boxes are tested at its end: what meets and parts within is missed",
+        help="boxes are tested at its end: what meets and separates within is missed",
     )  # fmt: skip
     swept = Toggle(
         False, group="Step", label="Swept boxes",
@@ -111,7 +111,7 @@ class SweepParameters(ComparedParameters):
     """Of C07."""
 
     resort = Toggle(
-        True, group="Pairs", label="Sort anew when cheaper",
+        True, group="Pairs", label="Sort again when cheaper",
         help="a step with too many swaps is finished by sorting; if off, only one of above 4 million swaps",
     )  # fmt: skip
     count = Param(200, 1, 100_000, whole=True, log=True, group="Boxes", label="Number", help=COUNT_HELP)

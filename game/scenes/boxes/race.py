@@ -29,8 +29,8 @@ class BroadPhaseRace(BoxesScene):
 
     Below, both pair managers take over the pairs and tell which began and which ended. Choose the workload:
     equal boxes, two sizes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes
-    that all leap in every step. No method wins them all. The naive way is left out above 4000 boxes, the full
-    matrix above 4096.
+    that all leap in every step. No method wins them all. The naive method is left out above 4000 boxes, the
+    full matrix above 4096.
     """
 
     name, task, title = BROAD_PHASE_RACE.names
@@ -67,9 +67,9 @@ class BroadPhaseRace(BoxesScene):
         Equation("Full matrix", r"\frac{n(n-1)}{2}", "places of memory"),
     )
     try_this = (
-        "Begin with 30 boxes: the naive way keeps up. Draw the number up and watch it fall behind.",
+        "Begin with 30 boxes: the naive method keeps up. Draw the number up and watch it fall behind.",
         "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
-        "Let all leap: sweep and prune sorts anew in every step. On one line it does so only at first.",
+        "Let all leap: sweep and prune sorts again in every step. On one line it does so only at first.",
         "Switch off all but the uniform grid and draw the number to 100 000.",
     )
 
@@ -77,10 +77,10 @@ class BroadPhaseRace(BoxesScene):
         return race_readouts(self.model)
 
     def why_idle(self, name: str) -> str:
-        if name == "workload":  # even boxes of a level may leap
+        if name == "workload":  # those of a level may leap, too
             return ""
         if name == "naive" and len(self.model.boxes) > MOST_NAIVE:
-            return f"Above {grouped(MOST_NAIVE)} boxes the naive way is left out."
+            return f"Above {grouped(MOST_NAIVE)} boxes the naive method is left out."
         if name == "cell" and not (self.parameters.uniform or self.parameters.covering):
             return "Both uniform grids are left out."
         return super().why_idle(name)

@@ -54,7 +54,7 @@ def sweep_readouts(model: SweepAndPruneModel) -> list[Readout]:
         *_begun_and_ended(model),
         Readout("sweep", model.watch.median("sweep"), "s"),
         Readout("naive", model.watch.median("naive"), "s"),
-        Readout("sorted anew", model.sap.resorts),
+        Readout("sorted again", model.sap.resorts),
         Readout("answers differ", 0 if model.same else 1),
     ]
 

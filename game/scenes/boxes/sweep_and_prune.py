@@ -24,8 +24,8 @@ class SweepAndPruneScene(ComparedScene):
 
     At the edges of the world the sorted end points are shown, lower and upper ones, and marked where they
     changed places. The number of swaps is held against its mean for boxes that move in random directions.
-    When all boxes leap, the swaps grow with the square of their number: then it is cheaper to sort anew and
-    sweep once, which is done unless it is switched off. The naive way does the same beside it.
+    When all boxes leap, the swaps grow with the square of their number: then it is cheaper to sort again and
+    sweep once, which is done unless it is switched off. The naive method does the same beside it.
     """
 
     name, task, title = C07.names
@@ -46,7 +46,7 @@ class SweepAndPruneScene(ComparedScene):
     figure = staticmethod(draw_swap)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t, \quad v' = -v", "explicit Euler; beyond the boundary"),
-        Equation("Order", r"(x, \text{lower}) < (x, \text{upper})", "closed boxes: touching overlaps"),
+        Equation("Order", r"(x, \text{lower}) < (x, \text{upper})", "closed boxes: contact is overlap"),
         Equation("Swaps", r"s = \sum_{i<j} \text{[} x_i > x_j \text{]}", "inversions of the order before"),
         Equation(
             "Their mean",
@@ -58,7 +58,7 @@ class SweepAndPruneScene(ComparedScene):
     try_this = (
         "Draw the speed up: swaps grow with it, as the dashed mean says.",
         "Let a hundredth of the boxes leap: they alone cost more than all the others.",
-        "Let all leap, and switch sorting anew off: swaps and time show what was spared.",
+        "Let all leap, and switch sorting again off: swaps and time show what was spared.",
         "Put all boxes on one line: on the other axis every hair's breadth is a swap.",
     )
 

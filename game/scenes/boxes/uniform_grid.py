@@ -20,7 +20,7 @@ class UniformGridScene(BoxesScene):
     a dense matrix of cells without any hashing, finds all pairs that overlap in every step; boxes are
     added, removed and updated in it as they come, go and move.
 
-    Two pair managers are told the pairs, and say which ones began and which ended. One looks a pair up in a
+    Two pair managers are given the pairs, and say which ones began and which ended. One looks a pair up in a
     full matrix over all boxes, the other in a hash table. Their answers are compared in every step, their
     times and their memory are shown side by side. The matrix asks for one look and for memory that grows
     with the square of the boxes; above 4096 boxes it is left out here.
@@ -51,7 +51,7 @@ class UniformGridScene(BoxesScene):
     figure = staticmethod(draw_cells)
     equations = (
         Equation("Motion", r"x' = x + v \Delta t", "explicit Euler"),
-        Equation("Boundary", r"v' = -v", "beyond it and on the way out"),
+        Equation("Boundary", r"v' = -v", "beyond it and moving outwards"),
         Equation("Cell", r"i = \floor\left(\frac{x - x_0}{c}\right)", "Ericson 2005, 7.1"),
         Equation("Entries of a box", r"\left(1 + \frac{s}{c}\right)^2", "all covered cells, mean"),
         Equation("Place of a pair", r"k = \frac{i(2n - i - 1)}{2} + j - i - 1", "triangular matrix"),

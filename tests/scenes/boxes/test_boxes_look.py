@@ -161,7 +161,7 @@ def test_a_pair_ends_with_the_first_axis_on_which_the_boxes_part():
         )
         ended += stage.scene.model.ended
     assert sum("pair ends" in sentence for sentence in told) == ended > 3
-    assert any(sentence.endswith("so they part: they were no pair.") for sentence in told)
+    assert any(sentence.endswith("so they separate: they were no pair.") for sentence in told)
 
 
 def test_going_back_takes_the_words_back_too():

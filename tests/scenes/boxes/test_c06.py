@@ -1,4 +1,4 @@
-"""Hierarchical grids beside the naive way: C06.1 to C06.6."""
+"""Hierarchical grids beside the naive method: C06.1 to C06.6."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sweep and prune beside the naive way: C07.1 to C07.6."""
+"""Sweep and prune beside the naive method: C07.1 to C07.6."""
 
 from __future__ import annotations
 

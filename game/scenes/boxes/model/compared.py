@@ -26,7 +26,7 @@ class ComparedModel(BoxesModel):
         self.compared, self.same = False, True
 
     def compare(self) -> None:
-        """Find the pairs the naive way, too, if that is asked for and not too much."""
+        """Find the pairs by the naive method, too, if that is asked for and not too much."""
         ids = self.boxes.ids
         self.compared = NAIVE in self.active and len(ids) <= MOST_NAIVE
         if not self.compared:

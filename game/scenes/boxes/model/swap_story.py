@@ -48,4 +48,4 @@ def _sentence(boxes: BoxArrays, swap: Swap, present: set[tuple[int, int]]) -> st
         why = f"on {across} they are apart" if across in apart.split() else "but the two have passed already"
         return f"{other}'s maximum passes {mover}'s minimum on {axis}; {why}: no pair."
     then = "pair ends." if pair in present else "they were no pair."
-    return f"{other}'s minimum passes {mover}'s maximum on {axis}, so they part: {then}"
+    return f"{other}'s minimum passes {mover}'s maximum on {axis}, so they separate: {then}"

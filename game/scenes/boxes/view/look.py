@@ -13,7 +13,7 @@ from game.scenes.boxes.view.world import Places
 from game.ui.canvas.canvas import Canvas
 
 MOST_TESTS = 400  # candidates that are drawn
-FEW_TESTS = 12  # of which each is told where it is apart
+FEW_TESTS = 12  # each labelled with the axis on which it is apart
 
 
 def draw_names(boxes: BoxArrays, canvas: Canvas, places: Places) -> None:

@@ -67,7 +67,7 @@ class SweepAndPruneView(BoxesView):
         column.bar("Made", grouped(model.swaps), model.swaps / top, "amber")
         column.bar("Mean for this speed", grouped(mean), mean / top, "text1", hollow=True)
         if not few:
-            column.row("Sorted anew so far", grouped(model.sap.resorts))
+            column.row("Sorted again so far", grouped(model.sap.resorts))
             column.row("Pairs begun, ended", f"{grouped(model.begun)}, {grouped(model.ended)}")
         column.space(6)
         if seen is not None:
