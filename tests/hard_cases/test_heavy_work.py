@@ -194,14 +194,14 @@ class TestOutlinesInEachOther:
         assert len(query._crossings) <= 10_000
 
     def test_trees_beside_are_left_out_first(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Upright boxes over two arcs overlap more often than oriented ones: 715 pairs against 43."""
+        """Axis-aligned boxes over two arcs overlap more often than oriented ones: 715 pairs against 43."""
         monkeypatch.setattr(bounds_pair, "MOST_PAIRS", 300)
         text = (data_folder("levels") / "c08" / "arcs.toml").read_text(encoding="utf-8")
         stage = opened(text[text.index("scene") :])
-        assert stage.scene.compare is False
+        assert stage.scene.parameters.compare is False
         assert any("switched off" in said for said in stage.scene.messages())
         assert stage.run(3) == 3
-        assert "upright" not in [readout.name for readout in stage.readouts()]
+        assert "axis-aligned" not in [readout.name for readout in stage.readouts()]
 
 
 class TestNets:

@@ -1,4 +1,4 @@
-"""What a query between two hierarchies has found, in marks and words: crossings, touching volumes, gap."""
+"""What a query between two hierarchies has found, in marks and words: crossings, volumes in contact, gap."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Annotations:
             text = "1 crossing" if count == 1 else f"{count} crossings"
             self._leader(lines, max(points, key=lambda point: point[1]), text, "amber", (44.0, -34.0))
 
-    def tell_touching(self, canvas: Canvas, lines: DrawnLines, pair: TreePair, places: list[Place]) -> None:
+    def label_contact(self, canvas: Canvas, lines: DrawnLines, pair: TreePair, places: list[Place]) -> None:
         """Say of one red pair without a crossing that it is one."""
         query = pair.query
         assert query is not None
@@ -71,7 +71,7 @@ class Annotations:
                     lowest, at = middle[1], middle
         if at is not None:
             names = "boxes" if pair.options.kind != "capsule" else "capsules"
-            self._leader(lines, at, f"{names} touch, segments do not", "vermilion", (40.0, 40.0))
+            self._leader(lines, at, f"{names} overlap, segments do not meet", "vermilion", (40.0, 40.0))
 
     def draw_gap(self, canvas: Canvas, lines: DrawnLines, pane: Pane, gap: Nearest) -> None:
         """The line between the nearest points, and how long it is."""

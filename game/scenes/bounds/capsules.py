@@ -13,6 +13,8 @@ from game.scenes.bounds.panes import Panes, SideBySide
 from game.scenes.bounds.parameters import CapsuleParameters
 from game.stage import Equation, Strip, WarmUp
 
+OTHERS = ("with boxes", "axis-aligned")  # tests of the trees beside
+
 
 class Capsules(BoundsScene):
     """The same trees with capsules: all points within a radius of a core segment. The core is laid along each
@@ -37,7 +39,7 @@ class Capsules(BoundsScene):
     parameters: CapsuleParameters
 
     strips = (
-        Strip("Volume tests", "", ("tests", "with boxes", "upright"), sometimes=("with boxes", "upright")),
+        Strip("Volume tests", "", ("tests", *OTHERS), sometimes=OTHERS),
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )

@@ -59,8 +59,8 @@ def _radius(half: Point, degrees: float) -> float:
 def _shadow(at: Point) -> Point:
     """The foot of a point on the axis."""
     angle, start = math.radians(TURN), (20.0, 170.0)
-    way = (at[0] - start[0]) * math.cos(angle) - (at[1] - start[1]) * math.sin(angle)
-    return ahead(start, TURN, way)
+    along = (at[0] - start[0]) * math.cos(angle) - (at[1] - start[1]) * math.sin(angle)
+    return ahead(start, TURN, along)
 
 
 def draw_capsules(pen: Pen) -> None:
@@ -92,9 +92,9 @@ def draw_capsules(pen: Pen) -> None:
 
 def _capsule(a: Point, b: Point, radius: float) -> list[Point]:
     """The border of all points within the radius of a segment."""
-    way = math.degrees(math.atan2(a[1] - b[1], b[0] - a[0]))
-    first = [ahead(b, way + turn, radius) for turn in range(-90, 91, 5)]
-    return [*first, *(ahead(a, way + turn, radius) for turn in range(90, 271, 5))]
+    across = math.degrees(math.atan2(a[1] - b[1], b[0] - a[0]))
+    first = [ahead(b, across + turn, radius) for turn in range(-90, 91, 5)]
+    return [*first, *(ahead(a, across + turn, radius) for turn in range(90, 271, 5))]
 
 
 def _nearest(at: Point, a: Point, b: Point) -> Point:

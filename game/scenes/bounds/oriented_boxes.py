@@ -8,6 +8,8 @@ from game.scenes.bounds.base import BoundsScene
 from game.scenes.bounds.figure import draw_separating_axis
 from game.stage import Equation, Strip
 
+OTHERS = ("axis-aligned", "with boxes")  # tests of the trees beside
+
 
 class OrientedBoxes(BoundsScene):
     """Two outlines that are not convex. Do they meet? Testing every segment against every other one costs
@@ -18,8 +20,8 @@ class OrientedBoxes(BoundsScene):
 
     The boxes are oriented: their axes are turned degree by degree, the outline is projected on them, the
     centre is the middle of the projections, and the least area wins. Such a box hugs a curve: half as long,
-    it is a quarter as broad. Upright boxes are only half as broad, and need many more tests where outlines
-    come close.
+    it is a quarter as broad. Axis-aligned boxes are only half as broad, and need many more tests where
+    outlines come close.
 
     Red boxes are leaves that overlap, green ones their ancestors up to the root, grey ones all the others.
     """
@@ -28,7 +30,7 @@ class OrientedBoxes(BoundsScene):
     study = box_study
 
     strips = (
-        Strip("Box tests", "", ("tests", "upright", "with boxes"), sometimes=("with boxes", "upright")),
+        Strip("Box tests", "", ("tests", *OTHERS), sometimes=OTHERS),
         Strip("Segment tests", "", ("segment tests",)),
         Strip("Query time", "s", ("query",)),
     )
@@ -46,13 +48,15 @@ class OrientedBoxes(BoundsScene):
         Equation("Separating axis", r"\abs{\v{d} \cdot \v{n}} > r_A + r_B", "Gottschalk, Lin, Manocha 1996"),
         Equation("Breadth of a box on a curve", r"h \approx \frac{L^2}{8 r}", "radius of curvature r"),
         Equation(
-            "Tests to separate a gap g", r"n \propto g^{-1/2},  \text{upright: } g^{-1}", "measured: press A"
+            "Tests to separate a gap g",
+            r"n \propto g^{-1/2},  \text{AABB: } g^{-1}",
+            "measured: press A",
         ),
     )
     try_this = (
-        "Drag B into a bay of A: see red boxes appear where the outlines touch, and how few they are.",
+        "Drag B into a bay of A: see red boxes appear where the outlines meet, and how few they are.",
         "Press W to walk through fit, building and query; the arrow keys go on and back, G plays it.",
-        "Choose upright boxes: the coast needs more tests, a narrow gap between two arcs ten times more.",
+        "Choose axis-aligned boxes: the coast needs more tests, a gap between two arcs ten times more.",
         "Set the angle step to 30°: sloppy boxes, more tests. Exact boxes lie on a side of the hull.",
         "Press 2 and click an outline of your own; close it at its first corner.",
     )

@@ -72,7 +72,7 @@ def paths_of(tree: BoundingTree) -> Array:
 
 
 def least_area(kind: str, points: Array) -> float:
-    """Area of the least volume round points (n, 2), m²: for upright boxes, of the least box.
+    """Area of the least volume round points (n, 2), m²: for axis-aligned boxes, of the least box.
 
     Proven to 1e-3 for capsules, and polished. NaN for capsules round so many corners that the search would
     be felt.
@@ -88,8 +88,8 @@ def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:
     """Outlines (m, p, 2) of volumes (m, 6) of a kind; ``round_points``: of one end of a capsule."""
     if kind != "capsule":
         return corners_of(v)
-    way = v[:, 2:4] - v[:, 0:2]
-    turn = np.arctan2(way[:, 1], way[:, 0])[:, None]
+    core = v[:, 2:4] - v[:, 0:2]
+    turn = np.arctan2(core[:, 1], core[:, 0])[:, None]
     bend = np.linspace(-0.5 * np.pi, 0.5 * np.pi, round_points)[None, :]
     radius = v[:, 4][:, None, None]
     far = v[:, None, 2:4] + radius * np.stack((np.cos(turn + bend), np.sin(turn + bend)), axis=-1)
@@ -99,7 +99,7 @@ def rows_to_paths(kind: str, v: Array, round_points: int = ROUND) -> Array:
 
 
 class FinePaths:
-    """Outlines of a tree's volumes in its frame, with finer round ends; each is made when first wanted."""
+    """Outlines of a tree's volumes in its frame, with finer round ends; each is made when first needed."""
 
     def __init__(self, tree: BoundingTree) -> None:
         self._tree = tree
@@ -116,7 +116,7 @@ class FinePaths:
 
 
 class TreePair:
-    """Trees of two outlines, and the query. Upright boxes are built anew when an outline has turned."""
+    """Trees of two outlines, and the query. Axis-aligned boxes are built again when an outline has turned."""
 
     def __init__(self, options: TreeOptions):
         self.options = options
@@ -136,7 +136,7 @@ class TreePair:
         return self._exact[index]
 
     def angle_of(self, outline: Outline) -> float:
-        """How far the frame of an outline's tree is turned, rad: upright boxes have the world's."""
+        """How far the frame of an outline's tree is turned, rad: axis-aligned boxes have the world's."""
         return 0.0 if self.options.kind == "aabb" else outline.angle
 
     def _fits(self, i: int, outline: Outline) -> bool:

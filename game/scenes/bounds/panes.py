@@ -10,7 +10,7 @@ from game.scenes.bounds.model import BoundsModel
 from game.scenes.bounds.pair import Place, TreePair
 from game.scenes.bounds.parameters import CapsuleParameters
 
-TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Upright boxes"}
+TITLES = {"obb": "Oriented boxes", "capsule": "Capsules", "aabb": "Axis-aligned boxes"}
 
 
 class Pane(NamedTuple):

@@ -8,8 +8,8 @@ from game.stage import Choice, Param, Parameters, Toggle
 
 TREE_PARAMETERS = ("volume", "fit", "angle_step", "leaf_size", "split")  # by which trees are built
 WALKS = ("off", "fit", "build", "query")
-KIND_LABELS = ("Boxes", "Capsules", "Upright")
-KIND_HELP = "oriented boxes, capsules, or boxes that stay upright"
+KIND_LABELS = ("Boxes", "Capsules", "Axis-aligned")
+KIND_HELP = "oriented boxes, capsules, or axis-aligned boxes"
 
 
 class BoundsParameters(Parameters):

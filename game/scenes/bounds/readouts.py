@@ -7,7 +7,7 @@ import math
 from game.scenes.bounds.model import BoundsModel
 from game.stage import Readout
 
-BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "upright"}  # tests of the other trees
+BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "axis-aligned"}  # tests of the other trees
 
 
 def readouts_of(model: BoundsModel) -> list[Readout]:

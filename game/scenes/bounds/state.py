@@ -39,7 +39,7 @@ class BoundsState(NamedTuple):
 
 
 class PackedShapes:
-    """The corners of all outlines in arrays, packed anew only when an outline has others."""
+    """The corners of all outlines in arrays, packed again only when an outline has others."""
 
     def __init__(self) -> None:
         self._points: list[object] = [None]

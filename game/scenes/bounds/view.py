@@ -60,7 +60,7 @@ class BoundsView:
                 ("box:amber", "volume being fitted", ""),
                 ("box:ghost", "fitted so far", str(cursor)),
             ]
-        names = {"obb": "boxes", "capsule": "capsules", "aabb": "upright boxes"}
+        names = {"obb": "boxes", "capsule": "capsules", "aabb": "axis-aligned boxes"}
         red, green, rest = self.model.marked(cursor if parameters.walked == "query" else None)
         rows = [("box:vermilion", f"overlapping {names[pair.options.kind]}", str(red))]
         if parameters.ancestors:
@@ -142,8 +142,8 @@ class BoundsView:
         ]
 
     def _tree_places(self, pair: TreePair, places: list[Place]) -> list[Place]:
-        upright = pair.options.kind == "aabb"
-        return [place._replace(angle=0.0) if upright else place for place in places]
+        aligned = pair.options.kind == "aabb"
+        return [place._replace(angle=0.0) if aligned else place for place in places]
 
     # -- outlines and hand --------------------------------------------------------------------------
 
@@ -217,7 +217,7 @@ class BoundsView:
         elif (gap := self.model.gap()) is not None:
             self._annotations.draw_gap(canvas, lines, pane, gap)
         if EXACT_ANSWER in self.model.active and not pane.title:
-            self._annotations.tell_touching(canvas, lines, pair, places)
+            self._annotations.label_contact(canvas, lines, pair, places)
 
 
 def warm_up() -> None:

@@ -21,7 +21,7 @@ LARGE = 60.0  # px; larger capsules have finer round ends
 
 
 class Shown(NamedTuple):
-    """What of the hierarchies is wanted."""
+    """What of the hierarchies is drawn."""
 
     grey: bool
     green: bool

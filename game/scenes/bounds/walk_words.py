@@ -46,7 +46,7 @@ def _build_caption(walk: Walk) -> str:
 def _query_caption(walk: Walk, total: int) -> str:
     query = walk.model.pair.query
     if query is None:
-        return "Two outlines are wanted"
+        return "There is no query: it needs two outlines"
     k = min(walk.cursor, query.row_count) - 1
     a, b, verdict = query.rows[k, :3].tolist()
     words = f"Pair {k + 1} of {total}, A{a} and B{b}: "

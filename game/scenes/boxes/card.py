@@ -82,7 +82,7 @@ def _draw_boxes(pen: Pen, boxes: tuple[Box, ...]) -> None:
 
 
 def _overlapping(boxes: tuple[Box, ...]) -> set[Box]:
-    """Those that touch another."""
+    """Those that overlap another."""
     return {
         box for box in boxes for other in boxes
         if other is not box

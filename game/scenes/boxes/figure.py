@@ -134,7 +134,7 @@ def draw_swap(pen: Pen) -> None:
 
 
 def _draw_ways(pen: Pen, name: str, x: float, inwards: float, first: float, second: float) -> None:
-    """An end point in both orders, and its way from one to the other."""
+    """An end point in both orders, and its path from one to the other."""
     later = x + (MOVE if name == "A" else 0.0)
     swapped = (name, inwards) in (("A", -1.0), ("B", 1.0))
     color = "amber" if swapped else "text3"
@@ -178,7 +178,7 @@ def draw_costs(pen: Pen) -> None:
     pen.formula("n", right + 14.0, bottom)
 
 
-STEP = 1e-4  # of the world's breadth: the mean way of a box in a step
+STEP = 1e-4  # of the world's breadth: the mean displacement of a box in a step
 
 
 def _below(at: Point) -> Point:

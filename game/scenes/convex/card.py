@@ -25,7 +25,7 @@ def draw_voronoi_walk(pen: Pen) -> None:
 
 
 def draw_simplexes(pen: Pen) -> None:
-    """A Minkowski difference, a few simplexes, and the way from the origin."""
+    """A Minkowski difference, a few simplexes, and the path from the origin."""
     pen.fill("stage")
     hull = (
         (30.0, 30.0),

@@ -102,9 +102,9 @@ def _dot(p: Point, q: Point) -> float:
 
 
 def _nearest_part(p: Point, q: Point) -> float:
-    """Where on the way from p to q the origin is closest."""
-    way = (q[0] - p[0], q[1] - p[1])
-    return min(max(-_dot(p, way) / _dot(way, way), 0.0), 1.0)
+    """Where on the segment from p to q the origin is closest."""
+    along = (q[0] - p[0], q[1] - p[1])
+    return min(max(-_dot(p, along) / _dot(along, along), 0.0), 1.0)
 
 
 def _hull(points: list[Point]) -> list[Point]:

@@ -61,7 +61,7 @@ class PairContent(_Entry, frozen=True, kw_only=True):
 def outline_of(entry: ShapeEntry, name: str) -> Outline:
     """The outline that an entry describes; ValueError, naming it, if it says nothing or two things."""
     if bool(entry.points) == (entry.corners is not None):
-        raise ValueError(f"{name}: either points or corners are wanted")
+        raise ValueError(f"{name}: expected either points or corners")
     points: tuple[Point, ...] = entry.points
     if entry.corners is not None:
         turns = [2.0 * math.pi * k / entry.corners for k in range(entry.corners)]

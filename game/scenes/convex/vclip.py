@@ -56,7 +56,7 @@ class VClip(ConvexPairScene):
     try_this = (
         "Switch coherence off and press S: the walk begins at another pair of features each time.",
         "Walk through the query with the arrow keys and see which border sends it on.",
-        "Drag B through A: the arrow is the shortest way out.",
+        "Drag B through A: the arrow is the shortest displacement that separates them.",
         "Choose Draw and click a star: it is refused; press H to take its hull.",
     )
 

@@ -42,14 +42,14 @@ def test_the_exact_box_is_the_reference():
     )
 
 
-def test_tests_are_counted_against_upright_boxes():
+def test_tests_are_counted_against_axis_aligned_boxes():
     """Beyond: two arcs 2 cm apart."""
     stage = open_level(OrientedBoxes, "arcs")
     told = readouts(stage)
     assert told["crossings"] == 0 and told["gap"] == pytest.approx(0.02, rel=1e-3)
-    assert told["upright"] > 8 * told["tests"]
+    assert told["axis-aligned"] > 8 * told["tests"]
     stage.post(SetParameter("compare", False))
-    assert "upright" not in readouts(stage)
+    assert "axis-aligned" not in readouts(stage)
 
 
 def test_identical_outlines_meet_everywhere_and_far_ones_need_one_test():

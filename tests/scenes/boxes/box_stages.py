@@ -35,8 +35,8 @@ def readouts(stage: Stage) -> dict[str, float]:
 
 def brute_pairs(scene) -> list[list[int]]:
     """All pairs of a scene's boxes by comparing all with all, in slices."""
-    ids = np.flatnonzero(scene.alive)
-    low, high = (corners[ids] for corners in scene.covered())
+    ids = np.flatnonzero(scene.model.boxes.alive)
+    low, high = (corners[ids] for corners in scene.model.boxes.covered())
     rows = []
     for begin in range(0, len(ids), 500):
         part = slice(begin, begin + 500)
@@ -44,6 +44,19 @@ def brute_pairs(scene) -> list[list[int]]:
         rows.append(np.argwhere(meet) + np.array([begin, 0]))
     pairs = ids[np.concatenate(rows)]
     return pairs[pairs[:, 0] < pairs[:, 1]].tolist()
+
+
+def middle_of(stage: Stage, box: int) -> tuple[float, float]:
+    """The centre of a box, m."""
+    boxes = stage.scene.model.boxes
+    x, y = (0.5 * (boxes.lowers[box] + boxes.uppers[box])).tolist()
+    return x, y
+
+
+def new_sentences(stage: Stage) -> list[str]:
+    """What sweep and prune says of the last step."""
+    model = stage.scene.model
+    return model.story[len(model.story) - model.fresh :] if model.fresh else []
 
 
 def drag(stage: Stage, start, end, button: int = 1, release: bool = True) -> None:

@@ -8,7 +8,7 @@ import pytest
 from game.levels import LevelError, parse_level
 from game.scenes.boxes.race import BroadPhaseRace
 from game.scenes.boxes.uniform_grid import UniformGridScene
-from game.scenes.boxes.view import Column
+from game.scenes.boxes.view.column import Column
 from game.stage import Choice, SetEffect, SetParameter, Stage
 from tests.scenes.boxes.box_stages import SCENES, brute_pairs, drag, level_id, open_level
 
@@ -21,9 +21,9 @@ def stage_with(scene_type, boxes: str) -> Stage:
 def test_the_pair_that_shares_many_cells_shares_hundreds_all_the_time():
     stage = open_level(UniformGridScene, "hard-06-many-cells-shared")
     for _ in range(120):
-        both = set(stage.scene.grid.cells_of(0)) & set(stage.scene.grid.cells_of(1))
+        both = set(stage.scene.model.grid.cells_of(0)) & set(stage.scene.model.grid.cells_of(1))
         assert len(both) >= 200
-        assert [0, 1] in stage.scene.pairs.tolist()
+        assert [0, 1] in stage.scene.model.pairs.tolist()
         stage.run(1)
 
 
@@ -46,33 +46,33 @@ def test_one_manager_alone_is_not_said_to_agree(monkeypatch):
     assert ("Pair managers", "not compared") in heads(stage, monkeypatch)
     stage.post(SetEffect("hashed-pairs", False))
     stage.run(1)
-    assert stage.scene.same and not stage.scene.compared
+    assert stage.scene.model.same and not stage.scene.model.compared
 
 
 def test_answers_that_differ_are_told_by_the_grid_scene_and_the_race():
     for scene_type in (UniformGridScene, BroadPhaseRace):
         scene = Stage(scene_type, parameters={"count": 50}).scene
-        first = scene.answers[0]
+        first = scene.model.answers[0]
         lost = first._replace(begun=np.array([[0, 1]]), ended=np.empty((0, 2), dtype=np.int64))
-        scene.answers = [lost, lost._replace(begun=np.array([[0, 2]]))]
-        assert not (scene.same if scene_type is UniformGridScene else scene.managers_agree())
-        scene.answers = [lost, lost]
-        assert scene.same if scene_type is UniformGridScene else scene.managers_agree()
+        scene.model.answers = [lost, lost._replace(begun=np.array([[0, 2]]))]
+        assert not (scene.model.same if scene_type is UniformGridScene else scene.model.managers_agree())
+        scene.model.answers = [lost, lost]
+        assert scene.model.same if scene_type is UniformGridScene else scene.model.managers_agree()
 
 
 def test_a_lone_contestant_of_the_race_agrees_with_nobody():
     stage = Stage(BroadPhaseRace, parameters={"count": 50})
-    assert stage.scene.managers_agree() is True
+    assert stage.scene.model.managers_agree() is True
     stage.post(SetParameter("count", 5000))
     stage.run(1)
-    assert stage.scene.managers_agree() is None
+    assert stage.scene.model.managers_agree() is None
 
 
 def test_the_managers_are_told_in_turn_so_that_none_is_always_first(monkeypatch):
     stage = open_level(UniformGridScene, "default")
     order: list[str] = []
     for name in ("matrix", "hashed"):
-        manager = getattr(stage.scene, name)
+        manager = getattr(stage.scene.model, name)
         told = manager.set_pairs
         monkeypatch.setattr(manager, "set_pairs", lambda p, n=name, t=told: (order.append(n), t(p)))
     stage.run(2)
@@ -104,9 +104,9 @@ def test_wide_and_endless_boxes_grow_and_are_dragged_without_an_error(scene_type
         stage.run(3)
         drag(stage, (9.0, 7.0), (10.0, 7.5))
     assert stage.fault is None
-    alive = stage.scene.ids
-    assert (stage.scene.lowers[alive] <= stage.scene.uppers[alive]).all()
-    assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+    alive = stage.scene.model.boxes.ids
+    assert (stage.scene.model.boxes.lowers[alive] <= stage.scene.model.boxes.uppers[alive]).all()
+    assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)

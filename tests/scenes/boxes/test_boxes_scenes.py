@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from game.levels import LevelError, parse_level
 from game.scenes import CATALOGUE
-from game.scenes.boxes.arrays import ArraysOfBoxes
+from game.scenes.boxes.model.arrays import BoxArrays
 from game.stage import Action, ParameterError, Pointer, SetEffect, SetParameter, Stage
 from tests.scenes.boxes.box_stages import (
     LEVELS,
@@ -18,6 +16,7 @@ from tests.scenes.boxes.box_stages import (
     click,
     drag,
     level_id,
+    middle_of,
     open_level,
     readouts,
     stage_of,
@@ -27,6 +26,11 @@ HARD = {"c05": range(1, 13), "c06": range(1, 9), "c07": range(1, 10), "broad-pha
 SMALL = {"count": 60, "fill": 0.3}
 
 
+def area_of(boxes: BoxArrays) -> float:
+    """All boxes together, m²."""
+    return float((boxes.uppers - boxes.lowers)[boxes.ids].prod(axis=1).sum())
+
+
 def small(scene_type, **parameters) -> Stage:
     return Stage(scene_type, parameters={**SMALL, **parameters})
 
@@ -34,18 +38,18 @@ def small(scene_type, **parameters) -> Stage:
 @pytest.mark.parametrize(("scene_type", "path"), LEVELS, ids=level_id)
 def test_every_level_runs_and_all_its_methods_find_the_pairs_of_brute_force(scene_type, path):
     stage = stage_of(scene_type, path)
-    many = len(stage.scene.ids) > 2000
-    total = len(stage.scene.pairs)
+    many = len(stage.scene.model.boxes.ids) > 2000
+    total = len(stage.scene.model.pairs)
     for part in (1, 4, 20) if not many else (2,):
         for _ in range(part):
             stage.run(1)
-            total += stage.scene.begun - stage.scene.ended
+            total += stage.scene.model.begun - stage.scene.model.ended
         assert stage.fault is None
         assert readouts(stage)["answers differ"] == 0.0
-        assert total == len(stage.scene.pairs)
+        assert total == len(stage.scene.model.pairs)
         if not many:
-            assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
-    for phase in stage.scene.structures() if not many else ():
+            assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
+    for phase in stage.scene.model.structures() if not many else ():
         phase.check()
 
 
@@ -68,27 +72,27 @@ def test_every_hard_case_has_its_level(scene_type):
 def test_a_click_adds_a_box_a_drag_one_of_that_size_and_a_right_click_removes(scene_type):
     stage = Stage(scene_type, parameters={"count": 1, "workload": "equal"}, effects_off=("box-motion",))
     scene = stage.scene
-    click(stage, tuple(0.5 * (scene.lowers[0] + scene.uppers[0])), button=3)
-    assert len(scene.ids) == 0 and len(scene.pairs) == 0
+    click(stage, middle_of(stage, 0), button=3)
+    assert len(scene.model.boxes.ids) == 0 and len(scene.model.pairs) == 0
     drag(stage, (1.0, 2.0), (3.0, 2.5))
     drag(stage, (8.0, 7.0), (7.5, 6.0))
-    assert scene.lowers[scene.ids].tolist() == [[1.0, 2.0], [7.5, 6.0]]
-    assert scene.uppers[scene.ids].tolist() == [[3.0, 2.5], [8.0, 7.0]]
+    assert scene.model.boxes.lowers[scene.model.boxes.ids].tolist() == [[1.0, 2.0], [7.5, 6.0]]
+    assert scene.model.boxes.uppers[scene.model.boxes.ids].tolist() == [[3.0, 2.5], [8.0, 7.0]]
     click(stage, (5.0, 5.0))
-    assert len(scene.ids) == 3
-    assert np.allclose(scene.uppers[2] - scene.lowers[2], scene.size)
+    assert len(scene.model.boxes.ids) == 3
+    assert np.allclose(scene.model.boxes.uppers[2] - scene.model.boxes.lowers[2], scene.model.size)
     stage.run(3)
-    assert all(len(phase) == 3 for phase in scene.structures())
+    assert all(len(phase) == 3 for phase in scene.model.structures())
     drag(stage, (1.1, 2.1), (7.7, 6.1))
     stage.run(1)
-    assert scene.pairs.tolist() == [[0, 1]]
+    assert scene.model.pairs.tolist() == [[0, 1]]
     assert readouts(stage)["answers differ"] == 0.0
     click(stage, (7.9, 6.9), button=3)
-    assert scene.ids.tolist() == [0, 2] and len(scene.pairs) == 0
+    assert scene.model.boxes.ids.tolist() == [0, 2] and len(scene.model.pairs) == 0
     drag(stage, (0.5, 0.5), (0.9, 0.9))
-    assert scene.ids.tolist() == [0, 1, 2]
+    assert scene.model.boxes.ids.tolist() == [0, 1, 2]
     stage.run(2)
-    assert scene.pairs.tolist() == brute_pairs(scene)
+    assert scene.model.pairs.tolist() == brute_pairs(scene)
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
@@ -96,43 +100,49 @@ def test_a_held_box_stays_in_the_hand_and_goes_on_when_let_go(scene_type):
     stage = small(scene_type)
     scene = stage.scene
     box = 5
-    middle = tuple(0.5 * (scene.lowers[box] + scene.uppers[box]))
-    held = scene.box_at(middle)
-    velocity = scene.velocities[held].copy()
+    middle = middle_of(stage, box)
+    held = scene.hand.box_at(middle)
+    velocity = scene.model.boxes.velocities[held].copy()
     drag(stage, middle, (6.0, 4.0), release=False)
     stage.run(5)
-    assert scene.held == held
-    assert (scene.lowers[held] <= (6.0, 4.0)).all() and (scene.uppers[held] >= (6.0, 4.0)).all()
+    assert scene.model.held == held
+    assert (scene.model.boxes.lowers[held] <= (6.0, 4.0)).all() and (
+        scene.model.boxes.uppers[held] >= (6.0, 4.0)
+    ).all()
     stage.post(Pointer("cancel", 6.0, 4.0))
-    assert scene.held == -1
-    assert np.array_equal(scene.velocities[held], velocity)
-    before = scene.lowers[held].copy()
+    assert scene.model.held == -1
+    assert np.array_equal(scene.model.boxes.velocities[held], velocity)
+    before = scene.model.boxes.lowers[held].copy()
     stage.run(1)
-    assert np.allclose(scene.lowers[held] - before, velocity * stage.dt)
+    assert np.allclose(scene.model.boxes.lowers[held] - before, velocity * stage.dt)
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
 def test_boxes_are_added_and_removed_by_number_while_the_others_go_on(scene_type):
     stage = small(scene_type)
     scene = stage.scene
-    area = float(((scene.uppers - scene.lowers)[scene.ids]).prod(axis=1).sum())
+    area = float(
+        ((scene.model.boxes.uppers - scene.model.boxes.lowers)[scene.model.boxes.ids]).prod(axis=1).sum()
+    )
     stage.post(Action("more"))
-    assert len(scene.ids) == scene.count == 110
+    assert len(scene.model.boxes.ids) == scene.parameters.count == 110
     stage.post(SetParameter("count", 300))
-    assert len(scene.ids) == 300
-    if scene.workload == "equal":
-        now = float(((scene.uppers - scene.lowers)[scene.ids]).prod(axis=1).sum())
+    assert len(scene.model.boxes.ids) == 300
+    if scene.parameters.workload == "equal":
+        now = float(
+            ((scene.model.boxes.uppers - scene.model.boxes.lowers)[scene.model.boxes.ids]).prod(axis=1).sum()
+        )
         assert now == pytest.approx(area, rel=1e-9)
     stage.run(3)
-    assert scene.pairs.tolist() == brute_pairs(scene)
+    assert scene.model.pairs.tolist() == brute_pairs(scene)
     stage.post(Action("fewer"))
     stage.post(SetParameter("count", 7))
-    assert len(scene.ids) == 7
+    assert len(scene.model.boxes.ids) == 7
     for _ in range(3):
         stage.post(Action("fewer"))
-    assert len(scene.ids) == 1
+    assert len(scene.model.boxes.ids) == 1
     stage.run(3)
-    assert len(scene.pairs) == 0
+    assert len(scene.model.pairs) == 0
     with pytest.raises(ParameterError):
         stage.post(SetParameter("count", 0))
     with pytest.raises(ParameterError):
@@ -143,21 +153,21 @@ def test_boxes_are_added_and_removed_by_number_while_the_others_go_on(scene_type
 def test_boxes_move_by_explicit_euler_and_turn_at_the_boundary(scene_type):
     stage = small(scene_type, speed=20.0)
     scene = stage.scene
-    before, velocity = scene.lowers.copy(), scene.velocities.copy()
+    before, velocity = scene.model.boxes.lowers.copy(), scene.model.boxes.velocities.copy()
     stage.run(1)
-    assert np.array_equal(scene.lowers, before + velocity * stage.dt)
+    assert np.array_equal(scene.model.boxes.lowers, before + velocity * stage.dt)
     stage.run(300)
-    outside = np.maximum(-scene.lowers, scene.uppers - (11.2, 8.0)).max()
+    outside = np.maximum(-scene.model.boxes.lowers, scene.model.boxes.uppers - (11.2, 8.0)).max()
     assert 0.0 < outside <= 20.0 * stage.dt * 1.000001
-    assert np.allclose(np.abs(scene.velocities), np.abs(velocity))
+    assert np.allclose(np.abs(scene.model.boxes.velocities), np.abs(velocity))
     stage.post(SetEffect("boundary", False))
     stage.run(120)
-    assert (scene.lowers.max() > 20.0) or (scene.lowers.min() < -10.0)
+    assert (scene.model.boxes.lowers.max() > 20.0) or (scene.model.boxes.lowers.min() < -10.0)
     stage.post(SetEffect("box-motion", False))
-    still = scene.lowers.copy()
+    still = scene.model.boxes.lowers.copy()
     stage.run(5)
-    assert np.array_equal(scene.lowers, still)
-    assert scene.pairs.tolist() == brute_pairs(scene)
+    assert np.array_equal(scene.model.boxes.lowers, still)
+    assert scene.model.pairs.tolist() == brute_pairs(scene)
 
 
 @pytest.mark.parametrize("scene_type", SCENES, ids=level_id)
@@ -166,8 +176,8 @@ def test_leaps_and_replacements_are_the_same_every_time(scene_type):
     for _ in range(2):
         stage = small(scene_type, leaps=0.3, turnover=6)
         stage.run(20)
-        assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
-        assert len(stage.scene.ids) == 60
+        assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
+        assert len(stage.scene.model.boxes.ids) == 60
         digests.add(stage.digest())
     assert len(digests) == 1
 
@@ -176,15 +186,15 @@ def test_leaps_and_replacements_are_the_same_every_time(scene_type):
 def test_swept_boxes_are_what_was_covered_in_the_step(scene_type):
     stage = small(scene_type, speed=30.0, swept=True)
     scene = stage.scene
-    before = scene.lowers.copy(), scene.uppers.copy()
+    before = scene.model.boxes.lowers.copy(), scene.model.boxes.uppers.copy()
     stage.run(1)
-    assert np.array_equal(scene.swept_lowers, np.minimum(before[0], scene.lowers))
-    assert np.array_equal(scene.swept_uppers, np.maximum(before[1], scene.uppers))
-    assert scene.pairs.tolist() == brute_pairs(scene)
-    swept = len(scene.pairs)
+    assert np.array_equal(scene.model.boxes.swept_lowers, np.minimum(before[0], scene.model.boxes.lowers))
+    assert np.array_equal(scene.model.boxes.swept_uppers, np.maximum(before[1], scene.model.boxes.uppers))
+    assert scene.model.pairs.tolist() == brute_pairs(scene)
+    swept = len(scene.model.pairs)
     stage.post(SetParameter("swept", False))
-    assert scene.pairs.tolist() == brute_pairs(scene)
-    assert len(scene.pairs) < swept
+    assert scene.model.pairs.tolist() == brute_pairs(scene)
+    assert len(scene.model.pairs) < swept
 
 
 # -- digests, stepping back, files, pictures ----------------------------------------------------------
@@ -195,8 +205,9 @@ def test_stepping_back_and_forth_repeats_hand_numbers_and_pairs(scene_type):
     stage = small(scene_type)
 
     def seen():
-        scene = stage.scene
-        return stage.digest(), scene.pairs.tolist(), scene.begun, scene.ended, len(scene.ids), scene.held
+        model = stage.scene.model
+        counts = model.begun, model.ended, len(model.boxes), model.held
+        return stage.digest(), model.pairs.tolist(), counts
 
     trail = []
     for step in range(30):
@@ -205,7 +216,11 @@ def test_stepping_back_and_forth_repeats_hand_numbers_and_pairs(scene_type):
         if step == 9:
             drag(stage, (3.0, 3.0), (4.0, 3.5))
         if step == 12:
-            click(stage, tuple(0.5 * (stage.scene.lowers[3] + stage.scene.uppers[3])), button=3)
+            click(
+                stage,
+                middle_of(stage, 3),
+                button=3,
+            )
         if step == 15:
             stage.post(SetParameter("count", 80))
         trail.append(seen())
@@ -226,8 +241,8 @@ def test_a_scene_saved_and_opened_again_has_the_same_boxes(scene_type):
     assert len(content.boxes) == 60
     again = parse_level(f'scene = "{scene_type.name}"\n', scene_type.name, scene_type.content_type)
     copy = Stage(scene_type, level=type(again)(scene=scene_type.name, content=content))
-    assert np.array_equal(copy.scene.lowers, stage.scene.lowers)
-    assert copy.scene.pairs.tolist() == stage.scene.pairs.tolist()
+    assert np.array_equal(copy.scene.model.boxes.lowers, stage.scene.model.boxes.lowers)
+    assert copy.scene.model.pairs.tolist() == stage.scene.model.pairs.tolist()
 
 
 @pytest.mark.parametrize(
@@ -279,18 +294,18 @@ def test_what_a_scene_says_of_itself(scene_type):
     assert all(name in names for strip in scene_type.strips for name in strip.series)
     assert scene_type.study is not None and scene_type.equations and scene_type.try_this and scene_type.hints
     rows = stage.scene.legend()
-    assert rows[0] == ("box:vermilion", "overlapping", str(len(np.unique(stage.scene.pairs))))
+    assert rows[0] == ("box:vermilion", "overlapping", str(len(np.unique(stage.scene.model.pairs))))
     assert list(stage.scene.messages()) == []
 
 
 def test_a_box_beyond_the_most_is_not_taken():
     stage = Stage(SCENES[0], parameters={"count": 100_000, "cell": 1.0}, effects_off=("matrix-pairs",))
     click(stage, (0.001, 0.001))
-    assert len(stage.scene.ids) in (99_999, 100_000)
-    assert stage.scene.count <= 100_000
+    assert len(stage.scene.model.boxes.ids) in (99_999, 100_000)
+    assert stage.scene.parameters.count <= 100_000
     stage.run(1)
     assert stage.fault is None
-    assert open_level(SCENES[0], "default").scene.count == 500
+    assert open_level(SCENES[0], "default").scene.parameters.count == 500
 
 
 @pytest.mark.parametrize("name", ["c05", "c06", "c07", "broad-phase-race"])
@@ -324,6 +339,6 @@ def test_times_of_many_other_boxes_are_forgotten(scene_type):
 )
 def test_the_typical_size_is_the_median_even_of_the_largest_and_least(sizes):
     uppers = np.repeat(np.array(sizes)[:, None], 2, axis=1)
-    boxes = SimpleNamespace(lowers=np.zeros_like(uppers), uppers=uppers, alive=np.ones(len(sizes), np.uint8))
+    boxes = BoxArrays(np.zeros_like(uppers), uppers, np.zeros_like(uppers), np.zeros(len(sizes)))
     wanted = float(np.median(np.array(sizes, dtype=np.longdouble)))
-    assert ArraysOfBoxes.typical_size(boxes) == wanted
+    assert boxes.typical_size() == wanted

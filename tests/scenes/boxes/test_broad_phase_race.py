@@ -19,17 +19,17 @@ def test_all_find_the_same_on_every_workload(workload):
         BroadPhaseRace, parameters={"count": 200, "workload": workload, "ratio": 8.0, "share": 0.05}
     )
     scene = stage.scene
-    assert list(scene.phases) == ["naive", "uniform", "covering", "hierarchical", "sweep"]
-    before = scene.lowers.copy()
+    assert list(scene.model.phases) == ["naive", "uniform", "covering", "hierarchical", "sweep"]
+    before = scene.model.boxes.lowers.copy()
     for _ in range(10):
         stage.run(1)
-        assert all(scene.agree.values())
-        assert all(len(manager) == len(scene.pairs) for manager in scene.managers.values())
-    assert scene.pairs.tolist() == brute_pairs(scene)
+        assert all(scene.model.agree.values())
+        assert all(len(manager) == len(scene.model.pairs) for manager in scene.model.managers.values())
+    assert scene.model.pairs.tolist() == brute_pairs(scene)
     values = readouts(stage)
-    assert all(values[name] > 0.0 for name in (*scene.phases, "matrix", "hash"))
+    assert all(values[name] > 0.0 for name in (*scene.model.phases, "matrix", "hash"))
     if workload == "teleport":
-        assert (np.abs(scene.lowers - before).max(axis=1) > 0.5).mean() > 0.8
+        assert (np.abs(scene.model.boxes.lowers - before).max(axis=1) > 0.5).mean() > 0.8
         assert values["swaps"] > 1000
 
 
@@ -40,13 +40,13 @@ def test_contestants_are_switched_off_and_one_always_stays():
         stage.post(SetParameter(name, False))
         stage.run(1)
         assert bool(stage.scene.messages()) == (name == "hierarchical")  # all switches are off, one stays
-    assert list(stage.scene.phases) == ["hierarchical"]
+    assert list(stage.scene.model.phases) == ["hierarchical"]
     stage.run(2)
     assert math.isnan(readouts(stage)["naive"])
     stage.post(SetParameter("sweep", True))
     stage.run(2)
-    assert list(stage.scene.phases) == ["sweep"]
-    assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+    assert list(stage.scene.model.phases) == ["sweep"]
+    assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
 
 
 def test_all_leaping_is_sorted_anew_in_every_step_and_one_line_only_at_first():
@@ -55,7 +55,7 @@ def test_all_leaping_is_sorted_anew_in_every_step_and_one_line_only_at_first():
         counts = []
         for _ in range(30):
             stage.run(1)
-            counts.append(stage.scene.phases["sweep"].resorts)
+            counts.append(stage.scene.model.phases["sweep"].resorts)
         return counts
 
     assert sorted_anew("teleport") == list(range(1, 31))
@@ -67,6 +67,6 @@ def test_what_is_too_dear_is_left_out():
     stage = open_level(BroadPhaseRace, "default")
     stage.post(SetParameter("count", 4500))
     stage.run(3)
-    assert "naive" not in stage.scene.phases and stage.scene.managers["matrix"] is None
+    assert "naive" not in stage.scene.model.phases and stage.scene.model.managers["matrix"] is None
     values = readouts(stage)
     assert math.isnan(values["naive"]) and math.isnan(values["matrix"]) and values["hash"] > 0.0

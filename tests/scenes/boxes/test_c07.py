@@ -1,4 +1,4 @@
-"""Sweep and prune beside the naive way: C07.1 to C07.6."""
+"""Sweep and prune beside the naive method: C07.1 to C07.6."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ def test_naive_and_sweep_find_the_same_in_every_step():
     stage = open_level(SweepAndPruneScene, "default")
     for _ in range(60):
         stage.run(1)
-        assert stage.scene.compared and stage.scene.same
-    assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
-    stage.scene.sap.check()
+        assert stage.scene.model.compared and stage.scene.model.same
+    assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
+    stage.scene.model.sap.check()
 
 
 def test_swaps_of_a_step_are_shown_beside_their_mean():
@@ -30,7 +30,7 @@ def test_swaps_of_a_step_are_shown_beside_their_mean():
     assert len(set(means)) == 1
     # successive steps of one motion are correlated: the sample counts as one sixth of its steps
     assert abs(np.mean(swaps) - means[0]) < 4.0 * np.std(swaps) / np.sqrt(10.0)
-    assert any(mask.any() for mask in stage.scene.swapped)
+    assert any(mask.any() for mask in stage.scene.model.swapped)
 
 
 def test_at_rest_nothing_swaps():
@@ -38,35 +38,35 @@ def test_at_rest_nothing_swaps():
     stage.run(5)
     values = readouts(stage)
     assert values["swaps"] == values["mean"] == 0.0
-    assert not any(mask.any() for mask in stage.scene.swapped)
+    assert not any(mask.any() for mask in stage.scene.model.swapped)
 
 
 def test_a_leap_of_all_is_finished_by_sorting_unless_that_is_switched_off():
     stage = open_level(SweepAndPruneScene, "hard-03-all-leap")
     stage.run(4)
-    assert stage.scene.sap.resorts == 4
-    assert abs(stage.scene.swaps / (2 * 1000 * 999) - 1.0) < 0.1
+    assert stage.scene.model.sap.resorts == 4
+    assert abs(stage.scene.model.swaps / (2 * 1000 * 999) - 1.0) < 0.1
     stage.post(SetParameter("resort", False))
     stage.run(2)
-    assert stage.scene.sap.resorts == 0
-    assert abs(stage.scene.swaps / (2 * 1000 * 999) - 1.0) < 0.1
-    assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+    assert stage.scene.model.sap.resorts == 0
+    assert abs(stage.scene.model.swaps / (2 * 1000 * 999) - 1.0) < 0.1
+    assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
 
 
 def test_pairs_are_kept_in_a_matrix_and_in_a_hash_table_where_that_is_too_small():
     stage = Stage(SweepAndPruneScene, parameters={"count": 256, "turnover": 3})
-    assert isinstance(stage.scene.sap.manager, MatrixPairs)
+    assert isinstance(stage.scene.model.sap.manager, MatrixPairs)
     stage.run(5)
     for _ in range(3):
-        stage.scene.add(np.full((1, 2), 2.0), np.full((1, 2), 2.5), np.zeros((1, 2)))
-    assert stage.scene.sap.manager.greatest == 511
+        stage.scene.model.add(np.full((1, 2), 2.0), np.full((1, 2), 2.5), np.zeros((1, 2)))
+    assert stage.scene.model.sap.manager.greatest == 511
     stage.run(5)
-    assert stage.scene.pairs.tolist() == brute_pairs(stage.scene)
+    assert stage.scene.model.pairs.tolist() == brute_pairs(stage.scene)
     stage.post(SetParameter("manager", "hash"))
-    assert isinstance(stage.scene.sap.manager, HashedPairs)
+    assert isinstance(stage.scene.model.sap.manager, HashedPairs)
     stage.post(SetParameter("manager", "matrix"))
     stage.post(SetParameter("count", 4097))
-    assert isinstance(stage.scene.sap.manager, HashedPairs)
+    assert isinstance(stage.scene.model.sap.manager, HashedPairs)
 
 
 def test_a_box_that_jumps_over_another_makes_no_event():
@@ -74,8 +74,8 @@ def test_a_box_that_jumps_over_another_makes_no_event():
     events = 0
     for _ in range(40):
         stage.run(1)
-        events += stage.scene.begun + stage.scene.ended
-        assert stage.scene.same
+        events += stage.scene.model.begun + stage.scene.model.ended
+        assert stage.scene.model.same
     assert readouts(stage)["swaps"] >= 0.0 and events < 200
 
 

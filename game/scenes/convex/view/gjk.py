@@ -53,7 +53,7 @@ def words_of(step: SimplexStep | PolytopeStep) -> str:
         if inner:
             words += f", which replaces {'an inner corner' if inner == 1 else f'{inner} inner corners'}"
         return words
-    return "the nearest edge is on the border: the shortest way out"
+    return "the nearest edge is on the border: the shortest displacement out of the overlap"
 
 
 def frame_of(seen: View) -> Frame:
@@ -66,9 +66,9 @@ def inset_for(seen: View, difference: Array) -> Inset:
     width, height = seen.right - seen.left, seen.top - seen.bottom
     points = np.vstack((difference, np.zeros((1, 2))))
     low, high = points.min(axis=0), points.max(axis=0)
-    room = (0.9 * INSET * width, 0.74 * height)
+    space = (0.9 * INSET * width, 0.74 * height)
     size = np.maximum(high - low, 1e-300)
-    scale = float(min(room[0] / size[0], room[1] / size[1]))
+    scale = float(min(space[0] / size[0], space[1] / size[1]))
     middle = 0.5 * (low + high) * scale
     return Inset(
         scale,

@@ -159,7 +159,7 @@ def draw_answer(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
     for place in (p, q):
         canvas.dot(place, 4.5, "amber" if distance > 0.0 else "vermilion")
     if distance == 0.0:
-        words, color = "they touch" if (nx, ny) != (0.0, 0.0) else "they overlap", "vermilion"
+        words, color = "they are in contact" if (nx, ny) != (0.0, 0.0) else "they overlap", "vermilion"
     else:
         words = f"{'depth' if distance < 0.0 else 'distance'} {format_si(abs(distance), 'm')}"
         color = "amber" if distance > 0.0 else "vermilion"
@@ -224,5 +224,5 @@ def answer_legend(model: PairModel) -> list[tuple[str, str, str]]:
     if not model.ready:
         return [("dash:vermilion", "not convex: refused", ""), ("dash:green", "hull offered", "")]
     if model.answer[0] <= 0.0:
-        return [("line:green", "features of the shortest way out", ""), ("arrow:vermilion", "depth", "")]
+        return [("line:green", "features at the least depth", ""), ("arrow:vermilion", "depth", "")]
     return [("line:green", "closest features", ""), ("disc:amber", "closest points", "")]

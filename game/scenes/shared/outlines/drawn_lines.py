@@ -36,8 +36,8 @@ class DrawnLines:
             return ends[:0]
         if len(ends) == 1:
             return np.repeat(ends, SLIGHT + 1, axis=0)
-        way = np.diff(ends, axis=0)
-        reach = np.concatenate(([0.0], np.cumsum(np.sqrt((way * way).sum(axis=1)))))
+        steps = np.diff(ends, axis=0)
+        reach = np.concatenate(([0.0], np.cumsum(np.sqrt((steps * steps).sum(axis=1)))))
         count = min(math.ceil(reach[-1] / (SPACING * self.canvas.k)) + 1, MOST_POINTS)
         at = np.linspace(0.0, reach[-1], count)
         return np.column_stack([np.interp(at, reach, ends[:, axis]) for axis in range(2)])

@@ -38,7 +38,7 @@ class PointsEntry(_Entry, frozen=True, kw_only=True, tag="points"):
 
 
 class CoastEntry(_Entry, frozen=True, kw_only=True, tag="coast"):
-    """A coast; see `outline_shapes.coast`."""
+    """A coast; see `shapes.coast`."""
 
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**31)] = 0
     segments: Segments = 128
@@ -48,7 +48,7 @@ class CoastEntry(_Entry, frozen=True, kw_only=True, tag="coast"):
 
 
 class GearEntry(_Entry, frozen=True, kw_only=True, tag="gear"):
-    """A gear; see `outline_shapes.gear`."""
+    """A gear; see `shapes.gear`."""
 
     teeth: Annotated[int, msgspec.Meta(ge=3, le=200)] = 12
     radius: Size = 1.5
@@ -57,7 +57,7 @@ class GearEntry(_Entry, frozen=True, kw_only=True, tag="gear"):
 
 
 class HandEntry(_Entry, frozen=True, kw_only=True, tag="hand"):
-    """A hand; see `outline_shapes.hand`."""
+    """A hand; see `shapes.hand`."""
 
     size: Size = 3.4
     mirrored: bool = False
@@ -92,7 +92,7 @@ class StarEntry(_Entry, frozen=True, kw_only=True, tag="star"):
 
 
 class CombEntry(_Entry, frozen=True, kw_only=True, tag="comb"):
-    """A comb; see `outline_shapes.comb`."""
+    """A comb; see `shapes.comb`."""
 
     teeth: Few = 9
     width: Size = 3.6
@@ -137,7 +137,7 @@ def outline_of(entry: Entry) -> Outline:
         closed, make = _MAKERS[type(entry)]
         points = tuple((float(x), float(y)) for x, y in make(entry))
     if len(points) > MOST_POINTS:
-        raise ValueError(f"outlines: {len(points)} points, {MOST_POINTS} at most are wanted")
+        raise ValueError(f"outlines: {len(points)} points, expected at most {MOST_POINTS}")
     return Outline(points, closed, entry.position, math.radians(entry.angle))
 
 

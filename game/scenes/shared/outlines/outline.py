@@ -63,11 +63,11 @@ def nearest_edge(point: Point, corners: NDArray[np.float64], closed: bool) -> tu
     if len(corners) == 1:
         return 0, math.dist(point, corners[0].tolist())
     a = corners if closed else corners[:-1]
-    way = (np.roll(corners, -1, axis=0) if closed else corners[1:]) - a
+    edges = (np.roll(corners, -1, axis=0) if closed else corners[1:]) - a
     off = np.array(point) - a
-    length = (way * way).sum(axis=1)
-    along = np.clip((off * way).sum(axis=1) / np.where(length > 0.0, length, 1.0), 0.0, 1.0)
-    rest = off - along[:, None] * way
+    length = (edges * edges).sum(axis=1)
+    along = np.clip((off * edges).sum(axis=1) / np.where(length > 0.0, length, 1.0), 0.0, 1.0)
+    rest = off - along[:, None] * edges
     distance = (rest * rest).sum(axis=1)
     edge = int(distance.argmin())
     return edge, math.sqrt(float(distance[edge]))

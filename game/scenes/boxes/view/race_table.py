@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from game.scenes.boxes import view
+from game.scenes.boxes.numbers import log_share, seconds_text
 
 TABLE_LEFT, TABLE_RIGHT, TABLE_TOP = 12.1, 24.9, 12.2  # m
 BAR_LEFT, BAR_RIGHT = 4.3, 8.6  # m from the table's left
@@ -52,10 +52,10 @@ class RaceTable:
         left = TABLE_LEFT + BAR_LEFT
         self._words(0.0, contestant.words, "text1" if first else "text2", "semibold" if first else "medium")
         canvas.line((left, self.y), (left + width, self.y), "inset", 6.0)
-        length = view.log_share(seconds, LEAST_S, MOST_S)
+        length = log_share(seconds, LEAST_S, MOST_S)
         if length > 0.0:
             canvas.line((left, self.y), (left + length * width, self.y), contestant.color, 6.0)
-            self._words(BAR_RIGHT + 0.25, view.seconds_text(seconds), "text1", "semibold")
+            self._words(BAR_RIGHT + 0.25, seconds_text(seconds), "text1", "semibold")
         self.space(17)
         mark = {None: "", True: "same pairs", False: "pairs differ"}[same]
         self._words(0.0, mark, "text3" if same else "vermilion", size=11)
@@ -69,11 +69,3 @@ class RaceTable:
         for i, words in enumerate(("1 µs", "", "", "1 ms", "", "", "1 s")):
             x = TABLE_LEFT + BAR_LEFT + i / 6.0 * (BAR_RIGHT - BAR_LEFT)
             canvas.label((x, self.y), words, "text3", 11, "medium", "center", halo=False)
-
-
-def short(number: float) -> str:
-    """A count with an SI prefix from ten thousand on."""
-    for size, prefix in ((1e9, "G"), (1e6, "M"), (1e4, "k")):
-        if number >= size:
-            return f"{number / min(size, 1e3 if prefix == 'k' else size):.3g} {prefix}"
-    return view.grouped(number)

@@ -3,95 +3,49 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from game.physics.broadphase.hash_levels import MASK, TOP
+from game.physics.broadphase.hash_levels import MASK
 from game.physics.broadphase.hash_walk import Tables
-from game.scenes.boxes import look
 from game.scenes.boxes.level import HEIGHT, WIDTH
-from game.scenes.boxes.levels_look import Look
-from game.scenes.boxes.view import places_between
+from game.scenes.boxes.model.hierarchical_grids import HierarchicalGridModel
+from game.scenes.boxes.names import LETTERS, named
+from game.scenes.boxes.sheets import LEFT, Sheet
+from game.scenes.boxes.view.levels_look import Look
+from game.scenes.boxes.view.look import outline
+from game.scenes.boxes.view.world import Places
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
 from game.ui.painters.boxes import paint_raster, shades
 
-if TYPE_CHECKING:
-    from game.scenes.boxes.hierarchical_grids import HierarchicalGridScene
-
-MOST_BOXES = 1_500  # in a stack
-MOST_SHEETS = 5
-LEFT, BREADTH, SHEAR = 0.15, 0.52, 1.5  # m, of the sheets: left edge, breadth of a metre, slope to the right
 TABLE_LEFT, TABLE_RIGHT = 8.1, 11.1  # m
-SHARE = 0.74  # of its slot that a sheet takes
 MOST_LINES = 64  # cells across that are drawn
 ROW = 16  # buckets in a row of a table
 MOST_BUCKETS = 32  # whose chains are drawn box by box
 
 
-class Sheet(NamedTuple):
-    """A level's sheet: ``base`` and ``height``, m, where it lies in the picture."""
-
-    level: int
-    base: float
-    height: float
-    color: str
-
-    def place(self, x: Any, y: Any) -> Any:
-        """Where points of the world, m, lie in the picture, (n, 2) m."""
-        y = np.clip(np.asarray(y, dtype=np.float64) / HEIGHT, -0.2, 1.2)
-        x = np.clip(x, -2.0, WIDTH + 2.0)
-        return np.stack([LEFT + BREADTH * x + SHEAR * y, self.base + self.height * y], axis=-1)
-
-    def back(self, u: float, v: float) -> tuple[float, float]:
-        """The point of the world that lies at a place of the picture."""
-        y = (v - self.base) / self.height
-        return (u - LEFT - SHEAR * y) / BREADTH, HEIGHT * y
-
-    def box(self, lower: Any, upper: Any) -> Any:
-        """The corners of a box in the picture, (4, 2) m."""
-        (x0, y0), (x1, y1) = lower, upper
-        return self.place(np.array([x0, x1, x1, x0]), np.array([y0, y0, y1, y1]))
-
-
-def sheets_of(present: list[int], color: Any) -> list[Sheet]:
-    """The sheets of the levels that have boxes, finest lowest; ``color``: gives a level's colour."""
-    levels = [level for level in present if level != TOP][-MOST_SHEETS:]
-    slot = HEIGHT / max(len(levels), 1)
-    height = min(SHARE * slot, 2.6)
-    return [Sheet(level, i * slot + 0.1, height, color(level)) for i, level in enumerate(levels)]
-
-
-def sheet_at(sheets: list[Sheet], u: float, v: float) -> Sheet | None:
-    """The sheet at a place of the picture, if there is one."""
-    for sheet in sheets:
-        x, y = sheet.back(u, v)
-        if 0.0 <= x <= WIDTH and 0.0 <= y <= HEIGHT:
-            return sheet
-    return None
-
-
 def draw_stack(
-    scene: HierarchicalGridScene, canvas: Canvas, alpha: float, sheets: list[Sheet], seen: Look | None
+    model: HierarchicalGridModel, canvas: Canvas, places: Places, sheets: list[Sheet], seen: Look | None
 ) -> None:
     """All sheets from the farthest, with what one box does on each."""
-    tables = scene.grid.tables()
-    levels, corners = scene.grid.cells()
-    low, high = places_between(scene, alpha)
+    tables = model.grid.tables()
+    levels, corners = model.grid.cells()
+    low, high = places
     if seen is not None:
         _draw_plumb_lines(canvas, sheets, low[seen.box])
-    overlapping = set(scene.pairs.ravel().tolist())
+    overlapping = set(model.pairs.ravel().tolist())
     for sheet in sheets[::-1]:
         mine = np.flatnonzero(levels == sheet.level)
-        _draw_sheet(canvas, sheet, scene.grid.cell_size(sheet.level), np.unique(corners[mine], axis=0))
+        _draw_sheet(canvas, sheet, model.grid.cell_size(sheet.level), np.unique(corners[mine], axis=0))
         if seen is not None:
-            _draw_looks(canvas, sheet, scene.grid.cell_size(sheet.level), seen)
+            _draw_looks(canvas, sheet, model.grid.cell_size(sheet.level), seen)
         for box in mine.tolist():
-            _draw_box(scene, canvas, sheet, box, low[box], high[box], box in overlapping)
+            _draw_box(model, canvas, sheet, box, low[box], high[box], box in overlapping)
         if seen is not None:
             canvas.polygon(sheet.box(low[seen.box], high[seen.box]), outline="amber", width=2.0)
-        draw_table(scene, canvas, sheet, tables, seen)
+        draw_table(model, canvas, sheet, tables, seen)
 
 
 def _draw_sheet(canvas: Canvas, sheet: Sheet, edge: float, occupied: Any) -> None:
@@ -111,13 +65,13 @@ def _draw_sheet(canvas: Canvas, sheet: Sheet, edge: float, occupied: Any) -> Non
 
 
 def _draw_box(
-    scene: HierarchicalGridScene, canvas: Canvas, sheet: Sheet, box: int, lower: Any, upper: Any, pair: bool
+    model: HierarchicalGridModel, canvas: Canvas, sheet: Sheet, box: int, lower: Any, upper: Any, pair: bool
 ) -> None:
     corners = sheet.box(lower, upper)
     color = "vermilion" if pair else "text3"
     canvas.polygon(corners, fill=color, fill_alpha=0.4 if pair else 0.25, outline=color, width=1.4)
-    if look.named(scene):
-        canvas.label(corners.mean(axis=0), look.LETTERS[box], "text1", 11, "semibold")
+    if named(model.boxes):
+        canvas.label(corners.mean(axis=0), LETTERS[box], "text1", 11, "semibold")
 
 
 def _draw_looks(canvas: Canvas, sheet: Sheet, edge: float, seen: Look) -> None:
@@ -139,7 +93,7 @@ def _draw_plumb_lines(canvas: Canvas, sheets: list[Sheet], lower: Any) -> None:
 
 
 def draw_table(
-    scene: HierarchicalGridScene, canvas: Canvas, sheet: Sheet, tables: Tables, seen: Look | None
+    model: HierarchicalGridModel, canvas: Canvas, sheet: Sheet, tables: Tables, seen: Look | None
 ) -> None:
     """A level's hash table: its buckets, and upon each the chain of its boxes."""
     buckets = int(tables.layout[sheet.level, MASK]) + 1
@@ -156,15 +110,15 @@ def draw_table(
     for bucket, chain in enumerate(tables.chains(sheet.level)):
         x = TABLE_LEFT + (bucket % ROW) * wide
         y = sheet.base + (rows - 1 - bucket // ROW) * high
-        look.outline(canvas, (x, y), (x + 0.9 * wide, y + 0.12 * wide), "line2", 1.0)
+        outline(canvas, (x, y), (x + 0.9 * wide, y + 0.12 * wide), "line2", 1.0)
         if bucket in looked:
             square = np.array([(x, y), (x + wide, y), (x + wide, y + 0.9 * high), (x, y + 0.9 * high)])
             canvas.polygon(square, fill="amber", fill_alpha=0.2)
-        _draw_chain(scene, canvas, sheet.color, chain, (x, y + 0.15 * wide), wide, 0.8 * high)
+        _draw_chain(model, canvas, sheet.color, chain, (x, y + 0.15 * wide), wide, 0.8 * high)
 
 
 def _draw_chain(
-    scene: HierarchicalGridScene, canvas: Canvas, color: str, chain: tuple[int, ...],
+    model: HierarchicalGridModel, canvas: Canvas, color: str, chain: tuple[int, ...],
     corner: tuple[float, float], wide: float, high: float,
 ) -> None:  # fmt: skip
     """The boxes of a bucket, one upon the other, lower ones the smaller ids; as low as they must be."""
@@ -175,8 +129,8 @@ def _draw_chain(
             [(x, y), (x + 0.9 * wide, y), (x + 0.9 * wide, y + 0.88 * step), (x, y + 0.88 * step)]
         )
         canvas.polygon(square, fill=color, fill_alpha=0.75)
-        if look.named(scene) and step >= 0.9 * wide and wide / canvas.px(1.0) >= 9.0:
-            canvas.label(square.mean(axis=0), look.LETTERS[box], "stage", 11, "semibold", halo=False)
+        if named(model.boxes) and step >= 0.9 * wide and wide / canvas.px(1.0) >= 9.0:
+            canvas.label(square.mean(axis=0), LETTERS[box], "stage", 11, "semibold", halo=False)
 
 
 def _draw_loads(canvas: Canvas, sheet: Sheet, tables: Tables, buckets: int) -> None:

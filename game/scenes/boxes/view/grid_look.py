@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from game.physics.broadphase import CoveringGrid, HashedPairs, MatrixPairs
-from game.scenes.boxes import look
-from game.scenes.boxes.view import Column
+from game.scenes.boxes.model.uniform_grid import UniformGridModel
+from game.scenes.boxes.names import listed_names, name_of, outcomes, result_of
+from game.scenes.boxes.view import look
+from game.scenes.boxes.view.column import Column
+from game.scenes.boxes.view.world import Places
 from game.ui.canvas.canvas import Canvas
 
-if TYPE_CHECKING:
-    from game.scenes.boxes.uniform_grid import UniformGridScene
-
 MOST_SHADED = 600  # cells
-MOST_PAIRS_TOLD = 2
+MOST_PAIRS_SHOWN = 2
 
 
 class Look(NamedTuple):
@@ -28,33 +28,33 @@ class Look(NamedTuple):
     partners: list[int]
 
 
-def look_into(scene: UniformGridScene, box: int) -> Look:
+def look_into(model: UniformGridModel, box: int) -> Look:
     """Ask the grid what it did for a box in the last search."""
-    grid = scene.grid
+    grid = model.grid
     visits = grid.visits(box)
     looks = [cell for visit in visits for cell in visit.cells]
     if isinstance(grid, CoveringGrid):
         stands = grid.cells_of(box)
     else:
         stands = [grid.cell_of(*grid.boxes[box, :2].tolist())]
-    mine = scene.pairs[(scene.pairs == box).any(axis=1)]
+    mine = model.pairs[(model.pairs == box).any(axis=1)]
     partners = mine.sum(axis=1) - box
     candidates = [other for visit in visits for other in visit.candidates]
     return Look(box, stands, looks, candidates, partners.tolist())
 
 
-def draw_look(scene: UniformGridScene, canvas: Canvas, alpha: float, seen: Look) -> None:
+def draw_look(model: UniformGridModel, canvas: Canvas, places: Places, seen: Look) -> None:
     """The cells looked in, those it stands in stronger, and the tests."""
     if len(seen.looks) <= MOST_SHADED:
-        look.shade_cells(canvas, seen.looks, scene.grid.cell, "amber", 0.16)
-        look.shade_cells(canvas, seen.stands, scene.grid.cell, "amber", 0.22)
-    look.draw_tests(scene, canvas, alpha, seen.box, seen.candidates)
+        look.shade_cells(canvas, seen.looks, model.grid.cell, "amber", 0.16)
+        look.shade_cells(canvas, seen.stands, model.grid.cell, "amber", 0.22)
+    look.draw_tests(model.boxes, canvas, places, seen.box, seen.candidates)
 
 
-def tell_look(scene: UniformGridScene, column: Column, seen: Look) -> None:
-    """Rows of findings: cells, tests, places."""
-    pairs, rejected = look.outcomes(scene, seen.box, seen.candidates)
-    column.head(f"Box {look.name_of(scene, seen.box)}", look.result_of(pairs, rejected))
+def write_look(model: UniformGridModel, column: Column, seen: Look) -> None:
+    """Rows: cells, tests, places."""
+    pairs, rejected = outcomes(model.boxes, seen.box, seen.candidates)
+    column.head(f"Box {name_of(model.boxes, seen.box)}", result_of(pairs, rejected))
     if len(seen.stands) == 1:
         column.row("Stands in column, row", "{}, {}".format(*seen.stands[0]))
     else:
@@ -63,25 +63,25 @@ def tell_look(scene: UniformGridScene, column: Column, seen: Look) -> None:
     column.row("Looks in", f"{len(seen.looks)} cells, {tests}")
     others = [other for other in seen.partners if other not in seen.candidates]
     if others:  # half of the cells around are enough: the box in the other half looks here
-        column.row("Found from the other side", look.listed_names(scene, others))
+        column.row("Found from the other side", listed_names(model.boxes, others))
     if not seen.partners:
         column.row("Pairs", "none")
-    for other in seen.partners[:MOST_PAIRS_TOLD]:
-        name = "".join(look.name_of(scene, i) for i in sorted((seen.box, other)))
-        column.row(f"Pair {name} at", _places(scene, seen.box, other))
-    if len(seen.partners) > MOST_PAIRS_TOLD:
-        rest = seen.partners[MOST_PAIRS_TOLD:]
-        column.row("Pairs with", look.listed_names(scene, rest))
+    for other in seen.partners[:MOST_PAIRS_SHOWN]:
+        name = "".join(name_of(model.boxes, i) for i in sorted((seen.box, other)))
+        column.row(f"Pair {name} at", _places(model, seen.box, other))
+    if len(seen.partners) > MOST_PAIRS_SHOWN:
+        rest = seen.partners[MOST_PAIRS_SHOWN:]
+        column.row("Pairs with", listed_names(model.boxes, rest))
 
 
-def _places(scene: UniformGridScene, a: int, b: int) -> str:
+def _places(model: UniformGridModel, a: int, b: int) -> str:
     """Place in the matrix, and the chain of places looked at in the hash table."""
     words = []
-    if scene.keeps_matrix:
-        assert isinstance(scene.matrix, MatrixPairs)
-        words.append(f"k = {scene.matrix.place(a, b)}")
-    if scene.keeps_table:
-        words.append("h = " + " → ".join(map(str, scene.hashed.chain(a, b))))
+    if model.keeps_matrix:
+        assert isinstance(model.matrix, MatrixPairs)
+        words.append(f"k = {model.matrix.place(a, b)}")
+    if model.keeps_table:
+        words.append("h = " + " → ".join(map(str, model.hashed.chain(a, b))))
     return ", ".join(words)
 
 

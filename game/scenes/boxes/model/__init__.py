@@ -1,0 +1,1 @@
+"""What the broad-phase scenes compute: boxes that move, structures round them, and their pairs."""

@@ -1,0 +1,124 @@
+"""Boxes paired up by all broad phases, and their pairs kept by both managers, each timed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from game.physics.broadphase import (
+    BroadPhase,
+    CoveringGrid,
+    HashedPairs,
+    HierarchicalGrid,
+    MatrixPairs,
+    NaiveBroadPhase,
+    PairEvents,
+    SweepAndPrune,
+    UniformGrid,
+)
+from game.scenes.boxes.level import HEIGHT, WIDTH
+from game.scenes.boxes.model.base import BoxesModel
+from game.scenes.boxes.model.compared import MOST_NAIVE
+from game.scenes.boxes.model.managers import matrix_for
+from game.scenes.boxes.parameters import CONTESTANTS, RaceParameters
+
+MOST_CELLS = 1 << 22
+
+
+class RaceModel(BoxesModel):
+    """The model of the race.
+
+    phases: the broad phases that take part, by name; agree: whether each finds the pairs of the first;
+    managers: both pair managers, None for a matrix that would be too large; swaps: of the last step.
+    """
+
+    parameters: RaceParameters
+    shaping = ("cell", *CONTESTANTS)
+
+    def make_structures(self) -> None:
+        cell = max(self.parameters.cell * self.size, math.sqrt(WIDTH * HEIGHT / MOST_CELLS))
+        many = len(self.boxes) > MOST_NAIVE
+        chosen = [name for name in self.parameters.chosen() if name != "naive" or not many]
+        chosen = chosen or ["hierarchical"]  # one must stay, to know the pairs
+        self.phases = {name: _phase(name, min(cell, WIDTH)) for name in chosen}
+        for name in CONTESTANTS:
+            if name not in self.phases:
+                self.watch.forget(name)
+        rows = len(self.boxes.alive)
+        self.managers: dict[str, HashedPairs | MatrixPairs | None] = {
+            "hash": HashedPairs(), "matrix": matrix_for(rows)
+        }  # fmt: skip
+        self.agree = dict.fromkeys(self.phases, True)
+        self.answers: list[PairEvents] = []  # of the managers, in the last step
+        self.swaps = 0
+
+    def structures(self) -> tuple[BroadPhase, ...]:
+        return tuple(self.phases.values())
+
+    def pair_up(self) -> None:
+        first = None
+        for name, phase in self.phases.items():
+            before = phase.swaps if isinstance(phase, SweepAndPrune) else 0
+            with self.watch.time(name):
+                self.update(phase)
+                pairs = phase.pairs()
+            if isinstance(phase, SweepAndPrune):
+                self.swaps = phase.swaps - before
+                phase.manager.take_events()
+            if first is None:
+                first = self.pairs = pairs
+            self.agree[name] = bool(np.array_equal(pairs, first))
+        self._keep_pairs()
+
+    def _keep_pairs(self) -> None:
+        """Both managers take over the pairs."""
+        rows, matrix = len(self.boxes.alive), self.managers["matrix"]
+        if matrix is not None and matrix.greatest < rows - 1:
+            self.managers["matrix"] = matrix_for(rows)
+        self.answers = []
+        for name, manager in self.managers.items():
+            if manager is None:
+                self.watch.forget(name)
+                continue
+            with self.watch.time(name):
+                manager.set_pairs(self.pairs)
+                self.answers.append(manager.take_events())
+            self.begun, self.ended = (len(events) for events in self.answers[-1])
+
+    def managers_agree(self) -> bool | None:
+        """Whether both managers gave the same events in the last step; None if there was but one."""
+        if len(self.answers) < 2:
+            return None
+        return all(np.array_equal(*events) for events in zip(*self.answers, strict=True))
+
+    def advance(self, dt: float) -> None:
+        if self.parameters.workload == "teleport":
+            self._leap_all()
+        super().advance(dt)
+
+    def _leap_all(self) -> None:
+        """Every box is somewhere else."""
+        boxes = self.boxes
+        random = np.random.default_rng((self.seed, self.steps, 4))
+        sizes = boxes.uppers - boxes.lowers
+        movable = np.isfinite(sizes).all(axis=1) & (boxes.alive == 1)
+        places = random.random(sizes.shape) * np.maximum(np.array([WIDTH, HEIGHT]) - sizes, 0.0)
+        boxes.lowers[movable] = places[movable]
+        boxes.uppers[movable] = (places + sizes)[movable]
+
+    def parameter_changed(self, name: str) -> None:
+        super().parameter_changed(name)
+        if name in self.shaping and not self.parameters.chosen():
+            self.messages.append("All are left out. Hierarchical grids stay: one must know the pairs.")
+
+
+def _phase(name: str, cell: float) -> BroadPhase:
+    """A contestant, empty; ``cell``: m, of uniform grids."""
+    if name == "naive":
+        return NaiveBroadPhase()
+    if name == "sweep":
+        return SweepAndPrune()
+    if name == "hierarchical":
+        return HierarchicalGrid()
+    return (UniformGrid if name == "uniform" else CoveringGrid)((0.0, 0.0), (WIDTH, HEIGHT), cell)

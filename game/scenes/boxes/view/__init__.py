@@ -1,0 +1,1 @@
+"""How the broad-phase scenes are drawn."""

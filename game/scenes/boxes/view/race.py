@@ -1,0 +1,77 @@
+"""How the race is drawn: the world, and a table with a row for each contestant."""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.broadphase import SweepAndPrune
+from game.scenes.boxes.model.arrays import BoxesState
+from game.scenes.boxes.model.race import RaceModel
+from game.scenes.boxes.numbers import bytes_text, grouped, short
+from game.scenes.boxes.view.race_table import TABLE_RIGHT, Contestant, RaceTable
+from game.scenes.boxes.view.world import BoxesView, draw_ground
+from game.stage import Frame
+from game.ui.canvas.canvas import Canvas
+
+PHASES = (
+    Contestant("naive", "Naive", "vermilion", "tests"),
+    Contestant("uniform", "Uniform grid", "chalk", "tests"),
+    Contestant("covering", "Grid, all cells covered", "violet", "tests"),
+    Contestant("hierarchical", "Hierarchical grids", "green", "tests"),
+    Contestant("sweep", "Sweep and prune", "pink", "swaps"),
+)
+MANAGERS = (
+    Contestant("matrix", "Full matrix", "chalk", "begun"),
+    Contestant("hash", "Hash table", "green", "begun"),
+)
+
+
+class RaceView(BoxesView):
+    """The view of the race."""
+
+    model: RaceModel
+
+    def frame(self) -> Frame:
+        return Frame(-0.1, -0.1, TABLE_RIGHT + 0.1, 12.9)
+
+    def draw(self, canvas: Canvas, before: BoxesState | None, alpha: float) -> None:
+        draw_ground(canvas)
+        self.draw_boxes(canvas, before, alpha)
+        table = RaceTable(canvas)
+        self._write_phases(table)
+        table.space(20)
+        self._write_managers(table)
+        table.scale()
+
+    def _write_phases(self, table: RaceTable) -> None:
+        """A row for each broad phase."""
+        model = self.model
+        table.head("Update and all pairs")
+        fastest = min((model.watch.median(name) for name in model.phases), default=math.nan)
+        for contestant in PHASES:
+            phase = model.phases.get(contestant.name)
+            if phase is None:
+                table.row(contestant, math.nan, "left out", "", None, False)
+                continue
+            seconds = model.watch.median(contestant.name)
+            work = model.swaps if isinstance(phase, SweepAndPrune) else phase.tests
+            table.row(
+                contestant, seconds, f"{short(work)} {contestant.work}", bytes_text(phase.memory()),
+                model.agree[contestant.name] if len(model.phases) > 1 else None, seconds == fastest,
+            )  # fmt: skip
+
+    def _write_managers(self, table: RaceTable) -> None:
+        """A row for each pair manager."""
+        model = self.model
+        table.head("Pairs begun and ended")
+        times = [model.watch.median(contestant.name) for contestant in MANAGERS]
+        fastest = min((time for time in times if math.isfinite(time)), default=math.nan)
+        for contestant, seconds in zip(MANAGERS, times, strict=True):
+            manager = model.managers[contestant.name]
+            if manager is None:
+                table.row(contestant, math.nan, "left out", "", None, False)
+                continue
+            table.row(
+                contestant, seconds, f"{grouped(model.begun)} begun, {grouped(model.ended)} ended",
+                bytes_text(manager.memory()), model.managers_agree(), seconds == fastest,
+            )  # fmt: skip
