@@ -28,9 +28,20 @@ SPAN_S = 10.0
 REFRESH_S = 0.05
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
 EXACT = "text1"
+TIMES = ("s",)  # units of what is measured by a clock
+USUAL, OVER_USUAL = 0.95, 1.25  # quantile of times, and how much more the axis of a chart holds
 APART = 15  # design px between value labels
 LABELS, WIDEST_LABELS = 84, 124  # design px right of the curves
 NUMBERS = 14  # design px left of the curves, at least
+
+
+def ends_of(values: np.ndarray, unit: str) -> tuple[float, float, bool]:
+    """As `finite_range`; of measured times without the few that a first step or an interruption made long."""
+    low, high, whole = finite_range(values)
+    if unit in TIMES and math.isfinite(high):
+        usual = float(np.quantile(values[np.isfinite(values)], USUAL))
+        high = min(high, OVER_USUAL * usual) if usual > 0.0 else high
+    return low, high, whole
 
 
 class Strips:
@@ -126,7 +137,7 @@ class Strips:
     def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
         look, px, strip = self.look, self.look.px, self.strips[i]
         series = [(name, _values(stage, name)) for name in strip.series]
-        ends = [finite_range(values) for _, values in series if values.size]
+        ends = [ends_of(values, strip.unit) for _, values in series if values.size]
         axis = self._axes[i] = self._axis(i, ends)
         counts = not strip.unit and all(whole for _, _, whole in ends)
         unit, factor = unit_of(axis, strip.unit)

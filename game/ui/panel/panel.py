@@ -31,7 +31,7 @@ _POINTER = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 class Panel:
     """A scene's controls. ``levels``: rows with ``title`` and ``value`` (a path), or nothing.
 
-    ``meter`` in ``update`` tells what effects cost: ``.costs`` by name and ``.bare``, s a step.
+    ``meter`` in ``update`` says what effects cost: ``.costs`` by name and ``.bare``, s a step.
     """
 
     def __init__(self, look: Look, scene_type: type[Scene], levels: Sequence[ListRow] = ()) -> None:
@@ -204,6 +204,7 @@ class Panel:
             self._unmeasured = False
             if meter is not None:
                 contents.costs.costs, contents.costs.bare = dict(meter.costs), meter.bare
+            contents.costs.step = stage.step_cost_s
             self._sheet.refresh(stage.readouts())
         self._see(self._sheet, stage.scene)
         stage.scene.point_at(self._sheet.pointed)
