@@ -20,7 +20,7 @@ from game.ui.panel.switch import SwitchRow
 
 COLORS = ("chalk", "pink", "violet", "green", "yellow", "vermilion")
 FREE = "≈ 0"  # no cost that exceeds the noise
-BAR = 150  # design px from the left to the bar; the name has the room between switch and bar
+BAR = 150  # design px from the left to the bar; the name has the space between switch and bar
 
 
 class EffectCosts:
@@ -114,10 +114,10 @@ class CostBar(Row):
     def _widths(self) -> list[tuple[int, str, bool]]:
         parts, gap = self._parts(), self.look.px(2)
         total = sum(cost for cost, _, _ in parts)
-        room = self.right - self.left - gap * max(len(parts) - 1, 0)
+        space = self.right - self.left - gap * max(len(parts) - 1, 0)
         if not total > 0.0 or not math.isfinite(self.costs.bare):
             return []
-        return [(max(1, int(room * cost / total)), color, on) for cost, color, on in parts]
+        return [(max(1, int(space * cost / total)), color, on) for cost, color, on in parts]
 
     def shows(self) -> tuple[object, ...]:
         return tuple(self._widths())

@@ -283,12 +283,12 @@ class Panel:
 
 
 def _beside(scene: Scene) -> tuple[tuple[str, ...], tuple[str, int] | None]:
-    """Words of the legend's rows, if it stands in the panel, and title and room of the table."""
+    """Words of the legend's rows, if it stands in the panel, and title and capacity of the table."""
     table = scene.panel_table()
     legend = tuple(words for _, words, _ in scene.legend()) if scene.legend_in_panel else ()
     return legend, (table.title, table.room) if table is not None else None
 
 
 def _measures(stage: Stage) -> tuple[str, ...]:
-    """Names of the readouts that the top bar has no room for."""
+    """Names of the readouts that the top bar has no space for."""
     return tuple(readout.name for readout in tuple(stage.readouts())[READOUTS_IN_BAR:])

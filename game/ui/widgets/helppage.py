@@ -117,7 +117,7 @@ class Column:
             self.y += self.look.px(8)
 
     def space(self, design_px: float) -> None:
-        """Leave room."""
+        """Leave space."""
         self.y += self.look.px(design_px)
 
     def _text(self, words: str, indent: int, size: int, weight: str, color: str, line: int) -> None:
@@ -128,15 +128,15 @@ class Column:
 
     def _formula(self, markup: str) -> pygame.Surface:
         """The formula, smaller if it is too wide; in its place what is wrong with it if it cannot be read."""
-        look, room = self.look, self.width - self.look.px(24)
+        look, space = self.look, self.width - self.look.px(24)
         try:
             for size in (20.0, 18.0, 16.0, 14.0, 12.0):
                 picture = render_formula(look.fonts, markup, look.theme.text1, size)
-                if picture.get_width() <= room:
+                if picture.get_width() <= space:
                     break
             return picture
         except FormulaError as error:
-            words = look.fonts.fit(str(error), 13, "medium", room)
+            words = look.fonts.fit(str(error), 13, "medium", space)
             return look.fonts.render(words, 13, "medium", look.color("vermilion", words=True))
 
 

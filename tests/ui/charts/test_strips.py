@@ -133,11 +133,11 @@ def test_a_full_chart_leaves_its_numbers_alone(any_look, stage):
 
 def test_the_room_of_the_numbers_only_grows(stage):
     strips, _ = painted(Look(DARK), (1280, 720), stage)
-    narrow = strips._number_room(0, ["1", "0.5", "0"])
-    wide = strips._number_room(0, ["0.0016", "0.0008", "0"])
-    assert narrow <= wide == strips._number_room(0, ["1", "0.5", "0"])
+    narrow = strips._number_space(0, ["1", "0.5", "0"])
+    wide = strips._number_space(0, ["0.0016", "0.0008", "0"])
+    assert narrow <= wide == strips._number_space(0, ["1", "0.5", "0"])
     strips.place(strips.layout, Look(DARK))
-    assert strips._number_room(0, ["1", "0.5", "0"]) < wide
+    assert strips._number_space(0, ["1", "0.5", "0"]) < wide
 
 
 def test_a_frame_draws_one_chart_anew_and_only_for_new_steps(stage):
