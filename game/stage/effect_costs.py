@@ -2,7 +2,8 @@
 
 A cost is the difference of two measurements made in turn, with the effect and without it, from the same
 state; the median of several such differences is given, so that neither a drifting processor speed nor one
-interruption moves it much. The scene in play is only read.
+interruption moves it much. What does not exceed the noise of that median counts as nothing. The scene in
+play is only read.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from game.stage.warming import Warming
 ROUNDS = 15  # pairs of measurements for one effect
 FEW_ROUNDS = 3  # of a scene that takes longer than a frame: in the thread, as its copies come to step
 MOST_STEPS = 64  # of one measurement, however cheap a step is
+NOISE = 3.0  # standard errors of a median that a cost must exceed
 BARE = ""  # name of the variant with every effect off
 
 
@@ -31,7 +33,8 @@ class EffectMeter:
 
     `costs`: s per step by effect, for one that is on the time saved without it, for one that is off the
     time added with it; effects not measured yet are missing. `bare`: s of a step with all effects off, NaN
-    until measured. `done`: True when all have been measured; changing parameters or effects begins again.
+    until measured. `done`: True when all have been measured; changing parameters or effects begins again, and
+    another level forgets what was measured.
 
     ``clock`` gives s. Copies are built, and code of a new variant compiles, in a thread meanwhile.
     """
@@ -51,7 +54,7 @@ class EffectMeter:
         if self._stage.fault is not None:
             return
         end = self._clock() + budget_s
-        self._begin_anew_if_changed()
+        self._begin_again_if_changed()
         while not self.done:
             if self._measuring is None:
                 self._measuring = self._next()
@@ -65,10 +68,12 @@ class EffectMeter:
             if self._clock() >= end:
                 return
 
-    def _begin_anew_if_changed(self) -> None:
+    def _begin_again_if_changed(self) -> None:
         scene = self._stage.scene
         key = (id(self._stage.scene_type), scene.level, dict(scene.values), scene.active)
         if key != self._key:
+            if self._key is not None and key[:2] != self._key[:2]:
+                self.costs, self.bare = {}, math.nan
             self._key = key
             self._measuring = None
             self._waiting = [BARE, *self._stage.scene_type.effects.names]
@@ -90,8 +95,16 @@ class EffectMeter:
         if comparison.name == BARE:
             self.bare = median(comparison.others)
             return
-        more = median(comparison.differences)  # of the other variant
+        more = _beyond_noise(comparison.differences)  # of the other variant
         self.costs[comparison.name] = -more if comparison.name in self._stage.scene.active else more
+
+
+def _beyond_noise(differences: list[float]) -> float:
+    """Their median, s; 0 if it is less than `NOISE` of its standard errors, by the deviations from it."""
+    middle = median(differences)
+    spread = 1.4826 * median(abs(one - middle) for one in differences)  # of a normal distribution
+    error = 1.2533 * spread / math.sqrt(len(differences))
+    return middle if abs(middle) > NOISE * error else 0.0
 
 
 class _Comparison:

@@ -1,4 +1,4 @@
-"""Sounds of a billiard room, made of damped tones and noise, and a player that follows a line of them.
+"""Sounds of a billiard space, made of damped tones and noise, and a player that follows a line of them.
 
 Nothing is read from files. What is heard in a frame is mixed into one short piece, each sound at its own
 moment within the frame, as loud and as bright as the impact was fast, and where on the table it was. Without

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import threading
+from random import Random
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
+from game.levels import Level
 from game.physics.effects import EffectSet, declare_effect
 from game.stage import EffectMeter, Scene, SetEffect, Stage, Warming, WarmUp
 from tests.stage.example_scene import BouncingBall
@@ -190,7 +192,7 @@ class TestEffectMeter:
         # a slice may begin one more pair of measurements, of a quarter of the budget each
         assert max(spent) < 1.6e-3 + 3 * 2 * 8e-6
 
-    def test_a_switched_effect_begins_anew(self) -> None:
+    def test_a_switched_effect_begins_again(self) -> None:
         stage = Stage(Costly)
         meter = measured(stage)
         stage.post(SetEffect("test-gravity", False))
@@ -231,3 +233,32 @@ class TestEffectMeter:
         meter.slice(1.0)
         assert not meter.done
         assert meter.costs == {}
+
+    def test_another_level_forgets_what_was_measured(self) -> None:
+        stage = Stage(Costly)
+        meter = measured(stage)
+        stage.load_level(Level(scene=Costly.name, title="Another"))
+        meter.slice(1e-4)
+        assert meter.costs == {} and math.isnan(meter.bare) and not meter.done
+
+    def test_what_is_less_than_the_noise_is_no_cost(self) -> None:
+        noise = Random(1)
+
+        class Noisy(Costly):
+            name = "noisy"
+
+            def advance(self, dt):
+                super().advance(dt)
+                Costly.clock_s += 4e-6 * noise.random() - (5e-6 if DEAR in self.active else 0.0)
+
+        meter = measured(Stage(Noisy))  # the ground now costs nothing, gravity less than the noise
+        assert meter.costs["test-ground"] == 0.0
+
+        class Clear(Costly):
+            name = "clear"
+
+            def advance(self, dt):
+                super().advance(dt)
+                Costly.clock_s += 1e-6 * noise.random()
+
+        assert measured(Stage(Clear)).costs["test-ground"] == pytest.approx(5e-6, rel=0.2)

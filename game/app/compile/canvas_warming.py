@@ -1,4 +1,4 @@
-"""The drawing kernels, compiled once behind the menu's back: every scene draws with them."""
+"""The drawing kernels, compiled once in the background of the menu: every scene draws with them."""
 
 from __future__ import annotations
 

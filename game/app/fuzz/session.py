@@ -35,7 +35,7 @@ AGAIN = 1000  # events after which the scene is opened again, so that what broke
 
 
 class FuzzReport(NamedTuple):
-    """What came of a scene: events posted, values refused, files refused, faults reported to the user,
+    """What came of a scene: events posted, parameter values refused, files refused, faults reported,
     frames of no simulated time in which the drawing thread worked longer than SLOW_S (but for those in which
     a kernel was compiled) and the longest of them (s), growth of memory in the second half (bytes), and the
     trouble: empty, or what was raised, with the number of the event."""

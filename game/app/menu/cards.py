@@ -51,13 +51,13 @@ def _paint_words(
 ) -> None:
     theme, px = look.theme, look.px
     surface.fill(theme.line, (rect.x + 1, rect.y + picture_height, rect.w - 2, look.border))
-    x, room = rect.x + px(12), rect.w - 2 * px(12)
-    title = look.fonts.fit(entry.title, 13, "semibold", room)
+    x, space = rect.x + px(12), rect.w - 2 * px(12)
+    title = look.fonts.fit(entry.title, 13, "semibold", space)
     look.text(surface, title, (x, rect.y + picture_height + px(20)), 13, "semibold", "text1")
     y = rect.y + picture_height + px(39)
     used = look.text(surface, entry.task, (x, y), 11, "semibold", "accent").w + px(7)
     look.text(
-        surface, look.fonts.fit(entry.fact, 11, "medium", room - used), (x + used, y), 11, "medium", "text3"
+        surface, look.fonts.fit(entry.fact, 11, "medium", space - used), (x + used, y), 11, "medium", "text3"
     )
 
 
@@ -68,10 +68,10 @@ def _paint_wide_words(surface: pygame.Surface, look: Look, rect: pygame.Rect, en
     surface.blit(round_corners_below(foot, look), (rect.x, rect.bottom - foot.get_height()))
     light = pygame.Color("#ECE8DE")
     look.text(surface, entry.title, (rect.x + px(16), rect.bottom - px(44)), 20, "display", light)
-    room = rect.w - px(16 + 64)
+    space = rect.w - px(16 + 64)
     look.text(
         surface,
-        look.fonts.fit(entry.fact, 12, "medium", room),
+        look.fonts.fit(entry.fact, 12, "medium", space),
         (rect.x + px(16), rect.bottom - px(21)),
         12,
         "medium",

@@ -53,7 +53,7 @@ def arrange_cards(groups: Sequence[Group], wide: str, width: int, height: int, k
     """Cards for a content ``width`` x ``height`` window px (without header and footer), at scale k.
 
     The fewest columns are taken, and so the largest cards, with which nothing needs scrolling; if that
-    cannot be, as many as there is room for. ``wide`` names the scene that takes two columns.
+    cannot be, as many as there is space for. ``wide`` names the scene that takes two columns.
     """
     most = max(1, int((width / k - 2 * MARGIN + GAP) // (NARROWEST + GAP)))
     least = 1
@@ -107,13 +107,13 @@ def _span(name: str, wide: str, columns: int) -> int:
     return 2 if name == wide and columns >= 2 else 1
 
 
-def _best_fit(groups: Sequence[Group], wide: str, room: int, columns: int) -> Group | None:
+def _best_fit(groups: Sequence[Group], wide: str, space: int, columns: int) -> Group | None:
     """What comes next in a row with so many columns left: at its beginning the first group, however long;
-    else the one that leaves the least room, the first of equals; None if none has place."""
-    if room == columns:
+    else the one that leaves the least space, the first of equals; None if none has place."""
+    if space == columns:
         return groups[0]
     lengths = [sum(_span(name, wide, columns) for name in group.names) for group in groups]
-    fitting = [(room - length, i) for i, length in enumerate(lengths) if length <= room]
+    fitting = [(space - length, i) for i, length in enumerate(lengths) if length <= space]
     return groups[min(fitting)[1]] if fitting else None
 
 

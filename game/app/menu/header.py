@@ -92,16 +92,16 @@ class Header:
         draw_box(surface, field, field.h / 2, look.theme.inset, edge, look.border)
         glass = icon("search", px(20), look.theme.text1)
         surface.blit(glass, glass.get_rect(center=(field.x + px(24), field.centery)))
-        x, room = field.x + px(43), field.w - px(43 + 40)
+        x, space = field.x + px(43), field.w - px(43 + 40)
         shown = self.query
-        while shown and look.fonts.size(shown, 13, "medium")[0] > room:
+        while shown and look.fonts.size(shown, 13, "medium")[0] > space:
             shown = shown[1:]
         end = x
         if shown:
             end += look.text(surface, shown, (x, field.centery), 13, "medium", "text1").w
         else:
-            whole = look.fonts.size(self.prompt, 13, "medium")[0] <= room
-            prompt = self.prompt if whole else look.fonts.fit("Search", 13, "medium", room)
+            whole = look.fonts.size(self.prompt, 13, "medium")[0] <= space
+            prompt = self.prompt if whole else look.fonts.fit("Search", 13, "medium", space)
             look.text(surface, prompt, (x + px(7), field.centery), 13, "medium", "text3")
         if look.less_motion or self._age_s % BLINK_S < 0.5 * BLINK_S:
             surface.fill(look.theme.accent, (end + px(1), field.centery - px(9), max(2, px(2)), px(18)))

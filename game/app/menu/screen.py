@@ -77,25 +77,25 @@ class MenuScreen(Screen):
         else:
             groups = [flow.Group("Scenes", tuple(e.name for e in found.scenes))] if found.scenes else []
         look, (width, _) = self.host.look, self.host.size
-        room = self._bottom - self._top
-        arranged = flow.arrange_cards(groups, "" if self.query else self.offer.wide, width, room, look.k)
+        space = self._bottom - self._top
+        arranged = flow.arrange_cards(groups, "" if self.query else self.offer.wide, width, space, look.k)
         self._heads = arranged.heads
         self.items = [Item(card.rect, self.offer.catalogue[card.name], card) for card in arranged.cards]
         self._content_height = arranged.height
         levels = list(found.levels if found else self.offer.levels)
-        self._add_levels(levels[:LEVELS_SHOWN], len(levels), room, width)
+        self._add_levels(levels[:LEVELS_SHOWN], len(levels), space, width)
         keys = [self._key(item) for item in self.items]
         self.focus = keys.index(before) if before in keys and not self.query else 0
         self._scroll = 0
         self._show_focus()
         self._picture = None
 
-    def _add_levels(self, levels: list[LevelHead], count: int, room: int, width: int) -> None:
-        """Rows of levels under the cards: all that were found; without a search what there is room for."""
+    def _add_levels(self, levels: list[LevelHead], count: int, space: int, width: int) -> None:
+        """Rows of levels under the cards: all that were found; without a search what there is space for."""
         look = self.host.look
         top = self._content_height + look.px(flow.HEAD)
         if not self.query:
-            lines = (room - top) // look.px(flow.LIST_ROW)
+            lines = (space - top) // look.px(flow.LIST_ROW)
             while levels and (len(levels) > 0) and lines < 1:
                 levels = []
             per_line = sum(1 for r in flow.arrange_rows(8, 0, width, look.k) if r.y == 0)

@@ -147,6 +147,10 @@ class SceneScreen(Screen):
 
     # -- life ---------------------------------------------------------------------------------------
 
+    def covered(self) -> None:
+        super().covered()
+        self.shell.tip.update(0.0, None)  # else it would stand under the card
+
     def uncovered(self) -> None:
         name, self._waiting = self._waiting, ""
         if name:

@@ -188,8 +188,8 @@ class TourScreen(Screen):
         x, y = card.x + px(PADDING), card.y + px(PADDING + 8)
         look.text(surface, self.stop.title, (x, y), 18, "display")
         y += px(30)
-        room = card.w - 2 * px(PADDING)
-        for line in look.fonts.wrap(self.stop.words, 13, "medium", room) if self.stop.words else ():
+        space = card.w - 2 * px(PADDING)
+        for line in look.fonts.wrap(self.stop.words, 13, "medium", space) if self.stop.words else ():
             look.text(surface, line, (x, y), 13, "medium", "text2")
             y += px(LINE)
         y += px(8)

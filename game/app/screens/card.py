@@ -109,9 +109,9 @@ class CardScreen(Screen):
 
     def _paint_head(self, picture: pygame.Surface) -> None:
         look, px = self.host.look, self.host.look.px
-        room = picture.get_width() - px(32 + 64)
+        space = picture.get_width() - px(32 + 64)
         look.text(
-            picture, look.fonts.fit(self.heading, 20, "display", room), (px(32), px(TITLE_Y)), 20, "display"
+            picture, look.fonts.fit(self.heading, 20, "display", space), (px(32), px(TITLE_Y)), 20, "display"
         )
         spot = self.spots.find("close")
         if spot is not None:

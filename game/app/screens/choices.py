@@ -47,7 +47,7 @@ class ChoiceCard(CardScreen):
 
     @property
     def _fits(self) -> int:
-        """Rows that there is room for."""
+        """Rows that there is space for."""
         look = self.host.look
         return max(1, (self.veil.card.h - look.px(HEAD) - look.px(16)) // look.px(ROW + ROW_GAP))
 

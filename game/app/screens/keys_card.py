@@ -72,7 +72,7 @@ class KeysCard(CardScreen):
 
     @property
     def _fits(self) -> int:
-        """Rows of a column that there is room for."""
+        """Rows of a column that there is space for."""
         px = self.host.look.px
         return max(1, (self.veil.card.h - px(HEAD - 4 + FOOT)) // self._height)
 

@@ -54,7 +54,7 @@ class SettingsCard(CardScreen):
 
     @property
     def _roomy(self) -> bool:
-        """Whether there is room for words about each line."""
+        """Whether there is space for words about each line."""
         return self.veil.card.w >= self.host.look.px(ROOMY)
 
     @property
@@ -81,11 +81,11 @@ class SettingsCard(CardScreen):
         px, card = self.host.look.px, self.veil.card
         spots = []
         left = card.x + px(LABELS if self._roomy else FEW_LABELS)
-        room = max(card.right - px(32) - left, 1)
+        space = max(card.right - px(32) - left, 1)
         for i, line in enumerate(LINES):
             y = card.y + px(HEAD) + i * self._row + (self._row - px(32)) // 2 - px(4)
             for j, (name, _) in enumerate(line.options):
-                x0, x1 = (left + room * n // len(line.options) for n in (j, j + 1))
+                x0, x1 = (left + space * n // len(line.options) for n in (j, j + 1))
                 spots.append(Hotspot(name, pygame.Rect(x0, y, max(x1 - x0, 1), px(32))))
         return spots
 

@@ -1,4 +1,4 @@
-"""Pictures without a window: of a stage in its shell, and of a scene's demo."""
+"""Pictures without a window: of a stage, and of a scene's demo."""
 
 from __future__ import annotations
 

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import pygame
 
 from game.app.window.commands import BY_NAME, COMMANDS
+from game.ui.widgets.keycap import CAPS
 
 
 class Chord(NamedTuple):
@@ -28,8 +29,6 @@ _PLACES = {
     if name.startswith("KSCAN_") and name != "KSCAN_UNKNOWN"
 }
 NO_KEY = "–"
-_SHORT = {"escape": "Esc", "return": "Enter", "page down": "PgDn", "page up": "PgUp", "backspace": "Back"}
-_ARROWS = {"left": "←", "right": "→", "up": "↑", "down": "↓"}
 
 
 def parse_chord(text: str) -> Chord:
@@ -112,7 +111,7 @@ def chord_of(event: pygame.Event) -> Chord:
 def chord_label(chord: Chord) -> str:
     """The key's name in the present keyboard layout, e.g. "Ctrl+S", "Esc", "."."""
     name = pygame.key.name(_keycodes().get(chord.scancode, 0)) or _place_name(chord.scancode) or "?"
-    shown = _SHORT.get(name) or _ARROWS.get(name) or name.capitalize()
+    shown = CAPS.get(name) or name.capitalize()
     return f"Ctrl+{shown}" if chord.control else shown
 
 

@@ -32,7 +32,7 @@ class CanvasBase:
         self.rect = pygame.Rect(0, 0, 1, 1)
         self.camera = Camera()
         self.unit = "m"
-        self.words = True  # whether labels and formulas are drawn; a small picture has no room for them
+        self.words = True  # whether labels and formulas are drawn; a small picture has no space for them
         self.covered = False  # what is drawn covers all, so that no ground is laid
         self.fresh = True  # measured numbers are those of now; else those of the last picture stay
         self._figures: dict[Hashable, str] = {}
@@ -169,7 +169,7 @@ class CanvasBase:
         if -_FAR < x < _FAR and -_FAR < y < _FAR:
             self.surface.blit(picture, (round(x), round(y)), None, flags)
 
-    def _room(
+    def _label_place(
         self, x: float, y: float, width: float, height: float, share_x: float, share_y: float, clear: bool
     ) -> tuple[float, float]:
         """Where the anchor of a label's box goes: (x, y), or a free place near it; that is then taken."""
@@ -182,7 +182,7 @@ class CanvasBase:
         self._labels.claim(box)
         return box.left + share_x * width, box.top + share_y * height
 
-    def _color_room(self, n: int) -> np.ndarray:
+    def _color_buffer(self, n: int) -> np.ndarray:
         if n > self._colors.shape[0]:
             self._colors = np.empty(max(n, 2 * self._colors.shape[0]), np.uint32)
         return self._colors[:n]
@@ -191,7 +191,7 @@ class CanvasBase:
         """Colours (n,) and the opacity of a single one."""
         if isinstance(colors, (str, pygame.Color)):
             ink, opacity = self._ink(colors)
-            array = self._color_room(n)
+            array = self._color_buffer(n)
             array.fill(ink)
             return array, opacity
         return np.ascontiguousarray(colors, np.uint32)[:n], 1.0

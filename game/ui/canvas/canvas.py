@@ -194,7 +194,7 @@ class Canvas(CanvasBase):
             picture = picture.copy()
             picture.set_alpha(round(255 * max(alpha, 0.0)))
         x, y = x + offset[0] * self.k, y + offset[1] * self.k
-        x, y = self._room(x, y, *picture.get_size(), share_x, share_y, clear)
+        x, y = self._label_place(x, y, *picture.get_size(), share_x, share_y, clear)
         self._blit_at(picture, x, y, share_x, share_y)
 
     def room_for(self, position: Point, size: Point, offset: Point = (0.0, 0.0)) -> tuple[float, float]:
@@ -204,7 +204,7 @@ class Canvas(CanvasBase):
         """
         x, y = self._place(position)
         width, height = size[0] * self.k, size[1] * self.k
-        at = self._room(x + offset[0] * self.k, y + offset[1] * self.k, width, height, 0.5, 0.5, True)
+        at = self._label_place(x + offset[0] * self.k, y + offset[1] * self.k, width, height, 0.5, 0.5, True)
         return (at[0] - x) / self.k, (at[1] - y) / self.k
 
     def formula(
@@ -267,7 +267,7 @@ class Canvas(CanvasBase):
     def speed_colors(self, velocities: Any, top_speed: float) -> np.ndarray:
         """Colours (n,) uint32 from pale at rest to blue at ``top_speed``; good until the next call."""
         velocities = as_points(velocities)
-        colors = self._color_room(velocities.shape[0])
+        colors = self._color_buffer(velocities.shape[0])
         slow, fast = self._ink("slow")[0], self._ink("fast")[0]
         raster.color_by_speed(velocities, slow, fast, float(top_speed), colors)
         return colors

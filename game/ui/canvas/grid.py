@@ -61,11 +61,11 @@ def _draw_number(canvas: CanvasBase, place: float, upright: bool, text: str) -> 
     rect, k, insets = canvas.rect, canvas.k, canvas.insets
     if upright:
         at = (place + 5 * k, rect.bottom - insets[3] - 10 * k)
-        room = rect.x + insets[0] + 24 * k < place < rect.right - insets[2] - 64 * k
+        space = rect.x + insets[0] + 24 * k < place < rect.right - insets[2] - 64 * k
         align = "left"
     else:
         at, align = (rect.right - insets[2] - 12 * k, place - 9 * k), "right"
-        room = rect.y + insets[1] + 24 * k < place < rect.bottom - insets[3] - 8 * k
-    if room:
+        space = rect.y + insets[1] + 24 * k < place < rect.bottom - insets[3] - 8 * k
+    if space:
         fonts, theme = canvas.fonts, canvas.theme
         fonts.draw(canvas.surface, text, at, 11, "medium", theme.text3, align, theme.stage)

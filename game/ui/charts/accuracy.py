@@ -146,10 +146,10 @@ class AccuracyPage:
         names = self.data.studies
         title = self.look.fonts.size(TITLE, 22, "display")[0]
         right = card.right - px(72)
-        room = right - (card.x + px(PADDING) + title + px(24))
-        if len(names) < 2 or room < px(60) * len(names):
+        space = right - (card.x + px(PADDING) + title + px(24))
+        if len(names) < 2 or space < px(60) * len(names):
             return []
-        most = min(px(TAB_MOST), room // len(names) - px(8))
+        most = min(px(TAB_MOST), space // len(names) - px(8))
         widths = [min(self.look.fonts.size(name, 13, "semibold")[0] + px(24), most) for name in names]
         x = right - sum(widths) - px(8) * (len(names) - 1)
         tabs = []
@@ -207,16 +207,16 @@ class AccuracyPage:
         smaller if need be.
         """
         look, px = self.look, self.look.px
-        room = flat.get_width() - px(PADDING) - px(64)
+        space = flat.get_width() - px(PADDING) - px(64)
         parts = [part for part in (self.data.title, self.data.subtitle) if part]
         whole = ". ".join(parts)
-        lines = [whole] if look.fonts.size(whole, 13, "medium")[0] <= room else parts
-        size = 13 if all(look.fonts.size(words, 13, "medium")[0] <= room for words in lines) else 12
+        lines = [whole] if look.fonts.size(whole, 13, "medium")[0] <= space else parts
+        size = 13 if all(look.fonts.size(words, 13, "medium")[0] <= space for words in lines) else 12
         raised = px(7) * (len(lines) - 1)
         look.text(flat, TITLE, (px(PADDING), px(36) - raised), 22, "display")
         for at, words in enumerate(lines):
             place = (px(PADDING), px(62) - raised + px(18) * at)
-            look.text(flat, look.fonts.fit(words, size, "medium", room), place, size, "medium", "text2")
+            look.text(flat, look.fonts.fit(words, size, "medium", space), place, size, "medium", "text2")
 
     def _paint_foot(self, flat: pygame.Surface) -> None:
         """Progress at the left, buttons at the right."""
@@ -225,9 +225,9 @@ class AccuracyPage:
         flat.fill(look.theme.line, (0, top, flat.get_width(), look.border))
         stop = self.spots.find("stop")
         end = (stop.rect.x - card.x if stop is not None else flat.get_width()) - px(24)
-        room = min(px(440), end - px(PADDING))
-        if room > px(80):
-            self._paint_progress(flat, px(PADDING), top, room)
+        space = min(px(440), end - px(PADDING))
+        if space > px(80):
+            self._paint_progress(flat, px(PADDING), top, space)
         for spot in self.spots.spots:
             rect = spot.rect.move(-card.x, -card.y)
             if spot.name == "close":
@@ -242,7 +242,7 @@ class AccuracyPage:
                 pressed=self.spots.pressed == spot.name, enabled=spot.enabled,
             )  # fmt: skip
 
-    def _paint_progress(self, flat: pygame.Surface, left: int, top: int, room: int) -> None:
+    def _paint_progress(self, flat: pygame.Surface, left: int, top: int, space: int) -> None:
         look, px, p = self.look, self.look.px, self.progress
         words = (
             f"Measuring {p.label}"
@@ -255,16 +255,16 @@ class AccuracyPage:
             words = "Nothing measured yet"
         x = (
             left
-            + look.text(flat, look.fonts.fit(words, 13, "medium", room), (left, top + px(20)), 13).w
+            + look.text(flat, look.fonts.fit(words, 13, "medium", space), (left, top + px(20)), 13).w
             + px(10)
         )
         rest = f"{p.done} of {p.total} runs" if p.total else ""
         if p.running and math.isfinite(p.left_s):
             rest += f", {seconds_text(p.left_s)} left"
-        rest = look.fonts.fit(rest, 13, "medium", max(0, left + room - x))
+        rest = look.fonts.fit(rest, 13, "medium", max(0, left + space - x))
         look.text(flat, rest, (x, top + px(20)), 13, "medium", "text3")
-        bar = pygame.Rect(left, top + px(38), room, px(6))
+        bar = pygame.Rect(left, top + px(38), space, px(6))
         draw_box(flat, bar, px(3), look.theme.hover)
         if p.total > 0 and p.done > 0:
-            bar.w = max(bar.h, round(room * min(p.done / p.total, 1.0)))
+            bar.w = max(bar.h, round(space * min(p.done / p.total, 1.0)))
             draw_box(flat, bar, px(3), look.theme.accent)

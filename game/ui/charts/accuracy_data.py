@@ -49,7 +49,7 @@ class Progress(NamedTuple):
 
 
 def sentence_for(rows: Sequence[TableRow], target: str) -> str:
-    """The cheapest and the most expensive method that reach an error, in a sentence; empty unless two do."""
+    """A sentence about the cheapest and the most expensive method to reach an error; empty unless two do."""
     reached = sorted(
         (row for row in rows if math.isfinite(row.cost_s) and row.cost_s > 0.0), key=lambda row: row.cost_s
     )

@@ -56,27 +56,27 @@ def _paint_row(
     if expected:
         x -= look.text(flat, expected, (x, y), 13, "medium", "text3", "right").w + px(4)
     width = look.text(flat, order, (x, y), 13, "medium", "text1", "right").w
-    room = x - width - px(8) - (left + px(22))
-    _paint_name(flat, look, row.name, (left + px(22), y), room)
+    space = x - width - px(8) - (left + px(22))
+    _paint_name(flat, look, row.name, (left + px(22), y), space)
     cost = format_si(row.cost_s, "s") if math.isfinite(row.cost_s) else NOTHING
     look.text(flat, cost, (right, y), 13, "semibold", "text1", "right")
 
 
-def _paint_name(flat: pygame.Surface, look: Look, name: str, place: tuple[int, int], room: int) -> None:
+def _paint_name(flat: pygame.Surface, look: Look, name: str, place: tuple[int, int], space: int) -> None:
     """A method's name; one that is too long for its line stands in two smaller ones."""
     x, y = place
-    if look.fonts.size(name, 13, "medium")[0] <= room:
+    if look.fonts.size(name, 13, "medium")[0] <= space:
         look.text(flat, name, place, 13)
         return
-    first, *rest = look.fonts.wrap(name, 12, "medium", max(room, 1))
+    first, *rest = look.fonts.wrap(name, 12, "medium", max(space, 1))
     lines = [first, " ".join(rest)] if rest else [first]
     for at, words in enumerate(lines):
         line = y + look.px(14) * at - look.px(7) * (len(lines) - 1)
-        look.text(flat, look.fonts.fit(words, 12, "medium", room), (x, line), 12)
+        look.text(flat, look.fonts.fit(words, 12, "medium", space), (x, line), 12)
 
 
 def _paint_words(flat: pygame.Surface, look: Look, area: pygame.Rect, data: AccuracyData) -> None:
-    """The sentence that says what it means, and the notes, as far as there is room."""
+    """The sentence that says what it means, and the notes, as far as there is space."""
     px, y = look.px, area.y
     notes = [(note, 12, "text3", 18) for note in data.notes]
     for text, size, color, line in ((data.sentence, 13, "text1", 20), *notes):

@@ -36,9 +36,9 @@ def axis_for(low: float, high: float, before: Axis | None) -> Axis:
     if not (math.isfinite(low) and math.isfinite(high)):
         return before or Axis(0.0, 1.0)
     if before is not None and before.low <= low and high <= before.high:
-        room = before.high - before.low
+        space = before.high - before.low
         used = max(high, 0.0) - min(low, 0.0)
-        if used > 0.3 * room:
+        if used > 0.3 * space:
             return before
     top = round_top(max(high, 0.0)) if high > 0.0 or low >= 0.0 else 0.0
     bottom = -round_top(-low) if low < 0.0 else 0.0

@@ -28,13 +28,24 @@ SPAN_S = 10.0
 REFRESH_S = 0.05
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")
 EXACT = "text1"
+TIMES = ("s",)  # units of what is measured by a clock
+USUAL, OVER_USUAL = 0.95, 1.25  # quantile of times, and how much more the axis of a chart holds
 APART = 15  # design px between value labels
 LABELS, WIDEST_LABELS = 84, 124  # design px right of the curves
 NUMBERS = 14  # design px left of the curves, at least
 
 
+def ends_of(values: np.ndarray, unit: str) -> tuple[float, float, bool]:
+    """As `finite_range`; of measured times without the few that a first step or an interruption made long."""
+    low, high, whole = finite_range(values)
+    if unit in TIMES and math.isfinite(high):
+        usual = float(np.quantile(values[np.isfinite(values)], USUAL))
+        high = min(high, OVER_USUAL * usual) if usual > 0.0 else high
+    return low, high, whole
+
+
 class Strips:
-    """The charts of a scene, as the layout gives them room."""
+    """The charts of a scene, as the layout gives them space."""
 
     def __init__(self, look: Look, strips: Sequence[Strip]) -> None:
         self.look = look
@@ -126,7 +137,7 @@ class Strips:
     def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
         look, px, strip = self.look, self.look.px, self.strips[i]
         series = [(name, _values(stage, name)) for name in strip.series]
-        ends = [finite_range(values) for _, values in series if values.size]
+        ends = [ends_of(values, strip.unit) for _, values in series if values.size]
         axis = self._axes[i] = self._axis(i, ends)
         counts = not strip.unit and all(whole for _, _, whole in ends)
         unit, factor = unit_of(axis, strip.unit)
@@ -141,28 +152,28 @@ class Strips:
             for value in last
         ]
         labels = [_label(name, strip) for name, _ in series]
-        room = self._label_room(i, labels, numbers)
+        space = self._label_space(i, labels, numbers)
         rules = [rule_text(value / factor) for value in (axis.high, 0.5 * (axis.low + axis.high), axis.low)]
-        left = self._number_room(i, rules)
-        box = pygame.Rect(place.x + left, place.y + px(32), max(place.w - left - room, px(24)), px(72))
+        left = self._number_space(i, rules)
+        box = pygame.Rect(place.x + left, place.y + px(32), max(place.w - left - space, px(24)), px(72))
         self._paint_rules(picture, box, rules)
         curves = [(name, _curve(stage.series.times, values, box, axis)) for name, values in series]
         self._paint_curves(picture, box, strip, curves)
         heights = [_height(float(values[-1]), box, axis) for _, values in series]
-        self._paint_labels(picture, box, room, strip, [name for name, _ in series], numbers, heights)
+        self._paint_labels(picture, box, space, strip, [name for name, _ in series], numbers, heights)
 
-    def _label_room(self, i: int, names: Sequence[str], numbers: Sequence[str]) -> int:
+    def _label_space(self, i: int, names: Sequence[str], numbers: Sequence[str]) -> int:
         """Window px right of the curves: for the widest label, within bounds, never less than before."""
         fonts, px = self.look.fonts, self.look.px
         wanted = [
             fonts.size(name + " ", 12)[0] + fonts.size(number, 12, "semibold")[0]
             for name, number in zip(names, numbers, strict=True)
         ]
-        room = min(max([px(LABELS), *(width + px(16) for width in wanted)]), px(WIDEST_LABELS))
-        self._labels[i] = max(room, self._labels.get(i, 0))
+        space = min(max([px(LABELS), *(width + px(16) for width in wanted)]), px(WIDEST_LABELS))
+        self._labels[i] = max(space, self._labels.get(i, 0))
         return self._labels[i]
 
-    def _number_room(self, i: int, numbers: Sequence[str]) -> int:
+    def _number_space(self, i: int, numbers: Sequence[str]) -> int:
         """Window px left of the curves: for the widest number at a rule, never less than before."""
         wanted = max(self.look.fonts.size(number, 11)[0] for number in numbers) + self.look.px(6)
         self._numbers[i] = max(wanted, self.look.px(NUMBERS), self._numbers.get(i, 0))
@@ -225,7 +236,7 @@ class Strips:
         return self.look.color(COLORS[strip.series.index(name) % len(COLORS)])
 
     def _paint_labels(
-        self, picture: pygame.Surface, box: pygame.Rect, room: int, strip: Strip,
+        self, picture: pygame.Surface, box: pygame.Rect, space: int, strip: Strip,
         names: Sequence[str], numbers: Sequence[str], heights: Sequence[float],
     ) -> None:  # fmt: skip
         """Names and last values at the right end, none over another."""
@@ -235,7 +246,7 @@ class Strips:
         for name, number, y in zip(names, numbers, places, strict=True):
             color = EXACT if name in strip.exact else COLORS[strip.series.index(name) % len(COLORS)]
             x = box.right + px(10)
-            free = room - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
+            free = space - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
             words = look.fonts.fit(_label(name, strip), 12, "medium", max(free, 0))
             if len(words) > 1 or words == name:
                 x += look.text(picture, words + " ", (x, y), 12, "medium", color).w

@@ -55,9 +55,9 @@ def auto_scale(width: int, height: int, user: float = 1.0) -> float:
             automatic = k
             break
     user = user if math.isfinite(user) else 1.0
-    room = min(1.0, width / SMALLEST[0], height / SMALLEST[1])
-    room = max(room, min(width / COMFORTABLE[0], height / COMFORTABLE[1]))
-    return max(0.5, min(automatic * min(max(user, 0.75), 2.0), room, 4.0))
+    space = min(1.0, width / SMALLEST[0], height / SMALLEST[1])
+    space = max(space, min(width / COMFORTABLE[0], height / COMFORTABLE[1]))
+    return max(0.5, min(automatic * min(max(user, 0.75), 2.0), space, 4.0))
 
 
 def arrange(width: int, height: int, k: float, *, panel: bool = True, strips: int = 3) -> Layout:

@@ -1,4 +1,4 @@
-"""Very many axis-aligned boxes at once, each kind with a fill and an outline; and cells shaded by load.
+"""Very many axis-aligned boxes at once, of kinds with a fill and an outline each; and cells shaded by load.
 
 A box too small for an outline is filled with its outline's colour, by the share of each pixel that it
 covers; where there are very many, by whole pixels. Between two states a box is drawn where it is on its

@@ -7,7 +7,7 @@ that is off. Costs are measured by the stage; until they are known a dash stands
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import pygame
@@ -19,24 +19,22 @@ from game.ui.panel.rows import Context, Row, Source
 from game.ui.panel.switch import SwitchRow
 
 COLORS = ("chalk", "pink", "violet", "green", "yellow", "vermilion")
-BAR = 150  # design px from the left to the bar; the name has the room between switch and bar
+FREE = "≈ 0"  # no cost that exceeds the noise
+BAR = 150  # design px from the left to the bar; the name has the space between switch and bar
 
 
 class EffectCosts:
-    """Seconds per step: of each effect by name, and of the step without any."""
+    """Seconds per step: of each effect by name, of the step without any, and of the step as it runs."""
 
     def __init__(self) -> None:
         self.costs: Mapping[str, float] = {}
         self.bare = math.nan
+        self.step = math.nan
 
     def of(self, name: str) -> float:
-        """Cost of an effect, at least 0; nan if it is not known."""
+        """Cost of an effect, 0 if none could be measured; nan if it is not known."""
         cost = self.costs.get(name, math.nan)
         return max(cost, 0.0) if math.isfinite(cost) else math.nan
-
-    def total(self, on: Sequence[str]) -> float:
-        """What a step with those effects costs; nan until all is known."""
-        return self.bare + sum(self.of(name) for name in on)
 
 
 class EffectRow(SwitchRow):
@@ -65,7 +63,7 @@ class EffectRow(SwitchRow):
         cost, most = self.costs.of(self.effect.name), self._most[0]
         if not (math.isfinite(cost) and most > 0.0):
             return 0
-        return max(self.look.px(3), round(64 * self.look.k * min(cost / most, 1.0)))
+        return 0 if cost == 0.0 else max(self.look.px(3), round(64 * self.look.k * min(cost / most, 1.0)))
 
     def paint(self, surface: pygame.Surface) -> None:
         super().paint(surface)
@@ -87,6 +85,8 @@ class EffectRow(SwitchRow):
 def _text(cost: float, on: bool) -> str:
     if not math.isfinite(cost):
         return NOTHING
+    if cost == 0.0:
+        return FREE
     words = format_si(cost, "s")
     return words if on else f"+ {words}"
 
@@ -114,10 +114,10 @@ class CostBar(Row):
     def _widths(self) -> list[tuple[int, str, bool]]:
         parts, gap = self._parts(), self.look.px(2)
         total = sum(cost for cost, _, _ in parts)
-        room = self.right - self.left - gap * max(len(parts) - 1, 0)
+        space = self.right - self.left - gap * max(len(parts) - 1, 0)
         if not total > 0.0 or not math.isfinite(self.costs.bare):
             return []
-        return [(max(1, int(room * cost / total)), color, on) for cost, color, on in parts]
+        return [(max(1, int(space * cost / total)), color, on) for cost, color, on in parts]
 
     def shows(self) -> tuple[object, ...]:
         return tuple(self._widths())

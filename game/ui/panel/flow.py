@@ -41,7 +41,7 @@ class Contents(NamedTuple):
     measures: tuple[str, ...]
     costs: EffectCosts
     legend: tuple[str, ...] = ()  # words of the rows, for a scene that has its legend here
-    table: tuple[str, int] | None = None  # title and room of the scene's table
+    table: tuple[str, int] | None = None  # title and capacity of the scene's table
 
     def present_level(self) -> str:
         """Path of the level that the scene was made from, as the drop-down knows it."""
@@ -76,9 +76,9 @@ class Flow:
         for index in range(len(contents.legend)):
             self._row(LegendRow, source, index)
         if contents.table is not None:
-            title, room = contents.table
+            title, space = contents.table
             self._row(Heading, title)
-            for index in range(HEADER, room):
+            for index in range(HEADER, space):
                 self._row(TableLine, index)
         parameters = source.scene.declared_parameters().values()
         for title, declared in grouped(parameter for parameter in parameters if parameter.in_panel):
@@ -98,7 +98,7 @@ class Flow:
         self.space(8)
 
     def space(self, design_px: float) -> None:
-        """Leave room."""
+        """Leave space."""
         self.height += self.look.px(design_px)
 
     def _row(self, kind: type[Row], *arguments: Any) -> None:

@@ -183,14 +183,14 @@ class DropDown(UIDropDownMenu):
         return rows.rect.bottom if self.is_open and rows is not None else self.rect.bottom
 
     def update(self, time_delta: float) -> None:
-        """Give a list that has just opened the width of its box, and room for its round lower corners."""
+        """Give a list that has just opened the width of its box, and space for its round lower corners."""
         super().update(time_delta)
         opened: Any = self.menu_states["expanded"]
         if not self.is_open or opened.options_selection_list.rect.w == self.rect.w:
             return
         opened.options_selection_list.kill()
-        room = self.ui_container.get_container().get_relative_rect().h - opened.option_list_y_pos
-        height = min(opened.options_list_height + CORNERS, room)
+        space = self.ui_container.get_container().get_relative_rect().h - opened.option_list_y_pos
+        height = min(opened.options_list_height + CORNERS, space)
         rows = opened.options_selection_list = UISelectionList(
             pygame.Rect(self.relative_rect.x, opened.option_list_y_pos, self.relative_rect.w, height),
             opened.options_list, self.ui_manager, container=self.ui_container, starting_height=3,

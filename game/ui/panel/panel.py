@@ -31,7 +31,7 @@ _POINTER = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 class Panel:
     """A scene's controls. ``levels``: rows with ``title`` and ``value`` (a path), or nothing.
 
-    ``meter`` in ``update`` tells what effects cost: ``.costs`` by name and ``.bare``, s a step.
+    ``meter`` in ``update`` says what effects cost: ``.costs`` by name and ``.bare``, s a step.
     """
 
     def __init__(self, look: Look, scene_type: type[Scene], levels: Sequence[ListRow] = ()) -> None:
@@ -204,6 +204,7 @@ class Panel:
             self._unmeasured = False
             if meter is not None:
                 contents.costs.costs, contents.costs.bare = dict(meter.costs), meter.bare
+            contents.costs.step = stage.step_cost_s
             self._sheet.refresh(stage.readouts())
         self._see(self._sheet, stage.scene)
         stage.scene.point_at(self._sheet.pointed)
@@ -282,12 +283,12 @@ class Panel:
 
 
 def _beside(scene: Scene) -> tuple[tuple[str, ...], tuple[str, int] | None]:
-    """Words of the legend's rows, if it stands in the panel, and title and room of the table."""
+    """Words of the legend's rows, if it stands in the panel, and title and capacity of the table."""
     table = scene.panel_table()
     legend = tuple(words for _, words, _ in scene.legend()) if scene.legend_in_panel else ()
     return legend, (table.title, table.room) if table is not None else None
 
 
 def _measures(stage: Stage) -> tuple[str, ...]:
-    """Names of the readouts that the top bar has no room for."""
+    """Names of the readouts that the top bar has no space for."""
     return tuple(readout.name for readout in tuple(stage.readouts())[READOUTS_IN_BAR:])

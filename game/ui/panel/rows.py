@@ -208,7 +208,7 @@ class Caption(Row):
 
 
 class Measure(Row):
-    """A measured value that the top bar has no room for."""
+    """A measured value that the top bar has no space for."""
 
     def __init__(self, context: Context, top: int, name: str) -> None:
         self.name = name
@@ -225,8 +225,8 @@ class Measure(Row):
         words = number if unit in ("", "°") else f"{number} {unit}"
         words += unit if unit == "°" else ""
         taken = self.look.text(surface, words, (self.right, y), 13, "semibold", "text1", "right").w
-        room = self.right - taken - self.look.px(12) - self.left
-        name = self.look.fonts.fit(self.name[:1].upper() + self.name[1:], 13, "medium", max(room, 0))
+        space = self.right - taken - self.look.px(12) - self.left
+        name = self.look.fonts.fit(self.name[:1].upper() + self.name[1:], 13, "medium", max(space, 0))
         self.look.text(surface, name, (self.left, y), 13, "medium", "text2")
 
 
@@ -300,9 +300,9 @@ class SegmentsRow(Row):
 
 def fits_in_segments(look: Look, parameter: Choice, width: int) -> bool:
     """Whether the options are few and short enough to stand side by side."""
-    room = (width - 2 * look.px(PADDING)) / max(len(parameter.options), 1) - look.px(12)
+    space = (width - 2 * look.px(PADDING)) / max(len(parameter.options), 1) - look.px(12)
     return 2 <= len(parameter.options) <= 3 and all(
-        look.fonts.size(label, 12)[0] <= room for label in parameter.labels
+        look.fonts.size(label, 12)[0] <= space for label in parameter.labels
     )
 
 

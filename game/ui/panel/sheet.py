@@ -214,14 +214,13 @@ class PanelSheet:
         known = {readout.name: readout for readout in readouts}
         each = [costs.of(effect.name) for effect in scene.effects]
         most = max((cost for cost in each if math.isfinite(cost)), default=0.0)
-        total = costs.total([effect.name for effect in scene.effects if effect in scene.active])
         for row in self.rows:
             if isinstance(row, Measure) and row.name in known:
                 row.value, row.unit = known[row.name].value, known[row.name].unit
             elif isinstance(row, EffectRow):
                 row.scale_to(most)
             elif isinstance(row, Heading) and row.title == "Effects":
-                row.note = f"{format_si(total, 's')} a step" if math.isfinite(total) else NOTHING
+                row.note = f"{format_si(costs.step, 's')} a step" if math.isfinite(costs.step) else NOTHING
         self._fill_table(scene)
         self.mark_stale()
 

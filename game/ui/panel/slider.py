@@ -256,10 +256,10 @@ class SliderRow(Row):
         if not self.typed:
             look.text(surface, number, (self._number_right(), y), 13, "semibold", "text1", "right")
         look.text(surface, unit, (self._unit_x(), y), 13, "medium", "text3")
-        room = self.value_rect().x - self.left
+        space = self.value_rect().x - self.left
         look.text(
             surface,
-            look.fonts.fit(self.parameter.label, 13, "medium", room),
+            look.fonts.fit(self.parameter.label, 13, "medium", space),
             (self.left, y),
             13,
             "medium",

@@ -47,8 +47,8 @@ class SwitchRow(Row):
         middle = self.rect.h / 2
         draw_switch(surface, self.look, (self.left, round(middle)), self._slide.amount, self._lit.amount)
         color = "text1" if self.is_on() else "text3"
-        room = self.right - self.left - self.look.px(44)
-        label = self.look.fonts.fit(self.label, 13, "medium", room)
+        space = self.right - self.left - self.look.px(44)
+        label = self.look.fonts.fit(self.label, 13, "medium", space)
         self.look.text(surface, label, (self.left + self.look.px(44), middle), 13, "medium", color)
         if self.changed():
             draw_changed(surface, self.look, middle)

@@ -25,20 +25,20 @@ def inside_share(clip: Any, x0: float, y0: float, x1: float, y1: float, margin: 
     dx, dy = x1 - x0, y1 - y0
     for side in range(4):
         if side == 0:
-            direction, room = -dx, x0 - (clip[0] - margin)
+            direction, space = -dx, x0 - (clip[0] - margin)
         elif side == 1:
-            direction, room = dx, (clip[2] + margin) - x0
+            direction, space = dx, (clip[2] + margin) - x0
         elif side == 2:
-            direction, room = -dy, y0 - (clip[1] - margin)
+            direction, space = -dy, y0 - (clip[1] - margin)
         else:
-            direction, room = dy, (clip[3] + margin) - y0
+            direction, space = dy, (clip[3] + margin) - y0
         if direction == 0.0:
-            if room < 0.0:
+            if space < 0.0:
                 return 1.0, 0.0
         elif direction < 0.0:
-            first = max(first, room / direction)
+            first = max(first, space / direction)
         else:
-            last = min(last, room / direction)
+            last = min(last, space / direction)
     return first, last
 
 

@@ -22,13 +22,13 @@ class PointBuffer:
     """Memory for mapped points that grows by doubling and is kept."""
 
     def __init__(self) -> None:
-        self._room = np.empty((64, 2))
+        self._buffer = np.empty((64, 2))
 
     def take(self, count: int) -> np.ndarray:
         """An (count, 2) float64 view; good until the next call."""
-        if count > self._room.shape[0]:
-            self._room = np.empty((max(count, 2 * self._room.shape[0]), 2))
-        return self._room[:count]
+        if count > self._buffer.shape[0]:
+            self._buffer = np.empty((max(count, 2 * self._buffer.shape[0]), 2))
+        return self._buffer[:count]
 
 
 def as_points(points: Any) -> np.ndarray:

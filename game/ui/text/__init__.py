@@ -1,1 +1,1 @@
-"""Words and formulas: markup, formula layout, labels and where they find room."""
+"""Words and formulas: markup, formula layout, labels and where they find space."""

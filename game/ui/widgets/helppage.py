@@ -23,7 +23,6 @@ from game.ui.widgets.wishes import Wish
 HEIGHT, HEAD, PADDING = 624, 72, 32  # design px
 COLUMNS = ((296, 0), (344, 336), (280, 712))  # width and left edge of the columns side by side
 LINE, WHEEL = 20, 48
-CAPS = {"left": "←", "right": "→", "up": "↑", "down": "↓", "leftbracket": "[", "rightbracket": "]"}
 KeyRow = tuple[Sequence[str], str]
 
 
@@ -118,7 +117,7 @@ class Column:
             self.y += self.look.px(8)
 
     def space(self, design_px: float) -> None:
-        """Leave room."""
+        """Leave space."""
         self.y += self.look.px(design_px)
 
     def _text(self, words: str, indent: int, size: int, weight: str, color: str, line: int) -> None:
@@ -129,15 +128,15 @@ class Column:
 
     def _formula(self, markup: str) -> pygame.Surface:
         """The formula, smaller if it is too wide; in its place what is wrong with it if it cannot be read."""
-        look, room = self.look, self.width - self.look.px(24)
+        look, space = self.look, self.width - self.look.px(24)
         try:
             for size in (20.0, 18.0, 16.0, 14.0, 12.0):
                 picture = render_formula(look.fonts, markup, look.theme.text1, size)
-                if picture.get_width() <= room:
+                if picture.get_width() <= space:
                     break
             return picture
         except FormulaError as error:
-            words = look.fonts.fit(str(error), 13, "medium", room)
+            words = look.fonts.fit(str(error), 13, "medium", space)
             return look.fonts.render(words, 13, "medium", look.color("vermilion", words=True))
 
 
@@ -298,9 +297,9 @@ class HelpPage:
             column.control(hint.keys, hint.text)
         hinted = {keys for hint in self.scene_type.hints for keys in hint.keys}
         for action in self.scene_type.actions:
-            if _key_name(action.key) in hinted:
+            if keycap.key_name(action.key) in hinted:
                 continue
-            column.control((_key_name(action.key),), action.label)
+            column.control((keycap.key_name(action.key),), action.label)
         for keys, words in self.controls:
             column.control(keys, words)
         if self.scene_type.try_this:
@@ -313,10 +312,3 @@ class HelpPage:
 def _written(section: Callable[[Column], None], column: Column) -> int:
     section(column)
     return column.y
-
-
-def _key_name(key: str) -> str:
-    """A key as it is printed on its cap: "Z", "Ctrl+Z", "←", "["."""
-    if key in CAPS:
-        return CAPS[key]
-    return "+".join(part[:1].upper() + part[1:] for part in key.split("+")) if len(key) > 1 else key.upper()

@@ -9,7 +9,17 @@ import pygame
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 
+CAPS = {
+    "left": "←", "right": "→", "up": "↑", "down": "↓", "leftbracket": "[", "rightbracket": "]",
+    "escape": "Esc", "return": "Enter", "page down": "PgDn", "page up": "PgUp", "pagedown": "PgDn",
+    "pageup": "PgUp", "backspace": "Back",
+}  # fmt: skip
 HEIGHT, NARROWEST, PADDING, GAP, TO_WORDS = 20, 20, 6, 4, 8  # design px
+
+
+def key_name(key: str) -> str:
+    """A key as it is printed on its cap: "Z", "Ctrl+Z", "←", "[", "Enter"."""
+    return "+".join(CAPS.get(part, part[:1].upper() + part[1:]) for part in key.split("+"))
 
 
 def key_width(look: Look, key: str) -> int:

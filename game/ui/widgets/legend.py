@@ -39,7 +39,7 @@ class Legend:
     def draw(
         self, surface: pygame.Surface, stage: pygame.Rect, rows: Sequence[Row], fresh: bool = True
     ) -> None:
-        """Show the rows at the top left of the stage; nothing without rows or without room.
+        """Show the rows at the top left of the stage; nothing without rows or without space.
 
         Counts change if they are ``fresh``, marks and words at once.
         """

@@ -83,13 +83,13 @@ class Toasts:
             self._age_s = 0.0
             self._picture = None
 
-    def width(self, room: int) -> int:
+    def width(self, space: int) -> int:
         """Window px that the message on show will take of a row that wide: more only for many words."""
         if not self._queue:
             return 0
         toast, fonts, px = self._queue[0], self.look.fonts, self.look.px
         words = fonts.size(toast.cause, 13, "semibold")[0] + fonts.size(toast.consequence, 13)[0]
-        return min(room, max(px(USUAL_WIDTH), px(BESIDE_WORDS) + words))
+        return min(space, max(px(USUAL_WIDTH), px(BESIDE_WORDS) + words))
 
     def draw(self, surface: pygame.Surface, row: pygame.Rect) -> None:
         """Show the message at the right end of a row, its foot 4 design px above the row's."""

@@ -34,7 +34,7 @@ class ToolTip:
             self._age_s += dt_s
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Draw the tip below its thing, or above it where there is no room; always inside the window."""
+        """Draw the tip below its thing, or above it where there is no space; always inside the window."""
         if self._about is None or self._age_s < DELAY_S:
             return
         if self._picture is None:

@@ -138,8 +138,8 @@ class TopBar:
             add(name, rect.right - px(24) - i * px(32), 32, 32)
         self.spots.place(spots)
 
-    def _readout_room(self) -> tuple[int, int]:
-        """Right edge of the readouts and the room left of it, both px; no room where they are not shown."""
+    def _readout_space(self) -> tuple[int, int]:
+        """Right edge of the readouts and the space left of it, both px; no space where they are not shown."""
         px = self.look.px
         picture, faster = self.spots.find("screenshot"), self.spots.find("faster")
         if picture is None or faster is None:
@@ -148,21 +148,21 @@ class TopBar:
         return right, max(0, right - faster.rect.right - px(8))
 
     def columns(self) -> list[tuple[int, str, str]]:
-        """The readouts that have room, from the right: right edge (px in the bar), caption, words.
+        """The readouts that have space, from the right: right edge (px in the bar), caption, words.
 
         A column is as wide as its words need, in halves of the usual width so that it seldom changes.
         """
         px = self.look.px
-        right, room = self._readout_room()
+        right, space = self._readout_space()
         x, found = right - self.rect.x, []
         for caption, value, unit in reversed(self._shown[:4]):
             words = format_si(value, unit) if self.state.ready else NOTHING
             wide = self.look.fonts.size(words, 13, "semibold")[0] + px(8)
             width = px(COLUMN) if wide <= px(COLUMN) else -(-wide // px(COLUMN / 2)) * px(COLUMN / 2)
-            if width > room:
+            if width > space:
                 break
             found.append((x, caption, words))
-            x, room = x - width, room - width
+            x, space = x - width, space - width
         return found
 
     # -- picture ------------------------------------------------------------------------------------
@@ -257,8 +257,8 @@ class TopBar:
 
     def _paint_readouts(self, surface: pygame.Surface) -> None:
         look, px = self.look, self.look.px
-        right, room = self._readout_room()
-        if room < px(COLUMN):
+        right, space = self._readout_space()
+        if space < px(COLUMN):
             return
         surface.fill(look.theme.line, (right - self.rect.x + px(12), px(12), look.border, px(24)))
         for x, caption, words in self.columns():

@@ -26,7 +26,7 @@ def test_a_match_is_written_and_told(capsys, tmp_path: Path):
     }
     for line, one in zip(out, data["rounds"], strict=False):
         assert f" {seen[one['pocket']]} pocket, " in line, "as in the film, whose picture is turned"
-    assert len(out) == 16 and out[0].startswith("round  1  white - ") and out[-1].startswith("15 rounds")
+    assert len(out) == 16 and out[0].startswith("round  1  cue ball - ") and out[-1].startswith("15 rounds")
     first = tmp_path / "shot.json"
     first.write_text(json.dumps(data["rounds"][0]["shot"]))
     assert run_command_line(["shot", str(first), "--json", "-"]) == 0

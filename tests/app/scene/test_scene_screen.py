@@ -495,3 +495,18 @@ def test_pause_card_does_what_is_chosen(scene: Driver):
     scene.key(pygame.K_RETURN)
     scene.frames(30)
     assert not scene.app.running
+
+
+def test_a_tool_tip_does_not_stay_under_a_card(scene: Driver):
+    shell = scene.top.shell
+    scene.move(*shell.bar.spots.find("help").rect.center)
+    scene.frames(60)
+    clean = pygame.Surface(scene.window.size, 0, 32)
+    shown = clean.copy()
+    shell.tip.draw(shown)
+    assert pygame.image.tobytes(shown, "RGB") != pygame.image.tobytes(clean, "RGB")
+    scene.key(pygame.K_F1)
+    assert isinstance(scene.top, HelpCard)
+    shown = clean.copy()
+    shell.tip.draw(shown)
+    assert pygame.image.tobytes(shown, "RGB") == pygame.image.tobytes(clean, "RGB")

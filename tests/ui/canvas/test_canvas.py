@@ -163,7 +163,7 @@ def test_colours_by_name_and_by_hand():
     assert canvas.ink("amber") == 0xFB9F17
     canvas.circle((0, 0), 0.3, fill=pygame.Color("#102030"))
     assert at(canvas, 0, 0)[:3] == (0x10, 0x20, 0x30)
-    with pytest.raises(ValueError, match="no such token"):
+    with pytest.raises(ValueError, match="expected one of bg, stage"):
         canvas.dot((0, 0), color="beige")
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import numpy as np
 import pygame
 import pytest
 from hypothesis import assume, given
@@ -12,7 +13,7 @@ from hypothesis import strategies as st
 
 from game.stage import Stage, Strip
 from game.ui.charts.strip_axis import Axis, axis_for, end_text, round_top, spread
-from game.ui.charts.strips import COLORS, Strips, _label
+from game.ui.charts.strips import COLORS, Strips, _label, ends_of
 from game.ui.look.layout import arrange
 from game.ui.look.look import Look
 from game.ui.look.numerals import MINUS
@@ -132,11 +133,11 @@ def test_a_full_chart_leaves_its_numbers_alone(any_look, stage):
 
 def test_the_room_of_the_numbers_only_grows(stage):
     strips, _ = painted(Look(DARK), (1280, 720), stage)
-    narrow = strips._number_room(0, ["1", "0.5", "0"])
-    wide = strips._number_room(0, ["0.0016", "0.0008", "0"])
-    assert narrow <= wide == strips._number_room(0, ["1", "0.5", "0"])
+    narrow = strips._number_space(0, ["1", "0.5", "0"])
+    wide = strips._number_space(0, ["0.0016", "0.0008", "0"])
+    assert narrow <= wide == strips._number_space(0, ["1", "0.5", "0"])
     strips.place(strips.layout, Look(DARK))
-    assert strips._number_room(0, ["1", "0.5", "0"]) < wide
+    assert strips._number_space(0, ["1", "0.5", "0"]) < wide
 
 
 def test_a_frame_draws_one_chart_anew_and_only_for_new_steps(stage):
@@ -191,3 +192,13 @@ def test_a_written_value_stands_until_it_is_fresh(monkeypatch):
     strips.update(1.0, stage, fresh=True)
     strips.draw(surface)
     assert written[-1] != first
+
+
+def test_a_long_first_step_does_not_flatten_a_chart_of_times():
+    slow = np.array([0.5, *([1e-3] * 200)])
+    usual = np.array([1e-3] * 200)
+    assert ends_of(slow, "s")[1] < 2.0 * ends_of(usual, "s")[1]
+    assert ends_of(slow, "m")[1] == 0.5  # a length is what it is
+    growing = np.linspace(0.0, 1.0, 200)
+    assert ends_of(growing, "s")[1] == 1.0
+    assert ends_of(np.full(3, np.nan), "s")[:2] == (np.inf, -np.inf)
