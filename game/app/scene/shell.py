@@ -56,13 +56,13 @@ class Shell:
         scene_type = type(stage.scene)
         self.strips = Strips(self.app.look, scene_type.strips)
         self.panel = Panel(self.app.look, scene_type, levels)
-        self.hints.show(self._hint_rows(scene_type))
+        self.hints.show(self._hint_rows(stage.scene))
         self.place()
 
-    def _hint_rows(self, scene_type: type[Scene]) -> list[tuple[tuple[str, ...], str]]:
-        label = self.app.keys.label
+    def _hint_rows(self, scene: Scene) -> list[tuple[tuple[str, ...], str]]:
+        label, scene_type = self.app.keys.label, type(scene)
         rows: list[tuple[tuple[str, ...], str]] = [((label(name),), words) for name, words in BEFORE_OWN]
-        rows += [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
+        rows += [(tuple(hint.keys), hint.text) for hint in scene.hints_now()]
         if "wheel" not in scene_type.takes:
             rows.append((("Wheel",), "zoom"))
         after = [
@@ -124,6 +124,8 @@ class Shell:
             self.pace.pass_time(elapsed_s, stage)
         self.bar.update(elapsed_s, self._bar_state(stage, fresh), fresh)
         self.hints.update(elapsed_s)
+        if stage is not None and fresh:
+            self.hints.show(self._hint_rows(stage.scene))
         if stage is not None and self.panel is not None and self.strips is not None:
             self.panel.update(elapsed_s, stage, costs, fresh)
             self.strips.update(elapsed_s, stage, fresh)
