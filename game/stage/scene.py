@@ -301,6 +301,10 @@ class Scene:
         """Rows of the legend: (mark, words, live count or ""); mark is "shape:colour", e.g. "disc:chalk"."""
         return ()
 
+    def hints_now(self) -> Sequence[Hint]:
+        """Keys and gestures that count as the scene stands, such as those of the tool in the hand."""
+        return self.hints
+
     def panel_table(self) -> Table | None:
         """Figures of single things, for the panel; None: there are none to show."""
         return None

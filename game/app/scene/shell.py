@@ -56,18 +56,18 @@ class Shell:
         scene_type = type(stage.scene)
         self.strips = Strips(self.host.look, scene_type.strips)
         self.panel = Panel(self.host.look, scene_type, levels)
-        self.hints.show(self._hint_rows(scene_type))
+        self.hints.show(self._hint_rows(stage.scene))
         self.place()
 
-    def _hint_rows(self, scene_type: type[Scene]) -> list[tuple[tuple[str, ...], str]]:
-        label = self.host.keys.label
+    def _hint_rows(self, scene: Scene) -> list[tuple[tuple[str, ...], str]]:
+        label, scene_type = self.host.keys.label, type(scene)
         before: list[tuple[tuple[str, ...], str]] = []
         after: list[tuple[tuple[str, ...], str]] = []
         for command in COMMANDS:
             if command.hint and (command.name != "accuracy" or scene_type.study is not None):
                 rows = before if command.name in TRANSPORT else after
                 rows.append(((label(command.name),), command.hint))
-        own = [(tuple(hint.keys), hint.text) for hint in scene_type.hints]
+        own = [(tuple(hint.keys), hint.text) for hint in scene.hints_now()]
         if "wheel" not in scene_type.takes:
             own.append((("Wheel",), "zoom"))
         return before + own + after
@@ -126,6 +126,8 @@ class Shell:
             self.pace.pass_time(elapsed_s, stage)
         self.bar.update(elapsed_s, self._bar_state(stage, fresh), fresh)
         self.hints.update(elapsed_s)
+        if stage is not None and fresh:
+            self.hints.show(self._hint_rows(stage.scene))
         if stage is not None and self.panel is not None and self.strips is not None:
             self.panel.update(elapsed_s, stage, costs, fresh)
             self.strips.update(elapsed_s, stage, fresh)

@@ -11,9 +11,9 @@ from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.skeletons.hand import FigureHand
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.skeletons.model import FigureModel
-from game.scenes.skeletons.parameters import BINDING
+from game.scenes.skeletons.parameters import BINDING, FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
-from game.stage import Frame, Parameter, Pointer, Scene, SceneAction, WarmUp
+from game.stage import Frame, Hint, Parameter, Pointer, Scene, SceneAction, WarmUp
 
 PLAIN = FigureContent(
     bones=(
@@ -37,6 +37,18 @@ EDITING = (
 )  # what both scenes can do besides their tools
 
 
+MAKING = {
+    "bone": (Hint(("Click",), "parent bone, then the new end"), Hint(("Delete",), "delete the chosen bone")),
+    "skin": (
+        Hint(("Click",), "corners around the bones"),
+        Hint(("Return",), "close the skin"),
+        Hint(("Delete",), "delete the last corner"),
+    ),
+    "chain": (Hint(("Click",), "first and last bone of the chain"),),
+    "pose": (Hint(("Drag",), "turn a bone"),),
+}  # hints by the tool in the hand, where they are not those of the scene
+
+
 class FigureScene(Scene):
     """Base of C02 and C03. A subclass says what the poses are and what a step makes of them."""
 
@@ -44,6 +56,7 @@ class FigureScene(Scene):
     dt = 1.0 / 60.0
     content_type = FigureContent
 
+    parameters: FigureParameters
     model: FigureModel
     hand: FigureHand
     default_content: ClassVar[FigureContent] = PLAIN
@@ -87,6 +100,12 @@ class FigureScene(Scene):
 
     def action(self, name: str) -> None:
         self.hand.take_action(name)
+
+    def hints_now(self) -> Sequence[Hint]:
+        tool = self.parameters.tool
+        if tool == type(self.parameters).tool.default:
+            return self.hints
+        return (*MAKING[tool], *self.hints[1:])
 
     def messages(self) -> Sequence[str]:
         return self.model.take_messages()

@@ -12,10 +12,18 @@ from numpy.typing import NDArray
 from game.physics.animation import JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import COLUMNS, ROWS, Cell, cells_of, frame_of_cells
+from game.scenes.skeletons.editing import next_click
 from game.scenes.skeletons.parameters import SHOWN
 from game.scenes.skeletons.reaching_model import ReachingModel, ReachingState
 from game.scenes.skeletons.skin_painter import SkinPainter
-from game.scenes.skeletons.view import bone_tokens, draw_bones, draw_limits, draw_pen, draw_weights
+from game.scenes.skeletons.view import (
+    bone_tokens,
+    draw_bones,
+    draw_limits,
+    draw_next_click,
+    draw_pen,
+    draw_weights,
+)
 from game.stage import Frame, blend_angles
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.look.numerals import quantity
@@ -27,25 +35,26 @@ TITLES = ("Gradient", "Buss step", "Armijo", "Damped least squares", "CCD", "FAB
 COLORS = ("chalk", "green", "pink", "violet", "yellow", "vermilion")  # as the charts have them
 DECADES = 8.0  # of the small chart, below the reach
 TRAIL_DOWN, TRAIL_WIDE, TRAIL_HIGH = 72.0, 84.0, 30.0  # design px: where the small chart is, its size
-CARD_WIDE, CARD_HIGH, MOST_CARDS = 180.0, 124.0, 64
+CARD_WIDE, CARD_HIGH, MOST_CARDS = 180.0, 139.0, 64
 
 
 class Words(NamedTuple):
-    """What stands beside a figure, kept for a quarter of a second."""
+    """What stands beside a figure."""
 
     error: str
     work: str
     seconds: str
+    why: str  # it does not come to its target
 
 
 class ChainView:
-    """Draws the figures of all methods."""
+    """Draws the figures of all methods. words: what stands beside each."""
 
     def __init__(self, model: ReachingModel) -> None:
         self._model, self._shown = model, model.parameters
         self._painter = SkinPainter()
-        self._words = [Words("", "", "")] * len(TITLES)
-        self._quarters = [-1] * len(TITLES)
+        self.words = [Words("", "", "", "")] * len(TITLES)
+        self._measured = False
         self._cards: dict[tuple[Any, ...], pygame.Surface] = {}
         self._curves: tuple[Array, float] = (np.zeros((len(TITLES), 1, 2)), 0.0)
 
@@ -65,7 +74,7 @@ class ChainView:
             ends.append(cells[k].out(model.rig.shown.ends))
         if self._shown.bones:
             self._draw_bones(canvas, places, np.concatenate(bases), np.concatenate(ends))
-        self._refresh()
+        self._refresh(canvas.fresh)
         if model.solver is not None:
             self._curves = self._trails(canvas)
         for n, k in enumerate(places):
@@ -92,6 +101,7 @@ class ChainView:
             pointer = cell.out(np.array([bench.pointer]))[0]
             canvas.line(ends[bench.chosen], pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, cell)
+        draw_next_click(canvas, next_click(bench, self._shown.tool), bench.pointer, cell)
 
     def _draw_lines(self, canvas: Canvas, frame: Frame) -> None:
         for column in range(1, COLUMNS):
@@ -149,17 +159,17 @@ class ChainView:
 
     # -- words --------------------------------------------------------------------------------------
 
-    def _refresh(self) -> None:
-        """New numbers, four times a second, one method after the other: quicker ones cannot be read."""
+    def _refresh(self, fresh: bool) -> None:
+        """New numbers, in the pictures in which all numbers of the window change."""
+        if not fresh and self._measured:
+            return
+        self._measured = True
         for k, found in enumerate(self._model.measured):
-            quarter = math.floor(4.0 * self._model.time + k / len(TITLES))
-            if quarter == self._quarters[k]:
-                continue
-            self._quarters[k] = quarter
             seconds = " ".join(quantity(self._model.watch.median(SHOWN[k]), "s"))
             times = "iteration" if found.iterations == 1 else "iterations"
             error = " ".join(quantity(found.error, "m"))
-            self._words[k] = Words(error, f"{found.iterations} {times}", seconds)
+            why = self._model.hindrance(k)
+            self.words[k] = Words(error, f"{found.iterations} {times}", seconds, why)
 
     def _draw_words(self, canvas: Canvas, k: int, frame: Frame) -> None:
         """Name, what it took, and the errors of the last steps, at the top left of a figure's place."""
@@ -170,7 +180,7 @@ class ChainView:
         y = frame.top * (ROWS - row) / ROWS - canvas.px(8.0)
         mine = k == self._shown.master
         title = TITLES[k] if self._shown.adaptive or k != 3 else "Damped, fixed"
-        words = self._words[k] if self._model.solver is not None else None
+        words = self.words[k] if self._model.solver is not None else None
         canvas.blit(self._card(canvas, k, title, mine, words), (x, y), "topleft")
         if words is not None:
             self._draw_trail(canvas, k, (x, y - canvas.px(TRAIL_DOWN)))
@@ -208,8 +218,8 @@ class ChainView:
 def _paint_card(
     canvas: Canvas, color: str, title: str, mine: bool, words: Words | None, level: float
 ) -> pygame.Surface:
-    """Name, error, work and time below each other; the tolerance dashed, ``level`` design px from the top of
-    the errors, and named beside the chosen figure."""
+    """Name, error, work, time and what hinders it below each other; the tolerance dashed, ``level`` design px
+    from the top of the errors, and named beside the chosen figure."""
     fonts, k = canvas.fonts, canvas.k
     card = pygame.Surface((round(CARD_WIDE * k), round(CARD_HIGH * k)), pygame.SRCALPHA, 32)
     card.fill((*canvas.halo[:3], 0))
@@ -221,9 +231,12 @@ def _paint_card(
         rows.append((0.0, 20.0, words.error, 12, "semibold", "text1"))
         rows.append((0.0, 36.0, words.work, 11, "medium", "text2"))
         rows.append((0.0, 50.0, words.seconds, 11, "medium", "text2"))
-        at = TRAIL_DOWN - level
+        at, foot = TRAIL_DOWN - level, TRAIL_DOWN + TRAIL_HIGH + 2.0
+        if words.why:
+            rows.append((0.0, foot, words.why, 11, "semibold", "amber"))
+            foot += 15.0
         if mine:
-            rows.append((0.0, TRAIL_DOWN + TRAIL_HIGH + 2.0, "dashed: tolerance", 11, "medium", "text3"))
+            rows.append((0.0, foot, "dashed: tolerance", 11, "medium", "text3"))
         for dash in range(0, int(TRAIL_WIDE), 6):
             card.fill(
                 canvas.color("text3"), (round(dash * k), round(at * k), round(3.0 * k), max(round(k), 1))

@@ -31,6 +31,19 @@ FARTHEST = 5_000.0  # m
 DRAWN_FILL = "chalk"
 
 
+def next_click(bench: Bench, tool: str) -> str:
+    """What the next click with a tool is for, in words; "" where it takes hold of a thing."""
+    if tool == "bone":
+        return "click the parent bone" if bench.chosen == NOWHERE else "click where the new bone ends"
+    if tool == "skin":
+        if not bench.drawn:
+            return "click the first corner"
+        return "click the next corner" if len(bench.drawn) < 3 else "next corner; the first one closes"
+    if tool == "chain":
+        return "click one end of the chain" if bench.picked == NOWHERE else "click its other end"
+    return ""
+
+
 # -- the pointer ----------------------------------------------------------------------------------------
 
 

@@ -49,11 +49,36 @@ class InverseKinematics(FigureScene):
     equations = (
         Equation("Error", r"\v{e} = \v{t} - \v{p}_n(\theta)", "target and end of the chain"),
         Equation(
-            "Gradient", r"\Delta\theta_i = \alpha (J^T e)_i = \alpha (\v{p}_n - \v{p}_i) \times \v{e}", ""
+            "Gradient",
+            r"\Delta\theta_i = \alpha (J^T e)_i = \alpha (\v{p}_n - \v{p}_i) \times \v{e}",
+            "J: how the end moves as each joint turns",
         ),
         Equation("Buss's step", r"\alpha = \frac{e · J J^T e}{|J J^T e|^2}", "Buss 2004"),
-        Equation("Damped least squares", r"\Delta\theta = J^T (J J^T + \lambda^2)^{-1} e", "Wampler 1986"),
-        Equation("Reach", r"\max(0, 2 l_{max} - L) \le |\v{t}| \le L,  L = \sum l_i", "without limits"),
+        Equation(
+            "Armijo's step",
+            r"|\v{e}(\theta + \v{s})|^2 \le |\v{e}|^2 - \frac{2c}{\alpha}|\v{s}|^2,  \v{s} = \alpha J^T e",
+            "halved until it holds; Armijo 1966",
+        ),
+        Equation(
+            "Damped least squares",
+            r"\Delta\theta = J^T (J J^T + \lambda^2)^{-1} e",
+            "λ: damping; Wampler 1986",
+        ),
+        Equation(
+            "CCD",
+            r"\Delta\theta_i = \angle(\v{p}_n - \v{p}_i, \v{t} - \v{p}_i),  i = n - 1, \ldots, 0",
+            "Wang and Chen 1991",
+        ),
+        Equation(
+            "FABRIK",
+            r"\v{p}_i \gets \v{p}_{i+1} + l_i \frac{\v{p}_i - \v{p}_{i+1}}{|\v{p}_i - \v{p}_{i+1}|}",
+            "from the tip, then from the root; Aristidou and Lasenby 2011",
+        ),
+        Equation(
+            "Reach",
+            r"\max(0, 2 l_{max} - L) \le |\v{t}| \le L,  L = \sum l_i",
+            "l: lengths of the bones; without limits",
+        ),
     )
     try_this = (
         "Pull the target out of reach and around: nobody shakes. Let damping be fixed: it thrashes.",

@@ -17,6 +17,8 @@ from game.scenes.skeletons.parameters import SHOWN, ReachingParameters
 
 TRAIL = 90  # steps of errors that a figure shows
 MAY_SWING = ("gradient", "damped-fixed")  # these show their last pose, not their best
+STEADY, STEADINESS = 20, 0.01  # an error that changed by so small a share in so many steps stays
+AT_LIMIT = 1e-9  # rad
 UNSOLVED = Solution(0.0, 0, 0, "")
 
 
@@ -106,6 +108,21 @@ class ReachingModel(FigureModel):
 
     def save_content(self) -> FigureContent:
         return self._with_target(super().save_content())
+
+    def hindrance(self, k: int) -> str:
+        """Why method number ``k`` does not come to its target: "out of reach", "stuck at a limit", or ""."""
+        error, tolerance = self.measured[k].error, self.parameters.tolerance
+        if self.solver is None or error <= tolerance:
+            return ""
+        chain, skeleton = self.solver.chain, self.rig.skeleton
+        distance = math.dist(skeleton.bases[self.inside[0]].tolist(), self.target.tolist())
+        if not chain.hole - tolerance <= distance <= chain.reach + tolerance:
+            return "out of reach"
+        steady = np.abs(self.trail[k, -STEADY:] - error).max() <= STEADINESS * error
+        angles = self.methods[k, self.inside]
+        lower, upper = skeleton.lower[self.inside], skeleton.upper[self.inside]
+        limited = bool(np.any((angles <= lower + AT_LIMIT) | (angles >= upper - AT_LIMIT)))
+        return "stuck at a limit" if steady and limited and JOINT_LIMITS in self.active else ""
 
     # -- a step -------------------------------------------------------------------------------------
 

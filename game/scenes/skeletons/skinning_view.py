@@ -9,6 +9,7 @@ import numpy as np
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import WHOLE
+from game.scenes.skeletons.editing import next_click
 from game.scenes.skeletons.model import Array
 from game.scenes.skeletons.skin_painter import SkinPainter
 from game.scenes.skeletons.skinning_model import SkinningModel, SkinningState
@@ -16,6 +17,7 @@ from game.scenes.skeletons.view import (
     bone_tokens,
     draw_bones,
     draw_limits,
+    draw_next_click,
     draw_outlines,
     draw_pen,
     draw_weights,
@@ -74,6 +76,7 @@ class SkinningView:
         if shown.tool == "bone" and bench.chosen != NOWHERE:
             canvas.line(rig.shown.ends[bench.chosen], bench.pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, WHOLE)
+        draw_next_click(canvas, next_click(bench, shown.tool), bench.pointer, WHOLE)
 
     def _pose(self, previous: SkinningState | None, alpha: float) -> Array:
         """The pose (n + 2,) between the last two steps."""

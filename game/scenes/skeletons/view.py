@@ -153,3 +153,10 @@ def draw_pen(
     for point in line[1:-1]:
         canvas.dot(point, 2.6, "accent")
     canvas.handle(line[0], hovered=len(drawn) >= 3)
+
+
+def draw_next_click(canvas: Canvas, words: str, pointer: tuple[float, float], cell: Cell) -> None:
+    """What the next click does, beside the pointer; nothing before the pointer was seen first."""
+    if words and pointer != (0.0, 0.0):
+        place = cell.out(np.array([pointer]))[0]
+        canvas.label(tuple(place), words, "accent", 12, anchor="left", offset=(14.0, 18.0))

@@ -127,7 +127,7 @@ def spread_settings() -> list[Setting]:
 
 
 def present_spread(parameters: Mapping[str, Any]) -> Setting:
-    """The scene solves for even speed if it is to have it."""
+    """The scene solves for constant speed if it is to have it."""
     return Setting("newton" if parameters["constant-speed"] else "even", 1.0)
 
 
@@ -138,13 +138,13 @@ def spread_trial(setting: Setting) -> Spread:
 
 spread_study = Study(
     name="c01-speed",
-    title="Key-frames: even speed",
-    error="distance along the path from equal ways",
+    title="Key-frames: constant speed",
+    error="distance along the path from equal spacing",
     error_unit="m",
     counter="chords in the table",
     knob=Knob("chords", "chords in the table"),
     methods=(
-        Method("even", "even parameter"),
+        Method("even", "uniform parameter"),
         Method("table", "table of chords", 2.0),
         Method("newton", "Gauss-Legendre and Newton"),
     ),
@@ -156,8 +156,8 @@ spread_study = Study(
     expectation="A table of chords is of second order; Newton's method on the integral is exact at once.",
     order_over="counter",
     axes=Axes("cpu", "error"),
-    short="Even speed",
-    cost="CPU time for 200 ways",
+    short="Constant speed",
+    cost="CPU time for 200 positions",
 )
 
 line_study = Study(

@@ -252,7 +252,7 @@ skinning_study = Study(
     knob=Knob("influences", "influences"),
     methods=tuple(
         Method(name, label)
-        for name, label in (("linear", "matrices"), ("rotor", "rotors"), ("numpy", "matrices, numpy"))
+        for name, label in (("linear", "matrices"), ("rotor", "rotors"), ("numpy", "matrices by NumPy"))
     ),
     settings=influence_settings,
     trial=influence_trial,
