@@ -285,7 +285,7 @@ def test_stepping_back_undoes_a_drag(scene_type):
         ("[content]\nb = { points = [[0, 0]] }", "content"),
         (
             "[content]\na = { points = [[0, 0]] }\nb = { position = [1, 1] }",
-            "b: expected either points or corners",
+            "b: expected either points",
         ),
         ("[content]\na = { corners = 2 }\nb = { corners = 5 }", "content.a.corners"),
         ("[content]\na = { points = [[0, nan]] }\nb = { corners = 5 }", "content.a.points[0][1]"),
