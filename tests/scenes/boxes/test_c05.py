@@ -104,3 +104,14 @@ def test_a_managers_time_is_the_mean_over_both_turns_so_that_it_does_not_jump():
     assert scene.model.manager_s("matrix") == 3.0 and scene.model.manager_s("hash") == 5.0
     scene.effects_changed()
     assert math.isnan(scene.model.manager_s("matrix"))
+
+
+@pytest.mark.parametrize("level", ["hard-05-all-in-one-place", "default", "heap"])
+def test_the_scale_of_loads_names_the_fullest_cell_if_it_is_beyond_the_end(level):
+    stage = open_level(UniformGridScene, level)
+    stage.run(3)
+    most = int(stage.scene.model.grid.loads().max())
+    (scale,) = [count for mark, _, count in stage.scene.legend() if mark.startswith("scale")]
+    _, full, *beyond = scale.split(" ", 2)
+    assert beyond == ([f"most {most}"] if most > float(full) else [])
+    assert beyond or level != "hard-05-all-in-one-place"

@@ -283,7 +283,10 @@ def test_stepping_back_undoes_a_drag(scene_type):
     ("text", "field"),
     [
         ("[content]\nb = { points = [[0, 0]] }", "content"),
-        ("[content]\na = { points = [[0, 0]] }\nb = { position = [1, 1] }", "b: either points or corners"),
+        (
+            "[content]\na = { points = [[0, 0]] }\nb = { position = [1, 1] }",
+            "b: expected either points",
+        ),
         ("[content]\na = { corners = 2 }\nb = { corners = 5 }", "content.a.corners"),
         ("[content]\na = { points = [[0, nan]] }\nb = { corners = 5 }", "content.a.points[0][1]"),
         ("[content]\na = { corners = 5, radius = 0.0 }\nb = { corners = 5 }", "content.a.radius"),

@@ -41,7 +41,9 @@ class UniformGridView(BoxesView):
     def legend(self) -> list[tuple[str, str, str]]:
         rows = super().legend()
         if self.model.parameters.heat:
-            rows.append(("scale:stage:chalk", "Boxes in a cell", f"0 {self._full():.3g}"))
+            full, most = self._full(), int(self.model.grid.loads().max())
+            beyond = f" most {grouped(most)}" if most > full else ""
+            rows.append(("scale:stage:chalk", "Boxes in a cell", f"0 {full:.3g}{beyond}"))
         return rows
 
     def _full(self) -> float:
