@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from game.physics.broadphase.hash_levels import MASK, TOP
-from game.physics.broadphase.hash_walk import DOWN, OWN, LevelVisit
+from game.physics.broadphase.walks.hash import DOWN, OWN, LevelVisit
 from game.scenes.boxes import look
 from game.scenes.boxes.view import Column
 from game.ui.canvas.canvas import Canvas

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from game.physics.broadphase.hash_levels import MASK, TOP
-from game.physics.broadphase.hash_walk import Tables
+from game.physics.broadphase.walks.hash import Tables
 from game.scenes.boxes import look
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.levels_look import Look

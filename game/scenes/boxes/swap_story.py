@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from game.physics.broadphase.swap_walk import ALIKE, APART, BEGINS, Swap, walk_swaps
+from game.physics.broadphase.walks.swap import ALIKE, APART, BEGINS, Swap, walk_swaps
 from game.scenes.boxes import look
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.view import Column
