@@ -35,8 +35,8 @@ from game.physics.broadphase.hash_levels import (
     place_boxes,
 )
 from game.physics.broadphase.hash_search import find_pairs
-from game.physics.broadphase.hash_walk import LevelVisit, Tables, level_visits
 from game.physics.broadphase.validation import Corners, Ids, Pairs, grown
+from game.physics.broadphase.walks.hash import LevelVisit, Tables, level_visits
 from game.physics.kernels.jit import kernel
 
 

@@ -33,8 +33,8 @@ from game.physics.broadphase.grid_search import (
     find_pairs,
     place_boxes,
 )
-from game.physics.broadphase.grid_walk import CellRuns, Visit, corner_visits
 from game.physics.broadphase.validation import Corners, Ids, Pairs, corner
+from game.physics.broadphase.walks.grid import CellRuns, Visit, corner_visits
 from game.physics.kernels.jit import kernel
 
 MAX_CELLS = 1 << 24  # 64 MB for each of the two arrays over cells

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.expectations import Expectations
+
 Metre = Annotated[float, msgspec.Meta(ge=-1_000.0, le=1_000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-100_000.0, le=100_000.0)]
 Radius = Annotated[float, msgspec.Meta(ge=1e-6, le=1_000.0)]
@@ -102,14 +104,6 @@ class PairEntry(_Entry, frozen=True, kw_only=True):
     friction: Friction | None = None
 
 
-class ExpectedEntry(_Entry, frozen=True, kw_only=True):
-    """What a readout should be all the time (SI), give or take ``within``; shown beside what it is."""
-
-    readout: Word
-    value: Far
-    within: Annotated[float, msgspec.Meta(ge=0.0, le=FARTHEST)] = 0.0
-
-
 class View(_Entry, frozen=True, kw_only=True):
     """The window, whose edges are the walls, m."""
 
@@ -130,6 +124,6 @@ class CollisionContent(_Entry, frozen=True, kw_only=True):
     ledges: Annotated[tuple[tuple[Metre, Metre, Metre, Metre], ...], msgspec.Meta(max_length=200)] = ()
     materials: Annotated[tuple[Word, ...], msgspec.Meta(max_length=5)] = ()
     pairs: Annotated[tuple[PairEntry, ...], msgspec.Meta(max_length=30)] = ()
-    expected: Annotated[tuple[ExpectedEntry, ...], msgspec.Meta(max_length=4)] = ()
+    expected: Expectations = ()  # all the time
     exact: bool = False  # the event-driven run of smooth spheres is shown beside it
     view: View = View()

@@ -45,6 +45,7 @@ def content_of(model: CollisionModel) -> CollisionContent:
         ledges=given.ledges,
         materials=given.materials,
         pairs=given.pairs,
+        expected=given.expected,
         exact=given.exact,
         view=given.view,
     )

@@ -12,8 +12,8 @@ from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.spheres import SphereBodies
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.scenes.spheres import C13
-from game.scenes.spheres.captions import captions_of
 from game.scenes.spheres.figure import draw_friction_cone
 from game.scenes.spheres.hand import Hand
 from game.scenes.spheres.ledger import ledger_table
@@ -124,9 +124,9 @@ class SphereCollisions(Scene):
     def build(self, level: Level | None) -> None:
         given = level.content if level is not None and level.content is not None else self.default_content
         self.model = CollisionModel(given, self.parameters, self.active, self.seed)
-        captions_of(self.model)  # refuses an unknown readout
         self.hand = Hand(self.model)
         self.view = CollisionView(self.model, self.hand)
+        captions_of(given.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         if name == "tool":
@@ -185,6 +185,10 @@ class SphereCollisions(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self.previous, canvas, alpha)
+        content = self.model.content
+        if content.expected:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from game.physics.spheres import ledger
 from game.physics.spheres.effects import LEDGES, STRINGS, WINDOW
-from game.scenes.spheres.captions import captions_of
 from game.scenes.spheres.hand import Hand
 from game.scenes.spheres.ledger import entry_of, has_ledger
 from game.scenes.spheres.level import COLORS
@@ -78,7 +77,6 @@ class CollisionView:
         if self.model.parameters.shown_impulses:
             self._draw_impulses(canvas)
         self._draw_hand(canvas)
-        self._draw_captions(canvas)
         if has_ledger(self.model) and canvas.words:
             self._draw_numbers(canvas, places, tips)
             self._light_collision(canvas, places)
@@ -239,14 +237,6 @@ class CollisionView:
             if entry[ledger.OTHER] >= 0.0:
                 canvas.arrow(at, (jx, jy), "amber", None, scale, 2.0, alpha=strength)
             canvas.dot(at, 3.0, "amber", alpha=strength)
-
-    def _draw_captions(self, canvas: Canvas) -> None:
-        """What the level expects, and what is measured, in the middle below the upper wall."""
-        view = self.model.content.view
-        top = (0.5 * (view.left + view.right), view.top)
-        for line, (words, met) in enumerate(captions_of(self.model)):
-            color = "green" if met else "vermilion"
-            canvas.label(top, words, color, 13, "semibold", "top", (0.0, 14.0 + 20.0 * line))
 
     def _draw_hand(self, canvas: Canvas) -> None:
         model, pressed = self.model, self.hand.pressed

@@ -13,8 +13,8 @@ from game.physics.broadphase import (
     SweepAndPrune,
     UniformGrid,
 )
-from game.physics.broadphase.hash_walk import DOWN, OWN, UP
-from game.physics.broadphase.swap_walk import ALIKE, BEGINS, walk_swaps
+from game.physics.broadphase.walks.hash import DOWN, OWN, UP
+from game.physics.broadphase.walks.swap import ALIKE, BEGINS, walk_swaps
 from game.physics.broadphase.workloads import make_boxes
 
 

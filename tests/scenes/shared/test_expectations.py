@@ -2,24 +2,53 @@
 
 from __future__ import annotations
 
+import pygame
 import pytest
 
 from game.levels import LevelError, level_files, load_level, parse_level
 from game.scenes.fountain.scene import Fountain
-from game.scenes.shared.expectations import Expectation, captions_of, draw_captions
+from game.scenes.shared.expectations import Caption, Expectation, captions_of, draw_captions
+from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
 from game.stage import Readout
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import theme_named
 from tests.scenes.particle_stages import open_level
 
-SCENES = (Fountain, RigidLinks, Springs)
+SCENES = (Fountain, SphereCollisions, RigidLinks, Springs)
 EXPECTING = [
     (scene, path.stem)
     for scene in SCENES
     for path in level_files(scene.name)
     if getattr(load_level(path, scene.name, scene.content_type).content, "expected", ())
 ]
+ALWAYS = [name for scene, name in EXPECTING if scene is SphereCollisions]
 SETTLED_S = 20.0
+
+
+class Labels(Canvas):
+    """A canvas that notes the words drawn, and how."""
+
+    def __init__(self):
+        super().__init__(Look(theme_named("dark"), 1.0))
+        self.drawn = {}
+
+    def label(self, place, words, *style, **more):
+        self.drawn[words] = (tuple(place), *style)
+        super().label(place, words, *style, **more)
+
+
+def labels_of(stage, size=(1000, 600)):
+    """Labels on an empty picture that shows the scene's frame."""
+    pygame.font.init()
+    surface, camera = pygame.Surface(size, 0, 32), Camera()
+    camera.fit(stage.scene.frame(), surface.get_rect(), 0)
+    canvas = Labels()
+    canvas.begin(surface, surface.get_rect(), camera)
+    return canvas
 
 
 def captions(stage):
@@ -49,15 +78,40 @@ def test_where_a_method_fails_the_caption_says_so():
     assert captions(stage) == [("impacts: expected 4, measured 0", False)]
 
 
-def test_captions_stand_below_each_other_in_the_picture():
-    class Labels:
-        drawn: list = []
+@pytest.mark.parametrize("name", ALWAYS)
+def test_what_is_expected_of_spheres_is_so_all_the_time(name):
+    stage = open_level(SphereCollisions, name)
+    for _ in range(20):
+        assert [caption.words for caption in captions(stage) if not caption.met] == []
+        stage.run(15)
 
-        def label(self, place, words, color, size, weight, anchor, offset):
-            self.drawn.append((place, words, color, offset))
 
-    draw_captions(Labels(), (0.0, 4.0), [("a", True), ("b", False)])
-    (_, _, first, (_, upper)), (_, _, second, (_, lower)) = Labels.drawn
+def test_where_a_correction_makes_energy_the_caption_says_how_much():
+    stage = open_level(SphereCollisions, "hard-08-deep-overlap", correction="baumgarte")
+    stage.run(round(0.5 / stage.dt))
+    (caption,) = captions(stage)
+    assert not caption.met
+    assert caption.words.startswith("total energy: expected 0 J, measured ")
+    assert not caption.words.endswith("measured 0 J")
+
+
+@pytest.mark.parametrize("scene_type", SCENES)
+def test_captions_look_the_same_in_every_scene(scene_type):
+    """Below each other, in the middle below the upper edge of the level's view."""
+    stage = open_level(scene_type, next(name for scene, name in EXPECTING if scene is scene_type))
+    view, canvas = stage.scene.model.content.view, labels_of(stage)
+    stage.scene.draw(canvas, 1.0)
+    found = captions(stage)
+    assert found
+    for line, (words, met) in enumerate(found):
+        style = ("green" if met else "amber", 13, "semibold", "top", (0.0, 14.0 + 20.0 * line))
+        assert canvas.drawn[words] == ((0.5 * (view.left + view.right), view.top), *style)
+
+
+def test_two_captions_stand_below_each_other():
+    canvas = labels_of(open_level(Fountain, "default"))
+    draw_captions(canvas, (0.0, 4.0), [Caption("a", True), Caption("b", False)])
+    (_, first, *_, (_, upper)), (_, second, *_, (_, lower)) = canvas.drawn["a"], canvas.drawn["b"]
     assert (first, second) == ("green", "amber") and lower > upper
 
 

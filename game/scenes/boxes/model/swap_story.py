@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.broadphase.swap_walk import ALIKE, APART, BEGINS, Swap, walk_swaps
+from game.physics.broadphase.walks.swap import ALIKE, APART, BEGINS, Swap, walk_swaps
 from game.scenes.boxes.model.arrays import BoxArrays
 from game.scenes.boxes.names import AXES, apart_on, name_of
 

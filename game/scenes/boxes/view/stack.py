@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from game.physics.broadphase.hash_levels import MASK
-from game.physics.broadphase.hash_walk import Tables
+from game.physics.broadphase.walks.hash import Tables
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.hierarchical_grids import HierarchicalGridModel
 from game.scenes.boxes.names import LETTERS, named
