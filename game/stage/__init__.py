@@ -22,6 +22,7 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent, Stamped
+from game.stage.messages import Messages
 from game.stage.parameters import Choice, Param, Parameter, ParameterError, Parameters, Toggle
 from game.stage.part import Part
 from game.stage.records.recording import Recording, RecordingError
@@ -51,6 +52,7 @@ __all__ = [
     "Frame",
     "Hearing",
     "Hint",
+    "Messages",
     "Param",
     "Parameter",
     "ParameterError",

@@ -161,4 +161,4 @@ class Buttons(Part):
         self.hint_shown = not self.hint_shown
         if self.play.model.content.solution is None:
             self.hint_shown = False
-            self.play.news.append("No hint. Only puzzles and drills have one.")
+            self.play.messages.say("No hint. Only puzzles and drills have one.")

@@ -75,7 +75,7 @@ class BilliardsHand(Part):
             play.grip = f"ball {ball}" if ball >= 0 else ""
         elif play.plays_itself:
             play.plays_itself = False
-            play.news.append("The cue is yours. Pull back and let go.")
+            play.messages.say("The cue is yours. Pull back and let go.")
         elif play.person_plays:
             self._take_instrument(event)
 

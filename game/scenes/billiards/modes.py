@@ -27,7 +27,7 @@ class Replay(Part):
     def begin(self) -> None:
         """Show the last stroke, if there is one."""
         if self.play.model.frame.last is None:
-            self.play.news.append("Nothing to show. No stroke has been played.")
+            self.play.messages.say("Nothing to show. No stroke has been played.")
             return
         self.play.let_go()
         self.play.clock[REPLAY_S] = 0.0

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
-
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
@@ -14,6 +12,7 @@ from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.billiards.stroke.aiming import AT_THE_RACK, Aiming
 from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
 from game.stage import Part
+from game.stage.messages import Messages
 
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
 PHASE_S, REPLAY_S = range(2)
@@ -40,7 +39,7 @@ class Play(Part):
         self.plays_itself = False
         self.rest_s = 0.0
         self.lock_explained = False
-        self.news: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
 
     # -- who plays ----------------------------------------------------------------------------------
 
@@ -133,7 +132,7 @@ class Play(Part):
         try:
             self.model.strike(stroke, call)
         except ValueError as error:
-            self.news.append(f"The stroke cannot be played. {error}")
+            self.messages.say(f"The stroke cannot be played. {error}")
             self.start_phase(AIMING)
             return
         self.start_phase(ROLLING)
@@ -174,7 +173,7 @@ class Play(Part):
         """Say, the first time, how a locked aim is freed."""
         if self.aiming.locked and not self.lock_explained:
             self.lock_explained = True
-            self.news.append("The aim is locked. A click on the table frees it.")
+            self.messages.say("The aim is locked. A click on the table frees it.")
 
     # -- back, on, and again ------------------------------------------------------------------------
 
@@ -186,7 +185,7 @@ class Play(Part):
             return
         taken = self.model.frame
         if taken.earlier is None:
-            self.news.append("Nothing to undo. No stroke has been played.")
+            self.messages.say("Nothing to undo. No stroke has been played.")
             return
         while taken.earlier is not None:
             last = taken.last

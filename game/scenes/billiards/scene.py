@@ -196,10 +196,8 @@ class Billiards(Scene):
     def readouts(self) -> tuple[Readout, ...]:
         return readouts(self.play)
 
-    def messages(self) -> list[str]:
-        news = list(self.play.news)
-        self.play.news.clear()
-        return news
+    def messages(self) -> tuple[str, ...]:
+        return self.play.messages.take()
 
     # -- what is kept -------------------------------------------------------------------------------
 

@@ -121,9 +121,7 @@ class BoundsScene(Scene):
         self.model.ask(coherent=False)
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.model.messages)
-        self.model.messages.clear()
-        return new
+        return self.model.messages.take()
 
     # -- what is shown ------------------------------------------------------------------------------
 

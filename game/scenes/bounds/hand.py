@@ -63,7 +63,7 @@ class Hand(Part):
         model, outlines = self.model, self.model.outlines
         model.board = board
         if board.told:
-            model.messages.append(board.told)
+            model.messages.say(board.told)
         if board.outlines is not outlines:
             self.walk.stay_within()
             model.ask(model.coherent)

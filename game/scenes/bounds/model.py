@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from game.scenes.shared.outlines.level import FARTHEST, OutlinesContent, array_o
 from game.scenes.shared.outlines.outline import Outline
 from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import Part
+from game.stage.messages import Messages
 
 Array = NDArray[np.float64]
 GOLDEN = 0.5 * (1.0 + math.sqrt(5.0))  # of the two parts of the sway, so that it does not repeat soon
@@ -39,7 +39,7 @@ class BoundsModel(Part):
         self.content, self.second_kind = content, second_kind
         self.board = Board(tuple(outline_of(entry) for entry in content.outlines))
         self.clock = np.zeros(1)
-        self.messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self.packed = PackedShapes()
         self.watch, self.build_watch = Stopwatch(), Stopwatch(first=0)
         self.build_trees()
@@ -95,7 +95,7 @@ class BoundsModel(Part):
             self.ask_beside()
         except LimitError:
             self.parameters.compare = False
-            self.messages.append("The other trees overlap too often to be counted beside: switched off.")
+            self.messages.say("The other trees overlap too often to be counted beside: switched off.")
 
     def ask_beside(self) -> None:
         """Ask the other trees, unless they have been; LimitError if they overlap too often to be kept."""

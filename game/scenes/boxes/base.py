@@ -107,9 +107,7 @@ class BoxesScene(Scene):
         return not isinstance(event, Pointer) and max(len(self.model.boxes), after) > MANY
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.model.messages)
-        self.model.messages.clear()
-        return new
+        return self.model.messages.take()
 
     # -- what is shown ------------------------------------------------------------------------------
 

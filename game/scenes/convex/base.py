@@ -98,9 +98,7 @@ class ConvexPairScene(Scene):
         self.model.query(fresh=COHERENCE not in self.active)
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.model.messages)
-        self.model.messages.clear()
-        return new
+        return self.model.messages.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 

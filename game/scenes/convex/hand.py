@@ -54,15 +54,15 @@ class Hand(Part):
         """Pass on what the editor says, name a refusal, and measure again if something has changed."""
         model, board = self.model, self.model.board
         if board.told:
-            model.messages.append(board.told)
+            model.messages.say(board.told)
         if board.outlines == before.outlines and bool(board.held) == bool(before.held):
             return
         for k in range(len(board.outlines)):
             refused = model.refusal(k)
             if refused is not None and not board.held:
                 words = f"{'AB'[k]} is not convex at corner {refused.vertex}. Press H to take its hull."
-                if words not in model.messages:
-                    model.messages.append(words)
+                if words not in model.messages.unread:
+                    model.messages.say(words)
         model.query()
 
     def _accept_hulls(self) -> None:
@@ -75,7 +75,7 @@ class Hand(Part):
                 corners = tuple((x, y) for x, y in refused.hull.vertices.tolist())
                 outlines[k] = Outline(corners, True, outline.position, outline.angle)
         if tuple(outlines) == model.board.outlines:
-            model.messages.append(ALL_CONVEX)
+            model.messages.say(ALL_CONVEX)
             return
         model.board = with_outlines(model.board, tuple(outlines))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from typing import Any
 
@@ -31,6 +30,7 @@ from game.stage import (
     StageEvent,
     Strip,
 )
+from game.stage.messages import Messages
 
 MANY_PLACES = 200_000
 
@@ -118,7 +118,7 @@ class Fountain(Scene):
         self.model = FountainModel(content, self.parameters, self.active, self.seed)
         self.hand = FountainHand(self.model)
         self.view = FountainView(self.model)
-        self.unread: deque[str] = deque(maxlen=8)
+        self.said = Messages()
         captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def takes_long(self, event: StageEvent | None) -> bool:
@@ -145,12 +145,10 @@ class Fountain(Scene):
     def advance(self, dt: float) -> None:
         if self.model.advance(dt, self.hand.stone, self.hand.target):
             capacity = self.model.system.capacity
-            self.unread.append(f"The pool of {capacity} is full: further births are dropped and counted.")
+            self.said.say(f"The pool of {capacity} is full: further births are dropped and counted.")
 
     def pointer(self, event: Pointer) -> None:
-        words = self.hand.take(event)
-        if words:
-            self.unread.append(words)
+        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name == "emit":
@@ -159,9 +157,7 @@ class Fountain(Scene):
             self.model.system.clear()
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.unread)
-        self.unread.clear()
-        return new
+        return self.said.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from typing import Any, NamedTuple
 
 import msgspec
@@ -11,6 +10,7 @@ from game.physics.animation import EASINGS
 from game.scenes.key_frames import editing
 from game.scenes.key_frames.level import Motion
 from game.scenes.key_frames.parameters import OWN, SHAPING, KeyFrameParameters
+from game.stage.messages import Messages
 from game.stage.part import Part
 
 MOST_UNDO = 200
@@ -40,7 +40,7 @@ class Document(Part):
         self.held: tuple[str, int] = NOTHING
         self.chosen = -1
         self.shaped = self.shaping()
-        self._messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self._reason = ""  # told last, why a parameter does nothing
 
     def shaping(self) -> tuple[Any, ...]:
@@ -51,7 +51,7 @@ class Document(Part):
 
     def tell(self, words: str) -> None:
         """Something worth telling the user."""
-        self._messages.append(words)
+        self.messages.say(words)
 
     def refuse(self, error: ValueError) -> None:
         """Tell why an edit cannot be."""
@@ -66,12 +66,6 @@ class Document(Part):
     def forget_reason(self) -> None:
         """From now on a reason may be told again."""
         self._reason = ""
-
-    def take_messages(self) -> tuple[str, ...]:
-        """What is new since the last call."""
-        new = tuple(self._messages)
-        self._messages.clear()
-        return new
 
     # -- edits --------------------------------------------------------------------------------------
 

@@ -157,7 +157,7 @@ class KeyFraming(Scene):
         return range_of_slider(name, self.model.motion.view)
 
     def messages(self) -> Sequence[str]:
-        return self.model.document.take_messages()
+        return self.model.document.messages.take()
 
     # -- remembering --------------------------------------------------------------------------------
 

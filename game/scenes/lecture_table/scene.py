@@ -143,8 +143,8 @@ class LectureTable(Scene):
     def readouts(self) -> tuple[Readout, ...]:
         return readouts_of(self.model)
 
-    def messages(self) -> list[str]:
-        return self.turns.take_messages()
+    def messages(self) -> tuple[str, ...]:
+        return self.turns.messages.take()
 
     def hearing(self) -> Hearing:
         return hearing_of(self.model, self.cue.speed)

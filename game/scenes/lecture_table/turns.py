@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 
 from game.scenes.lecture_table.level import LectureTableContent
 from game.scenes.lecture_table.model import LectureTableModel
 from game.scenes.shared.tables.cue import AIMING, STRIKING, CueControl
 from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.stage import Part
+from game.stage.messages import Messages
 
 TURN_ENDS_S = 0.4  # s of rest before the turn is over
 NEXT_STROKE_S = 1.2  # s of rest before the table's own next stroke
@@ -31,18 +31,12 @@ class Turns(Part):
         self.down_before = 0
         self.rest_s = 0.0
         self.turn_open = False
-        self.messages: deque[str] = deque(maxlen=8)
-
-    def take_messages(self) -> list[str]:
-        """What there is to be said since the last call."""
-        said = list(self.messages)
-        self.messages.clear()
-        return said
+        self.messages = Messages()
 
     def take_over(self) -> None:
         """A person takes the cue of a table that plays itself."""
         self.plays_itself = False
-        self.messages.append("The cue is yours: pull back and let go.")
+        self.messages.say("The cue is yours: pull back and let go.")
 
     def advance(self, dt: float) -> bool:
         """After a step: the turn ends, or the table strikes; True if it is time for a new rack."""
@@ -66,12 +60,12 @@ class Turns(Part):
         down = model.balls_down
         if model.has_cue_ball and not model.table.state.in_play[0]:
             model.put_back_cue_ball()
-            self.messages.append("The cue ball comes back to the head spot.")
+            self.messages.say("The cue ball comes back to the head spot.")
             self.player = 1 - self.player
         elif down == self.down_before:
             self.player = 1 - self.player
         if down and down == len(model.numbers) - 1 and len(model.numbers) > 2:
-            self.messages.append(f"The table is empty after {model.strokes} strokes.")
+            self.messages.say(f"The table is empty after {model.strokes} strokes.")
         self.down_before = down
 
     def _play_by_itself(self) -> None:

@@ -33,7 +33,7 @@ class Edits(Part):
         """Add a sphere (a row of a design), if there is space."""
         count = len(self.model.bodies.design)
         if count >= MOST_SPHERES:
-            self.model.messages.append(f"There can be {MOST_SPHERES} spheres at most.")
+            self.model.messages.say(f"There can be {MOST_SPHERES} spheres at most.")
             return
         self._do(Edit(True, count, row))
 
@@ -41,7 +41,7 @@ class Edits(Part):
         """Remove a sphere; the last one stays."""
         design = self.model.bodies.design
         if len(design) == 1:
-            self.model.messages.append("The last sphere stays.")
+            self.model.messages.say("The last sphere stays.")
             return
         self._do(Edit(False, index, tuple(design[index].tolist())))
 

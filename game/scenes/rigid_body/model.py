@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -18,6 +17,7 @@ from game.scenes.rigid_body.level import RigidContent, design_of
 from game.scenes.rigid_body.panes import Panes
 from game.scenes.rigid_body.parameters import LABELS, SHOWN_ONLY, RigidBodyParameters
 from game.stage import Part
+from game.stage.messages import Messages
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -48,7 +48,7 @@ class RigidModel(Part):
 
     def __init__(self, content: RigidContent, parameters: RigidBodyParameters, active: EffectSet):
         self.content, self.parameters, self.active = content, parameters, active
-        self.messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self.push: Push | None = None
         self.steps = 0
         self.trail = np.zeros((2, TRAIL, 3))
@@ -102,7 +102,7 @@ class RigidModel(Part):
         self._note()
         first = flips == 0.0 < self.bodies.accounts[A, FLIPS] and body.bounces == bounces
         if first and body.is_free and is_about_middle_axis(body):
-            self.messages.append("The body has turned over, with no torque on it.")
+            self.messages.say("The body has turned over, with no torque on it.")
 
     def _force_and_arm(self, dt: float, held: Pull | None) -> Sequence[float] | None:
         """Force and arm (6) of this step; of a push that ends within it, the share that is left."""

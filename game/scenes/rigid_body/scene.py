@@ -152,9 +152,7 @@ class RigidBodyScene(Scene):
             self.parameters.tool = name
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.model.messages)
-        self.model.messages.clear()
-        return new
+        return self.model.messages.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 

@@ -108,7 +108,7 @@ class FigureScene(Scene):
         return (*MAKING[tool], *self.hints[1:])
 
     def messages(self) -> Sequence[str]:
-        return self.model.take_messages()
+        return self.model.messages.take()
 
     def save_content(self) -> FigureContent:
         return self.model.save_content()

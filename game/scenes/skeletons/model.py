@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from typing import Any, NamedTuple
 
 import msgspec
@@ -16,6 +15,7 @@ from game.scenes.skeletons import bench as skeleton_bench
 from game.scenes.skeletons.level import FigureContent
 from game.scenes.skeletons.parameters import FigureParameters
 from game.scenes.skeletons.rig import Rig, WeightRules
+from game.stage.messages import Messages
 from game.stage.part import Part
 
 Array = NDArray[np.float64]
@@ -35,7 +35,7 @@ class FigureModel(Part):
         self.bench = skeleton_bench.Bench(content)
         self.time = 0.0
         self.watch = Stopwatch()
-        self._messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self._written: tuple[FigureContent, NDArray[np.uint8]] = (content, UNCHANGED)
         self.make_rig(content)
         self.take_pose(self.rig.start)
@@ -71,7 +71,7 @@ class FigureModel(Part):
         if pose is not None:
             self.take_pose(pose)
         if bench.message:
-            self._messages.append(bench.message)
+            self.messages.say(bench.message)
 
     def figure_changed(self) -> None:
         """What a subclass does after an edit."""
@@ -102,12 +102,6 @@ class FigureModel(Part):
     def clear_hand(self) -> None:
         """What was being drawn, picked or held is given up."""
         self.bench = msgspec.structs.replace(self.bench, drawn=(), picked=NOWHERE, held="")
-
-    def take_messages(self) -> tuple[str, ...]:
-        """What is new since the last call."""
-        new = tuple(self._messages)
-        self._messages.clear()
-        return new
 
     # -- remembering --------------------------------------------------------------------------------
 

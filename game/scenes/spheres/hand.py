@@ -76,7 +76,7 @@ class Hand(Part):
         """The drawn force begins to act."""
         model = self.model
         if PUSHES not in model.active:
-            model.messages.append("Pushes are switched off.")
+            model.messages.say("Pushes are switched off.")
             return
         strength = model.parameters.push_strength
         start_x, start_y, _ = point_of(model.world.bodies, pressed.body, pressed.place).tolist()

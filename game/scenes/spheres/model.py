@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from game.scenes.spheres.layout import bodies_of, layout_of, tables_of
 from game.scenes.spheres.level import MOST_SPHERES, CollisionContent
 from game.scenes.spheres.parameters import NOT_SETTINGS, TABLE_PARAMETERS, CollisionParameters
 from game.stage import Frame, ParameterError, Part
+from game.stage.messages import Messages
 
 MOST_EXACT = 2_000  # impacts in a step of the event-driven run
 CELL = 1.15  # times the largest diameter: edge of the grid's cells
@@ -38,7 +38,7 @@ class CollisionModel(Part):
         self, content: CollisionContent, parameters: CollisionParameters, active: EffectSet, seed: int
     ):
         self.content, self.parameters, self.active = content, parameters, active
-        self.messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self.pushes: list[pushes.Push] = []
         self.exact: SmoothSpheres | None = None
         layout = layout_of(content, seed)
@@ -138,7 +138,7 @@ class CollisionModel(Part):
         """The exact run is no run of these spheres any more."""
         if self.exact is not None:
             self.exact = None
-            self.messages.append(f"The exact run ends here: {why}.")
+            self.messages.say(f"The exact run ends here: {why}.")
 
     # -- a step, and what comes from outside --------------------------------------------------------
 
@@ -163,10 +163,10 @@ class CollisionModel(Part):
         """A new sphere, as a body of its own; no nearer to the walls than its radius (m)."""
         bodies, view, radius = self.world.bodies, self.content.view, self.parameters.radius
         if len(bodies.composition.radii) >= MOST_SPHERES:
-            self.messages.append(f"There can be {MOST_SPHERES} spheres at most.")
+            self.messages.say(f"There can be {MOST_SPHERES} spheres at most.")
             return
         if 2.0 * radius > min(view.right - view.left, view.top - view.bottom):
-            self.messages.append("The window is too small for such a sphere.")
+            self.messages.say("The window is too small for such a sphere.")
             return
         x = min(max(x, view.left + radius), view.right - radius)
         y = min(max(y, view.bottom + radius), view.top - radius)
@@ -181,7 +181,7 @@ class CollisionModel(Part):
         """Remove a sphere and all that are joined to it; False if it is of the last body, which stays."""
         bodies = self.world.bodies
         if bodies.count == 1:
-            self.messages.append("The last body stays.")
+            self.messages.say("The last body stays.")
             return False
         gone = int(bodies.composition.owners[sphere])
         self.pushes = pushes.without_body(self.pushes, gone)

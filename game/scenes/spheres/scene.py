@@ -159,9 +159,7 @@ class SphereCollisions(Scene):
         self.hand.forget()
 
     def messages(self) -> Sequence[str]:
-        new = tuple(self.model.messages)
-        self.model.messages.clear()
-        return new
+        return self.model.messages.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 

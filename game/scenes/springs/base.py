@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
@@ -19,6 +18,7 @@ from game.scenes.springs.readouts import readouts
 from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.stage.messages import Messages
 
 
 class MassSpringScene(Scene):
@@ -65,7 +65,7 @@ class MassSpringScene(Scene):
         self.model = SpringModel(content, self.parameters, self.link_law(), self.active)
         self.hand = SpringHand(self.model)
         self.view = SpringView(self.model, self.hand)
-        self.unread: deque[str] = deque(maxlen=8)
+        self.said = Messages()
         captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
@@ -92,26 +92,20 @@ class MassSpringScene(Scene):
 
     def advance(self, dt: float) -> None:
         if self.model.advance(dt):
-            self.unread.append("A link is torn.")
+            self.said.say("A link is torn.")
 
     def pointer(self, event: Pointer) -> None:
-        self._say(self.hand.take(event))
+        self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name == "delete":
-            self._say(self.hand.delete())
+            self.said.say(self.hand.delete())
         else:
             self.parameters.tool = name
             self.hand.begin_again()
 
-    def _say(self, words: str) -> None:
-        if words:
-            self.unread.append(words)
-
     def messages(self) -> Sequence[str]:
-        new = tuple(self.unread)
-        self.unread.clear()
-        return new
+        return self.said.take()
 
     # -- what there is to see -----------------------------------------------------------------------
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 
 import msgspec
 
@@ -12,6 +11,7 @@ from game.scenes.shared.tables.demo_shots import choose_stroke
 from game.scenes.three_tables.model import ThreeTablesModel
 from game.scenes.three_tables.places import EXACT, ORIGINS, table_at
 from game.stage import Part, Pointer
+from game.stage.messages import Messages
 
 NEXT_STROKE_S = 1.5  # s between the end of a shot and the next stroke that the table plays itself
 
@@ -25,7 +25,7 @@ class ThreeTablesHand(Part):
         self.grasped = EXACT
         self.plays_itself = plays_itself
         self.seed = seed
-        self.messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
 
     def advance(self, dt: float) -> None:
         """Move the cue; it strikes when it reaches the ball."""
@@ -45,7 +45,7 @@ class ThreeTablesHand(Part):
         """What a pointer event does to the cue; a table that plays itself is taken over by a press."""
         if event.kind == "down" and event.button == 1 and self.plays_itself:
             self.plays_itself = False
-            self.messages.append("The cue is yours: pull back and let go.")
+            self.messages.say("The cue is yours: pull back and let go.")
         if self.plays_itself:
             return
         if self.cue.phase == AIMING:
@@ -62,9 +62,3 @@ class ThreeTablesHand(Part):
             self.cue.let_go()
         else:
             self.cue.nudge(name)
-
-    def take_messages(self) -> list[str]:
-        """What there is to be said since the last call."""
-        said = list(self.messages)
-        self.messages.clear()
-        return said

@@ -119,5 +119,5 @@ class ThreeTables(Scene):
     def readouts(self) -> tuple[Readout, ...]:
         return readouts_of(self.model)
 
-    def messages(self) -> list[str]:
-        return self.hand.take_messages()
+    def messages(self) -> tuple[str, ...]:
+        return self.hand.messages.take()

@@ -351,7 +351,7 @@ def test_the_exact_run_ends_with_its_gravity(event):
     wait(stage, 1.0)
     stage.post(event)
     stage.run(2)
-    assert stage.scene.model.exact is None and "exact run ends" in stage.scene.model.messages[-1]
+    assert stage.scene.model.exact is None and "exact run ends" in stage.scene.model.messages.unread[-1]
     later = stage.digest()
     assert stage.step_back() and stage.step_back()
     stage.run(2)

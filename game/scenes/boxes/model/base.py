@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 from typing import ClassVar
 
 import numpy as np
@@ -19,6 +18,7 @@ from game.scenes.boxes.model.arrays import LOWER, UPPER, Array, BoxArrays, Boxes
 from game.scenes.boxes.parameters import BoxesParameters
 from game.scenes.shared.stopwatch import Stopwatch
 from game.stage import Param, Part
+from game.stage.messages import Messages
 
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
 NO_BOX = -1
@@ -40,7 +40,7 @@ class BoxesModel(Part):
         self.begun = self.ended = 0
         self.held = self.chosen = NO_BOX
         self.held_velocity: tuple[float, ...] = (0.0, 0.0)
-        self.messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self.watch = Stopwatch()
 
     def begin(self, content: BoxesContent) -> None:
@@ -255,7 +255,7 @@ class BoxesModel(Part):
     def add_one(self, lower: Array, upper: Array) -> None:
         """Add a box that goes in a random direction, and pair it up; a message if there are too many."""
         if len(self.boxes) >= self.most:
-            self.messages.append(f"{self.most} boxes are the most.")
+            self.messages.say(f"{self.most} boxes are the most.")
             return
         random = np.random.default_rng((self.seed, self.steps, 3, len(self.boxes)))
         angle = 2.0 * math.pi * random.random()

@@ -110,7 +110,7 @@ class RaceModel(BoxesModel):
     def parameter_changed(self, name: str) -> None:
         super().parameter_changed(name)
         if name in self.shaping and not self.parameters.chosen():
-            self.messages.append("All are left out. Hierarchical grids stay: one must know the pairs.")
+            self.messages.say("All are left out. Hierarchical grids stay: one must know the pairs.")
 
 
 def _phase(name: str, cell: float) -> BroadPhase:

@@ -53,7 +53,7 @@ class SweepAndPruneModel(ComparedModel):
         rows = len(self.boxes) + len(lowers)
         if self.sap.manager.greatest < rows - 1:
             if rows > MOST_IN_MATRIX:
-                self.messages.append(f"Above {MOST_IN_MATRIX} boxes the pairs are kept in a hash table.")
+                self.messages.say(f"Above {MOST_IN_MATRIX} boxes the pairs are kept in a hash table.")
             self.sap.use_manager(manager_for(rows, self.parameters.manager))
         return super().add(lowers, uppers, velocities)
 

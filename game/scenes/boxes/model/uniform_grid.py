@@ -40,7 +40,7 @@ class UniformGridModel(BoxesModel):
         if old is None:
             return
         if self.matrix is None:
-            self.messages.append(f"Above {MOST_IN_MATRIX} boxes the full matrix is left out.")
+            self.messages.say(f"Above {MOST_IN_MATRIX} boxes the full matrix is left out.")
         else:
             self.matrix.set_pairs(old.pairs())
             self.matrix.take_events()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from game.scenes.convex.model.polygons import KeptPolygons, drifted, is_coin
 from game.scenes.convex.parameters import PairParameters
 from game.scenes.shared.outlines.board import places_of, with_places
 from game.stage import Part
+from game.stage.messages import Messages
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ class PairModel(Part):
         self.begun = self.features.copy()
         self.answer = np.zeros(8)
         self.counts = np.zeros(2, dtype=np.int64)
-        self.messages: deque[str] = deque(maxlen=8)
+        self.messages = Messages()
         self.polygons = KeptPolygons(content.scale, content.origin)
         self.query(fresh=True)
 
