@@ -16,6 +16,7 @@ from game.physics.broadphase.sweep_and_prune import MOST_SWAPS
 from game.physics.broadphase.workloads import make_boxes
 from game.physics.kernels.limits import LimitError
 from game.physics.particles import OBSTACLES, contacts
+from game.physics.particles.effects import PARTICLES
 from game.physics.particles.flight import METHODS
 from game.scenes import CATALOGUE
 from game.scenes.bounds import pair as bounds_pair
@@ -47,9 +48,9 @@ class TestStonesInEachOther:
         monkeypatch.setattr(contacts, "surface", counted)
         monkeypatch.setattr(contacts, "fly_alone", lambda *a: a[3:7])
         monkeypatch.setattr(contacts, "acceleration", lambda *a: (0.0, 0.0))
-        rules = contacts.Rules(mode, METHODS.index("verlet"), OBSTACLES.mask, 0.0, 0.5, 0.01)
+        rules = contacts.Rules(mode, METHODS.index("verlet"), PARTICLES.mask(OBSTACLES), 0.0, 0.5, 0.01)
         impulses = np.zeros((len(solids), 2))
-        *_, lost = contacts.fly_among_solids(rules, None, solids, 0.0, 0.0, 0.0, 0.0, 0.0, 0.01, impulses)
+        *_, lost = contacts.fly_among_solids(rules, None, solids, (0.0, 0.0, 0.0, 0.0), 0.0, 0.01, impulses)
         return len(looks), lost
 
     @pytest.fixture

@@ -130,8 +130,8 @@ class PositionBasedDynamics:
         """Bring the numbers of links up to date with masses, settings and the length of a substep (s)."""
         settings, net = self.settings, self._net
         prepare_links(
-            self.inverse_masses, net.links, net.order, self.links.stiffness, self.links.compliance, self.torn,
-            MODELS.index(settings.model), settings.iterations, settings.relaxation, soft_step, net.link_rows,
+            self.inverse_masses, net, self.links.stiffness, self.links.compliance,
+            MODELS.index(settings.model), settings.iterations, settings.relaxation, soft_step,
         )  # fmt: skip
         if ATTACHMENTS in settings.effects:
             arms = arms_of(net.links, self.count)
