@@ -317,9 +317,9 @@ class TestC07:
         sap = SweepAndPrune()
         ids = sap.add_boxes([(0, 0), (2, 2)], [(1, 1), (3, 3)])
         for bad in ((math.nan, 0.0), (0.0, math.nan)):
-            with pytest.raises(ValueError, match="numbers are wanted"):
+            with pytest.raises(ValueError, match="expected numbers"):
                 sap.update_box(0, bad, (1, 1))
-            with pytest.raises(ValueError, match="numbers are wanted"):
+            with pytest.raises(ValueError, match="expected numbers"):
                 sap.update_boxes(ids, [(0, 0), (2, 2)], [(1, 1), bad])
         sap.check()
         assert sap.box(0)[0].tolist() == [0.0, 0.0]

@@ -7,7 +7,7 @@ from game.physics.effects import Room, declare_effect
 EASING = declare_effect("easing", "Easing", "The whole motion follows a timing curve.")
 CONSTANT_SPEED = declare_effect(
     "constant-speed",
-    "Even speed",
+    "Constant speed",
     "Time is spread by arc length: equal ways in equal times.",
 )
 SKINNING = declare_effect("skinning", "Skinning", "The skin follows the bones.")

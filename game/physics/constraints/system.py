@@ -144,7 +144,7 @@ class PositionBasedDynamics:
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless it is finite and above 0."""
         if not 0.0 < dt < math.inf:
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         settings = self.settings
         h = dt / settings.substeps
         if h != self.hand[4] > 0.0:

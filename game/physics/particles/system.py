@@ -72,9 +72,9 @@ class ParticleSystem(Pool, Settings):
             self, solids, effects, method, contact, life, forces, floor, floor_restitution, substeps
         )
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63:
-            raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
+            raise ValueError(f"seed = {seed!r}: expected a whole number, 0 or more")
         if isinstance(report_lines, bool) or not isinstance(report_lines, int) or report_lines < 0:
-            raise ValueError(f"report_lines = {report_lines!r}: a whole number, 0 or more, is wanted")
+            raise ValueError(f"report_lines = {report_lines!r}: expected a whole number, 0 or more")
         self.seed = seed
         self._clock = np.zeros(3)
         self._emitters = np.zeros((0, births.EMITTER_COLUMNS))
@@ -155,7 +155,7 @@ class ParticleSystem(Pool, Settings):
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless it is finite and above 0."""
         if not 0.0 < dt < math.inf:
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         origin, step, steps = self._clock.tolist()
         if dt != step:
             origin, step, steps = origin + steps * step, dt, 0.0

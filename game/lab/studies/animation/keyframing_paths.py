@@ -127,7 +127,7 @@ def spread_settings() -> list[Setting]:
 
 
 def present_spread(parameters: Mapping[str, Any]) -> Setting:
-    """The scene solves for even speed if it is to have it."""
+    """The scene solves for constant speed if it is to have it."""
     return Setting("newton" if parameters["constant-speed"] else "even", 1.0)
 
 
@@ -138,7 +138,7 @@ def spread_trial(setting: Setting) -> Spread:
 
 spread_study = Study(
     name="c01-speed",
-    title="Key-frames: even speed",
+    title="Key-frames: constant speed",
     error="distance along the path from equal ways",
     error_unit="m",
     counter="chords in the table",
@@ -156,7 +156,7 @@ spread_study = Study(
     expectation="A table of chords is of second order; Newton's method on the integral is exact at once.",
     order_over="counter",
     axes=Axes("cpu", "error"),
-    short="Even speed",
+    short="Constant speed",
     cost="CPU time for 200 ways",
 )
 
