@@ -139,5 +139,5 @@ def test_every_class_takes_one_effect_or_a_set_and_refuses_what_it_does_not_know
     for foreign in (HAIL, one | HAIL, "test-drag"):
         with pytest.raises(ValueError, match=r"^effects: .* nothing of test-drag, only of [^\n]+$"):
             make(foreign)
-    with pytest.raises(ValueError, match=r"^effects = 3: an effect or several"):
+    with pytest.raises(ValueError, match=r"^effects = 3: expected an effect or several"):
         make(3)
