@@ -134,7 +134,7 @@ def check_numbers(content: Any, content_type: Any, path: Path | None) -> None:
             if math.isnan(value):
                 raise LevelError(path, field, "NaN is no number")
             if math.isinf(value) and not _allows_infinity(info):
-                raise LevelError(path, field, "a finite number is wanted")
+                raise LevelError(path, field, "expected a finite number")
         elif isinstance(value, msgspec.Struct):
             known = _type_info(type(value))
             waiting += [

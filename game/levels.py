@@ -118,10 +118,10 @@ def parse_level(
     check_sizes(raw, path)
     file = convert(raw, _File, path, "")
     if file.scene != scene_name:
-        raise LevelError(path, "scene", f"is {file.scene!r}, but {scene_name!r} is wanted")
+        raise LevelError(path, "scene", f"expected {scene_name!r}, not {file.scene!r}")
     for name, value in file.parameters.items():
         if isinstance(value, float) and not math.isfinite(value):
-            raise LevelError(path, f"parameters.{name}", "a finite number is wanted")
+            raise LevelError(path, f"parameters.{name}", "expected a finite number")
     return Level(
         scene=file.scene,
         title=file.title,
@@ -168,14 +168,14 @@ def save_level(level: Level, path: Path | str) -> None:
 def level_files(scene_name: str) -> list[Path]:
     """Files of a scene's own levels: ``default.toml``, then the others, then the hard cases, each by name."""
     if not _SCENE_NAME.fullmatch(scene_name):
-        raise ValueError(f"scene name {scene_name!r}: letters a-z, digits and single hyphens are wanted")
+        raise ValueError(f"scene name {scene_name!r}: expected letters a-z, digits and single hyphens")
     return _sorted_levels(data_folder("levels") / scene_name)
 
 
 def user_level_files(scene_name: str) -> list[Path]:
     """Files of the levels that the user saved for a scene."""
     if not _SCENE_NAME.fullmatch(scene_name):
-        raise ValueError(f"scene name {scene_name!r}: letters a-z, digits and single hyphens are wanted")
+        raise ValueError(f"scene name {scene_name!r}: expected letters a-z, digits and single hyphens")
     return _sorted_levels(user_folder() / "levels" / scene_name)
 
 

@@ -81,7 +81,7 @@ def fit_exponent(rows: Sequence[Row]) -> float:
 def slope_of(study: Study, method: Method, rows: Sequence[Row]) -> float:
     """The slope that the study's picture tells of one method: order of the error, or exponent of the cost.
 
-    Where none is expected there is none: a cost may be a U, an error nought, or fall geometrically.
+    Where none is expected there is none: a cost may be a U, an error zero, or fall geometrically.
     """
     if method.order is None:
         return math.nan
@@ -110,8 +110,8 @@ def fitted(table: StudyTable, method: str) -> list[Row]:
 def cost_to_reach(rows: Sequence[Row], target: float, envelope: bool = False) -> float:
     """CPU seconds a simulated second from which on the error stays at or below the target; nan if never.
 
-    The dearest point that still misses the target and the next one are joined by a straight line in the
-    logarithms. With `envelope` only the upper envelope counts, so that a lucky point does not.
+    The most expensive point that still misses the target and the next one are joined by a straight line in
+    the logarithms. With `envelope` only the upper envelope counts, so that a lucky point does not.
     """
     points = [row for row in rows if not row.failed]
     if envelope:

@@ -59,7 +59,7 @@ def write_png(table: StudyTable, path: Path) -> Path:
 
 
 class Foot(NamedTuple):
-    """The lowest height of a picture, where errors stand that are rounding or nought, and its name.
+    """The lowest height of a picture, where errors stand that are rounding or zero, and its name.
 
     top: where failures stand that are beyond all measure.
     """

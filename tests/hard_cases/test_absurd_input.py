@@ -1,4 +1,4 @@
-"""HARD_CASES 0.3 as far as the stage is concerned: G-N1 to G-N5."""
+"""What is no number, negative, zero, huge or of another kind, as far as the stage is concerned."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NOT_FINITE = [math.nan, math.inf, -math.inf]
 
 
 class TestNotFinite:
-    """G-N1"""
+    """NaN and the infinities, at every way in."""
 
     @pytest.mark.parametrize("value", NOT_FINITE)
     def test_at_every_door(self, value: float) -> None:
@@ -44,7 +44,7 @@ class TestNotFinite:
 
 
 class TestNegativeAndZero:
-    """G-N2"""
+    """Numbers that have to be above zero."""
 
     @pytest.mark.parametrize("value", [0.0, -1.0])
     def test_lengths_of_a_step(self, value: float) -> None:
@@ -62,7 +62,7 @@ class TestNegativeAndZero:
 
 
 class TestWithinAStep:
-    """G-N3: see also tests/stage/test_faults.py"""
+    """What becomes not finite in the middle of a step; see also tests/stage/test_faults.py"""
 
     @pytest.mark.parametrize("value", NOT_FINITE)
     @pytest.mark.parametrize("field", ["position", "velocity"])
@@ -86,7 +86,7 @@ class TestWithinAStep:
 
 
 class TestExtremes:
-    """G-N4"""
+    """The largest and the smallest floats."""
 
     @pytest.mark.parametrize("x", [1e300, -1e300, 5e-324, 1e-300])
     def test_far_and_tiny_positions(self, x: float) -> None:
@@ -109,7 +109,7 @@ class TestExtremes:
 
 
 class TestKindsOfNumbers:
-    """G-N5"""
+    """Equal numbers of different types do the same."""
 
     def test_parameters(self) -> None:
         digests = set()

@@ -1,4 +1,4 @@
-"""HARD_CASES C08 and C09: what breaks fits, trees and queries of bounding volumes."""
+"""Bounding volumes: what breaks fits, trees and queries of bounding volumes."""
 
 from __future__ import annotations
 
@@ -224,7 +224,7 @@ def test_c09_h6_fits_without_radius_or_without_core():
 
 
 def test_absurd_sizes_end():
-    """G-N4: no exception but ValueError, nothing endless, nothing that is not finite."""
+    """Any numbers: no exception but ValueError, nothing endless, nothing that is not finite."""
     for scale in (1e-300, 1e-160, 1e-30, 1e30, 1e99):
         for kind in KINDS:
             tree = build_tree(scale * HEXAGON, kind, 1, closed=True)

@@ -317,9 +317,9 @@ class TestC07:
         sap = SweepAndPrune()
         ids = sap.add_boxes([(0, 0), (2, 2)], [(1, 1), (3, 3)])
         for bad in ((math.nan, 0.0), (0.0, math.nan)):
-            with pytest.raises(ValueError, match="numbers are wanted"):
+            with pytest.raises(ValueError, match="expected numbers"):
                 sap.update_box(0, bad, (1, 1))
-            with pytest.raises(ValueError, match="numbers are wanted"):
+            with pytest.raises(ValueError, match="expected numbers"):
                 sap.update_boxes(ids, [(0, 0), (2, 2)], [(1, 1), bad])
         sap.check()
         assert sap.box(0)[0].tolist() == [0.0, 0.0]
@@ -398,7 +398,7 @@ class TestC07:
                 phase.update_box(50, (5.0 - size, 5.0 - size), (5.0 + size, 5.0 + size))
             assert np.array_equal(sap.pairs(), naive.pairs())
             sap.check()
-        with pytest.raises(ValueError, match="must not be above"):
+        with pytest.raises(ValueError, match="not above"):
             sap.update_box(50, (5.0, 5.0), (4.0, 6.0))
 
     def test_h7_an_overlap_on_one_axis_alone_is_none(self):

@@ -47,7 +47,7 @@ def test_c14_h1_links_without_length(model, solver):
     run(apart, 1 / 60, 60)
     assert np.array_equal(apart.positions[0], apart.positions[1])
     assert apart.positions[0, 1] < -4.0
-    nought = PositionBasedDynamics(
+    zero = PositionBasedDynamics(
         [(0, 0), (3, 0)],
         [0, 1],
         [(0, 1)],
@@ -56,8 +56,8 @@ def test_c14_h1_links_without_length(model, solver):
         solver=solver,
         effects=LINKS | LINKS,
     )
-    run(nought, 1 / 60, 60)
-    assert np.linalg.norm(nought.positions[1]) < 1e-9
+    run(zero, 1 / 60, 60)
+    assert np.linalg.norm(zero.positions[1]) < 1e-9
 
 
 def test_c14_h2_nothing_can_move():

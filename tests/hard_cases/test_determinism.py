@@ -1,4 +1,4 @@
-"""HARD_CASES 0.4: the same level, seed and events give the same bits, G-D1 to G-D8, for every scene."""
+"""The same level, seed and events give the same bits, for every scene."""
 
 from __future__ import annotations
 
@@ -64,14 +64,14 @@ def small_kernels() -> list[Any]:
 @pytest.mark.parametrize("name", NAMES)
 class TestEveryScene:
     def test_run_twice(self, name: str) -> None:
-        """G-D1"""
+        """Twice from the same beginning."""
         scene = scene_named(name)
         first = play(Stage(scene), STEPS, scene.demo)
         assert play(Stage(scene), STEPS, scene.demo) == first
         assert len(set(first)) == STEPS
 
     def test_kept_at_half_time_and_gone_on_with(self, name: str, tmp_path: Path) -> None:
-        """G-D2"""
+        """A snapshot is all that the future depends on."""
         scene = scene_named(name)
         whole = play(Stage(scene), STEPS, scene.demo)
         stage = Stage(scene)
@@ -101,7 +101,7 @@ class TestEveryScene:
 
 
 def test_number_of_threads() -> None:
-    """G-D3"""
+    """However many threads numba may use."""
     code = f"""
 import json, sys
 sys.path.insert(0, {str(ROOT)!r})
@@ -128,7 +128,7 @@ print(json.dumps(found))
 
 
 class TestMachineCode:
-    """G-D6: products and sums are rounded one by one"""
+    """Products and sums are rounded one by one"""
 
     def test_products_are_rounded_before_they_are_added(self) -> None:
         @kernel
@@ -138,7 +138,7 @@ class TestMachineCode:
         assert product_and_sum(1.0 + 2.0**-30, 1.0 - 2.0**-30, -1.0) == 0.0
 
     def test_no_fused_instruction(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        """Compiled anew, as code from the disk cannot be looked at: the smaller kernels of the table."""
+        """Compiled again, as code from the disk cannot be looked at: the smaller kernels of the table."""
         if config.DISABLE_JIT:
             pytest.skip("there is no machine code without the compiler")
         Stage(scene_named("lecture-table")).run(2)
@@ -164,7 +164,7 @@ class TestMachineCode:
 
 
 def test_sorting_is_stable() -> None:
-    """G-D7: no argsort with ties in an order of its own"""
+    """No argsort with ties in an order of its own"""
     unstable = []
     for path in sorted(Path(game.__file__).parent.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -176,7 +176,7 @@ def test_sorting_is_stable() -> None:
 
 
 def test_golden_digests() -> None:
-    """G-D8: digests kept in the repository; CAROM_UPDATE_GOLDEN=1 writes them anew"""
+    """Digests kept in the repository; CAROM_UPDATE_GOLDEN=1 writes them again."""
     stage = Stage(BouncingBall)
     found = {}
     for step in (1, 60, 600):

@@ -1,4 +1,4 @@
-"""HARD_CASES 0.5: the fixed-step core, K-H1 to K-H8."""
+"""The fixed-step core: frames of any length, pauses, odd times and input between steps."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def steps_after_hitch(cost: float, max_steps: int, frames: int) -> tuple[list[in
 
 
 class TestRandomFrames:
-    """K-H1"""
+    """Frames of any length make as many steps as fit their sum."""
 
     @given(st.lists(st.floats(1e-6, 15 * DT), min_size=1, max_size=60))
     def test_whole_steps_of_the_total_time(self, frames: list[float]) -> None:
@@ -63,7 +63,7 @@ class TestRandomFrames:
 
 
 class TestHitch:
-    """K-H2: a frame of one second, and a step that costs 0.9 of its length"""
+    """A frame of one second, and a step that costs 0.9 of its length"""
 
     def test_without_a_clamp_the_backlog_drains_slowly(self) -> None:
         made, _ = steps_after_hitch(0.9, 10**6, 16)
@@ -77,7 +77,7 @@ class TestHitch:
 
 
 class TestSpiralOfDeath:
-    """K-H3: steps that cost more than their own length"""
+    """Steps that cost more than their own length"""
 
     @pytest.mark.parametrize(("cost", "expected"), [(1.1, [60, 66, 72, 79]), (2.0, [60, 120, 240, 480])])
     def test_without_a_clamp_it_asks_for_ever_more(self, cost: float, expected: list[int]) -> None:
@@ -100,7 +100,7 @@ class TestSpiralOfDeath:
 
 
 class TestOddTimes:
-    """K-H4"""
+    """Frames of no length, of negative length, and of none that is a number."""
 
     def test_no_time_no_step(self) -> None:
         clock = FixedStep(DT)
@@ -143,7 +143,7 @@ class TestOddTimes:
 
 
 class TestTransport:
-    """K-H5: pause, single steps, slow and fast motion change when a state is reached, never which"""
+    """Pause, single steps, slow and fast motion change when a state is reached, never which"""
 
     def states(self, stage: Stage, play) -> list[str]:
         seen = []
@@ -194,7 +194,7 @@ class TestTransport:
 
 
 class TestInterpolation:
-    """K-H6"""
+    """What is drawn lies between the last two states."""
 
     @given(st.lists(st.floats(0.0, 0.5), min_size=1, max_size=50))
     def test_alpha_is_in_zero_to_one(self, frames: list[float]) -> None:
@@ -261,7 +261,7 @@ class TestInterpolation:
 
 
 class TestTimeBase:
-    """K-H7"""
+    """Time is counted in steps, never added up."""
 
     def test_time_is_a_count_times_the_length(self) -> None:
         stage = Stage(BouncingBall, dt=DT, record=False, snapshot_bytes=0)
@@ -280,7 +280,7 @@ class TestTimeBase:
 
 
 class TestInput:
-    """K-H8: events belong to steps, so a replay at any frame rate comes to the same state"""
+    """Events belong to steps, so a replay at any frame rate comes to the same state"""
 
     events = (
         (0, SetParameter("gravity", 3.0)),

@@ -49,7 +49,7 @@ class TestStonesInEachOther:
         monkeypatch.setattr(contacts, "acceleration", lambda *a: (0.0, 0.0))
         rules = contacts.Rules(mode, METHODS.index("verlet"), PARTICLES.mask(OBSTACLES), 0.0, 0.5, 0.01)
         impulses = np.zeros((len(solids), 2))
-        *_, lost = contacts.fly_among_solids(rules, None, solids, 0.0, 0.0, 0.0, 0.0, 0.0, 0.01, impulses)
+        *_, lost = contacts.fly_among_solids(rules, None, solids, (0.0, 0.0, 0.0, 0.0), 0.0, 0.01, impulses)
         return len(looks), lost
 
     @pytest.fixture

@@ -85,7 +85,7 @@ def test_h3_the_dead_point_is_left_by_a_kick(method):
 
 @every
 def test_h3_straight_away_from_a_target_out_of_reach(method):
-    """The other dead point: the gradient is nought at the worst pose as well as at the best."""
+    """The other dead point: the gradient is zero at the worst pose as well as at the best."""
     skeleton = chain_skeleton([1.0, 0.8, 0.6])
     found = solve_ik(skeleton, (0, 2), (-3.0, 0.0), method, 1e-6, 5_000)
     assert found.error == pytest.approx(0.6, abs=1e-6)

@@ -46,7 +46,6 @@ def head_on(speed, start, dt, **declared):
     return balls.velocities[1, 1] > 0.5 * speed
 
 
-# H1
 @pytest.mark.parametrize("dt", [1 / 60, 1 / 240])
 def test_h1_tunnelling_begins_at_two_radii_a_step(dt):
     limit = 2.0 * R / dt
@@ -63,7 +62,6 @@ def test_h1_automatic_substeps_do_not_tunnel(order):
     assert all(head_on(speed, start, FRAME, order=order) for speed in (8.0, 40.0) for start in starts)
 
 
-# H2
 def share_of_hits_missed(speed, dt, shots, seed):
     """Shots with the impact parameter spread evenly over [0, 2 R] and random phase."""
     rng = np.random.default_rng(seed)
@@ -98,7 +96,6 @@ def test_h2_grazing_hits_are_missed_as_the_formula_says(speed, dt):
     assert abs(share_of_hits_missed(speed, dt, shots, seed=3) - expected) < bound
 
 
-# H3
 @pytest.mark.parametrize(("repositioning", "place"), [("exact", 0.906), ("mirror", 0.89), ("clamp", 0.97)])
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 def test_h3_overshoot_at_a_wall(repositioning, place, order):
@@ -134,7 +131,6 @@ def test_h3_several_walls_in_one_step(e, repositioning):
         assert balls.energy <= 0.5 * speed * speed * (1.0 + 64 * EPS)
 
 
-# H4
 @pytest.mark.parametrize("corner", [(0, 0), (0, 1), (1, 0), (1, 1)])
 def test_h4_corner_turns_both_parts_round(corner):
     sign = np.array([1.0 if side else -1.0 for side in corner])
@@ -146,7 +142,6 @@ def test_h4_corner_turns_both_parts_round(corner):
     assert np.abs(balls.positions[0] - expected).max() < 16 * EPS
 
 
-# H5
 def pressed_depth(**declared):
     """How far beyond the rail the centre of a ball gets that another presses on it at 5 m/s, in radii."""
     deepest = 0.0
@@ -166,7 +161,6 @@ def test_h5_ball_pressed_on_the_cushion():
     assert pressed_depth() < 1e-12
 
 
-# H6
 def rack_overlap_after(passes, order):
     """A rack pressed together by a tenth, left alone for one step: deepest overlap / 2 R."""
     positions = eight_ball_rack(Table.pool())[1:]
@@ -187,7 +181,6 @@ def test_h6_compressed_rack():
     assert rack_overlap_after(4, "joint") < 1e-12
 
 
-# H7
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 @pytest.mark.parametrize(("dt", "passes"), [(1 / 60, 1), (1 / 60, 20), (1 / 1000, 1), (1 / 4000, 4)])
 def test_h7_break_conserves_momentum_and_energy(order, dt, passes):
@@ -206,7 +199,6 @@ def test_h7_break_conserves_momentum_and_energy(order, dt, passes):
     assert (balls.velocities != 0.0).any(axis=1).sum() >= 10
 
 
-# H8
 def test_h8_one_ball_onto_two():
     a = math.pi / 6.0
     onto = 0.6 + np.array(
@@ -254,7 +246,6 @@ def test_h8_pair_after_pair_is_not_symmetric():
     assert np.abs(balls.state.offsets[image] - balls.state.offsets * [-1.0, 1.0]).max() > 0.1
 
 
-# H9
 def cradle(order, forwards, frames, n=5):
     y = 0.5 + 2.0 * R * np.arange(n)
     velocities = np.zeros((n, 2))
@@ -299,7 +290,6 @@ def test_h9_cradle_sends_off_the_last_ball(forwards):
     assert (np.abs(cradle("pairwise", forwards, 1) - expected).max() < 1e-12) == forwards
 
 
-# H10
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 @pytest.mark.parametrize("distance", [0.0, 2 * R, math.nextafter(2 * R, 1.0), R])
 def test_h10_no_impulse_without_approach(order, distance):
@@ -314,7 +304,6 @@ def test_h10_no_impulse_without_approach(order, distance):
     assert balls.deepest_overlap < 1e-12
 
 
-# H11
 @pytest.mark.parametrize(
     ("rate", "law", "distance"),
     [
@@ -347,7 +336,6 @@ def test_h11_friction_factor_and_frame_rate(rate, law, distance):
         )
 
 
-# H12
 def test_h12_minimum_speed():
     slow = math.nextafter(0.01, 0.0)
     balls = LectureTable(
@@ -366,7 +354,6 @@ def test_h12_minimum_speed():
     assert balls.velocities[1, 0] > 0.9  # what stopped is woken by a contact
 
 
-# H13
 @pytest.mark.parametrize("e", [0.0, 1.0])
 def test_h13_bounce_factor_at_its_ends(e):
     balls = table_with([[0.1, 1.0]], [[-3.0, 1.0]], bounce=e)
@@ -383,7 +370,6 @@ def test_h13_factors_that_would_feed_energy_are_refused(parameter, e):
         lecture_settings(**{parameter: e})
 
 
-# H14
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 @pytest.mark.parametrize("width", [2 * R, 1.9 * R])
 def test_h14_wedged_ball_does_not_jitter(order, width):

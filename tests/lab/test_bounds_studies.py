@@ -34,7 +34,7 @@ def test_the_search_for_a_box_is_of_first_order():
 
 
 def test_twice_the_tests_prove_half_the_gap_or_a_quarter():
-    """Expected order 1 for upright boxes, 2 for boxes on the curve; by degrees that is lost."""
+    """Expected order 1 for axis-aligned boxes, 2 for boxes on the curve; by degrees that is lost."""
     table = run_study(gap_study, repeats=1)
     assert fit_order(table.of("aabb"), over="counter") == pytest.approx(1.0, abs=0.15)
     exact = fit_order(table.of("obb-exact"), over="counter")

@@ -42,14 +42,14 @@ def study_of(name: str, number: int):
 @pytest.mark.parametrize(("name", "number"), CASES)
 def test_the_scene_accepts_the_setting_of_each_point(name: str, number: int):
     scene_type, study = study_of(name, number)
-    effects, knobs = scene_type.effects.names, scene_type.declared_parameters()
+    effects, known = scene_type.effects.names, scene_type.declared_parameters()
     without = set()
     for setting in study.settings():
         if not setting.scene:
             without.add(setting.method)
         for key, value in setting.scene.items():
-            assert key in knobs or key in effects, f"{study.name}: {name} knows no {key}"
-            event = SetParameter(key, value) if key in knobs else SetEffect(key, value)
+            assert key in known or key in effects, f"{study.name}: {name} knows no {key}"
+            event = SetParameter(key, value) if key in known else SetEffect(key, value)
             assert checked_event(event, scene_type) == event
     assert without == ELSEWHERE.get(study.name, set())
 

@@ -106,7 +106,9 @@ SCENARIOS = (
             f"overlap-{kind}", f"Crossings of two coasts of 1,024 segments, {title}", "query",
             partial(_overlap, kind), len(PLACES), SHAPELY,
         )
-        for kind, title in (("obb", "oriented boxes"), ("capsule", "capsules"), ("aabb", "upright boxes"))
+        for kind, title in (
+            ("obb", "oriented boxes"), ("capsule", "capsules"), ("aabb", "axis-aligned boxes"),
+        )
     ),
     Scenario(
         "distance", "Distance of two coasts, oriented boxes", "query", _distance,

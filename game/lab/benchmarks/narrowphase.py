@@ -87,6 +87,6 @@ SCENARIOS = tuple(
     )
     for corners in SIZES
     for method, title in (
-        ("gjk-cold", "GJK from anew"), ("gjk-warm", "GJK from the last answer"), ("vclip", "V-Clip")
+        ("gjk-cold", "GJK without a start"), ("gjk-warm", "GJK from the last answer"), ("vclip", "V-Clip")
     )
 )  # fmt: skip

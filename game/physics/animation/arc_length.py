@@ -206,11 +206,11 @@ def parameter_at(controls, breaks, table, way):
             high_place = middle
     i, k = low_place // PARTS, low_place % PARTS
     begin, low, high = k / PARTS, k / PARTS, (k + 1) / PARTS
-    wanted = way - table[low_place]
+    length = way - table[low_place]
     scale = polygon_length(controls, i)
-    u = low + (high - low) * wanted / (table[high_place] - table[low_place])
+    u = low + (high - low) * length / (table[high_place] - table[low_place])
     for _ in range(MOST_ROUNDS):
-        off = piece_length(controls, breaks, i, begin, u, scale) - wanted
+        off = piece_length(controls, breaks, i, begin, u, scale) - length
         if off > 0.0:
             high = u
         else:
@@ -276,5 +276,5 @@ class ArcLength:
 def _finite(name: str, numbers: ArrayLike) -> Array:
     array = np.ascontiguousarray(numbers, dtype=np.float64).reshape(np.shape(numbers))
     if not np.isfinite(array).all():
-        raise ValueError(f"{name}: finite numbers are wanted")
+        raise ValueError(f"{name}: expected finite numbers")
     return array

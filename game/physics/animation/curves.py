@@ -34,7 +34,7 @@ class CubicBezier(PiecewiseCubic):
     def split(self, u: float) -> tuple[CubicBezier, CubicBezier]:
         """The curve up to u and from there on, as two; ValueError unless 0 <= u <= 1."""
         if not 0.0 <= u <= 1.0:
-            raise ValueError(f"u = {u!r}: 0 to 1 is wanted")
+            raise ValueError(f"u = {u!r}: expected 0 to 1")
         rows = [self.points]
         while len(rows[-1]) > 1:
             rows.append((1.0 - u) * rows[-1][:-1] + u * rows[-1][1:])
@@ -51,9 +51,9 @@ class BezierPath(PiecewiseCubic):
     def __init__(self, knots: ArrayLike, handles: ArrayLike) -> None:
         places, offsets = np.array(knots, dtype=np.float64), np.array(handles, dtype=np.float64)
         if places.ndim != 2 or len(places) < 2:
-            raise ValueError(f"knots: two points or more are wanted, not {places.shape}")
+            raise ValueError(f"knots: expected two points or more, not {places.shape}")
         if offsets.shape != (len(places), 2, places.shape[1]):
-            raise ValueError(f"handles: two for each knot are wanted, not {offsets.shape}")
+            raise ValueError(f"handles: expected two for each knot, not {offsets.shape}")
         inner = (places[:-1], places[:-1] + offsets[:-1, 1], places[1:] + offsets[1:, 0], places[1:])
         super().__init__(np.stack(inner, axis=1))
         self.knots, self.handles = places, offsets
@@ -75,11 +75,11 @@ class CatmullRom(PiecewiseCubic):
     def __init__(self, points: ArrayLike, kind: str = "centripetal", closed: bool = False) -> None:
         places = np.array(points, dtype=np.float64)
         if places.ndim != 2 or len(places) < 2:
-            raise ValueError(f"points: two or more are wanted, not {places.shape}")
+            raise ValueError(f"points: expected two or more, not {places.shape}")
         if kind not in KINDS:
-            raise ValueError(f"kind: one of {', '.join(KINDS)} is wanted, not {kind!r}")
+            raise ValueError(f"kind: expected one of {', '.join(KINDS)}, not {kind!r}")
         if not np.isfinite(places).all():
-            raise ValueError("points: finite numbers are wanted")
+            raise ValueError("points: expected finite numbers")
         if closed:
             places = np.concatenate((places, places[:1]))
         steps = np.diff(places, axis=0)

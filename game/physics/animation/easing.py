@@ -93,11 +93,11 @@ class Easing:
     def __init__(self, handles: str | ArrayLike = "linear") -> None:
         if isinstance(handles, str):
             if handles not in EASINGS:
-                raise ValueError(f"easing: one of {', '.join(EASINGS)} is wanted, not {handles!r}")
+                raise ValueError(f"easing: expected one of {', '.join(EASINGS)}, not {handles!r}")
             handles = EASINGS[handles]
         four = np.array(handles, dtype=np.float64).reshape(-1)
         if four.shape != (4,) or not np.all(np.abs(four) <= 1e6):
-            raise ValueError("easing: four finite numbers x1, y1, x2, y2 are wanted")
+            raise ValueError("easing: expected four finite numbers x1, y1, x2, y2")
         if not (0.0 <= four[0] <= 1.0 and 0.0 <= four[2] <= 1.0):
             raise ValueError(f"easing: x1 and x2 must lie in 0 to 1, not {four[0]:g} and {four[2]:g}")
         self.handles: tuple[float, float, float, float] = tuple(four.tolist())  # type: ignore[assignment]
@@ -116,7 +116,7 @@ class Easing:
     def _eased(self, parts: ArrayLike, steep: bool) -> Array:
         at = np.ascontiguousarray(parts, dtype=np.float64).reshape(np.shape(parts))
         if not np.isfinite(at).all():
-            raise ValueError("parts: finite numbers are wanted")
+            raise ValueError("parts: expected finite numbers")
         out = np.empty(at.size)
         ease_all(*self.handles, steep, at.reshape(-1), out)
         return out.reshape(at.shape)

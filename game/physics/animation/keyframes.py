@@ -55,19 +55,17 @@ class Keyframes:
     ) -> None:
         instants, given = _checked("times", times, 1), np.asarray(values, dtype=np.float64)
         if len(instants) == 0:
-            raise ValueError("times: at least one key is wanted")
+            raise ValueError("times: expected at least one key")
         self.flat = given.ndim == 1  # one number a key: samples have no columns
         rows = _checked("values", given[:, None] if self.flat else given, 2)
         if len(rows) != len(instants) or rows.shape[1] == 0:
-            raise ValueError(
-                f"values: {len(instants)} rows of one number or more are wanted, not {rows.shape}"
-            )
+            raise ValueError(f"values: expected {len(instants)} rows of one number or more, not {rows.shape}")
         if interpolation not in INTERPOLATIONS:
             raise ValueError(
-                f"interpolation: one of {', '.join(INTERPOLATIONS)} is wanted, not {interpolation!r}"
+                f"interpolation: expected one of {', '.join(INTERPOLATIONS)}, not {interpolation!r}"
             )
         if not (np.isfinite(turn) and turn > 0.0):
-            raise ValueError(f"turn = {turn!r}: a positive number is wanted")
+            raise ValueError(f"turn = {turn!r}: expected a positive number")
         order = np.argsort(instants, kind="stable")
         self.interpolation = interpolation
         self.times, self.values = instants[order], rows[order]
@@ -79,12 +77,12 @@ class Keyframes:
 
     def _checked_handles(self, handles: ArrayLike | None, order: NDArray[np.int64]) -> Array | None:
         if (handles is None) == (self.interpolation == "bezier"):
-            raise ValueError('handles: wanted for "bezier", and for no other interpolation')
+            raise ValueError('handles: expected for "bezier", and for no other interpolation')
         if handles is None:
             return None
         offsets = _checked("handles", handles, 3)
         if offsets.shape != (len(self.times), 2, self.values.shape[1]):
-            raise ValueError(f"handles: two for each key are wanted, not {offsets.shape}")
+            raise ValueError(f"handles: expected two for each key, not {offsets.shape}")
         return offsets[order]
 
     def _build(self) -> None:
@@ -142,17 +140,17 @@ class Keyframes:
     def _sample(self, variant: int, times: ArrayLike, out: Array | None) -> Array:
         at = np.asarray(times, dtype=np.float64)
         if at.ndim > 1:
-            raise ValueError(f"times: one time or a row of them is wanted, not {at.shape}")
+            raise ValueError(f"times: expected one time or a row of them, not {at.shape}")
         m = self.values.shape[1]
         shape = at.shape if self.flat else (*at.shape, m)
         if out is None:
             out = np.empty(shape)
         elif out.shape != shape or out.dtype != np.float64 or not out.flags.c_contiguous:
-            raise ValueError(f"out: contiguous float64 of shape {shape} is wanted")
+            raise ValueError(f"out: expected contiguous float64 of shape {shape}")
         kernel = sampling.sampler(variant, m if m <= sampling.UNROLLED else 0)
         row = np.ascontiguousarray(at.reshape(-1))
         if kernel(*self._track, m, int(self.loop), row, out.reshape(-1)):
-            raise ValueError("times: finite times are wanted")
+            raise ValueError("times: expected finite times")
         return out
 
     # -- shape --------------------------------------------------------------------------------------
@@ -190,7 +188,7 @@ class Keyframes:
         ValueError for a rule that is none of RULES.
         """
         if rule not in RULES:
-            raise ValueError(f"rule: one of {', '.join(RULES)} is wanted, not {rule!r}")
+            raise ValueError(f"rule: expected one of {', '.join(RULES)}, not {rule!r}")
         known = {"angles": self.angles, "turn": self.turn, "loop": self.loop, "geometry": self.geometry}
         like = Keyframes(self.times, self.values, rule, **known)  # type: ignore[arg-type]
         handles = np.zeros((len(self.times), 2, self.values.shape[1]))
@@ -221,14 +219,14 @@ def _checked(name: str, numbers: ArrayLike, dimensions: int) -> Array:
     """Numbers as a float64 array of their own; ValueError unless finite, in range and of that many axes."""
     array = np.array(numbers, dtype=np.float64)
     if array.ndim != dimensions:
-        raise ValueError(f"{name}: an array of {dimensions} axes is wanted, not of shape {array.shape}")
+        raise ValueError(f"{name}: expected an array of {dimensions} axes, not of shape {array.shape}")
     if not np.all(np.abs(array) <= LARGEST):  # also false for what is not a number
-        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+        raise ValueError(f"{name}: expected finite numbers up to {LARGEST:g}")
     return array + 0.0
 
 
 def _columns(name: str, columns: Sequence[int], count: int) -> tuple[int, ...]:
     chosen = tuple(int(column) for column in columns)
     if any(not 0 <= column < count for column in chosen) or len(set(chosen)) != len(chosen):
-        raise ValueError(f"{name}: different columns below {count} are wanted, not {chosen}")
+        raise ValueError(f"{name}: expected different columns below {count}, not {chosen}")
     return chosen

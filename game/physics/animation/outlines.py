@@ -60,7 +60,7 @@ def rounded(outline: ArrayLike, spacing: float) -> Array:
     """
     points = checked_points(outline)
     if len(points) < 3 or not spacing > 0.0:
-        raise WeightError("outline: at least three points and a spacing above 0 m are wanted")
+        raise WeightError("outline: expected at least three points and a spacing above 0 m")
     along = np.roll(points, -1, 0) - points
     counts = np.clip(np.ceil(np.sqrt((along**2).sum(axis=1)) / spacing), 1.0, 1_000.0).astype(np.int64)
     segment = np.repeat(np.arange(len(points)), counts)
@@ -77,7 +77,7 @@ def points_inside(outline: ArrayLike, spacing: float) -> Array:
     """
     corners = checked_points(outline)
     if not 0.0 < spacing < math.inf:
-        raise WeightError(f"spacing: a finite number above 0 m is wanted, got {spacing!r}")
+        raise WeightError(f"spacing: expected a finite number above 0 m, got {spacing!r}")
     low, high = corners.min(axis=0), corners.max(axis=0)
     box = (high[0] - low[0]) * (high[1] - low[1])
     longest = float(max(high - low))  # of an outline without area the rows alone could be too many

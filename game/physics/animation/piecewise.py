@@ -62,9 +62,9 @@ class PiecewiseCubic:
     def __init__(self, controls: ArrayLike) -> None:
         array = np.array(controls, dtype=np.float64)
         if array.ndim != 3 or array.shape[1] != 4 or 0 in array.shape:
-            raise ValueError(f"control points: shape (pieces, 4, d) is wanted, not {array.shape}")
+            raise ValueError(f"control points: expected shape (pieces, 4, d), not {array.shape}")
         if not np.all(np.abs(array) <= LARGEST):
-            raise ValueError(f"control points: finite numbers up to {LARGEST:g} are wanted")
+            raise ValueError(f"control points: expected finite numbers up to {LARGEST:g}")
         self.controls = array + 0.0
 
     @property
@@ -127,7 +127,7 @@ class PiecewiseCubic:
         pieces that do not meet there is a line as well. ValueError unless tolerance > 0.
         """
         if not (np.isfinite(tolerance) and tolerance > 0.0):
-            raise ValueError(f"tolerance = {tolerance!r}: a positive number is wanted")
+            raise ValueError(f"tolerance = {tolerance!r}: expected a positive number")
         if how == "even":
             return self.point(even_parameters(self.controls, tolerance))
         return flatten_adaptively(self.controls, tolerance)[0]
@@ -152,7 +152,7 @@ class PiecewiseCubic:
         """Piece, u and 1 - u of each parameter; the end of the curve is that of its last piece."""
         at = np.asarray(parameters, dtype=np.float64)
         if not np.isfinite(at).all():
-            raise ValueError("parameters: finite numbers are wanted")
+            raise ValueError("parameters: expected finite numbers")
         at = np.clip(at, 0.0, float(self.pieces))
         piece = np.minimum(at.astype(np.int64), self.pieces - 1)
         u = at - piece

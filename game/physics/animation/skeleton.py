@@ -128,7 +128,7 @@ class Skeleton:
         """
         bone = self.bone(bone)
         if not abs(angle) <= LARGEST:
-            raise SkeletonError(f"angle: a finite number of rad is wanted, got {angle!r}")
+            raise SkeletonError(f"angle: expected a finite number of rad, got {angle!r}")
         low, high = (float(self.lower[bone]), float(self.upper[bone])) if limited else (-math.inf, math.inf)
         self.angles[bone] = min(max(angle, low), high)
         return self.update()
@@ -140,7 +140,7 @@ class Skeleton:
         """
         angles = np.ascontiguousarray(angles, np.float64)
         if angles.ndim != 2 or angles.shape[1] != self.count or not np.all(np.isfinite(angles)):
-            raise SkeletonError(f"angles: (frames, {self.count}) finite numbers are wanted")
+            raise SkeletonError(f"angles: expected (frames, {self.count}) finite numbers")
         worlds = np.empty((len(angles), self.count, 3, 3))
         place_bones_in_frames(self.order, self.parents, self.offsets, angles, worlds)
         return worlds
@@ -210,21 +210,21 @@ def checked_parents(parents: ArrayLike) -> Indices:
     """Parents as indices (n,); SkeletonError unless each is a bone or -1 and there is at least one bone."""
     given = np.asarray(parents)
     if given.ndim != 1 or given.size == 0 or given.dtype.kind not in "iuf":
-        raise SkeletonError("parents: a row of at least one whole number is wanted")
+        raise SkeletonError("parents: expected a row of at least one whole number")
     indices = given.astype(np.int64)
     if not np.array_equal(indices, given):
-        raise SkeletonError("parents: whole numbers are wanted")
+        raise SkeletonError("parents: expected whole numbers")
     if np.any(indices < NO_PARENT) or np.any(indices >= len(indices)):
-        raise SkeletonError(f"parents: indices from -1 to {len(indices) - 1} are wanted")
+        raise SkeletonError(f"parents: expected indices from -1 to {len(indices) - 1}")
     return indices
 
 
 def _checked(name: str, values: ArrayLike, shape: Sequence[int], least: float = -LARGEST) -> Array:
     array = np.array(values, dtype=np.float64, order="C")
     if array.shape != tuple(shape):
-        raise SkeletonError(f"{name}: shape {tuple(shape)} is wanted, got {array.shape}")
+        raise SkeletonError(f"{name}: expected shape {tuple(shape)}, got {array.shape}")
     if not np.all((array >= least) & (array <= LARGEST)):
-        raise SkeletonError(f"{name}: finite numbers from {least:g} to {LARGEST:g} are wanted")
+        raise SkeletonError(f"{name}: expected finite numbers from {least:g} to {LARGEST:g}")
     return array
 
 

@@ -148,7 +148,7 @@ def blend_skin(
         make_rotors(palette, rotors)
         skin_rotor(binding.points, binding.bones, binding.weights, rotors, skinned)
     else:
-        raise WeightError(f"blend {blend!r}: one of {', '.join(BLENDS)} is wanted")
+        raise WeightError(f"blend {blend!r}: expected one of {', '.join(BLENDS)}")
 
 
 def skin(

@@ -126,9 +126,9 @@ class Binding:
     def check(self) -> None:
         """Raise WeightError unless all weights are in order."""
         if self.weights.shape != self.bones.shape or len(self.weights) != len(self.points):
-            raise WeightError("weights: as many rows as points, and as many columns as bones, are wanted")
+            raise WeightError("weights: expected as many rows as points, and as many columns as bones")
         if not np.all((self.weights >= 0.0) & (self.weights <= 1.0)):
-            raise WeightError("weights: finite numbers from 0 to 1 are wanted")
+            raise WeightError("weights: expected finite numbers from 0 to 1")
         if np.any((self.bones < 0) | (self.bones >= len(self.inverse))):
             raise WeightError("weights: a bone that is not there")
         if len(self.weights) and np.abs(self.weights.sum(axis=1) - 1.0).max() > 1e-14:
@@ -150,9 +150,9 @@ def bind_weights(
     """
     points = checked_points(points)
     if not threshold > 0.0:
-        raise WeightError(f"threshold: more than 0 m is wanted, got {threshold!r}")
+        raise WeightError(f"threshold: expected more than 0 m, got {threshold!r}")
     if not 0.0 < falloff <= 64.0:
-        raise WeightError(f"falloff: more than 0, at most 64, is wanted, got {falloff!r}")
+        raise WeightError(f"falloff: expected more than 0, at most 64, got {falloff!r}")
     distances = distances_to_bones(points, skeleton.bases, skeleton.ends)
     weigh(distances, float(threshold), float(falloff), distances)
     return _kept(skeleton, points, distances, influences)
@@ -168,9 +168,9 @@ def bind_given(
     points = checked_points(points)
     given = np.array(weights, dtype=np.float64, order="C")
     if given.shape != (len(points), skeleton.count):
-        raise WeightError(f"weights: shape {(len(points), skeleton.count)} is wanted, got {given.shape}")
+        raise WeightError(f"weights: expected shape {(len(points), skeleton.count)}, got {given.shape}")
     if not np.all((given >= 0.0) & (given < math.inf)):
-        raise WeightError("weights: finite numbers, 0 or more, are wanted")
+        raise WeightError("weights: expected finite numbers, 0 or more")
     largest = given.max(axis=1, initial=0.0)
     if np.any(largest == 0.0):
         raise WeightError(f"weights: point {int(np.argmax(largest == 0.0))} has none")
@@ -181,9 +181,9 @@ def checked_points(points: ArrayLike) -> Array:
     """Points as (v, 2) m; WeightError unless they are finite and there is at least one."""
     array = np.array(points, dtype=np.float64, order="C")
     if array.ndim != 2 or array.shape[1] != 2 or len(array) == 0:
-        raise WeightError(f"points: shape (v, 2) with v > 0 is wanted, got {array.shape}")
+        raise WeightError(f"points: expected shape (v, 2) with v > 0, got {array.shape}")
     if not np.all(np.abs(array) <= 1e9):
-        raise WeightError("points: finite numbers up to 1e9 m are wanted")
+        raise WeightError("points: expected finite numbers up to 1e9 m")
     return array
 
 
@@ -191,7 +191,7 @@ def invert_frames(frames: ArrayLike) -> Array:
     """Inverses (n, 3, 3) of affine frames; WeightError naming a bone whose frame cannot be inverted."""
     frames = np.asarray(frames, dtype=np.float64)
     if frames.ndim != 3 or frames.shape[1:] != (3, 3) or not np.all(np.isfinite(frames)):
-        raise WeightError("frames: finite 3 x 3 matrices are wanted")
+        raise WeightError("frames: expected finite 3 x 3 matrices")
     a, b, c, d = frames[:, 0, 0], frames[:, 0, 1], frames[:, 1, 0], frames[:, 1, 1]
     determinant = a * d - b * c
     size = np.maximum(a * a + c * c, b * b + d * d)
@@ -208,7 +208,7 @@ def invert_frames(frames: ArrayLike) -> Array:
 
 def _kept(skeleton: Skeleton, points: Array, all_weights: Array, influences: int) -> Binding:
     if isinstance(influences, bool) or not int(influences) >= 1 or int(influences) != influences:
-        raise WeightError(f"influences: a whole number above 0 is wanted, got {influences!r}")
+        raise WeightError(f"influences: expected a whole number above 0, got {influences!r}")
     columns = min(int(influences), skeleton.count)
     bones = np.empty((len(points), columns), dtype=np.int32)
     weights = np.empty((len(points), columns))

@@ -168,7 +168,7 @@ def segment_distance(first: ArrayLike, second: ArrayLike) -> float:
     """
     a, b = as_points(first, "first"), as_points(second, "second")
     if a.shape != (2, 2) or b.shape != (2, 2):
-        raise ValueError("segments: two ends each are wanted, shape (2, 2)")
+        raise ValueError("segments: expected two ends each, shape (2, 2)")
     px, py, qx, qy = nearest_points(*a.ravel().tolist(), *b.ravel().tolist())
     return math.sqrt((qx - px) * (qx - px) + (qy - py) * (qy - py))
 
@@ -180,5 +180,5 @@ def do_segments_meet(first: ArrayLike, second: ArrayLike) -> bool:
     """
     a, b = as_points(first, "first"), as_points(second, "second")
     if a.shape != (2, 2) or b.shape != (2, 2):
-        raise ValueError("segments: two ends each are wanted, shape (2, 2)")
+        raise ValueError("segments: expected two ends each, shape (2, 2)")
     return bool(segments_meet(*a.ravel().tolist(), *b.ravel().tolist(), np.zeros(SCRATCH)))

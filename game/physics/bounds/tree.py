@@ -1,4 +1,4 @@
-"""Bounding-volume trees over polylines: boxes, capsules, and upright boxes to compare with."""
+"""Bounding-volume trees over polylines: boxes, capsules, and axis-aligned boxes to compare with."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ class BoundingTree:
     def turned(self, angle: float) -> BoundingTree:
         """The tree of the polyline turned about its origin by an angle, rad.
 
-        Boxes and capsules turn with it; upright boxes are built anew, as theirs have to stay upright.
+        Boxes and capsules turn with it; axis-aligned boxes are built again, as theirs have to stay upright.
         """
         c, s = math.cos(as_angle(angle, "angle")), math.sin(angle)
         turn = np.array([[c, s], [-s, c]])
@@ -147,7 +147,7 @@ def build_tree(
     step_degrees: float = 1.0,
     split: str = "half",
 ) -> BoundingTree:
-    """The tree of the segments of a polyline (k, 2) m, top down, every node fitted anew.
+    """The tree of the segments of a polyline (k, 2) m, top down, every node fitted again.
 
     kind: "obb", "capsule" or "aabb". leaf_size: most segments in a leaf. fit: "search" by angle steps,
     "refined" by golden section after that, "thinnest" (least breadth or radius), "exact" (least area: boxes
@@ -159,9 +159,9 @@ def build_tree(
     points = as_points(polyline, "polyline")
     for name, value, options in (("kind", kind, KINDS), ("fit", fit, FITS), ("split", split, SPLITS)):
         if value not in options:
-            raise ValueError(f"{name}: one of {', '.join(options)} is wanted, not {value!r}")
+            raise ValueError(f"{name}: expected one of {', '.join(options)}, not {value!r}")
     if isinstance(leaf_size, bool) or leaf_size != int(leaf_size) or leaf_size < 1:
-        raise ValueError(f"leaf_size: a whole number above 0 is wanted, not {leaf_size!r}")
+        raise ValueError(f"leaf_size: expected a whole number above 0, not {leaf_size!r}")
     step = as_step(step_degrees)
     following = np.roll(points, -1, axis=0)
     ends = np.hstack((points, following))

@@ -23,11 +23,11 @@ def as_points(values: ArrayLike, name: str = "points") -> Array:
     try:
         given = np.array(values, dtype=np.float64, order="C")
     except (TypeError, ValueError):
-        raise ValueError(f"{name}: an (n, 2) array of numbers is wanted") from None
+        raise ValueError(f"{name}: expected an (n, 2) array of numbers") from None
     if given.ndim != 2 or given.shape[1] != 2:
-        raise ValueError(f"{name}: shape (n, 2) is wanted, not {given.shape}")
+        raise ValueError(f"{name}: expected shape (n, 2), not {given.shape}")
     if not 1 <= len(given) <= MOST_POINTS:
-        raise ValueError(f"{name}: 1 to {MOST_POINTS} points are wanted, not {len(given)}")
+        raise ValueError(f"{name}: expected 1 to {MOST_POINTS} points, not {len(given)}")
     bad = ~(np.abs(given) <= LARGEST).all(axis=1)
     if bad.any():
         i = int(bad.argmax())
@@ -40,7 +40,7 @@ def as_step(step_degrees: float) -> float:
     """An angle step in degrees; ValueError unless above 0.001 and up to 90."""
     step = float(step_degrees)
     if not 1e-3 <= step <= 90.0:
-        raise ValueError(f"step_degrees: 0.001 to 90 is wanted, not {step_degrees!r}")
+        raise ValueError(f"step_degrees: expected 0.001 to 90, not {step_degrees!r}")
     return step
 
 
@@ -49,16 +49,16 @@ def as_vector(values: Any, name: str) -> tuple[float, float]:
     try:
         x, y = float(values[0]), float(values[1])
     except (TypeError, ValueError, IndexError):
-        raise ValueError(f"{name}: two numbers are wanted, not {values!r}") from None
+        raise ValueError(f"{name}: expected two numbers, not {values!r}") from None
     if len(values) != 2 or not (abs(x) <= LARGEST and abs(y) <= LARGEST):
-        raise ValueError(f"{name}: two numbers up to {LARGEST:g} m are wanted, not {values!r}")
+        raise ValueError(f"{name}: expected two numbers up to {LARGEST:g} m, not {values!r}")
     return x, y
 
 
 def as_angle(angle: float, name: str) -> float:
     """A finite angle, rad; ValueError, by this name, if it is not."""
     if not math.isfinite(angle):
-        raise ValueError(f"{name}: a finite angle is wanted, not {angle!r}")
+        raise ValueError(f"{name}: expected a finite angle, not {angle!r}")
     return float(angle)
 
 

@@ -172,7 +172,7 @@ class BroadPhase:
         """Ids (k,) of the boxes that hold a point (2,) m, ascending; ValueError if it is no finite point."""
         x, y = corner(point, "point")
         if not (np.isfinite(x) and np.isfinite(y)):
-            raise ValueError(f"point: finite numbers are wanted, not ({x}, {y})")
+            raise ValueError(f"point: expected finite numbers, not ({x}, {y})")
         return self._find_in_box(x, y, x, y)
 
     def partners(self, box: int) -> Ids:
@@ -243,9 +243,7 @@ class BroadPhase:
         x0, y0 = corner(lower, "lower")
         x1, y1 = corner(upper, "upper")
         if not (x0 <= x1 and y0 <= y1 and max(x0, y0) < np.inf and min(x1, y1) > -np.inf):
-            raise ValueError(
-                f"box: lower ({x0}, {y0}) must not be above upper ({x1}, {y1}), and numbers are wanted"
-            )
+            raise ValueError(f"box: expected numbers, and lower ({x0}, {y0}) not above upper ({x1}, {y1})")
         return x0, y0, x1, y1
 
     @staticmethod
@@ -258,7 +256,7 @@ class BroadPhase:
     @staticmethod
     def _why(index: int, low: Corners, high: Corners) -> str:
         a, b = tuple(low[index].tolist()), tuple(high[index].tolist())
-        return f"box {index}: lower {a} must not be above upper {b}, and numbers are wanted"
+        return f"box {index}: expected numbers, and lower {a} not above upper {b}"
 
     def _take_ids(self, count: int) -> list[int]:
         """The smallest free ids, ascending; arrays grow as needed."""
@@ -271,23 +269,23 @@ class BroadPhase:
 
     def _claim(self, ids: ArrayLike, count: int) -> Ids:
         """Take ids that the caller names."""
-        wanted = id_array(ids)
-        if len(wanted) != count:
-            raise ValueError(f"ids: {len(wanted)} ids for {count} boxes")
+        chosen = id_array(ids)
+        if len(chosen) != count:
+            raise ValueError(f"ids: {len(chosen)} ids for {count} boxes")
         if count == 0:
-            return wanted
-        if wanted.min() < 0 or wanted.max() >= MAX_BOXES or not all_differ(wanted):
-            raise ValueError(f"ids: distinct ids from 0 to {MAX_BOXES - 1} are wanted")
-        known = wanted[wanted < self.top]
+            return chosen
+        if chosen.min() < 0 or chosen.max() >= MAX_BOXES or not all_differ(chosen):
+            raise ValueError(f"ids: expected distinct ids from 0 to {MAX_BOXES - 1}")
+        known = chosen[chosen < self.top]
         used = known[self.alive[known] == 1]
         if len(used):
             raise ValueError(f"ids: {used[0]} is in use")
-        self._make_room(int(wanted.max()) + 1)
-        self.top = max(self.top, int(wanted.max()) + 1)
+        self._make_room(int(chosen.max()) + 1)
+        self.top = max(self.top, int(chosen.max()) + 1)
         unused = self.alive[: self.top] == 0
-        unused[wanted] = False
+        unused[chosen] = False
         self._free = np.flatnonzero(unused).tolist()  # ascending, so it is a heap
-        return wanted
+        return chosen
 
     def _make_room(self, needed: int) -> None:
         if needed > MAX_BOXES:

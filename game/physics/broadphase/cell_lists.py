@@ -1,6 +1,6 @@
 """Doubly linked lists of boxes, one for each cell: how single boxes enter, leave and change cells at once.
 
-Bulk calls do not keep the lists: they mark them stale, and the grid makes them anew when next it needs them.
+Bulk calls do not keep the lists: they mark them stale, and the grid makes them again when next it needs them.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def unlink_box(box, cells, heads, nexts, previous):
 
 @kernel(_nrt=False)
 def link_all(top, cells, heads, nexts, previous):
-    """Make all lists anew from ``cells``, -1 for ids not in use; within a cell ids ascend."""
+    """Make all lists again from ``cells``, -1 for ids not in use; within a cell ids ascend."""
     heads[:] = -1
     for box in range(top - 1, -1, -1):
         cell = cells[box]
@@ -86,7 +86,7 @@ class CellLists:
             unlink_box(box, self.cells, self.heads, self.nexts, self._previous)
 
     def make(self, cell_count: int, top: int) -> None:
-        """Make all lists anew from ``cells``, for ids below ``top``."""
+        """Make all lists again from ``cells``, for ids below ``top``."""
         if cell_count > len(self.heads):
             self.heads = np.full(2 * cell_count, -1, dtype=np.int32)
         link_all(top, self.cells, self.heads, self.nexts, self._previous)

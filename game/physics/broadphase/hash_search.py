@@ -28,7 +28,7 @@ RUN_COST, LOOK_COST = 6, 16
 
 @kernel(_nrt=False)
 def search_level(sorted_boxes, order, start, offset, mask, factor, keys, found, tests):
-    """All pairs within one level, as ``uniform_grid.search_near``: the same half of the neighbourhood.
+    """All pairs within one level, as `grid_search.search_near`: the same half of the neighbourhood.
 
     Adds pairs of places to ``keys`` from ``found`` on; returns how many there are then, or -1 if ``keys``
     is too short. ``tests``: (1,) added to.

@@ -99,7 +99,7 @@ class HierarchicalGrid(BroadPhase):
     def __init__(self, ratio: int = 2):
         super().__init__()
         if ratio not in (2, 4, 8, 16):
-            raise ValueError(f"ratio = {ratio!r}: 2, 4, 8 or 16 is wanted")
+            raise ValueError(f"ratio = {ratio!r}: expected 2, 4, 8 or 16")
         self.ratio = ratio
         self._step = int(ratio).bit_length() - 1
         self._scales = np.array([math.ldexp(1.0, -(level + LOWEST)) for level in range(TOP)] + [0.0])
@@ -185,7 +185,7 @@ class HierarchicalGrid(BroadPhase):
         self._lists.fresh = False
 
     def _put(self, box: int) -> None:
-        """Put a box into its list; where its table is full, all lists are left to be made anew."""
+        """Put a box into its list; where its table is full, all lists are left to be made again."""
         level = self.level(box)
         if self._list_layout[level, COUNT] > self._list_layout[level, MASK]:
             self._lists.fresh = False

@@ -184,9 +184,9 @@ class PairManager:
     def _pair(self, a: Any, b: Any) -> tuple[int, int]:
         for box in (a, b):
             if not isinstance(box, (int, np.integer)) or isinstance(box, bool):
-                raise ValueError(f"pair ({a!r}, {b!r}): two integers are wanted")
+                raise ValueError(f"pair ({a!r}, {b!r}): expected two integers")
             if not self.least <= box <= self.greatest:
-                raise ValueError(f"pair ({a}, {b}): ids from {self.least} to {self.greatest} are wanted")
+                raise ValueError(f"pair ({a}, {b}): expected ids from {self.least} to {self.greatest}")
         if a == b:
             raise ValueError(f"pair ({a}, {b}): a box makes no pair with itself")
         return (int(a), int(b)) if a < b else (int(b), int(a))
@@ -198,10 +198,10 @@ class PairManager:
             if given.size == 0:
                 return np.empty((0, 2), dtype=np.int64)
             if given.dtype.kind not in "iu":
-                raise ValueError(f"pairs: integers are wanted, not {given.dtype}")
+                raise ValueError(f"pairs: expected integers, not {given.dtype}")
             given = given.astype(np.int64)
         if given.ndim != 2 or given.shape[1] != 2:
-            raise ValueError(f"pairs: shape (m, 2) is wanted, not {given.shape}")
+            raise ValueError(f"pairs: expected shape (m, 2), not {given.shape}")
         bad = first_bad_pair(given, self.least, self.greatest)
         if bad >= 0:
             self._pair(*given[bad].tolist())
@@ -217,7 +217,7 @@ class MatrixPairs(PairManager):
 
     def __init__(self, capacity: int):
         if not isinstance(capacity, (int, np.integer)) or capacity < 2:
-            raise ValueError(f"capacity = {capacity!r}: an integer of at least 2 is wanted")
+            raise ValueError(f"capacity = {capacity!r}: expected an integer of at least 2")
         size = int(capacity) * (int(capacity) - 1) // 2
         if 4 * size > MAX_MATRIX_BYTES:
             raise ValueError(
@@ -261,7 +261,7 @@ class HashedPairs(PairManager):
         return tuple((home + i) & mask for i in range(((last - home) & mask) + 1))
 
     def make_room(self) -> None:
-        """Double list and table, and enter every pair anew."""
+        """Double list and table, and enter every pair again."""
         super().make_room()
         size = 2 * len(self.table.where)
         self.table.numbers[MASK] = size - 1

@@ -2,7 +2,7 @@
 
 Boxes that moved a little are put in order by few swaps, and a pair can only begin or end where two end
 points swap. So the cost follows the motion: nearly nothing for boxes at rest, n^2 for boxes that all jump.
-When the swaps of a step grow dearer than sorting anew, the rest is left: both axes are merge sorted and
+When the swaps of a step grow dearer than sorting again, the rest is left: both axes are merge sorted and
 one sweep along the axis with fewer overlaps finds all pairs. The step after such a one is sorted at once,
 without swaps being tried, until the swaps that this spares are few again.
 
@@ -39,7 +39,7 @@ from game.physics.broadphase.validation import Ids, Pairs, first_bad_box, grown,
 from game.physics.kernels.jit import kernel
 
 FEW = 16  # fewer than one in so many boxes moved: they are moved one by one
-MOST_SWAPS = 4_000_000  # tried in a step that is not to be sorted anew: some 0.05 s
+MOST_SWAPS = 4_000_000  # tried in a step that is not to be sorted again: some 0.05 s
 MOST_CHANGES = 1 << 20  # noted before they are handed to the pair manager
 # Relative costs, measured: one swap of insertion, one comparison of merge sort, one test of a sweep.
 SWAP_COST, MERGE_COST, TEST_COST = 8.0, 3.0, 1.0
@@ -80,16 +80,16 @@ class SweepAndPrune(BroadPhase):
 
     ``manager``: where pairs are kept and events are taken from; a new ``HashedPairs`` if none is given.
     ValueError unless it is empty.
-    ``resort``: whether a step is finished by sorting anew where that is cheaper; without it that is done
+    ``resort``: whether a step is finished by sorting again where that is cheaper; without it that is done
     after MOST_SWAPS only, as n boxes that leap stand for n² swaps. ``swaps`` counts all swaps so far (those
-    that sorting anew spared, too), ``resorts`` how often that was done.
+    that sorting again spared, too), ``resorts`` how often that was done.
     """
 
     def __init__(self, manager: PairManager | None = None, resort: bool = True):
         super().__init__()
         self.manager = HashedPairs() if manager is None else manager
         if len(self.manager):
-            raise ValueError("manager: an empty pair manager is wanted")
+            raise ValueError("manager: expected an empty pair manager")
         self.resort = resort
         self.swaps = 0
         self.resorts = 0
@@ -102,7 +102,7 @@ class SweepAndPrune(BroadPhase):
     def use_manager(self, manager: PairManager) -> None:
         """Keep the pairs in another manager, to which they go without events; ValueError if it is in use."""
         if len(manager) or manager.greatest < self.top - 1:
-            raise ValueError(f"manager: an empty pair manager with room for {self.top} ids is wanted")
+            raise ValueError(f"manager: expected an empty pair manager with room for {self.top} ids")
         manager.set_pairs(self.manager.pairs())
         manager.take_events()
         self.manager = manager
@@ -161,7 +161,7 @@ class SweepAndPrune(BroadPhase):
         for axis in range(2):
             self._codes[axis, count : count + len(ids)] = ids
             self._codes[axis, count + len(ids) : count + 2 * len(ids)] = ids | UPPER
-        self._sort_anew()
+        self._sort_again()
 
     def _removed(self, box: int) -> None:
         self._removed_many(np.array([box]))
@@ -196,12 +196,12 @@ class SweepAndPrune(BroadPhase):
         before = self.swaps
         if self._leaping or not self._sort_by_swaps():
             self.resorts += 1
-            self.swaps += self._sort_anew()
+            self.swaps += self._sort_again()
             enough = self._dear(self.tests) if self.resort else MOST_SWAPS
             self._leaping = self.swaps - before > enough
 
     def _sort_by_swaps(self) -> bool:
-        """Put both axes in order by swaps while they are cheaper than sorting anew; whether they were.
+        """Put both axes in order by swaps while they are cheaper than sorting again; whether they were.
 
         Without ``resort`` that is never asked, but MOST_SWAPS end it all the same.
         """
@@ -226,7 +226,7 @@ class SweepAndPrune(BroadPhase):
         return bool(ended == SORTED)
 
     def _dear(self, tests: int) -> int:
-        """Swaps that cost as much as sorting anew and a sweep with so many tests."""
+        """Swaps that cost as much as sorting again and a sweep with so many tests."""
         merging = 2 * MERGE_COST * comparisons(2 * len(self))
         return int((merging + TEST_COST * max(tests, 0)) / SWAP_COST)
 
@@ -235,7 +235,7 @@ class SweepAndPrune(BroadPhase):
         if len(self._changes) < min(room, MOST_CHANGES):
             self._changes = np.empty(room, dtype=np.int64)
 
-    def _sort_anew(self) -> int:
+    def _sort_again(self) -> int:
         """Sort both axes and find all pairs by one sweep; returns the swaps that this stands for."""
         count = 2 * len(self)
         spare_values, spare_codes = np.empty(count), np.empty(count, dtype=np.int32)

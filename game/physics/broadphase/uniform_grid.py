@@ -10,7 +10,7 @@ of x, rounding and all, so it may put a border into the wrong cell but can never
 overlapping boxes, the greater lower edge is not above the smaller upper one, and neither are their cells.
 
 For single calls each cell also has a linked list of its boxes. Lists follow single calls at once, and are
-made anew after a bulk call, when they are next needed.
+made again after a bulk call, when they are next needed.
 
 Source: Ericson, Real-Time Collision Detection (2005), 7.1; the sort as in Green, Particle Simulation
 using CUDA (2008).
@@ -80,7 +80,7 @@ class UniformGrid(BroadPhase):
         if not (x0 < x1 and y0 < y1 and math.isfinite(x1 - x0) and math.isfinite(y1 - y0)):
             raise ValueError(f"lower ({x0}, {y0}) must be below upper ({x1}, {y1}), both finite")
         if not (isinstance(cell, (int, float)) and math.isfinite(cell) and cell > 0.0):
-            raise ValueError(f"cell = {cell!r}: a finite number above 0 m is wanted")
+            raise ValueError(f"cell = {cell!r}: expected a finite number above 0 m")
         across, up = math.ceil(min((x1 - x0) / cell, 2.0**31)), math.ceil(min((y1 - y0) / cell, 2.0**31))
         if across * up > MAX_CELLS:
             raise ValueError(

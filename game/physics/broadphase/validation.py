@@ -82,11 +82,11 @@ def corners(values: ArrayLike, name: str) -> Corners:
         try:
             given = np.array(given, dtype=np.float64, order="C")
         except (TypeError, ValueError):
-            raise ValueError(f"{name}: an (n, 2) array of numbers is wanted") from None
+            raise ValueError(f"{name}: expected an (n, 2) array of numbers") from None
     if given.ndim != 2 or given.shape[1] != 2:
         if given.size == 0:
             return np.empty((0, 2))
-        raise ValueError(f"{name}: shape (n, 2) is wanted, not {given.shape}")
+        raise ValueError(f"{name}: expected shape (n, 2), not {given.shape}")
     return given
 
 
@@ -96,7 +96,7 @@ def corner(values: ArrayLike, name: str) -> tuple[float, float]:
         x, y = values  # type: ignore[misc,str-unpack,unused-ignore]
         return float(x), float(y)  # type: ignore[arg-type]
     except (TypeError, ValueError):
-        raise ValueError(f"{name}: two numbers are wanted, not {values!r}") from None
+        raise ValueError(f"{name}: expected two numbers, not {values!r}") from None
 
 
 def id_array(values: ArrayLike) -> Ids:
@@ -107,7 +107,7 @@ def id_array(values: ArrayLike) -> Ids:
         if given.size == 0:
             return np.empty(0, dtype=np.int64)
         if given.ndim != 1 or given.dtype.kind not in "iu":
-            raise ValueError(f"ids: a row of integers is wanted, not {given.dtype} of shape {given.shape}")
+            raise ValueError(f"ids: expected a row of integers, not {given.dtype} of shape {given.shape}")
         given = given.astype(np.int64)
     return given
 

@@ -53,11 +53,11 @@ def make_boxes(
     ValueError for another kind or numbers that make no boxes.
     """
     if kind not in WORKLOADS:
-        raise ValueError(f"kind = {kind!r}: one of {', '.join(WORKLOADS)} is wanted")
+        raise ValueError(f"kind = {kind!r}: expected one of {', '.join(WORKLOADS)}")
     width, height = extent
     for name, value in (("fill", fill), ("width", width), ("height", height), ("ratio", ratio)):
         if not (math.isfinite(value) and value > 0.0):
-            raise ValueError(f"{name} = {value!r}: a finite number above 0 is wanted")
+            raise ValueError(f"{name} = {value!r}: expected a finite number above 0")
     if not (count >= 0 and 0.0 <= share <= 1.0 and math.isfinite(speed) and speed >= 0.0):
         raise ValueError(f"count = {count!r}, share = {share!r}, speed = {speed!r}: no such boxes")
     sizes = np.ones(count)

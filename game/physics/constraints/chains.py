@@ -6,7 +6,7 @@ slower. One solve is a Newton step for the lengths; with masses that differ by m
 substeps of a millisecond while the chain is thrown about. Compare Deul, Kugelstadt, Weiler, Bender 2018,
 "Direct position-based solver for stiff rods".
 
-Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; torn (m,); rows (LINK_ROWS, m); work (WORK_ROWS, longest).
+Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; net: a `motion.Network`.
 """
 
 from __future__ import annotations
@@ -22,16 +22,17 @@ from game.physics.kernels.jit import kernel
 DIAGONAL, OFF, RIGHT, NORMAL_X, NORMAL_Y = range(5)
 WORK_ROWS = 5
 SINGULAR = (
-    1e-12  # part of a diagonal below which a pivot is nought: a taut chain between pins pulls for nothing
+    1e-12  # part of a diagonal below which a pivot is zero: a taut chain between pins pulls for nothing
 )
 
 
 @kernel
-def solve_chain(model, x, y, inverse_mass, nodes, chain_links, torn, order, rows, work):
+def solve_chain(model, x, y, inverse_mass, nodes, chain_links, net):
     """Project the links between consecutive ``nodes``; x, y and the multipliers are written.
 
-    chain_links: index of each link in the order of solving. work (WORK_ROWS, >= links): scratch.
+    chain_links: index of each link in the order of solving.
     """
+    torn, order, rows, work = net.torn, net.order, net.link_rows, net.work
     count = chain_links.shape[0]
     for i in range(count):
         e = chain_links[i]
@@ -78,13 +79,14 @@ def solve_chain(model, x, y, inverse_mass, nodes, chain_links, torn, order, rows
 
 
 @kernel
-def solve_chains(model, x, y, inverse_mass, nodes, node_starts, chain_links, torn, order, rows, work):
+def solve_chains(model, x, y, inverse_mass, net):
     """`solve_chain` for each chain. A chain of c links takes c + 1 of ``nodes`` and c of ``chain_links``."""
+    nodes, node_starts, chain_links = net.nodes, net.node_starts, net.chain_links
     for j in range(node_starts.shape[0] - 1):
         first = node_starts[j]
         last = node_starts[j + 1]
         some = chain_links[first - j : last - j - 1]
-        solve_chain(model, x, y, inverse_mass, nodes[first:last], some, torn, order, rows, work)
+        solve_chain(model, x, y, inverse_mass, nodes[first:last], some, net)
 
 
 def find_chains(

@@ -49,7 +49,7 @@ def arrange_links(
     that is solved together are solved one after the other. ValueError for an order that there is not.
     """
     if order not in ORDERS:
-        raise ValueError(f"order = {order!r}: one of {', '.join(ORDERS)} is wanted")
+        raise ValueError(f"order = {order!r}: expected one of {', '.join(ORDERS)}")
     m = len(links)
     if order != "coloured":
         places = np.arange(m) if order == "natural" else np.arange(m)[::-1].copy()

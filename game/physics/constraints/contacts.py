@@ -19,8 +19,12 @@ MOST_PASSES = 64  # over all pairs; a shock runs through a row of so many balls 
 
 
 @kernel
-def bounce_pairs(x, y, vx, vy, w, fresh, pairs, distances, restitution, h):
-    """Impulses between pairs (c, 2) that would touch within h (s); velocities and FRESH are written."""
+def bounce_pairs(now, w, fresh, pairs, distances, restitution, h):
+    """Impulses between pairs (c, 2) that would touch within h (s); velocities and FRESH are written.
+
+    now: x, y, vx, vy.
+    """
+    x, y, vx, vy = now
     for _ in range(MOST_PASSES):
         struck = False
         for j in range(pairs.shape[0]):

@@ -64,13 +64,13 @@ class Links:
         if given.size == 0:
             given = given.reshape(0, 2).astype(np.int64)
         if given.ndim != 2 or given.shape[1] != 2 or not np.issubdtype(given.dtype, np.integer):
-            raise ValueError("links: pairs of whole numbers are wanted")
+            raise ValueError("links: expected pairs of whole numbers")
         both = np.sort(given.astype(np.int64), axis=1)
         count = len(positions)
         for e in np.flatnonzero((both[:, 0] < 0) | (both[:, 1] >= count))[:1]:
             raise ValueError(f"links[{e}] = {given[e].tolist()}: there are particles 0 to {count - 1}")
         for e in np.flatnonzero(both[:, 0] == both[:, 1])[:1]:
-            raise ValueError(f"links[{e}] = {given[e].tolist()}: two different particles are wanted")
+            raise ValueError(f"links[{e}] = {given[e].tolist()}: expected two different particles")
         if rest is None:
             way = positions[both[:, 1]] - positions[both[:, 0]]
             rest = np.sqrt(way[:, 0] * way[:, 0] + way[:, 1] * way[:, 1])
@@ -107,7 +107,7 @@ class Outlines:
         """
         for j, outline in enumerate(outlines):
             if len(outline) < 3 or len(set(outline)) != len(outline):
-                raise ValueError(f"areas[{j}]: three or more different particles are wanted")
+                raise ValueError(f"areas[{j}]: expected three or more different particles")
             if not all(isinstance(i, (int, np.integer)) and 0 <= i < len(positions) for i in outline):
                 raise ValueError(f"areas[{j}]: there are particles 0 to {len(positions) - 1}")
         k = len(outlines)
@@ -131,11 +131,11 @@ def checked(name: str, values: ArrayLike, count: int, least: float, most: float)
     """(count,) finite numbers in a range, from one or so many; ValueError naming the first bad one."""
     given = np.asarray(values, dtype=np.float64)
     if given.shape not in ((), (count,)):
-        raise ValueError(f"{name}: {count} numbers are wanted, got shape {given.shape}")
+        raise ValueError(f"{name}: expected {count} numbers, got shape {given.shape}")
     numbers = np.array(np.broadcast_to(given, (count,)))
     for i in np.flatnonzero(~((numbers >= least) & (numbers <= most)))[:1]:
         raise ValueError(
-            f"{name}[{i}] = {numbers[i]!r}: {least:g} to {most:g} is wanted".replace("np.float64", "")
+            f"{name}[{i}] = {numbers[i]!r}: expected {least:g} to {most:g}".replace("np.float64", "")
         )
     return numbers
 
@@ -145,9 +145,9 @@ def checked_pairs(name: str, values: ArrayLike, count: int | None = None) -> Flo
     pairs = np.array(values, dtype=np.float64)
     pairs = pairs.reshape(1, 2) if pairs.shape == (2,) else pairs
     if pairs.ndim != 2 or pairs.shape[1] != 2 or not 1 <= len(pairs) <= MAX_PARTICLES:
-        raise ValueError(f"{name}: pairs of numbers are wanted, 1 to {MAX_PARTICLES} of them")
+        raise ValueError(f"{name}: expected pairs of numbers, 1 to {MAX_PARTICLES} of them")
     if count is not None and len(pairs) != count:
-        raise ValueError(f"{name}: {count} pairs are wanted, got {len(pairs)}")
+        raise ValueError(f"{name}: expected {count} pairs, got {len(pairs)}")
     if not np.all(np.abs(pairs) <= LARGEST):
-        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+        raise ValueError(f"{name}: expected finite numbers up to {LARGEST:g}")
     return pairs

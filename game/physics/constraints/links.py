@@ -30,12 +30,13 @@ LINK_ROWS = 4
 
 
 @kernel
-def prepare_links(w, links, order, stiffness, compliance, torn, model, sweeps, relaxation, step, rows):
+def prepare_links(w, net, stiffness, compliance, model, sweeps, relaxation, step):
     """Write WEIGHT and SOFTNESS for substeps whose compliance counts as α / step².
 
-    w (n,) 1/kg, 0 is fixed; links (m, 2) in the order of solving; stiffness (0 to 1), compliance (m/N) and
-    torn (m,) in the order given, reached by ``order``. relaxation: 1, or up to 2 for over-relaxation.
+    w (n,) 1/kg, 0 is fixed; net: a `motion.Network`; stiffness (0 to 1) and compliance (m/N) in the order
+    given. relaxation: 1, or up to 2 for over-relaxation.
     """
+    links, order, torn, rows = net.links, net.order, net.torn, net.link_rows
     for e in range(links.shape[0]):
         mobility = w[links[e, 0]] + w[links[e, 1]]
         place = order[e]
@@ -91,8 +92,9 @@ def sweep_in_turn(x, y, w, links, rest, weight):
 
 
 @kernel
-def sweep_soft_together(x, y, w, a, b, size, rest, weight, softness, multiplier):
-    """One run with compliance; ``multiplier`` is brought along."""
+def sweep_soft_together(x, y, w, a, b, size, goal, weight):
+    """One run with compliance; the multiplier is brought along. goal: rest, softness, multiplier."""
+    rest, softness, multiplier = goal
     xa = x[a : a + size]
     ya = y[a : a + size]
     wa = w[a : a + size]
@@ -103,8 +105,8 @@ def sweep_soft_together(x, y, w, a, b, size, rest, weight, softness, multiplier)
         dx = xb[i] - xa[i]
         dy = yb[i] - ya[i]
         length = math.sqrt(dx * dx + dy * dy)
-        goal = rest[i] + softness[i] * multiplier[i]
-        pull = weight[i] * (1.0 - goal / length) if length > TINY else 0.0
+        wished = rest[i] + softness[i] * multiplier[i]
+        pull = weight[i] * (1.0 - wished / length) if length > TINY else 0.0
         multiplier[i] += pull * length
         xa[i] += wa[i] * pull * dx
         ya[i] += wa[i] * pull * dy
@@ -146,7 +148,7 @@ def sweep_links(model, x, y, w, links, runs, rows):
             if runs[r, 2]:
                 a = links[first, 0]
                 b = links[first, 1]
-                sweep_soft_together(x, y, w, a, b, size, rest, weight, softness, multiplier)
+                sweep_soft_together(x, y, w, a, b, size, (rest, softness, multiplier), weight)
             else:
                 sweep_soft_in_turn(x, y, w, links[first:last], rest, weight, softness, multiplier)
         elif runs[r, 2]:

@@ -9,11 +9,12 @@
 Damping acts on what there was of velocity, not on the pull of gravity, so that it moves no resting point; and
 it never reverses a motion: BDF2 takes it as Euler does where h k_d w is above STRONG.
 
-A particle begins BDF2 anew, with one step of Euler, after it has touched the ground or was slowed down.
+A particle begins BDF2 afresh, with one step of Euler, after it has touched the ground or was slowed down.
 Substeps in place of sweeps: Macklin and others 2019, "Small steps in physics simulation".
 
 Arrays, (n,) each: x, y, vx, vy (m, m/s) now, ox, oy, ux, uy the same a step earlier, px, py (m) where a step
-leads; inverse_mass (1/kg); fresh, 1 where BDF2 begins anew.
+leads; inverse_mass (1/kg); fresh, 1 where BDF2 begins afresh. Tuples of them: now, x, y, vx, vy; before, ox,
+oy, ux, uy; aim, px, py.
 """
 
 from __future__ import annotations
@@ -99,8 +100,10 @@ class Network(NamedTuple):
 
 
 @kernel
-def predict_euler(x, y, vx, vy, inverse_mass, px, py, h, fall, damping):
+def predict_euler(now, inverse_mass, aim, h, fall, damping):
     """Where particles would be without constraints; the fixed ones stay."""
+    x, y, vx, vy = now
+    px, py = aim
     for i in range(x.shape[0]):
         keep = 1.0 / (1.0 + h * damping * inverse_mass[i])
         step = h if inverse_mass[i] > 0.0 else 0.0
@@ -109,8 +112,11 @@ def predict_euler(x, y, vx, vy, inverse_mass, px, py, h, fall, damping):
 
 
 @kernel
-def predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, inverse_mass, fresh, px, py, h, fall, damping):
+def predict_bdf2(now, before, inverse_mass, fresh, aim, h, fall, damping):
     """The same from two steps; from one where the step before does not count."""
+    x, y, vx, vy = now
+    ox, oy, ux, uy = before
+    px, py = aim
     for i in range(x.shape[0]):
         step = h if inverse_mass[i] > 0.0 else 0.0
         drag = h * damping * inverse_mass[i]
@@ -128,8 +134,10 @@ def predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, inverse_mass, fresh, px, py, h, f
 
 
 @kernel
-def settle_euler(x, y, vx, vy, px, py, h):
+def settle_euler(now, aim, h):
     """Take over projected positions and the velocities that they mean."""
+    x, y, vx, vy = now
+    px, py = aim
     for i in range(x.shape[0]):
         vx[i] = (px[i] - x[i]) / h
         vy[i] = (py[i] - y[i]) / h
@@ -138,8 +146,11 @@ def settle_euler(x, y, vx, vy, px, py, h):
 
 
 @kernel
-def settle_bdf2(x, y, vx, vy, ox, oy, ux, uy, fresh, px, py, h):
+def settle_bdf2(now, before, fresh, aim, h):
     """The same by the backward difference over two steps; the step before is kept."""
+    x, y, vx, vy = now
+    ox, oy, ux, uy = before
+    px, py = aim
     for i in range(x.shape[0]):
         ax = (px[i] - x[i]) / h
         ay = (py[i] - y[i]) / h
@@ -193,10 +204,10 @@ def carry_held(px, py, held, target, left, furthest):
     """Bring the particle that the hand holds nearer to the target: there in ``left`` substeps if it can."""
     dx = (target[0] - px[held]) / left
     dy = (target[1] - py[held]) / left
-    way = math.sqrt(dx * dx + dy * dy)
-    if way > furthest:
-        dx *= furthest / way
-        dy *= furthest / way
+    distance = math.sqrt(dx * dx + dy * dy)
+    if distance > furthest:
+        dx *= furthest / distance
+        dy *= furthest / distance
     px[held] += dx
     py[held] += dy
 
@@ -210,10 +221,7 @@ def project(motion, net, px, py, inverse_mass):
     for _ in range(motion.sweeps):
         if motion.mask & LINKS_BIT:
             if motion.direct:
-                solve_chains(
-                    motion.model, px, py, inverse_mass, net.nodes, net.node_starts, net.chain_links, net.torn,
-                    net.order, net.link_rows, net.work,
-                )  # fmt: skip
+                solve_chains(motion.model, px, py, inverse_mass, net)
             else:
                 sweep_links(motion.model, px, py, inverse_mass, net.links, net.runs, net.link_rows)
         if motion.mask & AREAS_BIT:
@@ -259,23 +267,24 @@ def advance(fields, count, motion, net, held, target):
     fresh = fields[FRESH][:count]
     px = fields[AIM_X][:count]
     py = fields[AIM_Y][:count]
+    now, before, aim = (x, y, vx, vy), (ox, oy, ux, uy), (px, py)
     h = motion.h
     fall = motion.gravity if motion.mask & GRAVITY_BIT else 0.0
     damping = motion.damping if motion.mask & DAMPING_BIT else 0.0
     for turn in range(motion.substeps):
         if motion.mask & CONTACTS_BIT:
-            bounce_pairs(x, y, vx, vy, w, fresh, net.pairs, net.distances, motion.restitution, h)
+            bounce_pairs(now, w, fresh, net.pairs, net.distances, motion.restitution, h)
         if motion.scheme == EULER:
-            predict_euler(x, y, vx, vy, w, px, py, h, fall, damping)
+            predict_euler(now, w, aim, h, fall, damping)
         else:
-            predict_bdf2(x, y, vx, vy, ox, oy, ux, uy, w, fresh, px, py, h, fall, damping)
+            predict_bdf2(now, before, w, fresh, aim, h, fall, damping)
         if held >= 0:
             carry_held(px, py, held, target, motion.substeps - turn + motion.ahead, motion.speed_limit * h)
         project(motion, net, px, py, w)
         if motion.scheme == EULER:
-            settle_euler(x, y, vx, vy, px, py, h)
+            settle_euler(now, aim, h)
         else:
-            settle_bdf2(x, y, vx, vy, ox, oy, ux, uy, fresh, px, py, h)
+            settle_bdf2(now, before, fresh, aim, h)
             if motion.mask & GROUND_BIT:
                 for i in range(count):
                     if y[i] <= motion.floor or x[i] <= motion.left or x[i] >= motion.right:

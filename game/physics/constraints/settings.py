@@ -50,11 +50,11 @@ class Settings:
         object.__setattr__(self, "effects", LINKED.checked(self.effects))
         for name, options in (("model", MODELS), ("scheme", SCHEMES), ("solver", SOLVERS)):
             if getattr(self, name) not in options:
-                raise ValueError(f"{name} = {getattr(self, name)!r}: one of {', '.join(options)} is wanted")
+                raise ValueError(f"{name} = {getattr(self, name)!r}: expected one of {', '.join(options)}")
         for name in ("substeps", "iterations"):
             turns = getattr(self, name)
             if isinstance(turns, bool) or not isinstance(turns, int) or not 1 <= turns <= MOST_TURNS:
-                raise ValueError(f"{name} = {turns!r}: a whole number, 1 to {MOST_TURNS}, is wanted")
+                raise ValueError(f"{name} = {turns!r}: expected a whole number, 1 to {MOST_TURNS}")
         limits = {
             "gravity": (-1e4, 1e4),
             "damping": (0.0, 1e9),
@@ -70,7 +70,7 @@ class Settings:
         for name, (least, most) in limits.items():
             value = getattr(self, name)
             if not least <= value <= most:
-                raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")
+                raise ValueError(f"{name} = {value!r}: expected {least:g} to {most:g}")
 
 
 def effects_for(areas: bool, contacts: bool) -> EffectSet:

@@ -28,14 +28,14 @@ class Shape(NamedTuple):
 
 def _side(name: str, count: int, least: int = SMALLEST, most: int = LARGEST_SIDE) -> int:
     if isinstance(count, bool) or not isinstance(count, int) or not least <= count <= most:
-        raise ValueError(f"{name} = {count!r}: a whole number, {least} to {most}, is wanted")
+        raise ValueError(f"{name} = {count!r}: expected a whole number, {least} to {most}")
     return count
 
 
 def _inverse(name: str, mass: float) -> float:
     """1/kg of a mass, kg."""
     if not 0.0 < mass < math.inf:
-        raise ValueError(f"{name} = {mass!r}: a finite number above 0 kg is wanted")
+        raise ValueError(f"{name} = {mass!r}: expected a finite number above 0 kg")
     return 1.0 / mass
 
 
@@ -52,7 +52,7 @@ def rope(
     """
     _side("links", links, 1, LARGEST_SIDE - 1)
     if pins not in ("first", "both", "none"):
-        raise ValueError(f"pins = {pins!r}: first, both or none is wanted")
+        raise ValueError(f"pins = {pins!r}: expected first, both or none")
     part = np.linspace(0.0, 1.0, links + 1)[:, None]
     weights = np.full(links + 1, _inverse("mass", mass))
     if pins in ("first", "both"):
@@ -97,7 +97,7 @@ def cloth(
         "none": (),
     }
     if pins not in fixed:
-        raise ValueError(f"pins = {pins!r}: one of {', '.join(fixed)} is wanted")
+        raise ValueError(f"pins = {pins!r}: expected one of {', '.join(fixed)}")
     weights[index[0, list(fixed[pins])]] = 0.0
     families = [(index[:, 0:-1:2], index[:, 1::2]), (index[:, 1:-1:2], index[:, 2::2])]
     families += [(index[0:-1:2], index[1::2]), (index[1:-1:2], index[2::2])]
@@ -191,7 +191,7 @@ def cradle(top: tuple[float, float], balls: int, spacing: float, length: float, 
 def joined(shapes: list[Shape]) -> Shape:
     """Several shapes as one, numbered one after the other; ValueError if there is none."""
     if not shapes:
-        raise ValueError("shapes: one or more are wanted")
+        raise ValueError("shapes: expected one or more")
     first = np.cumsum([0, *(len(shape.positions) for shape in shapes)])
     return Shape(
         np.concatenate([shape.positions for shape in shapes]),

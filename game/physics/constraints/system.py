@@ -130,8 +130,8 @@ class PositionBasedDynamics:
         """Bring the numbers of links up to date with masses, settings and the length of a substep (s)."""
         settings, net = self.settings, self._net
         prepare_links(
-            self.inverse_masses, net.links, net.order, self.links.stiffness, self.links.compliance, self.torn,
-            MODELS.index(settings.model), settings.iterations, settings.relaxation, soft_step, net.link_rows,
+            self.inverse_masses, net, self.links.stiffness, self.links.compliance,
+            MODELS.index(settings.model), settings.iterations, settings.relaxation, soft_step,
         )  # fmt: skip
         if ATTACHMENTS in settings.effects:
             arms = arms_of(net.links, self.count)
@@ -144,7 +144,7 @@ class PositionBasedDynamics:
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless it is finite and above 0."""
         if not 0.0 < dt < math.inf:
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         settings = self.settings
         h = dt / settings.substeps
         if h != self.hand[4] > 0.0:

@@ -3,7 +3,7 @@
 numba's own cache looks only at the file a function stands in, and hands back old code after an edit of a
 helper in another file. Here machine code lies in a folder named by all sources that it depends on (see
 jit_sources.py), in the user's cache folder or ``CAROM_CACHE_DIR`` (see jit_cache.py). If that cannot be
-written, kernels compile anew in each process: that costs time and nothing else.
+written, kernels compile again in each process: that costs time and nothing else.
 
 Kept on disk are kernels of this package, at module level or closures over plain integers (a closure over
 another kernel is a new function in every process). So variants by effect are specialised by integer masks.

@@ -5,11 +5,11 @@
 There is no index and nothing is locked. A file's name says all that its content depends on; it is written
 beside its place and then moved there, so whoever reads finds a whole file or none, and of two processes
 that compile the same kernel the later one writes the same again. A checksum is read with the code: a
-damaged file counts as none, and is written anew. No failure here does more than cost time.
+damaged file counts as none, and is written again. No failure here does more than cost time.
 
 What is read is machine code (and a pickle that says how it is called), so it is run whatever its format:
 it is taken only from folders that nobody but this user can change (see game/trust.py), from the root down.
-Otherwise kernels are compiled anew, and that is said once.
+Otherwise kernels are compiled again, and that is said once.
 """
 
 from __future__ import annotations

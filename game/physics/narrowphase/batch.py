@@ -41,7 +41,7 @@ class PolygonSet:
             except ValueError as error:
                 raise ValueError(f"shapes[{k}]: {error}") from error
         if not polygons:
-            raise ValueError("shapes: at least one is wanted")
+            raise ValueError("shapes: expected at least one")
         self.vertices = np.concatenate([polygon.local for polygon in polygons])
         self.first = np.cumsum([0, *map(len, polygons)])
         self.anchors = np.array([polygon.anchor for polygon in polygons])
@@ -166,8 +166,8 @@ def gjk_batch(
 
     a, b: sets or sequences of shapes. pairs: (m, 2) of indices into a and b, else the k-th with the k-th.
     poses_a, poses_b: (k, 4) x, y, cos, sin of each shape, else as given. features: (m, 2) int64, where
-    each walk begins (-1: anew); overwritten with what it found, so that handing it in again begins warm.
-    deep: whether the depth of overlaps is wanted (else their distance is 0). ValueError for what does not
+    each walk begins (-1: afresh); overwritten with what it found, so that handing it in again begins warm.
+    deep: whether the depth of overlaps is measured (else their distance is 0). ValueError for what does not
     fit.
     """
     query = _Query(a, b, pairs, poses_a, poses_b, features)
@@ -208,7 +208,7 @@ class _Query:
         if features is None:
             features = np.full((m, 2), -1, dtype=np.int64)
         elif features.shape != (m, 2) or features.dtype != np.int64 or not features.flags.c_contiguous:
-            raise ValueError(f"features: an int64 array ({m}, 2) is wanted")
+            raise ValueError(f"features: expected an int64 array ({m}, 2)")
         self.written = (np.empty((m, COLUMNS)), features, np.empty(m, dtype=np.int64))
 
     def _pairs(self, pairs: Any) -> Integers:
@@ -220,7 +220,7 @@ class _Query:
             return np.repeat(np.arange(len(self.a)), 2).reshape(-1, 2)
         given = np.ascontiguousarray(pairs, dtype=np.int64)
         if given.ndim != 2 or given.shape[1] != 2:
-            raise ValueError(f"pairs: rows of two indices are wanted, not an array {given.shape}")
+            raise ValueError(f"pairs: expected rows of two indices, not an array {given.shape}")
         for column, shapes in ((0, self.a), (1, self.b)):
             if len(given) and not 0 <= given[:, column].min() <= given[:, column].max() < len(shapes):
                 raise ValueError(f"pairs: column {column} must be from 0 to {len(shapes) - 1}")
@@ -240,7 +240,7 @@ def _poses(name: str, given: Any, count: int) -> Array:
         return np.tile((0.0, 0.0, 1.0, 0.0), (count, 1))
     poses = np.ascontiguousarray(given, dtype=np.float64)
     if poses.shape != (count, 4):
-        raise ValueError(f"{name}: rows x, y, cos, sin for {count} shapes are wanted, not {poses.shape}")
+        raise ValueError(f"{name}: expected rows x, y, cos, sin for {count} shapes, not {poses.shape}")
     if not np.isfinite(poses).all():
         raise ValueError(f"{name}: must be finite")
     return poses

@@ -128,9 +128,9 @@ def outline_points(points: Any) -> Array:
     try:
         given = np.ascontiguousarray(points, dtype=np.float64)
     except (TypeError, ValueError):
-        raise ValueError("outline: rows of two numbers are wanted") from None
+        raise ValueError("outline: expected rows of two numbers") from None
     if given.ndim != 2 or given.shape[1:] != (2,) or not len(given):
-        raise ValueError(f"outline: at least one point (x, y) is wanted, not an array {given.shape}")
+        raise ValueError(f"outline: expected at least one point (x, y), not an array {given.shape}")
     if not np.isfinite(given).all():
         raise ValueError(f"outline: point {int(np.argmin(np.isfinite(given).all(axis=1)))} is not finite")
     if np.abs(given).max() > LARGEST:

@@ -35,11 +35,11 @@ class Feature:
 
 
 class Polygon(NamedTuple):
-    """As kernels have it: rows first to first + count of vertices (N, 2), m, in the polygon's own frame."""
+    """As kernels have it: rows first to first + size of vertices (N, 2), m, in the polygon's own frame."""
 
     vertices: Any
     first: int
-    count: int
+    size: int
 
 
 class Frame(NamedTuple):
@@ -164,15 +164,15 @@ def measure_to_edge(x, y, ox, oy, px, py):
 @inner_kernel
 def opposite_edge(polygon, i, ex, ey):
     """The edge at vertex i that runs exactly against (ex, ey), or -1."""
-    if polygon.count == 1:
+    if polygon.size == 1:
         return -1
     x, y = vertex(polygon, i)
-    n = after(i, polygon.count)
+    n = after(i, polygon.size)
     nx, ny = vertex(polygon, n)
     gx, gy = nx - x, ny - y
     if gx * ey - gy * ex == 0.0 and gx * ex + gy * ey < 0.0:
         return i
-    n = before(i, polygon.count)
+    n = before(i, polygon.size)
     nx, ny = vertex(polygon, n)
     gx, gy = x - nx, y - ny
     if gx * ey - gy * ex == 0.0 and gx * ex + gy * ey < 0.0:
@@ -188,9 +188,9 @@ def measure_edges(pair, i, j):
     """
     a, b, frame = pair
     ox, oy = vertex(a, i)
-    px, py = vertex(a, after(i, a.count))
+    px, py = vertex(a, after(i, a.size))
     kx, ky = vertex_in(frame, b, j)
-    mx, my = vertex_in(frame, b, after(j, b.count))
+    mx, my = vertex_in(frame, b, after(j, b.size))
     ex, ey = px - ox, py - oy
     kx, ky, mx, my = kx - ox, ky - oy, mx - ox, my - oy
     squared = ex * ex + ey * ey
@@ -219,7 +219,7 @@ def measure(pair, feature_a, feature_b):
     ax, ay = vertex(a, i)
     bx, by = vertex_in(frame, b, j)
     if feature_a & 1:
-        kx, ky = vertex(a, after(i, a.count))
+        kx, ky = vertex(a, after(i, a.size))
         ex, ey = turned_back(frame, kx - ax, ky - ay)  # in B's frame, for B's own edges
         edge = opposite_edge(b, j, ex, ey)
         if edge >= 0:
@@ -229,7 +229,7 @@ def measure(pair, feature_a, feature_b):
         return d, fx, fy, bx, by, -nx, -ny, feature_a, feature_b
     if feature_b & 1:
         jx, jy = vertex(b, j)
-        kx, ky = vertex(b, after(j, b.count))
+        kx, ky = vertex(b, after(j, b.size))
         ex, ey = turned(frame, kx - jx, ky - jy)
         edge = opposite_edge(a, i, ex, ey)
         if edge >= 0:

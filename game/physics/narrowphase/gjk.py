@@ -88,13 +88,13 @@ def corner(pair, i, j):
 def first_simplex(pair, start):
     """Where the walk begins: corners (count, i0, j0, i1, j1), the second the same as the first for one."""
     a, b, frame = pair
-    if known_feature(start.feature_a, a.count) and known_feature(start.feature_b, b.count):
+    if known_feature(start.feature_a, a.size) and known_feature(start.feature_b, b.size):
         i0, j0 = start.feature_a >> 1, start.feature_b >> 1
         i1, j1 = i0, j0
         if start.feature_a & 1:
-            i1 = after(i0, a.count)
+            i1 = after(i0, a.size)
         elif start.feature_b & 1:
-            j1 = after(j0, b.count)
+            j1 = after(j0, b.size)
         w0x, w0y = corner(pair, i0, j0)
         w1x, w1y = corner(pair, i1, j1)
         part = closest_point(w0x, w0y, w1x, w1y)[2]
@@ -208,7 +208,7 @@ def edge_between(i0, i1, count):
 @inner_kernel
 def facing_edge(polygon, edge, x, y):
     """That edge; of a segment, the one of its two sides that faces the point (in the polygon's frame)."""
-    if polygon.count != 2:
+    if polygon.size != 2:
         return edge
     ox, oy = vertex(polygon, 0)
     px, py = vertex(polygon, 1)
@@ -236,11 +236,11 @@ def measure_simplex(pair, i0, j0, i1, j1):
     if i0 == i1 and j0 == j1:
         return measure(pair, 2 * i0, 2 * j0)
     if j0 == j1:
-        edge = edge_between(i0, i1, pair.a.count)
+        edge = edge_between(i0, i1, pair.a.size)
         if edge >= 0:
             return measure(pair, 2 * edge_facing_b(pair, edge, j0) + 1, 2 * j0)
     elif i0 == i1:
-        edge = edge_between(j0, j1, pair.b.count)
+        edge = edge_between(j0, j1, pair.b.size)
         if edge >= 0:
             return measure(pair, 2 * i0, 2 * edge_facing_a(pair, edge, i0) + 1)
     return measure_chord(pair, i0, j0, i1, j1)
@@ -253,7 +253,7 @@ def measure_chord(pair, i0, j0, i1, j1):
     ax, ay = vertex(pair.a, i0)
     ix, iy = vertex(pair.a, i1)
     ix, iy = ix - ax, iy - ay
-    edge_a, edge_b = edge_between(i0, i1, pair.a.count), edge_between(j0, j1, pair.b.count)
+    edge_a, edge_b = edge_between(i0, i1, pair.a.size), edge_between(j0, j1, pair.b.size)
     w0x, w0y = corner(pair, i0, j0)
     if i0 != i1 and j0 != j1 and edge_a >= 0 and edge_b >= 0 and ix * ey - iy * ex == 0.0:
         edge_a, edge_b = edge_facing_b(pair, edge_a, j0), edge_facing_a(pair, edge_b, i0)

@@ -29,7 +29,7 @@ def vclip(
 
     a, b: `ConvexPolygon` or points (n, 2) m; errors as there. start: the last answer, or two features,
     from which the walk begins. ``iterations`` counts the steps of the walk. deep: whether the depth of an
-    overlap is wanted; else the distance is 0 and the normal (0, 0). trace: rows to write, see
+    overlap is measured; else the distance is 0 and the normal (0, 0). trace: rows to write, see
     `vclip_trace`.
     """
     a, b = as_polygon(a), as_polygon(b)

@@ -28,12 +28,12 @@ def deepest_of_edges(pair):
     a, b, frame = pair
     vb, fb, nb = b
     best, best_edge, best_vertex = -math.inf, 0, 0
-    if a.count == 1:
+    if a.size == 1:
         return best, best_edge, best_vertex
     j = -1
-    for i in range(a.count):
+    for i in range(a.size):
         ox, oy = vertex(a, i)
-        px, py = vertex(a, after(i, a.count))
+        px, py = vertex(a, after(i, a.size))
         nx, ny = py - oy, ox - px
         dx, dy = turned_back(frame, -nx, -ny)  # towards B's deepest vertex, in B's frame
         if j < 0:
@@ -84,13 +84,13 @@ def measure_overlap(pair):
         return 0.0, ax, ay, bx, by, 1.0, 0.0, feature_a, feature_b
     distance += 0.0  # no negative zero
     if feature_a & 1:
-        kx, ky = vertex(a, after(i, a.count))
+        kx, ky = vertex(a, after(i, a.size))
         nx, ny = ky - ay, ax - kx
         length = math.sqrt(nx * nx + ny * ny)
         nx, ny = nx / length, ny / length
         return distance, bx - distance * nx, by - distance * ny, bx, by, nx, ny, feature_a, feature_b
     jx, jy = vertex(b, j)
-    kx, ky = vertex(b, after(j, b.count))
+    kx, ky = vertex(b, after(j, b.size))
     hx, hy = jy - ky, kx - jx  # from B's edge into B
     length = math.sqrt(hx * hx + hy * hy)
     nx, ny = turned(frame, hx, hy)

@@ -47,7 +47,7 @@ def clip_vertex(polygon, feature, x, y):
     Returns the feature itself if within (borders included), the neighbour beyond the border that is crossed,
     or BEHIND an edge (or on it). Cases vertex-vertex and vertex-edge.
     """
-    count = polygon.count
+    count = polygon.size
     if count == 1:
         return feature
     i = feature >> 1
@@ -86,7 +86,7 @@ def clip_edge(polygon, feature, px, py, qx, qy):
     Of an edge: the answer is the vertex whose border the part beside the edge must cross to come nearer, the
     edge itself if an end of p q is nearest (or both are parallel), CROSSING, or BEHIND.
     """
-    count = polygon.count
+    count = polygon.size
     if count == 1:
         return feature
     i = feature >> 1
@@ -135,9 +135,9 @@ def clip_edge(polygon, feature, px, py, qx, qy):
 def edge_in_front(polygon, x, y):
     """The edge that a point is farthest in front of, and how far; not above 0 if it is inside."""
     best, edge = -math.inf, 0
-    for i in range(polygon.count):
+    for i in range(polygon.size):
         ox, oy = vertex(polygon, i)
-        px, py = vertex(polygon, after(i, polygon.count))
+        px, py = vertex(polygon, after(i, polygon.size))
         ex, ey = px - ox, py - oy
         distance = (ey * (x - ox) - ex * (y - oy)) / math.sqrt(ex * ex + ey * ey)
         if distance > best:
@@ -159,7 +159,7 @@ def clip_vertex_to_edge(a, b, frame, feature_a, feature_b):
     if seen != feature_b:
         return feature_a, seen, MOVED_B
     ox, oy = vertex(b, feature_b >> 1)
-    px, py = vertex(b, after(feature_b >> 1, b.count))
+    px, py = vertex(b, after(feature_b >> 1, b.size))
     # of a vertex's region only the direction of the edge matters, turned into the frame of A
     ex, ey = turned_back(frame, px - ox, py - oy)
     seen = clip_edge(a, feature_a, 0.0, 0.0, ex, ey)
@@ -197,7 +197,7 @@ def step(pair, feature_a, feature_b):
 def step_of_edges(pair, feature_a, feature_b):
     """`step` from two edges."""
     a, b, frame = pair
-    next_b = after(feature_b >> 1, b.count)
+    next_b = after(feature_b >> 1, b.size)
     px, py = vertex_in(frame, b, feature_b >> 1)
     qx, qy = vertex_in(frame, b, next_b)
     seen = clip_edge(a, feature_a, px, py, qx, qy)
@@ -216,9 +216,9 @@ def step_of_edges(pair, feature_a, feature_b):
 @inner_kernel
 def end_of_edge(pair, feature_a, feature_b, px, py, qx, qy):
     """Of an edge of B (from p to q) beside one of A: its nearer end, or itself if they are face to face."""
-    a, next_b = pair.a, after(feature_b >> 1, pair.b.count)
+    a, next_b = pair.a, after(feature_b >> 1, pair.b.size)
     ox, oy = vertex(a, feature_a >> 1)
-    ex, ey = vertex(a, after(feature_a >> 1, a.count))
+    ex, ey = vertex(a, after(feature_a >> 1, a.size))
     ex, ey = ex - ox, ey - oy
     near = ey * (px - ox) - ex * (py - oy)
     falls = ey * (qx - px) - ex * (qy - py)
@@ -236,21 +236,21 @@ def closest_features(pair):
     """The closest vertex and edge, or two vertices, by looking at all pairs of them."""
     a, b, frame = pair
     best, best_a, best_b = math.inf, 0, 0
-    for i in range(a.count):
+    for i in range(a.size):
         ax, ay = vertex(a, i)
-        for j in range(b.count):
+        for j in range(b.size):
             bx, by = vertex_in(frame, b, j)
             dx, dy = bx - ax, by - ay
             distance = math.sqrt(dx * dx + dy * dy)
             if distance < best:
                 best, best_a, best_b = distance, 2 * i, 2 * j
     there = turned_round(pair).frame
-    for i in range(a.count):
+    for i in range(a.size):
         x, y = vertex_in(there, a, i)
         edge, distance = nearest_edge(b, x, y)
         if distance < best:
             best, best_a, best_b = distance, 2 * i, edge
-    for j in range(b.count):
+    for j in range(b.size):
         x, y = vertex_in(frame, b, j)
         edge, distance = nearest_edge(a, x, y)
         if distance < best:
@@ -262,10 +262,10 @@ def closest_features(pair):
 def nearest_edge(polygon, x, y):
     """Of the edges that a point lies beside and before, the nearest and its distance (inf if none)."""
     best, feature = math.inf, 0
-    for i in range(polygon.count):
-        if clip_vertex(polygon, 2 * i + 1, x, y) == 2 * i + 1 and polygon.count > 1:
+    for i in range(polygon.size):
+        if clip_vertex(polygon, 2 * i + 1, x, y) == 2 * i + 1 and polygon.size > 1:
             ox, oy = vertex(polygon, i)
-            px, py = vertex(polygon, after(i, polygon.count))
+            px, py = vertex(polygon, after(i, polygon.size))
             distance = measure_to_edge(x, y, ox, oy, px, py)[0]
             if distance < best:
                 best, feature = distance, 2 * i + 1
@@ -279,7 +279,7 @@ def vclip_query(pair, start_a, start_b, deep, trace):
     pair: `Pair`, or plain tuples of the same form.
     """
     pair = pair_of(pair)
-    na, nb = pair.a.count, pair.b.count
+    na, nb = pair.a.size, pair.b.size
     feature_a = start_a if known_feature(start_a, na) else 0
     feature_b = start_b if known_feature(start_b, nb) else 0
     seen_a, seen_b, renewed = feature_a, feature_b, 1

@@ -60,8 +60,9 @@ def keep_lying(y, vy, lying, floor):
 
 
 @kernel
-def note_marked(x, y, vx, vy, marks, begin, hits, who, found):
+def note_marked(x, y, vx, vy, marks, begin, listed, found):
     """Write state and index (``begin`` on) of marked particles from place ``found`` on; the next place."""
+    hits, who = listed
     for i in range(marks.shape[0]):
         if marks[i]:
             who[found] = begin + i
@@ -75,19 +76,20 @@ def note_marked(x, y, vx, vy, marks, begin, hits, who, found):
 
 @cache
 def make_advance(method: int, mask: int) -> Callable[..., Any]:
-    """The kernel ``advance(fields, low, high, forces, solids, floor, slack, h, marks, hits, who, found)``.
+    """The kernel ``advance(fields, low, high, world, h, marks, listed, found)``.
 
     It flies particles ``low`` to ``high`` of ``fields`` (rows x, y, vx, vy, ...) over h (s); those that may
-    meet a solid on the way are written with their state before it to ``hits`` and ``who`` from place
-    ``found`` on. Returns the next free place. ``solids``: rows of `Discs`; ``slack``: m that a particle may
-    be carried beyond h |v|; ``marks`` (2, BLOCK) is scratch.
+    meet a solid on the way are written with their state before it to the list (hits, who) from place
+    ``found`` on. Returns the next free place. ``world``: forces, rows of `Discs`, height of the floor (m),
+    and slack, m that a particle may be carried beyond h |v|; ``marks`` (2, BLOCK) is scratch.
 
     Those that lie on the floor slide on with the others: what comes of them needs no search for an impact.
     """
     touches = mask & (OBSTACLES_BIT | GROUND_BIT)
 
     @kernel
-    def advance(fields, low, high, forces, solids, floor, slack, h, marks, hits, who, found):
+    def advance(fields, low, high, world, h, marks, listed, found):
+        forces, solids, floor, slack = world
         law = unpack_forces(forces)
         decay = decay_over(law.drag if mask & DRAG_BIT else 0.0, h)
         # literals would have every helper compiled for each; as plain integers they are folded all the same
@@ -109,7 +111,7 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
                 if mask & OBSTACLES_BIT:
                     for j in range(solids.shape[0]):
                         mark_near_disc(x, y, vx, vy, near, solids[j], slack, h)
-                found = note_marked(x, y, vx, vy, near, begin, hits, who, found)
+                found = note_marked(x, y, vx, vy, near, begin, listed, found)
             for i in range(x.shape[0]):
                 x1, y1, ux, uy = fly(which, terms, law, decay, x[i], y[i], vx[i], vy[i], h)
                 x[i] = x1

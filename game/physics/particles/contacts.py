@@ -11,7 +11,7 @@ no particle would ever rest: stepping gives every bounce of an explicit method a
 (measured; it is balanced by the loss at v = 3 g h / (1 - e²) for explicit Euler). Chord crossing of step
 maps: Shampine and Thompson 2000, "Event location for ordinary differential equations".
 
-solids: (k, COLUMNS) rows of discs, see `solids`.
+solids: (k, COLUMNS) rows of discs, see `solids`. particle: its x, y, vx, vy (m, m/s).
 """
 
 from __future__ import annotations
@@ -60,12 +60,13 @@ def rest_speed(rules, restitution, push):
 
 
 @kernel
-def strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses):
+def strike(rules, law, solids, j, particle, t, spring, impulses):
     """Newton's law at solid j for a particle on its surface, t (s) into the step: (vx, vy, impulse, stays).
 
     A particle that leaves is left alone. ``spring``: part of the restitution that holds, 1 or 0. What the
     solid gets (kg m/s for 1 kg) is added to ``impulses`` (k, 2).
     """
+    x, y, vx, vy = particle
     _, nx, ny = surface(solids, j, rules.floor, x, y, t)
     ux, uy = surface_velocity(solids, j)
     approach = -((vx - ux) * nx + (vy - uy) * ny)
@@ -118,7 +119,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
                 continue
             x -= gap * nx
             y = y - gap * ny if j < solids.shape[0] else rules.floor
-            vx, vy, change, _ = strike(rules, law, solids, j, x, y, vx, vy, t, spring, impulses)
+            vx, vy, change, _ = strike(rules, law, solids, j, (x, y, vx, vy), t, spring, impulses)
             impulse = max(impulse, change)
             last = j
             depth = max(depth, -gap)
@@ -130,7 +131,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
 
 @kernel
 def nearest_part(solids, j, x0, y0, x1, y1, t, left):
-    """Part of a straight way, in [0, 1], at which it is nearest to the centre of disc j, and terms.
+    """Part of a straight path, in [0, 1], at which it is nearest to the centre of disc j, and terms.
 
     Returns (part, along, length, outside) with along = -m·d, length = d·d, outside = m·m - R².
     """
@@ -148,7 +149,7 @@ def nearest_part(solids, j, x0, y0, x1, y1, t, left):
 
 @kernel
 def chord_time(rules, solids, j, x0, y0, x1, y1, t, left):
-    """Flight time (s) at which the straight way of ``left`` (s) enters solid j; 2 left if it does not."""
+    """Flight time (s) at which the straight path of ``left`` (s) enters solid j; 2 left if it does not."""
     if j == solids.shape[0]:
         return left * (y0 - rules.floor) / (y0 - y1) if y1 < rules.floor else 2.0 * left
     part, along, length, outside = nearest_part(solids, j, x0, y0, x1, y1, t, left)
@@ -159,37 +160,38 @@ def chord_time(rules, solids, j, x0, y0, x1, y1, t, left):
 
 
 @kernel
-def gap_after(rules, law, solids, j, x, y, vx, vy, t, flown):
+def gap_after(rules, law, solids, j, particle, t, flown):
     """Distance (m) to solid j after a flight of ``flown`` (s) that begins t (s) into the step."""
+    x, y, vx, vy = particle
     x1, y1, _, _ = fly_alone(rules.method, rules.mask, law, x, y, vx, vy, flown)
     return surface(solids, j, rules.floor, x1, y1, t + flown)[0]
 
 
 @kernel
-def root_time(rules, law, solids, j, x, y, vx, vy, x1, y1, t, left):
+def root_time(rules, law, solids, j, particle, x1, y1, t, left):
     """Flight time (s) at which the step map enters solid j; 2 left if it does not.
 
     Regula falsi (Illinois), now and then a bisection, from outside at 0 to a time at which it is inside: the
     end, or where a chord that leaves again is nearest. The answer is on the outer side to rounding.
     """
     high = left
-    gap_high = gap_after(rules, law, solids, j, x, y, vx, vy, t, high)
+    gap_high = gap_after(rules, law, solids, j, particle, t, high)
     if gap_high >= 0.0:
         if j == solids.shape[0]:
             return 2.0 * left
-        high *= nearest_part(solids, j, x, y, x1, y1, t, left)[0]
-        gap_high = gap_after(rules, law, solids, j, x, y, vx, vy, t, high)
+        high *= nearest_part(solids, j, particle[0], particle[1], x1, y1, t, left)[0]
+        gap_high = gap_after(rules, law, solids, j, particle, t, high)
         if gap_high >= 0.0:
             return 2.0 * left
     low = 0.0
-    gap_low = gap_after(rules, law, solids, j, x, y, vx, vy, t, low)
+    gap_low = gap_after(rules, law, solids, j, particle, t, low)
     for turn in range(ROOT_ROUNDS):
         middle = low + (high - low) * gap_low / (gap_low - gap_high)
         if turn % 8 == 7 or not low < middle < high:
             middle = 0.5 * (low + high)
             if not low < middle < high:
                 break
-        gap = gap_after(rules, law, solids, j, x, y, vx, vy, t, middle)
+        gap = gap_after(rules, law, solids, j, particle, t, middle)
         if gap >= 0.0:
             low = middle
             gap_low = gap
@@ -204,12 +206,13 @@ def root_time(rules, law, solids, j, x, y, vx, vy, x1, y1, t, left):
 
 
 @kernel
-def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
-    """The first solid on the way from (x, y) to (x1, y1): (index or -1, flight time in s until then).
+def first_contact(rules, law, solids, particle, x1, y1, t, left):
+    """The first solid on the path of a particle to (x1, y1): (index or -1, flight time in s until then).
 
     A particle that touches and approaches meets it at once; one that touches and leaves does not, unless it
     ends inside or on it: then at the end. For one that begins inside the time is -1.
     """
+    x, y, vx, vy = particle
     earliest = 2.0 * left
     which = -1
     for j in range(solids.shape[0] + 1):
@@ -225,7 +228,7 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
             gap, nx, ny = surface(solids, j, rules.floor, x1, y1, t + left)
             when = left if gap <= TOUCH else 2.0 * left
         elif rules.mode == ROOT:
-            when = root_time(rules, law, solids, j, x, y, vx, vy, x1, y1, t, left)
+            when = root_time(rules, law, solids, j, particle, x1, y1, t, left)
         else:
             when = chord_time(rules, solids, j, x, y, x1, y1, t, left)
         if when < earliest:
@@ -235,13 +238,14 @@ def first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left):
 
 
 @kernel
-def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
-    """Flight of ``left`` (s), begun t (s) into the step, with what it meets on the way.
+def fly_among_solids(rules, law, solids, particle, t, left, impulses):
+    """Flight of ``left`` (s), begun t (s) into the step, with what it meets on its path.
 
     Returns (x, y, vx, vy, greatest impulse, solid last met or -1, time dropped in s). One who cannot be
     pushed out of solids that overlap stays there for the rest of its time, which is dropped: more rounds of
     the same would cost a heap of stones the square of its number, and lead nowhere.
     """
+    x, y, vx, vy = particle
     last = -1
     impulse = 0.0
     stays = rules.mode == END
@@ -250,7 +254,7 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
         if stays:
             x, y, vx, vy, change, met, _ = push_out(rules, law, solids, x1, y1, ux, uy, t + left, impulses)
             return x, y, vx, vy, max(impulse, change), met if met >= 0 else last, 0.0
-        which, when = first_contact(rules, law, solids, x, y, vx, vy, x1, y1, t, left)
+        which, when = first_contact(rules, law, solids, (x, y, vx, vy), x1, y1, t, left)
         if which < 0:
             return x1, y1, ux, uy, impulse, last, 0.0
         if when < 0.0:
@@ -272,7 +276,7 @@ def fly_among_solids(rules, law, solids, x, y, vx, vy, t, left, impulses):
         gap, nx, ny = surface(solids, which, rules.floor, x, y, t)
         x -= gap * nx
         y = y - gap * ny if which < solids.shape[0] else rules.floor
-        vx, vy, change, stays = strike(rules, law, solids, which, x, y, vx, vy, t, 1.0, impulses)
+        vx, vy, change, stays = strike(rules, law, solids, which, (x, y, vx, vy), t, 1.0, impulses)
         impulse = max(impulse, change)
         last = which
         if left <= 0.0:

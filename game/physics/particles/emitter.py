@@ -45,7 +45,7 @@ class Emitter:
         for name, (least, most) in limits.items():
             value = getattr(self, name)
             if not least <= value <= most:
-                raise ValueError(f"{name} = {value!r}: {least:g} to {most:g} is wanted")
+                raise ValueError(f"{name} = {value!r}: expected {least:g} to {most:g}")
 
     def row(self, since: float) -> NDArray[np.float64]:
         """The row (EMITTER_COLUMNS,) that kernels read, for an emitter that begins at an instant (s)."""

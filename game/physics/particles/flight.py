@@ -155,7 +155,7 @@ def runge_kutta_4(mask, forces, x, y, vx, vy, h):
 def exponential(mask, forces, decay, x, y, vx, vy, h):
     """Linear drag solved exactly; quadratic drag, exact by itself, half before and half after (Strang).
 
-    The pull and the whirl are taken at the middle of the way.
+    The pull and the vortex are taken at the middle of the path.
     """
     half = 0.5 * h
     px = x + half * vx

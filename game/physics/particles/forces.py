@@ -1,4 +1,4 @@
-"""What accelerates one particle: gravity, drag, wind, a whirl of air, a pull to a point.
+"""What accelerates one particle: gravity, drag, wind, a vortex of air, a pull to a point.
 
     a = g - (k + q |v - w|) (v - w) - s² (x - c)
 
@@ -34,7 +34,7 @@ class Forces(NamedTuple):
     quadratic_drag: float  # q, 1/m
     wind_x: float  # m/s
     wind_y: float  # m/s
-    whirl_x: float  # m, centre of the whirl
+    whirl_x: float  # m, centre of the vortex
     whirl_y: float  # m
     whirl_strength: float  # m²/s, circulation / 2π, counter-clockwise
     whirl_core: float  # m, radius within which the air turns as a solid; above 0

@@ -39,7 +39,7 @@ class Pool:
 
     def __init__(self, capacity: int):
         if isinstance(capacity, bool) or not isinstance(capacity, int) or not 1 <= capacity <= MAX_CAPACITY:
-            raise ValueError(f"capacity = {capacity!r}: 1 to {MAX_CAPACITY} is wanted")
+            raise ValueError(f"capacity = {capacity!r}: expected 1 to {MAX_CAPACITY}")
         self.capacity = capacity
         self.fields = np.zeros((5, capacity + PADDING))
         self.tags = np.zeros((2, capacity), dtype=np.int64)
@@ -119,7 +119,7 @@ class Pool:
         places = _pairs("positions", positions)
         speeds = _pairs("velocities", velocities)
         if places.shape != speeds.shape:
-            raise ValueError(f"velocities: {len(places)} pairs are wanted, got {len(speeds)}")
+            raise ValueError(f"velocities: expected {len(places)} pairs, got {len(speeds)}")
         count = min(len(places), self.capacity - len(self))
         slots = (int(self.tallies[HEAD]) + len(self) + np.arange(count)) % self.capacity
         self.fields[0:2, slots] = places[:count].T
@@ -149,5 +149,5 @@ def _pairs(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """(n, 2) finite numbers within the world, or ValueError."""
     pairs = np.array(values, dtype=np.float64).reshape(-1, 2)
     if not np.all(np.abs(pairs) <= LARGEST):
-        raise ValueError(f"{name}: finite numbers up to {LARGEST:g} are wanted")
+        raise ValueError(f"{name}: expected finite numbers up to {LARGEST:g}")
     return pairs

@@ -65,7 +65,7 @@ class Settings:
     @method.setter
     def method(self, name: str) -> None:
         if name not in METHODS:
-            raise ValueError(f"method = {name!r}: one of {', '.join(METHODS)} is wanted")
+            raise ValueError(f"method = {name!r}: expected one of {', '.join(METHODS)}")
         self._method = METHODS.index(name)
 
     @property
@@ -76,7 +76,7 @@ class Settings:
     @contact.setter
     def contact(self, name: str) -> None:
         if name not in CONTACTS:
-            raise ValueError(f"contact = {name!r}: one of {', '.join(CONTACTS)} is wanted")
+            raise ValueError(f"contact = {name!r}: expected one of {', '.join(CONTACTS)}")
         self._contact = CONTACTS.index(name)
 
     @property
@@ -87,7 +87,7 @@ class Settings:
     @life.setter
     def life(self, value: float) -> None:
         if not 0.0 < value < math.inf:
-            raise ValueError(f"life = {value!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"life = {value!r}: expected a finite number above 0 s")
         self._life = float(value)
 
     @property
@@ -100,9 +100,9 @@ class Settings:
         for name, value in forces._asdict().items():
             least = 0.0 if name in ("drag", "quadratic_drag", "pull") else -LARGEST
             if not least <= value <= LARGEST:
-                raise ValueError(f"{name} = {value!r}: {least:g} to {LARGEST:g} is wanted")
+                raise ValueError(f"{name} = {value!r}: expected {least:g} to {LARGEST:g}")
         if forces.whirl_core <= 0.0:
-            raise ValueError(f"whirl_core = {forces.whirl_core!r}: more than 0 m is wanted")
+            raise ValueError(f"whirl_core = {forces.whirl_core!r}: expected more than 0 m")
         self._forces = Forces(*map(float, forces))
         self._law = np.array(self._forces)
 
@@ -114,7 +114,7 @@ class Settings:
     @substeps.setter
     def substeps(self, value: int) -> None:
         if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAX_SUBSTEPS:
-            raise ValueError(f"substeps = {value!r}: a whole number, 0 to {MAX_SUBSTEPS}, is wanted")
+            raise ValueError(f"substeps = {value!r}: expected a whole number, 0 to {MAX_SUBSTEPS}")
         self._substeps = value
 
     @property
@@ -130,9 +130,9 @@ class Settings:
     def set_ground(self, floor: float, restitution: float) -> None:
         """Height of the floor (m) and its restitution, 0 to 1. ValueError for what is out of range."""
         if not abs(floor) <= LARGEST:
-            raise ValueError(f"floor = {floor!r}: a finite number up to {LARGEST:g} is wanted")
+            raise ValueError(f"floor = {floor!r}: expected a finite number up to {LARGEST:g}")
         if not 0.0 <= restitution <= 1.0:
-            raise ValueError(f"floor_restitution = {restitution!r}: 0 to 1 is wanted")
+            raise ValueError(f"floor_restitution = {restitution!r}: expected 0 to 1")
         self._floor, self._floor_restitution = float(floor), float(restitution)
 
     # -- what follows from them ---------------------------------------------------------------------

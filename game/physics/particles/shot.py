@@ -17,7 +17,7 @@ def shoot(rules, law, solids, states, steps, impulses):
         x, y, vx, vy = states[i, 0], states[i, 1], states[i, 2], states[i, 3]
         for _ in range(steps):
             x, y, vx, vy, change, _, _ = fly_among_solids(
-                rules, law, solids, x, y, vx, vy, 0.0, rules.h, impulses
+                rules, law, solids, (x, y, vx, vy), 0.0, rules.h, impulses
             )
             impacts += change > 0.0
         states[i, 0] = x

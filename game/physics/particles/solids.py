@@ -74,7 +74,7 @@ class Discs:
         places = np.asarray(centres, dtype=np.float64).reshape(-1, 2)
         sizes = np.asarray(radii, dtype=np.float64).reshape(-1)
         if len(places) != len(sizes):
-            raise ValueError(f"radii: {len(places)} wanted, one for each centre, got {len(sizes)}")
+            raise ValueError(f"radii: expected {len(places)}, one for each centre, got {len(sizes)}")
         bounce = np.broadcast_to(np.asarray(restitution, dtype=np.float64), sizes.shape)
         self.capacity = capacity
         self._store = np.zeros((capacity, COLUMNS))
@@ -123,9 +123,9 @@ class Discs:
         row[RADIUS] = radius
         row[RESTITUTION] = restitution
         if not 0.0 < radius <= LARGEST:
-            raise ValueError(f"radius = {radius!r}: above 0 and at most {LARGEST:g} m is wanted")
+            raise ValueError(f"radius = {radius!r}: expected a number above 0, at most {LARGEST:g} m")
         if not 0.0 <= restitution <= 1.0:
-            raise ValueError(f"restitution = {restitution!r}: 0 to 1 is wanted")
+            raise ValueError(f"restitution = {restitution!r}: expected 0 to 1")
         self._store[self.count] = row
         self.count += 1
         return self.count - 1
@@ -179,5 +179,5 @@ def checked_point(name: str, point: ArrayLike) -> NDArray[np.float64]:
     """Two finite numbers (2,) within the world, or ValueError."""
     pair = np.asarray(point, dtype=np.float64)
     if pair.shape != (2,) or not np.all(np.abs(pair) <= LARGEST):
-        raise ValueError(f"{name} = {point!r}: two numbers up to {LARGEST:g} are wanted")
+        raise ValueError(f"{name} = {point!r}: expected two numbers up to {LARGEST:g}")
     return pair

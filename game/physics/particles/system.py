@@ -72,9 +72,9 @@ class ParticleSystem(Pool, Settings):
             self, solids, effects, method, contact, life, forces, floor, floor_restitution, substeps
         )
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63:
-            raise ValueError(f"seed = {seed!r}: a whole number, 0 or more, is wanted")
+            raise ValueError(f"seed = {seed!r}: expected a whole number, 0 or more")
         if isinstance(report_lines, bool) or not isinstance(report_lines, int) or report_lines < 0:
-            raise ValueError(f"report_lines = {report_lines!r}: a whole number, 0 or more, is wanted")
+            raise ValueError(f"report_lines = {report_lines!r}: expected a whole number, 0 or more")
         self.seed = seed
         self._clock = np.zeros(3)
         self._emitters = np.zeros((0, births.EMITTER_COLUMNS))
@@ -155,7 +155,7 @@ class ParticleSystem(Pool, Settings):
     def step(self, dt: float) -> None:
         """Go on by dt (s). ValueError unless it is finite and above 0."""
         if not 0.0 < dt < math.inf:
-            raise ValueError(f"dt = {dt!r}: a finite number above 0 s is wanted")
+            raise ValueError(f"dt = {dt!r}: expected a finite number above 0 s")
         origin, step, steps = self._clock.tolist()
         if dt != step:
             origin, step, steps = origin + steps * step, dt, 0.0
@@ -172,22 +172,25 @@ class ParticleSystem(Pool, Settings):
 
     def _substep(self, now: float, h: float) -> None:
         rules = Rules(self._contact, self._method, self.mask, self._floor, self._floor_restitution, h)
-        pool = (self.fields, self.tags, self.tallies, self.capacity)
-        listed = (self._hits, self._who)
+        pool, listed = self._pool(), (self._hits, self._who)
         full = found = len(self._who)
         while found == full and self._oldest_dies_by(now + h):
-            found = births.retire(self.mask, *pool, self._life, now, h, *listed, 0)
+            found = births.retire(self.mask, pool, listed, 0, self._life, now, h)
             self._resolve(rules, found, now)
         self._fly_all(rules, now, h)
         sources = (self._emitters, self._births, self._due, self.seed)
         found = full if len(self._births) else 0
         while found == full:
-            found = births.emit(self.mask, *pool, *sources, self._life, now, h, *listed, 0)
+            found = births.emit(self.mask, pool, sources, listed, 0, self._life, now, h)
             self._resolve(rules, found, now)
         if len(self._births):
             self._emitters[:, births.FROM_X : births.FROM_Y + 1] = self._emitters[:, : births.POSITION_Y + 1]
         if len(self.solids):
             self.solids.move(h)
+
+    def _pool(self) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64], int]:
+        """As kernels take it."""
+        return self.fields, self.tags, self.tallies, self.capacity
 
     def _oldest_dies_by(self, end: float) -> bool:
         """Whether there is a particle whose life may end until an instant (s)."""
@@ -202,11 +205,12 @@ class ParticleSystem(Pool, Settings):
         advance = make_advance(self._method, self.mask & (FORCE_BITS | GROUND_BIT | OBSTACLES_BIT))
         touches = self.mask & (GROUND_BIT | OBSTACLES_BIT)
         portion = CHUNK if touches else self.capacity
-        where = (self._law, solids, self._floor, self.slack(h) if touches else 0.0, h)
+        world = (self._law, solids, self._floor, self.slack(h) if touches else 0.0)
+        listed = (self._hits, self._who)
         for low, high in self.segments():
             for begin in range(low, high, portion):
                 end = min(begin + portion, high)
-                found = advance(self.fields, begin, end, *where, self._marks, self._hits, self._who, 0)
+                found = advance(self.fields, begin, end, world, h, self._marks, listed, 0)
                 if found:
                     self._hits[encounters.START, :found] = 0.0
                     self._hits[encounters.DURATION, :found] = h
@@ -216,8 +220,8 @@ class ParticleSystem(Pool, Settings):
         if found:
             solids = self.solids
             encounters.resolve_encounters(
-                rules, self.fields, self.tags, self.tallies, self._hits, self._who, found, self._law,
-                solids.rows, now, solids.impulses, self._reports,
+                rules, self._pool(), (self._hits, self._who), found, self._law, solids.rows, now,
+                solids.impulses, self._reports,
             )  # fmt: skip
 
     # -- remembering --------------------------------------------------------------------------------

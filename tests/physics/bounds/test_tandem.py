@@ -201,7 +201,7 @@ def segment_distance_of(e, f):
 
 @kinds
 def test_separating_needs_few_tests_where_boxes_hug_the_curve(kind):
-    """Concentric arcs a gap g apart: 1/g tests for upright boxes, 1/sqrt(g) for the others."""
+    """Concentric arcs a gap g apart: 1/g tests for axis-aligned boxes, 1/sqrt(g) for the others."""
     tests = []
     for gap in (0.1, 0.01, 0.001):
         answer = tandem(
@@ -218,19 +218,19 @@ def test_separating_needs_few_tests_where_boxes_hug_the_curve(kind):
 @kinds
 def test_a_front_gives_the_same_crossings_with_fewer_tests(kind):
     a, b = build_tree(walk(11, 120), kind, 2), build_tree(walk(12, 120), kind, 2)
-    with_front, anew = Query(a, b), Query(a, b)
+    with_front, again = Query(a, b), Query(a, b)
     kept = fresh = 0
     for i in range(60):
         offset = (0.3 * math.cos(0.01 * i), 0.4 * math.sin(0.013 * i))
         with_front.run(offset, coherent=i > 0)
-        anew.run(offset)
+        again.run(offset)
         with_front.check()
         if i:
             kept += with_front.volume_tests
-            fresh += anew.volume_tests
-        assert np.array_equal(with_front.answer().crossings, anew.answer().crossings)
+            fresh += again.volume_tests
+        assert np.array_equal(with_front.answer().crossings, again.answer().crossings)
         met = {tuple(pair) for pair in with_front.answer().leaf_pairs.tolist()}
-        assert met >= {tuple(pair) for pair in anew.answer().leaf_pairs.tolist()}
+        assert met >= {tuple(pair) for pair in again.answer().leaf_pairs.tolist()}
     assert kept < 0.85 * fresh
     for _ in range(100):  # far apart, the front draws back to the roots
         with_front.run((50.0, 0.0), coherent=True)

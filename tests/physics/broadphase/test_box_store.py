@@ -48,12 +48,14 @@ def test_what_is_no_box_is_refused_and_nothing_changes(phase, lower, upper):
 
 
 def test_one_line_says_what_is_wrong(phase):
-    with pytest.raises(ValueError, match=r"box 1: lower \(nan, 0.0\) must not be above upper") as error:
+    with pytest.raises(
+        ValueError, match=r"box 1: expected numbers, and lower \(nan, 0.0\) not above upper"
+    ) as error:
         phase.add_boxes([(0, 0), (NAN, 0)], [(1, 1), (1, 1)])
     assert "\n" not in str(error.value)
     with pytest.raises(ValueError, match="id = 7: there is no box of that id"):
         phase.remove_box(7)
-    with pytest.raises(ValueError, match="point: finite numbers are wanted"):
+    with pytest.raises(ValueError, match="point: expected finite numbers"):
         phase.query_point((INF, 0.0))
 
 

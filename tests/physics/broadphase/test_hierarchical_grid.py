@@ -17,7 +17,7 @@ from game.physics.broadphase.workloads import make_boxes
 
 def test_a_ratio_that_is_no_power_is_refused():
     for ratio in (0, 1, 3, 32, 2.5, None):
-        with pytest.raises(ValueError, match="2, 4, 8 or 16 is wanted"):
+        with pytest.raises(ValueError, match="expected 2, 4, 8 or 16"):
             HierarchicalGrid(ratio)
 
 

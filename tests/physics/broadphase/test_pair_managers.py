@@ -113,7 +113,7 @@ def test_a_matrix_has_rows_for_its_ids_only():
     manager = MatrixPairs(5)
     assert manager.capacity == 5
     for words in ((0, 5), (-1, 2)):
-        with pytest.raises(ValueError, match="ids from 0 to 4 are wanted"):
+        with pytest.raises(ValueError, match="expected ids from 0 to 4"):
             manager.add(*words)
     for capacity in (1, 0, -3, 2.5, None):
         with pytest.raises(ValueError, match="capacity"):

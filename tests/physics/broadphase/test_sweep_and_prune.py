@@ -1,4 +1,4 @@
-"""Sweep and prune: swaps are inversions, and sorting anew gives what swapping gives."""
+"""Sweep and prune: swaps are inversions, and sorting again gives what swapping gives."""
 
 from __future__ import annotations
 
@@ -67,11 +67,11 @@ def test_the_step_after_a_leap_is_sorted_at_once_until_boxes_are_calm_again():
     lowers = generator.random((n, 2))
     for phase in (sap, swapping):
         ids = phase.add_boxes(lowers, lowers + 0.02)
-    for spread, anew in ((3.0, 1), (3.0, 2), (1e-5, 3), (1e-5, 3), (3.0, 4)):
+    for spread, again in ((3.0, 1), (3.0, 2), (1e-5, 3), (1e-5, 3), (3.0, 4)):
         lowers = lowers + generator.standard_normal((n, 2)) * spread
         for phase in (sap, swapping):
             phase.update_boxes(ids, lowers, lowers + 0.02)
-        assert sap.resorts == anew
+        assert sap.resorts == again
         assert sap.swaps == swapping.swaps
         assert np.array_equal(sap.pairs(), swapping.pairs())
         events = [phase.manager.take_events() for phase in (sap, swapping)]
@@ -157,7 +157,7 @@ def test_more_changes_than_fit_the_notes_are_handed_on_in_parts():
 
 @pytest.mark.parametrize("resort", [True, False])
 def test_few_boxes_are_moved_one_by_one_to_the_same_pairs(resort):
-    """Far fewer than all: each is moved by itself; the pairs are those of sweeping anew."""
+    """Far fewer than all: each is moved by itself; the pairs are those of sweeping again."""
     generator = np.random.default_rng(4)
     lowers = generator.random((400, 2)) * 10.0
     sap = SweepAndPrune(resort=resort)
@@ -166,9 +166,9 @@ def test_few_boxes_are_moved_one_by_one_to_the_same_pairs(resort):
         chosen = generator.choice(400, 3, replace=False)
         lowers[chosen] += generator.uniform(-1.0, 1.0, (3, 2))
         sap.update_boxes(ids[chosen], lowers[chosen], lowers[chosen] + 0.5)
-        anew = SweepAndPrune()
-        anew.add_boxes(lowers, lowers + 0.5)
-        assert np.array_equal(sap.pairs(), anew.pairs())
+        again = SweepAndPrune()
+        again.add_boxes(lowers, lowers + 0.5)
+        assert np.array_equal(sap.pairs(), again.pairs())
         sap.check()
     before = sap.pairs()
     for call, message in (

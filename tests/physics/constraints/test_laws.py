@@ -464,7 +464,7 @@ def test_each_link_has_its_own_numbers_in_any_order(order, model):
 
 @pytest.mark.parametrize("scheme", ["euler", "bdf2"])
 def test_no_step_leaves_anything_but_its_state(scheme):
-    """A system built anew and given the state goes on by the same bits: multipliers begin at 0 each time."""
+    """A system built again and given the state goes on by the same bits: multipliers begin at 0 each time."""
 
     def jelly():
         ring = shapes.ring((0.0, 0.0), 0.5, 8)

@@ -239,19 +239,19 @@ def test_a_state_put_back_goes_on_to_the_last_bit():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"positions": []}, "positions: pairs of numbers are wanted"),
+        ({"positions": []}, "positions: expected pairs of numbers"),
         ({"positions": [(0.0, math.nan)]}, "positions: "),
         ({"positions": [(0.0, 2e12)]}, "positions: "),
         ({"velocities": [(0.0, 0.0)]}, "velocities: "),
-        ({"inverse_masses": [1.0]}, r"inverse_masses: 2 numbers are wanted, got shape \(1,\)"),
+        ({"inverse_masses": [1.0]}, r"inverse_masses: expected 2 numbers, got shape \(1,\)"),
         ({"inverse_masses": [1.0, -1.0]}, r"inverse_masses\[1\] = .*-1.0"),
-        ({"links": [(0.0, 1.0)]}, "links: pairs of whole numbers"),
+        ({"links": [(0.0, 1.0)]}, "links: expected pairs of whole numbers"),
         ({"links": [(0, 2)]}, r"links\[0\] = \[0, 2\]: there are particles 0 to 1"),
-        ({"links": [(1, 1)]}, r"links\[0\] = \[1, 1\]: two different"),
-        ({"areas": [[0, 1]]}, r"areas\[0\]: three or more different"),
+        ({"links": [(1, 1)]}, r"links\[0\] = \[1, 1\]: expected two different"),
+        ({"areas": [[0, 1]]}, r"areas\[0\]: expected three or more different"),
         ({"positions": [(0, 0), (1, 0), (0, 1)], "areas": [[0, 1, 7]]}, "there are particles 0 to 2"),
-        ({"model": "rubber"}, "model = 'rubber': one of pbd"),
-        ({"iterations": 0}, "iterations = 0: a whole number"),
+        ({"model": "rubber"}, "model = 'rubber': expected one of pbd"),
+        ({"iterations": 0}, "iterations = 0: expected a whole number"),
         ({"relaxation": 2.0}, "relaxation = 2.0: "),
     ],
 )
@@ -280,5 +280,5 @@ def test_refusals_change_nothing():
 @pytest.mark.parametrize("order", ["nonsense", "", None, 3])
 def test_an_order_that_there_is_not_is_refused(order):
     for links in ((), [(0, 1)]):
-        with pytest.raises(ValueError, match=r"^order = .*: one of coloured, natural, reversed is wanted$"):
+        with pytest.raises(ValueError, match=r"^order = .*: expected one of coloured, natural, reversed$"):
             PositionBasedDynamics([(0.0, 0.0), (1.0, 0.0)], links=links, order=order)

@@ -93,14 +93,14 @@ def test_what_is_not_convex_is_refused_with_its_hull(points):
     ],
 )
 def test_absurd_outlines_are_named(points, words):
-    """G-N1, G-N2, G-N4"""
+    """Not finite, too few, too large or too small."""
     for measure in (ConvexPolygon, convex_hull, lambda p: gjk(p, SQUARE), lambda p: vclip(SQUARE, p)):
         with pytest.raises(ValueError, match=words):
             measure(points)
 
 
 def test_any_kind_of_array_will_do():
-    """G-N5"""
+    """Equal numbers of different types give equal answers."""
     wanted = gjk(SQUARE, [(3, 0), (4, 1), (4, -1)])
     other = np.array([(3, 0), (4, 1), (4, -1)])
     wide = np.zeros((3, 4), dtype=np.float32)

@@ -85,7 +85,7 @@ def test_endless_bounces_end_when_they_should():
     none, state, way, time = Discs(), (0.0, 1.0, 0.0, 0.0), 0.0, 0.0
     while time < 2.0:
         before = state
-        x, y, vx, vy, _, _, lost = fly_among_solids(rules, CALM, none.rows, *state, 0.0, 1e-4, none.impulses)
+        x, y, vx, vy, _, _, lost = fly_among_solids(rules, CALM, none.rows, state, 0.0, 1e-4, none.impulses)
         assert lost == 0.0
         state, time = (x, y, vx, vy), time + 1e-4
         way += abs(y - before[1])

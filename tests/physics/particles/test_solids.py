@@ -75,5 +75,5 @@ def test_places_are_limited_and_freed():
             discs.place(index, (0.0, 0.0))
         with pytest.raises(ValueError, match="there are 1"):
             discs.carry(index, (0.0, 0.0))
-    with pytest.raises(ValueError, match="radii: 2 wanted"):
+    with pytest.raises(ValueError, match="radii: expected 2"):
         Discs([(0, 0), (1, 1)], [1.0])

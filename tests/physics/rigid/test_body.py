@@ -130,7 +130,7 @@ def test_density_changes_while_it_runs(keep):
 
 
 def test_a_row_of_points_never_turns_about_itself():
-    """H2: a torque along the row gives no spin and no infinity, by any method."""
+    """A torque along the row gives no spin and no infinity, by any method."""
     for method in METHODS:
         body = RigidBody.from_spheres([(-1, 0), (0, 0), (1, 0)], [1e-7] * 3, 1e20, method=method)
         body.angular_velocity = (0, 0, 2.0)
@@ -141,7 +141,7 @@ def test_a_row_of_points_never_turns_about_itself():
 
 
 def test_a_millionfold_in_mass_within_a_body():
-    """H7: it moves as one; L and the energy of the exact method stay."""
+    """It moves as one; L and the energy of the exact method stay."""
     body = RigidBody.from_spheres(
         [(1e6, 0, 0), (1e6 + 1.5, 0.5, 0), (1e6, 1.0, 0.7)], [1.0, 0.01, 0.01], 1000.0, method="exact"
     )

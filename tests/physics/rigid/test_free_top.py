@@ -27,7 +27,7 @@ START = quaternion_normalized((0.5, 0.1, -0.7, 0.3))
 
 @pytest.mark.parametrize("name", STARTS)
 def test_spin_period_and_flips(name):
-    """H3, known along two ways to 1e-12."""
+    """Known along two ways to 1e-12."""
     top = FreeTop(MOMENTS, STARTS[name])
     assert np.allclose(top.spin(0.0), STARTS[name], rtol=0, atol=4 * EPS)
     assert np.allclose(top.spin(10.0), SPINS_AT_10[name], rtol=0, atol=1e-12)
@@ -70,7 +70,7 @@ def test_orientation_against_an_integrator_of_order_eight(spin):
 
 
 def test_a_symmetric_body_precesses():
-    """H8: I = (1, 1, 3), w = (0.5, 0, 2): the spin goes round axis 3 at (I3 - I1) / I1 w3 = 4 rad/s."""
+    """I = (1, 1, 3), w = (0.5, 0, 2): the spin goes round axis 3 at (I3 - I1) / I1 w3 = 4 rad/s."""
     top = FreeTop((1.0, 1.0, 3.0), (0.5, 0.0, 2.0))
     assert np.allclose(top.spin(1.0), (0.5 * math.cos(4), 0.5 * math.sin(4), 2.0), rtol=0, atol=1e-14)
     assert np.allclose(top.spin(1.0)[:2], (-0.326821810431806, -0.378401247653964), rtol=0, atol=1e-14)
@@ -85,7 +85,7 @@ def test_a_symmetric_body_precesses():
 
 @pytest.mark.parametrize("axis", range(3))
 def test_a_spin_about_an_axis_stays(axis):
-    """H9, also about the middle axis: what is exact does not fall."""
+    """Also about the middle axis: what is exact does not fall."""
     spin = np.zeros(3)
     spin[axis] = 3.0
     top = FreeTop(MOMENTS, spin)

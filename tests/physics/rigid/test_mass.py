@@ -57,7 +57,7 @@ def test_volume_and_mass_of_each_sphere():
 
 
 def test_one_sphere_and_spheres_in_one_place():
-    """H1: isotropic; two in one place are one of twice the mass."""
+    """Isotropic; two in one place are one of twice the mass."""
     mass, center, inertia = mass_properties([(1, 2, 3)], [0.5], 100.0)
     assert np.allclose(inertia, 0.4 * mass * 0.25 * np.eye(3), rtol=1e-15)
     twice = mass_properties([(1, 2, 3), (1, 2, 3)], [0.5, 0.5], 100.0)
@@ -67,14 +67,14 @@ def test_one_sphere_and_spheres_in_one_place():
 
 
 def test_spheres_in_a_row():
-    """H2: about the row only the spheres' own tensors count."""
+    """About the row only the spheres' own tensors count."""
     radii = [0.5] * 3
     _, _, inertia = mass_properties([(-1, 0), (0, 0), (1, 0)], radii, density_for([1] * 3, radii))
     assert np.allclose(inertia, np.diag((0.3, 2.3, 2.3)), rtol=1e-14, atol=1e-15)
 
 
 def test_a_row_of_points_does_not_turn_about_itself():
-    """H2: with hardly any radius the tensor has no inverse; the pseudo-inverse gives no spin, not inf."""
+    """With hardly any radius the tensor has no inverse; the pseudo-inverse gives no spin, not inf."""
     radii = [1e-7] * 3
     _, _, inertia = mass_properties([(-1, 0), (0, 0), (1, 0)], radii, density_for([1] * 3, radii))
     moments, _ = principal_axes(inertia)
@@ -146,7 +146,7 @@ def exact_tensor(places, radii, masses):
 
 
 def test_a_millionfold_in_mass_a_million_away():
-    """H7: against rational numbers, to 1e-12 of the largest moment."""
+    """Against rational numbers, to 1e-12 of the largest moment."""
     far = np.array((1e6, -2e6, 3e6))
     places = far + np.array([(0, 0, 0), (1.5, 0.25, 0), (0, -0.75, 2.0), (0.5, 0.5, 0.5)])
     radii = np.array((1.0, 0.01, 0.01, 0.2))

@@ -77,7 +77,7 @@ def test_angular_momentum_is_the_state_and_stays(method):
 @pytest.mark.parametrize("name", ENERGY_BOUNDS)
 @pytest.mark.parametrize("method", ["explicit-euler", "exponential-map", "semi-implicit"])
 def test_explicit_euler_raises_the_energy_to_its_bound(method, name):
-    """H4: E never falls, never passes |L|²/(2 I1), and comes to it; the exponential map does not help."""
+    """E never falls, never passes |L|²/(2 I1), and comes to it; the exponential map does not help."""
     body = free_body(method, STARTS[name])
     first = before = energy(body)
     bound = body.largest_rotation_energy
@@ -108,7 +108,7 @@ def test_energy_of_explicit_euler_after_ten_seconds(name, dt, ratio):
 
 
 def test_the_sign_depends_on_the_state():
-    """H4: Euler's equations in the body's frame gain, the spin in the world's frame loses."""
+    """Euler's equations in the body's frame gain, the spin in the world's frame loses."""
     ratios, momenta = {}, {}
     for method, seconds in (("body-euler", 10), ("world-euler", 100), ("implicit-gyroscopic", 100)):
         body = free_body(method, STARTS["generic"])
@@ -156,7 +156,7 @@ def test_at_twenty_radians_a_second_and_ten_steps():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_length_of_the_quaternion(method):
-    """H5: 1 to rounding after each step; not normalized, explicit Euler alone makes it longer."""
+    """1 to rounding after each step; not normalized, explicit Euler alone makes it longer."""
     body = free_body(method, (0.0, 0.0, 10.0))
     body.step(1 / 60, 600)
     assert length(body.state[3:7]) == pytest.approx(1.0, abs=4 * EPS)
@@ -191,7 +191,7 @@ def test_explicit_euler_turns_by_less_than_the_angle():
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("spin", [(0.0, 0.0, 0.0), (1e-9, 2e-9, -1e-9), (0.0, 0.0, 400.0)])
 def test_no_spin_hardly_any_and_more_than_half_a_turn_a_step(method, spin):
-    """H6."""
+    """No spin at all, hardly any, and much."""
     body = free_body(method, spin)
     body.step(1 / 60, 10)
     body.check()
@@ -204,7 +204,7 @@ def test_no_spin_hardly_any_and_more_than_half_a_turn_a_step(method, spin):
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("axis", [0, 2])
 def test_a_spin_about_a_stable_axis_stays(method, axis):
-    """H9: to 1e-12 for ten seconds, in a frame that is not the world's."""
+    """To 1e-12 for ten seconds, in a frame that is not the world's."""
     spin = np.zeros(3)
     spin[axis] = 3.0
     body = free_body(method, (0, 0, 0))
@@ -215,7 +215,7 @@ def test_a_spin_about_a_stable_axis_stays(method, axis):
 
 
 def test_rounding_makes_the_middle_axis_flip():
-    """H9: e^(1.73 t) makes 1e-16 to 1 in some twenty seconds, so a flip then is right."""
+    """E^(1.73 t) makes 1e-16 to 1 in some twenty seconds, so a flip then is right."""
     body = free_body("splitting", (0, 0, 0))
     body.orientation = (0.5, 0.1, -0.7, 0.3)
     body.angular_velocity = body.rotation @ (0.0, 3.0, 0.0)
@@ -231,7 +231,7 @@ def test_rounding_makes_the_middle_axis_flip():
 @pytest.mark.parametrize("method", ["splitting", "rk4", "midpoint", "exact"])
 @pytest.mark.parametrize("name", ["axis 3 side", "axis 1 side"])
 def test_flips_in_a_hundred_seconds(method, name):
-    """H3: 30 and 25 times."""
+    """30 and 25 times."""
     body = free_body(method, STARTS[name])
     sign, flips = 1.0, 0
     for _ in range(1000):
@@ -243,7 +243,7 @@ def test_flips_in_a_hundred_seconds(method, name):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_precession_of_a_symmetric_body(method):
-    """H8: the spin goes round axis 3 at 4 rad/s; only the phase tells the methods apart."""
+    """The spin goes round axis 3 at 4 rad/s; only the phase tells the methods apart."""
     body = free_body(method, (0.5, 0.0, 2.0), moments=(1.0, 1.0, 3.0))
     body.step(1 / 4000, 4000)
     assert np.allclose(body.spin, (0.5 * math.cos(4), 0.5 * math.sin(4), 2.0), rtol=0, atol=5e-3)

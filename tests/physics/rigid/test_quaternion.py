@@ -63,7 +63,7 @@ def test_axis_and_angle_against_rodrigues(axis, angle):
 
 @given(q=units)
 def test_matrix_and_back_at_any_angle(q):
-    """H5: q and -q are one turn; Shepperd's way keeps its digits also next to half a turn."""
+    """Q and -q are one turn; Shepperd's way keeps its digits also next to half a turn."""
     q = quaternion_normalized(q)
     back = quaternion_from_matrix(quaternion_to_matrix(q))
     assert back[0] >= 0.0
@@ -91,7 +91,7 @@ def test_logarithm_undoes_exponential(v):
 
 @pytest.mark.parametrize("length", [0.0, 1e-300, 1e-160, 1e-9, 9.999e-4, 1.0001e-3, 0.5])
 def test_small_turns_have_no_gap(length):
-    """H6: the series and the sine meet; nothing is divided by zero."""
+    """The series and the sine meet; nothing is divided by zero."""
     q = quaternion_from_rotation_vector((0.0, length, 0.0))
     assert q[0] == pytest.approx(math.cos(0.5 * length), abs=EPS)
     assert q[2] == pytest.approx(math.sin(0.5 * length), rel=2 * EPS, abs=0.0)
@@ -100,7 +100,7 @@ def test_small_turns_have_no_gap(length):
 
 @pytest.mark.parametrize("turns", [1.0, 1.5, 40.25])
 def test_turns_by_more_than_half(turns):
-    """H6: w dt above pi turns by that angle, not by less."""
+    """W dt above pi turns by that angle, not by less."""
     angle = 2.0 * math.pi * turns
     q = quaternion_from_rotation_vector((angle, 0.0, 0.0))
     assert np.allclose(quaternion_to_matrix(q), matrix_about((1, 0, 0), angle), rtol=0, atol=1e-13)

@@ -1,7 +1,7 @@
 """What reaching costs: error against iterations and time, by seven methods and four kinds of target.
 
 Reachable targets: linear convergence of the gradients, nearly quadratic of damped least squares. The dead
-point: a straight chain with its target on its axis, where every gradient is nought. Full reach: only 1 / k,
+point: a straight chain with its target on its axis, where every gradient is zero. Full reach: only 1 / k,
 as the chain gets straight. Out of reach: the error that is left goes to the distance missing.
 """
 
@@ -149,7 +149,7 @@ def single_study(
 
 dead_point_study = single_study(
     "dead point", "c03-dead-point", {},
-    "At first nothing moves: all gradients are nought. The kick comes at once, then it converges as ever.",
+    "At first nothing moves: all gradients are zero. The kick comes at once, then it converges as ever.",
 )  # fmt: skip
 full_reach_study = single_study(
     "full reach", "c03-full-reach", dict.fromkeys(("gradient", "buss", "armijo", "ccd"), 1.0),

@@ -90,7 +90,7 @@ gap_study = Study(
     counter="tests of volumes and segments",
     knob=Knob("gap", "gap", "m"),
     methods=(
-        Method("aabb", "upright boxes", 1.0),
+        Method("aabb", "axis-aligned boxes", 1.0),
         Method("obb", "boxes, by degrees", None, "loses its order where a box is thinner than its own error"),
         Method("obb-exact", "boxes, exact", 2.0),
         Method("capsule", "capsules", None, "by degrees, too"),
@@ -99,7 +99,7 @@ gap_study = Study(
     trial=gap_trial,
     reference="arcs of 1024 segments about one centre, 1 m off, 60 to 101 degrees long.",
     expectation=(
-        "Twice the tests prove half the gap with upright boxes, a quarter of it with exact ones. "
+        "Twice the tests prove half the gap with axis-aligned boxes, a quarter of it with exact ones. "
         "Boxes by degrees lose that where they are thinner than half a degree of their length."
     ),
     order_over="counter",

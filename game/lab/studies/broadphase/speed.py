@@ -63,7 +63,7 @@ def _present_speed(parameters: Mapping[str, Any]) -> Setting:
 
 
 def _present_sorting(parameters: Mapping[str, Any]) -> Setting:
-    """The same, with or without sorting anew."""
+    """The same, with or without sorting again."""
     return replace(_present_speed(parameters), method="resort" if parameters["resort"] else "swaps")
 
 
@@ -95,7 +95,7 @@ speed_study = replace(
     short="Speed",
     methods=(
         Method("swaps", "swaps alone"),
-        Method("resort", "sorted anew where that is cheaper"),
+        Method("resort", "sorted again where that is cheaper"),
         Method("grid", "uniform grid beside it"),
     ),
     settings=partial(_speed_settings, ("swaps", "resort", "grid")),
@@ -103,7 +103,7 @@ speed_study = replace(
     axes=Axes("knob", "cpu"),
     reference="Pairs are the same for all methods: errors are none. The curve is cost.",
     expectation="Time grows with the swaps, in proportion to the way in a step, until it is cheaper to sort "
-    "anew. A grid does not mind the speed.",
+    "again. A grid does not mind the speed.",
 )
 sweep_study = missed_pairs_study(
     "c07", "Sweep and prune", lambda size: SweepAndPrune(), (swaps_study, speed_study)

@@ -101,7 +101,7 @@ def tolerance_settings() -> list[Setting]:
 
 
 def tolerance_trial(setting: Setting) -> Queries:
-    """Queries that begin anew each time."""
+    """Queries that begin again each time."""
     method = str(setting.scene.get("method", "climb"))
     n = int(setting.method.split("-")[1])
     return Queries(n, 0.3, "scan" if method == "scan" else "gjk", setting.knob, warm=False)

@@ -18,7 +18,7 @@ from game.physics.narrowphase.simplex import support_cold, support_hc, support_s
 
 Array = NDArray[np.float64]
 DIRECTIONS = 20_000
-LEAST = 2.0**-56  # errors below are shown as this: they are nought
+LEAST = 2.0**-56  # errors below are shown as this: they are zero
 WAYS = ("climb-near", "climb-far", "scan")
 
 

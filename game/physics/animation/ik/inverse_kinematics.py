@@ -113,7 +113,7 @@ class Solver:
         """
         self._targets[0, 0], self._targets[0, 1] = _target(target)
         if not (0.0 < step <= 1e6 and 0.0 < damping <= 1e6):
-            raise SkeletonError(f"step, damping: more than 0 is wanted, got {step!r} and {damping!r}")
+            raise SkeletonError(f"step, damping: expected more than 0, got {step!r} and {damping!r}")
         chain, skeleton = self.chain, self.skeleton
         self._take(limited)
         self._start[0] = chain.links[ANGLE]
@@ -142,7 +142,7 @@ class Solver:
         """
         targets = np.array(targets, dtype=np.float64, order="C")
         if targets.ndim != 2 or targets.shape[1] != 2 or not np.all(np.abs(targets) <= LARGEST):
-            raise SkeletonError("targets: finite numbers (m, 2) are wanted")
+            raise SkeletonError("targets: expected finite numbers (m, 2)")
         chain = self.chain
         self._take(limited)
         chain.numbers[STEP], chain.numbers[DAMPING] = 1.0, 0.1 * self._reach
@@ -201,15 +201,15 @@ def solve_ik(
 def _target(target: Point) -> tuple[float, float]:
     x, y = float(target[0]), float(target[1])
     if not (abs(x) <= LARGEST and abs(y) <= LARGEST):
-        raise SkeletonError(f"target: two finite numbers are wanted, got {target!r}")
+        raise SkeletonError(f"target: expected two finite numbers, got {target!r}")
     return x, y
 
 
 def _method(method: str, tolerance: float, iterations: int) -> int:
     if method not in METHODS:
-        raise SkeletonError(f"method {method!r}: one of {', '.join(METHODS)} is wanted")
+        raise SkeletonError(f"method {method!r}: expected one of {', '.join(METHODS)}")
     if not 0.0 < tolerance < math.inf:
-        raise SkeletonError(f"tolerance: more than 0 m is wanted, got {tolerance!r}")
+        raise SkeletonError(f"tolerance: expected more than 0 m, got {tolerance!r}")
     if isinstance(iterations, bool) or int(iterations) != iterations or iterations < 1:
-        raise SkeletonError(f"iterations: a whole number above 0 is wanted, got {iterations!r}")
+        raise SkeletonError(f"iterations: expected a whole number above 0, got {iterations!r}")
     return METHODS.index(method)

@@ -16,7 +16,7 @@ def two_link_angles(
     the second link turns counterclockwise. SkeletonError for links without length.
     """
     if not (0.0 < first < math.inf and 0.0 < second < math.inf):
-        raise SkeletonError(f"links: finite lengths above 0 m are wanted, got {first!r} and {second!r}")
+        raise SkeletonError(f"links: expected finite lengths above 0 m, got {first!r} and {second!r}")
     x, y = float(target[0]), float(target[1])
     cosine = (x * x + y * y - first * first - second * second) / (2.0 * first * second)
     bend = math.acos(min(max(cosine, -1.0), 1.0)) * (1.0 if elbow_down else -1.0)
