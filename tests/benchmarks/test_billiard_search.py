@@ -42,8 +42,8 @@ def test_random_strokes(benchmark, count, threads):
 @pytest.mark.parametrize("seed", [1, 2])
 def test_find_shots(benchmark, seed):
     benchmark.group = "find_shots, 16 balls"
-    lie = scattered(seed)
-    assert benchmark(find_shots, lie)
+    layout = scattered(seed)
+    assert benchmark(find_shots, layout)
 
 
 @pytest.mark.parametrize("grade", GRADES)

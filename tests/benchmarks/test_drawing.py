@@ -10,7 +10,7 @@ import pytest
 
 from game.billiards.table.table import Table
 from game.ui.look.theme import DARK, FELT
-from game.ui.painters.ball import BallPainter
+from game.ui.painters.ball import BallPainter, ScreenBalls
 from game.ui.painters.ball_picture import ball_picture, turned
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import fit_table, table_picture
@@ -40,7 +40,7 @@ def particles():
 def balls():
     rng = np.random.default_rng(2)
     turns = np.array([turned(*rng.normal(0.0, 2.0, 3)) for _ in range(16)])
-    return rng.uniform((130, 110), (1150, 610), (16, 2)), np.full(16, 11.5), np.arange(16), turns
+    return ScreenBalls(rng.uniform((130, 110), (1150, 610), (16, 2)), np.full(16, 11.5), np.arange(16), turns)
 
 
 def median_time(call, rounds=15):
@@ -80,7 +80,7 @@ def test_many_segments(paper, particles, benchmark):
 
 def test_sixteen_balls(paper, balls, benchmark):
     painter = BallPainter(FELT)
-    benchmark.pedantic(painter.draw, (*paper, *balls, (640.0, 360.0), 403.0), rounds=60, warmup_rounds=3)
+    benchmark.pedantic(painter.draw, (*paper, balls, (640.0, 360.0), 403.0), rounds=60, warmup_rounds=3)
     assert (paper[0] != 0).mean() > 0.005
 
 
@@ -99,12 +99,10 @@ def test_cue(paper, benchmark):
 
 
 def test_balls_are_drawn_many_times_faster_than_by_numpy(paper, balls):
-    points, radii, numbers, turns = balls
     painter = BallPainter(FELT)
-    kernel = median_time(lambda: painter.draw(*paper, points, radii, numbers, turns, (640.0, 360.0), 403.0))
-    numpy = median_time(
-        lambda: [ball_picture(int(n), 11.5, t, FELT) for n, t in zip(numbers, turns, strict=True)], 5
-    )
+    kernel = median_time(lambda: painter.draw(*paper, balls, (640.0, 360.0), 403.0))
+    pairs = list(zip(balls.numbers, balls.turns, strict=True))
+    numpy = median_time(lambda: [ball_picture(int(n), 11.5, t, FELT) for n, t in pairs], 5)
     assert kernel < numpy / 5.0
 
 

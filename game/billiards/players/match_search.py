@@ -131,21 +131,21 @@ def _ranked(
 def is_clean(outcomes: Outcomes, chain: int, once: bool = True) -> NDArray[np.bool_]:
     """Which strokes (m,) pot exactly one ball, and not the cue ball, by a chain of at least so many.
 
-    once: only one ball touched the one that falls, so that there is no doubt by way of what it fell.
+    once: only one ball touched the one that falls, so that there is no doubt which sent it on.
     """
-    facts, ways = outcomes.facts, outcomes.ways
+    facts, histories = outcomes.facts, outcomes.histories
     down = facts[:, DOWN]
     single = (down != 0) & (down & (down - 1) == 0)
     good = single & (facts[:, SCRATCH] == 0) & (facts[:, GIVEN_UP] == 0) & (facts[:, FIRST_BALLS] != 0)
     rows = np.flatnonzero(good)
     ball = np.log2(down[rows]).astype(np.intp)
-    way = ways[rows, ball]
+    history = histories[rows, ball]
     length = np.zeros(len(rows), np.int64)
-    for bit in range(ways.shape[1]):
-        length += way[:, CHAIN] >> bit & 1
+    for bit in range(histories.shape[1]):
+        length += history[:, CHAIN] >> bit & 1
     kept = length >= chain
     if chain and once:
-        kept &= way[:, CONTACTS] == 1
+        kept &= history[:, CONTACTS] == 1
     good[rows] = kept
     return good
 
@@ -172,7 +172,7 @@ def _next_chance(view: View, places: Array) -> float:
     kept = np.flatnonzero(places[:, 0] > 0.5 * NOWHERE)
     if len(kept) <= 2:
         return 1.0
-    below = View(view.board.moved(places, kept), view.noise, view.gates, view.bed)
+    below = view.moved(places, kept)
     kinds = ("combination",)
     candidates = below.candidates(_aims(below, 3), kinds, NEXT_KINDS)
     return float(candidates[:, CHANCE].sum()) / NEXT_KINDS

@@ -20,7 +20,7 @@ from game.billiards.search.breaking import best_break
 from game.billiards.search.candidates import BALL
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, search, thread_pool
 from game.billiards.search.looking import Effort, Looked
-from game.billiards.search.placing import place_white
+from game.billiards.search.placing import BallInHand, place_cue_ball
 from game.billiards.search.rating import Aims
 from game.billiards.search.safety import look_for_push_out, look_for_safety
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
@@ -191,11 +191,13 @@ class _Mind:
 
     def places(self, frame: Frame) -> list[Arrangement]:
         """Where the cue ball in hand could go."""
+        layout = frame.layout.without(CUE_BALL)
+        ball = BallInHand(layout, frame.table, frame.physics, frame.game.in_hand, self.grade.noise)
         layouts: list[Arrangement] = []
-        for aims in self._aims(frame, frame.layout.with_ball(CUE_BALL, (0.0, 0.0))):
-            layouts += place_white(
-                frame.layout, frame.table, frame.physics, frame.game.in_hand, aims, self.grade.noise,
-                self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool, self.clock,
+        for aims in self._aims(frame, layout.with_ball(CUE_BALL, (0.0, 0.0))):
+            layouts += place_cue_ball(
+                ball, aims, self.grade.placing, self.draws, self.grade.kept, self.grade.places, self.pool,
+                self.clock,
             )  # fmt: skip
         return layouts
 

@@ -2,5 +2,5 @@
 
 `finding` is the door (`find_shots`); below it: `lanes` and `candidates` (geometry), `strokes` and `outcomes`
 (many exact shots at once), `fans` and `rating`, `looking` and `deeper` (one stroke, and the one after it),
-`placing` (a white ball in hand), `safety` (when nothing can be potted).
+`placing` (a cue ball in hand), `safety` (when nothing can be potted).
 """

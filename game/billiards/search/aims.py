@@ -9,15 +9,15 @@ from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.search.rating import Aims
 
 
-def bits_of(numbers: tuple[int, ...], wanted: tuple[int, ...]) -> int:
+def bits_of(numbers: tuple[int, ...], chosen: tuple[int, ...]) -> int:
     """Balls as bits of their rows. numbers: of the rows."""
-    return sum(1 << row for row, number in enumerate(numbers) if number in wanted)
+    return sum(1 << row for row, number in enumerate(numbers) if number in chosen)
 
 
 def aims_of(game: Game, numbers: tuple[int, ...], solo: bool = False) -> list[Aims]:
     """What the shooter may be after: one for each group while an eight-ball table is open, else one.
 
-    numbers: of the balls on the table, by row, the white one among them. solo: only clearing it counts.
+    numbers: of the balls on the table, by row, the cue ball among them. solo: only clearing it counts.
     """
     if isinstance(game, EightBall):
         return _eight_ball_aims(game, numbers, solo)
@@ -52,7 +52,7 @@ def _eight_ball_aims(game: EightBall, numbers: tuple[int, ...], solo: bool) -> l
 
 
 def all_aims(numbers: tuple[int, ...], targets: tuple[int, ...], first: tuple[int, ...], chain: int) -> Aims:
-    """Aims without a game: any of the targets, in any order, hit by way of `first`."""
-    wanted = bits_of(numbers, targets)
+    """Aims without a game: any of the targets, in any order, after the cue ball has met one of `first`."""
+    potted = bits_of(numbers, targets)
     numbered = tuple(number for number in numbers if number != CUE_BALL)
-    return Aims(bits_of(numbers, first or numbered), wanted, wanted, solo=True, chain=chain)
+    return Aims(bits_of(numbers, first or numbered), potted, potted, solo=True, chain=chain)

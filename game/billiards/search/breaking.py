@@ -1,4 +1,4 @@
-"""The break: from where, how hard, and where on the white ball, tried under noise.
+"""The break: from where, how hard, and where on the cue ball, tried under noise.
 
 All of them go at the middle of the apex ball, and none comes from far aside: the more oblique a break, the
 fewer balls reach a cushion.
@@ -31,9 +31,9 @@ UPS = (0.0, 0.12, -0.12)  # ball radii
 SLOWER = 0.85  # share of the hardest break that is tried as well
 
 
-def apex_of(lie: Arrangement, table: Table) -> tuple[float, float]:
+def apex_of(layout: Arrangement, table: Table) -> tuple[float, float]:
     """The ball of the rack that is nearest to the line, m; the foot spot if there is none."""
-    places = [place for n, place in zip(lie.numbers, lie.positions.tolist(), strict=True) if n != CUE_BALL]
+    places = layout.without(CUE_BALL).positions.tolist()
     if not places:
         return 0.5 * table.width, FOOT_SPOT * table.length
     x, y = min(places, key=lambda place: (place[1], place[0]))
@@ -41,20 +41,20 @@ def apex_of(lie: Arrangement, table: Table) -> tuple[float, float]:
 
 
 class Break(NamedTuple):
-    """A break: where the white ball is put (m), the stroke, and how good it is under noise, see `_merits`."""
+    """A break: where the cue ball is put (m), the stroke, and how good it is under noise, see `_merits`."""
 
     place: tuple[float, float]
     stroke: Stroke
     merit: float = 0.0
 
 
-def list_breaks(lie: Arrangement, table: Table, speed: float) -> list[Break]:
+def list_breaks(layout: Arrangement, table: Table, speed: float) -> list[Break]:
     """All breaks that are tried, the plain one from the middle first. speed: the hardest, m/s."""
-    radius = float(lie.balls.radii[CUE_BALL])
+    radius = float(layout.balls.radii[CUE_BALL])
     left, right, lower, _ = bed_for(table, radius)
     y = max(lower, HEAD_SPOT * table.length - 0.5 * radius)
-    target = apex_of(lie, table)
-    without = lie.without(CUE_BALL)
+    target = apex_of(layout, table)
+    without = layout.without(CUE_BALL)
     breaks = []
     for x in (left + share * (right - left) for share in PLACES):
         if is_free(without, table, CUE_BALL, x, y, "behind the line"):
@@ -66,7 +66,7 @@ def list_breaks(lie: Arrangement, table: Table, speed: float) -> list[Break]:
 
 
 def best_break(
-    lie: Arrangement,
+    layout: Arrangement,
     table: Table,
     physics: Physics,
     aims: Aims,
@@ -75,12 +75,12 @@ def best_break(
     draws: Array,
     pool: ThreadPoolExecutor | None = None,
 ) -> Break:
-    """The break that is lawful and pots a ball most often. ValueError if the white ball has no place.
+    """The break that is lawful and pots a ball most often. ValueError if the cue ball has no place.
 
-    speed: the hardest, m/s. aims: in rows of the arrangement with the white ball. draws (k, 5) of noise; with
+    speed: the hardest, m/s. aims: in rows of the arrangement with the cue ball. draws (k, 5) of noise; with
     none, the plain break from the middle is taken.
     """
-    breaks = list_breaks(lie, table, speed)
+    breaks = list_breaks(layout, table, speed)
     if not breaks:
         raise ValueError("break: there is no free place behind the line")
     if not len(draws):
@@ -88,7 +88,7 @@ def best_break(
     tried: list[Break] = []
     for place, same in groupby(breaks, key=lambda one: one.place):
         some = list(same)
-        view = View(Board(lie.with_ball(CUE_BALL, place), table, physics), noise)
+        view = View(Board(layout.with_ball(CUE_BALL, place), table, physics), noise)
         strokes = np.array([one.stroke for one in some])
         outcomes = view.board.play(with_noise(strokes, draws, noise, view.board.radius), pool)
         merits = _merits(view, aims, outcomes).reshape(len(some), -1).mean(axis=1)
@@ -99,7 +99,7 @@ def best_break(
 def _merits(view: View, aims: Aims, outcomes: Outcomes) -> Array:
     """Of each break (m,): 1 if it pots a ball, -1 if it is a foul or not lawful, else 0."""
     kinds = view.classes(outcomes, aims, np.full((len(outcomes.facts), 2), -1, np.int64))
-    driven = outcomes.ways[:, :, CUSHIONS] > 0
+    driven = outcomes.histories[:, :, CUSHIONS] > 0
     driven[:, view.board.cue] = False
     unlawful = (outcomes.facts[:, DOWN] == 0) & (driven.sum(axis=1) < NEEDED_AT_BREAK)
     bad = unlawful | np.isin(kinds, (FOULED, LOST))

@@ -60,14 +60,12 @@ def worth_after(
 ) -> float:
     """Worth of a table (places (n, 2) m) by the best stroke found there; `otherwise` if none is."""
     kept = np.flatnonzero(places[:, 0] > 0.5 * NOWHERE)
-    board = view.board.moved(places, kept)
-    below = View(board, view.noise, view.gates, view.bed)
-    looked = look(below, aims_left(aims, kept), effort, draws)
+    looked = look(view.moved(places, kept), aims_left(aims, kept), effort, draws)
     return float(looked.worth[0]) if looked is not None else otherwise
 
 
 def aims_left(aims: Aims, kept: NDArray[np.intp]) -> Aims:
-    """The aims when only the rows ``kept`` (k,) are left, which are numbered anew."""
+    """The aims when only the rows ``kept`` (k,) are left, which are numbered again."""
 
     def squeezed(bits: int) -> int:
         return sum(1 << new for new, old in enumerate(kept.tolist()) if bits >> old & 1)

@@ -1,6 +1,6 @@
-"""Fans of strokes: the same stroke at many azimuths, and the stretch of them that does what is wanted.
+"""Fans of strokes: the same stroke at many azimuths, and the stretch of them that succeeds.
 
-Throw, squirt and real cushions turn a ball off the geometric way; a fan finds by how much, and the middle of
+Throw, squirt and real cushions turn a ball off the geometric path; a fan finds by how much, and the middle of
 its widest stretch of successes is where a hand may err most.
 """
 
@@ -25,8 +25,8 @@ RAYS_A_WINDOW = 4.0  # rays within the window that geometry leaves
 
 def rays_for(candidates: Array, least: int = LEAST_RAYS, most: int = MOST_RAYS) -> NDArray[np.int64]:
     """How many rays (c,) the fan of each candidate has, an odd number each."""
-    wanted = RAYS_A_WINDOW * candidates[:, SPREAD] / np.maximum(candidates[:, WINDOW], 1e-6)
-    half = np.clip(np.ceil(0.5 * wanted), (least - 1) // 2, (most - 1) // 2)
+    rays = RAYS_A_WINDOW * candidates[:, SPREAD] / np.maximum(candidates[:, WINDOW], 1e-6)
+    half = np.clip(np.ceil(0.5 * rays), (least - 1) // 2, (most - 1) // 2)
     return 2 * half.astype(np.int64) + 1
 
 
@@ -72,7 +72,7 @@ def widest_runs(kinds, rays, starts, styles, middles, lengths):
 
 
 def squirt_of(styles: Array, ball_mass: float, end_mass: float) -> Array:
-    """By how much a tip off the centre turns the ball's way (s,), rad: `cue.strike`."""
+    """By how much a tip off the centre turns the ball's path (s,), rad: `cue.strike`."""
     a = styles[:, 1]
     rest = 1.0 - a * a
     return -np.arctan2(2.5 * a * np.sqrt(rest), 1.0 + ball_mass / end_mass + 2.5 * rest)

@@ -53,56 +53,66 @@ def thread_pool(threads: int) -> ThreadPoolExecutor | None:
 
 
 def processors() -> int:
-    """How many threads a search takes if it is not told."""
+    """How many threads a search takes unless it is given another number."""
     return os.cpu_count() or 1
 
 
+class ShotFilter(NamedTuple):
+    """Which shots to look for.
+
+    targets: numbers of the balls to pot (none: all); first: those that may be hit first (none: all). kinds:
+    of "direct" (with cuts), "bank", "kick", "combination". chain: least balls in the potted one's chain, the
+    cue ball and itself counted.
+    """
+
+    targets: tuple[int, ...] = ()
+    first: tuple[int, ...] = ()
+    kinds: tuple[str, ...] = KINDS
+    chain: int = 0
+
+    def check(self, layout: Arrangement) -> None:
+        """ValueError for unknown kinds, or a ball that is not there."""
+        for kind in self.kinds:
+            if kind not in KINDS:
+                raise ValueError(f"find_shots kinds: {kind!r} is not one of {', '.join(KINDS)}")
+        for number in (*self.targets, *self.first):
+            if number not in layout.numbers or number == CUE_BALL:
+                raise ValueError(f"find_shots: ball {number!r} is not on the table")
+
+    def aims(self, numbers: tuple[int, ...]) -> Aims:
+        """The aims of a shooter at these balls, the cue ball among them."""
+        numbered = tuple(number for number in numbers if number != CUE_BALL)
+        return all_aims(numbers, self.targets or numbered, self.first, self.chain)
+
+
 def find_shots(
-    lie: Arrangement,
+    layout: Arrangement,
     table: Table | None = None,
     *,
-    targets: tuple[int, ...] = (),
-    first: tuple[int, ...] = (),
-    aims: Aims | None = None,
-    kinds: tuple[str, ...] = KINDS,
-    chain: int = 0,
+    which: ShotFilter = ShotFilter(),  # noqa: B008  (immutable)
     physics: Physics = Physics(),  # noqa: B008  (immutable)
     noise: Noise = Noise(),  # noqa: B008  (immutable)
     effort: Effort = QUICK,
-    limit: int = 10,
     seed: int = 0,
     threads: int | None = None,
     seconds: float | None = None,
 ) -> list[FoundShot]:
-    """The shots that pot a ball, the best first: at most `limit`, at most one for each ball, pocket and kind.
+    """The shots that pot a ball, the best first, at most one for each ball, pocket and kind.
 
-    lie: the balls, the white one among them; table: the pool table if left out. targets: numbers of the
-    balls to pot (none: all); first: those that may be touched first (none: all). aims: what the shooter is
-    after, in rows of `lie`, instead of both. kinds: of "direct" (with cuts), "bank", "kick", "combination".
-    chain: least balls in the potted one's chain, the white one and itself counted. noise: how unsteady the
-    hand is. effort: how many strokes are tried. threads: None: one for each processor. seconds: stop looking
-    after about so long; without it what is found depends on nothing but the other arguments.
+    layout: the balls, the cue ball among them; table: the pool table if left out. which: what to look for.
+    noise: how unsteady the hand is. effort: how many strokes are tried. threads: None: one for each
+    processor. seconds: stop looking after about so long; without it what is found depends on nothing but the
+    other arguments.
 
-    ValueError for unknown kinds, a target that is not there, or a table without the white ball.
+    ValueError for unknown kinds, a target that is not there, or a table without the cue ball.
     """
-    table = Table.pool() if table is None else table
-    for kind in kinds:
-        if kind not in KINDS:
-            raise ValueError(f"find_shots kinds: {kind!r} is not one of {', '.join(KINDS)}")
-    for number in (*targets, *first):
-        if number not in lie.numbers or number == CUE_BALL:
-            raise ValueError(f"find_shots: ball {number!r} is not on the table")
-    if limit < 1:
-        raise ValueError(f"find_shots limit: must be at least 1, got {limit!r}")
-    view = View(Board(lie, table, physics), noise)
-    if aims is None:
-        numbered = tuple(n for n in lie.numbers if n != CUE_BALL)
-        aims = all_aims(lie.numbers, targets or numbered, first, chain)
-    effort = effort._replace(kinds=tuple(kind for kind in effort.kinds if kind in kinds))
-    looked = search(view, aims, effort, seed, threads, Clock(seconds))
+    which.check(layout)
+    view = View(Board(layout, Table.pool() if table is None else table, physics), noise)
+    effort = effort._replace(kinds=tuple(kind for kind in effort.kinds if kind in which.kinds))
+    looked = search(view, which.aims(layout.numbers), effort, seed, threads, Clock(seconds))
     if looked is None:
         return []
-    return [shot for shot in named_shots(view, looked, limit) if shot.chance > 0.0]
+    return [shot for shot in named_shots(view, looked) if shot.chance > 0.0]
 
 
 def search(
@@ -122,10 +132,10 @@ def search(
     return look_deeper(view, aims, looked, effort, draws, pool, clock)
 
 
-def named_shots(view: View, looked: Looked, limit: int) -> list[FoundShot]:
-    """The best stroke for each ball, pocket and kind, at most `limit`."""
+def named_shots(view: View, looked: Looked, limit: int | None = None) -> list[FoundShot]:
+    """The best stroke for each ball, pocket and kind, at most `limit` if one is given."""
     found: dict[tuple[float, ...], FoundShot] = {}
-    numbers = view.board.lie.numbers
+    numbers = view.board.layout.numbers
     for stroke, candidate, chance, worth in zip(
         looked.strokes, looked.candidates, looked.chance.tolist(), looked.worth.tolist(), strict=True
     ):
@@ -149,6 +159,6 @@ def _kind_name(view: View, candidate: Array) -> str:
     if int(candidate[KIND]) != DIRECT:
         return KINDS[int(candidate[KIND])]
     ball, pocket = int(candidate[BALL]), int(candidate[INTO])
-    way = view.gates[pocket, :2] - view.places[ball]
-    away = float(candidate[AIM]) - float(np.arctan2(way[1], way[0]))
+    line = view.geometry.gates[pocket, :2] - view.places[ball]
+    away = float(candidate[AIM]) - float(np.arctan2(line[1], line[0]))
     return "cut" if np.cos(away) < np.cos(CUT_FROM) else "direct"

@@ -3,10 +3,10 @@
 A ball goes down cleanly if its centre passes between its pocket's jaws, each grown by the ball's radius. Seen
 from the ball that is a window of angles. A ball may also brush a jaw, the far one deeper than the near one,
 and into a corner it may come along the rail; by how much that widens the window was measured with exact balls
-(see tests). A hand's unsteadiness turns the way of the object ball by about sigma d/(2 R cos cut), where d is
-the way of the white ball (Leckie and Greenspan 2006, Monte-Carlo methods in pool strategy game trees; Smith
-2007, PickPocket: a computer billiards shark). The chance of a pot is the share of a normal distribution in
-the window.
+(see tests). A hand's unsteadiness turns the path of the object ball by about sigma d/(2 R cos cut), where d
+is the length of the cue ball's path (Leckie and Greenspan 2006, Monte-Carlo methods in pool strategy game
+trees; Smith 2007, PickPocket: a computer billiards shark). The chance of a pot is the share of a normal
+distribution in the window.
 
 These are estimates for choosing what to play; what is chosen is played exactly.
 """
@@ -14,6 +14,7 @@ These are estimates for choosing what to play; what is chosen is played exactly.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,12 +25,12 @@ from game.billiards.table.table import Table
 Array = NDArray[np.float64]
 
 # columns of gates (p, 11): the pocket, its radius of capture, its jaws (x, y m) and their radius (0: none);
-# the way in (unit vector), and 1 for a corner, 0 for a side pocket
+# the direction into it (unit vector), and 1 for a corner, 0 for a side pocket
 GATE_X, GATE_Y, GATE_RADIUS, LEFT_X, LEFT_Y, RIGHT_X, RIGHT_Y, JAW_RADIUS, AXIS_X, AXIS_Y, CORNER = range(11)
 GATE_COLUMNS = 11
 
 # how far beyond a clean entry a ball may come to the far and the near jaw and fall all the same, m, and how
-# that changes with the angle between its way and the way in, m/rad; along a rail from RAIL_FROM rad on
+# that changes with the angle between its path and that direction, m/rad; along a rail from RAIL_FROM rad on
 CORNER_FAR, CORNER_FAR_SLOPE = 0.009, 0.017
 CORNER_NEAR, CORNER_NEAR_SLOPE = 0.009, -0.012
 RAIL_FROM, RAIL_SLOPE = 0.40, 0.34
@@ -39,10 +40,24 @@ WIDEST = 1.5  # rad; of a window to each side
 
 CLEARANCE = 0.001  # m; lanes are wider than the balls by this
 LEAST_COSINE = 0.2  # of the cut; thinner cuts are not played
-SIGHT = 0.0025  # rad; unsteadiness of the white ball's direction: azimuth, and squirt of an unsteady tip
+SIGHT = 0.0025  # rad; unsteadiness of the cue ball's direction: azimuth, and squirt of an unsteady tip
 RUB = 0.004  # rad; unsteadiness of the object ball's direction whatever the distance: throw
-NEAR = 0.45  # m; how near the white ball is taken to be to a ball that is played later
+NEAR = 0.45  # m; how near the cue ball is taken to be to a ball that is played later
 SLACK = 0.5 * 0.0572 * 0.9  # m; 2 R cos cut over two for it
+
+
+class Geometry(NamedTuple):
+    """What geometry needs of a table besides the places of the balls.
+
+    radii (n,) m of the balls; gates (p, 11): see above; bed (4,) m: left, right, lower, upper of the straight
+    rails; cue: row of the cue ball; sight: unsteadiness of its direction, rad.
+    """
+
+    radii: Array
+    gates: Array
+    bed: Array
+    cue: int
+    sight: float
 
 
 def gates_of(table: Table) -> Array:
@@ -159,12 +174,9 @@ def chance_within(half, sigma):
 
 
 @inner_kernel
-def pot_chance(places, radii, gates, cue, ball, p, sight, bed):
-    """Chance that the white ball pots `ball` directly into pocket p; 0 if it cannot.
-
-    places (n, 2), radii (n,) m. sight: unsteadiness of the white ball's direction, rad. bed: (left, right,
-    lower, upper) of the straight rails, m.
-    """
+def pot_chance(places, geometry, ball, p):
+    """Chance that the cue ball pots `ball` directly into pocket p; 0 if it cannot. places (n, 2) m."""
+    radii, gates, bed, cue, sight = geometry
     x = places[ball, 0]
     y = places[ball, 1]
     direction, half = pocket_window(gates, p, x, y, radii[ball])
@@ -195,8 +207,9 @@ def pot_chance(places, radii, gates, cue, ball, p, sight, bed):
 
 
 @inner_kernel
-def openness(places, radii, gates, cue, ball, sight):
-    """Chance that a ball can be potted later on, once the white ball lies well for it."""
+def openness(places, geometry, ball):
+    """Chance that a ball can be potted later on, once the cue ball lies well for it. places (n, 2) m."""
+    radii, gates, _, cue, sight = geometry
     best = 0.0
     second = 0.0
     for p in range(gates.shape[0]):

@@ -34,7 +34,7 @@ STROKES_A_PART = 4096  # of fans, between two looks at the clock
 
 
 class Effort(NamedTuple):
-    """How hard to look. kinds: of KINDS. speeds m/s, ups, lefts (tip, ball radii): the ways to strike.
+    """How hard to look. kinds: of KINDS. speeds m/s, ups, lefts (tip, ball radii): how to strike.
 
     candidates: at most so many are tried. rays: most in a fan. finalists: strokes that are sampled with
     noise, samples: how often each. deep: how many of them are sampled `close` times, and judged by the best
@@ -137,7 +137,7 @@ def _best_of_fans(
     rows, lengths = middles.ravel()[some], lengths.ravel()[some]
     of = some // len(styles)
     steps = 2.0 * candidates[of, SPREAD] / (rays[of] - 1)
-    chance = chance_of_run(0.5 * lengths * steps, view.sight)
+    chance = chance_of_run(0.5 * lengths * steps, view.geometry.sight)
     worth = view.worth(outcomes.rows(rows), aims, kinds[rows], pool)
     first = chance * worth + (1.0 - chance) * (0.0 if aims.solo else MISS_WORTH)
     order = np.argsort(-first, kind="stable")[: effort.finalists]

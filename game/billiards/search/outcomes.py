@@ -30,65 +30,67 @@ from game.billiards.laws.state import (
     STATUS,
 )
 
-# columns of facts (m, 6): rows of the balls that the white one touched first, as bits; 1 if it went down; 1
+# columns of facts (m, 6): rows of the balls that the cue ball touched first, as bits; 1 if it went down; 1
 # if any ball touched a cushion after the first contact; rows of the balls that went down, as bits; 1 if the
-# shot was given up; cushions that the white ball touched before the first contact
+# shot was given up; cushions that the cue ball touched before the first contact
 FIRST_BALLS, SCRATCH, CUSHIONED, DOWN, GIVEN_UP, CUSHIONS_FIRST = range(6)
 FACTS = 6
 
-# columns of ways (m, n, 4), for each ball: the pocket it went into (-1: none), balls that sent it on (with
-# itself and the white one, as bits), contacts with balls and with cushions until it went down
+# columns of histories (m, n, 4), for each ball: the pocket it went into (-1: none), balls that sent it on
+# (with itself and the cue ball, as bits), contacts with balls and with cushions until it went down
 POCKET, CHAIN, CONTACTS, CUSHIONS = range(4)
-WAYS = 4
+HISTORY_COLUMNS = 4
 
 NOWHERE = -1e3  # m; place of a ball that went down
 
 
 class Outcomes(NamedTuple):
-    """What came of m strokes at n balls: facts (m, 6), ways (m, n, 4), places (m, n, 2) m at the end."""
+    """What came of m strokes at n balls: facts (m, 6), histories (m, n, 4), places (m, n, 2) m at the end."""
 
     facts: NDArray[np.int64]
-    ways: NDArray[np.int64]
+    histories: NDArray[np.int64]
     places: NDArray[np.float64]
 
     @classmethod
     def empty(cls, m: int, n: int) -> Outcomes:
-        """Room for so many."""
-        return cls(np.empty((m, FACTS), np.int64), np.empty((m, n, WAYS), np.int64), np.empty((m, n, 2)))
+        """Arrays for m strokes at n balls, not yet written."""
+        return cls(
+            np.empty((m, FACTS), np.int64), np.empty((m, n, HISTORY_COLUMNS), np.int64), np.empty((m, n, 2))
+        )
 
     def rows(self, chosen: NDArray[np.intp] | slice) -> Outcomes:
         """Some of the strokes, by their rows (k,) or a slice."""
-        return Outcomes(self.facts[chosen], self.ways[chosen], self.places[chosen])
+        return Outcomes(self.facts[chosen], self.histories[chosen], self.places[chosen])
 
 
 @inner_kernel(inline="always")
-def _send(ways, cue, i, j):
+def _send(histories, cue, i, j):
     """Ball i, moving, sends ball j on."""
-    chain = ways[i, CHAIN]
+    chain = histories[i, CHAIN]
     if j != cue and chain & (1 << j) == 0:
-        ways[j, CHAIN] = chain | (1 << j)
+        histories[j, CHAIN] = chain | (1 << j)
 
 
 @inner_kernel
-def _meet(ways, moving, cue, i, j):
+def _meet(histories, moving, cue, i, j):
     """Balls i and j meet; returns the bits of those that move after it."""
     i_moves = moving & (1 << i) != 0
     j_moves = moving & (1 << j) != 0
-    before = ways[i, CHAIN]
+    before = histories[i, CHAIN]
     if j_moves:
-        _send(ways, cue, j, i)
+        _send(histories, cue, j, i)
     if i_moves:
-        after = ways[i, CHAIN]
-        ways[i, CHAIN] = before
-        _send(ways, cue, i, j)
-        ways[i, CHAIN] = after
-    ways[i, CONTACTS] += 1
-    ways[j, CONTACTS] += 1
+        after = histories[i, CHAIN]
+        histories[i, CHAIN] = before
+        _send(histories, cue, i, j)
+        histories[i, CHAIN] = after
+    histories[i, CONTACTS] += 1
+    histories[j, CONTACTS] += 1
     return moving | (1 << i) | (1 << j)
 
 
 @inner_kernel
-def _meet_at_once(events, start, end, ways, moving, cue):
+def _meet_at_once(events, start, end, histories, moving, cue):
     """Contacts of one moment, rows start to end: from the balls that move on to those that they send.
 
     Contacts that are done are marked by a negative type.
@@ -104,15 +106,15 @@ def _meet_at_once(events, start, end, ways, moving, cue):
                 if moving & pair != 0:
                     chosen = row
                     break
-        moving = _meet(ways, moving, cue, int(events[chosen, 2]), int(events[chosen, 3]))
+        moving = _meet(histories, moving, cue, int(events[chosen, 2]), int(events[chosen, 3]))
         events[chosen, 1] = -1.0
         left -= 1
     return moving
 
 
 @inner_kernel
-def _follow_shot(events, start, end, cue, facts, ways):
-    """Go through one shot's events; writes facts (6,) and ways (n, 4)."""
+def _follow_shot(events, start, end, cue, facts, histories):
+    """Go through one shot's events; writes facts (6,) and histories (n, 4)."""
     moving = 1 << cue
     row = start
     while row < end:
@@ -128,18 +130,18 @@ def _follow_shot(events, start, end, cue, facts, ways):
                 b = int(events[k, 3])
                 if new and (a == cue or b == cue):
                     facts[FIRST_BALLS] |= 1 << (b if a == cue else a)
-            moving = _meet_at_once(events, row, last, ways, moving, cue)
+            moving = _meet_at_once(events, row, last, histories, moving, cue)
             row = last
             continue
         if event in (BALL_CUSHION, BALL_JAW):
-            ways[i, CUSHIONS] += 1
+            histories[i, CUSHIONS] += 1
             if facts[FIRST_BALLS] != 0:
                 facts[CUSHIONED] = 1
             elif i == cue:
                 facts[CUSHIONS_FIRST] += 1
         elif event == BALL_POCKET:
             moving &= ~(1 << i)
-            ways[i, POCKET] = int(events[row, 3])
+            histories[i, POCKET] = int(events[row, 3])
             if i == cue:
                 facts[SCRATCH] = 1
             else:
@@ -150,8 +152,8 @@ def _follow_shot(events, start, end, cue, facts, ways):
 
 
 @lean_kernel
-def sum_up(events, ends, final, cue, first, last, facts, ways, places):
-    """Sum up shots `first` to `last` of a log: facts (m, 6), ways (m, n, 4), places (m, n, 2).
+def sum_up(events, ends, final, cue, first, last, facts, histories, places):
+    """Sum up shots `first` to `last` of a log: facts (m, 6), histories (m, n, 4), places (m, n, 2).
 
     events, ends, final: of the log, see `batch.Log`; types of contacts are overwritten.
     """
@@ -160,14 +162,16 @@ def sum_up(events, ends, final, cue, first, last, facts, ways, places):
         for column in range(FACTS):
             facts[s, column] = 0
         for i in range(n):
-            ways[s, i, POCKET] = -1
-            ways[s, i, CHAIN] = 0
-            ways[s, i, CONTACTS] = 0
-            ways[s, i, CUSHIONS] = 0
-        ways[s, cue, CHAIN] = 1 << cue
+            histories[s, i, POCKET] = -1
+            histories[s, i, CHAIN] = 0
+            histories[s, i, CONTACTS] = 0
+            histories[s, i, CUSHIONS] = 0
+        histories[s, cue, CHAIN] = 1 << cue
         if ends[s, STATUS] != FINISHED:
             facts[s, GIVEN_UP] = 1
-        _follow_shot(events, int(ends[s, EVENTS_START]), int(ends[s, EVENTS_END]), cue, facts[s], ways[s])
+        _follow_shot(
+            events, int(ends[s, EVENTS_START]), int(ends[s, EVENTS_END]), cue, facts[s], histories[s]
+        )
         for i in range(n):
             down = final[s, i, IN_MOTION] == POCKETED
             places[s, i, 0] = NOWHERE if down else final[s, i, IN_X]

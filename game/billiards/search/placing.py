@@ -1,4 +1,4 @@
-"""Where to put a white ball that is in hand: behind the balls that can be potted, at cuts and distances.
+"""Where to put a cue ball that is in hand: behind the balls that can be potted, at cuts and distances.
 
 Many places are looked at quickly, the best of them again and closely.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,16 +28,17 @@ from game.billiards.table.table import Table
 Array = NDArray[np.float64]
 
 CUTS = np.radians([0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0])
-DISTANCES = np.array([0.15, 0.3, 0.5])  # m; from the white ball to where it meets the other
+DISTANCES = np.array([0.15, 0.3, 0.5])  # m; from the cue ball to where it meets the other
 MOST_PLACES = 15 * 6 * 7 * 3
 
-# columns of places for the white ball (c, 4): x, y m; row of the ball that it lies for; estimated chance
+# columns of places for the cue ball (c, 4): x, y m; row of the ball that it lies for; estimated chance
 PLACE_X, PLACE_Y, PLACE_BALL, PLACE_CHANCE = range(4)
 
 
 @inner_kernel
-def _is_clear(places, radii, cue, x, y):
-    """True if the white ball overlaps no other at (x, y) m."""
+def _is_clear(places, geometry, x, y):
+    """True if the cue ball overlaps no other at (x, y) m."""
+    radii, cue = geometry.radii, geometry.cue
     for k in range(places.shape[0]):
         if k != cue:
             dx = places[k, 0] - x
@@ -48,18 +50,21 @@ def _is_clear(places, radii, cue, x, y):
 
 
 @lean_kernel
-def list_places(places, radii, gates, cue, playable, needed, sight, bed, room, cuts, distances, found):
-    """Places for the white ball to pot a ball from, to found (c, 4). Returns how many.
+def list_places(places, geometry, playable, needed, cuts, distances, open_chances, found):
+    """Places for the cue ball to pot a ball from, to found (c, 4). Returns how many.
 
-    places (n, 2): m, of which the white ball's is written over. bed: where its centre may lie. room (n,).
+    places (n, 2) m, of which the cue ball's is written over. The geometry's bed: where its centre may lie.
+    playable, needed: balls to pot now, and in all (bits of their rows). cuts (a,) rad and distances (b,) m
+    from which each is tried. open_chances (n,): scratch buffer.
     """
+    radii, gates, bed, cue, _ = geometry
     n = places.shape[0]
     product = 1.0
     for i in range(n):
-        room[i] = 1.0
+        open_chances[i] = 1.0
         if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
-            room[i] = max(openness(places, radii, gates, cue, i, sight), BLOCKED)
-            product *= room[i]
+            open_chances[i] = max(openness(places, geometry, i), BLOCKED)
+            product *= open_chances[i]
     count = 0
     for ball in range(n):
         if playable & (1 << ball) == 0:
@@ -75,60 +80,81 @@ def list_places(places, radii, gates, cue, playable, needed, sight, bed, room, c
                     x = places[ball, 0] - reach * math.cos(direction) + distances[d] * math.cos(back)
                     y = places[ball, 1] - reach * math.sin(direction) + distances[d] * math.sin(back)
                     inside = bed[0] <= x <= bed[1] and bed[2] <= y <= bed[3]
-                    if not (inside and _is_clear(places, radii, cue, x, y)):
+                    if not (inside and _is_clear(places, geometry, x, y)):
                         continue
                     places[cue, 0] = x
                     places[cue, 1] = y
-                    chance = pot_chance(places, radii, gates, cue, ball, p, sight, bed)
+                    chance = pot_chance(places, geometry, ball, p)
                     if chance > 0.0 and count < found.shape[0]:
                         found[count, PLACE_X] = x
                         found[count, PLACE_Y] = y
                         found[count, PLACE_BALL] = ball
-                        found[count, PLACE_CHANCE] = chance * product / room[ball]
+                        found[count, PLACE_CHANCE] = chance * product / open_chances[ball]
                         count += 1
     return count
 
 
-def places_for_white(
-    lie: Arrangement, table: Table, physics: Physics, hand: Hand, aims: Aims, noise: Noise, most: int
-) -> Array:
-    """The likeliest places (c, 4) for a white ball in hand, not more than a share of them for one ball.
+class BallInHand(NamedTuple):
+    """A cue ball to be put down.
 
-    aims: in rows of the arrangement with the white ball.
+    layout: the other balls; hand: where it may be put; noise: how unsteady the shooter is.
     """
-    radius = float(lie.balls.radii[CUE_BALL])
-    left, right, lower, upper = bed_for(table, radius)
-    if hand == "behind the line":
-        upper = min(upper, HEAD_SPOT * table.length)
-    with_white = lie.with_ball(
-        CUE_BALL, nearest_free(lie, table, CUE_BALL, 0.5 * (left + right), lower, hand)
-    )
-    view = View(Board(with_white, table, physics), noise)
+
+    layout: Arrangement
+    table: Table
+    physics: Physics
+    hand: Hand
+    noise: Noise
+
+    def region(self) -> tuple[float, float, float, float]:
+        """Where its centre may be: left, right, lower, upper, m."""
+        left, right, lower, upper = bed_for(self.table, float(self.layout.balls.radii[CUE_BALL]))
+        if self.hand == "behind the line":
+            upper = min(upper, HEAD_SPOT * self.table.length)
+        return left, right, lower, upper
+
+    def placed(self, place: tuple[float, float]) -> Arrangement:
+        """The balls with the cue ball at a place, m."""
+        return self.layout.with_ball(CUE_BALL, place)
+
+    def placed_near(self, x: float, y: float) -> Arrangement:
+        """The balls with the cue ball at the free place nearest to (x, y) m."""
+        return self.placed(nearest_free(self.layout, self.table, CUE_BALL, x, y, self.hand))
+
+    def view(self, layout: Arrangement) -> View:
+        """One of the arrangements as the search sees it."""
+        return View(Board(layout, self.table, self.physics), self.noise)
+
+
+def places_for_cue_ball(ball: BallInHand, aims: Aims, most: int) -> Array:
+    """The likeliest places (c, 4) for the cue ball, not more than a share of them for one object ball.
+
+    aims: in rows of the arrangement with the cue ball.
+    """
+    left, right, lower, upper = ball.region()
+    view = ball.view(ball.placed_near(0.5 * (left + right), lower))
+    geometry = view.geometry._replace(bed=np.array([left, right, lower, upper]))
     found = np.empty((MOST_PLACES, 4))
     count = list_places(
-        view.places.copy(), view.radii, view.gates, view.board.cue, aims.first & aims.score, aims.needed,
-        view.sight, np.array([left, right, lower, upper]), np.empty(view.board.count), CUTS, DISTANCES, found,
+        view.places.copy(), geometry, aims.first & aims.score, aims.needed,
+        CUTS, DISTANCES, np.empty(view.board.count), found,
     )  # fmt: skip
     order = np.argsort(-found[:count, PLACE_CHANCE], kind="stable")
     taken: list[int] = []
     share: dict[int, int] = {}
     for row in order.tolist():
-        ball = int(found[row, PLACE_BALL])
-        share[ball] = share.get(ball, 0) + 1
-        if share[ball] <= max(2, most // 4):
+        target = int(found[row, PLACE_BALL])
+        share[target] = share.get(target, 0) + 1
+        if share[target] <= max(2, most // 4):
             taken.append(row)
         if len(taken) == most:
             break
     return found[taken]
 
 
-def place_white(
-    lie: Arrangement,
-    table: Table,
-    physics: Physics,
-    hand: Hand,
+def place_cue_ball(
+    ball: BallInHand,
     aims: Aims,
-    noise: Noise,
     effort: Effort,
     draws: Array,
     keep: int,
@@ -136,23 +162,21 @@ def place_white(
     pool: ThreadPoolExecutor | None = None,
     clock: Clock = UNLIMITED,
 ) -> list[Arrangement]:
-    """Arrangements with the white ball at its best places, the best first: at least one, at most `keep`.
+    """Arrangements with the cue ball at its best places, the best first: at least one, at most `keep`.
 
     effort: how hard to look at each of `most` places; when time is out, the likelier ones have been.
     draws: random deviations of strokes, as `look` takes them.
     """
-    without = lie.without(CUE_BALL)
-    places = places_for_white(without, table, physics, hand, aims, noise, most)
+    places = places_for_cue_ball(ball, aims, most)
     if not len(places):
-        spot = nearest_free(without, table, CUE_BALL, 0.5 * table.width, HEAD_SPOT * table.length, hand)
-        return [without.with_ball(CUE_BALL, spot)]
-    lies = [without.with_ball(CUE_BALL, row[:2]) for row in places]
+        return [ball.placed_near(0.5 * ball.table.width, HEAD_SPOT * ball.table.length)]
+    layouts = [ball.placed(row[:2]) for row in places]
 
     def worth(i: int) -> float:
         if i > 0 and clock.is_out():
             return -1.0
-        looked = look(View(Board(lies[i], table, physics), noise), aims, effort, draws)
+        looked = look(ball.view(layouts[i]), aims, effort, draws)
         return float(looked.worth[0]) if looked is not None else 0.0
 
-    worths = np.array(in_threads(pool, worth, range(len(lies))))
-    return [lies[i] for i in np.argsort(-worths, kind="stable")[:keep].tolist()]
+    worths = np.array(in_threads(pool, worth, range(len(layouts))))
+    return [layouts[i] for i in np.argsort(-worths, kind="stable")[:keep].tolist()]

@@ -35,7 +35,7 @@ BLOCKED = 0.25  # openness of a ball to which no pocket is open
 FAR = 0.03  # chance of a pot that stands for none, in the race
 RACE = 0.4  # by how much the odds to win a race change with the distance
 TURN = 0.3  # advantage in the race of who is at turn, in the same measure
-IN_HAND = 0.97  # chance of a pot with the white ball in hand, of one that is open
+IN_HAND = 0.97  # chance of a pot with the cue ball in hand, of one that is open
 
 
 class Aims(NamedTuple):
@@ -45,7 +45,7 @@ class Aims(NamedTuple):
     be won, now or later. win, lose: end the rack. other: what the opponent needs. called: only the ball and
     pocket that were meant count. rotation: the lowest ball must be played first, and a foul with a winning
     ball is a foul only. solo: nobody else plays, so that a miss or a foul is worth nothing. chain: so many
-    balls, the white one and itself among them, must have sent a ball on for it to count.
+    balls, the cue ball and itself among them, must have sent a ball on for it to count.
     """
 
     first: int
@@ -70,10 +70,10 @@ def packed(aims: Aims) -> NDArray[np.int64]:
 
 
 @inner_kernel
-def clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, open_chances):
+def clearing_chance(places, geometry, playable, needed, open_chances):
     """Estimated chance to pot all `needed` balls in one visit, beginning with one of `playable` (bits).
 
-    open_chances (n,): room. Returns 1 if nothing is needed.
+    places (n, 2) m; open_chances (n,): scratch buffer. Returns 1 if nothing is needed.
     """
     n = places.shape[0]
     product = 1.0
@@ -81,7 +81,7 @@ def clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, ope
     for i in range(n):
         open_chances[i] = 1.0
         if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
-            open_chances[i] = max(openness(places, radii, gates, cue, i, sight), BLOCKED)
+            open_chances[i] = max(openness(places, geometry, i), BLOCKED)
             product *= open_chances[i]
             count += 1
     if count == 0:
@@ -93,8 +93,8 @@ def clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, ope
         others = product / open_chances[i]
         if others <= best:
             continue
-        for p in range(gates.shape[0]):
-            chance = pot_chance(places, radii, gates, cue, i, p, sight, bed) * others
+        for p in range(geometry.gates.shape[0]):
+            chance = pot_chance(places, geometry, i, p) * others
             best = max(best, chance)
     return best
 
@@ -123,7 +123,7 @@ def _is_sent_by(chain, least):
 
 
 @inner_kernel
-def classify(facts, ways, aims, ball, pocket):
+def classify(facts, histories, aims, ball, pocket):
     """What a stroke led to (MISSED to LOST), whose shooter meant to pot `ball` into `pocket` (-1: any)."""
     down = facts[DOWN]
     foul = (
@@ -136,7 +136,7 @@ def classify(facts, ways, aims, ball, pocket):
         return LOST
     if down & aims[WIN_AIM] != 0:
         meant = aims[CALLED_AIM] == 0 or (
-            ball >= 0 and aims[WIN_AIM] & (1 << ball) != 0 and ways[ball, POCKET] == pocket
+            ball >= 0 and aims[WIN_AIM] & (1 << ball) != 0 and histories[ball, POCKET] == pocket
         )
         if foul or not meant:
             return FOULED if aims[ROTATION_AIM] != 0 else LOST
@@ -144,26 +144,26 @@ def classify(facts, ways, aims, ball, pocket):
     if foul:
         return FOULED
     if aims[CALLED_AIM] != 0:
-        hit = ball >= 0 and ways[ball, POCKET] >= 0 and (pocket < 0 or ways[ball, POCKET] == pocket)
-        return SCORED if hit and _is_sent_by(ways[ball, CHAIN], aims[CHAIN_AIM]) else MISSED
-    for i in range(ways.shape[0]):
-        if down & aims[SCORE_AIM] & (1 << i) != 0 and _is_sent_by(ways[i, CHAIN], aims[CHAIN_AIM]):
+        hit = ball >= 0 and histories[ball, POCKET] >= 0 and (pocket < 0 or histories[ball, POCKET] == pocket)
+        return SCORED if hit and _is_sent_by(histories[ball, CHAIN], aims[CHAIN_AIM]) else MISSED
+    for i in range(histories.shape[0]):
+        if down & aims[SCORE_AIM] & (1 << i) != 0 and _is_sent_by(histories[i, CHAIN], aims[CHAIN_AIM]):
             return SCORED
     return MISSED
 
 
 @lean_kernel
-def classify_all(facts, ways, aims, meant, kinds):
+def classify_all(facts, histories, aims, meant, kinds):
     """Class of each stroke (m,). meant (m, 2): ball and pocket (-1: none)."""
     for s in range(facts.shape[0]):
-        kinds[s] = classify(facts[s], ways[s], aims, meant[s, 0], meant[s, 1])
+        kinds[s] = classify(facts[s], histories[s], aims, meant[s, 0], meant[s, 1])
 
 
 @lean_kernel
-def rate_all(kinds, places, radii, gates, cue, aims, sight, bed, room, worth):
+def rate_all(kinds, places, geometry, aims, scratch, worth):
     """Worth (m,) of what strokes of these classes left: the estimated chance to win.
 
-    places (m, n, 2) m; bed (4,) m, see `lanes`; room (n,). With `solo` it is the chance to clear the table.
+    places (m, n, 2) m; geometry: see `lanes`; scratch (n,). With `solo` it is the chance to clear the table.
     """
     solo = aims[SOLO_AIM] != 0
     for s in range(kinds.shape[0]):
@@ -173,18 +173,18 @@ def rate_all(kinds, places, radii, gates, cue, aims, sight, bed, room, worth):
         elif kind == LOST or (solo and kind != SCORED):
             worth[s] = 0.0
         elif kind == SCORED:
-            worth[s] = worth_on_turn(places[s], radii, gates, cue, aims, sight, bed, room)
+            worth[s] = worth_on_turn(places[s], geometry, aims, scratch)
         else:
-            worth[s] = worth_off_turn(places[s], radii, gates, cue, aims, sight, bed, room, kind == FOULED)
+            worth[s] = worth_off_turn(places[s], geometry, aims, scratch, kind == FOULED)
 
 
 @inner_kernel
-def open_product(places, radii, gates, cue, needed, sight):
+def open_product(places, geometry, needed):
     """How open a player's balls are, all together."""
     product = 1.0
     for i in range(places.shape[0]):
         if needed & (1 << i) != 0 and places[i, 0] > 0.5 * NOWHERE:
-            product *= max(openness(places, radii, gates, cue, i, sight), BLOCKED)
+            product *= max(openness(places, geometry, i), BLOCKED)
     return product
 
 
@@ -199,27 +199,27 @@ def _win_chance(run, mine, other):
 
 
 @inner_kernel
-def worth_on_turn(places, radii, gates, cue, aims, sight, bed, room):
+def worth_on_turn(places, geometry, aims, scratch):
     """Chance to win for the player at turn."""
     needed = aims[NEEDED_AIM]
     playable = next_playable(aims, places, needed)
-    run = clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, room)
+    run = clearing_chance(places, geometry, playable, needed, scratch)
     if aims[SOLO_AIM] != 0:
         return run
-    mine = max(run, FAR * open_product(places, radii, gates, cue, needed, sight))
-    other = open_product(places, radii, gates, cue, aims[OTHER_AIM], sight)
+    mine = max(run, FAR * open_product(places, geometry, needed))
+    other = open_product(places, geometry, aims[OTHER_AIM])
     return _win_chance(run, mine, other)
 
 
 @inner_kernel
-def worth_off_turn(places, radii, gates, cue, aims, sight, bed, room, in_hand):
+def worth_off_turn(places, geometry, aims, scratch, in_hand):
     """Chance to win for a player whose opponent comes to the table."""
     needed = aims[OTHER_AIM]
-    other = open_product(places, radii, gates, cue, needed, sight)
+    other = open_product(places, geometry, needed)
     if in_hand:
         run = IN_HAND * other
     else:
         playable = next_playable(aims, places, needed)
-        run = clearing_chance(places, radii, gates, cue, playable, needed, sight, bed, room)
-    mine = open_product(places, radii, gates, cue, aims[NEEDED_AIM], sight)
+        run = clearing_chance(places, geometry, playable, needed, scratch)
+    mine = open_product(places, geometry, aims[NEEDED_AIM])
     return 1.0 - _win_chance(run, max(run, FAR * other), mine)

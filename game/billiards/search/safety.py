@@ -22,12 +22,12 @@ ROUND = 120  # directions all around, when the balls are hidden
 
 def _strokes_at(view: View, first: int) -> Array:
     """Strokes (m, 5) at every ball that may be touched first, thick and thin; and all around."""
-    white = view.places[view.board.cue]
+    cue_ball = view.places[view.board.cue]
     directions: list[float] = []
     for ball in range(view.board.count):
         if first >> ball & 1:
-            dx, dy = view.places[ball] - white
-            reach = view.radii[ball] + view.radii[view.board.cue]
+            dx, dy = view.places[ball] - cue_ball
+            reach = view.board.radii[ball] + view.board.radius
             half = float(np.arcsin(min(1.0, reach / np.hypot(dx, dy))))
             directions += (np.arctan2(dy, dx) + half * OFFSETS).tolist()
     directions += np.linspace(0.0, 2.0 * np.pi, ROUND, endpoint=False).tolist()

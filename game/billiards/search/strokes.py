@@ -42,7 +42,7 @@ from game.billiards.table.table import Table
 Array = NDArray[np.float64]
 
 CHUNK = 128  # strokes that a thread takes at a time
-EVENTS_A_STROKE = 64  # first guess of the room in a log
+EVENTS_A_STROKE = 64  # first guess of the capacity of a log
 MAX_EVENTS = 3000  # of a stroke; the few that need more are given up
 
 # columns of strokes (m, 5), the fields of `arrangement.Stroke`
@@ -51,7 +51,7 @@ LARGEST_TIP = 0.7  # ball radii; noise does not carry the tip farther out
 LEAST_SPEED = 0.02  # m/s
 STEEPEST = 1.5  # rad
 
-_buffers = threading.local()
+_local = threading.local()
 
 
 class Noise(NamedTuple):
@@ -128,7 +128,7 @@ def add_noise(strokes, draws, sigmas, noisy):
             row[TIP_UP] = b * shrink
 
 
-class _Room(NamedTuple):
+class _Buffers(NamedTuple):
     """Buffers of one thread for n balls."""
 
     balls: Array
@@ -137,32 +137,32 @@ class _Room(NamedTuple):
     log: Log
 
 
-def _room(n: int) -> _Room:
-    rooms: dict[int, _Room] = _buffers.__dict__.setdefault("rooms", {})
-    if n not in rooms:
-        rooms[n] = _Room(
+def _buffers_for(n: int) -> _Buffers:
+    kept: dict[int, _Buffers] = _local.__dict__.setdefault("buffers", {})
+    if n not in kept:
+        kept[n] = _Buffers(
             np.empty((CHUNK, n, IN_COLUMNS)),
             np.empty((CHUNK, PHYSICS_COLUMNS)),
             np.empty((CHUNK, 4), np.int64),
             log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), paths=False),
         )
-    return rooms[n]
+    return kept[n]
 
 
 class Board:
-    """An arrangement with its white ball, ready for many strokes.
+    """An arrangement with its cue ball, ready for many strokes.
 
-    lie, table, physics: what was given. cue: row of the white ball. ValueError without a white ball.
+    layout, table, physics: what was given. cue: row of the cue ball. ValueError without a cue ball.
     """
 
-    def __init__(self, lie: Arrangement, table: Table, physics: Physics = Physics()) -> None:  # noqa: B008
-        if CUE_BALL not in lie.numbers:
-            raise ValueError("search: there is no white ball on the table")
-        self.lie = lie
+    def __init__(self, layout: Arrangement, table: Table, physics: Physics = Physics()) -> None:  # noqa: B008
+        if CUE_BALL not in layout.numbers:
+            raise ValueError("search: there is no cue ball on the table")
+        self.layout = layout
         self.table = table
         self.physics = physics
-        self.cue = lie.numbers.index(CUE_BALL)
-        shot = lie.shot(table, physics)
+        self.cue = layout.numbers.index(CUE_BALL)
+        shot = layout.shot(table, physics)
         self.base = shot.balls.copy()
         self.radii = shot.balls[:, IN_RADIUS].copy()
         self.radius = float(self.radii[self.cue])
@@ -188,7 +188,7 @@ class Board:
 
     @property
     def count(self) -> int:
-        """How many balls there are, the white one among them."""
+        """How many balls there are, the cue ball among them."""
         return len(self.base)
 
     def play(self, strokes: Array, pool: ThreadPoolExecutor | None = None) -> Outcomes:
@@ -202,12 +202,12 @@ class Board:
         """Play one chunk into its rows of the outcomes."""
         end = min(start + CHUNK, len(strokes))
         m = end - start
-        room = _room(self.count)
-        balls, constants, ranges = room.balls[:m], room.constants[:m], room.ranges[:m]
+        buffers = _buffers_for(self.count)
+        balls, constants, ranges = buffers.balls[:m], buffers.constants[:m], buffers.ranges[:m]
         constants[:] = self._constants
         ranges[:] = self._ranges
         strike_all(strokes[start:end], self.base, self.cue, CUE_END_MASS, CUE_MASS, balls)
-        log = room.log
+        log = buffers.log
         rows = Log(log.events, log.segments, log.ends[:m], log.final[:m])
         first = 0
         while first < m:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import bed_for
 from game.billiards.search.candidates import CHANCE, COLUMNS, KINDS, MOST, list_candidates
-from game.billiards.search.lanes import SIGHT, gates_of
+from game.billiards.search.lanes import SIGHT, Geometry, gates_of
 from game.billiards.search.outcomes import Outcomes
 from game.billiards.search.rating import Aims, classify_all, packed, rate_all
 from game.billiards.search.strokes import Board, Noise, in_threads
@@ -36,35 +36,37 @@ UNLIMITED = Clock()
 
 
 class View:
-    """A board with what geometry needs of it. sight: unsteadiness of the white ball's direction, rad.
+    """A board with what geometry needs of it: places (n, 2) m of the balls, and the rest."""
 
-    places (n, 2) m and radii (n,) m of the balls; gates (p, 11) and bed: of `gates_of`, `bed_for`, if known.
-    """
-
-    def __init__(self, board: Board, noise: Noise, gates: Array | None = None, bed: Array | None = None):
+    def __init__(self, board: Board, noise: Noise) -> None:
         self.board = board
-        self.gates = gates_of(board.table) if gates is None else gates
-        self.bed = np.array(bed_for(board.table, 0.0)) if bed is None else bed
         self.noise = noise
-        self.sight = max(SIGHT * noise.azimuth / Noise().azimuth, LEAST_SIGHT)
         self.places = np.ascontiguousarray(board.places)
-        self.radii = board.radii
+        sight = max(SIGHT * noise.azimuth / Noise().azimuth, LEAST_SIGHT)
+        bed = np.array(bed_for(board.table, 0.0))
+        self.geometry = Geometry(board.radii, gates_of(board.table), bed, board.cue, sight)
+
+    def moved(self, places: Array, kept: NDArray[np.intp]) -> View:
+        """The view with some of its rows, at rest at other places (n, 2) m; nothing is checked."""
+        view = View.__new__(View)
+        view.board = self.board.moved(places, kept)
+        view.noise = self.noise
+        view.places = np.ascontiguousarray(view.board.places)
+        view.geometry = self.geometry._replace(radii=view.board.radii, cue=view.board.cue)
+        return view
 
     def candidates(self, aims: Aims, kinds: tuple[str, ...], most: int) -> Array:
         """The likeliest candidates (c, 8), the likeliest first."""
         bits = sum(1 << KINDS.index(kind) for kind in kinds)
         found = np.empty((MOST, COLUMNS))
-        count = list_candidates(
-            self.places, self.radii, self.gates, self.board.cue, aims.first, aims.score, bits, self.sight,
-            self.bed, found,
-        )  # fmt: skip
+        count = list_candidates(self.places, self.geometry, aims.first, aims.score, bits, found)
         order = np.argsort(-found[:count, CHANCE], kind="stable")[:most]
         return found[order]
 
     def classes(self, outcomes: Outcomes, aims: Aims, meant: NDArray[np.int64]) -> NDArray[np.int64]:
         """What each stroke led to. meant (m, 2): ball and pocket."""
         kinds = np.empty(len(outcomes.facts), np.int64)
-        classify_all(outcomes.facts, outcomes.ways, packed(aims), meant, kinds)
+        classify_all(outcomes.facts, outcomes.histories, packed(aims), meant, kinds)
         return kinds
 
     def worth(
@@ -77,8 +79,8 @@ class View:
         def rate(start: int) -> None:
             rows = slice(start, start + part)
             rate_all(
-                kinds[rows], outcomes.places[rows], self.radii, self.gates, self.board.cue, packed(aims),
-                self.sight, self.bed, np.empty(self.board.count), worth[rows],
+                kinds[rows], outcomes.places[rows], self.geometry, packed(aims),
+                np.empty(self.board.count), worth[rows],
             )  # fmt: skip
 
         in_threads(pool, rate, range(0, len(kinds), part))

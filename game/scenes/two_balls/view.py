@@ -14,7 +14,7 @@ from game.scenes.two_balls.model import NOTHING, Grasp, LectureBallsState, TwoBa
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_WARM
-from game.ui.painters.ball import BallPainter
+from game.ui.painters.ball import BallPainter, ScreenBalls
 
 Array = NDArray[np.float64]
 
@@ -63,16 +63,8 @@ def _draw_balls(model: TwoBalls, canvas: Canvas, places: Array) -> None:
     # the turn is taken from the place: it looks rolled and costs no state
     turns = np.array([_rolled(places[i] / radii[i]) for i in range(2)])
     metre = 640.0 / 2.54  # px of the window to a metre of the table whose lamps shine here
-    _ball_painter.draw(
-        pixels,
-        clip,
-        points,
-        radii * scale,
-        NUMBERS,
-        turns,
-        canvas.place((WIDTH / 2, HEIGHT / 2)),
-        scale * metre,
-    )
+    balls = ScreenBalls(points, radii * scale, NUMBERS, turns)
+    _ball_painter.draw(pixels, clip, balls, canvas.place((WIDTH / 2, HEIGHT / 2)), scale * metre)
 
 
 def _rolled(moved: Array) -> Array:

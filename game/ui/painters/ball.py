@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
@@ -157,24 +157,24 @@ def _shade(
     return color | _tone(blue * (falling + bounce * felt[2]) + mirrored * felt[2] + shine)
 
 
+class LitBall(NamedTuple):
+    """One ball under the lamps: its number, turn row by row, both lamps as it sees them, its opacity."""
+
+    number: int
+    turn: Any
+    beams: Any
+    opacity: float
+
+
 @kernel
 def _paint_ball(
-    pixels: Any,
-    clip: Any,
-    x: float,
-    y: float,
-    radius: float,
-    number: int,
-    turn: Any,
-    beams: Any,
-    texture: Any,
-    felt: Any,
-    opacity: float,
+    pixels: Any, clip: Any, x: float, y: float, radius: float, ball: Any, texture: Any, felt: Any
 ) -> None:
-    """One ball; ``turn`` from its frame to the screen's, felt in linear light."""  # fmt: skip
+    """One ball; its turn goes from its frame to the screen's, felt is in linear light."""
     reach = radius + 0.5
     x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
     inner = max(0.0, 1.0 - 0.5 / radius)  # of the radius: from here on the rim shows
+    number, turn, beams, opacity = ball
     for row in range(y_low, y_high):
         v = (y - row - 0.5) / radius
         for column in range(x_low, x_high):
@@ -193,25 +193,37 @@ def _paint_ball(
             blend(pixels, row, column, color, weight_of(cover, opacity))
 
 
-@kernel
-def paint_balls(
-    pixels: Any,
-    clip: Any,
-    points: Any,
-    radii: Any,
-    numbers: Any,
-    turns: Any,
-    places: Any,
-    opacities: Any,
-    texture: Any,
-    felt: Any,
-) -> None:
-    """Balls whose radius asks for this digit texture; later ones on top.
+class ScreenBalls(NamedTuple):
+    """Balls on the screen, later ones on top.
 
     ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 15 (others are left out), ``turns``
-    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``places`` (n, 2) m
-    from the table's middle, ``opacities`` (n,), ``texture`` (16, side, side) uint8, ``felt`` (3,) light.
+    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``opacities`` (n,);
+    None: all solid.
     """
+
+    points: Any
+    radii: Any
+    numbers: Any
+    turns: Any
+    opacities: Any = None
+
+    def check(self) -> int:
+        """How many balls there are. ValueError if the arrays do not fit each other."""
+        count = len(self.points)
+        if self.points.shape != (count, 2) or self.radii.shape != (count,) or self.numbers.shape != (count,):
+            raise ValueError("balls: points (n, 2), radii (n,) and numbers (n,) must have one n")
+        if self.turns.shape != (count, 3, 3):
+            raise ValueError(f"balls: turns must be ({count}, 3, 3), not {self.turns.shape}")
+        return count
+
+
+@kernel
+def paint_balls(pixels: Any, clip: Any, balls: Any, places: Any, texture: Any, felt: Any) -> None:
+    """Balls (with opacities) whose radius asks for this digit texture.
+
+    ``places`` (n, 2) m from the table's middle, ``texture`` (16, side, side) uint8, ``felt`` (3,) light.
+    """
+    points, radii, numbers, turns, opacities = balls
     ground = (felt[0], felt[1], felt[2])
     for i in range(points.shape[0]):
         x, y, radius, number = points[i, 0], points[i, 1], radii[i], numbers[i]
@@ -227,7 +239,7 @@ def paint_balls(
         if min(look.LARGEST_TEXTURE, max(look.SMALLEST_TEXTURE, int(2.2 * radius + 0.5))) != texture.shape[1]:
             continue
         beams = (_beam(0, places[i, 0], places[i, 1]), _beam(1, places[i, 0], places[i, 1]))
-        _paint_ball(pixels, clip, x, y, radius, number, turn, beams, texture, ground, opacities[i])
+        _paint_ball(pixels, clip, x, y, radius, LitBall(number, turn, beams, opacities[i]), texture, ground)
 
 
 @lru_cache(maxsize=8)
@@ -251,38 +263,30 @@ class BallPainter:
         self,
         pixels: Array,
         clip: Array,
-        points: Array,
-        radii: Array,
-        numbers: Array,
-        turns: Array,
+        balls: ScreenBalls,
         middle: tuple[float, float],
         scale: float,
-        opacities: Array | None = None,
         shadows: bool = True,
     ) -> None:
-        """Shadows, then balls. Arrays as for ``paint_balls``; ``opacities`` None means solid.
+        """Shadows, then balls.
 
         ``middle`` px is where the table's middle lies on the screen and ``scale`` its px per metre: they
-        place the lamps. ValueError if the arrays do not fit each other.
+        place the lamps. ValueError if the arrays do not fit each other, or for a scale that is not positive.
         """
-        count = points.shape[0]
-        if points.shape != (count, 2) or radii.shape != (count,) or numbers.shape != (count,):
-            raise ValueError("balls: points (n, 2), radii (n,) and numbers (n,) must have one n")
-        if turns.shape != (count, 3, 3):
-            raise ValueError(f"balls: turns must be ({count}, 3, 3), not {turns.shape}")
+        count = balls.check()
         if not (math.isfinite(scale) and scale > 0.0):
             raise ValueError(f"balls: scale {scale!r} px/m is not positive and finite")
         if count != self._places.shape[0]:
             self._places, self._opaque = np.zeros((count, 2)), np.ones(count)
         places = self._places
-        np.subtract(points, middle, out=places)
+        np.subtract(balls.points, middle, out=places)
         places *= (1.0 / scale, -1.0 / scale)
-        solid = self._opaque if opacities is None else opacities
+        if balls.opacities is None:
+            balls = balls._replace(opacities=self._opaque)
         if shadows:
-            paint_shadows(pixels, clip, points, radii, places, solid)
-        for side in self._texture_sides(radii):
-            digits = texture_stack(side)
-            paint_balls(pixels, clip, points, radii, numbers, turns, places, solid, digits, self._felt)
+            paint_shadows(pixels, clip, balls.points, balls.radii, places, balls.opacities)
+        for side in self._texture_sides(balls.radii):
+            paint_balls(pixels, clip, balls, places, texture_stack(side), self._felt)
 
     def _texture_sides(self, radii: Array) -> tuple[int, ...]:
         """Sides of the textures that these radii need, from small to large."""
@@ -297,10 +301,8 @@ def _warm_up() -> None:
     """Compile the kernels on a picture of 8 x 8 pixels."""
     pixels, clip = np.zeros((8, 8), np.uint32), np.array((0, 0, 8, 8), np.int64)
     painter = BallPainter(pygame.Color(0, 0, 0))
-    painter.draw(
-        pixels, clip, np.full((1, 2), 4.0), np.full(1, 2.0), np.ones(1, np.int64), np.eye(3)[None].copy(),
-        (4.0, 4.0), 100.0,
-    )  # fmt: skip
+    ball = ScreenBalls(np.full((1, 2), 4.0), np.full(1, 2.0), np.ones(1, np.int64), np.eye(3)[None].copy())
+    painter.draw(pixels, clip, ball, (4.0, 4.0), 100.0)
 
 
 WARM_UPS = [("paint_balls", _warm_up)]

@@ -1,14 +1,14 @@
 """Very many axis-aligned boxes at once, of kinds with a fill and an outline each; and cells shaded by load.
 
 A box too small for an outline is filled with its outline's colour, by the share of each pixel that it
-covers; where there are very many, by whole pixels. Between two states a box is drawn where it is on its
-way, unless it has leapt.
+covers; where there are very many, by whole pixels. Between two states a box is drawn between its two places,
+unless it has leapt.
 """
 
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
@@ -44,7 +44,7 @@ def _mix_run(row, begin, end, color, weight):
 
 @kernel(inline="always", _nrt=False)
 def _place_box(affine, lower, upper, old_lower, old_upper, share, leap):
-    """Left, top, right and bottom (px) of a box on its way, or where it is now if it has leapt."""
+    """Left, top, right and bottom (px) of a box between its places, or where it is now if it has leapt."""
     x0, y0, x1, y1 = float(lower[0]), float(lower[1]), float(upper[0]), float(upper[1])
     a0, b0, a1, b1 = float(old_lower[0]), float(old_lower[1]), float(old_upper[0]), float(old_upper[1])
     near = abs(x0 - a0) <= leap and abs(y0 - b0) <= leap  # an infinite corner is not near itself
@@ -60,24 +60,100 @@ def _place_box(affine, lower, upper, old_lower, old_upper, share, leap):
     return min(u0, u1), min(v0, v1), max(u0, u1), max(v0, v1)
 
 
+@kernel(inline="always", _nrt=False)
+def _paint_outlined(pixels, bounds, box, ink, edge):
+    """A box with an outline ``edge`` px wide; ``ink``: colour and weight of fill and outline."""
+    left, top, right, bottom = box
+    left_end, top_end, right_end, bottom_end = bounds
+    fill, fill_weight, line, line_weight = ink
+    c0, c1 = int(left + 10.5) - 10, int(right + 10.5) - 10
+    r0, r1 = int(top + 10.5) - 10, int(bottom + 10.5) - 10
+    first, last = max(c0, left_end), min(c1, right_end)
+    begin, end = min(max(c0 + edge, first), last), max(min(c1 - edge, last), first)  # of the fill
+    for row in range(max(r0, top_end), min(r1, bottom_end)):
+        if row < r0 + edge or row >= r1 - edge or begin >= end:
+            _mix_run(pixels[row], first, last, line, line_weight)
+            continue
+        _mix_run(pixels[row], first, begin, line, line_weight)
+        if fill_weight > 0:
+            _mix_run(pixels[row], begin, end, fill, fill_weight)
+        _mix_run(pixels[row], end, last, line, line_weight)
+
+
+@kernel(inline="always", _nrt=False)
+def _paint_whole(pixels, bounds, box, line, weight):
+    """A small box by whole pixels."""
+    left, top, right, bottom = box
+    left_end, top_end, right_end, bottom_end = bounds
+    c0, r0 = int(0.5 * (left + right) + 10.0) - 10, int(0.5 * (top + bottom) + 10.0) - 10
+    half_width, half_height = int(0.5 * (right - left)), int(0.5 * (bottom - top))
+    begin, end = max(c0 - half_width, left_end), min(c0 + half_width + 1, right_end)
+    for row in range(max(r0 - half_height, top_end), min(r0 + half_height + 1, bottom_end)):
+        _mix_run(pixels[row], begin, end, line, weight)
+
+
+@kernel(inline="always", _nrt=False)
+def _paint_covered(pixels, bounds, box, line, line_weight):
+    """A small box by the share of each pixel that it covers."""
+    left, top, right, bottom = box
+    left_end, top_end, right_end, bottom_end = bounds
+    if right - left < LEAST_SIDE:
+        left, right = 0.5 * (left + right - LEAST_SIDE), 0.5 * (left + right + LEAST_SIDE)
+    if bottom - top < LEAST_SIDE:
+        top, bottom = 0.5 * (top + bottom - LEAST_SIDE), 0.5 * (top + bottom + LEAST_SIDE)
+    for row in range(max(int(top + 10.0) - 10, top_end), min(int(bottom + 1.0), bottom_end)):
+        down = min(row + 1.0, bottom) - max(row * 1.0, top)
+        for column in range(max(int(left + 10.0) - 10, left_end), min(int(right + 1.0), right_end)):
+            across = min(column + 1.0, right) - max(column * 1.0, left)
+            weight = int(line_weight * min(max(down * across, 0.0), 1.0) + 0.5)
+            pixels[row, column] = _mix(int(pixels[row, column]), line, weight)
+
+
+class Corners(NamedTuple):
+    """Lower and upper corners of boxes, (n, 2) each, in world units."""
+
+    lowers: Any
+    uppers: Any
+
+
+class Between(NamedTuple):
+    """When boxes are drawn: at a share of the time between both states.
+
+    A box that has moved further than ``leap`` is drawn where it is now.
+    """
+
+    share: float
+    leap: float
+
+
+class BoxStyles(NamedTuple):
+    """``inks``, ``weights``: (kinds, 2), colour 0xRRGGBB and 0 to 256 of fill and outline.
+
+    ``edge``: px, width of outlines.
+    """
+
+    inks: Any
+    weights: Any
+    edge: int
+
+
 @kernel(_nrt=False)
-def paint_boxes(
-    pixels, clip, affine, lowers, uppers, old_lowers, old_uppers, share, leap, kinds, inks, weights, edge
-):
+def paint_boxes(pixels, clip, affine, now, before, between, kinds, styles):
     """Boxes in world units, through ``affine`` (6,) a b c d e f: x' = a x + b y + e, y' = c x + d y + f, px.
 
-    ``lowers``, ``uppers``, ``old_lowers``, ``old_uppers``: (n, 2), now and before; drawn at ``share`` of the
-    way, or now where a corner moved further than ``leap``. ``kinds``: (n,). ``inks``, ``weights``: (kinds, 2)
-    colour 0xRRGGBB and 0 to 256 of fill and outline. ``edge``: px, width of outlines.
+    ``now``, ``before``: `Corners` of both states; ``between``: `Between`; ``kinds``: (n,); ``styles``:
+    `BoxStyles`.
     """
-    left_end, top_end = max(0, clip[0]), max(0, clip[1])
-    right_end, bottom_end = min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
+    share, leap = between
+    inks, weights, edge = styles
+    bounds = max(0, clip[0]), max(0, clip[1]), min(pixels.shape[1], clip[2]), min(pixels.shape[0], clip[3])
+    left_end, top_end, right_end, bottom_end = bounds
     for box in range(len(kinds)):
         kind = kinds[box]
         if kind == HIDDEN:
             continue
         left, top, right, bottom = _place_box(
-            affine, lowers[box], uppers[box], old_lowers[box], old_uppers[box], share, leap
+            affine, now.lowers[box], now.uppers[box], before.lowers[box], before.uppers[box], share, leap
         )
         if not (
             right >= left_end - 1.0 and left <= right_end and bottom >= top_end - 1.0 and top <= bottom_end
@@ -85,49 +161,24 @@ def paint_boxes(
             continue
         left, top = max(left, left_end - 9.0), max(top, top_end - 9.0)
         right, bottom = min(right, right_end + 9.0), min(bottom, bottom_end + 9.0)
-        fill, fill_weight = int(inks[kind, 0]), int(weights[kind, 0])
+        part = left, top, right, bottom
         line, line_weight = int(inks[kind, 1]), int(weights[kind, 1])
         if right - left >= SMALLEST_OUTLINED and bottom - top >= SMALLEST_OUTLINED:
-            c0, c1 = int(left + 10.5) - 10, int(right + 10.5) - 10
-            r0, r1 = int(top + 10.5) - 10, int(bottom + 10.5) - 10
-            first, last = max(c0, left_end), min(c1, right_end)
-            begin, end = min(max(c0 + edge, first), last), max(min(c1 - edge, last), first)  # of the fill
-            for row in range(max(r0, top_end), min(r1, bottom_end)):
-                if row < r0 + edge or row >= r1 - edge or begin >= end:
-                    _mix_run(pixels[row], first, last, line, line_weight)
-                    continue
-                _mix_run(pixels[row], first, begin, line, line_weight)
-                if fill_weight > 0:
-                    _mix_run(pixels[row], begin, end, fill, fill_weight)
-                _mix_run(pixels[row], end, last, line, line_weight)
-            continue
-        if len(kinds) > VERY_MANY:
-            c0, r0 = int(0.5 * (left + right) + 10.0) - 10, int(0.5 * (top + bottom) + 10.0) - 10
-            half_width, half_height = int(0.5 * (right - left)), int(0.5 * (bottom - top))
-            for row in range(max(r0 - half_height, top_end), min(r0 + half_height + 1, bottom_end)):
-                _mix_run(
-                    pixels[row], max(c0 - half_width, left_end), min(c0 + half_width + 1, right_end),
-                    line, line_weight,
-                )  # fmt: skip
-            continue
-        if right - left < LEAST_SIDE:
-            left, right = 0.5 * (left + right - LEAST_SIDE), 0.5 * (left + right + LEAST_SIDE)
-        if bottom - top < LEAST_SIDE:
-            top, bottom = 0.5 * (top + bottom - LEAST_SIDE), 0.5 * (top + bottom + LEAST_SIDE)
-        for row in range(max(int(top + 10.0) - 10, top_end), min(int(bottom + 1.0), bottom_end)):
-            down = min(row + 1.0, bottom) - max(row * 1.0, top)
-            for column in range(max(int(left + 10.0) - 10, left_end), min(int(right + 1.0), right_end)):
-                across = min(column + 1.0, right) - max(column * 1.0, left)
-                weight = int(line_weight * min(max(down * across, 0.0), 1.0) + 0.5)
-                pixels[row, column] = _mix(int(pixels[row, column]), line, weight)
+            ink = int(inks[kind, 0]), int(weights[kind, 0]), line, line_weight
+            _paint_outlined(pixels, bounds, part, ink, edge)
+        elif len(kinds) > VERY_MANY:
+            _paint_whole(pixels, bounds, part, line, line_weight)
+        else:
+            _paint_covered(pixels, bounds, part, line, line_weight)
 
 
 def warm_up() -> None:
     """Compile the kernel, by painting one box on a tiny picture."""
     pixels, clip = np.zeros((4, 4), dtype=np.uint32), np.array((0, 0, 4, 4), dtype=np.int64)
-    low, high = np.zeros((1, 2)), np.ones((1, 2))
+    box = Corners(np.zeros((1, 2)), np.ones((1, 2)))
     colors, kinds = np.zeros((1, 2), dtype=np.int64), np.zeros(1, dtype=np.uint8)
-    paint_boxes(pixels, clip, np.zeros(6), low, high, low, high, 1.0, 1.0, kinds, colors, colors, 1)
+    styles = BoxStyles(colors, colors, 1)
+    paint_boxes(pixels, clip, np.zeros(6), box, box, Between(1.0, 1.0), kinds, styles)
 
 
 class BoxPainter:
@@ -149,7 +200,8 @@ class BoxPainter:
     ) -> None:
         """Boxes from ``lowers`` to ``uppers``, (n, 2) world units; ``kinds`` (n,) uint8, HIDDEN for none.
 
-        ``before``: the same of the state before, if they are to be drawn at ``share`` of the way from there.
+        ``before``: the same of the state before, if they are to be drawn at ``share`` of the
+        displacement from there.
         """
         inks = np.array([(canvas.ink(fill), canvas.ink(line)) for fill, _, line, _ in self._styles])
         weights = np.array([(round(256 * a), round(256 * b)) for _, a, _, b in self._styles])
@@ -159,12 +211,11 @@ class BoxPainter:
         if buried:
             kinds = kinds.copy()
             kinds[:buried][kinds[:buried] != HIDDEN] += self._kinds
-        old_lowers, old_uppers = before if before is not None else (lowers, uppers)
-        paint_boxes(
-            pixels, clip, affine, lowers, uppers, old_lowers, old_uppers,
-            float(share) if before is not None else 1.0, float(leap), kinds,
-            inks.astype(np.int64), weights.astype(np.int64), max(round(canvas.k), 1),
-        )  # fmt: skip
+        now = Corners(lowers, uppers)
+        old = Corners(*before) if before is not None else now
+        between = Between(float(share) if before is not None else 1.0, float(leap))
+        styles = BoxStyles(inks.astype(np.int64), weights.astype(np.int64), max(round(canvas.k), 1))
+        paint_boxes(pixels, clip, affine, now, old, between, kinds, styles)
 
 
 def _first_seen(affine: Any, clip: Any, lowers: Any, uppers: Any) -> int:

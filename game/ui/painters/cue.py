@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -132,21 +132,20 @@ def paint_cue(
             blend(pixels, row, column, color, weight_of(cover, 1.0))
 
 
+class ShadowEnd(NamedTuple):
+    """One end of a shadow: its place, half breadth and blur, px."""
+
+    x: float
+    y: float
+    half: float
+    blur: float
+
+
 @kernel
-def paint_cue_shadow(
-    pixels: Any,
-    clip: Any,
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
-    half0: float,
-    half1: float,
-    blur0: float,
-    blur1: float,
-    opacity: float,
-) -> None:
-    """A soft band between two points, with half breadth and blur (px) at the first and the second."""
+def paint_cue_shadow(pixels: Any, clip: Any, tip: Any, butt: Any, opacity: float) -> None:
+    """A soft band between two ``ShadowEnd``s, whose half breadth and blur change evenly between them."""
+    x0, y0, half0, blur0 = tip
+    x1, y1, half1, blur1 = butt
     if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
         return
     if not (0.0 < half0 < 1e6 and 0.0 < half1 < 1e6 and 0.0 < blur0 < 1e6 and 0.0 < blur1 < 1e6):
@@ -207,10 +206,9 @@ def draw_cue(
         _shift(x, y, h, middle, scale) for x, y, h in ((*tip, TIP_HEIGHT), (x1, y1, butt_height))
     )
     below = clip if shadow_clip is None else shadow_clip
-    paint_cue_shadow(
-        pixels, below, tip[0] + a, tip[1] + b, x1 + c, y1 + d, TIP_RADIUS * scale, BUTT_RADIUS * scale,
-        0.008 * scale + 0.5, (0.015 + 0.12 * butt_height) * scale + 0.5, SHADE,
-    )  # fmt: skip
+    near = ShadowEnd(tip[0] + a, tip[1] + b, TIP_RADIUS * scale, 0.008 * scale + 0.5)
+    far = ShadowEnd(x1 + c, y1 + d, BUTT_RADIUS * scale, (0.015 + 0.12 * butt_height) * scale + 0.5)
+    paint_cue_shadow(pixels, below, near, far, SHADE)
     paint_cue(pixels, clip, tip[0], tip[1], ux, uy, max(1.0, shortened), scale)
 
 

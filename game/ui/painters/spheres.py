@@ -8,7 +8,7 @@ where spheres meet are soft.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -124,66 +124,87 @@ def shade(color: int, nx: float, ny: float, nz: float, tone: float) -> int:
     return red << 16 | green << 8 | blue
 
 
+class Sphere(NamedTuple):
+    """One sphere: place and radius px, its turn row by row, colour."""
+
+    x: float
+    y: float
+    z: float
+    radius: float
+    turn: Any
+    color: int
+
+
 @kernel
-def paint_spheres(
-    pixels: Any,
-    clip: Any,
-    depths: Any,
-    points: Any,
-    radii: Any,
-    turns: Any,
-    owners: Any,
-    colors: Any,
-    seen: Any,
-    alpha: float,
-) -> None:
-    """Spheres from the back to the front; those behind others only where they are seen.
+def _paint_sphere(pixels: Any, clip: Any, depths: Any, sphere: Any, alpha: float) -> None:
+    """One sphere, where it is seen."""
+    x, y, z, r, turn, color = sphere
+    reach = r + 0.5
+    x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
+    unit, inner = 1.0 / r, max(r - 0.5, 0.0) * max(r - 0.5, 0.0)
+    sharpness = 0.8 * r if r >= PLAIN_BELOW else 0.0
+    for row in range(y_low, y_high):
+        dy = y - row - 0.5
+        rest = reach * reach - dy * dy
+        if rest <= 0.0:
+            continue
+        half = math.sqrt(rest)
+        first = max(x_low, int(max(x - half, 0.0)))
+        for column in range(first, min(x_high, int(max(x + half + 1.0, 0.0)))):
+            if depths[row, column] - z - r >= SOFT:
+                continue
+            dx = column + 0.5 - x
+            squared = dx * dx + dy * dy
+            rise = math.sqrt(max(r * r - squared, 0.0))
+            share = 1.0 - (depths[row, column] - z - rise) / SOFT
+            if share <= 0.0:
+                continue
+            cover, scale = min(1.0, share), unit
+            if squared > inner:
+                length = math.sqrt(squared)
+                cover *= min(1.0, max(0.0, reach - length))
+                scale = 1.0 / max(length, r)
+            nx, ny, nz = dx * scale, dy * scale, rise * unit
+            tone = octant_tone(nx, ny, nz, turn, sharpness) if sharpness > 0.0 else 1.0
+            shaded, weight = shade(color, nx, ny, nz, tone), weight_of(cover, alpha)
+            if weight >= FULL:
+                pixels[row, column] = shaded | OPAQUE
+            else:
+                blend(pixels, row, column, shaded, weight)
+
+
+class ScreenSpheres(NamedTuple):
+    """Spheres on the screen, from the back to the front.
 
     ``points`` (n, 3) px, z towards the viewer; ``radii`` (n,) px; ``turns`` (m, 3, 3) from a sphere's frame
     to the picture's (x right, y up, z to the viewer), of which sphere i has ``owners[i]``; ``colors`` (n,)
-    uint32; ``depths`` (h, w) float32 and ``seen`` (n,) as ``lay_depths`` leaves them.
-    """  # fmt: skip
+    uint32.
+    """
+
+    points: Any
+    radii: Any
+    turns: Any
+    owners: Any
+    colors: Any
+
+
+@kernel
+def paint_spheres(pixels: Any, clip: Any, depths: Any, spheres: Any, seen: Any, alpha: float) -> None:
+    """Spheres from the back to the front; those behind others only where they are seen.
+
+    ``depths`` (h, w) float32 and ``seen`` (n,) as ``lay_depths`` leaves them.
+    """
+    points, radii, turns, owners, colors = spheres
     for i in range(points.shape[0]):
         if not seen[i]:
             continue
         x, y, z, r = points[i, 0], points[i, 1], points[i, 2], radii[i]
         if not (is_drawable(x) and is_drawable(y) and is_drawable(z) and 0.0 < r <= LARGEST_RADIUS):
             continue
-        t, color = turns[owners[i]], np.int64(colors[i])
+        t = turns[owners[i]]
         # a tuple, not an array: the compiler keeps it in registers
         turn = (t[0, 0], t[0, 1], t[0, 2], t[1, 0], t[1, 1], t[1, 2], t[2, 0], t[2, 1], t[2, 2])
-        reach = r + 0.5
-        x_low, y_low, x_high, y_high = clip_bounds(pixels, clip, x - reach, y - reach, x + reach, y + reach)
-        unit, inner = 1.0 / r, max(r - 0.5, 0.0) * max(r - 0.5, 0.0)
-        sharpness = 0.8 * r if r >= PLAIN_BELOW else 0.0
-        for row in range(y_low, y_high):
-            dy = y - row - 0.5
-            rest = reach * reach - dy * dy
-            if rest <= 0.0:
-                continue
-            half = math.sqrt(rest)
-            first = max(x_low, int(max(x - half, 0.0)))
-            for column in range(first, min(x_high, int(max(x + half + 1.0, 0.0)))):
-                if depths[row, column] - z - r >= SOFT:
-                    continue
-                dx = column + 0.5 - x
-                squared = dx * dx + dy * dy
-                rise = math.sqrt(max(r * r - squared, 0.0))
-                share = 1.0 - (depths[row, column] - z - rise) / SOFT
-                if share <= 0.0:
-                    continue
-                cover, scale = min(1.0, share), unit
-                if squared > inner:
-                    length = math.sqrt(squared)
-                    cover *= min(1.0, max(0.0, reach - length))
-                    scale = 1.0 / max(length, r)
-                nx, ny, nz = dx * scale, dy * scale, rise * unit
-                tone = octant_tone(nx, ny, nz, turn, sharpness) if sharpness > 0.0 else 1.0
-                shaded, weight = shade(color, nx, ny, nz, tone), weight_of(cover, alpha)
-                if weight >= FULL:
-                    pixels[row, column] = shaded | OPAQUE
-                else:
-                    blend(pixels, row, column, shaded, weight)
+        _paint_sphere(pixels, clip, depths, Sphere(x, y, z, r, turn, np.int64(colors[i])), alpha)
 
 
 class SpherePainter:
@@ -203,7 +224,7 @@ class SpherePainter:
         colors: Array,
         alpha: float = 1.0,
     ) -> None:
-        """As ``paint_spheres``, in any order. ValueError if the arrays do not fit each other."""
+        """Spheres as of ``ScreenSpheres``, in any order. ValueError if the arrays do not fit each other."""
         count = len(points)
         if points.shape != (count, 3) or any(a.shape != (count,) for a in (radii, owners, colors)):
             raise ValueError("spheres: points (n, 3), radii (n,), owners (n,), colors (n,) must have one n")
@@ -217,10 +238,10 @@ class SpherePainter:
         points, radii = np.ascontiguousarray(points[order]), np.ascontiguousarray(radii[order])
         seen = np.ones(count, np.uint8)
         lay_depths(self._depths, clip, points, radii, seen)
-        paint_spheres(
-            pixels, clip, self._depths, points, radii, np.ascontiguousarray(turns),
-            np.ascontiguousarray(owners[order]), np.ascontiguousarray(colors[order]), seen, float(alpha),
-        )  # fmt: skip
+        spheres = ScreenSpheres(
+            points, radii, *(np.ascontiguousarray(a) for a in (turns, owners[order], colors[order]))
+        )
+        paint_spheres(pixels, clip, self._depths, spheres, seen, float(alpha))
         clear_depths(self._depths, clip, points, radii)
 
 

@@ -13,14 +13,14 @@ POOL = Table.pool()
 def scattered(seed: int, count: int = 16, balls: BallSet | None = None) -> Arrangement:
     """Balls 0 to count - 1 at random places where they touch nothing."""
     rng = np.random.default_rng(seed)
-    lie = arrange({}, equal_balls() if balls is None else balls)
+    layout = arrange({}, equal_balls() if balls is None else balls)
     for number in range(count):
         while True:
             x, y = rng.uniform((0.03, 0.03), (POOL.width - 0.03, POOL.length - 0.03))
-            if is_free(lie, POOL, number, x, y):
+            if is_free(layout, POOL, number, x, y):
                 break
-        lie = lie.with_ball(number, (x, y))
-    return lie
+        layout = layout.with_ball(number, (x, y))
+    return layout
 
 
 def unlike_balls(seed: int) -> BallSet:

@@ -48,17 +48,17 @@ from game.billiards.table.rack import BALL_RADIUS as R
 from tests.billiards.search.search_tables import POOL, scattered, unlike_balls
 
 
-def every(lie):
-    """Any ball, any way."""
-    bits = ((1 << len(lie.numbers)) - 1) & ~1
+def every(layout):
+    """Any ball, by any kind of shot."""
+    bits = ((1 << len(layout.numbers)) - 1) & ~1
     return Aims(bits, bits, bits, solo=True)
 
 
 def candidates(places, kinds=KINDS, aims=None, balls=None):
     """View and candidates of a table."""
-    lie = places if not isinstance(places, dict) else arrange(places, balls)
-    view = View(Board(lie, POOL), Noise())
-    return view, view.candidates(every(lie) if aims is None else aims, kinds, 400)
+    layout = places if not isinstance(places, dict) else arrange(places, balls)
+    view = View(Board(layout, POOL), Noise())
+    return view, view.candidates(every(layout) if aims is None else aims, kinds, 400)
 
 
 def test_gates_have_their_jaws_left_and_right():
@@ -66,10 +66,10 @@ def test_gates_have_their_jaws_left_and_right():
     middle = np.array([POOL.width, POOL.length]) / 2.0
     for gate in gates:
         assert gate[JAW_RADIUS] > 0.0
-        way = gate[GATE_X : GATE_X + 2] - middle
+        axis = gate[GATE_X : GATE_X + 2] - middle
         for x, y, sign in ((LEFT_X, LEFT_Y, 1.0), (RIGHT_X, RIGHT_Y, -1.0)):
             jaw = gate[[x, y]] - middle
-            assert sign * (way[0] * jaw[1] - way[1] * jaw[0]) > 0.0
+            assert sign * (axis[0] * jaw[1] - axis[1] * jaw[0]) > 0.0
     assert (gates_of(Table.open())[:, JAW_RADIUS] == 0.0).all()
 
 
@@ -91,7 +91,7 @@ def test_a_ball_within_its_window_falls_and_one_outside_does_not():
     gates = gates_of(POOL)
     windows_of(gates, places, R, windows)
     shares = np.array([-1.8, -0.7, 0.0, 0.7, 1.8])
-    shots, wanted = [], []
+    shots, pockets = [], []
     for k, place in enumerate(places):
         alone = arrange({1: tuple(place)}).shot(POOL, Physics())
         for p in range(6):
@@ -101,11 +101,11 @@ def test_a_ball_within_its_window_falls_and_one_outside_does_not():
             for angle in middle + shares * half:
                 velocity = 1.6 * np.array([math.cos(angle), math.sin(angle)])
                 shots.append(alone.struck(0, velocity, (-velocity[1] / R, velocity[0] / R, 0.0)))
-            wanted.append(p)
+            pockets.append(p)
     run = simulate_many(shots, until=2.5)
     fell = np.array(
         [
-            any(int(row[1]) == BALL_POCKET and int(row[3]) == wanted[i // 5] for row in rows)
+            any(int(row[1]) == BALL_POCKET and int(row[3]) == pockets[i // 5] for row in rows)
             for i, rows in enumerate(run.rows)
         ]
     ).reshape(-1, 5)
@@ -116,10 +116,10 @@ def test_a_ball_within_its_window_falls_and_one_outside_does_not():
 
 @pytest.mark.compiled
 @given(st.integers(0, 400))
-def test_the_white_ball_first_meets_what_a_candidate_says(seed):
-    lie = scattered(seed, 9, unlike_balls(seed))
-    _, found = candidates(lie)
-    places, radii = lie.positions, lie.radii
+def test_the_cue_ball_first_meets_what_a_candidate_says(seed):
+    layout = scattered(seed, 9, unlike_balls(seed))
+    _, found = candidates(layout)
+    places, radii = layout.positions, layout.radii
     in_play = np.ones(len(radii), bool)
     assert len({tuple(c[[BALL, INTO, KIND, VIA, AIM]]) for c in found}) == len(found)
     for c in found:
@@ -156,18 +156,18 @@ def test_a_ball_in_the_way_takes_the_candidate_away():
 
 def test_banks_and_kicks_are_mirror_images():
     view, found = candidates({0: (0.9, 0.75), 1: (0.635, 1.0)}, ("bank",))
-    direction = math.atan2(POOL.pockets[3, 1] - 1.0, 2.0 * R - view.gates[3, GATE_X] - 0.635)
+    direction = math.atan2(POOL.pockets[3, 1] - 1.0, 2.0 * R - view.geometry.gates[3, GATE_X] - 0.635)
     ghost = (0.635 - 2 * R * math.cos(direction), 1.0 - 2 * R * math.sin(direction))
     aim = math.atan2(ghost[1] - 0.75, ghost[0] - 0.9)
     banks = [c for c in found if int(c[INTO]) == 3]
     assert min(abs(c[AIM] - aim) for c in banks) < 1e-9 and {int(c[KIND]) for c in found} == {BANK}
     _, found = candidates({0: (0.635, 0.6), 1: (0.3, 2.0)}, ("kick",))
     kick = next(c for c in found if int(c[INTO]) == 4 and math.cos(c[AIM]) > 0.0)
-    # seen in the mirror of the right rail, the white ball runs straight to within a ball of the other
+    # seen in the mirror of the right rail, the cue ball runs straight to within a ball of the other
     start = np.array([2.0 * (POOL.width - R) - 0.635, 0.6])
-    way = np.array([-math.cos(kick[AIM]), math.sin(kick[AIM])])
+    path = np.array([-math.cos(kick[AIM]), math.sin(kick[AIM])])
     dx, dy = np.array([0.3, 2.0]) - start
-    assert abs(dx * way[1] - dy * way[0]) < 2 * R and dx * way[0] + dy * way[1] > 0.0
+    assert abs(dx * path[1] - dy * path[0]) < 2 * R and dx * path[0] + dy * path[1] > 0.0
 
 
 def test_combinations_only_by_way_of_what_may_be_hit():
@@ -184,20 +184,20 @@ def test_combinations_only_by_way_of_what_may_be_hit():
 
 
 def test_the_likeliest_are_kept_when_there_are_too_many():
-    lie = scattered(3)
-    view = View(Board(lie, POOL), Noise())
-    full = view.candidates(every(lie), KINDS, 10_000)
-    few = view.candidates(every(lie), KINDS, 7)
+    layout = scattered(3)
+    view = View(Board(layout, POOL), Noise())
+    full = view.candidates(every(layout), KINDS, 10_000)
+    few = view.candidates(every(layout), KINDS, 7)
     assert len(few) == 7 and np.array_equal(few, full[:7])
     assert (np.diff(full[:, CHANCE]) <= 0.0).all()
 
 
 def test_an_unsteady_hand_has_less_of_a_chance_and_a_steady_one_is_sure():
-    lie = arrange({0: (0.9, 1.0), 1: (0.4, 1.5)})
+    layout = arrange({0: (0.9, 1.0), 1: (0.4, 1.5)})
     chances = []
     for factor in (0.0, 0.5, 1.0, 2.0, 4.0):
-        view = View(Board(lie, POOL), Noise().scaled(factor))
-        chances.append(view.candidates(every(lie), ("direct",), 1)[0, CHANCE])
+        view = View(Board(layout, POOL), Noise().scaled(factor))
+        chances.append(view.candidates(every(layout), ("direct",), 1)[0, CHANCE])
     assert chances[0] > 0.999 and all(a > b for a, b in pairwise(chances))
 
 
@@ -209,9 +209,9 @@ def test_the_chance_is_about_what_play_gives():
     )  # fmt: skip
     pairs = []
     for seed in range(24):
-        lie = scattered(seed, 3)
-        view = View(Board(lie, POOL), Noise())
-        looked = look(view, every(lie), effort, draw_noise(seed, 64))
+        layout = scattered(seed, 3)
+        view = View(Board(layout, POOL), Noise())
+        looked = look(view, every(layout), effort, draw_noise(seed, 64))
         best: dict[tuple[float, float], tuple[float, float]] = {}
         for c, chance in zip(looked.candidates, looked.chance.tolist(), strict=True):
             key = (c[BALL], c[INTO])

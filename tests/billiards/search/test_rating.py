@@ -25,7 +25,7 @@ from game.billiards.search.view import View
 from tests.billiards.search.search_tables import POOL
 
 ROWS = (0, 1, 2, 8, 9)  # numbers on the table, by row
-LIE = {0: (0.6, 0.5), 1: (0.3, 1.27), 2: (1.0, 0.4), 8: (1.0, 2.2), 9: (0.5, 2.2)}
+LAYOUT = {0: (0.6, 0.5), 1: (0.3, 1.27), 2: (1.0, 0.4), 8: (1.0, 2.2), 9: (0.5, 2.2)}
 
 GROUPED = EightBall(
     opening=False, in_hand="", on_table=(1, 2, 8, 9), groups=("solids", "stripes"), calling="all"
@@ -37,23 +37,23 @@ NINE = NineBall(opening=False, in_hand="", on_table=(1, 2, 8, 9))
 def outcome(first, down=(), scratch=False, cushioned=True, chains=None):
     """One outcome at the table above: numbers hit first; (ball, pocket) down; chains by ball."""
     facts = np.zeros((1, FACTS), np.int64)
-    ways = np.zeros((1, 5, 4), np.int64)
-    ways[:, :, POCKET] = -1
+    histories = np.zeros((1, 5, 4), np.int64)
+    histories[:, :, POCKET] = -1
     facts[0, FIRST_BALLS] = bits_of(ROWS, first)
     facts[0, SCRATCH] = scratch
     facts[0, CUSHIONED] = cushioned
     for ball, pocket in down:
         row = ROWS.index(ball)
         facts[0, DOWN] |= 1 << row
-        ways[0, row, POCKET] = pocket
-        ways[0, row, CHAIN] = bits_of(ROWS, (0, *((chains or {}).get(ball, ())), ball))
-    return Outcomes(facts, ways, np.zeros((1, 5, 2)))
+        histories[0, row, POCKET] = pocket
+        histories[0, row, CHAIN] = bits_of(ROWS, (0, *((chains or {}).get(ball, ())), ball))
+    return Outcomes(facts, histories, np.zeros((1, 5, 2)))
 
 
 def kind_of(game, result, meant):
     """Class of an outcome."""
-    lie = arrange(LIE)
-    view = View(Board(lie, POOL), Noise())
+    layout = arrange(LAYOUT)
+    view = View(Board(layout, POOL), Noise())
     row = [ROWS.index(meant[0]), meant[1]] if meant else [-1, -1]
     numbers = tuple(number if number in (0, *game.on_table) else -1 for number in ROWS)
     return int(view.classes(result, aims_of(game, numbers)[0], np.array([row]))[0])
@@ -84,17 +84,17 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("game", "result", "meant", "wanted"), CASES)
-def test_what_a_stroke_led_to(game, result, meant, wanted):
-    assert kind_of(game, result, meant) == wanted
+@pytest.mark.parametrize(("game", "result", "meant", "expected"), CASES)
+def test_what_a_stroke_led_to(game, result, meant, expected):
+    assert kind_of(game, result, meant) == expected
 
 
 def worth(places, aims, kind=SCORED, noise=Noise()):  # noqa: B008
     """Worth of a table by rating."""
-    lie = arrange(places)
-    view = View(Board(lie, POOL), noise)
+    layout = arrange(places)
+    view = View(Board(layout, POOL), noise)
     outcomes = Outcomes(
-        np.zeros((1, FACTS), np.int64), np.zeros((1, len(places), 4), np.int64), lie.positions[None]
+        np.zeros((1, FACTS), np.int64), np.zeros((1, len(places), 4), np.int64), layout.positions[None]
     )
     return float(view.worth(outcomes, aims, np.array([kind]))[0])
 

@@ -1,10 +1,10 @@
-"""The whole way of a search with next to no effort: few balls, few strokes, and a choice that must be."""
+"""All stages of a search with next to no effort: few balls, few strokes, and a choice that must be."""
 
 from __future__ import annotations
 
 import pytest
 
-from game.billiards import find_shots, simulate
+from game.billiards import ShotFilter, find_shots, simulate
 from game.billiards.game.arrangement import arrange, is_free
 from game.billiards.game.frame import new_frame
 from game.billiards.game.games import EightBall, NineBall
@@ -30,10 +30,10 @@ def turn(game, places):
 
 
 def test_a_shot_is_found_and_goes():
-    lie = arrange(STRAIGHT)
-    found = find_shots(lie, POOL, targets=(3,), first=(3,), noise=STEADY, effort=LEAST, limit=2)
+    layout = arrange(STRAIGHT)
+    found = find_shots(layout, POOL, which=ShotFilter((3,), (3,)), noise=STEADY, effort=LEAST)
     assert found and found[0].ball == 3 and found[0].kind in ("direct", "cut")
-    fallen = summarize(simulate(lie.shot(POOL, Physics(), found[0].stroke))).pocketing(3)
+    fallen = summarize(simulate(layout.shot(POOL, Physics(), found[0].stroke))).pocketing(3)
     assert fallen is not None and fallen.pocket == found[0].pocket
 
 
@@ -44,7 +44,7 @@ def test_a_ball_of_the_own_group_is_called():
         assert thought.call.safety or (thought.call.ball, thought.call.pocket in range(6)) == (3, True)
 
 
-def test_the_white_ball_in_hand_is_put_where_it_may_lie():
+def test_the_cue_ball_in_hand_is_put_where_it_may_lie():
     game = EightBall(opening=False, in_hand="anywhere", groups=("solids", "stripes"))
     frame = turn(game, {3: (0.3, 0.6), 8: (1.0, 2.0)})
     thought = decide(frame, LEARNER, 1, threads=1)

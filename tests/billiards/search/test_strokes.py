@@ -47,13 +47,13 @@ def bits(rows):
     return sum(1 << row for row in rows)
 
 
-def check_against_referee(lie, strokes, outcomes):
+def check_against_referee(layout, strokes, outcomes):
     """Every outcome says what `summarize` says of the same stroke played alone."""
-    row_of = {number: row for row, number in enumerate(lie.numbers)}
+    row_of = {number: row for row, number in enumerate(layout.numbers)}
     for s, stroke in enumerate(strokes.tolist()):
-        trajectory = simulate(lie.shot(POOL, PHYSICS, Stroke(*stroke)))
+        trajectory = simulate(layout.shot(POOL, PHYSICS, Stroke(*stroke)))
         summary = summarize(trajectory)
-        facts, ways = outcomes.facts[s], outcomes.ways[s]
+        facts, histories = outcomes.facts[s], outcomes.histories[s]
         assert facts[FIRST_BALLS] == bits(row_of[n] for n in summary.first)
         assert bool(facts[SCRATCH]) == summary.cue_pocketed and facts[GIVEN_UP] == 0
         assert facts[DOWN] == bits(row_of[n] for n in summary.balls_down)
@@ -62,40 +62,40 @@ def check_against_referee(lie, strokes, outcomes):
         first = before.index("ball") if "ball" in before else len(before)
         assert facts[CUSHIONS_FIRST] == first
         rows = trajectory.rows[trajectory.rows[:, 1] == BALL_BALL]
-        met = [int((rows[:, 2:] == row).sum()) for row in range(len(lie.numbers))]
-        assert ways[:, CONTACTS].tolist() == met
+        met = [int((rows[:, 2:] == row).sum()) for row in range(len(layout.numbers))]
+        assert histories[:, CONTACTS].tolist() == met
         for fallen in summary.pocketed:
-            way = ways[row_of[fallen.ball]]
-            assert way[POCKET] == fallen.pocket and way[CUSHIONS] == fallen.cushions
-            assert way[CHAIN] == bits(row_of[n] for n in fallen.chain)
+            history = histories[row_of[fallen.ball]]
+            assert history[POCKET] == fallen.pocket and history[CUSHIONS] == fallen.cushions
+            assert history[CHAIN] == bits(row_of[n] for n in fallen.chain)
         for number, x, y in summary.rest:
             assert outcomes.places[s, row_of[number]] == pytest.approx((x, y), abs=1e-9)
         down = [row_of[n] for n in summary.balls_down]
-        assert (outcomes.places[s, down] == NOWHERE).all() and (ways[:, POCKET] >= 0).sum() == len(
+        assert (outcomes.places[s, down] == NOWHERE).all() and (histories[:, POCKET] >= 0).sum() == len(
             down
         ) + summary.cue_pocketed
 
 
 @pytest.mark.parametrize("count", [2, 16])
 def test_outcomes_are_those_of_the_referee(count):
-    lie = scattered(count, count)
+    layout = scattered(count, count)
     strokes = random_strokes(count, 60)
-    check_against_referee(lie, strokes, Board(lie, POOL).play(strokes))
+    check_against_referee(layout, strokes, Board(layout, POOL).play(strokes))
 
 
 def test_outcomes_with_unlike_balls_some_of_which_are_down():
-    lie = scattered(5, 16, unlike_balls(1)).without(2, 3, 9)
+    layout = scattered(5, 16, unlike_balls(1)).without(2, 3, 9)
     strokes = random_strokes(3, 40)
-    check_against_referee(lie, strokes, Board(lie, POOL).play(strokes))
+    check_against_referee(layout, strokes, Board(layout, POOL).play(strokes))
 
 
 def test_outcomes_of_breaks():
-    lie = racked(POOL, seed=2)
+    layout = racked(POOL, seed=2)
     strokes = np.array([[7.0, math.pi / 2 + 0.004 * k, 0.0, 0.0, 0.1] for k in range(-4, 5)])
-    board = Board(lie, POOL)
+    board = Board(layout, POOL)
     outcomes = board.play(strokes)
     for s, stroke in enumerate(strokes.tolist()):
-        summary = summarize(simulate(lie.shot(POOL, PHYSICS, Stroke(*stroke))))
+        summary = summarize(simulate(layout.shot(POOL, PHYSICS, Stroke(*stroke))))
         assert outcomes.facts[s, FIRST_BALLS] == bits(summary.first)
 
 
@@ -125,9 +125,9 @@ def test_the_kernel_strikes_as_the_cue_does():
 
 
 def test_a_moved_board_is_the_board_of_the_moved_balls():
-    lie = scattered(4)
+    layout = scattered(4)
     strokes = random_strokes(2, 20)
-    places = Board(lie, POOL).play(strokes[:1]).places[0]
+    places = Board(layout, POOL).play(strokes[:1]).places[0]
     kept = np.flatnonzero(places[:, 0] > -1.0)
     moved = Board(scattered(9), POOL).moved(places, kept).play(strokes)
     numbers = tuple(kept.tolist())
@@ -142,8 +142,8 @@ def test_noise_has_the_deviations_it_says():
     noise = Noise()
     noisy = with_noise(meant, draws, noise, 0.028575)
     spread = (noisy - meant).std(axis=0)
-    wanted = [noise.speed, noise.azimuth, noise.elevation, noise.tip / 0.028575, noise.tip / 0.028575]
-    assert spread == pytest.approx(wanted, rel=4.0 / math.sqrt(2.0 * 4000))  # four standard errors
+    expected = [noise.speed, noise.azimuth, noise.elevation, noise.tip / 0.028575, noise.tip / 0.028575]
+    assert spread == pytest.approx(expected, rel=4.0 / math.sqrt(2.0 * 4000))  # four standard errors
     assert np.array_equal(with_noise(meant, draws[:3], STEADY, 0.03), np.repeat(meant, 3, axis=0))
     assert Noise().scaled(2.0).azimuth == 2.0 * Noise().azimuth
 
@@ -156,6 +156,6 @@ def test_noise_keeps_a_stroke_possible():
     assert np.isfinite(noisy).all()
 
 
-def test_no_white_ball():
-    with pytest.raises(ValueError, match="no white ball"):
+def test_no_cue_ball():
+    with pytest.raises(ValueError, match="no cue ball"):
         Board(arrange({1: (0.5, 0.5)}), POOL)

@@ -6,7 +6,17 @@ import numpy as np
 import pytest
 
 from game.ui.painters import boxes as painter
-from game.ui.painters.boxes import HIDDEN, MOST_LAYERS, VERY_MANY, BoxPainter, paint_boxes, shades
+from game.ui.painters.boxes import (
+    HIDDEN,
+    MOST_LAYERS,
+    VERY_MANY,
+    Between,
+    BoxPainter,
+    BoxStyles,
+    Corners,
+    paint_boxes,
+    shades,
+)
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 1.0, 0.0, 0.0])
 FILL, LINE = 0x102030, 0xFF8000
@@ -21,12 +31,13 @@ def paint(
     pixels = np.zeros((height, width), dtype=np.uint32)
     corners = np.array(boxes, dtype=np.float64).reshape(-1, 4)
     before = corners if old is None else np.array(old, dtype=np.float64).reshape(-1, 4)
-    columns = [
-        np.ascontiguousarray(a[:, part]) for a in (corners, before) for part in (slice(0, 2), slice(2, 4))
-    ]
+    now, then = (
+        Corners(np.ascontiguousarray(a[:, :2]), np.ascontiguousarray(a[:, 2:])) for a in (corners, before)
+    )
     kinds = np.zeros(len(corners), dtype=np.uint8) if kinds is None else np.array(kinds, dtype=np.uint8)
     clip = np.array(clip or (0, 0, width, height), dtype=np.int64)
-    paint_boxes(pixels, clip, affine, *columns, share, leap, kinds, INKS, weights, 1)
+    styles = BoxStyles(INKS, weights, 1)
+    paint_boxes(pixels, clip, affine, now, then, Between(share, leap), kinds, styles)
     return pixels & 0xFFFFFF
 
 
@@ -80,7 +91,7 @@ def test_absurd_boxes_paint_their_part_or_nothing(box):
         assert picture[10, 20] == FILL
 
 
-def test_a_box_is_painted_on_its_way_unless_it_has_leapt():
+def test_a_box_is_painted_between_its_places_unless_it_has_leapt():
     middle = paint([(20, 10, 26, 16)], old=[(10, 10, 16, 16)], share=0.5, leap=20.0)
     assert np.nonzero(middle)[1].min() == 15
     leapt = paint([(20, 10, 26, 16)], old=[(10, 10, 16, 16)], share=0.5, leap=5.0)
@@ -148,7 +159,7 @@ def test_what_covers_the_picture_less_often_is_painted_whole(monkeypatch):
     boxes = np.tile([0.0, 0.0, 80.0, 60.0], (MOST_LAYERS, 1))
     boxes[3] = -np.inf, 0.0, np.inf, np.inf
     drawn = []
-    monkeypatch.setattr(painter, "paint_boxes", lambda *given: drawn.append(given[9]))
+    monkeypatch.setattr(painter, "paint_boxes", lambda *given: drawn.append(given[6]))
     for count in (MOST_LAYERS, MOST_LAYERS - 1, 1, 0):
         given = boxes[:count]
         painted_in_layers(given[:, :2], given[:, 2:], np.zeros(count, dtype=np.uint8))

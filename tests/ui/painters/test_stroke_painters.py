@@ -1,4 +1,4 @@
-"""Cue, aim and gauges: right places and colours, nothing for absurd input."""
+"""Cue, labels on the cloth and gauges: right places and colours, nothing for absurd input."""
 
 import math
 
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from game.ui.look.fonts import FontBook
 from game.ui.look.theme import DARK, FELT
-from game.ui.painters.aim import Aim, draw_aim, draw_cloth_label
+from game.ui.painters.cloth_label import draw_cloth_label
 from game.ui.painters.cue import BUTT_RADIUS, LENGTH, TIP_RADIUS, draw_cue, paint_cue
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 from game.ui.raster import clip_of, pixels_of
@@ -70,12 +70,10 @@ CLIP = pygame.Rect(7, 5, 40, 26)
 
 
 def draw_all(surface, v):
-    """Cue, aim and gauges from eight numbers."""
+    """Cue, label and gauges from eight numbers."""
     pixels, clip = pixels_of(surface), clip_of(surface)
     draw_cue(pixels, clip, (v[0], v[1]), (v[2], v[3]), v[4], v[5], (v[6], v[7]))
-    way = np.array(v).reshape(4, 2)
-    ends = (v[0], v[1]), (v[2], v[3])
-    draw_aim(surface, Aim(*ends, v[4], (v[5], v[6]), v[7], way, way, way, (v[0], v[2]), "a"), BOOK)
+    draw_cloth_label(surface, BOOK, "a", (v[0], v[1]))
     draw_power(surface, pygame.Rect(0, 0, 60, 40), v[0], v[1], DARK, BOOK)
     draw_spin(surface, (20.0, 20.0), v[0], v[1], DARK, BOOK)
     draw_elevation(surface, (20.0, 20.0), v[0], DARK, BOOK)
@@ -101,25 +99,6 @@ def test_what_has_no_place_is_not_drawn(far, near, swap):
     x, y = (near, far) if swap else (far, near)
     draw_cue(pixels, clip, (x, y), (-1.0, 0.0), 150.0, 0.0)
     assert not changed(surface).any()
-
-
-def test_the_aim_line_runs_from_ball_to_ghost():
-    surface = felt()
-    draw_aim(surface, Aim((50.0, 100.5), (200.0, 100.5), 12.0), BOOK)
-    row = changed(surface)[:, 100]
-    assert not row[:60].any()
-    assert row[64:210].all()
-    assert not row[216:].any()
-
-
-def test_the_target_is_ringed_and_its_way_dashed():
-    surface = felt()
-    way = np.array(((130.0, 50.5), (290.0, 50.5)))
-    draw_aim(surface, Aim((20.0, 180.0), (90.0, 50.5), 12.0, (115.0, 50.5), 12.0, way), BOOK)
-    assert surface.get_at((115, 34))[2] > 200
-    row = changed(surface)[140:280, 50]
-    assert 0.45 < row.mean() < 0.75
-    assert np.count_nonzero(np.diff(row.astype(int))) > 10
 
 
 def test_labels_stay_inside():

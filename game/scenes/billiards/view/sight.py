@@ -12,7 +12,7 @@ from game.scenes.billiards.stroke.prediction import Sight
 from game.scenes.shared.tables.view import cut_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
-from game.ui.painters.aim import draw_cloth_label
+from game.ui.painters.cloth_label import draw_cloth_label
 
 if TYPE_CHECKING:
     from game.billiards.search.finding import FoundShot

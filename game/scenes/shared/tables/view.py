@@ -18,7 +18,7 @@ from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 from game.ui.painters import ball as ball_painter
 from game.ui.painters import cue as cue_painter
 from game.ui.painters import table as table_painter
-from game.ui.painters.ball import BallPainter
+from game.ui.painters.ball import BallPainter, ScreenBalls
 from game.ui.painters.cue import draw_cue
 from game.ui.painters.table import TablePainter, TableView
 
@@ -96,17 +96,10 @@ def draw_balls(canvas: Canvas, balls: Balls, table: Table, origin: tuple[float, 
     turns = QUARTER_TURN @ balls.turns
     middle = canvas.place((origin[0] + 0.5 * table.width, origin[1] + 0.5 * table.length))
     scale = canvas.pixels_per_unit
-    _ball_painter.draw(
-        pixels,
-        clip,
-        points,
-        balls.radii * scale,
-        balls.numbers,
-        np.ascontiguousarray(turns),
-        middle,
-        scale,
-        balls.opacities,
+    drawn = ScreenBalls(
+        points, balls.radii * scale, balls.numbers, np.ascontiguousarray(turns), balls.opacities
     )
+    _ball_painter.draw(pixels, clip, drawn, middle, scale)
 
 
 def draw_aim(canvas: Canvas, first: FirstContact, start: Array, radius: float, cue: CueControl) -> None:
