@@ -204,7 +204,7 @@ def paint_spheres(pixels: Any, clip: Any, depths: Any, spheres: Any, seen: Any, 
         t = turns[owners[i]]
         # a tuple, not an array: the compiler keeps it in registers
         turn = (t[0, 0], t[0, 1], t[0, 2], t[1, 0], t[1, 1], t[1, 2], t[2, 0], t[2, 1], t[2, 2])
-        _paint_sphere(pixels, clip, depths, Sphere(x, y, z, r, turn, np.int64(colors[i])), alpha)
+        _paint_sphere(pixels, clip, depths, Sphere(x, y, z, r, turn, int(colors[i])), alpha)
 
 
 class SpherePainter:
