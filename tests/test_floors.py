@@ -12,7 +12,12 @@ import game
 
 ROOT = Path(game.__file__).resolve().parent
 FLOORS = (
-    *("trust", "folders", "files"),  # where things lie and how they are read and written: for every floor
+    *(
+        "definition",
+        "trust",
+        "folders",
+        "files",
+    ),  # where things lie and how they are read and written: for every floor
     *("physics", "billiards", "level_checks", "levels", "lab", "stage", "ui", "scenes", "app", "__main__"),
 )
 SCREENLESS = FLOORS[: FLOORS.index("ui")]

@@ -7,6 +7,7 @@ asked for, so that a menu or a list that only names scenes is there at once.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from game.definition import DefinitionError
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.clock import FixedStep
 from game.stage.declarations import (
@@ -44,6 +45,7 @@ __all__ = [
     "Catalogue",
     "Choice",
     "Decision",
+    "DefinitionError",
     "EffectMeter",
     "Entry",
     "Equation",

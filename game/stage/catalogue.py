@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from importlib import import_module
 from typing import Any, NamedTuple
 
+from game.definition import DefinitionError
 from game.stage.scene import Scene
 
 
@@ -30,24 +31,30 @@ class Entry(NamedTuple):
         return self.name, self.task, self.title
 
     def load(self) -> type[Scene]:
-        """Import the scene's class; ValueError, naming what differs, unless it is called as in this row."""
+        """Import the scene's class; DefinitionError, naming what differs, unless it is called so."""
         scene_type: type[Scene] = getattr(import_module(self.module), self.class_name)
         for field in ("name", "task", "title"):
             said, row = getattr(scene_type, field), getattr(self, field)
             if said != row:
-                raise ValueError(
+                raise DefinitionError(
                     f"{self.module}.{self.class_name}.{field} is {said!r}, in the catalogue {row!r}; "
                     "write `name, task, title = ENTRY.names` in the class"
                 )
         return scene_type
 
     def card_painter(self) -> Callable[[Any], None] | None:
-        """The function that draws its card; None for a scene without a drawing of its own."""
+        """The function that draws its card; None for a scene without one of its own.
+
+        DefinitionError if card.py has no such function.
+        """
         if not self.card:
             return None
-        painter: Callable[[Any], None] = getattr(
-            import_module(f"{self.module.rpartition('.')[0]}.card"), self.card
-        )
+        where = f"{self.module.rpartition('.')[0]}.card"
+        painter: Callable[[Any], None] | None = getattr(import_module(where), self.card, None)
+        if painter is None:
+            raise DefinitionError(
+                f"{where} has no function {self.card!r}, which the row of {self.name} names"
+            )
         return painter
 
 

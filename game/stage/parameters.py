@@ -11,6 +11,8 @@ from collections.abc import Iterator, Mapping
 from numbers import Real
 from typing import Any, Generic, TypeVar, overload
 
+from game.definition import DefinitionError
+
 T = TypeVar("T")
 
 
@@ -22,6 +24,7 @@ class Parameter(Generic[T]):
     """One thing that may be changed: a descriptor whose values live in ``scene.values``."""
 
     name: str = ""
+    _wrong: str = ""
 
     def __init__(
         self,
@@ -42,9 +45,11 @@ class Parameter(Generic[T]):
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
-        self.default = self.check(
-            self.default
-        )  # in the parameter's own type, so that kernels see one type only
+        try:
+            # in the parameter's own type, so that kernels see one type only
+            self.default = self.check(self.default)
+        except ParameterError as error:  # raised by `check_defaults`: here it would be wrapped in another
+            self._wrong = f"the default of {error}"
 
     @property
     def label(self) -> str:
@@ -206,6 +211,13 @@ def parameters_of(owner: type) -> dict[str, Parameter[Any]]:
     return found
 
 
+def check_defaults(owner: type) -> None:
+    """DefinitionError for a parameter of a class whose default is none that it takes."""
+    for name, parameter in _own_parameters(owner):
+        if parameter._wrong:
+            raise DefinitionError(f"{owner.__name__}.{name}: {parameter._wrong}")
+
+
 class Parameters:
     """Declared parameters and their values, apart from the scene, so that its parts can share them.
 
@@ -219,6 +231,9 @@ class Parameters:
     A part that is given ``scene.parameters`` always sees the present values. ``values``: by name, each
     checked already; None for the defaults. The dict is shared, not copied.
     """
+
+    def __init_subclass__(cls) -> None:
+        check_defaults(cls)
 
     def __init__(self, values: dict[str, Any] | None = None):
         self.values = {name: parameter.default for name, parameter in parameters_of(type(self)).items()}

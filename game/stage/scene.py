@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 import msgspec
 import numpy as np
 
+from game.definition import DefinitionError
 from game.levels import Level, LevelError
 from game.physics.effects import Effect, EffectSet
 from game.physics.kernels.limits import LimitError
@@ -28,7 +29,7 @@ from game.stage.declarations import (
     WarmUp,
 )
 from game.stage.events import Decision, Pointer, StageEvent, Stamped
-from game.stage.parameters import Parameter, ParameterError, Parameters, parameters_of
+from game.stage.parameters import Parameter, ParameterError, Parameters, check_defaults, parameters_of
 from game.stage.part import structures_of
 from game.stage.states.memory import OWN
 
@@ -70,10 +71,11 @@ class Scene:
         """Refuse a parameter that would hide something that every scene has, or that is declared twice."""
         for name, value in vars(cls).items():
             if isinstance(value, Parameter) and (hasattr(Scene, name) or name in OWN):
-                raise TypeError(f"{cls.__name__}.{name}: a parameter cannot have this name")
+                raise DefinitionError(f"{cls.__name__}.{name}: a parameter cannot have this name")
+        check_defaults(cls)
         twice = parameters_of(cls).keys() & parameters_of(cls.parameters_type).keys()
         if twice:
-            raise TypeError(
+            raise DefinitionError(
                 f"{cls.__name__}.{min(twice)}: {cls.parameters_type.__name__} declares it as well"
             )
 
@@ -123,13 +125,13 @@ class Scene:
             raise LevelError(level.path, field, str(error)) from error
 
     def _check_definition(self) -> None:
-        """TypeError, saying what to write, for a class that lacks what each scene must define."""
+        """DefinitionError, saying what to write, for a class that lacks what each scene must define."""
         own = type(self)
         missing = [
             name for name in ("build", "advance", "state") if getattr(own, name) is getattr(Scene, name)
         ]
         if missing:
-            raise TypeError(f"{own.__name__}: define {', '.join(missing)} (see the class Scene)")
+            raise DefinitionError(f"{own.__name__}: define {', '.join(missing)} (see the class Scene)")
 
     def _take_over(self, level: Level) -> None:
         """Set parameters and effects as the level says; LevelError naming its file and field."""
@@ -175,12 +177,12 @@ class Scene:
         raise ParameterError(f"{name}: {cls.name} declares no such effect; it has {declared}")
 
     def check_strips(self) -> None:
-        """ValueError, naming strip and readout, if a chart asks for a value that is never measured."""
+        """DefinitionError, naming strip and readout, if a chart asks for a value that is never measured."""
         measured = [readout.name for readout in self.readouts()]
         for strip in self.strips:
             for name in strip.series:
                 if name not in measured and name not in strip.sometimes:
-                    raise ValueError(
+                    raise DefinitionError(
                         f"{type(self).__name__}.strips: {strip.title!r} charts {name!r}; readouts() gives "
                         + (", ".join(measured) or "nothing")
                     )

@@ -12,6 +12,7 @@ from contextlib import suppress
 from time import perf_counter
 from typing import Any
 
+from game.definition import DefinitionError
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent
@@ -52,7 +53,7 @@ class Session:
         state = scene.state()
         if not hasattr(state, "_fields"):
             kind = type(state).__name__
-            raise TypeError(
+            raise DefinitionError(
                 f"{type(scene).__name__}.state() gives a {kind}: a NamedTuple of arrays is expected"
             )
         bad = self._watch.first_bad(state)

@@ -140,7 +140,7 @@ class TestOthers:
         owner = Other()
         owner.fit = "calipers"
         assert owner.fit == "least-area"
-        with pytest.raises(ParameterError, match="one of fine, least-area is wanted"):
+        with pytest.raises(ParameterError, match="expected one of fine, least-area"):
             Other.fit.check("caliper")
         assert Choice("old", ("new",), formerly={"old": "new"}).formerly == {"old": "new"}
 

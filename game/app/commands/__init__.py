@@ -18,6 +18,7 @@ from game.app.window.deadline import say_stopped
 from game.app.window.ending import status_of
 from game.app.window.mistake import MistakeError
 from game.app.window.words import printable, speak_what_is_understood
+from game.definition import DefinitionError
 
 COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, match, record, fuzz, bench)
 
@@ -56,6 +57,9 @@ def run_command_line(arguments: Sequence[str]) -> int:
     except MistakeError as mistake:
         print(f"carom: {mistake}", file=sys.stderr)
         return mistake.status
+    except DefinitionError as mistake:
+        print(f"carom: {printable(str(mistake))}", file=sys.stderr)
+        return 2
     except KeyboardInterrupt as why:
         say_stopped()
         return status_of(why)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from game.app.window.mistake import MistakeError
+from game.definition import DefinitionError
 
 if TYPE_CHECKING:
     from game.levels import Level
@@ -57,7 +58,7 @@ def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
     named = options.level is not None
     level = read_level(scene_type, options.level) if named else default_level(scene_type)
     try:
-        return Stage(
+        stage = Stage(
             scene_type,
             level=level,
             parameters=read_parameters(scene_type, options.parameters),
@@ -65,8 +66,12 @@ def make_stage(options: argparse.Namespace, **more: Any) -> Stage:
             seed=read_seed(options.seed),
             **more,
         )
+        stage.scene.check_strips()
+        return stage
     except (ParameterError, LevelError) as error:
         raise MistakeError(str(error)) from None
+    except DefinitionError:
+        raise
     except ValueError as error:
         raise MistakeError(f"{options.scene}: {error}") from None
 

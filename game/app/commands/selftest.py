@@ -20,7 +20,6 @@ from game.app.commands import given, output
 from game.app.stagehand.script import Script, demo_of
 from game.app.window.mistake import MistakeError
 from game.app.window.words import say
-from game.ui.text.markup import parse
 
 if TYPE_CHECKING:
     from game.stage import Scene, Stage
@@ -100,11 +99,23 @@ def check_scenes(names: list[str]) -> Iterator[Result]:
 
     types = [given.scene_type_named(name) for name in names] or [entry.load() for entry in CATALOGUE]
     for scene_type in types:
+        yield from check_declared(scene_type)
         files = level_files(scene_type.name)
         if not any(file.stem == "default" for file in files):
             yield check_level(scene_type, None)
         for file in files:
             yield check_level(scene_type, file)
+
+
+def check_declared(scene_type: type[Scene]) -> Iterator[Result]:
+    """A result if something that a scene declares is wrong; none if all is well."""
+    from game.app.stagehand.definition_check import check_definition
+
+    try:
+        check_definition(scene_type)
+    except Exception as error:  # whatever a drawing raises is the answer; levels are tested all the same
+        trouble = f"{type(error).__name__}: " + " ".join(str(error).split())
+        yield Result(scene_type.name, "(definition)", "", trouble)
 
 
 def against_golden(
@@ -155,8 +166,6 @@ def check_level(scene_type: type[Scene], file: Path | None) -> Result:
     """Run one level twice, the second time by way of steps back; compare the digests."""
     name = file.stem if file is not None else "(none)"
     try:
-        for equation in scene_type.equations:
-            parse(equation.formula)
         first = _begin(scene_type, file)
         straight = _run(first, 2 * HALF_STEPS)
         other = _begin(scene_type, file)
