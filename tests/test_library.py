@@ -73,7 +73,7 @@ PROMISED = [
     ("billiards", "load_shot", "path", ""),
     ("billiards", "simulate", "shot model", ""),
     ("billiards", "Trajectory", "", "events state_at final"),
-    ("billiards", "find_shots", "lie", ""),
+    ("billiards", "find_shots", "layout table", ""),
     ("lab", "Study", "", ""),
     ("lab", "run_study", "study", ""),
 ]

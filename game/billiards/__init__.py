@@ -40,7 +40,6 @@ _HOMES = {
     "stroke_of_hand": "players.opponents",
     "FoundShot": "search.finding",
     "Noise": "search.strokes",
-    "ShotFilter": "search.finding",
     "eight_ball_rack": "table.rack",
     "find_shots": "search.finding",
     "load_shot": "shot.shot_file",

@@ -146,7 +146,7 @@ def test_a_pair_of_polygons_has_a_mark_only_where_it_has_the_corners_of_the_stud
     scene_type = CATALOGUE["c11"].load()
     for file in level_files("c11"):
         scene = scene_type(load_level(file, "c11", scene_type.content_type))
-        corners = [len(shape) for shape in (scene.shape(0), scene.shape(1)) if shape is not None]
+        corners = [len(shape) for shape in (scene.model.shape(0), scene.model.shape(1)) if shape is not None]
         setting, words = gjk_study.place(parameters_of(scene))
         if len(corners) < 2 or max(corners) < 3:  # one is refused, or both are segments
             assert setting is None and words == gjk_study.no_place

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,30 +89,35 @@ def find_shots(
     layout: Arrangement,
     table: Table | None = None,
     *,
-    which: ShotFilter = ShotFilter(),  # noqa: B008  (immutable)
     physics: Physics = Physics(),  # noqa: B008  (immutable)
     noise: Noise = Noise(),  # noqa: B008  (immutable)
     effort: Effort = QUICK,
+    limit: int = 10,
     seed: int = 0,
     threads: int | None = None,
     seconds: float | None = None,
+    **which: Any,
 ) -> list[FoundShot]:
-    """The shots that pot a ball, the best first, at most one for each ball, pocket and kind.
+    """The shots that pot a ball, the best first: at most `limit`, at most one for each ball, pocket and kind.
 
-    layout: the balls, the cue ball among them; table: the pool table if left out. which: what to look for.
-    noise: how unsteady the hand is. effort: how many strokes are tried. threads: None: one for each
-    processor. seconds: stop looking after about so long; without it what is found depends on nothing but the
-    other arguments.
+    layout: the balls, the cue ball among them; table: the pool table if left out. which: what to look for,
+    by the fields of `ShotFilter` (``targets=(3,)``). noise: how unsteady the hand is. effort: how many
+    strokes are tried. threads: None: one for each processor. seconds: stop looking after about so long;
+    without it what is found depends on nothing but the other arguments.
 
-    ValueError for unknown kinds, a target that is not there, or a table without the cue ball.
+    ValueError for unknown kinds, a target that is not there, a limit below 1, or a table without the cue
+    ball.
     """
-    which.check(layout)
+    wanted = ShotFilter(**which)
+    wanted.check(layout)
+    if limit < 1:
+        raise ValueError(f"find_shots limit: expected at least 1, got {limit!r}")
     view = View(Board(layout, Table.pool() if table is None else table, physics), noise)
-    effort = effort._replace(kinds=tuple(kind for kind in effort.kinds if kind in which.kinds))
-    looked = search(view, which.aims(layout.numbers), effort, seed, threads, Clock(seconds))
+    effort = effort._replace(kinds=tuple(kind for kind in effort.kinds if kind in wanted.kinds))
+    looked = search(view, wanted.aims(layout.numbers), effort, seed, threads, Clock(seconds))
     if looked is None:
         return []
-    return [shot for shot in named_shots(view, looked) if shot.chance > 0.0]
+    return [shot for shot in named_shots(view, looked) if shot.chance > 0.0][:limit]
 
 
 def search(

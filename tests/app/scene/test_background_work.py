@@ -72,7 +72,8 @@ def test_a_refusal_in_the_thread_is_told_in_the_window(opened):
     play.post(SetParameter("fill", 0.04))
     play.post(SetParameter("ratio", 1e9))
     settled(driver)
-    assert play.stage.scene.fill == 0.04 and play.stage.scene.ratio != 1e9
+    parameters = play.stage.scene.parameters
+    assert parameters.fill == 0.04 and parameters.ratio != 1e9
     assert any("ratio" in toast.consequence for toast in (driver.app.toasts.shown,) if toast)
 
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from game.billiards import ShotFilter, find_shots, simulate
+from game.billiards import find_shots, simulate
 from game.billiards.game.arrangement import Stroke, arrange, is_free, racked
 from game.billiards.game.frame import new_frame
 from game.billiards.game.games import EightBall, NineBall
@@ -84,27 +84,29 @@ def test_equal_questions_have_equal_answers_on_any_threads():
 def test_kinds_targets_and_chains_are_kept():
     layout = scattered(3)
     for kind in KIND_NAMES:
-        names = {shot.kind for shot in find_shots(layout, which=ShotFilter(kinds=(kind,)), effort=QUICK)}
+        names = {shot.kind for shot in find_shots(layout, kinds=(kind,), effort=QUICK)}
         assert names <= ({"direct", "cut"} if kind == "direct" else {kind})
-    assert {shot.ball for shot in find_shots(layout, which=ShotFilter(targets=(1, 2)), effort=QUICK)} <= {
+    assert {shot.ball for shot in find_shots(layout, targets=(1, 2), effort=QUICK)} <= {
         1,
         2,
     }
-    long = ShotFilter(chain=3, kinds=("combination",))
-    for shot in find_shots(layout, which=long, noise=STEADY, effort=QUICK):
+    long = {"chain": 3, "kinds": ("combination",)}
+    for shot in find_shots(layout, **long, noise=STEADY, effort=QUICK):
         assert len(played(layout, shot.stroke).pocketing(shot.ball).chain) >= 3
-    for shot in find_shots(layout, which=ShotFilter(first=(5,)), noise=STEADY, effort=QUICK):
+    for shot in find_shots(layout, first=(5,), noise=STEADY, effort=QUICK):
         assert 5 in played(layout, shot.stroke).first
 
 
 def test_what_is_absurd_is_refused():
     layout = scattered(1, 4)
+    with pytest.raises(ValueError, match="limit: expected at least 1"):
+        find_shots(layout, limit=0)
     with pytest.raises(ValueError, match="kinds"):
-        find_shots(layout, which=ShotFilter(kinds=("jump",)))
+        find_shots(layout, kinds=("jump",))
     with pytest.raises(ValueError, match="ball 9"):
-        find_shots(layout, which=ShotFilter(targets=(9,)))
+        find_shots(layout, targets=(9,))
     with pytest.raises(ValueError, match="ball 0"):
-        find_shots(layout, which=ShotFilter(first=(0,)))
+        find_shots(layout, first=(0,))
     with pytest.raises(ValueError, match="cue ball"):
         find_shots(layout.without(0))
     assert find_shots(arrange({0: (0.5, 0.5)})) == []

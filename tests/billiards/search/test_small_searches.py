@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from game.billiards import ShotFilter, find_shots, simulate
+from game.billiards import find_shots, simulate
 from game.billiards.game.arrangement import arrange, is_free
 from game.billiards.game.frame import new_frame
 from game.billiards.game.games import EightBall, NineBall
@@ -31,7 +31,7 @@ def turn(game, places):
 
 def test_a_shot_is_found_and_goes():
     layout = arrange(STRAIGHT)
-    found = find_shots(layout, POOL, which=ShotFilter((3,), (3,)), noise=STEADY, effort=LEAST)
+    found = find_shots(layout, POOL, targets=(3,), first=(3,), noise=STEADY, effort=LEAST)
     assert found and found[0].ball == 3 and found[0].kind in ("direct", "cut")
     fallen = summarize(simulate(layout.shot(POOL, Physics(), found[0].stroke))).pocketing(3)
     assert fallen is not None and fallen.pocket == found[0].pocket

@@ -113,7 +113,7 @@ def test_a_recording_is_paused_not_changed(driver):
     driver.frames(30)
     recording = driver.stage.recording
     play = driver.top.play
-    play.watch(Stage(KeyFraming), recording)
+    play.record.show(Stage(KeyFraming), recording)
     driver.frames(4)
     driver.key(pygame.K_SPACE)
     assert driver.stage.paused and driver.stage.recording.events == []

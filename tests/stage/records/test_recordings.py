@@ -132,7 +132,7 @@ class TestReplayGoesWrong:
             ({"parameters": {"colour": 1.0}}, "colour: example has no such parameter"),
             ({"parameters": {"gravity": -1.0}}, "outside 0 to 100"),
             ({"effects_off": ["magic"]}, "declares no such effect"),
-            ({"level": "scene = 'c01'"}, "level.scene: is 'c01'"),
+            ({"level": "scene = 'c01'"}, "level.scene: expected 'example', not 'c01'"),
             ({"level": "scene = "}, "level: not TOML"),
             ({"level": "scene = 'example'\n[content]\na = 1"}, "level.content: this scene has none"),
         ],
