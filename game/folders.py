@@ -26,7 +26,7 @@ def data_folder(kind: str) -> Path:
     FileNotFoundError if an installation lost it.
     """
     if kind not in DATA_KINDS:
-        raise ValueError(f"data folder {kind!r}: one of {', '.join(DATA_KINDS)} is wanted")
+        raise ValueError(f"data folder {kind!r}: expected one of {', '.join(DATA_KINDS)}")
     places = (PACKAGE / "data" / kind, PACKAGE.parent / kind)
     for place in places:
         if place.is_dir():
