@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pygame
-
 from game.app.stagehand.headless import picture_of_stage, prepare
 from game.app.window.commands import COMMANDS
 from game.definition import DefinitionError
@@ -42,5 +40,4 @@ def check_definition(scene_type: type[Scene]) -> None:
     stage = Stage(scene_type)
     stage.run(1)
     stage.scene.check_strips()
-    picture = picture_of_stage(stage, PICTURE)
-    assert isinstance(picture, pygame.Surface)
+    picture_of_stage(stage, PICTURE)

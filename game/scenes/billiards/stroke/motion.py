@@ -8,11 +8,10 @@ Columns of the track: the distance from tip to ball (m, below 0 after the hit) a
 
 from __future__ import annotations
 
-import math
 from functools import lru_cache
 from typing import NamedTuple
 
-from game.billiards.shot.cue import strike as struck_ball
+from game.billiards.shot.cue import speed_ratio
 from game.physics.animation import Keyframes
 from game.scenes.billiards.parameters import LEAST_POWER
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED, REST_GAP
@@ -23,13 +22,6 @@ SWING_FEWEST_S, SWING_MOST_S = 0.07, 0.32
 FOLLOW = 0.16  # m that the tip goes on behind a hard hit
 FOLLOW_S, STAND_S, LEAVE_S = 0.14, 0.22, 0.30
 PRACTICE = ((0.16, 0.55), (0.03, 0.42), (0.13, 0.45), (0.025, 0.38))  # m, and s from the key before
-
-
-@lru_cache(maxsize=1)
-def speed_ratio() -> float:
-    """Speed of a ball struck in its middle over that of the cue (Alciatore, TP A-30)."""
-    vx, vy, _ = struck_ball(1.0, 0.0).velocity
-    return math.sqrt(vx * vx + vy * vy)
 
 
 def power_of(cue_speed: float) -> float:
