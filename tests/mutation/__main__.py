@@ -3,9 +3,9 @@
     python -m tests.mutation --seed 1 --count 300 --log faults.jsonl
     python -m tests.mutation --log faults.jsonl --report
 
-Each fault is sown into a copy of the checkout. First the tests that import the module run without the compiler, then those of its folder and of
-what stands on it, last the recorded digests of the scenes that use it. The first that fails ends the search. The log can be continued.
-Faults that change nothing are listed in equivalent.toml, each with its reason.
+Each fault is sown into a copy of the checkout. First the tests that import the module run without the compiler,
+then those of its folder and of what stands on it, last the recorded digests of the scenes that use it. The first
+that fails ends the search. The log can be continued. equivalent.toml lists faults that change nothing, with reasons.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ PICTURES = (
     "painters/",
     "look/",
 )  # lengths and shades that only the eye judges
-TIMEOUT_S = 240.0  # of one round of tests; a fault that makes a loop endless counts as noticed, so the round must be far quicker without it
+TIMEOUT_S = 240.0  # of one round of tests, which takes far less; an endless loop counts as noticed
 EQUIVALENT = Path(__file__).with_name("equivalent.toml")
 
 
@@ -59,13 +59,13 @@ class Sown(NamedTuple):
 
     @property
     def key(self) -> str:
-        """What names the fault in logs and in the list of equivalent ones: it survives changes elsewhere in the file."""
+        """What names the fault in logs: it survives changes elsewhere in the file."""
         old, new = " ".join(self.fault.old.split()), " ".join(self.fault.new.split())
         return f"{self.path}: {self.text} | {old} -> {new}"
 
 
 def choose(seed: int, count: int, root: Path) -> list[Sown]:
-    """Faults drawn at random over all floors by their shares, each kind as often; the same for the same seed and sources."""
+    """Faults drawn at random over all floors by their shares, each kind as often as another."""
     generator = random.Random(seed)
     chosen: dict[str, Sown] = {}
     for floor, share in SHARES.items():
@@ -199,10 +199,9 @@ def report(options: argparse.Namespace) -> None:
     }
     missed = [row for row in rows if not row["noticed"]]
     open_ones = [row for row in missed if row["key"] not in equivalent]
-    counted = len(rows) - (len(missed) - len(open_ones))
-    print(
-        f"{len(rows)} sown, {len(missed) - len(open_ones)} equivalent, {counted - len(open_ones)} of {counted} noticed"
-    )
+    same = len(missed) - len(open_ones)
+    counted = len(rows) - same
+    print(f"{len(rows)} sown, {same} equivalent, {counted - len(open_ones)} of {counted} noticed")
     for row in open_ones:
         print(f"MISSED line {row['line']} {row['key']}")
 

@@ -1,4 +1,4 @@
-"""The small faults that can be sown into a source: a sign, an index, a comparison, a dropped term, a forgotten write."""
+"""The small faults that can be sown: a sign, an index, a comparison, a dropped term, a forgotten write."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Fault(NamedTuple):
 def find_faults(source: str) -> list[Fault]:
     """All faults that can be sown into a source, in the order of its text.
 
-    Docstrings, annotations, decorators, `__all__`, messages of errors and declarations of help texts are left alone: they do not compute.
+    Docstrings, annotations, decorators and messages of errors are left alone: they do not compute.
     """
     offsets = _line_offsets(source)
     raw = source.encode()

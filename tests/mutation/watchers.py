@@ -63,7 +63,7 @@ class Watchers:
         return frozenset(found)
 
     def _imports_of(self, path: Path) -> frozenset[str]:
-        """Modules of the game that a file imports, packages resolved to the modules that the names come from."""
+        """Modules of the game that a file imports: where the names are defined, not handed on."""
         found: set[str] = set()
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.Import):
@@ -74,8 +74,9 @@ class Watchers:
                 and node.level == 0
                 and node.module.startswith("game")
             ):
-                found.add(node.module)
-                found |= {self._home(node.module, alias.name) for alias in node.names}
+                package = node.module or ""
+                found.add(package)
+                found |= {self._home(package, alias.name) for alias in node.names}
         return frozenset(found)
 
     @cache  # noqa: B019 - one object lives as long as the program
