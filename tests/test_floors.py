@@ -29,7 +29,7 @@ FOLDERS = {
         "effects integrators",
         "fields proximity_effects",
         "animation bounds broadphase constraints narrowphase particles rigid",
-        "spheres oscillators",
+        "spheres generations oscillators",
     ),
     "billiards": (
         "table",
