@@ -40,6 +40,11 @@ def face(look: Look, card: Card, entry: Entry, picture: pygame.Surface, starred:
     return surface
 
 
+def paint_empty(surface: pygame.Surface, look: Look, rect: pygame.Rect) -> None:
+    """A card or a row without anything on it."""
+    draw_box(surface, rect, look.px(RADIUS), look.theme.panel, look.theme.line, look.border)
+
+
 def paint_card(
     surface: pygame.Surface,
     look: Look,

@@ -1,4 +1,4 @@
-"""The cards as they lie: each painted once and then copied, a few of them in a frame.
+"""Cards and rows as they lie: each painted once and then copied, a few of them in a frame.
 
 A card that comes into view for the first time shows its empty stage until its turn comes.
 """
@@ -16,9 +16,10 @@ from game.app.menu.sketch import sketch
 from game.app.menu.thumbnails import Thumbnails
 from game.app.screens.host import Host
 from game.app.window.guard import Failure
+from game.ui.look.look import Look
 
-MOST_KEPT = 96  # cards
-SPENT_S = 0.004  # s of the drawing thread after which a frame begins no other picture
+MOST_KEPT = 160  # cards and rows
+SPENT_S = 0.003  # s of the drawing thread after which a frame begins no other card
 
 Place = tuple[str, int, int]  # scene, width, height of the picture
 
@@ -43,20 +44,37 @@ class Deck:
         """A frame begins."""
         self._began, self.unfinished = thread_time(), False
 
+    @property
+    def _spent(self) -> bool:
+        """Whether this frame has had its share."""
+        return thread_time() - self._began > SPENT_S
+
     def draw(self, surface: pygame.Surface, item: Item, starred: bool, at: tuple[int, int]) -> None:
-        """Draw a resting card with its left upper corner there."""
-        assert item.card is not None
-        picture = self.picture(item)
-        key = (item.entry.name, item.card.rect.size, item.card.wide, starred)
+        """Draw a resting card or row with its left upper corner there."""
+        look = self._host.look
+        key = (item.key[1:], item.rect.size, starred)
         kept = self._faces.get(key)
+        if kept is None and self._spent:
+            self.unfinished = True
+            cards.paint_empty(surface, look, pygame.Rect(at, item.rect.size))
+            return
+        picture = self._empty((1, 1)) if item.card is None else self.picture(item)
         if kept is None or kept[0] is not picture:
-            face = cards.face(self._host.look, item.card, item.entry, picture, starred)
-            kept = self._faces[key] = (picture, face)
+            kept = self._faces[key] = (picture, self._face(item, picture, starred))
         self._faces.move_to_end(key)
         while len(self._faces) > MOST_KEPT:
             self._faces.popitem(last=False)
-        reach = cards.reach(self._host.look)
+        reach = 0 if item.card is None else cards.reach(look)
         surface.blit(kept[1], (at[0] - reach, at[1] - reach))
+
+    def _face(self, item: Item, picture: pygame.Surface, starred: bool) -> pygame.Surface:
+        look = self._host.look
+        if item.card is not None:
+            return cards.face(look, item.card, item.entry, picture, starred)
+        row = pygame.Surface(item.rect.size, 0, 32)
+        row.fill(look.theme.bg)
+        paint_row(row, look, item, row.get_rect(), lit=False)
+        return row
 
     def picture(self, item: Item) -> pygame.Surface:
         """The scene's picture in its card's size: as it was drawn, else its drawing, else its empty stage."""
@@ -66,7 +84,7 @@ class Deck:
         picture = self._thumbnails.kept(item.entry.name, size, self._host.look) or self._drawings.get(place)
         if picture is not None:
             return picture
-        if thread_time() - self._began > SPENT_S:
+        if self._spent:
             self.unfinished = True
             return self._empty(size)
         loaded = self._thumbnails.load(item.entry.name, size, self._host.look)
@@ -89,3 +107,11 @@ class Deck:
 
     def _tell_undrawn(self, failure: Failure) -> None:
         self._host.tell_of(failure, "cannot be shown")
+
+
+def paint_row(surface: pygame.Surface, look: Look, item: Item, rect: pygame.Rect, lit: bool) -> None:
+    """A level's row at its place; nothing for a card."""
+    head = item.level
+    if head is not None:
+        title = f"{head.title}  {head.stars}".rstrip()
+        cards.paint_row(surface, look, rect, item.entry.task, title, head.about, bool(head.hard_case), lit)

@@ -9,7 +9,7 @@ import pygame
 from game.app.menu import cards
 from game.app.menu.bar import CategoryBar
 from game.app.menu.contents import Contents, Item
-from game.app.menu.deck import Deck
+from game.app.menu.deck import Deck, paint_row
 from game.app.menu.foot import paint_foot
 from game.app.menu.items import LEVELS
 from game.app.menu.scroll import Scroll
@@ -77,7 +77,7 @@ class Painter:
             starred = self._starred(item)
             cards.paint_focused(surface, look, item.card, item.entry, picture, starred, lift, down)
         else:
-            self._paint_row(surface, item, item.rect.move(0, down), lit=True)
+            paint_row(surface, look, item, item.rect.move(0, down), lit=True)
             cards.draw_ring(surface, look, item.rect.move(0, down), 8)
 
     def _starred(self, item: Item) -> bool:
@@ -92,13 +92,9 @@ class Painter:
         self._paint_heads(picture, menu)
         for i in menu.seen:
             item = menu.contents.items[i]
-            place = item.rect.move(0, menu.down)
-            if i == menu.focus:
-                continue
-            if item.card is not None:
+            if i != menu.focus:
+                place = item.rect.move(0, menu.down)
                 self._deck.draw(picture, item, self._starred(item), place.topleft)
-            else:
-                self._paint_row(picture, item, place, lit=False)
         if not menu.contents.items:
             words = f"Nothing is called “{menu.query}”"
             look.text(picture, words, view.center, 13, "medium", "text2", "center")
@@ -128,10 +124,3 @@ class Painter:
             paint_foot(foot, self._host, foot.get_rect(), searching, words)
             self._foot = (state, foot)
         return self._foot[1]
-
-    def _paint_row(self, surface: pygame.Surface, item: Item, rect: pygame.Rect, lit: bool) -> None:
-        assert item.level is not None
-        head = item.level
-        title = f"{head.title}  {head.stars}".rstrip()
-        look, hard = self._host.look, bool(head.hard_case)
-        cards.paint_row(surface, look, rect, item.entry.task, title, head.about, hard, lit)

@@ -76,33 +76,45 @@ class MenuScreen(Screen):
 
     def _lay_out(self) -> None:
         """Places of everything in the content, whose upper end is the bar's foot."""
-        look, before = self.host.look, self.focused
-        wanted = (before.key, before.entry.name) if before is not None else self._wanted
-        stood = before.rect.top - self.scroll.at if before is not None else None
+        look, before, anchor = self.host.look, self.focused, self._anchor()
         self.contents = lay_out(self.offer, self.query, self.host.settings, self.view.size, look)
         if self.query:
             self.focus = 0
-        elif wanted[0][0] in (FAVOURITES, RECENT) and before is not None and not self.contents.has(before.key):
-            self.focus = max(0, min(self.focus, len(self.items) - 1))  # it has left there: go on beside it
-            stood = None
+        elif before is not None and self._has_left(before):
+            self.focus = max(0, min(self.focus, len(self.items) - 1))  # go on beside it
         else:
+            wanted = (before.key, before.entry.name) if before is not None else self._wanted
             self.focus = self.contents.find(*wanted)
         self._pressed = self._pointer = None
         bar = pygame.Rect(0, self.view.y - look.px(flow.BAR), self.view.w, look.px(flow.BAR))
         self.bar.place(bar, self.contents.categories, look, SIGNS)
         self.scroll.bound(self.contents.height, self.view, look)
-        self._stand(stood)
+        self._stand(anchor)
         self.painter.forget()
 
-    def _stand(self, stood: float | None) -> None:
-        """After another layout: the chosen item where it ``stood`` in the view, or in its middle at first."""
-        item = self.focused
-        if self.query or item is None or self.focus == 0:
+    def _has_left(self, item: Item) -> bool:
+        """Whether it stood among favourites or recent ones and does no more."""
+        return item.category in (FAVOURITES, RECENT) and not self.contents.has(item.key)
+
+    def _anchor(self) -> tuple[Item, float] | None:
+        """What shall not move when things are laid out anew: an item in view, and how far below its top."""
+        if not self.items:
+            return None
+        item = self.items[self.focus if self.is_seen(self.focus) else self._first_in_view()]
+        return item, item.rect.top - self.scroll.at
+
+    def _stand(self, anchor: tuple[Item, float] | None) -> None:
+        """After another layout: the anchor where it stood, or at first the chosen item in the middle."""
+        focused = self.focused
+        if self.query or focused is None or (anchor is None and self.focus == 0):
             self.scroll.go(0.0, at_once=True)
-            return
-        middle = item.rect.centery - self.view.h / 2
-        self.scroll.go(middle if stood is None else item.rect.top - stood, at_once=True)
-        self._show_focus(at_once=True)
+        elif anchor is None:
+            self.scroll.go(focused.rect.centery - self.view.h / 2, at_once=True)
+        elif not self._has_left(anchor[0]):
+            index = self.contents.find(anchor[0].key, anchor[0].entry.name)
+            self.scroll.go(self.items[index].rect.top - anchor[1], at_once=True)
+            if index == self.focus:
+                self._show_focus(at_once=True)
 
     def _show_focus(self, at_once: bool = False) -> None:
         """Scroll as little as brings the chosen item and its heading wholly into view."""
