@@ -100,8 +100,8 @@ class MenuScreen(Screen):
         """What shall not move when things are laid out anew: an item in view, and how far below its top."""
         if not self.items:
             return None
-        item = self.items[self.focus if self.is_seen(self.focus) else self._first_in_view()]
-        return item, item.rect.top - self.scroll.at
+        item = self.items[self._nearest_seen()]
+        return item, item.rect.top - self.scroll.target
 
     def _stand(self, anchor: tuple[Item, float] | None) -> None:
         """After another layout: the anchor where it stood, or at first the chosen item in the middle."""
@@ -163,7 +163,7 @@ class MenuScreen(Screen):
         self._pointer = None
         if event.key in ARROWS and self.items:
             rects = [item.rect for item in self.items]
-            at = self.focus if self.is_seen(self.focus) else self._firstis_seen()
+            at = self._nearest_seen()
             there = flow.nearest_in_direction(rects, at, *ARROWS[event.key])
             self._walk_to(there if at == self.focus else at)
         elif event.key in PAGES and self.items:
@@ -270,14 +270,15 @@ class MenuScreen(Screen):
         view = self.view.move(0, -self.down)
         return [i for i, item in enumerate(self.items) if view.colliderect(item.rect)]
 
-    def is_seen(self, index: int) -> bool:
-        """Whether something of the item is in view."""
-        return self.view.move(0, -self.down).colliderect(self.items[index].rect)
-
-    def _firstis_seen(self) -> int:
-        view = self.view.move(0, -self.down)
-        whole = [i for i in self.in_view() if view.contains(self.items[i].rect)]
-        return (whole or self.in_view() or [self.focus])[0]
+    def _nearest_seen(self) -> int:
+        """The chosen item if something of it is in view, else the first that is wholly; as it will come to
+        rest: a key may be pressed again before that."""
+        view = pygame.Rect(0, round(self.scroll.target), self.view.w, self.view.h)
+        if self.focus < len(self.items) and view.colliderect(self.items[self.focus].rect):
+            return self.focus
+        seen = [i for i, item in enumerate(self.items) if view.colliderect(item.rect)]
+        whole = [i for i in seen if view.contains(self.items[i].rect)]
+        return (whole or seen or [self.focus])[0]
 
     def _point(self, position: tuple[int, int]) -> None:
         self._pointer = position if self.scroll.moving else None
@@ -342,7 +343,7 @@ class MenuScreen(Screen):
         """The one that the bar marks: of the chosen item while it is seen, else of the first that is seen."""
         if not self.items:
             return ""
-        index = self.focus if self.is_seen(self.focus) else self._firstis_seen()
+        index = self._nearest_seen()
         return self.items[index].category
 
     # -- picture ------------------------------------------------------------------------------------

@@ -90,7 +90,7 @@ def _sound_part(table: dict[str, Any]) -> tuple[Settings, str]:
 
 def _rest(settings: Settings) -> str:
     """What is in force instead of what is broken."""
-    return "the defaults hold" if settings == Settings() else "its default holds"
+    return "the defaults hold" if settings == Settings() else "its default holds, the rest is kept"
 
 
 def _put_aside(path: Path) -> str:

@@ -185,7 +185,7 @@ SIGNS: dict[str, tuple[Part, ...]] = {
         _arc(-0.5, 0.0, 6.4, -45.0, 90.0, 1.5),
     ),
     "star": (_line(*_STAR, _STAR[0], width=1.3),),
-    "star-full": (*_points(_STAR), _line(*_STAR, _STAR[0], width=1.3)),
+    "star-full": (*_points(_STAR), _disc(0.0, 0.0, 2.7), _line(*_STAR, _STAR[0], width=1.3)),
     "record": (_ring(0.0, 0.0, 6.3, 1.5), _disc(0.0, 0.0, 3.3)),
 }
 
