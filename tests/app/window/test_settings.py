@@ -56,9 +56,8 @@ def test_broken_file_gives_one_line_and_is_kept(tmp_path: Path, content: bytes, 
 
 def test_what_is_sound_in_a_broken_file_holds(tmp_path: Path):
     path = settings_path(tmp_path)
-    path.write_text(
-        'theme = "pink"\nfavourites = ["c13", "c04"]\nrecent = ["c01"]\nvolume = 0.25\n[keys]\nfly = "f"'
-    )
+    lists = 'favourites = ["c13", "c04"]\nrecent = ["c01"]\n'
+    path.write_text(f'theme = "pink"\n{lists}volume = 0.25\n[keys]\nfly = "f"')
     loaded = load_settings(tmp_path)
     assert loaded.settings == Settings(favourites=["c13", "c04"], recent=["c01"], volume=0.25)
     assert "theme" in loaded.complaint and "\n" not in loaded.complaint
