@@ -127,7 +127,6 @@ class MenuScreen(Screen):
         first = self.contents.first_of(category)
         if first is not None:
             self._choose(first)
-            self._pointer = None
             self.scroll.go(self.items[first].rect.top - self.host.look.px(flow.HEAD))
 
     # -- events -------------------------------------------------------------------------------------

@@ -147,6 +147,14 @@ def test_arrow_begins_at_what_is_seen(many: Driver):
     assert menu.focus in menu.in_view() and menu.scroll.offset == before
 
 
+def test_keys_need_not_wait_for_the_content(many: Driver):
+    many.key(pygame.K_END)
+    many.frames(30)
+    many.key(pygame.K_HOME)
+    many.key(pygame.K_DOWN)
+    assert many.top.focused.entry.name == "course-0" and many.top.scroll.moving
+
+
 def test_drag_moves_the_content_and_opens_nothing(many: Driver):
     menu = many.top
     many.move(700, 500)
@@ -244,6 +252,15 @@ def test_favourites_that_are_no_more_are_kept_and_not_shown(start):
     assert len(menu.items) == 81
     driver.key(pygame.K_f, pygame.KMOD_CTRL)
     assert driver.app.settings.favourites == ["gone"] and driver.app.settings.recent == ["gone too"]
+
+
+def test_one_that_loses_its_star_leaves_the_view_where_it_is(start):
+    driver = start(catalogue=eighty(), favourites=["papers-1", "papers-2", "papers-3"])
+    driver.key(pygame.K_RIGHT)
+    driver.key(pygame.K_f, pygame.KMOD_CTRL)
+    menu = driver.top
+    assert (menu.focused.category, menu.focused.entry.name) == ("Favourites", "papers-3")
+    assert menu.scroll.target == 0 and driver.app.settings.favourites == ["papers-1", "papers-3"]
 
 
 def test_what_was_opened_comes_first_and_leads_back_to_its_card(many: Driver):
