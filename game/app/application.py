@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from game.app.compile.canvas_warming import CanvasWarming
+from game.app.menu.liked import note_opened
 from game.app.menu.screen import MenuScreen
+from game.app.menu.welcome_card import WelcomeCard
 from game.app.scene.screen import SceneScreen
 from game.app.screens.choices import ChoiceCard
 from game.app.screens.composition import Composition
@@ -71,6 +73,8 @@ class App:
         self.running = True
         self.background = background
         self.tour_due = False
+        self.welcome_due = False
+        self.menu_category = ""
         self._composition = Composition(self.screens, self.watch)
         self._looks = Looks()
         self.look = self._style()
@@ -176,11 +180,24 @@ class App:
 
     def open_menu(self, focus: str = "") -> None:
         """The menu in place of everything, with that scene's card chosen."""
-        self._replace(MenuScreen(self, focus))
+        self._replace(MenuScreen(self, focus, self.menu_category))
 
     def open_scene(self, name: str, level: Path | None = None, opening: Opening | None = None) -> None:
-        """A scene in place of the menu or of another scene."""
+        """A scene in place of the menu or of another scene; the menu shows it among the recent ones."""
+        note_opened(self.settings, name)
         self._replace(SceneScreen(self, self.catalogue[name], opening or Opening(level=level)))
+
+    def open_welcome(self) -> None:
+        """The card of the very first start, over the menu; it is not shown again."""
+        self.welcome_due = False
+        self.save_settings()  # once there is a file it is no first start any more
+        self._open_card(WelcomeCard.called, lambda: WelcomeCard(self, self._show_category))
+
+    def _show_category(self, category: str) -> None:
+        """Where the menu lies below, go to a category."""
+        for screen in self.screens:
+            if isinstance(screen, MenuScreen):
+                screen.show_category(category)
 
     def open_keys(self) -> None:
         """The card of all keys."""

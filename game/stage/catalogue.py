@@ -10,6 +10,9 @@ from typing import Any, NamedTuple
 from game.definition import DefinitionError
 from game.stage.scene import Scene
 
+# Of the menu's bar, in its order; one that is not among them comes after these.
+CATEGORIES = ("Play", "Course", "Lecture", "Examples", "Stories", "Papers", "Playgrounds", "Carom")
+
 
 class Entry(NamedTuple):
     """A scene as the menu shows it before its module is imported."""
@@ -18,12 +21,13 @@ class Entry(NamedTuple):
     task: str
     title: str
     fact: str  # the few words beside the id on its card
-    category: str
+    category: str  # one of CATEGORIES, or a new one: where it stands in the menu
     module: str
     class_name: str
     keywords: str = ""
     roomy: bool = False  # a game: all of the window is its stage until the panel is asked for
     card: str = ""  # function in card.py beside the module that draws its card with a ui.canvas.pen.Pen
+    topic: str = ""  # what a large category is divided into; of it a heading in the menu
 
     @property
     def names(self) -> tuple[str, str, str]:
@@ -92,8 +96,18 @@ class Catalogue:
         return list(dict.fromkeys([*titled, *alike]))[:3]
 
     def categories(self) -> tuple[str, ...]:
-        """Category names in order of first appearance."""
-        return tuple(dict.fromkeys(entry.category for entry in self.entries))
+        """Category names: those of CATEGORIES in their order, then others in order of first appearance."""
+        named = dict.fromkeys(entry.category for entry in self.entries)
+        known = [category for category in CATEGORIES if category in named]
+        return tuple(dict.fromkeys([*known, *named]))
+
+    def topics(self, category: str) -> dict[str, tuple[Entry, ...]]:
+        """Scenes of a category by topic, both in order of first appearance; "" is the topic of none."""
+        found: dict[str, tuple[Entry, ...]] = {}
+        for entry in self.entries:
+            if entry.category == category:
+                found[entry.topic] = (*found.get(entry.topic, ()), entry)
+        return found
 
     def neighbour(self, name: str, offset: int) -> Entry:
         """The scene so many places on, round the end."""

@@ -1,4 +1,4 @@
-"""``list``: scenes with their parameters, effects and levels."""
+"""``list``: scenes by category, with their parameters, effects and levels."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from game.app.window.words import say
 
 if TYPE_CHECKING:
     from game.stage import Entry
+    from game.stage.catalogue import Catalogue
 
 
 def add(commands: Any) -> None:
@@ -25,16 +26,35 @@ def execute(options: argparse.Namespace) -> int:
     output.check_writable(options.json, "--json")
     from game.scenes import CATALOGUE
 
-    entries = tuple(CATALOGUE)
+    entries = _by_category(CATALOGUE)
     if options.scene:
         entries = (CATALOGUE[given.scene_type_named(options.scene).name],)
     rows = [describe(entry) for entry in entries]
     if options.json:
         output.write_json({"scenes": rows}, options.json)
     if options.json != output.STANDARD_OUTPUT:
+        heading = ""
         for row in rows:
+            if not options.scene and heading != _heading(row):
+                heading = _heading(row)
+                say(heading)
             print_scene(row, in_full=bool(options.scene))
     return 0
+
+
+def _by_category(catalogue: Catalogue) -> tuple[Entry, ...]:
+    """All scenes in the order of the menu's categories and their topics."""
+    return tuple(
+        entry
+        for category in catalogue.categories()
+        for entries in catalogue.topics(category).values()
+        for entry in entries
+    )
+
+
+def _heading(row: dict[str, Any]) -> str:
+    """Category and topic, as over the cards of the menu."""
+    return f"{row['category']}: {row['topic']}" if row["topic"] else str(row["category"])
 
 
 def describe(entry: Entry) -> dict[str, Any]:
@@ -45,6 +65,7 @@ def describe(entry: Entry) -> dict[str, Any]:
         "task": entry.task,
         "title": entry.title,
         "category": entry.category,
+        "topic": entry.topic,
         "fact": entry.fact,
         "parameters": [
             _describe_parameter(parameter) for parameter in scene_type.declared_parameters().values()

@@ -72,7 +72,7 @@ def _run_window(scene_name: str, opening: Any = None) -> int:
         window.show_start(settings.theme)
         from game.app.start import start
 
-        start(window, settings, loaded.complaint, scene_name, opening)
+        start(window, loaded, scene_name, opening)
     finally:
         window.close()
     _leave_compilers_behind()

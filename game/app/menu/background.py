@@ -25,7 +25,7 @@ class Background:
         if self._age_s <= SETTLED_S or not self._host.background:
             return False
         self._host.canvas_warming.begin()
-        self.thumbnails.begin()
+        self.thumbnails.begin(self._host.look)
         if self._host.canvas_warming.ready:
             self.preparation.begin()
         if self.preparation.news():

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import pygame
 
-from game.app.menu.flow import Card
+from game.app.menu.flow import GAP, Card, star_of
 from game.stage.catalogue import Entry
 from game.ui.look.icons import icon
 from game.ui.look.look import Look
@@ -26,15 +26,35 @@ def round_corners(picture: pygame.Surface, look: Look, below: int) -> pygame.Sur
     return rounded
 
 
+def reach(look: Look) -> int:
+    """How far a card's shadow reaches beyond it, window px."""
+    return look.px(GAP / 2)
+
+
+def face(look: Look, card: Card, entry: Entry, picture: pygame.Surface, starred: bool) -> pygame.Surface:
+    """A resting card with its shadow on the menu's ground, ``reach`` px larger on every side."""
+    margin = reach(look)
+    surface = pygame.Surface((card.rect.w + 2 * margin, card.rect.h + 2 * margin), 0, 32)
+    surface.fill(look.theme.bg)
+    paint_card(surface, look, card, entry, picture, starred, (margin, margin))
+    return surface
+
+
+def paint_empty(surface: pygame.Surface, look: Look, rect: pygame.Rect) -> None:
+    """A card or a row without anything on it."""
+    draw_box(surface, rect, look.px(RADIUS), look.theme.panel, look.theme.line, look.border)
+
+
 def paint_card(
     surface: pygame.Surface,
     look: Look,
     card: Card,
     entry: Entry,
     picture: pygame.Surface,
+    starred: bool,
     at: tuple[int, int],
-) -> None:
-    """Draw a whole card with its left upper corner there."""
+) -> pygame.Rect:
+    """Draw a whole card with its left upper corner there; where it is."""
     rect = pygame.Rect(at, card.rect.size)
     draw_shadow(surface, rect, 2.5 * look.k, 2 * look.k, 0.25)
     draw_box(surface, rect, look.px(RADIUS), look.theme.panel)
@@ -44,6 +64,18 @@ def paint_card(
     else:
         _paint_words(surface, look, rect, card.picture.h, entry)
     draw_box(surface, rect, look.px(RADIUS), None, look.theme.line, look.border)
+    if starred:
+        _paint_star(surface, look, rect, True)
+    return rect
+
+
+def _paint_star(surface: pygame.Surface, look: Look, rect: pygame.Rect, full: bool) -> None:
+    """A card's star on a disc that keeps it legible over any picture."""
+    center = star_of(rect, look.k).center
+    draw_disc(surface, center, look.px(13), look.theme.panel, look.theme.line2, look.border)
+    color = look.theme.accent if full else look.theme.text2
+    sign = icon("star-full" if full else "star", look.px(18), color)
+    surface.blit(sign, sign.get_rect(center=center))
 
 
 def _paint_words(
@@ -109,13 +141,19 @@ def paint_focused(
     card: Card,
     entry: Entry,
     picture: pygame.Surface,
+    starred: bool,
     lift: float,
     top: int,
 ) -> None:
-    """The card under the pointer or the keyboard focus: lifted, with a ring. ``top``: scroll, window px."""
+    """The card under the pointer or the keyboard focus: lifted, with a ring and a star to be pressed.
+
+    ``top``: from a place in the content to one in the window, px.
+    """
     rect = card.rect.move(0, top - round(LIFT * look.k * lift))
     draw_shadow(surface, rect, 7 * look.k, 8 * look.k, 0.45 * lift)
-    paint_card(surface, look, card, entry, picture, rect.topleft)
+    paint_card(surface, look, card, entry, picture, starred, rect.topleft)
+    if not starred:
+        _paint_star(surface, look, rect, False)
     draw_ring(surface, look, rect, RADIUS)
 
 

@@ -1,7 +1,7 @@
-"""Where the menu's cards lie: categories packed into rows, cards as large as the window lets them.
+"""Where the menu's cards lie: categories packed into rows, cards large enough to be looked at.
 
-Design measures: margins 32, header 80, footer 40, gap 16, a card's picture 160:104 with 56 for its words,
-28 for a category's name above.
+Design measures: margins 32, header 80, bar of categories 40, footer 40, gap 16, a card's picture 160:104 with
+56 for its words, 28 for a group's name above.
 """
 
 from __future__ import annotations
@@ -11,9 +11,10 @@ from typing import NamedTuple
 
 import pygame
 
-MARGIN, HEADER, FOOTER, GAP, ROW_GAP, HEAD, WORDS = 32, 80, 40, 16, 12, 28, 56  # design px
-NARROWEST, WIDEST = 160, 400  # design px of a card
+MARGIN, HEADER, BAR, FOOTER, GAP, ROW_GAP, HEAD, WORDS = 32, 80, 40, 40, 16, 12, 28, 56  # design px
+NARROWEST, WIDEST = 208, 400  # design px of a card
 PICTURE = 104 / 160  # height of a picture to its width
+STAR = 40  # design px of a card's corner
 LIST_ROW, LIST_COLUMN = 44, 360  # design px
 
 
@@ -24,14 +25,16 @@ class Card(NamedTuple):
     rect: pygame.Rect
     picture: pygame.Rect
     wide: bool
+    category: str = ""
 
 
 class Head(NamedTuple):
-    """A category's name over its first card: words, how many, left end and middle in window px."""
+    """A group's name over its first card: words, how many, left end and middle in window px."""
 
     text: str
     number: int
     at: tuple[int, int]
+    category: str = ""  # beside the words, where these name a part of it
 
 
 class Flow(NamedTuple):
@@ -43,17 +46,25 @@ class Flow(NamedTuple):
 
 
 class Group(NamedTuple):
-    """A category and the names of its scenes."""
+    """Scenes under one heading: a category, or one of its topics.
+
+    ``again``: these stand in a category of their own as well. ``one_row``: only what the row has space for.
+    """
 
     title: str
     names: tuple[str, ...]
+    category: str = ""
+    again: bool = False
+    one_row: bool = False
 
 
 def arrange_cards(groups: Sequence[Group], wide: str, width: int, height: int, k: float) -> Flow:
     """Cards for a content ``width`` x ``height`` window px (without header and footer), at scale k.
 
-    The fewest columns are taken, and so the largest cards, with which nothing needs scrolling; if that
-    cannot be, as many as there is space for. ``wide`` names the scene that takes two columns.
+    Categories follow one another in their order, each beginning with its first group; the others of a
+    category come as they fill the rows best. The fewest columns are taken, and so the largest cards, with
+    which nothing needs scrolling; if that cannot be, as many as there is space for. ``wide`` names the scene
+    that takes two columns.
     """
     most = max(1, int((width / k - 2 * MARGIN + GAP) // (NARROWEST + GAP)))
     least = 1
@@ -81,30 +92,38 @@ def _arrange(groups: Sequence[Group], wide: str, columns: int, width: int, k: fl
     heads: list[Head] = []
     row = column = 0
     left_over = list(groups)
+    begun = left_over[0].category if left_over else ""
     while left_over:
-        group = _best_fit(left_over, wide, columns - column, columns)
+        same = [group for group in left_over if group.category == begun]
+        group = _best_fit(same or left_over[:1], wide, columns - column, columns)
         if group is None:
             row, column = row + 1, 0
             continue
         left_over.remove(group)
-        for i, name in enumerate(group.names):
-            span = _span(name, wide, columns)
+        begun = group.category
+        names = group.names[: columns - column] if group.one_row else group.names
+        for i, name in enumerate(names):
+            span = _span(group, name, wide, columns)
             if column + span > columns:
                 row, column = row + 1, 0
             left = round(MARGIN * k + column * (card + GAP * k))
             right = round(MARGIN * k + (column + span) * (card + GAP * k) - GAP * k)
             top = row * pitch + round(HEAD * k)
             if i == 0:
-                heads.append(Head(group.title, len(group.names), (left, row * pitch + round(12 * k))))
+                heads.append(_head(group, len(names), left, row * pitch + round(12 * k)))
             rect = pygame.Rect(left, top, right - left, card_height)
             picture = rect if span == 2 else pygame.Rect(left, top, rect.w, picture_height)
-            cards.append(Card(name, rect, pygame.Rect(picture), span == 2))
+            cards.append(Card(name, rect, pygame.Rect(picture), span == 2, group.category))
             column += span
     return Flow(tuple(cards), tuple(heads), (row + 1) * pitch if cards else 0)
 
 
-def _span(name: str, wide: str, columns: int) -> int:
-    return 2 if name == wide and columns >= 2 else 1
+def _head(group: Group, number: int, left: int, middle: int) -> Head:
+    return Head(group.title, number, (left, middle), group.category)
+
+
+def _span(group: Group, name: str, wide: str, columns: int) -> int:
+    return 2 if name == wide and not group.again and columns >= 2 else 1
 
 
 def _best_fit(groups: Sequence[Group], wide: str, space: int, columns: int) -> Group | None:
@@ -112,9 +131,21 @@ def _best_fit(groups: Sequence[Group], wide: str, space: int, columns: int) -> G
     else the one that leaves the least space, the first of equals; None if none has place."""
     if space == columns:
         return groups[0]
-    lengths = [sum(_span(name, wide, columns) for name in group.names) for group in groups]
+    lengths = [_length(group, wide, space, columns) for group in groups]
     fitting = [(space - length, i) for i, length in enumerate(lengths) if length <= space]
     return groups[min(fitting)[1]] if fitting else None
+
+
+def _length(group: Group, wide: str, space: int, columns: int) -> int:
+    """Columns that a group takes in a row with so much space left; one that may be cut off wants two."""
+    length = sum(_span(group, name, wide, columns) for name in group.names)
+    return min(length, max(space, 2)) if group.one_row else length
+
+
+def star_of(card: pygame.Rect, k: float) -> pygame.Rect:
+    """Where a card's star is pressed: its right upper corner, window px."""
+    side = round(STAR * k)
+    return pygame.Rect(card.right - side, card.top, side, side)
 
 
 def arrange_rows(count: int, top: int, width: int, k: float) -> tuple[pygame.Rect, ...]:

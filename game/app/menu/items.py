@@ -10,6 +10,8 @@ from game.app.menu.search import Field, rank
 from game.app.stagehand.level_index import LevelHead, level_heads
 from game.stage.catalogue import Catalogue, Entry
 
+FAVOURITES, RECENT = "Favourites", "Recent"  # categories of what stands in another one as well
+LEVELS = "Levels"
 WIDE = ("billiards", "lecture-table")  # the first of these that there is takes two places
 
 
@@ -31,15 +33,27 @@ class Offer:
         self._scene_fields = [(entry, _fields_of_entry(entry)) for entry in catalogue]
         self._level_fields = [(head, self._fields_of_level(head)) for head in self.levels]
 
-    def groups(self) -> list[Group]:
-        """Scenes by category, the wide card first."""
-        return [
-            Group(category, tuple(sorted(self._names(category), key=lambda name: name != self.wide)))
+    def groups(self, favourites: Sequence[str] = (), recent: Sequence[str] = ()) -> list[Group]:
+        """Favourites and what was opened last, then all scenes by category and topic, the wide card first."""
+        starred = self._known(favourites)
+        opened = tuple(name for name in self._known(recent) if name not in starred)
+        first = [
+            Group(FAVOURITES, starred, FAVOURITES, again=True),
+            Group(RECENT, opened, RECENT, again=True, one_row=True),
+        ]
+        return [group for group in first if group.names] + [
+            Group(topic or category, self._names(entries), category)
             for category in self.catalogue.categories()
+            for topic, entries in self.catalogue.topics(category).items()
         ]
 
-    def _names(self, category: str) -> list[str]:
-        return [entry.name for entry in self.catalogue if entry.category == category]
+    def _known(self, names: Sequence[str]) -> tuple[str, ...]:
+        """Those that there are, each once."""
+        there = {entry.name for entry in self.catalogue}
+        return tuple(name for name in dict.fromkeys(names) if name in there)
+
+    def _names(self, entries: Sequence[Entry]) -> tuple[str, ...]:
+        return tuple(sorted((entry.name for entry in entries), key=lambda name: name != self.wide))
 
     def find(self, query: str) -> Found:
         """What a query finds; a level is found by its own words and, less so, by its scene's."""
@@ -64,4 +78,5 @@ def _fields_of_entry(entry: Entry) -> Sequence[Field]:
         Field(entry.keywords, 0.7),
         Field(entry.fact, 0.6),
         Field(entry.category, 0.5),
+        Field(entry.topic, 0.5),
     )

@@ -10,7 +10,7 @@ from game.stage.catalogue import Entry
 from game.ui.canvas.pen import Pen
 from game.ui.look.look import Look
 
-MOST_KEPT = 64  # drawings: two sizes of all cards, or two themes
+MOST_KEPT = 128  # drawings: those of eighty cards, and some in two sizes
 
 
 @lru_cache(maxsize=MOST_KEPT)

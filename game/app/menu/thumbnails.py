@@ -1,7 +1,8 @@
 """Live pictures for the menu's cards: the scenes themselves, drawn small; the chosen one moves.
 
-Only scenes whose kernels are ready are drawn, so that the menu never waits for the compiler. What was drawn
-is kept in the cache folder: the next start shows it at once, before the compiler is even imported.
+Only scenes that are in view and whose kernels are ready are built and drawn, one after another, so that the
+menu waits neither for the compiler nor for scenes that nobody looks at. What was drawn is kept in the cache
+folder: the next start shows it at once, before the compiler is even imported.
 """
 
 from __future__ import annotations
@@ -9,6 +10,8 @@ from __future__ import annotations
 import contextlib
 import queue
 import threading
+from collections import OrderedDict
+from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
@@ -26,56 +29,94 @@ if TYPE_CHECKING:
     from game.app.menu.live import LiveScene
 
 Key = tuple[str, str, int, int]  # scene, theme, width, height
+Place = tuple[str, tuple[int, int]]  # scene, and size of its card's picture
+MOST_LIVE = 24  # scenes kept built: those in view, and some that were
+MOST_PIXELS = 24_000_000  # of pictures kept, about 96 MB: two hundred at the largest scale
 
 
 class Thumbnails:
-    """Pictures by scene; ``update`` once a frame, ``picture`` when one is wanted."""
+    """Pictures by scene; ``update`` once a frame with what is seen, ``kept`` or ``load`` for one picture."""
 
     def __init__(self, host: Host):
         self._host = host
         self._catalogue = host.catalogue
         self._canvas = host.canvas_warming
-        self._pictures: dict[Key, pygame.Surface | None] = {}
+        self._pictures: OrderedDict[Key, pygame.Surface] = OrderedDict()
         self._live: dict[str, LiveScene] = {}
         self._drawn: set[Key] = set()
-        self._made: queue.SimpleQueue[LiveScene] = queue.SimpleQueue()
+        self._made: queue.SimpleQueue[LiveScene | str] = queue.SimpleQueue()
         self._stop = threading.Event()
         self._thread: threading.Thread | None = None
-        self._asked = False
+        self._seen: tuple[Place, ...] = ()
+        self._moving: Place | None = None
+        self._refused: set[str] = set()  # not ready, or cannot be built
 
-    def picture(self, name: str, size: tuple[int, int], look: Look) -> pygame.Surface | None:
-        """The picture of a scene in that size and theme, or None if there is none yet."""
+    def kept(self, name: str, size: tuple[int, int], look: Look) -> pygame.Surface | None:
+        """The picture of a scene in that size and theme, if there is one in memory."""
+        return self._pictures.get((name, look.theme.name, *size))
+
+    def load(self, name: str, size: tuple[int, int], look: Look) -> pygame.Surface | None:
+        """The same, from the cache folder if there is one of an earlier session."""
         key = (name, look.theme.name, *size)
-        if key not in self._pictures:
-            self._pictures[key] = _load(key)
-        return self._pictures[key]
+        picture = self._pictures.get(key) or _load(key)
+        if picture is not None:
+            self._keep(key, picture)
+        return picture
 
-    def update(self, elapsed_s: float, sizes: dict[str, tuple[int, int]], look: Look, moving: str) -> bool:
-        """Let time pass; ``moving`` is the card that lives. True if pictures of others have changed."""
-        with contextlib.suppress(queue.Empty):
-            live = self._made.get_nowait()
-            self._live[live.entry.name] = live
-        if moving in self._live and moving in sizes:
-            live = self._live[moving]
+    def update(self, elapsed_s: float, seen: Sequence[Place], look: Look, moving: Place | None) -> bool:
+        """Let time pass; ``seen`` are the cards in view, ``moving`` is the one that lives.
+
+        True if pictures of others have changed.
+        """
+        self._seen, self._moving = tuple(seen), moving
+        self._take()
+        if moving is not None and moving[0] in self._live:
+            live = self._live[moving[0]]
             with self._watch(live):
                 live.advance(elapsed_s)
-                self._draw(live, sizes[moving], look)
-        return self._draw_one_more(sizes, look)
+                self._draw(live, moving[1], look)
+        return self._draw_one_more(seen, look)
 
-    def begin(self) -> None:
-        """Start to build the scenes that are ready, if that has not been done yet."""
-        busy = self._thread is not None and self._thread.is_alive()
-        if not self._asked and not busy and any_notes():
-            self._asked = True
-            self._thread = threading.Thread(target=self._prepare, name="thumbnails", daemon=True)
+    def _take(self) -> None:
+        """Take in what the thread has built; let go of what was seen longest ago."""
+        with contextlib.suppress(queue.Empty):
+            made = self._made.get_nowait()
+            if isinstance(made, str):
+                self._refused.add(made)
+                return
+            self._live[made.entry.name] = made
+        names = {name for name, _ in self._seen}
+        unseen = [name for name in self._live if name not in names]
+        for name in unseen[: max(0, len(self._live) - MOST_LIVE)]:
+            del self._live[name]
+
+    def begin(self, look: Look) -> None:
+        """Build the next scene in view that has no picture of this session, or is to move."""
+        if (self._thread is not None and self._thread.is_alive()) or not self._made.empty():
+            return
+        name = self._next(look)
+        if name and any_notes():
+            entry = self._catalogue[name]
+            self._thread = threading.Thread(
+                target=self._build_next, args=(entry,), name="thumbnails", daemon=True
+            )
             self._thread.start()
 
-    def _draw_one_more(self, sizes: dict[str, tuple[int, int]], look: Look) -> bool:
+    def _next(self, look: Look) -> str:
+        first = () if self._moving is None else (self._moving,)
+        for name, size in (*first, *self._seen):
+            wanted = (name, size) == self._moving or (name, look.theme.name, *size) not in self._drawn
+            if wanted and name not in self._live and name not in self._refused:
+                return name
+        return ""
+
+    def _draw_one_more(self, seen: Sequence[Place], look: Look) -> bool:
         """Draw one picture that was not drawn in this size and theme yet."""
-        for name, live in list(self._live.items()):
-            if name in sizes and (name, look.theme.name, *sizes[name]) not in self._drawn:
+        for name, size in seen:
+            live = self._live.get(name)
+            if live is not None and (name, look.theme.name, *size) not in self._drawn:
                 with self._watch(live):
-                    self._draw(live, sizes[name], look)
+                    self._draw(live, size, look)
                 return True
         return False
 
@@ -83,35 +124,42 @@ class Thumbnails:
         key = (live.entry.name, look.theme.name, *size)
         picture = live.draw(size, look)
         if key not in self._drawn:
-            _keep(key, picture)
+            _write(key, picture)
         self._drawn.add(key)
+        self._keep(key, picture)
+
+    def _keep(self, key: Key, picture: pygame.Surface) -> None:
+        """In memory; those asked for longest ago go first."""
         self._pictures[key] = picture
+        self._pictures.move_to_end(key)
+        pixels = sum(one.get_width() * one.get_height() for one in self._pictures.values())
+        while pixels > MOST_PIXELS and len(self._pictures) > 1:
+            gone, old = self._pictures.popitem(last=False)
+            pixels -= old.get_width() * old.get_height()
+            self._drawn.discard(gone)
 
     def _watch(self, live: LiveScene) -> AbstractContextManager[None]:
         """Within this a scene is at work; if it raises, its card keeps the drawing that it has."""
 
         def drop(failure: Failure) -> None:
             del self._live[live.entry.name]
+            self._refused.add(live.entry.name)
             self._host.tell_of(failure, "cannot be shown")
 
         return self._host.guard.over(f"The picture of {live.entry.title}", drop)
 
-    def _prepare(self) -> None:
-        """Build the scenes that are ready, one after another, and let them come to something worth seeing."""
+    def _build_next(self, entry: Entry) -> None:
+        """Build a scene, if it is ready, and let it come to something worth seeing."""
         while not self._canvas.wait(0.05):
             if self._stop.is_set():
                 return
-        for entry in self._catalogue:
-            if self._stop.is_set():
-                return
-            if entry.name not in self._live and is_ready(entry):
-                live = _build(entry)
-                if live is not None:
-                    self._made.put(live)
+        live = _build(entry) if is_ready(entry) else None
+        if not self._stop.is_set():
+            self._made.put(entry.name if live is None else live)
 
     def wake(self) -> None:
         """The menu is on top again: what was opened meanwhile may be ready now."""
-        self._asked = False
+        self._refused.clear()
 
     def close(self) -> None:
         """Let the thread end after the scene that it is building."""
@@ -143,7 +191,7 @@ def _load(key: Key) -> pygame.Surface | None:
     return picture if picture is not None and picture.get_size() == key[2:] else None
 
 
-def _keep(key: Key, picture: pygame.Surface) -> None:
+def _write(key: Key, picture: pygame.Surface) -> None:
     path = _path(key)
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -41,6 +41,8 @@ class Host(Protocol):
     canvas_warming: CanvasWarming
     background: bool  # whether work may be done in the background
     tour_due: bool  # the next scene opened begins with the tour
+    welcome_due: bool  # the menu begins with the card of the very first start
+    menu_category: str  # of the menu's card that was opened last: there its scene leads back to
 
     @property
     def size(self) -> tuple[int, int]:
@@ -98,6 +100,10 @@ class Host(Protocol):
 
     def open_scene(self, name: str, level: Path | None = None, opening: Opening | None = None) -> None:
         """A scene in place of the menu or of another scene."""
+        ...
+
+    def open_welcome(self) -> None:
+        """The card of the very first start, over the menu."""
         ...
 
     def open_keys(self) -> None:

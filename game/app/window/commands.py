@@ -52,6 +52,7 @@ COMMANDS = (
     Command("previous", "previous scene", "pageup"),
     Command("save", "save level and recording", "ctrl+s", helps=True, choice=True),
     Command("open", "open what was saved", "ctrl+o", helps=True, choice=True),
+    Command("favourite", "favourite or not, in the menu", "ctrl+f", foot="favourite"),
     Command("help", "help", "f1", "help", "keys", choice=True),
     Command("tour", "tour of the window", "f3", choice=True),
     Command("theme", "dark or light", "f2", foot="theme"),

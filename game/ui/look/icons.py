@@ -117,6 +117,22 @@ def _teeth(count: int, inner: float, outer: float, width: float) -> Part:
     return draw
 
 
+def _star(radius: float) -> tuple[tuple[float, float], ...]:
+    """The ten corners of a five-pointed star, clockwise from its uppermost."""
+    reach = (radius, 0.42 * radius)
+    turns = [math.pi * i / 5.0 for i in range(10)]
+    return tuple((reach[i % 2] * math.sin(t), -reach[i % 2] * math.cos(t)) for i, t in enumerate(turns))
+
+
+def _points(corners: tuple[tuple[float, float], ...]) -> tuple[Part, ...]:
+    """The inside of a star: a convex kite from the middle to each of its points."""
+    count = len(corners)
+    return tuple(
+        _solid((0.0, 0.0), corners[i - 1], corners[i], corners[(i + 1) % count]) for i in range(0, count, 2)
+    )
+
+
+_STAR = _star(7.0)
 _QUESTION = (
     _arc(0.0, -1.6, 2.1, 180.0, 230.0, 1.5),
     _line((0.9, 0.2), (0.0, 1.5), width=1.5),
@@ -168,6 +184,8 @@ SIGNS: dict[str, tuple[Part, ...]] = {
         _arc(-0.5, 0.0, 3.4, -42.0, 84.0, 1.5),
         _arc(-0.5, 0.0, 6.4, -45.0, 90.0, 1.5),
     ),
+    "star": (_line(*_STAR, _STAR[0], width=1.3),),
+    "star-full": (*_points(_STAR), _disc(0.0, 0.0, 2.7), _line(*_STAR, _STAR[0], width=1.3)),
     "record": (_ring(0.0, 0.0, 6.3, 1.5), _disc(0.0, 0.0, 3.3)),
 }
 

@@ -154,6 +154,29 @@ def test_list_names_parameters_and_levels(capsys):
     }  # fmt: skip
 
 
+def test_list_goes_by_category_and_topic(capsys, monkeypatch):
+    import game.scenes
+    from game.stage.catalogue import Catalogue
+    from tests.app.tests_app import example_entry
+
+    places = {
+        "one": ("Stories", ""),
+        "two": ("Course", "Animation"),
+        "three": ("Stories", ""),
+        "four": ("Play", ""),
+    }
+    rows = [example_entry(name)._replace(category=c, topic=t) for name, (c, t) in places.items()]
+    monkeypatch.setattr(game.scenes, "CATALOGUE", Catalogue(tuple(rows)))
+    status, out, _ = run(capsys, "list")
+    lines = [line.split()[0] for line in out.splitlines() if not line.startswith(" ")]
+    assert status == 0 and lines == ["Play", "four", "Course:", "two", "Stories", "one", "three"]
+    status, out, _ = run(capsys, "list", "two")
+    assert out.startswith("two ")
+    status, out, _ = run(capsys, "list", "--json", "-")
+    told = [(row["name"], row["category"], row["topic"]) for row in json.loads(out)["scenes"]]
+    assert told[:2] == [("four", "Play", ""), ("two", "Course", "Animation")]
+
+
 def test_selftest_passes_the_example_and_fails_the_broken(capsys, tmp_path: Path):
     status, out, _ = run(capsys, "selftest", "example")
     assert status == 0

@@ -4,7 +4,7 @@ import pygame
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.app.menu.flow import Group, arrange_cards, arrange_rows, nearest_in_direction
+from game.app.menu.flow import NARROWEST, Group, arrange_cards, arrange_rows, nearest_in_direction
 
 EIGHTEEN = [
     Group("Billiards", ("billiards", "lecture-table", "three-tables")),
@@ -15,32 +15,64 @@ EIGHTEEN = [
 ]
 
 
-def test_eighteen_scenes_lie_as_in_the_drawing():
-    flow = arrange_cards(EIGHTEEN, "billiards", 1280, 600, 1.0)
+def test_cards_are_large_and_rows_full():
+    flow = arrange_cards(EIGHTEEN, "billiards", 1280, 560, 1.0)
     places = {card.name: card.rect for card in flow.cards}
-    assert places["billiards"] == pygame.Rect(32, 28, 336, 160)
-    assert places["lecture-table"] == pygame.Rect(384, 28, 160, 160)
-    assert places["c01"] == pygame.Rect(736, 28, 160, 160)
-    assert places["c04"] == pygame.Rect(32, 228, 160, 160)
-    assert places["c11"] == pygame.Rect(1088, 428, 160, 160)
-    assert [head.text for head in flow.heads] == ["Billiards", "Animation", "Particles", "Rigid", "Collision"]
-    assert flow.height == 600
+    assert places["billiards"] == pygame.Rect(32, 28, 477, 206)
+    assert places["c01"] == pygame.Rect(32, 274, 230, 206)
+    assert places["c12"].topleft == (771, 274)
+    assert min(card.rect.w for card in flow.cards) >= NARROWEST
+    heads = [head.text for head in flow.heads]
+    assert heads == ["Billiards", "Animation", "Rigid", "Particles", "Collision"]
 
 
-def test_a_row_is_filled_with_the_category_that_fits_best():
-    twenty = [
-        Group("Billiards", ("billiards", "lecture-balls", "lecture-table", "three-tables")),
-        Group("Animation", ("c01", "c02", "c03")),
-        Group("Particles", ("c04", "c14", "c15")),
-        Group("Broad phase", ("c05", "c06", "c07", "race")),
-        Group("Bounds", ("c08", "c09", "c10", "c11")),
-        Group("Rigid", ("c12", "c13")),
+def test_categories_keep_their_order_and_begin_with_their_first_topic():
+    groups = [
+        Group("Play", ("billiards",), "Play"),
+        Group("Animation", ("c01", "c02"), "Course"),
+        Group("Broad phase", ("c05", "c06", "c07"), "Course"),
+        Group("Rigid", ("c12", "c13"), "Course"),
+        Group("Stories", tuple(f"s{i}" for i in range(7)), "Stories"),
+        Group("Papers", ("p0", "p1", "p2"), "Papers"),
     ]
-    flow = arrange_cards(twenty, "billiards", 1280, 600, 1.0)
-    assert flow.height == 600 and {card.rect.w for card in flow.cards if not card.wide} == {160}
-    assert [head.text for head in flow.heads] == [
-        "Billiards", "Rigid", "Animation", "Broad phase", "Particles", "Bounds",
-    ]  # fmt: skip
+    flow = arrange_cards(groups, "billiards", 1280, 560, 1.0)
+    names = [card.name for card in flow.cards]
+    assert names == [
+        "billiards",
+        "c01",
+        "c02",
+        "c05",
+        "c06",
+        "c07",
+        "c12",
+        "c13",
+        "s0",
+        "s1",
+        "s2",
+        "s3",
+        "s4",
+        "s5",
+        "s6",
+        "p0",
+        "p1",
+        "p2",
+    ]
+    assert [card.category for card in flow.cards if card.name in ("c13", "s0")] == ["Course", "Stories"]
+    tops = {card.name: card.rect.top for card in flow.cards}
+    assert tops["c02"] == tops["billiards"] and tops["s6"] == tops["p2"] > tops["s4"] > tops["c13"]
+
+
+def test_recent_ones_take_what_the_row_has_left():
+    recent = Group("Recent", tuple(f"r{i}" for i in range(9)), "Recent", again=True, one_row=True)
+
+    def number(favourites: int) -> tuple[int, int]:
+        starred = Group("Favourites", tuple(f"f{i}" for i in range(favourites)), "Favourites", again=True)
+        flow = arrange_cards([starred, recent] if favourites else [recent], "f0", 1280, 100, 1.0)
+        shown = [card for card in flow.cards if card.category == "Recent"]
+        assert flow.heads[-1].number == len(shown) and not any(card.wide for card in flow.cards)
+        return len(shown), len({card.rect.top for card in flow.cards})
+
+    assert [number(n) for n in (0, 1, 3, 4, 5)] == [(5, 1), (4, 1), (2, 1), (5, 2), (5, 2)]
 
 
 def test_few_scenes_get_larger_cards():
@@ -80,7 +112,7 @@ def test_rows_never_overlap(count: int, width: int, k: float):
 
 
 def test_arrows_follow_rows_and_columns():
-    flow = arrange_cards(EIGHTEEN, "billiards", 1280, 600, 1.0)
+    flow = arrange_cards(EIGHTEEN, "billiards", 1280 + 2 * 224, 600, 1.0)  # seven columns
     names = [card.name for card in flow.cards]
     rects = [card.rect for card in flow.cards]
 

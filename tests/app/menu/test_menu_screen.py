@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from game.app.menu.flow import NARROWEST
 from game.app.menu.items import WIDE
 from game.app.menu.screen import MenuScreen
 from game.app.scene.screen import SceneScreen
@@ -18,7 +19,7 @@ from tests.app.tests_app import Driver, example_entry
 def middle_of(driver: Driver, index: int) -> tuple[int, int]:
     """Pixel in the middle of the n-th item."""
     menu = driver.top
-    return menu.items[index].rect.move(0, menu._top - menu._scroll).center
+    return menu.items[index].rect.move(0, menu.down).center
 
 
 def test_menu_shows_a_card_for_each_scene(driver: Driver):
@@ -71,7 +72,7 @@ def test_typing_searches(driver: Driver):
     driver.key(pygame.K_BACKSPACE)
     assert driver.top.query == "bou"
     driver.type("zzz")
-    assert driver.top.items == []
+    assert driver.top.items == ()
     driver.key(pygame.K_RETURN)
     driver.key(pygame.K_DOWN)
     driver.frames(2)
@@ -150,23 +151,25 @@ def test_many_scenes_scroll(start):
     driver = start(catalogue=Catalogue(tuple(example_entry(f"s{i}") for i in range(60))), size=(640, 480))
     driver.key(pygame.K_END)
     menu = driver.top
-    assert menu._scroll > 0
-    place = menu.items[-1].rect.move(0, menu._top - menu._scroll)
-    assert menu._top <= place.top and place.bottom <= menu._bottom
+    assert menu.scroll.moving
+    driver.frames(60)
+    assert menu.scroll.offset > 0 and not menu.scroll.moving
+    assert menu.view.contains(menu.items[-1].rect.move(0, menu.down))
     driver.wheel(200)
-    assert menu._scroll == 0
+    driver.frames(60)
+    assert menu.scroll.offset == 0
 
 
 def test_resting_menu_paints_nothing_anew(driver: Driver):
     driver.frames(30)
-    picture = driver.top._picture
+    painted = driver.top.painter.painted
     driver.frames(30)
-    assert driver.top._picture is picture
+    assert driver.top.painter.painted == painted > 0
 
 
 def test_no_words_on_a_card_are_cut_off():
     look = Look(DARK, 1.0)
-    room = 160 - 2 * 12  # of the narrowest card, beside its margins
+    room = NARROWEST - 2 * 12  # of the narrowest card, beside its margins
     for entry in CATALOGUE:
         assert look.fonts.fit(entry.title, 13, "semibold", room) == entry.title
         if entry.name != WIDE[0]:

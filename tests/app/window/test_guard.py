@@ -11,7 +11,7 @@ import example_scene
 import pygame
 import pytest
 
-from game.app.menu import screen as menu_screen
+from game.app.menu import deck
 from game.app.menu.live import LiveScene
 from game.app.menu.screen import MenuScreen
 from game.app.scene import accuracy_card
@@ -269,7 +269,7 @@ def test_a_scene_that_cannot_move_in_its_card_is_dropped(driver: Driver, monkeyp
 
 
 def test_a_drawing_that_fails_leaves_its_card_empty(driver: Driver, monkeypatch, tracebacks):
-    monkeypatch.setattr(menu_screen, "sketch", fail)
+    monkeypatch.setattr(deck, "sketch", fail)
     driver.resize(1100, 720)
     driver.frames(3)
     assert isinstance(driver.top, MenuScreen) and driver.app.running

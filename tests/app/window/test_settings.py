@@ -15,8 +15,9 @@ def test_no_file_means_defaults(tmp_path: Path):
 
 def test_what_is_saved_is_read_back(tmp_path: Path):
     settings = Settings(
-        theme="light", ui_scale=1.25, less_motion=True, width=800, height=600, keys={"pause": "p"}
-    )
+        theme="light", ui_scale=1.25, less_motion=True, width=800, height=600, keys={"pause": "p"},
+        favourites=["c13", "no more"], recent=["c01"],
+    )  # fmt: skip
     save_settings(settings, tmp_path / "new" / "folder")
     loaded = load_settings(tmp_path / "new" / "folder")
     assert loaded.settings == settings
@@ -51,6 +52,44 @@ def test_broken_file_gives_one_line_and_is_kept(tmp_path: Path, content: bytes, 
     assert "\n" not in loaded.complaint
     assert (tmp_path / "settings.broken.toml").read_bytes() == content
     assert not path.exists()
+
+
+def test_what_is_sound_in_a_broken_file_holds(tmp_path: Path):
+    path = settings_path(tmp_path)
+    lists = 'favourites = ["c13", "c04"]\nrecent = ["c01"]\n'
+    path.write_text(f'theme = "pink"\n{lists}volume = 0.25\n[keys]\nfly = "f"')
+    loaded = load_settings(tmp_path)
+    assert loaded.settings == Settings(favourites=["c13", "c04"], recent=["c01"], volume=0.25)
+    assert "theme" in loaded.complaint and "\n" not in loaded.complaint
+    assert "settings.broken.toml" in loaded.complaint and not loaded.first_start
+
+
+@pytest.mark.parametrize("field", ["favourites", "recent"])
+@pytest.mark.parametrize("value", ['"c13"', "[1, 2]", '{ a = "b" }', '["' + "x" * 101 + '"]'])
+def test_scene_names_that_are_none_are_refused(tmp_path: Path, field: str, value: str):
+    settings_path(tmp_path).write_text(f"{field} = {value}\nvolume = 0.25")
+    loaded = load_settings(tmp_path)
+    assert loaded.settings == Settings(volume=0.25) and field in loaded.complaint
+
+
+def test_files_that_broke_earlier_are_not_written_over(tmp_path: Path):
+    for content in ("theme = 1", "theme = 2", "theme = 3"):
+        settings_path(tmp_path).write_text(content)
+        load_settings(tmp_path)
+    kept = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert kept == {
+        "settings.broken.toml": "theme = 1",
+        "settings.broken2.toml": "theme = 2",
+        "settings.broken3.toml": "theme = 3",
+    }
+
+
+def test_first_start_is_one_without_a_file(tmp_path: Path):
+    assert load_settings(tmp_path).first_start
+    save_settings(Settings(), tmp_path)
+    assert not load_settings(tmp_path).first_start
+    settings_path(tmp_path).write_text("theme = ")
+    assert not load_settings(tmp_path).first_start
 
 
 def test_folder_in_place_of_the_file(tmp_path: Path):

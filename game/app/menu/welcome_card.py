@@ -1,0 +1,138 @@
+"""The card of the very first start: what this is, and two ways on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, NamedTuple
+
+import pygame
+
+from game.app.menu.cards import round_corners
+from game.app.menu.sketch import sketch
+from game.app.screens.card import CardScreen
+from game.app.screens.host import Host
+from game.app.window.guard import Failure
+from game.ui.look.shapes import draw_box
+from game.ui.widgets.hotspots import Hotspot
+
+LINES = (
+    "A game of billiards, and a laboratory of the physics in it.",
+    "Play a match, or watch step by step how motion and collisions are computed.",
+)
+PLAY, COURSE = "billiards", "Course"  # the scene to play, and the category of the menu
+ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
+TOP, CHOICE, GAP, WORDS, RADIUS = (
+    124,
+    212,
+    16,
+    68,
+    12,
+)  # design px
+BESIDE_FROM = 420  # design px of the card's width below which one choice stands above the other
+
+
+class Choice(NamedTuple):
+    """A way on: its name, its words, and the scene whose drawing it shows."""
+
+    name: str
+    title: str
+    about: str
+    scene: str
+
+
+CHOICES = (
+    Choice("play", "Play billiards", "alone, with a friend, or against the computer", PLAY),
+    Choice("course", "See the course", "from key-frames to soft bodies, one task a scene", "c04"),
+)
+
+
+class WelcomeCard(CardScreen):
+    """Two large choices; Esc, the cross or a press beside it close the card."""
+
+    called: ClassVar[str] = "The first card"
+    height: ClassVar[float] = TOP + CHOICE + 32.0
+    width: ClassVar[float] = 720.0
+
+    def __init__(self, host: Host, show_category: Callable[[str], object]) -> None:
+        """``show_category``: has the menu below go to a category."""
+        super().__init__(host)
+        self._show_category = show_category
+        self.restyle()
+
+    @property
+    def heading(self) -> str:
+        return "Welcome to Carom"
+
+    def places(self) -> list[Hotspot]:
+        card, px = self.veil.card, self.host.look.px
+        left, top, gap = card.x + px(32), card.y + px(TOP), px(GAP)
+        width, height = max(2, card.w - px(64)), max(2, min(px(CHOICE), card.bottom - px(16) - top))
+        if card.w < px(BESIDE_FROM):
+            half = max(1, (height - gap) // 2)
+            rects = [pygame.Rect(left, top + i * (half + gap), width, half) for i in range(2)]
+        else:
+            half = max(1, (width - gap) // 2)
+            rects = [pygame.Rect(left + i * (half + gap), top, half, height) for i in range(2)]
+        return [Hotspot(choice.name, rect) for choice, rect in zip(CHOICES, rects, strict=True)]
+
+    def handle(self, event: pygame.Event) -> None:
+        key = event.key if event.type == pygame.KEYDOWN else None
+        if event.type == pygame.MOUSEBUTTONDOWN and not self.veil.card.collidepoint(event.pos):
+            self.close()
+        elif key in (pygame.K_LEFT, pygame.K_RIGHT):
+            self.spots.focused = CHOICES[key == pygame.K_RIGHT].name
+        elif key in ENTER and self.spots.focused is None:
+            self.pressed(CHOICES[0].name)
+        else:
+            super().handle(event)
+
+    def pressed(self, name: str) -> None:
+        if self.leaving:
+            return
+        if name == "play":
+            self.host.open_scene(PLAY)
+        else:
+            self._show_category(COURSE)
+            self.close()
+
+    def paint(self, picture: pygame.Surface) -> None:
+        look, px = self.host.look, self.host.look.px
+        space = picture.get_width() - px(64)
+        for i, line in enumerate(LINES):
+            words = look.fonts.fit(line, 13, "medium", space)
+            look.text(picture, words, (px(32), px(74) + i * px(20)), 13, "medium", "text2")
+        for choice in CHOICES:
+            self._paint_choice(picture, choice)
+
+    def _paint_choice(self, picture: pygame.Surface, choice: Choice) -> None:
+        spot = self.spots.find(choice.name)
+        if spot is None:
+            return
+        look, px, theme = self.host.look, self.host.look.px, self.host.look.theme
+        rect, lit = self.inner(spot.rect), self.spots.hover(choice.name)
+        draw_box(picture, rect, px(RADIUS), theme.inset.lerp(theme.hover, lit))
+        upper = rect.h - px(WORDS)
+        if upper > px(40):
+            drawing = self._drawing(choice.scene, (rect.w, upper))
+            picture.blit(round_corners(drawing, look, px(WORDS)), rect)
+        x, middle, space = rect.x + px(16), rect.bottom - px(WORDS) // 2, rect.w - px(32)
+        words = look.fonts.fit(choice.title, 18, "display", space)
+        look.text(picture, words, (x, middle - px(11)), 18, "display", "text1")
+        about = look.fonts.fit(choice.about, 12, "medium", space)
+        look.text(picture, about, (x, middle + px(13)), 12, "medium", "text2")
+        chosen = choice.name == (self.spots.focused or CHOICES[0].name)
+        edge, width = (theme.accent, max(2, px(2))) if chosen else (theme.line2, look.border)
+        draw_box(picture, rect, px(RADIUS), None, edge, width)
+
+    def _drawing(self, scene: str, size: tuple[int, int]) -> pygame.Surface:
+        """The drawing of a scene's card; the empty stage for one that has none or fails."""
+        drawing = pygame.Surface(size, 0, 32)
+        drawing.fill(self.host.look.theme.stage)
+        with self.host.guard.over("A drawing", self._tell_undrawn):
+            entry = next((entry for entry in self.host.catalogue if entry.name == scene), None)
+            if entry is not None:
+                drawing = sketch(entry, size, self.host.look)
+        return drawing
+
+    def _tell_undrawn(self, failure: Failure) -> None:
+        self.host.tell_of(failure, "cannot be shown")
