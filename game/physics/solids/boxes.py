@@ -54,7 +54,12 @@ def make_boxes(bodies, shapes, pool, numbers):
         if shapes.kinds[s] == NONE:
             continue
         i = shapes.bodies[s]
-        x, y, c, sine = bodies.positions[i, 0], bodies.positions[i, 1], bodies.rotations[i, 0], bodies.rotations[i, 1]
+        x, y, c, sine = (
+            bodies.positions[i, 0],
+            bodies.positions[i, 1],
+            bodies.rotations[i, 0],
+            bodies.rotations[i, 1],
+        )
         x0, y0, x1, y1 = math.inf, math.inf, -math.inf, -math.inf
         for k in range(shapes.starts[s], shapes.starts[s] + shapes.counts[s]):
             px, py = pool.corners[k, 0], pool.corners[k, 1]

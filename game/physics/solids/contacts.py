@@ -15,7 +15,12 @@ from game.physics.solids.collide.polygons import collide_polygons
 from game.physics.solids.state import (
     APPROACH_0,
     ASLEEP,
+    COUPLING,
+    CROSS_A,
+    CROSS_B,
     DISC,
+    DOT_A,
+    DOT_B,
     DYNAMIC,
     END_A,
     END_B,
@@ -43,11 +48,9 @@ from game.physics.solids.state import (
     PLACE_Y,
     POINT_WIDTH,
     POINTS,
-    RAX,
-    RAY,
-    RBX,
-    RBY,
     RESTITUTION,
+    ROUND_A,
+    ROUND_B,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -61,6 +64,8 @@ from game.physics.solids.state import (
     SEP,
     TANGENT_IMPULSE,
 )
+
+MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
 
 
 @inner_kernel
@@ -82,7 +87,17 @@ def find_manifold(shapes, pool, scratch, a, b, place, near, reach):
                 pool.corners[start_a, 0], pool.corners[start_a, 1], ra, px, py, rb, near, scratch.manifold
             )
         return collide_polygon_disc(
-            pool.corners, pool.normals, start_a, count_a, ra, px, py, rb, reach, scratch.manifold, scratch.features
+            pool.corners,
+            pool.normals,
+            start_a,
+            count_a,
+            ra,
+            px,
+            py,
+            rb,
+            reach,
+            scratch.manifold,
+            scratch.features,
         )
     for k in range(count_b):
         px, py = pool.normals[start_b + k, 0], pool.normals[start_b + k, 1]
@@ -152,7 +167,11 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
         if contacts.marks[p, POINTS] == 0:
             if moved < kept[p, FIRST_POINT + GAP] - reach:
                 return 0
-        elif moved <= numbers.recycle / numbers.near * near and speed * numbers.dt < near:
+        elif (
+            shapes.kinds[b] != DISC
+            and moved <= numbers.recycle / numbers.near * near
+            and speed * numbers.dt < near
+        ):
             return contacts.marks[p, POINTS]
     place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
     points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
@@ -170,7 +189,12 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     ends[c, END_A], ends[c, END_B], ends[c, END_POINTS], ends[c, END_PAIR] = i, j, points, p
     ima, imb = bodies.inverse_masses[i], bodies.inverse_masses[j]
     iia, iib = bodies.inverse_inertias[i], bodies.inverse_inertias[j]
-    ca, sa, cb, sb = bodies.rotations[i, 0], bodies.rotations[i, 1], bodies.rotations[j, 0], bodies.rotations[j, 1]
+    ca, sa, cb, sb = (
+        bodies.rotations[i, 0],
+        bodies.rotations[i, 1],
+        bodies.rotations[j, 0],
+        bodies.rotations[j, 1],
+    )
     lx, ly = kept[p, NORMAL_X], kept[p, NORMAL_Y]
     nx, ny = ca * lx - sa * ly, sa * lx + ca * ly
     row[c, ROW_NX], row[c, ROW_NY] = nx, ny
@@ -182,23 +206,38 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
+    row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):
         at, to = FIRST_POINT + k * POINT_WIDTH, ROW_POINT + k * ROW_POINT_WIDTH
-        px, py, qx, qy = kept[p, at + IN_A_X], kept[p, at + IN_A_Y], kept[p, at + IN_B_X], kept[p, at + IN_B_Y]
+        px, py, qx, qy = (
+            kept[p, at + IN_A_X],
+            kept[p, at + IN_A_Y],
+            kept[p, at + IN_B_X],
+            kept[p, at + IN_B_Y],
+        )
         ax, ay = ca * px - sa * py, sa * px + ca * py
         bx, by = dx + cb * qx - sb * qy, dy + sb * qx + cb * qy
         gap = kept[p, at + GAP] + (bx - ax) * nx + (by - ay) * ny
+        row[c, to + SEP] = gap
         mx, my = 0.5 * (ax + bx), 0.5 * (ay + by)
         ex, ey = mx - dx, my - dy
-        row[c, to + RAX], row[c, to + RAY], row[c, to + RBX], row[c, to + RBY] = mx, my, ex, ey
-        row[c, to + SEP] = gap - (ex - mx) * nx - (ey - my) * ny
-        ra, rb = mx * ny - my * nx, ex * ny - ey * nx
-        row[c, to + MASS_N] = 1.0 / (ima + imb + iia * ra * ra + iib * rb * rb)
-        ra, rb = mx * nx + my * ny, ex * nx + ey * ny
-        row[c, to + MASS_T] = 1.0 / (ima + imb + iia * ra * ra + iib * rb * rb)
+        cross_a, cross_b = mx * ny - my * nx, ex * ny - ey * nx
+        open_half = 0.5 * max(gap, 0.0)  # what is still apart will meet surface to surface
+        dot_a, dot_b = mx * nx + my * ny - open_half, ex * nx + ey * ny + open_half
+        row[c, to + CROSS_A], row[c, to + CROSS_B] = cross_a, cross_b
+        row[c, to + DOT_A], row[c, to + DOT_B] = dot_a, dot_b
+        row[c, to + MASS_N] = 1.0 / (ima + imb + iia * cross_a * cross_a + iib * cross_b * cross_b)
+        row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
-        rare[c, APPROACH_0 + k] = (vx - wb * ey + wa * my) * nx + (vy + wb * ex - wa * mx) * ny
+        rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
         rare[c, MOST_0 + k] = 0.0
+    if points == 2:
+        to = ROW_POINT + ROW_POINT_WIDTH
+        crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]
+        crosses += iib * row[c, ROW_POINT + CROSS_B] * row[c, to + CROSS_B]
+        # two points that nearly coincide would make K singular: a little less coupling, the same solution
+        most = MOST_COUPLING / math.sqrt(row[c, ROW_POINT + MASS_N] * row[c, to + MASS_N])
+        row[c, COUPLING] = min(most, max(-most, ima + imb + crosses))
 
 
 @inner_kernel

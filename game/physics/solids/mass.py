@@ -77,7 +77,9 @@ def _sector(
     corner: NDArray[np.float64], before: NDArray[np.float64], after: NDArray[np.float64], r: float, d: float
 ) -> Mass:
     """Of the sector of a disc at a corner, between the outward normals of the edges before and after."""
-    turn = math.atan2(before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1])
+    turn = math.atan2(
+        before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]
+    )
     if turn <= 0.0 and float(before @ after) < 0.0:
         turn = math.pi  # the end of a capsule
     half = 0.5 * turn

@@ -70,9 +70,7 @@ def may_meet(bodies, shapes, a, b):
     i, j = shapes.bodies[a], shapes.bodies[b]
     if i == j or not (bodies.flags[i] | bodies.flags[j]) & DYNAMIC:
         return False
-    return (
-        shapes.categories[a] & shapes.masks[b] != 0 and shapes.categories[b] & shapes.masks[a] != 0
-    )
+    return shapes.categories[a] & shapes.masks[b] != 0 and shapes.categories[b] & shapes.masks[a] != 0
 
 
 @inner_kernel

@@ -42,7 +42,9 @@ class Material:
         for name, least, most in (("density", 0.0, 1e12), ("friction", 0.0, 1e9), ("restitution", 0.0, 1.0)):
             value = getattr(self, name)
             if not least <= value <= most or (name == "density" and value == 0.0):
-                raise ValueError(f"{name} = {value!r}: expected {'above ' * (name == 'density')}{least:g} to {most:g}")
+                raise ValueError(
+                    f"{name} = {value!r}: expected {'above ' * (name == 'density')}{least:g} to {most:g}"
+                )
         for name in ("category", "mask"):
             bits = getattr(self, name)
             if isinstance(bits, bool) or not isinstance(bits, int) or not 0 <= bits < 2**63:
@@ -68,7 +70,9 @@ def checked_number(name: str, value: float, least: float, most: float, above: bo
     except (TypeError, ValueError):
         raise ValueError(f"{name} = {value!r}: expected a number") from None
     if not least <= number <= most or (above and number == least):
-        raise ValueError(f"{name} = {value!r}: expected a number {'above' if above else 'from'} {least:g} to {most:g}")
+        raise ValueError(
+            f"{name} = {value!r}: expected a number {'above' if above else 'from'} {least:g} to {most:g}"
+        )
     return number
 
 

@@ -95,15 +95,20 @@ class Contacts(NamedTuple):
     manifolds: Floats  # (p, MANIFOLD_WIDTH)
 
 
-# columns of Rows.rows: what a solver reads of one contact in each sweep
-ROW_NX, ROW_NY, ROW_MU, ROW_HARD, ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB = range(8)
-ROW_POINT = 8
-# of a point of a row: levers from both centres of mass, gap less what the levers explain, effective masses,
-# accumulated impulses
-RAX, RAY, RBX, RBY, SEP, MASS_N, MASS_T, JN, JT = range(9)
+# columns of Rows.rows: what a solver reads of one contact in each sweep. Normal from a to b, friction, 1 where one
+# of the two cannot move, inverse masses and inertias, roundings (b's as it is, a's negative: levers end on the
+# core when this much of the normal is added), coupling of both points (entry of K)
+(
+    ROW_NX, ROW_NY, ROW_MU, ROW_HARD, ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB, ROUND_A, ROUND_B, COUPLING,
+) = range(11)  # fmt: skip
+ROW_POINT = 11
+# of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n of a
+# and b, gap when the step began, effective masses along normal and tangent, accumulated impulses
+CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
-ROW_WIDTH = ROW_POINT + 2 * ROW_POINT_WIDTH
+ROW_WIDTH = 30
 # columns of Rows.rare: what only the end of a step asks for
+# restitution, gap speeds before the step (negative: closing), largest impulses of any substep
 RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
 RARE_WIDTH = 5
 # columns of Rows.ends

@@ -1,8 +1,8 @@
 """A step of solids: what comes before the solver, and what after it.
 
-    begin_step: pairs if a body may have left its boxes; manifolds; rows; velocities
-    a solver of `SOLVERS`: all substeps
-    finish_step: impulses kept, places, contacts that began, joints that broke
+begin_step: pairs if a body may have left its boxes; manifolds; rows; velocities
+a solver of `SOLVERS`: all substeps
+finish_step: impulses kept, places, contacts that began, joints that broke
 """
 
 from __future__ import annotations
@@ -29,7 +29,9 @@ from game.physics.solids.state import (
     APPROACH_0,
     APPROACH_1,
     ASLEEP,
+    CROSS_A,
     DA,
+    DOT_A,
     DX,
     DY,
     DYNAMIC,
@@ -44,8 +46,8 @@ from game.physics.solids.state import (
     MOST_1,
     NORMAL_IMPULSE,
     POINT_WIDTH,
-    RAX,
-    RAY,
+    ROW_NX,
+    ROW_NY,
     ROW_POINT,
     ROW_POINT_WIDTH,
     TANGENT_IMPULSE,
@@ -117,8 +119,10 @@ def note_beginning(bodies, contacts, rows, scratch, c, impulse):
     at = ROW_POINT if rows.rare[c, MOST_0] >= rows.rare[c, MOST_1] else ROW_POINT + ROW_POINT_WIDTH
     if rows.ends[c, END_POINTS] == 1:
         at = ROW_POINT
-    scratch.begun_places[number, 0] = bodies.positions[a, 0] + rows.rows[c, at + RAX]
-    scratch.begun_places[number, 1] = bodies.positions[a, 1] + rows.rows[c, at + RAY]
+    row, x, y = rows.rows, rows.rows[c, ROW_NX], rows.rows[c, ROW_NY]
+    dot, cross = row[c, at + DOT_A], row[c, at + CROSS_A]  # of the lever: r = (r . n) n + (r x n) (ny, -nx)
+    scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
+    scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
     scratch.begun_places[number, 2] = impulse
     scratch.begun_places[number, 3] = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
 

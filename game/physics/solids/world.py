@@ -57,7 +57,15 @@ from game.physics.solids.state import (
     Pool,
     Shapes,
 )
-from game.physics.solids.stepping import BEGUN, NOTHING_WRONG, SNAPPED, WRONG, begin_step, finish_step, renew_pairs
+from game.physics.solids.stepping import (
+    BEGUN,
+    NOTHING_WRONG,
+    SNAPPED,
+    WRONG,
+    begin_step,
+    finish_step,
+    renew_pairs,
+)
 
 Floats = NDArray[np.float64]
 KINDS = {"fixed": USED, "dynamic": USED | DYNAMIC, "key-framed": USED | KEY_FRAMED}
@@ -266,7 +274,9 @@ class SolidWorld:
     def remove_body(self, body: int) -> None:
         """Take a body away, with its shapes and joints. ValueError for an id that none has."""
         self._known(body)
-        for joint in np.flatnonzero((self.joints.bodies == body).any(axis=1) & (self.joints.kinds != NO_JOINT)):
+        for joint in np.flatnonzero(
+            (self.joints.bodies == body).any(axis=1) & (self.joints.kinds != NO_JOINT)
+        ):
             self.remove_joint(int(joint))
         gone = self.shapes_of(body)
         for slot in gone.tolist():
@@ -525,7 +535,9 @@ class SolidWorld:
         assert np.abs(lengths - 1.0).max(initial=0.0) < 1e-9, "rotations have length 1"
         still = rows.flags & DYNAMIC == 0
         assert not rows.inverse_masses[still].any(), "what is not dynamic has no inverse mass"
-        assert (rows.flags[self.shapes.bodies[self.shapes.kinds != NONE]] & USED != 0).all(), "shapes have bodies"
+        assert (rows.flags[self.shapes.bodies[self.shapes.kinds != NONE]] & USED != 0).all(), (
+            "shapes have bodies"
+        )
 
     # ------------------------------------------------------------------ checks
 

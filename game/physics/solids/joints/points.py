@@ -30,7 +30,12 @@ def prepare_points(bodies, joints, k, soft, h):
     """Levers, masses and spring of one joint. soft: rate, mass, give of joints without a compliance."""
     a, b = joints.bodies[k, 0], joints.bodies[k, 1]
     row, anchors = joints.rows, joints.anchors
-    ca, sa, cb, sb = bodies.rotations[a, 0], bodies.rotations[a, 1], bodies.rotations[b, 0], bodies.rotations[b, 1]
+    ca, sa, cb, sb = (
+        bodies.rotations[a, 0],
+        bodies.rotations[a, 1],
+        bodies.rotations[b, 0],
+        bodies.rotations[b, 1],
+    )
     row[k, JAX] = ca * anchors[k, 0] - sa * anchors[k, 1]
     row[k, JAY] = sa * anchors[k, 0] + ca * anchors[k, 1]
     row[k, JBX] = cb * anchors[k, 2] - sb * anchors[k, 3]

@@ -22,7 +22,9 @@ def prepare_joints(bodies, joints, soft, h):
         if joints.kinds[k] == NO_JOINT or joints.flags[k] & BROKEN:
             continue
         a, b = joints.bodies[k, 0], joints.bodies[k, 1]
-        moves = bodies.flags[a] & (DYNAMIC | ASLEEP) == DYNAMIC or bodies.flags[b] & (DYNAMIC | ASLEEP) == DYNAMIC
+        moves = (
+            bodies.flags[a] & (DYNAMIC | ASLEEP) == DYNAMIC or bodies.flags[b] & (DYNAMIC | ASLEEP) == DYNAMIC
+        )
         if not moves:
             continue
         prepare_points(bodies, joints, k, soft, h)

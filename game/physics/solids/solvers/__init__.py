@@ -11,10 +11,11 @@ Prepared before the call (`stepping.begin_step`):
   `motion.accelerate`, which a substep calls first; `motion.move` advances the places.
 - ``rows``: ``count[0]`` contacts. ``ends[c]``: body a, body b, points (1 or 2), pair. ``rows[c]``: normal from a
   to b, friction, whether one end cannot move, inverse masses and inertias (0 for what is not dynamic: write
-  velocities of both ends without asking); from ROW_POINT on, ROW_POINT_WIDTH each, the points: levers RAX..RBY
-  from both centres (world frame, of the step's beginning), SEP, effective masses MASS_N, MASS_T and the
-  impulses JN, JT of the last substep of the last step (warm start; 0 for a new contact). The gap now is
-  SEP + ((dB + turned rB) - (dA + turned rA)) . n. The tangent is (ny, -nx).
+  velocities of both ends without asking), roundings ROUND_A/B, COUPLING of both points; from ROW_POINT on,
+  ROW_POINT_WIDTH each, the points: for levers r from both centres CROSS_A/B = r x n and DOT_A/B = r . n, SEP the gap
+  when the step began, effective masses MASS_N, MASS_T, and the impulses JN, JT of the last substep of the last
+  step (warm start; 0 for a new contact). The tangent is t = (ny, -nx), so r = DOT n + CROSS t and r x t = -DOT.
+  The gap now is `impulses.gap_now`: rounding does not turn with a body, so discs roll without bumps.
 - ``rare[c]``: RESTITUTION, speeds APPROACH_0/1 of the gap before the step (negative: closing), MOST_0/1 = 0.
 - ``joints``: see `joints.layout`. Kinds without rows of their own for a solver are swept by
   `joints.sweeps`: `prepare_joints` once, then `start_joints_warm` and `sweep_joints` in each substep.
