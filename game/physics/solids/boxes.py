@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from game.physics.kernels.lean import inner_kernel
-from game.physics.solids.state import DYNAMIC, KEY_FRAMED, NONE, USED
+from game.physics.solids.state import DYNAMIC, KEY_FRAMED, NONE, SEGMENT, USED
 
 ROOM = 0.1  # of a body's reach
 AHEAD = 2.0  # steps of its motion
@@ -61,7 +61,10 @@ def make_boxes(bodies, shapes, pool, numbers):
             bodies.rotations[i, 1],
         )
         x0, y0, x1, y1 = math.inf, math.inf, -math.inf, -math.inf
-        for k in range(shapes.starts[s], shapes.starts[s] + shapes.counts[s]):
+        first, last = shapes.starts[s], shapes.starts[s] + shapes.counts[s]
+        if shapes.kinds[s] == SEGMENT:  # without ghosts
+            first, last = first + 1, last - 1
+        for k in range(first, last):
             px, py = pool.corners[k, 0], pool.corners[k, 1]
             px, py = x + c * px - sine * py, y + sine * px + c * py
             x0, y0, x1, y1 = min(x0, px), min(y0, py), max(x1, px), max(y1, py)

@@ -12,6 +12,8 @@ import math
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import collide_polygon_disc, touch_points
 from game.physics.solids.collide.polygons import collide_polygons
+from game.physics.solids.collide.segments import collide_segment_disc, collide_segment_polygon
+from game.physics.solids.islands import is_moving
 from game.physics.solids.state import (
     APPROACH_0,
     ASLEEP,
@@ -61,6 +63,7 @@ from game.physics.solids.state import (
     ROW_NY,
     ROW_POINT,
     ROW_POINT_WIDTH,
+    SEGMENT,
     SEP,
     TANGENT_IMPULSE,
 )
@@ -86,6 +89,10 @@ def find_manifold(shapes, pool, scratch, a, b, place, near, reach):
             return touch_points(
                 pool.corners[start_a, 0], pool.corners[start_a, 1], ra, px, py, rb, near, scratch.manifold
             )
+        if shapes.kinds[a] == SEGMENT:
+            return collide_segment_disc(
+                pool.corners, start_a, px, py, rb, reach, scratch.manifold, scratch.features
+            )
         return collide_polygon_disc(
             pool.corners,
             pool.normals,
@@ -102,6 +109,10 @@ def find_manifold(shapes, pool, scratch, a, b, place, near, reach):
     for k in range(count_b):
         px, py = pool.normals[start_b + k, 0], pool.normals[start_b + k, 1]
         normals[k, 0], normals[k, 1] = c * px - s * py, s * px + c * py
+    if shapes.kinds[a] == SEGMENT:
+        return collide_segment_polygon(
+            pool.corners, start_a, corners, normals, count_b, rb, reach, scratch.manifold, scratch.features
+        )
     return collide_polygons(
         pool.corners, pool.normals, start_a, count_a, ra, corners, normals, 0, count_b, rb,
         reach, scratch.manifold, scratch.features,
@@ -241,9 +252,12 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
 
 
 @inner_kernel
-def is_computed(flags, i, j):
-    """True for two bodies of which one is dynamic and awake."""
-    return (flags[i] & (DYNAMIC | ASLEEP)) == DYNAMIC or (flags[j] & (DYNAMIC | ASLEEP)) == DYNAMIC
+def is_computed(bodies, i, j):
+    """True if one of two bodies is dynamic and awake, or sleeps while the other one is led against it."""
+    flags = bodies.flags
+    if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC or flags[j] & (DYNAMIC | ASLEEP) == DYNAMIC:
+        return True
+    return is_moving(bodies, i) or is_moving(bodies, j)
 
 
 @inner_kernel
@@ -251,7 +265,7 @@ def update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers):
     """Manifolds of all pairs, and rows of those that have points."""
     made = 0
     for p in range(contacts.count[0]):
-        if not is_computed(bodies.flags, contacts.bodies[p, 0], contacts.bodies[p, 1]):
+        if not is_computed(bodies, contacts.bodies[p, 0], contacts.bodies[p, 1]):
             continue
         if update_pair(bodies, shapes, pool, contacts, p, scratch, numbers) > 0:
             write_row(bodies, shapes, contacts, p, rows, made, numbers)

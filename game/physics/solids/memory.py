@@ -105,7 +105,8 @@ def scratch_of(bodies: int, shapes: int, pairs: int) -> Scratch:
         pair_spare=np.zeros((pairs, 2), dtype=_INT),
         tallies=np.zeros(shapes + 1, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
+        fractions=np.ones(bodies),
         begun=np.zeros((EVENTS, 2), dtype=_INT),
-        begun_places=np.zeros((EVENTS, 4)),
+        begun_places=np.zeros((EVENTS, 5)),
         events=np.zeros(4, dtype=np.int64),
     )

@@ -154,8 +154,8 @@ class Chain:
                              "points: a closed chain has at least three different points")  # fmt: skip
         if self.closed:
             around = np.concatenate([points[-1:], points, points[:2]])
-        else:  # ghosts straight on: nothing is hidden behind an end
-            around = np.concatenate([[2.0 * points[0] - points[1]], points, [2.0 * points[-1] - points[-2]]])
+        else:  # ghosts on the ends themselves: nothing follows there
+            around = np.concatenate([points[:1], points, points[-1:]])
         none = Mass(0.0, (0.0, 0.0), 0.0)
         return [Part(SEGMENT, around[k : k + 4].copy(), 0.0, none) for k in range(len(around) - 3)]
 

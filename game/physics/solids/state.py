@@ -22,7 +22,7 @@ Longs = NDArray[np.int64]
 MOST_CORNERS = 64
 NONE, DISC, POLYGON, SEGMENT = -1, 0, 1, 2  # kinds of shapes; a capsule is a polygon of two corners
 # flags of a body; one that is neither dynamic nor key-framed is fixed
-USED, DYNAMIC, KEY_FRAMED, ASLEEP, RESTLESS = 1, 2, 4, 8, 16
+USED, DYNAMIC, KEY_FRAMED, ASLEEP, RESTLESS, WAKING = 1, 2, 4, 8, 16, 32
 
 # columns of Contacts.manifolds: normal in the frame of a's body; then two points, POINT_WIDTH each
 NORMAL_X, NORMAL_Y = 0, 1
@@ -145,6 +145,9 @@ class Scratch(NamedTuple):
     pair_spare: Ints  # (p, 2)
     tallies: Ints  # (s + 1,)
     parents: Ints  # (n,)
+    fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
-    begun_places: Floats  # (e, 4) m, m, N s, m/s: where, normal impulse, speed of approach
+    begun_places: (
+        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step
+    )
     events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

@@ -12,7 +12,8 @@ import math
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
 from game.physics.solids.contacts import update_contacts
-from game.physics.solids.effects import CONTACTS_BIT
+from game.physics.solids.effects import CONTACTS_BIT, CONTINUOUS_BIT, SLEEP_BIT
+from game.physics.solids.islands import mark_touched, send_to_sleep, wake_islands
 from game.physics.solids.joints.layout import (
     BREAK_FORCE,
     BREAK_TORQUE,
@@ -50,12 +51,14 @@ from game.physics.solids.state import (
     ROW_NY,
     ROW_POINT,
     ROW_POINT_WIDTH,
+    SEP,
     TANGENT_IMPULSE,
     TOUCHING,
     VX,
     VY,
     W,
 )
+from game.physics.solids.sweep import stop_fast_bodies
 
 BEGUN, SNAPPED, WRONG, STOPPED = range(4)  # of Scratch.events
 NOTHING_WRONG = -1
@@ -73,8 +76,9 @@ def renew_pairs(bodies, shapes, pool, contacts, spare, excluded, scratch, number
 
 
 @lean_kernel
-def begin_step(bodies, shapes, pool, contacts, rows, scratch, numbers):
+def begin_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
     """Rows and velocities; False, with nothing done, if pairs have to be found first."""
+    wake_islands(bodies, contacts, joints, scratch)
     if numbers.mask & CONTACTS_BIT:
         if has_outgrown(bodies, numbers):
             return False
@@ -108,7 +112,7 @@ def place_bodies(bodies, scratch):
 
 
 @inner_kernel
-def note_beginning(bodies, contacts, rows, scratch, c, impulse):
+def note_beginning(bodies, contacts, rows, scratch, c, impulse, dt):
     """Write down a contact that began in this step."""
     number = scratch.events[BEGUN]
     scratch.events[BEGUN] += 1
@@ -124,11 +128,15 @@ def note_beginning(bodies, contacts, rows, scratch, c, impulse):
     scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
     scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
     scratch.begun_places[number, 2] = impulse
-    scratch.begun_places[number, 3] = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
+    speed = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
+    scratch.begun_places[number, 3] = speed
+    scratch.begun_places[number, 4] = (
+        min(dt, row[c, at + SEP] / speed) if speed > 0.0 and row[c, at + SEP] > 0.0 else 0.0
+    )
 
 
 @inner_kernel
-def keep_impulses(bodies, contacts, rows, scratch):
+def keep_impulses(bodies, contacts, rows, scratch, dt):
     """Impulses back to the manifolds; which contacts began. Called while bodies are where the step began."""
     for c in range(rows.count[0]):
         pair, most = rows.ends[c, END_PAIR], 0.0
@@ -138,7 +146,7 @@ def keep_impulses(bodies, contacts, rows, scratch):
             contacts.manifolds[pair, to + TANGENT_IMPULSE] = rows.rows[c, at + JT]
             most += rows.rare[c, MOST_0 + k]
         if most > 0.0 and contacts.marks[pair, TOUCHING] == 0:
-            note_beginning(bodies, contacts, rows, scratch, c, most)
+            note_beginning(bodies, contacts, rows, scratch, c, most, dt)
         contacts.marks[pair, TOUCHING] = 1 if most > 0.0 else 0
 
 
@@ -157,9 +165,15 @@ def break_joints(joints, scratch, numbers):
 
 
 @lean_kernel
-def finish_step(bodies, contacts, rows, joints, scratch, numbers):
-    """After the solver: impulses, events, places. scratch.events is written."""
+def finish_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
+    """After the solver: impulses, events, places, sleep. scratch.events is written."""
     scratch.events[BEGUN], scratch.events[SNAPPED], scratch.events[STOPPED] = 0, 0, 0
-    keep_impulses(bodies, contacts, rows, scratch)
+    keep_impulses(bodies, contacts, rows, scratch, numbers.dt)
     break_joints(joints, scratch, numbers)
+    if mark_touched(bodies, rows):
+        wake_islands(bodies, contacts, joints, scratch)
+    if numbers.mask & CONTINUOUS_BIT and numbers.mask & CONTACTS_BIT:
+        scratch.events[STOPPED] = stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers)
     scratch.events[WRONG] = place_bodies(bodies, scratch)
+    if numbers.mask & SLEEP_BIT:
+        send_to_sleep(bodies, rows, contacts, joints, scratch, numbers)

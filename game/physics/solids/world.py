@@ -45,13 +45,14 @@ from game.physics.solids.shapes import (
 )
 from game.physics.solids.solvers import SOLVERS
 from game.physics.solids.state import (
-    ASLEEP,
     DYNAMIC,
     KEY_FRAMED,
     NONE,
     RESTLESS,
     SEGMENT,
+    TOUCHING,
     USED,
+    WAKING,
     Bodies,
     Contacts,
     Pool,
@@ -126,6 +127,7 @@ class SolidWorld:
         if settings.solver not in SOLVERS:
             raise ValueError(f"solver = {settings.solver!r}: expected one of {', '.join(SOLVERS)}")
         self._settings = settings
+        self.bodies.flags[self.ids()] |= WAKING
         self._numbers: Any = None
 
     def set(self, **changes: Any) -> None:
@@ -278,6 +280,9 @@ class SolidWorld:
             (self.joints.bodies == body).any(axis=1) & (self.joints.kinds != NO_JOINT)
         ):
             self.remove_joint(int(joint))
+        contacts = self.contacts
+        touching = contacts.bodies[contacts.marks[:, TOUCHING] == 1]
+        self.bodies.flags[touching[(touching == body).any(axis=1)].ravel()] |= WAKING
         gone = self.shapes_of(body)
         for slot in gone.tolist():
             self._runs.setdefault(int(self.shapes.counts[slot]), []).append(int(self.shapes.starts[slot]))
@@ -338,10 +343,9 @@ class SolidWorld:
         return float(self.bodies.inverse_masses[body]), float(self.bodies.inverse_inertias[body]), (x, y)
 
     def wake(self, body: int) -> None:
-        """Wake a body; those that it touches follow in the next step."""
+        """Wake a body and all that touch it, or each other, or are joined to it, at the next step."""
         self._known(body)
-        self.bodies.flags[body] &= ~ASLEEP
-        self.bodies.quiet[body] = 0.0
+        self.bodies.flags[body] |= WAKING
 
     # ------------------------------------------------------------------ joints
 
@@ -446,13 +450,12 @@ class SolidWorld:
         if not self._fitting:
             self._fit()
         numbers = self._numbers
-        parts = self._bodies.rows, self._shapes.rows, self._pool.rows
-        if self._stale or not begin_step(*parts, self._contacts, self._rows, self._scratch, numbers):
+        parts, joints = (self._bodies.rows, self._shapes.rows, self._pool.rows), self._joints.rows
+        if self._stale or not begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers):
             self._renew()
-            begin_step(*parts, self._contacts, self._rows, self._scratch, numbers)
-        joints = self._joints.rows
+            begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
         SOLVERS[self._settings.solver](self._bodies.rows, self._rows, joints, self._scratch, numbers)
-        finish_step(self._bodies.rows, self._contacts, self._rows, joints, self._scratch, numbers)
+        finish_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
         self.time += dt
         self.steps += 1
         if self._scratch.events[SNAPPED]:
@@ -489,7 +492,7 @@ class SolidWorld:
     # ------------------------------------------------------------------ events, measures, state
 
     def contacts_begun(self) -> tuple[NDArray[np.int32], Floats]:
-        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s (e, 4). Copies."""
+        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s in the step (e, 5)."""
         count = min(int(self._scratch.events[BEGUN]), memory.EVENTS)
         return self._scratch.begun[:count].copy(), self._scratch.begun_places[:count].copy()
 
