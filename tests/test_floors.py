@@ -28,7 +28,7 @@ FOLDERS = {
         "kernels",
         "effects integrators",
         "fields proximity_effects",
-        "animation bounds broadphase constraints narrowphase particles rigid",
+        "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators",
     ),
     "billiards": (

@@ -1,0 +1,21 @@
+"""Rigid bodies of any shape in a plane: contacts, joints, and several solvers for them on one set of contacts."""
+
+from game.physics.solids.settings import TIERS, SolidSettings
+from game.physics.solids.shapes import Capsule, Chain, Disc, Material, Polygon, box
+from game.physics.solids.solvers import SOLVERS
+from game.physics.solids.world import NotFiniteError, SolidState, SolidWorld
+
+__all__ = [
+    "SOLVERS",
+    "TIERS",
+    "Capsule",
+    "Chain",
+    "Disc",
+    "Material",
+    "NotFiniteError",
+    "Polygon",
+    "SolidSettings",
+    "SolidState",
+    "SolidWorld",
+    "box",
+]

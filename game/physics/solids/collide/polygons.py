@@ -1,0 +1,143 @@
+"""Two convex polygons with rounding (capsules are polygons of two corners): separating axes, then clipping.
+
+The face of least overlap is the reference; the face of the other one that looks against it is clipped to its
+width (Gottschalk, Lin, Manocha 1996; two points and feature ids as in Catto, "Box2D", 2007 and 2023). Cores
+that are apart and nearest at two corners touch in one point.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel
+from game.physics.solids.collide.discs import touch_points
+
+FIRST, SECOND = 0, 64  # where in the work array of corners the polygons lie that are compared
+
+
+@inner_kernel
+def widest_gap(c1, n1, start1, count1, c2, start2, count2):
+    """The face of the first polygon that the second is farthest out of: (distance, face)."""
+    best, face = -math.inf, 0
+    for i in range(count1):
+        k = start1 + i
+        nx, ny, x, y = n1[k, 0], n1[k, 1], c1[k, 0], c1[k, 1]
+        deepest = math.inf
+        for j in range(count2):
+            gap = nx * (c2[start2 + j, 0] - x) + ny * (c2[start2 + j, 1] - y)
+            if gap < deepest:
+                deepest = gap
+        if deepest > best:
+            best, face = deepest, i
+    return best, face
+
+
+@inner_kernel
+def facing(normals, start, count, nx, ny):
+    """The face whose normal looks most against (nx, ny)."""
+    least, face = math.inf, 0
+    for i in range(count):
+        dot = normals[start + i, 0] * nx + normals[start + i, 1] * ny
+        if dot < least:
+            least, face = dot, i
+    return face
+
+
+@inner_kernel
+def nearest_on_segments(p1, q1, p2, q2):
+    """Nearest points of two segments: (fraction of the first, of the second, squared distance)."""
+    d1x, d1y, d2x, d2y = q1[0] - p1[0], q1[1] - p1[1], q2[0] - p2[0], q2[1] - p2[1]
+    rx, ry = p1[0] - p2[0], p1[1] - p2[1]
+    d11, d22, d12 = d1x * d1x + d1y * d1y, d2x * d2x + d2y * d2y, d1x * d2x + d1y * d2y
+    r1, r2 = rx * d1x + ry * d1y, rx * d2x + ry * d2y
+    under = d11 * d22 - d12 * d12
+    f1 = 0.0
+    if under > 1e-12 * d11 * d22:
+        f1 = min(1.0, max(0.0, (d12 * r2 - r1 * d22) / under))
+    f2 = (d12 * f1 + r2) / d22
+    if f2 < 0.0:
+        f2, f1 = 0.0, min(1.0, max(0.0, -r1 / d11))
+    elif f2 > 1.0:
+        f2, f1 = 1.0, min(1.0, max(0.0, (d12 - r1) / d11))
+    x, y = rx + f1 * d1x - f2 * d2x, ry + f1 * d1y - f2 * d2y
+    return f1, f2, x * x + y * y
+
+
+@inner_kernel
+def clip_faces(p1, q1, p2, q2, normal, radii, reach, manifold):
+    """Points between a reference face p1 q1 with this normal and the face p2 q2 that looks against it.
+
+    The lower one belongs to p1 and q2, the upper one to q1 and p2; in manifold they stand in this order, from
+    its entry 2. Returns two bits: lower, upper.
+    """
+    nx, ny = normal
+    tx, ty = -ny, nx
+    r1, r2 = radii
+    width = (q1[0] - p1[0]) * tx + (q1[1] - p1[1]) * ty
+    upper = (p2[0] - p1[0]) * tx + (p2[1] - p1[1]) * ty
+    lower = (q2[0] - p1[0]) * tx + (q2[1] - p1[1]) * ty
+    span = upper - lower
+    lx, ly, ux, uy = q2[0], q2[1], p2[0], p2[1]
+    tiny = 1e-12 * width
+    if lower < 0.0 and span > tiny:
+        part = min(1.0, -lower / span)
+        lx, ly = q2[0] + part * (p2[0] - q2[0]), q2[1] + part * (p2[1] - q2[1])
+    if upper > width and span > tiny:
+        part = max(0.0, (width - lower) / span)
+        ux, uy = q2[0] + part * (p2[0] - q2[0]), q2[1] + part * (p2[1] - q2[1])
+    low = (lx - p1[0]) * nx + (ly - p1[1]) * ny
+    high = (ux - p1[0]) * nx + (uy - p1[1]) * ny
+    half = 0.5 * (r1 - r2 - low)
+    manifold[2], manifold[3], manifold[4] = lx + half * nx, ly + half * ny, low - r1 - r2
+    half = 0.5 * (r1 - r2 - high)
+    manifold[5], manifold[6], manifold[7] = ux + half * nx, uy + half * ny, high - r1 - r2
+    return (1 if low - r1 - r2 <= reach else 0) | (2 if high - r1 - r2 <= reach else 0)
+
+
+@inner_kernel
+def keep_points(bits, lower_feature, upper_feature, manifold, features):
+    """Leave the points of the bits, in order; how many."""
+    if bits == 2:
+        manifold[2], manifold[3], manifold[4] = manifold[5], manifold[6], manifold[7]
+        features[0] = upper_feature
+        return 1
+    features[0], features[1] = lower_feature, upper_feature
+    return 2 if bits == 3 else bits
+
+
+@inner_kernel
+def collide_polygons(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, reach, manifold, features):
+    """Manifold of two polygons whose corners and normals are in one frame. See the package for the rest."""
+    gap1, i = widest_gap(c1, n1, start1, count1, c2, start2, count2)
+    manifold[8] = gap1 - ra - rb
+    if gap1 > reach + ra + rb:
+        return 0
+    gap2, j = widest_gap(c2, n2, start2, count2, c1, start1, count1)
+    manifold[8] = max(manifold[8], gap2 - ra - rb)
+    if gap2 > reach + ra + rb:
+        return 0
+    flip = gap2 > gap1 + 0.02 * reach  # the first one's face is kept where both are nearly as good
+    if flip:
+        i = facing(n1, start1, count1, n2[start2 + j, 0], n2[start2 + j, 1])
+    else:
+        j = facing(n2, start2, count2, n1[start1 + i, 0], n1[start1 + i, 1])
+    i_next, j_next = i + 1 if i + 1 < count1 else 0, j + 1 if j + 1 < count2 else 0
+    p1 = (c1[start1 + i, 0], c1[start1 + i, 1])
+    q1 = (c1[start1 + i_next, 0], c1[start1 + i_next, 1])
+    p2 = (c2[start2 + j, 0], c2[start2 + j, 1])
+    q2 = (c2[start2 + j_next, 0], c2[start2 + j_next, 1])
+    if max(gap1, gap2) > 0.02 * reach:
+        f1, f2, _ = nearest_on_segments(p1, q1, p2, q2)
+        if (f1 == 0.0 or f1 == 1.0) and (f2 == 0.0 or f2 == 1.0):
+            a, b = (p1 if f1 == 0.0 else q1), (p2 if f2 == 0.0 else q2)
+            features[0] = (i if f1 == 0.0 else i_next) << 8 | (j if f2 == 0.0 else j_next)
+            return touch_points(a[0], a[1], ra, b[0], b[1], rb, reach, manifold)
+    if flip:
+        nx, ny = n2[start2 + j, 0], n2[start2 + j, 1]
+        manifold[0], manifold[1] = -nx, -ny
+        bits = clip_faces(p2, q2, p1, q1, (nx, ny), (rb, ra), reach, manifold)
+        return keep_points(bits, i_next << 8 | j, i << 8 | j_next, manifold, features)
+    nx, ny = n1[start1 + i, 0], n1[start1 + i, 1]
+    manifold[0], manifold[1] = nx, ny
+    bits = clip_faces(p1, q1, p2, q2, (nx, ny), (ra, rb), reach, manifold)
+    return keep_points(bits, i << 8 | j_next, i_next << 8 | j, manifold, features)

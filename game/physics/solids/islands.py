@@ -1,0 +1,156 @@
+"""Islands: bodies that touch or are joined fall asleep together, and wake together.
+
+Union-find over contacts that carry an impulse and over joints; fixed and key-framed bodies join nothing.
+A sleeping island wakes when something awake touches it, or when one of its bodies is marked WAKING.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel
+from game.physics.solids.joints.layout import BROKEN, MOUSE, NO_JOINT
+from game.physics.solids.state import (
+    ASLEEP,
+    DYNAMIC,
+    END_A,
+    END_B,
+    KEY_FRAMED,
+    MOST_0,
+    MOST_1,
+    RESTLESS,
+    TOUCHING,
+    WAKING,
+)
+
+
+@inner_kernel
+def root_of(parents, i):
+    """Representative of an island; the way there is halved."""
+    while parents[i] != i:
+        parents[i] = parents[parents[i]]
+        i = parents[i]
+    return i
+
+
+@inner_kernel
+def unite(parents, i, j):
+    """Two islands become one; the lower number represents it."""
+    i, j = root_of(parents, i), root_of(parents, j)
+    if i < j:
+        parents[j] = i
+    else:
+        parents[i] = j
+
+
+@inner_kernel
+def find_islands(bodies, contacts, joints, parents):
+    """Representatives (n,) of all dynamic bodies' islands, awake and asleep."""
+    flags = bodies.flags
+    for i in range(flags.shape[0]):
+        parents[i] = i
+    for p in range(contacts.count[0]):
+        i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
+        if contacts.marks[p, TOUCHING] == 1 and flags[i] & flags[j] & DYNAMIC:
+            unite(parents, i, j)
+    for k in range(joints.kinds.shape[0]):
+        if joints.kinds[k] == NO_JOINT or joints.flags[k] & BROKEN or joints.kinds[k] == MOUSE:
+            continue
+        i, j = joints.bodies[k, 0], joints.bodies[k, 1]
+        if flags[i] & flags[j] & DYNAMIC:
+            unite(parents, i, j)
+
+
+@inner_kernel
+def is_moving(bodies, i):
+    """True for a key-framed body that has a velocity or spin."""
+    if not bodies.flags[i] & KEY_FRAMED:
+        return False
+    return bodies.velocities[i, 0] != 0.0 or bodies.velocities[i, 1] != 0.0 or bodies.spins[i] != 0.0
+
+
+@inner_kernel
+def wake_islands(bodies, contacts, joints, scratch):
+    """Wake all islands of which a body is marked WAKING, and what rests on such a body that nothing moves."""
+    flags, parents, marked = bodies.flags, scratch.parents, False
+    for i in range(flags.shape[0]):
+        marked = marked or flags[i] & WAKING != 0
+    if not marked:
+        return
+    for p in range(contacts.count[0]):
+        i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
+        if contacts.marks[p, TOUCHING] == 1:
+            if flags[i] & (WAKING | DYNAMIC) == WAKING:
+                flags[j] |= WAKING
+            if flags[j] & (WAKING | DYNAMIC) == WAKING:
+                flags[i] |= WAKING
+    find_islands(bodies, contacts, joints, parents)
+    for i in range(flags.shape[0]):
+        if flags[i] & WAKING and flags[i] & DYNAMIC:
+            flags[root_of(parents, i)] |= WAKING
+    for i in range(flags.shape[0]):
+        if flags[i] & DYNAMIC and flags[root_of(parents, i)] & WAKING:
+            flags[i] &= ~ASLEEP
+            bodies.quiet[i] = 0.0
+    for i in range(flags.shape[0]):
+        flags[i] &= ~WAKING
+
+
+@inner_kernel
+def mark_touched(bodies, rows):
+    """Mark what sleeps and was touched in this step; true if there is any."""
+    flags, any_marked = bodies.flags, False
+    for c in range(rows.count[0]):
+        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        if (flags[a] | flags[b]) & ASLEEP and rows.rare[c, MOST_0] + rows.rare[c, MOST_1] > 0.0:
+            if flags[a] & ASLEEP:
+                flags[a] |= WAKING
+            if flags[b] & ASLEEP:
+                flags[b] |= WAKING
+            any_marked = True
+    return any_marked
+
+
+@inner_kernel
+def count_quiet(bodies, rows, numbers):
+    """Count for how long each body has been slow; true if some have been so for long enough."""
+    flags, quiet = bodies.flags, bodies.quiet
+    for i in range(flags.shape[0]):
+        if flags[i] & (DYNAMIC | ASLEEP) != DYNAMIC:
+            continue
+        vx, vy = bodies.velocities[i, 0], bodies.velocities[i, 1]
+        speed = math.sqrt(vx * vx + vy * vy) + abs(bodies.spins[i]) * bodies.reaches[i]
+        quiet[i] = 0.0 if speed > numbers.calm or flags[i] & RESTLESS else quiet[i] + numbers.dt
+    for c in range(rows.count[0]):  # what lies on something that moves does not sleep
+        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        if is_moving(bodies, a):
+            quiet[b] = 0.0
+        if is_moving(bodies, b):
+            quiet[a] = 0.0
+    for i in range(flags.shape[0]):
+        if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC and quiet[i] >= numbers.patience:
+            return True
+    return False
+
+
+@inner_kernel
+def send_to_sleep(bodies, rows, contacts, joints, scratch, numbers):
+    """Put islands to sleep of which every body has been slow for long enough."""
+    if not count_quiet(bodies, rows, numbers):
+        return
+    flags, parents, quiet = bodies.flags, scratch.parents, bodies.quiet
+    find_islands(bodies, contacts, joints, parents)
+    for k in range(joints.kinds.shape[0]):  # what a hand holds, or a moving body is joined to, stays awake
+        if joints.kinds[k] != NO_JOINT and not joints.flags[k] & BROKEN:
+            a, b = joints.bodies[k, 0], joints.bodies[k, 1]
+            if joints.kinds[k] == MOUSE or is_moving(bodies, a) or is_moving(bodies, b):
+                quiet[a], quiet[b] = 0.0, 0.0
+    for i in range(flags.shape[0]):
+        if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC and quiet[i] < numbers.patience:
+            flags[root_of(parents, i)] |= WAKING  # for now: this island stays awake
+    for i in range(flags.shape[0]):
+        if flags[i] & (DYNAMIC | ASLEEP) == DYNAMIC and not flags[root_of(parents, i)] & WAKING:
+            flags[i] |= ASLEEP
+            bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i] = 0.0, 0.0, 0.0
+    for i in range(flags.shape[0]):
+        flags[i] &= ~WAKING

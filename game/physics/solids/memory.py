@@ -1,0 +1,112 @@
+"""The arrays of a world of solids: tables that grow, contacts, and the scratch memory of kernels."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, NO_JOINT, PARAMETERS, Joints
+from game.physics.solids.state import (
+    MANIFOLD_WIDTH,
+    MARKS_WIDTH,
+    MOST_CORNERS,
+    MOTION_WIDTH,
+    NONE,
+    RARE_WIDTH,
+    ROW_WIDTH,
+    Bodies,
+    Contacts,
+    Pool,
+    Rows,
+    Scratch,
+    Shapes,
+)
+from game.physics.solids.tables import Column, Table
+
+MOST_BODIES, MOST_SHAPES, MOST_POOL, MOST_JOINTS = 20_000, 200_000, 2_000_000, 100_000
+EVENTS = 4096  # of one step that are kept
+
+_INT = np.int32
+BODY_COLUMNS = {
+    "positions": Column(width=2), "angles": Column(), "rotations": Column(width=2),
+    "velocities": Column(width=2), "spins": Column(), "inverse_masses": Column(),
+    "inverse_inertias": Column(), "forces": Column(width=3), "gravity_scales": Column(empty=1.0),
+    "flags": Column(_INT), "reaches": Column(), "cores": Column(), "quiet": Column(),
+    "found": Column(width=4),
+}  # fmt: skip
+SHAPE_COLUMNS = {
+    "kinds": Column(_INT, empty=NONE), "bodies": Column(_INT), "starts": Column(_INT), "counts": Column(_INT),
+    "radii": Column(), "frictions": Column(), "restitutions": Column(), "densities": Column(),
+    "categories": Column(np.int64), "masks": Column(np.int64), "sizes": Column(), "boxes": Column(width=4),
+}  # fmt: skip
+POOL_COLUMNS = {"corners": Column(width=2), "normals": Column(width=2)}
+JOINT_COLUMNS = {
+    "kinds": Column(_INT, empty=NO_JOINT), "flags": Column(_INT), "bodies": Column(_INT, 2),
+    "anchors": Column(width=4), "parameters": Column(width=PARAMETERS), "impulses": Column(width=IMPULSES),
+    "rows": Column(width=JOINT_ROW, empty=-1.0),
+}  # fmt: skip
+
+
+def body_table() -> Table[Bodies]:
+    """Empty."""
+    return Table("bodies", Bodies, BODY_COLUMNS, MOST_BODIES)
+
+
+def shape_table() -> Table[Shapes]:
+    """Empty."""
+    return Table("shapes", Shapes, SHAPE_COLUMNS, MOST_SHAPES)
+
+
+def pool_table() -> Table[Pool]:
+    """Empty."""
+    return Table("corners", Pool, POOL_COLUMNS, MOST_POOL)
+
+
+def joint_table() -> Table[Joints]:
+    """Empty."""
+    return Table("joints", Joints, JOINT_COLUMNS, MOST_JOINTS)
+
+
+def contacts_of(capacity: int) -> Contacts:
+    """Room for so many pairs, none there."""
+    return Contacts(
+        np.zeros(2, dtype=np.int64),
+        np.zeros((capacity, 2), dtype=_INT),
+        np.zeros((capacity, 2), dtype=_INT),
+        np.zeros((capacity, MARKS_WIDTH), dtype=_INT),
+        np.zeros((capacity, MANIFOLD_WIDTH)),
+    )
+
+
+def rows_of(capacity: int) -> Rows:
+    """Room for so many rows, none there."""
+    return Rows(
+        np.zeros(1, dtype=np.int64),
+        np.zeros((capacity, 4), dtype=_INT),
+        np.zeros((capacity, ROW_WIDTH)),
+        np.zeros((capacity, RARE_WIDTH)),
+    )
+
+
+def scratch_of(bodies: int, shapes: int, pairs: int) -> Scratch:
+    """Memory for kernels that see so many slots and pairs."""
+    buckets = 1 << max(4, (2 * shapes).bit_length())
+    return Scratch(
+        motion=np.zeros((bodies, MOTION_WIDTH)),
+        accelerations=np.zeros((bodies, 3)),
+        air=np.zeros((bodies, 3)),
+        corners=np.zeros((MOST_CORNERS, 2)),
+        normals=np.zeros((MOST_CORNERS, 2)),
+        manifold=np.zeros(9),
+        features=np.zeros(2, dtype=np.int64),
+        heads=np.zeros(buckets + 1, dtype=_INT),
+        members=np.zeros(shapes, dtype=_INT),
+        cells=np.zeros((shapes, 3), dtype=np.int64),
+        pair_keys=np.zeros((pairs, 2), dtype=_INT),
+        pair_spare=np.zeros((pairs, 2), dtype=_INT),
+        tallies=np.zeros(shapes + 1, dtype=_INT),
+        parents=np.zeros(bodies, dtype=_INT),
+        fractions=np.ones(bodies),
+        begun=np.zeros((EVENTS, 2), dtype=_INT),
+        begun_places=np.zeros((EVENTS, 5)),
+        events=np.zeros(4, dtype=np.int64),
+    )

@@ -1,0 +1,44 @@
+"""Sequential impulses: sweeps of velocities with warm start, overlap driven apart by a bias (Catto 2005).
+
+A substep: forces, last impulses again, ``iterations`` sweeps in which overlap beyond a slop adds 0.2 of
+itself, each substep, as speed (Baumgarte 1972), places. The bias stays in the velocities: this is what the
+soft step takes out. Impacts bounce once, at the end of the step.
+"""
+
+from __future__ import annotations
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.solids.joints.sweeps import prepare_joints, start_joints_warm, sweep_joints
+from game.physics.solids.solvers.impulses import bounce_contacts, start_warm, sweep_contacts
+from game.physics.solids.solvers.motion import accelerate, move
+from game.physics.solids.state import END_POINTS, ROW_POINT, ROW_POINT_WIDTH, SEP
+
+BAUMGARTE = 0.2  # part of an overlap that becomes speed in one substep
+
+
+@inner_kernel
+def leave_slop(rows, slop):
+    """Count gaps from a little overlap on, which keeps contacts alive."""
+    for c in range(rows.count[0]):
+        for k in range(rows.ends[c, END_POINTS]):
+            rows.rows[c, ROW_POINT + k * ROW_POINT_WIDTH + SEP] += slop
+
+
+@lean_kernel
+def solve_sequential_impulses(bodies, rows, joints, scratch, numbers):
+    """All substeps of one step. See the package."""
+    motion = scratch.motion
+    rate = BAUMGARTE / numbers.h
+    hard = (rate, 1.0, 0.0)
+    springs = (hard, hard, numbers.push, 1.0 / numbers.h)
+    prepare_joints(bodies, joints, hard, numbers.h)
+    leave_slop(rows, numbers.slop)
+    for _ in range(numbers.substeps):
+        accelerate(scratch, numbers)
+        start_joints_warm(joints, motion)
+        start_warm(rows, motion)
+        for _ in range(numbers.iterations):
+            sweep_joints(joints, motion, True)
+            sweep_contacts(rows, motion, springs, True)
+        move(motion, numbers.h)
+    bounce_contacts(rows, motion, numbers)

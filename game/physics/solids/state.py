@@ -1,0 +1,153 @@
+"""What kernels read and write: bodies, shapes, corners, contacts; structures of arrays, one row for each.
+
+A body's own frame has its origin at the centre of mass. A slot that is not in use has no flag (bodies), the
+kind NONE (shapes), so ids stay what they are when others are taken away.
+
+All shapes are corners with a rounding radius: a disc has one corner, a capsule two, a polygon up to
+MOST_CORNERS, anticlockwise. A segment of a chain has four: the ghost before, both ends, the ghost after;
+it is solid on the right of its direction and met from the left only.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int32]
+Longs = NDArray[np.int64]
+
+MOST_CORNERS = 64
+NONE, DISC, POLYGON, SEGMENT = -1, 0, 1, 2  # kinds of shapes; a capsule is a polygon of two corners
+# flags of a body; one that is neither dynamic nor key-framed is fixed
+USED, DYNAMIC, KEY_FRAMED, ASLEEP, RESTLESS, WAKING = 1, 2, 4, 8, 16, 32
+
+# columns of Contacts.manifolds: normal in the frame of a's body; then two points, POINT_WIDTH each
+NORMAL_X, NORMAL_Y = 0, 1
+FIRST_POINT = 2
+# of a point: midway between both surfaces, in the frames of a's and b's body; distance when it was found;
+# impulses of the last substep, N s
+IN_A_X, IN_A_Y, IN_B_X, IN_B_Y, GAP, NORMAL_IMPULSE, TANGENT_IMPULSE = range(7)
+POINT_WIDTH = 7
+# place of b's body in the frame of a's when the manifold was found, and the angle between them
+PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
+MANIFOLD_WIDTH = 19
+# columns of Contacts.marks
+POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND = range(5)
+MARKS_WIDTH = 5
+
+
+class Bodies(NamedTuple):
+    """n bodies. SI units; a fixed body has inverse mass and inertia 0, a key-framed one too."""
+
+    positions: Floats  # (n, 2) m, of the centres of mass
+    angles: Floats  # (n,) rad
+    rotations: Floats  # (n, 2) cosine and sine of the angle
+    velocities: Floats  # (n, 2) m/s
+    spins: Floats  # (n,) rad/s
+    inverse_masses: Floats  # (n,) 1/kg
+    inverse_inertias: Floats  # (n,) 1/(kg m²) about the centre of mass
+    forces: Floats  # (n, 3) N, N, N m: of the next step only
+    gravity_scales: Floats  # (n,)
+    flags: Ints  # (n,) USED | ...
+    reaches: Floats  # (n,) m, farthest point of its shapes from the centre of mass
+    cores: Floats  # (n,) m, how far it may go in a step without passing through something thin
+    quiet: Floats  # (n,) s, for how long it has been slow
+    found: Floats  # (n, 4) pose (m, m, rad) when its boxes were made, and how much room these left, m
+
+
+class Shapes(NamedTuple):
+    """s shapes, each fixed to a body."""
+
+    kinds: Ints  # (s,)
+    bodies: Ints  # (s,)
+    starts: Ints  # (s,) first corner in the pool
+    counts: Ints  # (s,) corners
+    radii: Floats  # (s,) m, of rounding; of a disc, its radius
+    frictions: Floats  # (s,)
+    restitutions: Floats  # (s,) 0 to 1
+    densities: Floats  # (s,) kg/m²
+    categories: Longs  # (s,) bits
+    masks: Longs  # (s,) bits: which categories it meets
+    sizes: Floats  # (s,) m, radius of the least circle about its middle: what tolerances go by
+    boxes: Floats  # (s, 4) m, x0 y0 x1 y1 with some room
+
+
+class Pool(NamedTuple):
+    """Corners of all shapes in the frames of their bodies."""
+
+    corners: Floats  # (v, 2) m
+    normals: Floats  # (v, 2) outward normal of the edge that begins at the corner
+
+
+class Contacts(NamedTuple):
+    """Pairs of shapes whose boxes overlap, in ascending order of (a, b), and their manifolds.
+
+    Room for more than there are: ``count[0]`` are in use.
+    """
+
+    count: Longs  # (2,) pairs; those that touch
+    shapes: Ints  # (p, 2) a, b: a's kind is not below b's
+    bodies: Ints  # (p, 2) of a, of b
+    marks: Ints  # (p, MARKS_WIDTH)
+    manifolds: Floats  # (p, MANIFOLD_WIDTH)
+
+
+# columns of Rows.rows: what a solver reads of one contact in each sweep. Normal from a to b, friction, 1 where one
+# of the two cannot move, inverse masses and inertias, roundings (b's as it is, a's negative: levers end on the
+# core when this much of the normal is added), coupling of both points (entry of K)
+(
+    ROW_NX, ROW_NY, ROW_MU, ROW_HARD, ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB, ROUND_A, ROUND_B, COUPLING,
+) = range(11)  # fmt: skip
+ROW_POINT = 11
+# of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n of a
+# and b, gap when the step began, effective masses along normal and tangent, accumulated impulses
+CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_N, MASS_T, JN, JT = range(9)
+ROW_POINT_WIDTH = 9
+ROW_WIDTH = 30
+# columns of Rows.rare: what only the end of a step asks for
+# restitution, gap speeds before the step (negative: closing), largest impulses of any substep
+RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
+RARE_WIDTH = 5
+# columns of Rows.ends
+END_A, END_B, END_POINTS, END_PAIR = range(4)
+# columns of Motion: velocity, spin, what a body has moved since the step began, cosine and sine of what it
+# has turned, and that angle
+VX, VY, W, DX, DY, DC, DS, DA = range(8)
+MOTION_WIDTH = 8
+
+
+class Rows(NamedTuple):
+    """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use."""
+
+    count: Longs  # (1,)
+    ends: Ints  # (p, 4) body a, body b, points, pair
+    rows: Floats  # (p, ROW_WIDTH)
+    rare: Floats  # (p, RARE_WIDTH)
+
+
+class Scratch(NamedTuple):
+    """Memory of the kernels, worth nothing between steps (but for the events of the last)."""
+
+    motion: Floats  # (n, MOTION_WIDTH)
+    accelerations: Floats  # (n, 3) m/s², m/s², rad/s²: of gravity, forces and torques
+    air: Floats  # (n, 3) m/s, of the air about each body, and 1 where it drags (dynamic, awake)
+    corners: Floats  # (MOST_CORNERS, 2) m, of the second shape in the frame of the first
+    normals: Floats  # (MOST_CORNERS, 2)
+    manifold: Floats  # (9,) see collide; the last: a distance that the two are apart at least
+    features: Longs  # (2,)
+    heads: Ints  # (buckets + 1,)
+    members: Ints  # (s,)
+    cells: Longs  # (s, 3)
+    pair_keys: Ints  # (p, 2)
+    pair_spare: Ints  # (p, 2)
+    tallies: Ints  # (s + 1,)
+    parents: Ints  # (n,)
+    fractions: Floats  # (n,) of the step's motion that continuous collision leaves
+    begun: Ints  # (e, 2) shapes of contacts that began in the last step
+    begun_places: (
+        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step
+    )
+    events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

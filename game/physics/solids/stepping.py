@@ -1,0 +1,179 @@
+"""A step of solids: what comes before the solver, and what after it.
+
+begin_step: pairs if a body may have left its boxes; manifolds; rows; velocities
+a solver of `SOLVERS`: all substeps
+finish_step: impulses kept, places, contacts that began, joints that broke
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.solids.boxes import has_outgrown, make_boxes, make_room
+from game.physics.solids.contacts import update_contacts
+from game.physics.solids.effects import CONTACTS_BIT, CONTINUOUS_BIT, SLEEP_BIT
+from game.physics.solids.islands import mark_touched, send_to_sleep, wake_islands
+from game.physics.solids.joints.layout import (
+    BREAK_FORCE,
+    BREAK_TORQUE,
+    BROKEN,
+    NO_JOINT,
+    PULL_X,
+    PULL_Y,
+    SUBSTEP,
+    TURN,
+)
+from game.physics.solids.pairs import carry_over, find_pairs
+from game.physics.solids.solvers.motion import start_motion
+from game.physics.solids.state import (
+    APPROACH_0,
+    APPROACH_1,
+    ASLEEP,
+    CROSS_A,
+    DA,
+    DOT_A,
+    DX,
+    DY,
+    DYNAMIC,
+    END_A,
+    END_PAIR,
+    END_POINTS,
+    FIRST_POINT,
+    JN,
+    JT,
+    KEY_FRAMED,
+    MOST_0,
+    MOST_1,
+    NORMAL_IMPULSE,
+    POINT_WIDTH,
+    ROW_NX,
+    ROW_NY,
+    ROW_POINT,
+    ROW_POINT_WIDTH,
+    SEP,
+    TANGENT_IMPULSE,
+    TOUCHING,
+    VX,
+    VY,
+    W,
+)
+from game.physics.solids.sweep import stop_fast_bodies
+
+BEGUN, SNAPPED, WRONG, STOPPED = range(4)  # of Scratch.events
+NOTHING_WRONG = -1
+
+
+@lean_kernel
+def renew_pairs(bodies, shapes, pool, contacts, spare, excluded, scratch, numbers):
+    """Pairs anew, whatever moved; returns how many there are: if more than there is room for, none is changed."""
+    make_room(bodies, numbers)
+    make_boxes(bodies, shapes, pool, numbers)
+    found = find_pairs(bodies, shapes, excluded, scratch)
+    if found <= contacts.shapes.shape[0]:
+        carry_over(contacts, spare, scratch.pair_keys, found, shapes)
+    return found
+
+
+@lean_kernel
+def begin_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
+    """Rows and velocities; False, with nothing done, if pairs have to be found first."""
+    wake_islands(bodies, contacts, joints, scratch)
+    if numbers.mask & CONTACTS_BIT:
+        if has_outgrown(bodies, numbers):
+            return False
+        update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers)
+    else:
+        rows.count[0] = 0
+    start_motion(bodies, scratch, numbers)
+    return True
+
+
+@inner_kernel
+def place_bodies(bodies, scratch):
+    """Places and velocities of what moves; the index of a body that is not finite, or NOTHING_WRONG."""
+    motion, wrong = scratch.motion, NOTHING_WRONG
+    for i in range(bodies.flags.shape[0]):
+        if not bodies.flags[i] & (DYNAMIC | KEY_FRAMED) or bodies.flags[i] & ASLEEP:
+            continue
+        bodies.positions[i, 0] += motion[i, DX]
+        bodies.positions[i, 1] += motion[i, DY]
+        if motion[i, DA] != 0.0:
+            bodies.angles[i] += motion[i, DA]
+            bodies.rotations[i, 0] = math.cos(bodies.angles[i])
+            bodies.rotations[i, 1] = math.sin(bodies.angles[i])
+        bodies.velocities[i, 0], bodies.velocities[i, 1] = motion[i, VX], motion[i, VY]
+        bodies.spins[i] = motion[i, W]
+        total = bodies.positions[i, 0] + bodies.positions[i, 1] + bodies.angles[i]
+        total += motion[i, VX] + motion[i, VY] + motion[i, W]
+        if not math.isfinite(total) and wrong == NOTHING_WRONG:
+            wrong = i
+    return wrong
+
+
+@inner_kernel
+def note_beginning(bodies, contacts, rows, scratch, c, impulse, dt):
+    """Write down a contact that began in this step."""
+    number = scratch.events[BEGUN]
+    scratch.events[BEGUN] += 1
+    if number >= scratch.begun.shape[0]:
+        return
+    pair, a = rows.ends[c, END_PAIR], rows.ends[c, END_A]
+    scratch.begun[number, 0], scratch.begun[number, 1] = contacts.shapes[pair, 0], contacts.shapes[pair, 1]
+    at = ROW_POINT if rows.rare[c, MOST_0] >= rows.rare[c, MOST_1] else ROW_POINT + ROW_POINT_WIDTH
+    if rows.ends[c, END_POINTS] == 1:
+        at = ROW_POINT
+    row, x, y = rows.rows, rows.rows[c, ROW_NX], rows.rows[c, ROW_NY]
+    dot, cross = row[c, at + DOT_A], row[c, at + CROSS_A]  # of the lever: r = (r . n) n + (r x n) (ny, -nx)
+    scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
+    scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
+    scratch.begun_places[number, 2] = impulse
+    speed = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
+    scratch.begun_places[number, 3] = speed
+    scratch.begun_places[number, 4] = (
+        min(dt, row[c, at + SEP] / speed) if speed > 0.0 and row[c, at + SEP] > 0.0 else 0.0
+    )
+
+
+@inner_kernel
+def keep_impulses(bodies, contacts, rows, scratch, dt):
+    """Impulses back to the manifolds; which contacts began. Called while bodies are where the step began."""
+    for c in range(rows.count[0]):
+        pair, most = rows.ends[c, END_PAIR], 0.0
+        for k in range(rows.ends[c, END_POINTS]):
+            at, to = ROW_POINT + k * ROW_POINT_WIDTH, FIRST_POINT + k * POINT_WIDTH
+            contacts.manifolds[pair, to + NORMAL_IMPULSE] = rows.rows[c, at + JN]
+            contacts.manifolds[pair, to + TANGENT_IMPULSE] = rows.rows[c, at + JT]
+            most += rows.rare[c, MOST_0 + k]
+        if most > 0.0 and contacts.marks[pair, TOUCHING] == 0:
+            note_beginning(bodies, contacts, rows, scratch, c, most, dt)
+        contacts.marks[pair, TOUCHING] = 1 if most > 0.0 else 0
+
+
+@inner_kernel
+def break_joints(joints, scratch, numbers):
+    """Mark joints that carried more than their breaking load."""
+    for k in range(joints.kinds.shape[0]):
+        if joints.kinds[k] == NO_JOINT or joints.flags[k] & BROKEN or joints.rows[k, SUBSTEP] < 0.0:
+            continue
+        held = joints.impulses
+        force = math.sqrt(held[k, PULL_X] ** 2 + held[k, PULL_Y] ** 2) / numbers.h
+        torque = abs(held[k, TURN]) / numbers.h
+        if force > joints.parameters[k, BREAK_FORCE] or torque > joints.parameters[k, BREAK_TORQUE]:
+            joints.flags[k] |= BROKEN
+            scratch.events[SNAPPED] += 1
+
+
+@lean_kernel
+def finish_step(bodies, shapes, pool, contacts, rows, joints, scratch, numbers):
+    """After the solver: impulses, events, places, sleep. scratch.events is written."""
+    scratch.events[BEGUN], scratch.events[SNAPPED], scratch.events[STOPPED] = 0, 0, 0
+    keep_impulses(bodies, contacts, rows, scratch, numbers.dt)
+    break_joints(joints, scratch, numbers)
+    if mark_touched(bodies, rows):
+        wake_islands(bodies, contacts, joints, scratch)
+    if numbers.mask & CONTINUOUS_BIT and numbers.mask & CONTACTS_BIT:
+        scratch.events[STOPPED] = stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers)
+    scratch.events[WRONG] = place_bodies(bodies, scratch)
+    if numbers.mask & SLEEP_BIT:
+        send_to_sleep(bodies, rows, contacts, joints, scratch, numbers)
