@@ -14,6 +14,7 @@ from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import Foresight, Sight
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
 from game.scenes.billiards.view.cue import draw_players_cue
@@ -46,6 +47,7 @@ class BilliardsView:
         self.instruments = Instruments(play, replay, buttons)
         self._foresight = Foresight()
         self._hint_foresight = Foresight()
+        self._odds = OddsMeter()
 
     def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
@@ -68,7 +70,14 @@ class BilliardsView:
             draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
         draw_players_cue(canvas, play, time)
         if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
-            self._draw_around(canvas, look_of(canvas))
+            self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+
+    def _odds_of(self, sight: Sight | None) -> Odds | None:
+        """Of the stroke that is aimed at a ball; none at the break, which is no pot."""
+        frame = self.play.model.frame
+        if sight is None or sight.target is None or frame.game.opening:
+            return None
+        return self._odds.of(frame, self.play.aiming.stroke, sight.target)
 
     @property
     def hint(self) -> Stroke | None:
@@ -114,14 +123,14 @@ class BilliardsView:
             if len(points) > 1:
                 canvas.polyline(points, FELT_WARM, 2.0, alpha=0.75)
 
-    def _draw_around(self, canvas: Canvas, look: Look) -> None:
+    def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
             draw_line(canvas, look, line, with_key=play.may_aim and play.parameters.prediction)
-        self.instruments.draw(canvas, look)
+        self.instruments.draw(canvas, look, odds)
 
 
 @lru_cache(maxsize=16)
