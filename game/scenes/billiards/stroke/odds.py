@@ -62,9 +62,10 @@ def measure(board: Board, stroke: Stroke, ball: int) -> Iterator[Odds]:
     if pocket >= 0:
         sides = []
         for sign in (1.0, -1.0):
+            sides.append(0.0)
             for reach in _reach(lambda turned: pocket_of(turned) == pocket, meant, sign):
+                sides[-1] = reach
                 yield odds
-            sides.append(reach)
         odds = odds._replace(margin=min(sides))
         yield odds
     noisy = with_noise(meant, draw_noise(SEED, SAMPLES), HAND, board.radius)
@@ -78,9 +79,7 @@ def measure(board: Board, stroke: Stroke, ball: int) -> Iterator[Odds]:
         yield odds
 
 
-def _reach(
-    pots: Callable[[Array], NDArray[np.bool_]], meant: Array, sign: float
-) -> Iterator[float]:
+def _reach(pots: Callable[[Array], NDArray[np.bool_]], meant: Array, sign: float) -> Iterator[float]:
     """How far, rad, a stroke (1, 5) may be turned to one side and still pots: ever better known."""
 
     def turned(offsets: Array) -> Array:
