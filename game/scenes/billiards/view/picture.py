@@ -17,7 +17,9 @@ from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLIN
 from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import Foresight, Sight
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
+from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
+from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
 from game.scenes.billiards.view.score_board import draw_board, draw_line
@@ -48,14 +50,28 @@ class BilliardsView:
         self._foresight = Foresight()
         self._hint_foresight = Foresight()
         self._odds = OddsMeter()
+        self._close_up = CloseUpView()
+        self._end_card = EndCard()
 
     def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         play, frame = self.play, self.play.model.frame
         draw_table(canvas, frame.table)
         canvas.halo = FELT
-        draw_marks(canvas, play)
         time = self._moment(alpha, clock_before)
+        near = self._close_up.part(play, time, canvas.look.less_motion)
+        sight = None
+        if near is not None:
+            self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
+        else:
+            sight = self._draw_play(canvas, time)
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+            self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+
+    def _draw_play(self, canvas: Canvas, time: float) -> Sight | None:
+        """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""
+        play, frame = self.play, self.play.model.frame
+        draw_marks(canvas, play)
         shows_aim = play.may_aim and play.parameters.prediction and play.grip != "cue ball"
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
@@ -69,8 +85,7 @@ class BilliardsView:
             shots = self.opponents.considered
             draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
         draw_players_cue(canvas, play, time)
-        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
-            self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+        return sight
 
     def _odds_of(self, sight: Sight | None) -> Odds | None:
         """Of the stroke that is aimed at a ball; none at the break, which is no pot."""
@@ -100,7 +115,7 @@ class BilliardsView:
         played = model.played if self.play.phase in (ROLLING, REPLAY) else None
         if played is None or model.frame.last is None:
             return balls_at_rest(model)
-        return balls_at(model.frame.last.frame, played, model.turns_before, time)
+        return balls_at(model.frame.last.frame, played.trajectory, model.turns_before, time)
 
     def _draw_aim(self, canvas: Canvas) -> Sight | None:
         """Cue line and paths of the stroke that is set; what is foreseen, None if it cannot be played."""
@@ -131,6 +146,8 @@ class BilliardsView:
             line = line_of(play, self.hint)
             draw_line(canvas, look, line, with_key=play.may_aim and play.parameters.prediction)
         self.instruments.draw(canvas, look, odds)
+        if is_shown(play):
+            self._end_card.draw(canvas, look, play)
 
 
 @lru_cache(maxsize=16)
