@@ -81,6 +81,18 @@ def test_a_ball_is_11_5_px_wide_at_720_lines_and_nothing_of_the_window_lies_on_t
         assert not table.colliderect(spot.rect) and not cards.colliderect(spot.rect)
 
 
+def test_no_letter_round_the_table_is_below_11_px_with_the_panel_open(driver, monkeypatch):
+    driver.open("billiards")
+    driver.app.perform("panel")
+    driver.frames(2)
+    sizes = []
+    font = pygame.font.Font
+    monkeypatch.setattr(pygame.font, "Font", lambda path, px: sizes.append(px) or font(path, px))
+    driver.app.toggle_theme()  # all is drawn anew
+    driver.frames(3)
+    assert driver.top.play.view.camera.scale < 0.75 * layout.PIXELS and sizes and min(sizes) >= 11
+
+
 def test_between_the_buttons_over_the_table_a_press_is_the_games_own(driver):
     driver.open("billiards")
     before = driver.stage.scene.parameters.second_player

@@ -26,7 +26,7 @@ HAND = Noise().scaled(1.9)  # of a practised person, as steady as an expert amon
 SLICE_S = 0.002  # s that a picture may wait for it
 BATCH = 4  # strokes between two looks at the clock
 # rad; how far off the aim is tried, from the middle out, and how often the last gap is halved then
-OFFSETS = math.radians(0.01) * 1.35 ** np.arange(20)
+OFFSETS: Array = math.radians(0.01) * np.power(1.35, np.arange(20.0), dtype=np.float64)
 HALVINGS = 5
 SAMPLES, FIRST_SAMPLES = 128, 32  # of the hand's strokes: all of them, and those of the first figure
 SEED = 84

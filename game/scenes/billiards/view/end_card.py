@@ -122,13 +122,13 @@ def _camera_on(table: Table, place: pygame.Rect, canvas: Canvas) -> Camera:
 
 
 def _draw_figures(
-    surface: pygame.Surface, look: Look, frame: Frame, x: float, y: float, space: float
+    surface: pygame.Surface, look: Look, frame: Frame, x: float, y: float, space: int
 ) -> None:
     """A row for each thing that is counted, a column for each player."""
     px = look.px
     columns = x + 0.62 * space, x + space
     for column, name in zip(columns, frame.game.players, strict=True):
-        name = look.fonts.fit(name, 13, "semibold", 0.34 * space)
+        name = look.fonts.fit(name, 13, "semibold", round(0.34 * space))
         look.text(surface, name, (column, y), 13, "semibold", "text1", "right")
     rows = zip(HEADS, *(figures_of(tally) for tally in frame.tallies), strict=True)
     for row, (head, *figures) in enumerate(rows, start=1):

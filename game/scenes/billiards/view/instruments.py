@@ -26,6 +26,7 @@ from game.ui.painters.ball_picture import ball_chip
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
+ROOM_FOR_CAPTIONS = 0.85  # scale
 
 
 class Instruments:
@@ -114,7 +115,7 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
         y, color = top + row * pitch, "accent" if number.lit else "text2"
         look.text(canvas.surface, number.title, (x, y), 13, "medium", color, "center")
         look.text(canvas.surface, number.words, (x, y + look.px(19)), 13, "semibold", "text1", "center")
-        if number.under:
+        if number.under and look.k >= ROOM_FOR_CAPTIONS:
             look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
 
 

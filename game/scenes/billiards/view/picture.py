@@ -28,11 +28,13 @@ from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas
+from game.ui.look.fonts import SMALLEST_PX
 from game.ui.look.look import Look
 from game.ui.look.theme import FELT, FELT_WARM, Theme
 
 Array = NDArray[np.float64]
 
+READABLE, ROOM_FOR_READABLE = 11, 0.65  # px of the smallest letters, at scales that have the space for them
 HINT_EVENTS = 200  # to the end of its shot
 
 
@@ -152,7 +154,7 @@ class BilliardsView:
 
 @lru_cache(maxsize=16)
 def _look(theme: Theme, k: float, less_motion: bool) -> Look:
-    return Look(theme, k, less_motion=less_motion)
+    return Look(theme, k, less_motion=less_motion, least=READABLE if k >= ROOM_FOR_READABLE else SMALLEST_PX)
 
 
 def look_of(canvas: Canvas) -> Look:

@@ -113,6 +113,11 @@ def draw_line(canvas: Canvas, look: Look, line: Line, with_key: bool) -> None:
         look.text(canvas.surface, lead, (x, rect.centery), 14, "medium", color)
         look.text(canvas.surface, more, (x + taken, rect.centery + look.px(1)), 12, "medium", "text2")
         return
+    if rect.h < look.fonts.line_height(12) + look.fonts.line_height(11) - look.px(8):  # no space for two
+        look.text(canvas.surface, lead, (x, rect.centery), 14, "medium", color)
+        more = look.fonts.fit(more, 12, "medium", width - taken)
+        look.text(canvas.surface, more, (x + taken, rect.centery), 12, "medium", "text2")
+        return
     lead = look.fonts.fit(line.lead if more == line.more else lead, 12, "semibold", width)
     look.text(canvas.surface, lead, (x, rect.centery - look.px(7)), 12, "semibold", color)
     more = look.fonts.fit(more, 11, "medium", width)
