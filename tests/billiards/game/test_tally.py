@@ -5,7 +5,7 @@ import math
 import pytest
 
 from game.billiards.game.arrangement import Stroke, arrange
-from game.billiards.game.frame import Frame
+from game.billiards.game.frame import BestStroke, Frame, Struck
 from game.billiards.game.games import NineBall
 from game.billiards.game.rules import Call, Foul, Game, Pocketing, ShotSummary, Verdict
 from game.billiards.game.tally import Tally, balls_between, merit
@@ -70,3 +70,13 @@ def test_a_frame_counts_for_who_strikes_and_keeps_the_best_stroke_of_its_rack():
     assert won.frame.game.over and won.frame.best.merit > potted.best.merit
     following = won.frame.next_rack(1)
     assert following.best is None and following.tallies == won.frame.tallies
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize(("before", "replaced"), [(0.5, True), (9.0, False)])
+def test_only_a_stroke_that_is_worth_as_much_takes_the_place_of_the_best(before, replaced):
+    game = NineBall(on_table=(5, 9), opening=False, in_hand="")
+    frame = Frame(game, arrange({0: (0.5, 0.5), 5: (0.22, 0.22), 9: (0.4, 2.0)}), POOL)
+    earlier = BestStroke(Struck(frame, STUN), ShotSummary(), before)
+    best = frame.replace(best=earlier).play(STUN).frame.best
+    assert (best is not earlier) == replaced

@@ -10,7 +10,16 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.summary import summarize
 from game.billiards.search.strokes import Board, draw_noise, with_noise
 from game.billiards.table.rack import BALL_RADIUS
-from game.scenes.billiards.stroke.odds import HAND, OFFSETS, SAMPLES, SEED, Odds, OddsMeter, measure
+from game.scenes.billiards.stroke.odds import (
+    FIRST_SAMPLES,
+    HAND,
+    OFFSETS,
+    SAMPLES,
+    SEED,
+    Odds,
+    OddsMeter,
+    measure,
+)
 from game.scenes.billiards.view.instruments import odds_numbers
 from tests.billiards.search.search_tables import POOL
 from tests.scenes.billiards.billiards_stages import AT_THE_CORNER, level_of, straight_pot
@@ -72,6 +81,16 @@ def test_the_chance_is_the_share_of_the_hands_strokes_that_pot():
     noisy = with_noise(np.array([stroke]), draw_noise(SEED, SAMPLES), HAND, BALL_RADIUS)
     down = sum(potted(frame, Stroke(*row), 3) for row in noisy.tolist())
     assert odds.chance == pytest.approx(down / SAMPLES, abs=1e-12) and 0.1 < odds.chance < 0.95
+
+
+def test_the_first_figure_is_the_share_of_the_first_strokes():
+    frame = level_of(FAR).scene.model.frame
+    stroke = aimed_at_pot(frame, 3)
+    known = list(measure(Board(frame.layout, POOL, frame.physics), stroke, 3))
+    chances = list(dict.fromkeys(odds.chance for odds in known if odds.chance is not None))
+    noisy = with_noise(np.array([stroke]), draw_noise(SEED, SAMPLES), HAND, BALL_RADIUS)[:FIRST_SAMPLES]
+    down = sum(potted(frame, Stroke(*row), 3) for row in noisy.tolist())
+    assert chances[0] == pytest.approx(down / FIRST_SAMPLES) and len(chances) <= 2
 
 
 def test_a_stroke_that_misses_has_no_margin_and_little_chance():

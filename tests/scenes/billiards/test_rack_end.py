@@ -10,13 +10,19 @@ import pytest
 from game.app.stagehand.files import present_level
 from game.billiards.game.rules import Pocketing, ShotSummary
 from game.billiards.game.tally import Tally
+from game.billiards.table.table import Table
 from game.levels import format_level, parse_level
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import SLOW
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.view import close_up, end_card
+from game.scenes.shared.tables.view import Balls, draw_table
 from game.stage import Action, Decision, Stage
+from game.ui.canvas.camera import Camera
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 from tests.app.tests_app import Driver
 from tests.scenes.billiards.billiards_stages import level_of, seconds, straight_pot, until_aiming
 
@@ -68,6 +74,29 @@ def test_the_picture_comes_nearer_to_the_pocket_and_stays_on_the_table():
         assert whole.holds(part.top + 1e-9, part.left + 1e-9)
         assert whole.holds(part.bottom - 1e-9, part.right - 1e-9)
         assert part.holds(*pocket) and part.right - part.left == pytest.approx((whole.right - whole.left) / 2)
+
+
+def test_from_near_a_ball_is_drawn_where_its_part_of_the_table_is():
+    from game.app.stagehand.headless import prepare
+
+    prepare()
+    canvas, surface = Canvas(Look(DARK)), pygame.Surface((1280, 720), 0, 32)
+    camera = Camera(quarter_turns=1)
+    camera.fit(layout.FRAME, surface.get_rect(), 0.0)
+    table, part = Table.pool(), close_up.seen_from_near(2.0, (0.0, 0.0))
+    ball = Balls(np.array([(0.2, 0.45)]), np.array([0.0286]), np.array([3]), np.eye(3)[None], np.ones(1))
+    pictures = []
+    for shown in (ball, ball._replace(opacities=np.zeros(1))):
+        canvas.begin(surface, surface.get_rect(), camera)
+        draw_table(canvas, table)
+        close_up.CloseUpView().draw(canvas, table, shown, part)
+        canvas.end()
+        pictures.append(pygame.surfarray.array3d(surface).astype(int))
+    changed = np.argwhere(np.abs(pictures[0] - pictures[1]).sum(axis=2) > 120)
+    x = 80.0 + 2.0 * layout.PIXELS * (0.45 - layout.TABLE.left)
+    y = 56.0 + 2.0 * layout.PIXELS * (0.2 - layout.TABLE.top)
+    assert np.abs(changed.mean(axis=0) - (x, y)).max() < 6.0
+    assert np.ptp(changed[:, 0]) == pytest.approx(4.0 * 0.0286 * layout.PIXELS, rel=0.3)
 
 
 def test_near_only_while_it_falls_and_never_with_less_motion():

@@ -121,9 +121,7 @@ def _camera_on(table: Table, place: pygame.Rect, canvas: Canvas) -> Camera:
     return camera
 
 
-def _draw_figures(
-    surface: pygame.Surface, look: Look, frame: Frame, x: float, y: float, space: int
-) -> None:
+def _draw_figures(surface: pygame.Surface, look: Look, frame: Frame, x: float, y: float, space: int) -> None:
     """A row for each thing that is counted, a column for each player."""
     px = look.px
     columns = x + 0.62 * space, x + space
