@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from difflib import get_close_matches
 from importlib import import_module
+from types import ModuleType
 from typing import Any, NamedTuple
 
 from game.definition import DefinitionError
@@ -12,6 +13,21 @@ from game.stage.scene import Scene
 
 # Of the menu's bar, in its order; one that is not among them comes after these.
 CATEGORIES = ("Play", "Course", "Lecture", "Examples", "Stories", "Papers", "Playgrounds", "Carom")
+
+
+class CloseUp(NamedTuple):
+    """How a scene is framed in the live picture of its card, where all of it would be too small to see.
+
+    shown_s: simulated time, s, at which the picture begins. zoom: so many times closer than the whole frame;
+    across, down: the point of the frame, in shares of it as it is seen from its upper left corner, that is in
+    the middle of the card. level: the name of one of the scene's levels that shows more than its default.
+    """
+
+    shown_s: float = 1.6
+    zoom: float = 1.0
+    across: float = 0.5
+    down: float = 0.5
+    level: str = ""
 
 
 class Entry(NamedTuple):
@@ -53,13 +69,23 @@ class Entry(NamedTuple):
         """
         if not self.card:
             return None
-        where = f"{self.module.rpartition('.')[0]}.card"
-        painter: Callable[[Any], None] | None = getattr(import_module(where), self.card, None)
+        module = self._card_module()
+        painter: Callable[[Any], None] | None = getattr(module, self.card, None)
         if painter is None:
             raise DefinitionError(
-                f"{where} has no function {self.card!r}, which the row of {self.name} names"
+                f"{module.__name__} has no function {self.card!r}, which the row of {self.name} names"
             )
         return painter
+
+    def close_up(self) -> CloseUp:
+        """How its live picture is framed: as CLOSE_UPS, by scenes' names, in card.py says, or all of it."""
+        if not self.card:
+            return CloseUp()
+        close_up: CloseUp = getattr(self._card_module(), "CLOSE_UPS", {}).get(self.name, CloseUp())
+        return close_up
+
+    def _card_module(self) -> ModuleType:
+        return import_module(f"{self.module.rpartition('.')[0]}.card")
 
 
 class Catalogue:

@@ -1,10 +1,13 @@
-"""Words in the film of a match: title, who plays what, the tally, the end."""
+"""Words in the film of a match: title, who plays what, the tally, the end.
+
+What is said while balls roll stands in a row of its own below the table, so that no pocket is covered.
+"""
 
 from __future__ import annotations
 
 import pygame
 
-from game.app.film.script import Act, potted_at
+from game.app.film.script import Act
 from game.billiards.players.match import PLAYERS, Match
 from game.physics.animation import Keyframes
 from game.scenes.billiards.layout import pocket_words
@@ -15,6 +18,7 @@ from game.ui.painters.ball_picture import ball_chip
 COLORS = ("chalk", "vermilion")  # of the two players
 HEADING = "A billiard match"
 FADE_S = 0.6
+ROW = 64  # design px of the row of words
 
 
 def draw_title(
@@ -67,8 +71,20 @@ def _draw_card(
         y += height
 
 
-def draw_caption(surface: pygame.Surface, look: Look, act: Act, time: float) -> None:
-    """Who plays, and by way of which balls which one is to fall, at the lower left."""
+def row_of_words(size: tuple[int, int], look: Look) -> pygame.Rect:
+    """The row at the foot of a picture (px) in which the tally and the caption stand."""
+    height = min(look.px(ROW), size[1] // 3)
+    return pygame.Rect(0, size[1] - height, size[0], height)
+
+
+def draw_row(surface: pygame.Surface, look: Look, row: pygame.Rect) -> None:
+    """The empty row of words."""
+    surface.fill(look.theme.bg, row)
+    surface.fill(look.theme.line, (row.x, row.y, row.w, look.border))
+
+
+def draw_caption(surface: pygame.Surface, look: Look, row: pygame.Rect, act: Act, time: float) -> None:
+    """Who plays, and by way of which balls which one is to fall, in the middle of the row."""
     px, theme = look.px, look.theme
     one = act.round
     came = min(max((time - act.begins) / 0.3, 0.0), 1.0)
@@ -85,7 +101,7 @@ def draw_caption(surface: pygame.Surface, look: Look, act: Act, time: float) -> 
     text_width = look.text(card, words, (px(48), px(20)), 15, "semibold", "text1").w
     text_width = max(text_width, look.text(card, under, (px(48), px(39)), 12, "medium", "text2").w)
     x = px(48) + text_width + px(34)
-    down = time >= act.hits + potted_at(one)
+    down = time >= act.potted
     for place, number in enumerate(chips):
         if place:
             draw_line(card, theme.line2, (x - px(24), px(28)), (x - px(14), px(28)), max(2.0, 1.5 * look.k))
@@ -95,13 +111,13 @@ def draw_caption(surface: pygame.Surface, look: Look, act: Act, time: float) -> 
             draw_disc(card, (x, px(28)), px(14), None, look.color("green"), max(2, px(2)))
         x += px(38)
     card.set_alpha(round(255 * opacity))
-    surface.blit(card, (px(24), surface.get_height() - px(24) - card.get_height()))
+    surface.blit(card, card.get_rect(center=row.center).clamp(row))
 
 
 def draw_tally(
-    surface: pygame.Surface, look: Look, match: Match, potted: tuple[tuple[int, ...], tuple[int, ...]]
+    surface: pygame.Surface, look: Look, row: pygame.Rect, potted: tuple[tuple[int, ...], tuple[int, ...]]
 ) -> None:
-    """The balls of each player, in the upper corners."""
+    """The balls of each player, at the ends of the row."""
     px, theme = look.px, look.theme
     for player, balls in enumerate(potted):
         width = px(60) + look.fonts.size(PLAYERS[player], 13, "semibold")[0] + px(24) * len(balls)
@@ -113,5 +129,5 @@ def draw_tally(
             chip = ball_chip(number, 8.5 * look.k, (theme.panel.r, theme.panel.g, theme.panel.b))
             card.blit(chip, chip.get_rect(center=(x, px(18))))
             x += px(24)
-        at = px(24) if player == 0 else surface.get_width() - px(24) - width
-        surface.blit(card, (at, px(20)))
+        at = row.x + px(16) if player == 0 else row.right - px(16) - width
+        surface.blit(card, (at, row.centery - card.get_height() // 2))

@@ -9,9 +9,9 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.app.film.captions import draw_caption, draw_end, draw_tally, draw_title
+from game.app.film.captions import draw_caption, draw_end, draw_row, draw_tally, draw_title, row_of_words
 from game.app.film.progress import Progress
-from game.app.film.script import Act, Script, potted_at, write_script
+from game.app.film.script import WHOLE, Act, Script, write_script
 from game.app.film.soundtrack import Soundtrack
 from game.app.film.video import VideoWriter
 from game.app.stagehand.headless import prepare
@@ -51,9 +51,11 @@ class MatchFilm:
         self.script: Script = write_script(match)
         self.look = Look(theme_named(theme), auto_scale(*size))
         self.surface = pygame.Surface(size, 0, 32)
+        self.row = row_of_words(size, self.look)
+        self.stage = pygame.Rect(0, 0, size[0], self.row.top)
         self._canvas = Canvas(self.look)
         self._camera = Camera(quarter_turns=1)
-        self._scale = BACKDROP * size[0] / 3.0
+        self._scale = BACKDROP * size[0] / WHOLE
         self._backdrop = self._paint_backdrop()
         self._turns = self._all_turns()
 
@@ -89,7 +91,7 @@ class MatchFilm:
     def picture(self, time: float) -> pygame.Surface:
         """The picture of a moment, s; drawn over by the next one."""
         self._point_camera(time)
-        self._canvas.begin(self.surface, self.surface.get_rect(), self._camera)
+        self._canvas.begin(self.surface, self.stage, self._camera)
         try:
             self._draw_backdrop()
             act = self.script.act_at(time)
@@ -106,10 +108,10 @@ class MatchFilm:
 
     def _point_camera(self, time: float) -> None:
         x, y, length = self.script.camera.sample(time).tolist()
-        width, height = self.surface.get_size()
+        width, height = self.stage.size
         half, down = 0.5 * length, 0.5 * length * height / width
         frame = Frame(x - down, y - half, x + down, y + half)
-        self._camera.fit(frame, self.surface.get_rect(), 0.0)
+        self._camera.fit(frame, self.stage, 0.0)
 
     def _draw_backdrop(self) -> None:
         """The part of the painted table that the camera sees, brought to the picture's size."""
@@ -119,11 +121,12 @@ class MatchFilm:
         part = pygame.Rect(round(left), round(top), round(width), round(height))
         part.clamp_ip(self._backdrop.get_rect())
         part = part.clip(self._backdrop.get_rect())
-        pygame.transform.smoothscale(self._backdrop.subsurface(part), self.surface.get_size(), self.surface)
+        seen_now = self.surface.subsurface(self.stage)
+        pygame.transform.smoothscale(self._backdrop.subsurface(part), self.stage.size, seen_now)
 
     def _draw_act(self, act: Act, time: float) -> None:
         number = act.round.number - 1
-        since = time - act.hits
+        since = act.shot_time(time)
         self._draw_rest(number, since)
         gap, solid = act.motion.track.sample(since + act.motion.hit_s).tolist()
         if solid > 0.05 and since <= act.motion.end_s - act.motion.hit_s:
@@ -185,14 +188,15 @@ class MatchFilm:
 
     def _draw_words(self, time: float) -> None:
         first, last = self.script.acts[0].begins, self.script.acts[-1].ends
+        draw_row(self.surface, self.look, self.row)
         if time < first:
             draw_title(self.surface, self.look, self.title, self.match, time, first)
             return
         potted = self.potted_at(time)
-        draw_tally(self.surface, self.look, self.match, potted)
+        draw_tally(self.surface, self.look, self.row, potted)
         act = self.script.act_at(time)
         if act is not None:
-            draw_caption(self.surface, self.look, act, time)
+            draw_caption(self.surface, self.look, self.row, act, time)
         elif time >= last:
             draw_end(self.surface, self.look, self.title, self.match, time - last)
 
@@ -200,7 +204,7 @@ class MatchFilm:
         """The balls that each player has potted by a moment."""
         found: tuple[list[int], list[int]] = ([], [])
         for act in self.script.acts:
-            if act.hits + potted_at(act.round) <= time:
+            if act.potted <= time:
                 found[act.round.player].append(act.round.fallen.ball)
         return tuple(found[0]), tuple(found[1])
 
@@ -215,7 +219,8 @@ def write_match_film(
         film = MatchFilm(match, size, title)
         track = Soundtrack()
         for act in film.script.acts:
-            track.schedule(sounds_of(act.round.trajectory, act.round.stroke.cue_speed), act.hits)
+            heard = sounds_of(act.round.trajectory, act.round.stroke.cue_speed)
+            track.schedule([one._replace(time=act.film_time(one.time)) for one in heard], 0.0)
         length = min(film.length, seconds)
         count = round(length * fps)
         for i in range(count):

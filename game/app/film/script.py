@@ -24,17 +24,47 @@ LOOK_AHEAD_S, LOOK_BACK_S = 0.9, 0.3
 CUE_SHOWN = 0.5  # m of the cue that are seen before the hit
 CLOSEST = 1.5  # m, of the table's length that is in view at least
 MARGIN = 0.22  # m round what matters
-WHOLE = 3.0  # m of length, and the middle of the table: the whole of it
+WHOLE = 3.2  # m of length, and the middle of the table: the whole of it, and the cue that lies beside it
+ASPECT = 1280.0 / 656.0  # width to height of what the camera shows: the row of words is below it
+SLOW, SLOW_FROM_S = 4.0, 0.35  # the deciding ball falls so many times slower, from s before it is down
+SLOW_CLOSEST = 0.8  # m of length in view then
 
 
 class Act(NamedTuple):
-    """One round in the film: when it begins, when the tip meets the ball, when it ends, s."""
+    """One round in the film: when it begins, when the tip meets the ball, when it ends, s.
+
+    decides: the match; its ball falls in slow motion.
+    """
 
     round: Round
     begins: float
     hits: float
     ends: float
     motion: StrokeMotion
+    decides: bool = False
+
+    @property
+    def slow_from(self) -> float:
+        """From when on the shot is slower, s after the hit; inf: never."""
+        return max(potted_at(self.round) - SLOW_FROM_S, 0.0) if self.decides else math.inf
+
+    def shot_time(self, time: float) -> float:
+        """The time of the shot, s after the hit, that is seen at a moment of the film."""
+        since = time - self.hits
+        slow = self.slow_from
+        if since <= slow:
+            return since
+        return max(slow + (since - slow) / SLOW, since - (potted_at(self.round) - slow) * (SLOW - 1.0))
+
+    def film_time(self, since: float) -> float:
+        """The moment of the film at which a time of the shot, s after the hit, is seen."""
+        slowed = max(min(since, potted_at(self.round)) - self.slow_from, 0.0)
+        return self.hits + since + slowed * (SLOW - 1.0)
+
+    @property
+    def potted(self) -> float:
+        """The moment of the film at which its ball falls."""
+        return self.film_time(potted_at(self.round))
 
 
 class Script(NamedTuple):
@@ -62,9 +92,9 @@ def write_script(match: Match) -> Script:
         motion = stroke_motion(one.stroke.cue_speed, practised=True)
         hits = time + BEFORE_S + motion.hit_s
         rolls = max(one.trajectory.end_time, motion.end_s - motion.hit_s)
-        ends = hits + rolls + AFTER_S + rest
-        acts.append(Act(one, time, hits, ends, motion))
-        time = ends
+        act = Act(one, time, hits, math.inf, motion, decides=one is match.rounds[-1])
+        time = act.film_time(rolls) + AFTER_S + rest
+        acts.append(act._replace(ends=time))
     length = time + END_S
     return Script(tuple(acts), camera_of(tuple(acts), length), length)
 
@@ -76,7 +106,7 @@ def camera_of(acts: tuple[Act, ...], length: float) -> Keyframes:
         times.append(act.begins)
         views.append(_whole(acts))
         start = act.begins + 0.4 * (act.hits - act.begins)
-        stop = act.hits + potted_at(act.round) + 0.3
+        stop = act.potted + 0.3
         for time in np.arange(start, stop, EVERY_S).tolist():
             times.append(time)
             views.append(_framed(act, time))
@@ -109,7 +139,7 @@ def _framed(act: Act, time: float) -> tuple[float, float, float]:
     chain = [trajectory.shot.ids.index(str(number)) for number in (CUE_BALL, *fallen.chain)]
     places = []
     for moment in (time - LOOK_BACK_S, time, time + 0.5 * LOOK_AHEAD_S, time + LOOK_AHEAD_S):
-        at = max(moment - act.hits, 0.0)
+        at = max(act.shot_time(moment), 0.0)
         places.append(trajectory.state_at(at).positions[chain])
     points = np.concatenate(places)
     table = trajectory.shot.table
@@ -117,10 +147,12 @@ def _framed(act: Act, time: float) -> tuple[float, float, float]:
         azimuth = act.round.stroke.azimuth
         white = trajectory.shot.positions[chain[0]]
         points = np.vstack((points, white - CUE_SHOWN * np.array((math.cos(azimuth), math.sin(azimuth)))))
-    if time + LOOK_AHEAD_S > act.hits + potted_at(act.round):
+    if time + LOOK_AHEAD_S > act.potted:
         points = np.vstack((points, table.pockets[fallen.pocket, :2]))
     low, high = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
-    length = max(CLOSEST, high[1] - low[1], (high[0] - low[0]) * 16.0 / 9.0)
+    slow = time - act.hits > act.slow_from and time < act.potted + LOOK_BACK_S
+    closest = SLOW_CLOSEST if slow else CLOSEST
+    length = max(closest, high[1] - low[1], (high[0] - low[0]) * ASPECT)
     length = min(length, WHOLE)
     x, y = 0.5 * (low + high)
     share = (WHOLE - length) / WHOLE  # the wider the view, the nearer its middle stays to the table's

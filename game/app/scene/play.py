@@ -90,6 +90,8 @@ class ScenePlay:
     def _place_view(self) -> None:
         """Fit the scene's frame into the stage; a game comes nearer to its edges."""
         margin = ROOMY_MARGIN * self.host.look.k if self.shell.entry.roomy else None
+        if self.shell.layout.overlaid:
+            margin = 0.0
         self.view.place(self.shell.layout.free_stage, self.host.look, margin)
 
     def close(self) -> None:

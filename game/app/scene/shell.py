@@ -10,7 +10,7 @@ import pygame
 from game.app.screens.host import Host
 from game.app.window.commands import COMMANDS
 from game.ui.look.beat import Beat
-from game.ui.look.layout import arrange
+from game.ui.look.layout import arrange, arrange_over
 from game.ui.look.pace import Pace
 from game.ui.widgets.hintbar import HintBar
 from game.ui.widgets.legend import Legend
@@ -78,9 +78,10 @@ class Shell:
         panel = host.settings.panel_in_games if self.entry.roomy else host.settings.panel
         strips = len(self.strips.strips) if self.strips is not None else 3
         if self.entry.roomy and not panel:
-            strips = 0
-        self.layout = arrange(*host.size, look.k, panel=panel, strips=strips)
-        self.bar.place(self.layout.top_bar, look)
+            self.layout = arrange_over(*host.size, look.k)
+        else:
+            self.layout = arrange(*host.size, look.k, panel=panel, strips=strips)
+        self.bar.place(self.layout.top_bar, look, slim=self.layout.overlaid)
         self.hints.place(self.layout.hint_bar, look)
         for widget in (self.legend, self.tip, self.loading):
             widget.place(look)
@@ -112,6 +113,8 @@ class Shell:
         position = getattr(event, "pos", None)
         if position is None:
             return False
+        if self.layout.overlaid:
+            return self.bar.covers(position) or self.layout.hint_bar.collidepoint(position)
         return not self.layout.stage.collidepoint(position) or bool(
             self.layout.drawer and self.layout.panel.collidepoint(position)
         )

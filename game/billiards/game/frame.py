@@ -23,6 +23,7 @@ from game.billiards.game.arrangement import (
 )
 from game.billiards.game.rules import CUE_BALL, Call, Game, Hand, ShotSummary, Verdict
 from game.billiards.game.summary import summarize
+from game.billiards.game.tally import Tally, merit
 from game.billiards.shot.cue import strike as struck_ball
 from game.billiards.shot.shot import Physics, Shot, ShotError
 from game.billiards.shot.trajectory import Trajectory
@@ -48,7 +49,8 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
 
     game: the rules' state. layout: where the balls lie, or lay before the stroke that is being played.
     last: the stroke that is being played, or was last. words: what the last verdict said; foul: it had a
-    foul. strokes: so many were played. earlier: the frame to go back to.
+    foul. strokes: so many were played. earlier: the frame to go back to. tallies: what is counted of each
+    player; best: the best stroke of this rack, None if none has scored yet.
     """
 
     game: Game
@@ -60,6 +62,8 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
     foul: bool = False
     strokes: int = 0
     earlier: Frame | None = None
+    tallies: tuple[Tally, Tally] = (Tally(), Tally())
+    best: BestStroke | None = None
 
     def replace(self, **changes: Any) -> Frame:
         """The same with some fields changed."""
@@ -123,7 +127,9 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         self.game.check_playable()
         if self.cue_ball is None:
             raise ValueError("cue ball: it must be put down first")
-        alone = self.replace(last=None, earlier=None)  # else each stroke would hold all those before it
+        alone = self.replace(
+            last=None, earlier=None, best=None
+        )  # else each stroke would hold all those before it
         return self.replace(
             last=Struck(alone, stroke, call), strokes=self.strokes + 1, earlier=self.shortened(), words=(),
             foul=False,
@@ -138,7 +144,13 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         summary = summarize(trajectory)
         verdict = before.game.judge(summary, call)
         layout = before._layout_after(verdict, after_shot(before.layout, summary), None)
-        return Played(trajectory, summary, verdict, self._following(verdict, layout))
+        following = self._following(verdict, layout)
+        tallies = list(self.tallies)
+        tallies[before.game.turn] = tallies[before.game.turn].after(before.game, call, verdict)
+        worth = merit(summary, verdict)
+        if worth > 0.0 and (self.best is None or worth >= self.best.merit):
+            following = following.replace(best=BestStroke(self.last, summary, worth))
+        return Played(trajectory, summary, verdict, following.replace(tallies=(tallies[0], tallies[1])))
 
     def choose(self, name: str, seed: int | None = None) -> Frame:
         """The frame after the player at turn has chosen an option; ValueError if there is no such option.
@@ -152,7 +164,7 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         """The next rack of the same players. ValueError if the game has none."""
         verdict = self.game.next_rack()
         following = self._following(verdict, self._layout_after(verdict, self.layout, seed))
-        return following.replace(last=None, earlier=None)
+        return following.replace(last=None, earlier=None, best=None)
 
     def _layout_after(self, verdict: Verdict, layout: Arrangement, seed: int | None) -> Arrangement:
         """What a verdict makes of the balls as they came to rest; this frame is the one before the stroke."""
@@ -189,6 +201,14 @@ class Struck(NamedTuple):
     frame: Frame
     stroke: Stroke
     call: Call = Call()
+
+
+class BestStroke(NamedTuple):
+    """The best stroke of a rack so far: what was played, what it did, how much it is worth."""
+
+    struck: Struck
+    summary: ShotSummary
+    merit: float
 
 
 class Played(NamedTuple):

@@ -28,8 +28,10 @@ from game.billiards.table.table import Table
 Array = NDArray[np.float64]
 
 CUTS = np.radians([0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0])
-DISTANCES = np.array([0.15, 0.3, 0.5])  # m; from the cue ball to where it meets the other
-MOST_PLACES = 15 * 6 * 7 * 3
+# m; from the cue ball to where it meets the other. Behind the line most balls are farther away
+DISTANCES = np.array([0.15, 0.3, 0.5])
+DISTANCES_FROM_LINE = np.array([0.15, 0.3, 0.5, 0.8, 1.2, 1.7])
+MOST_PLACES = 15 * 6 * len(CUTS) * len(DISTANCES_FROM_LINE)
 
 # columns of places for the cue ball (c, 4): x, y m; row of the ball that it lies for; estimated chance
 PLACE_X, PLACE_Y, PLACE_BALL, PLACE_CHANCE = range(4)
@@ -50,14 +52,15 @@ def _is_clear(places, geometry, x, y):
 
 
 @lean_kernel
-def list_places(places, geometry, playable, needed, cuts, distances, open_chances, found):
+def list_places(places, geometry, region, playable, needed, cuts, distances, open_chances, found):
     """Places for the cue ball to pot a ball from, to found (c, 4). Returns how many.
 
-    places (n, 2) m, of which the cue ball's is written over. The geometry's bed: where its centre may lie.
-    playable, needed: balls to pot now, and in all (bits of their rows). cuts (a,) rad and distances (b,) m
-    from which each is tried. open_chances (n,): scratch buffer.
+    places (n, 2) m, of which the cue ball's is written over. region (4,) m: where its centre may be put
+    down: left, right, lower, upper; once struck it goes where it likes on the bed. playable, needed: balls
+    to pot now, and in all (bits of their rows). cuts (a,) rad and distances (b,) m from which each is tried.
+    open_chances (n,): scratch buffer.
     """
-    radii, gates, bed, cue, _ = geometry
+    radii, gates, _, cue, _ = geometry
     n = places.shape[0]
     product = 1.0
     for i in range(n):
@@ -79,7 +82,7 @@ def list_places(places, geometry, playable, needed, cuts, distances, open_chance
                     back = direction + math.pi + cuts[c]
                     x = places[ball, 0] - reach * math.cos(direction) + distances[d] * math.cos(back)
                     y = places[ball, 1] - reach * math.sin(direction) + distances[d] * math.sin(back)
-                    inside = bed[0] <= x <= bed[1] and bed[2] <= y <= bed[3]
+                    inside = region[0] <= x <= region[1] and region[2] <= y <= region[3]
                     if not (inside and _is_clear(places, geometry, x, y)):
                         continue
                     places[cue, 0] = x
@@ -131,13 +134,13 @@ def places_for_cue_ball(ball: BallInHand, aims: Aims, most: int) -> Array:
 
     aims: in rows of the arrangement with the cue ball.
     """
-    left, right, lower, upper = ball.region()
+    left, right, lower, _ = ball.region()
     view = ball.view(ball.placed_near(0.5 * (left + right), lower))
-    geometry = view.geometry._replace(bed=np.array([left, right, lower, upper]))
+    distances = DISTANCES_FROM_LINE if ball.hand == "behind the line" else DISTANCES
     found = np.empty((MOST_PLACES, 4))
     count = list_places(
-        view.places.copy(), geometry, aims.first & aims.score, aims.needed,
-        CUTS, DISTANCES, np.empty(view.board.count), found,
+        view.places.copy(), view.geometry, np.array(ball.region()), aims.first & aims.score, aims.needed,
+        CUTS, distances, np.empty(view.board.count), found,
     )  # fmt: skip
     order = np.argsort(-found[:count, PLACE_CHANCE], kind="stable")
     taken: list[int] = []

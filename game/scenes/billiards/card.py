@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pygame
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, WOOD_DARK
+
+CLOSE_UPS = {"billiards": CloseUp(shown_s=4.1, zoom=2.2, across=0.7, down=0.48)}
 
 
 def draw_billiards(pen: Pen) -> None:

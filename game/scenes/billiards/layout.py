@@ -1,7 +1,8 @@
 """Where everything round the table lies, in the world's metres, so that the hand finds it at every size.
 
 The picture is turned: x runs down and y to the right. Measures are design px of a table drawn with
-PIXELS to a metre; what draws them scales its letters and lines likewise.
+PIXELS to a metre; what draws them scales its letters and lines likewise. The frame has the sides of a
+window of 16 : 9: the board stands in the row of the window's bar, the foot above that of its hints.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from game.billiards.table.table import BED_LENGTH, BED_WIDTH, CUSHION_DEPTH
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 
-PIXELS = 360.0  # design px to a metre
+PIXELS = 403.0  # design px to a metre: the frame is 1280 by 720 of them
 WOOD = 0.074  # m
 RIM = CUSHION_DEPTH + WOOD
 
@@ -50,28 +51,28 @@ def metres(pixels: float) -> float:
     return pixels / PIXELS
 
 
-CARD, CARD_FROM = 300.0, 144.0  # design px: width of a player's card, and where it begins
-SIDE = metres(84.0)  # of the gutters left and right
-TOP, LINE, GAP = metres(58.0), metres(36.0), metres(8.0)
+CARD, CARD_FROM = 352.0, 144.0  # design px: width of a player's card, and where it begins
+SIDE = metres(80.0)  # of the gutters left and right
+ROW = metres(56.0)  # of the frame above and below the table
 
 TABLE = Box(-RIM, -RIM, BED_WIDTH + RIM, BED_LENGTH + RIM)
-BOARD = Box(TABLE.top - GAP - TOP, TABLE.left, TABLE.top - GAP, TABLE.right)
-FOOT = Box(TABLE.bottom + GAP, TABLE.left, TABLE.bottom + GAP + LINE, TABLE.right)
-FRAME = Frame(BOARD.top, TABLE.left - SIDE, FOOT.bottom, TABLE.right + SIDE)
+BOARD = Box(TABLE.top - ROW + metres(5.0), TABLE.left, TABLE.top - metres(5.0), TABLE.right)
+FOOT = Box(TABLE.bottom + metres(2.0), TABLE.left, TABLE.bottom + metres(28.0), TABLE.right)
+FRAME = Frame(TABLE.top - ROW, TABLE.left - SIDE, TABLE.bottom + ROW, TABLE.right + SIDE)
 
 LEFT_MIDDLE = TABLE.left - 0.5 * SIDE
 RIGHT_MIDDLE = TABLE.right + 0.5 * SIDE
 POWER = Box(TABLE.top, TABLE.left - SIDE, TABLE.bottom, TABLE.left - metres(4.0))
 POWER_TOP, POWER_FOOT = metres(52.0), metres(68.0)  # of its box that are not the bar: see gauges.draw_power
 
-SPIN = (TABLE.top + metres(54.0), RIGHT_MIDDLE)
+SPIN = (TABLE.top + metres(50.0), RIGHT_MIDDLE)
 SPIN_RADIUS = metres(30.0)
-ELEVATION = (TABLE.top + metres(222.0), RIGHT_MIDDLE - metres(20.0))  # pivot
+ELEVATION = (TABLE.top + metres(206.0), RIGHT_MIDDLE - metres(20.0))  # pivot
 ELEVATION_RADIUS = metres(40.0)
-NUMBERS_TOP = TABLE.top + metres(278.0)
+NUMBERS_TOP, NUMBERS_PITCH = TABLE.top + metres(252.0), metres(48.0)  # of the numbers below each other
 
 BUTTON_HEIGHT, BUTTON_GAP = metres(26.0), metres(6.0)
-PLAY = Box(FOOT.top + metres(4.0), FOOT.left, FOOT.bottom - metres(4.0), FOOT.left + metres(64.0))
+PLAY = Box(FOOT.top + metres(1.0), FOOT.left, FOOT.bottom - metres(1.0), FOOT.left + metres(64.0))
 SPEED = Box(PLAY.top, PLAY.right + metres(8.0), PLAY.bottom, PLAY.right + metres(72.0))
 SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - metres(84.0))
 

@@ -13,6 +13,7 @@ from game.billiards.game.frame import rack_for
 from game.billiards.game.games import GAMES, AnyGame, Drill
 from game.billiards.game.goals import Goal
 from game.billiards.game.rules import CUE_BALL, Game
+from game.billiards.game.tally import Tally
 from game.billiards.shot.shot import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
@@ -55,7 +56,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
 
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
     the second and third star. in_hand: the cue ball may be moved before each try. saved: a game under way,
-    as msgspec writes it.
+    as msgspec writes it; tallies: what has been counted of its players.
     """
 
     game: Literal["eight-ball", "nine-ball", "combination", "practice", "drill"] = "eight-ball"
@@ -67,6 +68,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     solution: Solution | None = None
     in_hand: Literal["", "behind the line", "anywhere"] = ""
     saved: dict[str, Any] = {}
+    tallies: tuple[Tally, Tally] = (Tally(), Tally())
 
 
 def ball_set(radius_spread: float, mass_spread: float, seed: int) -> BallSet:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from functools import lru_cache
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
@@ -13,6 +14,8 @@ from game.billiards.game.arrangement import Arrangement, Stroke
 from game.billiards.game.frame import Frame, Played, Struck
 from game.billiards.game.games import Drill, Practice
 from game.billiards.game.rules import CUE_BALL, Call, Hand
+from game.billiards.game.tally import Tally
+from game.billiards.laws.state import BALL_POCKET
 from game.billiards.lecture.state import POCKETS
 from game.billiards.shot.shot import Physics
 from game.billiards.shot.trajectory import rotation_matrices
@@ -45,7 +48,7 @@ class BilliardsModel(Part):
         table, physics = self._table_and_physics(active)
         game = game_of(content)
         self.frame = Frame(
-            game, layout_for(content, game, table, balls, seed), table, physics
+            game, layout_for(content, game, table, balls, seed), table, physics, tallies=content.tallies
         ).with_cue_ball()
         self.places = np.zeros((16, 2))
         self.turns = rotation_matrices(scattered_orientations(16, seed))
@@ -70,6 +73,11 @@ class BilliardsModel(Part):
     def played(self) -> Played | None:
         """What comes, or came, of the last stroke; None before the first. ValueError if it cannot be."""
         return self._outcome.played(self.frame)
+
+    @property
+    def decided(self) -> Decided | None:
+        """The pot that decided the rack, if the last stroke did."""
+        return self._outcome.decided(self.frame)
 
     @property
     def word(self) -> str:
@@ -142,7 +150,7 @@ class BilliardsModel(Part):
         else:
             content = self.content
             if not drill:
-                content = msgspec.structs.replace(content, balls=[], saved={})
+                content = msgspec.structs.replace(content, balls=[], saved={}, tallies=(Tally(), Tally()))
             game = game_of(content)
             layout = layout_for(content, game, frame.table, frame.layout.balls, seed)
             self.frame = Frame(game, layout, frame.table, frame.physics).with_cue_ball()
@@ -193,6 +201,8 @@ class _Outcome:
         self._word = ""
         self._played_of: Struck | None = None
         self._played: Played | None = None
+        self._decided_of: Struck | None = None
+        self._decided: Decided | None = None
 
     def word(self, frame: Frame) -> str:
         """A hash of all that a frame says."""
@@ -206,6 +216,33 @@ class _Outcome:
             self._played = frame.outcome() if frame.last is not None else None
             self._played_of = frame.last
         return self._played
+
+    def decided(self, frame: Frame) -> Decided | None:
+        """Of a frame's last stroke."""
+        if self._decided_of is not frame.last:
+            self._decided = decided_by(self.played(frame))
+            self._decided_of = frame.last
+        return self._decided
+
+
+class Decided(NamedTuple):
+    """The pot that decided a rack: when, s after the hit, and the pocket (x, y) m."""
+
+    time: float
+    pocket: tuple[float, float]
+
+
+def decided_by(played: Played | None) -> Decided | None:
+    """The last pot of a stroke that ended its rack; None if it did not, or by no pot."""
+    if played is None or not played.frame.game.over:
+        return None
+    cue = played.trajectory.shot.ids.index(str(CUE_BALL))
+    rows = [row for row in played.trajectory.rows.tolist() if row[1] == BALL_POCKET and int(row[2]) != cue]
+    if not rows:
+        return None
+    time, _, _, hole = rows[-1]
+    x, y = played.trajectory.shot.table.pockets[int(hole), :2].tolist()
+    return Decided(time, (x, y))
 
 
 def _word_of(frame: Frame) -> str:

@@ -17,6 +17,7 @@ from game.stage.messages import Messages
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
 PHASE_S, REPLAY_S = range(2)
 PERSON = "person"
+SLOW, SLOW_BEFORE_S, SLOW_AFTER_S = 0.25, 0.30, 0.12  # of the pace; s of the shot before and after the pot
 
 
 class Play(Part):
@@ -88,11 +89,20 @@ class Play(Part):
             self.clock[PHASE_S] += dt
             self._swing()
         elif self.phase == ROLLING:
-            self.clock[PHASE_S] += dt
+            self.clock[PHASE_S] += dt * self.pace
             self._roll()
         elif self.phase == AIMING:
             self.rest_s += dt
             self.aiming.advance(dt)
+
+    @property
+    def pace(self) -> float:
+        """How fast a shot goes on: slowly while the ball that decides the rack is about to fall."""
+        decided = self.model.decided
+        if decided is None:
+            return 1.0
+        left = decided.time - float(self.clock[PHASE_S])
+        return SLOW if -SLOW_AFTER_S <= left <= SLOW_BEFORE_S else 1.0
 
     @property
     def motion(self) -> StrokeMotion:

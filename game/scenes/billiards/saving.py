@@ -15,7 +15,7 @@ def content_of(model: BilliardsModel) -> BilliardsContent:
     return BilliardsContent(
         game=model.content.game, players=model.content.players, calling=model.content.calling,
         balls=balls, solution=model.content.solution,
-        saved=msgspec.to_builtins(model.frame.game),
+        saved=msgspec.to_builtins(model.frame.game), tallies=model.frame.tallies,
     )  # fmt: skip
 
 

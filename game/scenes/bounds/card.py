@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import math
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen, Point
+
+CLOSE_UPS = {
+    "c08": CloseUp(zoom=1.15),
+    "c09": CloseUp(zoom=1.15),
+}
 
 BAY = (
     (14, 58),

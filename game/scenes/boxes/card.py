@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {
+    "c05": CloseUp(zoom=3.0, across=0.7, down=0.4),
+    "c06": CloseUp(zoom=2.2, across=0.84, down=0.35),
+    "c07": CloseUp(zoom=1.7, across=0.6, down=0.68),
+    "broad-phase-race": CloseUp(zoom=2.4, across=0.25, down=0.6),
+}
 
 Box = tuple[float, float, float]  # left, top, side
 SMALL: tuple[Box, ...] = (

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {
+    "c10": CloseUp(zoom=1.2),
+    "c11": CloseUp(level="crystals"),
+}
 
 
 def draw_voronoi_walk(pen: Pen) -> None:

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import math
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {
+    "pendulum": CloseUp(shown_s=1.35, zoom=1.5, down=0.6),
+    "bouncing-ball": CloseUp(shown_s=1.25, zoom=1.8, down=0.72),
+    "spring-chain": CloseUp(zoom=1.1),
+}
 
 
 def draw_pendulum(pen: Pen) -> None:

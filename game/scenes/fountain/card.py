@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 import random
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen, Point
+
+CLOSE_UPS = {"c04": CloseUp(zoom=1.4, down=0.58)}
 
 FALL = 23.2  # half the acceleration that gives the envelope
 STONE = (88.0, 42.0)

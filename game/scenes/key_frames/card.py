@@ -6,7 +6,10 @@ import math
 
 import pygame
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen, Point
+
+CLOSE_UPS = {"c01": CloseUp(zoom=1.6, across=0.7, down=0.35)}
 
 
 def draw_key_frames(pen: Pen) -> None:

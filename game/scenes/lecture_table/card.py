@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pygame
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
 from game.ui.look.theme import FELT, FELT_LINE, WOOD_DARK
+
+CLOSE_UPS = {"lecture-table": CloseUp(zoom=1.9, across=0.72)}
 
 
 def draw_lecture_table(pen: Pen) -> None:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import pygame
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {"c12": CloseUp(zoom=1.7, across=0.25)}
 
 
 def draw_rigid_body(pen: Pen) -> None:

@@ -5,7 +5,13 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen, Point
+
+CLOSE_UPS = {
+    "c02": CloseUp(zoom=1.7, down=0.3),
+    "c03": CloseUp(zoom=2.4, across=0.2, down=0.27),
+}
 
 
 def draw_skeleton(pen: Pen) -> None:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {"c13": CloseUp(shown_s=1.2, zoom=1.5, across=0.6, down=0.4)}
 
 
 def draw_cradle(pen: Pen) -> None:

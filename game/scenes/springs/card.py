@@ -5,7 +5,13 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen, Point
+
+CLOSE_UPS = {
+    "c14": CloseUp(zoom=1.4, down=0.55),
+    "c15": CloseUp(shown_s=2.4, zoom=1.15, down=0.68),
+}
 
 CLOTH = (15, 8)  # cells across and down
 JELLY = (9, 5)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
 from game.ui.look.theme import CUE_BALL, FELT, FELT_WARM, WOOD_DARK
+
+CLOSE_UPS = {"three-tables": CloseUp(shown_s=5.0, zoom=1.5, across=0.55, down=0.58)}
 
 
 def draw_three_tables(pen: Pen) -> None:

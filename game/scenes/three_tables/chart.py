@@ -9,13 +9,14 @@ import numpy as np
 from game.scenes.three_tables.model import ThreeTablesModel
 from game.scenes.three_tables.places import ACROSS, ALONG
 from game.scenes.three_tables.readouts import LEAST
-from game.scenes.three_tables.shot import SAMPLES_HZ
+from game.scenes.three_tables.shot import LONGEST_S, SAMPLES_HZ
 from game.scenes.three_tables.state import TIME
 from game.ui.canvas.canvas import Canvas
 
 CHART = (ACROSS - 0.08, ALONG - 0.02)  # m, top left corner of the chart
 CHART_SIZE = (1.40, 2.50)  # m, down and to the right
 SERIES = {"lecture": "chalk", "stepped": "green", "perturbed": "pink"}  # those of the strip
+SPANS = (3.0, 6.0, 10.0, 20.0, 40.0, LONGEST_S)  # s
 HIGHEST, LOWEST = 1.0, -16.0  # log10 m, of the chart
 
 
@@ -31,7 +32,7 @@ def draw_chart(canvas: Canvas, model: ThreeTablesModel, time: float) -> None:
         canvas.label((x0 - 0.11, y0 + right), words, "text2", 12, anchor="right")
     corners = np.array([(x0, y0), (x0, y0 + right), (x0 + down, y0 + right), (x0 + down, y0)])
     canvas.polygon(corners, fill="stage", outline="line", width=1.0)
-    span = max(model.played.least_end_s, 1.0) if model.playing else 10.0
+    span = span_at(time)
 
     def place(seconds: float, logarithm: float) -> tuple[float, float]:
         share = (HIGHEST - min(max(logarithm, LOWEST), HIGHEST)) / (HIGHEST - LOWEST)
@@ -63,6 +64,11 @@ def draw_chart(canvas: Canvas, model: ThreeTablesModel, time: float) -> None:
             point, name, SERIES[name], 12, "semibold", anchor="right" if near_end else "left",
             offset=(-8.0 if near_end else 8.0, 0.0),
         )  # fmt: skip
+
+
+def span_at(time: float) -> float:
+    """How long a time the chart shows at a time of the shot, s: a round one that grows with the curves."""
+    return next((span for span in SPANS if time <= span), SPANS[-1])
 
 
 def _apart(ends: list[tuple[np.ndarray, str]], least: float) -> list[tuple[np.ndarray, str]]:

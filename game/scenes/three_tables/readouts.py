@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from game.scenes.three_tables.model import ThreeTablesModel
 from game.stage import Readout
 
+APART = ("lecture", "stepped", "perturbed")  # tables that are compared with the exact one
 LEAST = 1e-17  # m; what the logarithm of no difference at all is taken from
 
 
@@ -26,15 +25,12 @@ def readouts_of(model: ThreeTablesModel) -> tuple[Readout, ...]:
     masses = model.masses[model.in_play]
     energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum()) if playing else 0.0
     done = int(np.searchsorted(model.played.event_times, time, side="right")) if playing else 0
-    logs = {
-        name: math.log10(max(difference_now(model, name), LEAST))
-        for name in ("lecture", "stepped", "perturbed")
-    }
+    apart = [name for name in APART if name in model.played.tables]
     return (
         Readout("events", done),
         Readout("difference", difference_now(model, "stepped"), "m"),
         Readout("shot", time, "s"),
         Readout("energy", energy, "J"),
-        *(Readout(name, value, "log10 m") for name, value in logs.items()),
+        *(Readout(name, difference_now(model, name), "m") for name in apart),
         Readout("strokes", model.strokes),
     )

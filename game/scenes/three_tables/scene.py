@@ -14,7 +14,7 @@ from game.scenes.three_tables.hand import ThreeTablesHand
 from game.scenes.three_tables.level import ThreeTablesContent
 from game.scenes.three_tables.model import ThreeTablesModel
 from game.scenes.three_tables.parameters import ThreeTablesParameters
-from game.scenes.three_tables.readouts import readouts_of
+from game.scenes.three_tables.readouts import APART, readouts_of
 from game.scenes.three_tables.state import ThreeTablesState
 from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
 
@@ -40,7 +40,7 @@ class ThreeTables(Scene):
     study = billiards_study
 
     strips = (
-        Strip("Difference", "log10 m", ("lecture", "stepped", "perturbed")),
+        Strip("Off the exact table", "m", APART, sometimes=("perturbed",)),
         Strip("Energy, exact", "J", ("energy",)),
         Strip("Events", "", ("events",)),
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.table.aim import first_contact
@@ -18,10 +19,13 @@ from game.scenes.three_tables.shot import MODELS
 from game.scenes.three_tables.state import TIME, ThreeTablesState
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
-from game.ui.look.theme import FELT
+from game.ui.look.theme import FELT, FELT_LINE
+
+Array = NDArray[np.float64]
 
 FRAME = Frame(-0.30, -0.21, ACROSS + WIDTH + 0.19, ALONG + LENGTH + 0.21)
 TITLES = ("The lecture's table", "Stepped, all of the physics", "Exact, from event to event")
+SEEN_APART = 0.003  # m; from there on an outline stands out beside its ball
 CUE_WORDS = -24.0  # px above the cue ball, of the speed of the stroke
 
 
@@ -44,6 +48,9 @@ def draw(
         canvas.halo = FELT
         balls = _balls_at(model, name, time)
         table_view.draw_balls(canvas, balls, model.bed, origin)
+        if model.playing and name != "exact":
+            for place, radius in outlines_of(balls, _balls_at(model, "exact", time)):
+                canvas.circle(place + origin, radius, outline=FELT_LINE, width=1.25, alpha=0.75)
         if model.playing or (hand.plays_itself and not striking):
             continue
         if model.parameters.prediction and not striking:
@@ -83,6 +90,16 @@ def _balls_at(model: ThreeTablesModel, name: str, time: float) -> Balls:
         played.orientations_at(time),
         np.where(gone, 0.0, 1.0),
     )
+
+
+def outlines_of(balls: Balls, exact: Balls) -> list[tuple[Array, float]]:
+    """Where (m) the exact table has those balls, with what radius (m), that are seen to lie elsewhere.
+
+    One that the exact table has lost to a pocket has no outline.
+    """
+    apart = np.sqrt(((balls.positions - exact.positions) ** 2).sum(axis=1))
+    rows = np.flatnonzero((exact.opacities > 0.0) & ((apart > SEEN_APART) | (balls.opacities == 0.0)))
+    return [(exact.positions[row], float(exact.radii[row])) for row in rows.tolist()]
 
 
 def _draw_aim(

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {"lecture-balls": CloseUp(shown_s=1.2, zoom=1.8, across=0.33, down=0.52)}
 
 
 def draw_two_balls(pen: Pen) -> None:

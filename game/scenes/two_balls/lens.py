@@ -20,6 +20,7 @@ LENS = (826.0, 128.0)  # px, middle of the magnified collision
 ROWS = 262.0  # px, of the head of what was computed in it
 LENS_RADIUS = 43.0  # px, of the larger ball in it
 LENS_ARROW = 62.0  # px, of the fastest velocity in it
+NAME_SPACE = 36.0  # px, between the ends of two arrows whose names stand beside them
 COLORS = ("vermilion", "chalk")
 SUBSCRIPTS = "₁₂"
 STEPS = (
@@ -79,7 +80,8 @@ def _draw_lens(model: TwoBalls, canvas: Canvas, phase: int) -> None:
         canvas.line(
             np.array(LENS) - reach * n, np.array(LENS) + reach * n, "text1", 1.4, dash=(6.0, 6.0), alpha=0.75
         )
-        _draw_angle(canvas, centres[1], angle)
+        if phase < 4:  # the new velocities take its place
+            _draw_angle(canvas, centres[1], angle)
     canvas.contact(LENS, chosen=True)
     fastest = max(float(np.abs(row[record.VELOCITIES.start : record.NEW_VELOCITIES.stop]).max()), 1e-9)
     scale = LENS_ARROW / (fastest * math.sqrt(2.0))
@@ -95,19 +97,33 @@ def _draw_lens(model: TwoBalls, canvas: Canvas, phase: int) -> None:
                 scale,
                 phase == 2,
             )
-        _draw_incoming(canvas, centres[index], scale * old[index], COLORS[index], phase < 4, index)
+        named = phase < 4 or label_is_free(centres, scale * old[index], scale * new, index)
+        _draw_incoming(canvas, centres[index], scale * old[index], COLORS[index], phase < 4, index, named)
         if phase == 4:
             canvas.arrow(centres[index], new[index], "green", f"v_{index + 1}'", scale=scale)
 
 
-def _draw_incoming(canvas: Canvas, centre: Array, arrow: Array, color: str, strong: bool, index: int) -> None:
+def label_is_free(centres: Array, incoming: Array, new: Array, index: int) -> bool:
+    """True if the name of ball ``index``'s velocity before, (2,) px, keeps off those of the new ones (2, 2).
+
+    centres (2, 2) px of both balls.
+    """
+    tail = centres[index] - incoming
+    return bool(np.sqrt(((centres + new - tail) ** 2).sum(axis=1)).min() > NAME_SPACE)
+
+
+def _draw_incoming(
+    canvas: Canvas, centre: Array, arrow: Array, color: str, strong: bool, index: int, named: bool
+) -> None:
     """A velocity before the collision: it comes in, and ends at the centre."""
     length = math.sqrt(float(arrow @ arrow))
     if length < 1.0:
         return
     alpha = 1.0 if strong else 0.35
     canvas.arrow(centre - arrow, arrow, color, alpha=alpha)
-    canvas.label(centre - (1.0 + 12.0 / length) * arrow, f"v{SUBSCRIPTS[index]}", color, alpha=alpha)
+    if named:
+        place = centre - (1.0 + 12.0 / length) * arrow
+        canvas.label(place, f"v{SUBSCRIPTS[index]}", color, alpha=alpha)
 
 
 def _draw_angle(canvas: Canvas, centre: Array, angle: float) -> None:

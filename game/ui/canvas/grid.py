@@ -42,7 +42,7 @@ def draw_grid(canvas: CanvasBase, spacing: float | None, labels: str) -> None:
             place = int(across * value + e if upright else along * value + f)
             line = (place, rect.y, 1, rect.h) if upright else (rect.x, place, rect.w, 1)
             surface.fill(color, line)
-            if axis in labels:
+            if axis in labels and canvas.words:
                 marks.append((place, upright, _number(value, spacing)))
     for spot, upright, number in marks:
         _draw_number(canvas, spot, upright, f"{number} {canvas.unit}".rstrip())

@@ -59,6 +59,7 @@ class Strips:
         self._next = 0  # chart whose turn it is
         self._painted: dict[int, tuple[int, int]] = {}  # by chart, the changes of its curves and values
         self._last: dict[str, float] = {}  # by series, the value that is written
+        self._units: dict[str, str] = {}
         self._measured = -1  # change of the series that these values are of
         self._stage: Stage | None = None
 
@@ -78,6 +79,18 @@ class Strips:
             series = {name: _values(stage, name) for strip in self.strips for name in strip.series}
             self._last = {name: float(values[-1]) for name, values in series.items() if values.size}
             self._measured = stage.series.changes
+            self._units = self._measured_units(stage)
+
+    def _measured_units(self, stage: Stage) -> dict[str, str]:
+        """By strip without a unit of its own, that of what it draws now: a scene may offer a choice."""
+        if all(strip.unit for strip in self.strips):
+            return {}
+        units = {readout.name: readout.unit for readout in stage.readouts()}
+        return {strip.title: units.get(strip.series[0], "") for strip in self.strips if not strip.unit}
+
+    def unit_shown(self, strip: Strip) -> str:
+        """Unit of a strip: its own, or that of what it draws now."""
+        return strip.unit or self._units.get(strip.title, "")
 
     def draw(self, surface: pygame.Surface) -> None:
         """Show the charts."""
@@ -126,7 +139,7 @@ class Strips:
         x = place.x + look.text(picture, strip.title, (place.x, y), 12, "semibold").w + look.px(8)
         for i, name in enumerate(strip.series):
             known = name in self._last
-            number, unit = quantity(self._last[name], strip.unit) if known else ("–", "")
+            number, unit = quantity(self._last[name], self.unit_shown(strip)) if known else ("–", "")
             color = EXACT if name in strip.exact else COLORS[i % len(COLORS)]
             words = f"{name} "
             if x + look.fonts.size(words + number + unit, 12)[0] > place.right:
@@ -136,19 +149,18 @@ class Strips:
 
     def _paint_chart(self, picture: pygame.Surface, place: pygame.Rect, i: int, stage: Stage) -> None:
         look, px, strip = self.look, self.look.px, self.strips[i]
+        own = self.unit_shown(strip)
         series = [(name, _values(stage, name)) for name in strip.series]
-        ends = [ends_of(values, strip.unit) for _, values in series if values.size]
+        ends = [ends_of(values, own) for _, values in series if values.size]
         axis = self._axes[i] = self._axis(i, ends)
-        counts = not strip.unit and all(whole for _, _, whole in ends)
-        unit, factor = unit_of(axis, strip.unit)
+        counts = not own and all(whole for _, _, whole in ends)
+        unit, factor = unit_of(axis, own)
         taken = look.text(picture, strip.title, (place.x, px(16)), 12, "semibold").w
         look.text(picture, unit, (place.x + taken + px(6), px(16)), 12, "medium", "text3")
         series = [(name, values) for name, values in series if values.size]
         last = [self._last.get(name, float(values[-1])) for name, values in series]
         numbers = [
-            format_number(int(value))
-            if counts and math.isfinite(value)
-            else end_text(value, axis, strip.unit)
+            format_number(int(value)) if counts and math.isfinite(value) else end_text(value, axis, own)
             for value in last
         ]
         labels = [_label(name, strip) for name, _ in series]

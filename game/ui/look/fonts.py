@@ -38,16 +38,17 @@ KEPT_PIXELS = 6_000_000  # about 24 MB
 class FontBook:
     """The faces at interface scale ``k``; ``render`` keeps what it made (least recently used goes first).
 
-    ``weight`` is a key of ``FACES``. Text may hold several lines. ValueError for an absurd scale or a weight
-    that there is not.
+    ``weight`` is a key of ``FACES``. Text may hold several lines. ``least``: px, of the smallest letters.
+    ValueError for an absurd scale or a weight that there is not.
     """
 
-    def __init__(self, k: float = 1.0) -> None:
+    def __init__(self, k: float = 1.0, least: int = SMALLEST_PX) -> None:
         if not (math.isfinite(k) and 0.25 <= k <= 8.0):
             raise ValueError(f"fonts: scale {k!r} is not between 0.25 and 8")
         if not pygame.font.get_init():
             pygame.font.init()
         self.k = k
+        self.least = least
         self._fonts: dict[tuple[str, int], pygame.font.Font] = {}
         self._kept: OrderedDict[tuple[object, ...], pygame.Surface] = OrderedDict()
         self._pixels = 0
@@ -55,7 +56,7 @@ class FontBook:
 
     def font(self, size: float, weight: str = "medium") -> pygame.font.Font:
         """The pygame font of a design size."""
-        px = max(SMALLEST_PX, round(size * self.k))
+        px = max(self.least, round(size * self.k))
         found = self._fonts.get((weight, px))
         if found is None:
             if weight not in FACES:

@@ -15,6 +15,8 @@ import pygame
 Rect = pygame.Rect
 
 TOP_BAR, PANEL, STRIPS, STRIP_VALUES, HINT_BAR, GUTTER = 48, 320, 128, 32, 32, 16  # design px
+OVERLAID_HINTS = 28  # design px; of the row of hints over a picture that fills the window
+GAME = (1280, 720)  # design px of such a picture: its own rows above and below are as high as bar and hints
 DRAWER_BELOW = 1120  # design px of window width
 TWO_CHARTS_BELOW = 880  # design px of stage width
 VALUES_BELOW = 600  # design px of window height
@@ -36,6 +38,7 @@ class Layout(NamedTuple):
     charts: tuple[Rect, ...]  # one column for each chart shown
     values_only: bool  # the charts show their last values and no curves
     hint_bar: Rect
+    overlaid: bool = False  # bar and hints lie over the stage, which is all of the window
 
     @property
     def free_stage(self) -> Rect:
@@ -84,6 +87,23 @@ def arrange(width: int, height: int, k: float, *, panel: bool = True, strips: in
     return Layout(
         k, window, top_bar, stage, panel_rect, narrow and panel_width > 0, strips_rect,
         _columns(strips_rect, shown, px(GUTTER)), values_only, hint_bar,
+    )  # fmt: skip
+
+
+def arrange_over(width: int, height: int, k: float) -> Layout:
+    """The layout of a game that fills its window, without panel and charts: bar and hints lie over it.
+
+    The game leaves rows free for them, as high as they are in a window of GAME. Where the interface's scale
+    makes them higher than those rows, all is arranged as usual.
+    """
+    if k > min(width / GAME[0], height / GAME[1]) + 1e-9:
+        return arrange(width, height, k, panel=False, strips=0)
+    window = Rect(0, 0, width, height)
+    bar, hints = round(TOP_BAR * k), round(OVERLAID_HINTS * k)
+    nothing = Rect(width, bar, 0, 0)
+    return Layout(
+        k, window, Rect(0, 0, width, bar), window, nothing, False, Rect(0, height - hints, width, 0), (),
+        False, Rect(0, height - hints, width, hints), overlaid=True,
     )  # fmt: skip
 
 

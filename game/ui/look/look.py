@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import pygame
 
-from game.ui.look.fonts import FontBook
+from game.ui.look.fonts import SMALLEST_PX, FontBook
 from game.ui.look.measures import Metrics, metrics
 from game.ui.look.theme import DataColor, Theme, color_names
 
 
 class Look:
-    """The appearance of the interface at one scale; a new one is made when theme or scale change."""
+    """The appearance of the interface at one scale; a new one is made when theme or scale change.
 
-    def __init__(self, theme: Theme, k: float = 1.0, *, less_motion: bool = False) -> None:
+    ``least``: px, of the smallest letters, whatever the scale.
+    """
+
+    def __init__(
+        self, theme: Theme, k: float = 1.0, *, less_motion: bool = False, least: int = SMALLEST_PX
+    ) -> None:
         self.theme = theme
         self.k = k
-        self.fonts = FontBook(k)
+        self.fonts = FontBook(k, least)
         self.metrics: Metrics = metrics(k)
         self.less_motion = less_motion
 

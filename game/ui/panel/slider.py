@@ -102,9 +102,20 @@ def read_value(parameter: Param, text: str, shown_unit: str) -> float:
     for prefix, factor in _FACTORS.items():
         unit = prefix + parameter.unit
         if parameter.unit and words.endswith(unit) and words[: -len(unit)][-1:].isdigit():
-            return parameter.check(_number(parameter, words[: -len(unit)]) * factor)
+            return _checked(parameter, _number(parameter, words[: -len(unit)]), factor, unit)
     factor = _FACTORS.get(shown_unit.removesuffix(parameter.unit), 1.0) if parameter.unit else 1.0
-    return parameter.check(_number(parameter, words) * factor)
+    return _checked(parameter, _number(parameter, words), factor, shown_unit)
+
+
+def _checked(parameter: Param, number: float, factor: float, unit: str) -> float:
+    """A number that was typed in a unit worth so many of the parameter's; what is refused is told in it."""
+    value = number * factor
+    if math.isfinite(value) and not parameter.minimum <= value <= parameter.maximum:
+        low, high = parameter.minimum / factor, parameter.maximum / factor
+        typed = f"{number:.6g} {unit}".rstrip()
+        words = f"{parameter.label}: {typed} is outside {low:.6g} to {high:.6g} {unit}"
+        raise ParameterError(words.rstrip().replace("-", "−"))
+    return parameter.check(value)
 
 
 def _number(parameter: Param, words: str) -> float:

@@ -7,6 +7,7 @@ least needed parts go first: measured values, the speed, the title, then single 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import pygame
@@ -64,17 +65,22 @@ class TopBar:
     def __init__(self, look: Look) -> None:
         self.look = look
         self.rect = pygame.Rect(0, 0, 0, 0)
+        self.slim = False
         self.spots = Hotspots()
         self.state = BarState("", "")
         self._shown: tuple[tuple[str, float, str], ...] = ()
         self._picture: pygame.Surface | None = None
         self._drawn: tuple[object, ...] = ()
 
-    def place(self, rect: pygame.Rect, look: Look) -> None:
-        """Take a place in the window and an appearance."""
-        self.rect, self.look = pygame.Rect(rect), look
+    def place(self, rect: pygame.Rect, look: Look, slim: bool = False) -> None:
+        """Take a place in the window and an appearance. slim: the outer buttons alone, over a picture."""
+        self.rect, self.look, self.slim = pygame.Rect(rect), look, slim
         self._picture = None
         self._place_spots()
+
+    def covers(self, position: tuple[int, int]) -> bool:
+        """Whether a button is at a place, window px."""
+        return any(spot.rect.collidepoint(position) for spot in self.spots.spots)
 
     def handle(self, event: pygame.event.Event) -> Wish | None:
         """The command of a press, if the event makes one."""
@@ -105,7 +111,7 @@ class TopBar:
         wanted = (self.state._replace(readouts=()), self._shown, self.spots.state())
         if self._picture is None or self._drawn != wanted:
             if self._picture is None:
-                self._picture = pygame.Surface(self.rect.size, 0, 32)
+                self._picture = pygame.Surface(self.rect.size, pygame.SRCALPHA if self.slim else 0, 32)
             self._drawn = wanted
             self._paint(self._picture)
         surface.blit(self._picture, self.rect)
@@ -124,6 +130,15 @@ class TopBar:
 
         k, width, ready = self.look.k, self.rect.w / self.look.k, self.state.ready
         add("menu", rect.x + px(24), 32, 32)
+        for i, name in enumerate(("panel", "help", "screenshot")[: 3 if width >= 480 else 2]):
+            add(name, rect.right - px(24) - i * px(32), 32, 32)
+        if not self.slim:
+            self._add_transport(add, k, width, ready)
+        self.spots.place(spots)
+
+    def _add_transport(self, add: Callable[..., None], k: float, width: float, ready: bool) -> None:
+        """The buttons in the middle, as far as they have space in ``width`` design px."""
+        rect = self.rect
         middle = rect.x + (0.5 * width - (88 if width >= 880 else 0)) * k
         if width >= 560:
             add("reset", middle - 84 * k, 32, 32, ready)
@@ -134,9 +149,6 @@ class TopBar:
             add("slower", middle + 88 * k, 32, 28, ready)
             add("speed", middle + 122 * k, 36, 28, ready)
             add("faster", middle + 156 * k, 32, 28, ready)
-        for i, name in enumerate(("panel", "help", "screenshot")[: 3 if width >= 480 else 2]):
-            add(name, rect.right - px(24) - i * px(32), 32, 32)
-        self.spots.place(spots)
 
     def _readout_space(self) -> tuple[int, int]:
         """Right edge of the readouts and the space left of it, both px; no space where they are not shown."""
@@ -169,11 +181,12 @@ class TopBar:
 
     def _paint(self, surface: pygame.Surface) -> None:
         theme, px = self.look.theme, self.look.px
-        surface.fill(theme.panel)
-        line = self.look.border
-        surface.fill(theme.line, (0, self.rect.h - line, self.rect.w, line))
-        self._paint_title(surface)
-        self._paint_speed(surface)
+        surface.fill((0, 0, 0, 0) if self.slim else theme.panel)
+        if not self.slim:
+            line = self.look.border
+            surface.fill(theme.line, (0, self.rect.h - line, self.rect.w, line))
+            self._paint_title(surface)
+            self._paint_speed(surface)
         for spot in self.spots.spots:
             if spot.name == "pause":
                 self._paint_play(surface, spot)

@@ -10,7 +10,16 @@ import pytest
 
 from game.app.commands import run_command_line
 from game.app.film import video
-from game.app.film.script import LEAST_S, TITLE_S, potted_at, write_script
+from game.app.film.captions import draw_caption, draw_tally
+from game.app.film.script import (
+    ASPECT,
+    LEAST_S,
+    SLOW,
+    SLOW_FROM_S,
+    TITLE_S,
+    potted_at,
+    write_script,
+)
 from game.app.film.soundtrack import Soundtrack
 from game.app.film.video import VideoError, VideoWriter, check_video
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
@@ -47,7 +56,7 @@ def test_a_film_lasts_a_minute_and_its_rounds_follow_each_other():
     for act, following in zip(script.acts, script.acts[1:], strict=False):
         assert act.ends == following.begins
     for act in script.acts:
-        assert act.begins < act.hits < act.hits + potted_at(act.round) < act.ends
+        assert act.begins < act.hits < act.hits + potted_at(act.round) <= act.potted < act.ends
         assert script.act_at(act.hits) is act
     assert script.act_at(0.0) is None and script.act_at(script.length) is None
 
@@ -59,9 +68,39 @@ def test_the_camera_sees_the_ball_that_falls():
         row = trajectory.shot.ids.index(str(act.round.fallen.ball))
         for share in np.linspace(0.0, 1.0, 12):
             since = share * potted_at(act.round)
-            x, y, length = script.camera.sample(act.hits + since).tolist()
+            x, y, length = script.camera.sample(act.film_time(since)).tolist()
             px, py = trajectory.state_at(since).positions[row].tolist()
-            assert abs(py - y) < 0.5 * length and abs(px - x) < 0.5 * length * 9 / 16 + 0.03
+            assert abs(py - y) < 0.5 * length and abs(px - x) < 0.5 * length / ASPECT + 0.03
+
+
+def test_the_deciding_ball_falls_slowly_and_near_and_no_other():
+    first, last = write_script(small_match()).acts
+    assert first.potted == first.hits + potted_at(first.round)
+    down = potted_at(last.round)
+    assert last.potted == pytest.approx(last.hits + down + min(SLOW_FROM_S, down) * (SLOW - 1.0))
+    for act in (first, last):
+        for since in np.linspace(-0.5, down + 1.0, 40).tolist():
+            assert act.shot_time(act.film_time(since)) == pytest.approx(since, abs=1e-12)
+    before, now = last.shot_time(last.potted - 0.2), last.shot_time(last.potted - 0.1)
+    assert now - before == pytest.approx(0.1 / SLOW)
+    camera = write_script(small_match()).camera
+    assert camera.sample(last.potted - 0.1)[2] < 0.8 * camera.sample(first.potted - 0.1)[2]
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (480, 270), (600, 800)])
+def test_what_is_said_while_balls_roll_covers_no_part_of_the_table(size):
+    from game.app.film.match_film import MatchFilm
+
+    film = MatchFilm(small_match(), size, "")
+    assert not film.stage.colliderect(film.row) and film.stage.union(film.row).size == size
+    act = film.script.acts[0]
+    with_words = pygame.surfarray.array3d(film.picture(act.potted))
+    surface = pygame.Surface(size, 0, 32)
+    draw_tally(surface, film.look, film.row, (tuple(range(1, 8)), tuple(range(8, 16))))
+    draw_caption(surface, film.look, film.row, act, act.potted)
+    drawn = pygame.surfarray.array3d(surface)
+    assert not drawn[:, : film.row.top].any() and drawn[:, film.row.top :].any()
+    assert with_words[:, film.row.top :].any()
 
 
 def test_sounds_come_at_their_moments_however_they_are_taken():

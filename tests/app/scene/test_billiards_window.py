@@ -5,6 +5,7 @@ import pygame
 import pytest
 
 from game.app.scene.keeping import kept_path
+from game.billiards.table.rack import BALL_RADIUS
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
 from game.stage import Action, Decision, SetParameter
@@ -51,6 +52,56 @@ def test_the_table_has_all_of_the_window_until_the_panel_is_asked_for(driver):
     driver.app.perform("panel")
     lay = driver.top.shell.layout
     assert lay.panel.w > 0 and lay.strips.h > 0 and driver.app.settings.panel_in_games
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+def test_a_ball_is_11_5_px_wide_at_720_lines_and_nothing_of_the_window_lies_on_the_table(driver, size):
+    driver.open("billiards")
+    driver.resize(*size)
+    driver.frames(2)
+    scale = driver.top.play.view.camera.scale
+    assert BALL_RADIUS * scale == pytest.approx(11.5 * size[1] / 720, abs=0.15)
+    lay, bar = driver.top.shell.layout, driver.top.shell.bar
+    corners = [
+        driver.top.play.view.camera.to_screen(*corner)
+        for corner in (
+            (layout.TABLE.top, layout.TABLE.left),
+            (layout.TABLE.bottom, layout.TABLE.right),
+            (layout.BOARD.top, layout.card_box(0).left),
+            (layout.BOARD.bottom, layout.card_box(1).right),
+        )
+    ]
+    (left, top), (right, bottom), board, board_end = corners
+    table = pygame.Rect(left, top, right - left, bottom - top)
+    cards = pygame.Rect(*board, board_end[0] - board[0], board_end[1] - board[1])
+    assert driver.window.surface.get_rect().contains(table.union(cards))
+    assert not table.colliderect(lay.hint_bar) and not table.colliderect(cards)
+    assert bar.slim and bar.spots.find("pause") is None
+    for spot in bar.spots.spots:
+        assert not table.colliderect(spot.rect) and not cards.colliderect(spot.rect)
+
+
+def test_no_letter_round_the_table_is_below_11_px_with_the_panel_open(driver, monkeypatch):
+    driver.open("billiards")
+    driver.app.perform("panel")
+    driver.frames(2)
+    sizes = []
+    font = pygame.font.Font
+    monkeypatch.setattr(pygame.font, "Font", lambda path, px: sizes.append(px) or font(path, px))
+    driver.app.toggle_theme()  # all is drawn anew
+    driver.frames(3)
+    assert driver.top.play.view.camera.scale < 0.75 * layout.PIXELS and sizes and min(sizes) >= 11
+
+
+def test_between_the_buttons_over_the_table_a_press_is_the_games_own(driver):
+    driver.open("billiards")
+    before = driver.stage.scene.parameters.second_player
+    driver.click(*pixel(driver, *layout.card_box(1).middle))
+    assert driver.stage.scene.parameters.second_player != before
+    driver.click(*driver.top.shell.bar.spots.find("panel").rect.center)
+    driver.frames(2)
+    assert driver.top.shell.layout.panel.w > 0 and not driver.top.shell.bar.slim
+    assert driver.top.shell.bar.spots.find("pause") is not None
 
 
 def test_escape_closes_an_open_list_before_it_leaves(driver):

@@ -26,6 +26,7 @@ from game.billiards.search.safety import look_for_push_out, look_for_safety
 from game.billiards.search.strokes import STEADY, Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
 from game.billiards.shot.shot import Physics
+from game.billiards.table.rack import HEAD_SPOT
 from tests.billiards.search.search_tables import POOL, scattered, unlike_balls
 
 pytestmark = pytest.mark.compiled
@@ -168,6 +169,19 @@ def test_the_cue_ball_is_put_where_a_ball_can_be_potted(hand):
     assert 1 <= len(best) <= 2
     shots = find_shots(best[0], effort=QUICK)
     assert shots and shots[0].chance > 0.8
+
+
+def test_a_cue_ball_behind_the_line_pots_a_ball_that_lies_beyond_it():
+    # from the head spot the 2 is in the way of the 1; where it may be put down does not bound where it runs
+    layout = arrange({1: (1.12, 2.1), 2: (0.85, 1.2)})
+    aims = all_aims((0, 1, 2), (1,), (), 0)
+    ball = BallInHand(layout, POOL, PHYSICS, "behind the line", Noise())
+    places = places_for_cue_ball(ball, aims, 12)
+    assert len(places) and all(is_free(layout, POOL, 0, x, y, ball.hand) for x, y in places[:, :2])
+    best = place_cue_ball(ball, aims, QUICK, draw_noise(1, 32), 1)[0]
+    assert math.dist(best.place_of(CUE_BALL), (0.5 * POOL.width, HEAD_SPOT * POOL.length)) > 0.05
+    shots = find_shots(best, effort=QUICK)
+    assert shots and shots[0].chance > 0.6
 
 
 def test_a_cue_ball_that_can_reach_nothing_is_put_down_all_the_same():

@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 from game.levels import level_files, load_level
+from game.scenes.shared.tables.view import Balls
+from game.scenes.three_tables.chart import span_at
 from game.scenes.three_tables.places import ORIGINS, table_at
 from game.scenes.three_tables.scene import ThreeTables
+from game.scenes.three_tables.view import outlines_of
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.stage.states.memory import remember
 
@@ -196,3 +199,40 @@ def test_it_plays_itself_until_somebody_takes_the_cue_and_racks_again():
     assert not stage.scene.hand.plays_itself
     stage.post(Action("rack"))
     assert stage.scene.model.in_play.all() and not stage.scene.model.shot[0]
+
+
+def measured(stage: Stage) -> dict[str, tuple[float, str]]:
+    return {row.name: (row.value, row.unit) for row in stage.readouts()}
+
+
+def test_a_second_exact_table_is_measured_where_there_is_one_and_differences_are_lengths():
+    stage = seconds(open_level("draw-shot", perturbation="none"), 1.0)
+    rows = measured(stage)
+    assert "perturbed" not in rows
+    assert rows["stepped"] == (rows["difference"][0], "m") and rows["lecture"][1] == "m"
+    assert rows["lecture"][0] > rows["stepped"][0] > 0.0
+    rows = measured(seconds(open_level("draw-shot", perturbation="1e-3"), 1.0))
+    assert rows["perturbed"][1] == "m" and 1e-4 < rows["perturbed"][0] < 3.0
+    (strip,) = (strip for strip in ThreeTables.strips if "perturbed" in strip.series)
+    assert strip.unit == "m" and "perturbed" in strip.sometimes
+
+
+def test_the_chart_spans_little_more_than_what_has_been_played():
+    assert span_at(0.0) == 3.0 and span_at(6.0) == 6.0 and span_at(6.1) == 10.0 and span_at(59.0) == 60.0
+    times = np.linspace(0.0, 60.0, 200).tolist()
+    assert all(time <= span_at(time) <= max(3.0, 2.0 * time) for time in times)
+
+
+def test_outlines_stand_where_the_exact_table_has_the_ball_and_only_where_that_is_elsewhere():
+    def balls(places, opacities):
+        count = len(places)
+        return Balls(
+            np.array(places), np.full(count, 0.028), np.arange(count), np.tile(np.eye(3), (count, 1, 1)),
+            np.array(opacities),
+        )  # fmt: skip
+
+    exact = balls([(0.1, 0.1), (0.2, 0.2), (0.3, 0.3), (0.4, 0.4)], [1.0, 1.0, 0.0, 1.0])
+    other = balls([(0.1, 0.1005), (0.25, 0.2), (0.7, 0.7), (0.4, 0.4)], [1.0, 1.0, 1.0, 0.0])
+    shown = outlines_of(other, exact)
+    assert [place.tolist() for place, _ in shown] == [[0.2, 0.2], [0.4, 0.4]]  # the last fell on one alone
+    assert all(radius == 0.028 for _, radius in shown)

@@ -7,8 +7,13 @@ import pytest
 
 from game.levels import level_files, load_level
 from game.scenes.two_balls import record
+from game.scenes.two_balls.lens import NAME_SPACE, label_is_free
 from game.scenes.two_balls.scene import LectureBalls
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.ui.charts.strips import Strips
+from game.ui.look.layout import arrange
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK
 
 
 def open_level(name: str = "default", **parameters) -> Stage:
@@ -178,17 +183,18 @@ def test_h1_the_lectures_program_does_not_see_fast_balls():
 
 @pytest.mark.parametrize("way", (9.0, -9.0))
 def test_the_magnified_collision_keeps_clear_of_the_words_around_it(way, monkeypatch):
-    """Straight up and down its arrows and its angle reach farthest."""
+    """Straight up and down its arrows and its angle reach farthest. The new velocities are named alone."""
     from game.app.stagehand.headless import picture_of_stage
     from game.ui.canvas.canvas import Canvas
 
-    stage = open_level("head-on", hold=0.0)
+    stage = open_level("head-on", hold=10.0)
     for ball, y, speed in zip(stage.scene.model.balls, (150.0, 250.0), (abs(way), -abs(way)), strict=True):
         ball.position, ball.velocity = (
             (320.0, y if way > 0.0 else 400.0 - y),
             (0.0, math.copysign(speed, speed * way)),
         )
     until_collision(stage)
+    stage.run(round(0.3 * 10.0 * 30.0))
     heights: dict[str, tuple[float, float]] = {}
     label = Canvas.label
 
@@ -202,10 +208,35 @@ def test_the_magnified_collision_keeps_clear_of_the_words_around_it(way, monkeyp
     for size in ((960, 512), (1520, 820)):
         heights.clear()
         picture_of_stage(stage, size, "dark")
-        step = next(words for words in heights if words.startswith("5 "))
+        step = next(words for words in heights if words.startswith("2 "))
         inside = [words for words in heights if words.startswith(("α", "v₁", "v₂"))]
         assert len(inside) == 3
         assert all(heights[words][0] >= heights[step][1] for words in inside)
         assert all(heights[words][1] <= heights["before"][0] for words in inside)
         assert max(foot for _, foot in heights.values()) <= size[1]
         assert min(top for top, _ in heights.values()) >= 0.0
+    stage.run(round(0.6 * 10.0 * 30.0))
+    heights.clear()
+    picture_of_stage(stage, size, "dark")
+    assert any(words.startswith("5 ") for words in heights)
+    assert not any(words.startswith(("α", "v₁", "v₂")) for words in heights)
+
+
+def test_the_name_of_a_velocity_gives_way_to_that_of_a_new_one():
+    centres, new = np.array([(0.0, 0.0), (80.0, 0.0)]), np.array([(-50.0, 0.0), (0.0, 50.0)])
+    near, far = np.array([50.0 - 0.5 * NAME_SPACE, 0.0]), np.array([-50.0, 0.0])
+    assert not label_is_free(centres, near, new, 0) and label_is_free(centres, far, new, 0)
+    assert not label_is_free(centres, np.array((0.0, -50.0)), new, 1)
+
+
+def test_each_strip_has_a_unit_that_of_what_is_chosen_now():
+    stage, strips = open_level(), Strips(Look(DARK), LectureBalls.strips)
+    strips.place(arrange(1280, 720, 1.0), strips.look)
+    for units, shown in (
+        ("pixels", ["kg px/frame", "kg px²/frame²", "kg px/frame"]),
+        ("metres", ["kg m/s", "J", "kg m/s"]),
+    ):
+        stage.post(SetParameter("units", units))
+        stage.run(2)
+        strips.update(0.3, stage)
+        assert [strips.unit_shown(strip) for strip in LectureBalls.strips] == shown

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.ui.look.layout import arrange, auto_scale, overlay_rect
+from game.ui.look.layout import arrange, arrange_over, auto_scale, overlay_rect
 
 
 def test_measures_at_1280_by_720():
@@ -38,6 +38,23 @@ def test_narrow_window_makes_the_panel_a_drawer_and_drops_a_chart():
 def test_panel_off_gives_its_room_to_the_stage():
     layout = arrange(1280, 720, 1.0, panel=False)
     assert layout.stage.w == layout.hint_bar.w == 1280 and layout.panel.w == 0
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1600, 900), (1920, 1080), (3840, 2160)])
+def test_a_game_fills_its_window_and_bar_and_hints_lie_over_the_rows_it_leaves(size):
+    layout = arrange_over(*size, auto_scale(*size))
+    assert layout.overlaid and layout.stage == layout.window == pygame.Rect(0, 0, *size)
+    assert layout.panel.w == layout.strips.h == 0 and not layout.charts
+    row = 56 * size[1] / 720
+    assert layout.top_bar.bottom <= row and layout.hint_bar.h <= 0.5 * row
+    assert layout.hint_bar.bottom == size[1]
+
+
+@pytest.mark.parametrize(("size", "k"), [((1280, 720), 1.25), ((1440, 900), 1.25), ((700, 500), 1.0)])
+def test_letters_too_large_for_those_rows_have_rows_of_their_own(size, k):
+    layout = arrange_over(*size, k)
+    assert layout == arrange(*size, k, panel=False, strips=0) and not layout.overlaid
+    assert not layout.stage.colliderect(layout.top_bar) and not layout.stage.colliderect(layout.hint_bar)
 
 
 @pytest.mark.parametrize(

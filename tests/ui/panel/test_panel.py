@@ -511,3 +511,24 @@ def test_the_row_under_the_pointer_is_told_to_the_scene():
     panel.place(pygame.Rect(RECT.right, RECT.y, 0, RECT.h), panel.look)
     panel.update(1 / 60, stage)
     assert stage.scene.pointed is None, "a panel that is shut points at nothing"
+
+
+@pytest.mark.parametrize(
+    ("typed", "shown", "said"),
+    [
+        ("999", "ms", "Lecture's step: 999 ms is outside 0.5 to 50 ms"),
+        ("0.1", "ms", "Lecture's step: 0.1 ms is outside 0.5 to 50 ms"),
+        ("3 s", "ms", "Lecture's step: 3 s is outside 0.0005 to 0.05 s"),
+        ("9000µs", "ms", None),
+        ("60000 µs", "ms", "Lecture's step: 60000 µs is outside 500 to 50000 µs"),
+    ],
+)
+def test_what_is_refused_is_told_in_the_unit_that_was_typed(typed, shown, said):
+    step = Param(1 / 60, 0.0005, 0.05, unit="s", log=True, label="Lecture's step")
+    step.name = "lecture_step"
+    if said is None:
+        assert read_value(step, typed, shown) == pytest.approx(0.009)
+        return
+    with pytest.raises(ParameterError) as refused:
+        read_value(step, typed, shown)
+    assert str(refused.value) == said

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.game.frame import Frame, Played
+from game.billiards.game.frame import Frame
 from game.billiards.laws.state import BALL_POCKET
+from game.billiards.shot.trajectory import Trajectory
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.shared.tables.view import Balls
 
@@ -22,15 +23,15 @@ def balls_at_rest(model: BilliardsModel) -> Balls:
     return Balls(balls.positions, balls.radii, numbers, model.turns[numbers], np.ones(len(numbers)))
 
 
-def balls_at(before: Frame, played: Played, turns_before: Array, time: float) -> Balls:
+def balls_at(before: Frame, trajectory: Trajectory, turns_before: Array, time: float) -> Balls:
     """The balls at a time of a shot, s. before: the frame from which it was played."""
     numbers = np.array(before.layout.numbers, dtype=np.int64)
-    positions = played.trajectory.state_at(time).positions.copy()
-    turns = played.trajectory.orientations_at(time, turns_before[numbers])
+    positions = trajectory.state_at(time).positions.copy()
+    turns = trajectory.orientations_at(time, turns_before[numbers])
     opacities = np.ones(len(numbers))
     radii = before.layout.radii.copy()
     pockets = before.table.pockets
-    for at, code, ball, hole in played.trajectory.rows.tolist():
+    for at, code, ball, hole in trajectory.rows.tolist():
         if int(code) != BALL_POCKET or at > time:
             continue
         fallen = min((time - at) / FALL_S, 1.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
+from typing import NamedTuple
 
 import pygame
 
@@ -14,13 +15,18 @@ from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
+from game.scenes.billiards.stroke.odds import HAND, OFFSETS, Odds
 from game.scenes.billiards.view.words import aim_words
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
+from game.ui.look.numerals import NOTHING
 from game.ui.look.shapes import draw_box, draw_disc, draw_line, draw_polygon
 from game.ui.painters.ball_picture import ball_chip
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
+
+UNKNOWN = "…"
+ROOM_FOR_CAPTIONS = 0.85  # scale
 
 
 class Instruments:
@@ -31,14 +37,14 @@ class Instruments:
         self.replay = replay
         self.buttons = buttons
 
-    def draw(self, canvas: Canvas, look: Look) -> None:
-        """Draw them round the table."""
+    def draw(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
+        """Draw them round the table. odds: of the stroke that is aimed."""
         play = self.play
         swinging = play.phase == STRIKING and play.pending is not None
         _draw_stroke(canvas, look, play.pending if swinging and play.pending else play.aiming.stroke)
-        _, y = layout.SPIN
-        x, _ = canvas.camera.to_screen(layout.SPIN[0], y)
-        _draw_aim(canvas, look, x, play.aiming.cue.aim, play.aiming.locked and play.may_aim)
+        locked = play.aiming.locked and play.may_aim
+        aim = Number("Aim locked" if locked else "Aim", aim_words(play.aiming.cue.aim), locked)
+        _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
         game = play.model.frame.game
@@ -76,13 +82,41 @@ def _draw_offsets(
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
 
 
-def _draw_aim(canvas: Canvas, look: Look, x: float, azimuth: float, locked: bool) -> None:
-    """The aim in degrees of the picture: 0 to the right, against the clock."""
-    _, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
-    title, color = ("Aim locked", "accent") if locked else ("Aim", "text2")
-    look.text(canvas.surface, title, (x, top), 13, "medium", color, "center")
-    text = aim_words(azimuth)
-    look.text(canvas.surface, text, (x, top + look.px(20)), 13, "semibold", "text1", "center")
+class Number(NamedTuple):
+    """A figure right of the table: its title, what it says; lit: the title stands out; under: a caption."""
+
+    title: str
+    words: str
+    lit: bool = False
+    under: str = ""
+
+
+def odds_numbers(odds: Odds | None) -> tuple[Number, ...]:
+    """How far the aim may be off, and how often a hand pots with it."""
+    if odds is None:
+        return ()
+    if odds.missed:
+        margin = NOTHING
+    elif odds.margin is None:
+        margin = UNKNOWN
+    else:
+        more = "≥" if odds.margin >= OFFSETS[-1] else "±"
+        margin = f"{more}{math.degrees(odds.margin):.2f}°"
+    chance = UNKNOWN if odds.chance is None else f"{100.0 * odds.chance:.0f} %"
+    hand = f"hand ±{math.degrees(HAND.azimuth):.2f}°"
+    return Number("Margin", margin), Number(f"Pot {odds.ball}", chance, under=hand)
+
+
+def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> None:
+    """Figures below each other."""
+    x, top = canvas.camera.to_screen(layout.NUMBERS_TOP, layout.RIGHT_MIDDLE)
+    pitch = layout.NUMBERS_PITCH * canvas.pixels_per_unit
+    for row, number in enumerate(numbers):
+        y, color = top + row * pitch, "accent" if number.lit else "text2"
+        look.text(canvas.surface, number.title, (x, y), 13, "medium", color, "center")
+        look.text(canvas.surface, number.words, (x, y + look.px(19)), 13, "semibold", "text1", "center")
+        if number.under and look.k >= ROOM_FOR_CAPTIONS:
+            look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
 
 
 def draw_button(

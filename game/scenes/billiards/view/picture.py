@@ -14,9 +14,12 @@ from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import Foresight, Sight
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
+from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
+from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
 from game.scenes.billiards.view.score_board import draw_board, draw_line
@@ -25,11 +28,13 @@ from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas
+from game.ui.look.fonts import SMALLEST_PX
 from game.ui.look.look import Look
 from game.ui.look.theme import FELT, FELT_WARM, Theme
 
 Array = NDArray[np.float64]
 
+READABLE, ROOM_FOR_READABLE = 11, 0.65  # px of the smallest letters, at scales that have the space for them
 HINT_EVENTS = 200  # to the end of its shot
 
 
@@ -46,14 +51,29 @@ class BilliardsView:
         self.instruments = Instruments(play, replay, buttons)
         self._foresight = Foresight()
         self._hint_foresight = Foresight()
+        self._odds = OddsMeter()
+        self._close_up = CloseUpView()
+        self._end_card = EndCard()
 
     def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
         """The game, ``alpha`` of the step from the clock before to the clock now."""
         play, frame = self.play, self.play.model.frame
         draw_table(canvas, frame.table)
         canvas.halo = FELT
-        draw_marks(canvas, play)
         time = self._moment(alpha, clock_before)
+        near = self._close_up.part(play, time, canvas.look.less_motion)
+        sight = None
+        if near is not None:
+            self._close_up.draw(canvas, frame.table, self.balls_at(time), near)
+        else:
+            sight = self._draw_play(canvas, time)
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+            self._draw_around(canvas, look_of(canvas), self._odds_of(sight))
+
+    def _draw_play(self, canvas: Canvas, time: float) -> Sight | None:
+        """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""
+        play, frame = self.play, self.play.model.frame
+        draw_marks(canvas, play)
         shows_aim = play.may_aim and play.parameters.prediction and play.grip != "cue ball"
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
@@ -67,8 +87,14 @@ class BilliardsView:
             shots = self.opponents.considered
             draw_considered(canvas, shots, frame.layout.places, frame.table, played=False)
         draw_players_cue(canvas, play, time)
-        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
-            self._draw_around(canvas, look_of(canvas))
+        return sight
+
+    def _odds_of(self, sight: Sight | None) -> Odds | None:
+        """Of the stroke that is aimed at a ball; none at the break, which is no pot."""
+        frame = self.play.model.frame
+        if sight is None or sight.target is None or frame.game.opening:
+            return None
+        return self._odds.of(frame, self.play.aiming.stroke, sight.target)
 
     @property
     def hint(self) -> Stroke | None:
@@ -91,7 +117,7 @@ class BilliardsView:
         played = model.played if self.play.phase in (ROLLING, REPLAY) else None
         if played is None or model.frame.last is None:
             return balls_at_rest(model)
-        return balls_at(model.frame.last.frame, played, model.turns_before, time)
+        return balls_at(model.frame.last.frame, played.trajectory, model.turns_before, time)
 
     def _draw_aim(self, canvas: Canvas) -> Sight | None:
         """Cue line and paths of the stroke that is set; what is foreseen, None if it cannot be played."""
@@ -114,19 +140,21 @@ class BilliardsView:
             if len(points) > 1:
                 canvas.polyline(points, FELT_WARM, 2.0, alpha=0.75)
 
-    def _draw_around(self, canvas: Canvas, look: Look) -> None:
+    def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
             draw_line(canvas, look, line, with_key=play.may_aim and play.parameters.prediction)
-        self.instruments.draw(canvas, look)
+        self.instruments.draw(canvas, look, odds)
+        if is_shown(play):
+            self._end_card.draw(canvas, look, play)
 
 
 @lru_cache(maxsize=16)
 def _look(theme: Theme, k: float, less_motion: bool) -> Look:
-    return Look(theme, k, less_motion=less_motion)
+    return Look(theme, k, less_motion=less_motion, least=READABLE if k >= ROOM_FOR_READABLE else SMALLEST_PX)
 
 
 def look_of(canvas: Canvas) -> Look:

@@ -108,9 +108,20 @@ def draw_line(canvas: Canvas, look: Look, line: Line, with_key: bool) -> None:
     if not more:
         look.text(canvas.surface, lead, (x, rect.centery), 14, "medium", color)
         return
-    look.text(canvas.surface, lead, (x, rect.centery - look.px(9)), 14, "medium", color)
-    more = look.fonts.fit(more, 12, "medium", width)
-    look.text(canvas.surface, more, (x, rect.centery + look.px(10)), 12, "medium", "text2")
+    taken = look.fonts.size(lead, 14, "medium")[0] + look.px(10)
+    if look.fonts.fit(more, 12, "medium", width - taken) == more:  # beside it
+        look.text(canvas.surface, lead, (x, rect.centery), 14, "medium", color)
+        look.text(canvas.surface, more, (x + taken, rect.centery + look.px(1)), 12, "medium", "text2")
+        return
+    if rect.h < look.fonts.line_height(12) + look.fonts.line_height(11) - look.px(8):  # no space for two
+        look.text(canvas.surface, lead, (x, rect.centery), 14, "medium", color)
+        more = look.fonts.fit(more, 12, "medium", width - taken)
+        look.text(canvas.surface, more, (x + taken, rect.centery), 12, "medium", "text2")
+        return
+    lead = look.fonts.fit(line.lead if more == line.more else lead, 12, "semibold", width)
+    look.text(canvas.surface, lead, (x, rect.centery - look.px(7)), 12, "semibold", color)
+    more = look.fonts.fit(more, 11, "medium", width)
+    look.text(canvas.surface, more, (x, rect.centery + look.px(7)), 11, "medium", "text2")
 
 
 def _draw_key(canvas: Canvas, look: Look, rect: pygame.Rect) -> int:
