@@ -17,7 +17,7 @@ from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent
 from game.stage.fault import Fault, fault_at, fault_in
-from game.stage.parameters import ParameterError
+from game.stage.parameters import STEP_LENGTH, ParameterError
 from game.stage.records.recording import CHECK_INTERVAL, MAX_EVENTS, Check
 from game.stage.scene import Scene
 from game.stage.states.memory import recall, remember
@@ -26,8 +26,6 @@ from game.stage.states.state import copy_state, digest_of, same_shapes
 from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
 from game.stage.watch import FiniteWatch
-
-STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
 
 Build = Callable[[Mapping[str, Any], EffectSet], Scene]
 
