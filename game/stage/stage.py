@@ -20,7 +20,6 @@ from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
 from game.stage.session import Session
-from game.stage.states.state import copy_state
 from game.stage.validation import checked_event
 
 SLOWEST = 1.0 / 16.0
@@ -362,12 +361,6 @@ class Stage:
     def build_scene(self, values: Mapping[str, Any], active: EffectSet) -> Scene:
         """A new scene of the same level and seed, with the given parameters and effects."""
         return self._recipe.scene(values, active)
-
-    def copy_scene(self, active: EffectSet | None = None) -> Scene:
-        """A scene of its own in the present state, with other effects if given; for measurements."""
-        scene = self.build_scene(self.scene.values, self.scene.active if active is None else active)
-        scene.restore(copy_state(self.scene.state()))
-        return scene
 
     def _begin(self, scene: Scene) -> None:
         """Step 0 of a new session; ValueError, and nothing changed, if the state is not finite."""
