@@ -45,7 +45,7 @@ class Session:
         self._dt = dt
         self._time_base_s = 0.0
         self._time_base_step = 0
-        self._record = record
+        self.recorded = record
         self._repeating = False  # stepping through a future that is remembered
         self._watch = FiniteWatch(scene.may_be_infinite)
         state = scene.state()
@@ -155,7 +155,7 @@ class Session:
             self._stop(self.step, bad, None, self.step)
             return
         self.timeline.add(self.step, event)
-        if not self._record or len(self.timeline) > MAX_EVENTS:
+        if not self.recorded or len(self.timeline) > MAX_EVENTS:
             self.timeline.drop_before(self._ring.first_event)
         if not same_shapes(state, self.scene.previous):
             self.keep_previous()
@@ -287,9 +287,9 @@ class Session:
         """Snapshots and digests that are due."""
         if self.step >= self._next_snapshot:
             self._ring.add(self._snapshot())
-            if not self._record:
+            if not self.recorded:
                 self.timeline.drop_before(self._ring.first_event)
-        due = self._record and self.step % CHECK_INTERVAL == 0
+        due = self.recorded and self.step % CHECK_INTERVAL == 0
         if due and (not self._checks or self._checks[-1].step < self.step):
             self._checks.append(Check(self.step, self.digest()))
         self._schedule()
@@ -299,7 +299,7 @@ class Session:
         latest = self._ring.before(self.step)
         self._next_snapshot = latest.step + self._ring.interval(latest)
         self._next_chore = self._next_snapshot
-        if self._record:
+        if self.recorded:
             next_check = self.step + CHECK_INTERVAL - self.step % CHECK_INTERVAL
             self._next_chore = min(self._next_chore, next_check)
 
