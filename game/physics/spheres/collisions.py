@@ -26,6 +26,7 @@ from game.physics.spheres.planar_impulses import FLAT_COLUMNS, lies_in_plane
 from game.physics.spheres.planar_steps import move_flat, planar_part
 from game.physics.spheres.settings import (
     CollisionSettings,
+    Numbers,
     Surroundings,
     Tables,
     World,
@@ -97,6 +98,8 @@ class CollidingSpheres:
         self._candidates = Candidates(bodies.composition, broad_phase)
         self._buffers = ContactBuffers(max(64, 4 * s))
         self.parts = 0  # of the last step
+        self._asked: tuple[CollisionSettings, float, float, float] | None = None
+        self._numbers: Numbers
 
     def change(self, **settings: Any) -> None:
         """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense."""
@@ -133,13 +136,20 @@ class CollidingSpheres:
 
     def _time_to_impact(self, left: float, nominal: float) -> float:
         """Seconds until the first impact that bounces, at most those left of a substep of nominal length."""
-        bodies, settings = self.bodies, self.settings
+        bodies, _settings = self.bodies, self.settings
         gather_velocities(bodies.state, bodies.composition, self._work)
         self._place()
         pairs = self._candidates.that_could_meet(self._places, self._work, left)
-        numbers = settings.numbers(left, nominal, float(self.counters[LAST_H]), self.smallest)
+        numbers = self._numbers_of(left, nominal)
         first: float = first_impact(self._places, self._world(), self._work, pairs, numbers)
         return first
+
+    def _numbers_of(self, h: float, nominal: float) -> Numbers:
+        """For kernels, a part of h (s) of a substep of nominal length: mostly those of the part before."""
+        asked = (self.settings, h, nominal, float(self.counters[LAST_H]))
+        if asked != self._asked:
+            self._asked, self._numbers = asked, self.settings.numbers(*asked[1:], self.smallest)
+        return self._numbers
 
     def _world(self) -> World:
         """What a step meets and leaves as it is."""
@@ -159,7 +169,7 @@ class CollidingSpheres:
 
     def _part(self, h: float, nominal: float) -> None:
         bodies, settings = self.bodies, self.settings
-        numbers = settings.numbers(h, nominal, float(self.counters[LAST_H]), self.smallest)
+        numbers = self._numbers_of(h, nominal)
         planar = self.planar()
         if settings.scheme == "explicit-euler":
             move, work = (move_flat, self._flat) if planar else (move_by_velocity, self._work)

@@ -18,13 +18,14 @@ Ints = NDArray[np.int64]
 class ContactBuffers:
     """Arrays for so many contacts; they grow by doubling and are kept.
 
-    contacts: of this step, the first ``count`` of them. past: what is remembered of the last one.
+    contacts: of this step, the first ``count`` of them. past: what is remembered of the last one, whose keys
+    and impulses are in arrays of their own.
     """
 
     def __init__(self, capacity: int):
         self.count = 0
         self._make(capacity)
-        self.past = PastContacts(self._spare_keys[:0], self._spare_impulses[:0])
+        self.past = PastContacts(self.contacts.keys[:0], self.contacts.impulses[:0])
 
     def _make(self, capacity: int) -> None:
         """Arrays for so many contacts; what the last step left stays where it is."""
@@ -36,15 +37,16 @@ class ContactBuffers:
             np.zeros((capacity, 4)),
             np.zeros(capacity),
         )
-        self._spare_keys: Ints = np.zeros(capacity, dtype=np.int64)
-        self._spare_impulses = np.zeros((capacity, 4))
+        self._others = self.contacts._replace(
+            keys=np.zeros(capacity, dtype=np.int64), impulses=np.zeros((capacity, 4))
+        )
         self._general = np.zeros((0, ROW_COLUMNS))
         self._planar = np.zeros((0, PLANAR_COLUMNS))
 
     @property
     def capacity(self) -> int:
         """Contacts that there is room for."""
-        return len(self._spare_keys)
+        return len(self.contacts.keys)
 
     def general_rows(self) -> Floats:
         """(capacity, ROW_COLUMNS) rows for the solver in space; made when first asked for."""
@@ -81,8 +83,7 @@ class ContactBuffers:
         """What was of this step is of the last one."""
         m, done = self.count, self.contacts
         self.past = PastContacts(done.keys[:m], done.impulses[:m])
-        self.contacts = done._replace(keys=self._spare_keys, impulses=self._spare_impulses)
-        self._spare_keys, self._spare_impulses = done.keys, done.impulses
+        self.contacts, self._others = self._others, done
 
     def take(self, keys: Ints, impulses: Floats) -> None:
         """Take over copies of keys (m,) and impulses (m, 4) of a last step."""

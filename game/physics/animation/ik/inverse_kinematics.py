@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.animation.ik.chain import (
     ANGLE,
     DAMPING,
+    ITERATIONS,
     KEEP_BEST,
     LOWER,
     STEP,
@@ -178,10 +179,9 @@ class Solver:
         history: Array, found: Array,
     ) -> Array:  # fmt: skip
         number, chain = _method(method, tolerance, iterations), self.chain
-        chain.numbers[TOLERANCE : KEEP_BEST + 1] = tolerance, iterations, keep_best
-        solve_links(
-            number, chain.base, chain.links, start, targets, chain.points, chain.numbers, history, found
-        )
+        numbers = chain.numbers
+        numbers[TOLERANCE], numbers[ITERATIONS], numbers[KEEP_BEST] = tolerance, iterations, keep_best
+        solve_links(number, chain.base, chain.links, start, targets, chain.points, numbers, history, found)
         return found
 
 
