@@ -22,6 +22,11 @@ FLOORS = (
 )
 SCREENLESS = FLOORS[: FLOORS.index("ui")]
 MOST_MODULES = 20  # of a folder
+MOST_PARAMETERS = 9  # of a function, self not counted
+# Functions that take more: at most so many, and that may only shrink. What is left: kernels called from
+# Python for every shot or step, as tuples would cost more to pass than a short one to play; kernels of broad
+# phases and of the raster, all numbers; and declarations of which callers name what they need.
+MANY_PARAMETERS = 25
 # The folders of a floor, from the ground up; those of one row are strangers to one another.
 FOLDERS = {
     "physics": (
@@ -230,6 +235,24 @@ def test_no_folder_has_more_than_twenty_modules() -> None:
         folder, _, name = where.rpartition("/")
         folders[folder] = folders.get(folder, 0) + (name != "__init__.py")
     assert {folder: count for folder, count in folders.items() if count > MOST_MODULES} == {}
+
+
+def parameters_of(function: ast.FunctionDef | ast.AsyncFunctionDef) -> int:
+    """How many parameters a function has, positional and by keyword, without self or cls."""
+    given = function.args
+    names = [argument.arg for argument in (*given.posonlyargs, *given.args, *given.kwonlyargs)]
+    return len(names) - (names[:1] in (["self"], ["cls"]))
+
+
+def test_few_functions_take_many_parameters() -> None:
+    many = [
+        f"{where}: {node.name} takes {parameters_of(node)}"
+        for where, tree in MODULES
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and parameters_of(node) > MOST_PARAMETERS
+    ]
+    assert len(many) <= MANY_PARAMETERS, "\n".join(many)
+    assert len(many) == MANY_PARAMETERS, f"there are only {len(many)} left: lower MANY_PARAMETERS"
 
 
 def test_physics_is_numbers_only() -> None:

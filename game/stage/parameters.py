@@ -14,6 +14,7 @@ from typing import Any, Generic, TypeVar, overload
 from game.definition import DefinitionError
 
 T = TypeVar("T")
+STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
 
 
 class ParameterError(ValueError):

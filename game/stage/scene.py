@@ -8,71 +8,46 @@ digest are made from the declarations.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
 
 from game.definition import DefinitionError
 from game.levels import Level, LevelError
-from game.physics.effects import Effect, EffectSet
+from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.stage.declarations import (
-    Equation,
-    Frame,
-    Hearing,
-    Hint,
-    Readout,
-    SceneAction,
-    Strip,
-    Table,
-    WarmUp,
+from game.stage.declarations import Frame, Hearing, Hint, Readout, Table, WarmUp
+from game.stage.events import Decision, Pointer, StageEvent
+from game.stage.parameters import (
+    STEP_LENGTH,
+    Parameter,
+    ParameterError,
+    Parameters,
+    check_defaults,
+    parameters_of,
 )
-from game.stage.events import Decision, Pointer, StageEvent, Stamped
-from game.stage.parameters import Parameter, ParameterError, Parameters, check_defaults, parameters_of
 from game.stage.part import structures_of
+from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
 
-if TYPE_CHECKING:
-    from game.lab import Study
 
+class Scene(SceneDeclaration):
+    """Base of all scenes. Subclasses declare attributes (`SceneDeclaration`) and override what they need."""
 
-class Scene:
-    """Base of all scenes. Subclasses declare attributes and override what they need."""
-
-    name: ClassVar[str] = ""  # command line name, e.g. "c04"
-    task: ClassVar[str] = ""  # id of the task, e.g. "C04"
-    title: ClassVar[str] = ""
-    effects: ClassVar[EffectSet] = EffectSet(())  # all that is ever computed
-    parameters_type: ClassVar[type[Parameters]] = Parameters  # beside those declared on the scene itself
     parameters: Parameters
-    dt: ClassVar[float] = (
-        1.0 / 120.0
-    )  # s, default length of a step; a parameter "step_length" (s) stands in for it
-    may_be_infinite: ClassVar[frozenset[str]] = frozenset()  # fields of the state where inf or NaN is meant
-    unit: ClassVar[str] = "m"
-    y_up: ClassVar[bool] = True
-    legend_in_panel: ClassVar[bool] = False  # it would hide too much of the picture
-    covers: ClassVar[bool] = False  # its picture covers the whole canvas, so that no ground is laid
-    quarter_turns: ClassVar[int] = 0  # the picture turned clockwise by so many right angles
-    content_type: ClassVar[type[msgspec.Struct] | None] = None  # the [content] of its level files
-    study: ClassVar[Study | None] = None
-    takes: ClassVar[frozenset[str]] = frozenset()  # of "wheel", "middle", "right": not for zoom and pan
-    strips: ClassVar[tuple[Strip, ...]] = ()
-    equations: ClassVar[tuple[Equation, ...]] = ()
-    figure: ClassVar[staticmethod[[Any], None] | None] = None  # draws a help page's figure, with a ui.pen.Pen
-    try_this: ClassVar[tuple[str, ...]] = ()
-    hints: ClassVar[tuple[Hint, ...]] = ()
-    actions: ClassVar[tuple[SceneAction, ...]] = ()
-    play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
-    demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
     def __init_subclass__(cls) -> None:
-        """Refuse a parameter that would hide something that every scene has, or that is declared twice."""
+        """Refuse a parameter that would hide something that every scene has, or what is declared twice."""
         for name, value in vars(cls).items():
             if isinstance(value, Parameter) and (hasattr(Scene, name) or name in OWN):
                 raise DefinitionError(f"{cls.__name__}.{name}: a parameter cannot have this name")
         check_defaults(cls)
+        length = cls.declared_parameters().get(STEP_LENGTH)
+        if length is not None:
+            if "dt" in vars(cls):
+                raise DefinitionError(f"{cls.__name__}.dt: the parameter {STEP_LENGTH} says it already")
+            cls.dt = length.default
         twice = parameters_of(cls).keys() & parameters_of(cls.parameters_type).keys()
         if twice:
             raise DefinitionError(
@@ -149,32 +124,6 @@ class Scene:
                 self.active = self.active.without(self.effect(name))
             except ParameterError as error:
                 raise LevelError(level.path, "effects.off", str(error)) from None
-
-    # -- declared things ----------------------------------------------------------------------------
-
-    @classmethod
-    def declared_parameters(cls) -> dict[str, Parameter[Any]]:
-        """Parameters by name, in the order of declaration."""
-        return {**parameters_of(cls.parameters_type), **parameters_of(cls)}
-
-    @classmethod
-    def parameter(cls, name: str) -> Parameter[Any]:
-        """The parameter of that name; ParameterError if there is none."""
-        declared = cls.declared_parameters()
-        if name not in declared:
-            raise ParameterError(
-                f"{name}: {cls.name} has no such parameter; it has {', '.join(declared) or 'none'}"
-            )
-        return declared[name]
-
-    @classmethod
-    def effect(cls, name: str) -> Effect:
-        """The declared effect of that name; ParameterError if there is none."""
-        for effect in cls.effects:
-            if effect.name == name:
-                return effect
-        declared = ", ".join(cls.effects.names) or "none"
-        raise ParameterError(f"{name}: {cls.name} declares no such effect; it has {declared}")
 
     def check_strips(self) -> None:
         """DefinitionError, naming strip and readout, if a chart asks for a value that is never measured."""

@@ -17,7 +17,7 @@ from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
 from game.stage.events import Action, Decision, Pointer, SetEffect, SetParameter, StageEvent
 from game.stage.fault import Fault, fault_at, fault_in
-from game.stage.parameters import ParameterError
+from game.stage.parameters import STEP_LENGTH, ParameterError
 from game.stage.records.recording import CHECK_INTERVAL, MAX_EVENTS, Check
 from game.stage.scene import Scene
 from game.stage.states.memory import recall, remember
@@ -26,8 +26,6 @@ from game.stage.states.state import copy_state, digest_of, same_shapes
 from game.stage.timeline import Timeline
 from game.stage.timing import StepTimer
 from game.stage.watch import FiniteWatch
-
-STEP_LENGTH = "step_length"  # a parameter of this name (s) is the length of a step
 
 Build = Callable[[Mapping[str, Any], EffectSet], Scene]
 
@@ -47,7 +45,7 @@ class Session:
         self._dt = dt
         self._time_base_s = 0.0
         self._time_base_step = 0
-        self._record = record
+        self.recorded = record
         self._repeating = False  # stepping through a future that is remembered
         self._watch = FiniteWatch(scene.may_be_infinite)
         state = scene.state()
@@ -157,7 +155,7 @@ class Session:
             self._stop(self.step, bad, None, self.step)
             return
         self.timeline.add(self.step, event)
-        if not self._record or len(self.timeline) > MAX_EVENTS:
+        if not self.recorded or len(self.timeline) > MAX_EVENTS:
             self.timeline.drop_before(self._ring.first_event)
         if not same_shapes(state, self.scene.previous):
             self.keep_previous()
@@ -289,9 +287,9 @@ class Session:
         """Snapshots and digests that are due."""
         if self.step >= self._next_snapshot:
             self._ring.add(self._snapshot())
-            if not self._record:
+            if not self.recorded:
                 self.timeline.drop_before(self._ring.first_event)
-        due = self._record and self.step % CHECK_INTERVAL == 0
+        due = self.recorded and self.step % CHECK_INTERVAL == 0
         if due and (not self._checks or self._checks[-1].step < self.step):
             self._checks.append(Check(self.step, self.digest()))
         self._schedule()
@@ -301,7 +299,7 @@ class Session:
         latest = self._ring.before(self.step)
         self._next_snapshot = latest.step + self._ring.interval(latest)
         self._next_chore = self._next_snapshot
-        if self._record:
+        if self.recorded:
             next_check = self.step + CHECK_INTERVAL - self.step % CHECK_INTERVAL
             self._next_chore = min(self._next_chore, next_check)
 

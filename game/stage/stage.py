@@ -9,24 +9,24 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from game.levels import Level, LevelError, format_level
+from game.levels import Level, LevelError
 from game.physics.effects import EffectSet
 from game.stage.clock import FixedStep
 from game.stage.declarations import Readout
 from game.stage.events import Action, StageEvent
 from game.stage.fault import Fault
+from game.stage.records.keeping import recording_of
 from game.stage.records.recipe import Recipe, checked_seed
-from game.stage.records.recording import Recording, RecordingError
+from game.stage.records.recording import Recording
+from game.stage.sampling import Sampling
 from game.stage.scene import Scene
 from game.stage.series import StripSeries
 from game.stage.session import Session
-from game.stage.states.state import copy_state
 from game.stage.validation import checked_event
 
 SLOWEST = 1.0 / 16.0
 FASTEST = 4.0
 NEWEST = 1.0 - 2.0**-53  # alpha that shows the newest state
-_MANY = 1e9  # steps; stands for a quotient that an absurdly short step makes infinite
 
 
 class Stage:
@@ -55,12 +55,11 @@ class Stage:
         max_steps: int = 15,
     ):
         self._recipe = Recipe(scene_type, level, checked_seed(seed), dt)
-        self.series = StripSeries()
+        self._sampling = Sampling()
         self._record = record
         self._snapshot_bytes = snapshot_bytes
         self._speed = 1.0
         self._paused = False
-        self._next_sample = 0
         scene = self._recipe.first(parameters, effects_off=effects_off, effects=effects)
         self.clock = FixedStep(self._recipe.dt_of(scene), max_steps)
         self._begin(scene)
@@ -81,6 +80,11 @@ class Stage:
     def scene(self) -> Scene:
         """The scene; another object after a reset, a new level or a parameter that builds it again."""
         return self._session.scene
+
+    @property
+    def series(self) -> StripSeries:
+        """Readouts of the last seconds, for charts."""
+        return self._sampling.series
 
     @property
     def fault(self) -> Fault | None:
@@ -196,22 +200,7 @@ class Stage:
     @property
     def recording(self) -> Recording:
         """The session so far, as it can be kept and replayed; RecordingError if it was not recorded whole."""
-        session = self._session
-        if not self._record or not session.timeline.whole:
-            raise RecordingError(None, "events", "this session was not recorded from its beginning")
-        values, active, dt = session.start
-        return Recording(
-            scene=self.scene_type.name,
-            level=format_level(self.level) if self.level is not None else None,
-            seed=self.scene.seed,
-            dt=dt,
-            parameters=values,
-            effects_off=[effect.name for effect in self.scene_type.effects if effect not in active],
-            events=session.timeline.past(),
-            checks=session.checks,
-            steps=session.step,
-            digest=session.digest(),
-        )
+        return recording_of(self._session, self.level)
 
     # -- running ------------------------------------------------------------------------------------
 
@@ -241,9 +230,7 @@ class Stage:
         """
         if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
             raise ValueError(f"steps = {steps!r}: expected a whole number, 0 or more")
-        # readouts that the charts can no longer show at the end are not taken
-        charted = int(min(self.series.window_s / self.dt, _MANY)) + 1
-        self._next_sample = max(self._next_sample, self.step_number + steps - charted)
+        self._sampling.skip_to(self.step_number + steps, self.dt)
         made = 0
         portion = max(1, steps // 100) if progress is not None else steps
         while made < steps:
@@ -252,7 +239,7 @@ class Stage:
             made += done
             if done < asked or (progress is not None and progress(made, steps) is False):
                 break
-        self._next_sample = min(self._next_sample, self.step_number + 1)
+        self._sampling.skip_no_more(self.step_number)
         return made
 
     def _make(self, steps: int, players: bool = False) -> int:
@@ -269,7 +256,7 @@ class Stage:
             if not session.advance():
                 break
             made += 1
-            if session.step >= self._next_sample:
+            if session.step >= self._sampling.due:
                 self._sample()
             if session.dt != self.clock.dt:
                 self.clock.change_dt(session.dt)
@@ -291,8 +278,7 @@ class Stage:
         if not self._session.go_back():
             return False
         self._follow_session()
-        self.series.cut(self.step_number)
-        self._next_sample = self.step_number + 1
+        self._sampling.go_back(self.step_number)
         return True
 
     def stop(self, what: str, error: Exception) -> Fault:
@@ -363,12 +349,6 @@ class Stage:
         """A new scene of the same level and seed, with the given parameters and effects."""
         return self._recipe.scene(values, active)
 
-    def copy_scene(self, active: EffectSet | None = None) -> Scene:
-        """A scene of its own in the present state, with other effects if given; for measurements."""
-        scene = self.build_scene(self.scene.values, self.scene.active if active is None else active)
-        scene.restore(copy_state(self.scene.state()))
-        return scene
-
     def _begin(self, scene: Scene) -> None:
         """Step 0 of a new session; ValueError, and nothing changed, if the state is not finite."""
         self._session = Session(
@@ -380,7 +360,4 @@ class Stage:
         self._sample()
 
     def _sample(self) -> None:
-        self.series.sample(self.step_number, self.time_s, self.scene.readouts())
-        self._next_sample = self.step_number + max(
-            1, round(min(1.0 / (self.series.rate_hz * self.dt), _MANY))
-        )
+        self._sampling.take(self._session)

@@ -38,7 +38,7 @@ def test_numpy_twin_goes_the_same_way():
     twin = NumpyBodies(states)
     for _ in range(20):
         twin.step(DT)
-    advance(0, states, constants, loads, 0.0, 1.0, 1, 1, DT, 20)
+    advance(0, states, constants, loads, (0.0, 1.0), 1, 1, DT, 20)
     assert np.allclose(twin.states, states, rtol=0, atol=1e-12)
 
 
@@ -62,7 +62,7 @@ def test_splitting_with_scipy_rotations(benchmark):
     x, y, z, w = turn.as_quat()
     states[0, 3:7], states[0, 10:] = (w, x, y, z), angular
     _, constants, loads = batch(1)
-    advance(METHODS.index("splitting"), states, constants, loads, 0.0, 1.0, 1, 1, DT, 1)
+    advance(METHODS.index("splitting"), states, constants, loads, (0.0, 1.0), 1, 1, DT, 1)
     x, y, z, w = after.as_quat()
     mine = states[0, 3:7]
     assert np.allclose(mine, (w, x, y, z), atol=1e-14) or np.allclose(mine, (-w, -x, -y, -z), atol=1e-14)

@@ -52,14 +52,14 @@ def agree(boxes, **grid) -> list[list[int]]:
 
 
 class TestC05:
-    def test_h1_an_edge_on_a_cell_border_is_in_both_cells_and_the_pair_is_found_once(self):
+    def test_an_edge_on_a_cell_border_is_in_both_cells_and_the_pair_is_found_once(self):
         boxes = [((1.25, 1.25), (2.0, 2.0)), ((2.0, 2.0), (2.5, 2.5)), ((2.0, 1.5), (3.0, 1.75))]
         covering = grids()[1]
         assert pairs_of(covering, boxes) == agree(boxes) == [[0, 1], [0, 2]]
         assert covering.cells_of(0) == [(1, 1), (2, 1), (1, 2), (2, 2)]
         assert all(0 in phase.query_point((2.0, 2.0)) for phase in [covering])
 
-    def test_h2_borders_at_multiples_of_a_tenth_are_in_the_right_cell(self):
+    def test_borders_at_multiples_of_a_tenth_are_in_the_right_cell(self):
         assert sum(math.floor(k * 0.1 / 0.1) != k for k in range(1000)) == 47  # what dividing would give
         grid = UniformGrid((0.0, 0.0), (100.0, 1.0), 0.1)
         assert [grid.cell_of(k * 0.1, 0.0)[0] for k in range(1000)] == list(range(1000))
@@ -69,13 +69,13 @@ class TestC05:
             for phase in grids(cell, 200 * cell):
                 assert pairs_of(phase, touching) == expected
 
-    def test_h3_negative_coordinates_are_rounded_down(self):
+    def test_negative_coordinates_are_rounded_down(self):
         grid = UniformGrid((-4.0, -4.0), (4.0, 4.0), 1.0)
         assert grid.cell_of(-0.3, -1.0) == (3, 3)
         boxes = [((-0.3, -0.3), (-0.1, -0.1)), ((-0.2, -0.2), (0.2, 0.2)), ((0.1, 0.1), (0.3, 0.3))]
         assert pairs_of(grid, boxes) == agree(boxes) == [[0, 1], [1, 2]]
 
-    def test_h4_boxes_larger_than_cell_and_grid_outside_and_across_are_paired_once(self):
+    def test_boxes_larger_than_cell_and_grid_outside_and_across_are_paired_once(self):
         boxes = [
             ((-50.0, -50.0), (60.0, 60.0)),  # larger than the grid
             ((2.5, 2.5), (6.5, 3.0)),  # larger than a cell
@@ -91,7 +91,7 @@ class TestC05:
         for grid in grids(8.0):
             assert (grid.columns, grid.rows) == (1, 1)
 
-    def test_h5_no_size_the_same_place_and_a_thousand_in_one_cell(self):
+    def test_no_size_the_same_place_and_a_thousand_in_one_cell(self):
         point = ((1.0, 1.0), (1.0, 1.0))
         assert agree([point, point, ((0.0, 0.0), (1.0, 1.0)), ((2.0, 2.0), (2.0, 2.0))]) == [
             [0, 1],
@@ -104,7 +104,7 @@ class TestC05:
             assert len(pairs) == 1000 * 999 // 2
             assert pairs[[0, -1]].tolist() == [[0, 1], [998, 999]]
 
-    def test_h6_a_pair_that_shares_cells_is_found_once_by_owner_cell_as_by_pair_manager(self):
+    def test_a_pair_that_shares_cells_is_found_once_by_owner_cell_as_by_pair_manager(self):
         boxes = [((0.5, 0.5), (4.5, 4.5)), ((1.5, 1.5), (5.5, 5.5))]
         covering = grids()[1]
         assert pairs_of(covering, boxes) == [[0, 1]]
@@ -115,7 +115,7 @@ class TestC05:
         assert manager.pairs().tolist() == [[0, 1]]
 
     @pytest.mark.parametrize("make", [lambda: MatrixPairs(9), HashedPairs])
-    def test_h7_managers_are_idempotent_and_symmetric_and_refuse_a_box_with_itself(self, make):
+    def test_managers_are_idempotent_and_symmetric_and_refuse_a_box_with_itself(self, make):
         manager = make()
         assert manager.add(7, 3) and not manager.add(3, 7)
         assert (3, 7) in manager and (7, 3) in manager and len(manager) == 1
@@ -126,7 +126,7 @@ class TestC05:
             manager.add(4, 4)
         assert (4, 4) not in manager
 
-    def test_h8_the_triangular_index_is_a_bijection_and_does_not_overflow(self):
+    def test_the_triangular_index_is_a_bijection_and_does_not_overflow(self):
         assert triangular_index(5, 20, 37) == 184
         n = 37
         assert [triangular_index(i, j, n) for i, j in itertools.combinations(range(n), 2)] == list(range(666))
@@ -138,7 +138,7 @@ class TestC05:
                 == n * (n - 1) // 2 - 1
             )
 
-    def test_h9_clearing_and_listing_do_not_touch_the_whole_matrix(self):
+    def test_clearing_and_listing_do_not_touch_the_whole_matrix(self):
         """Memory of the matrix is given as it is touched: 2 GiB of it would show."""
         resource = pytest.importorskip("resource")
         if sys.platform != "linux":
@@ -155,7 +155,7 @@ class TestC05:
         assert len(manager) == 0
         assert (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024 < 100e6
 
-    def test_h10_a_hash_table_with_hard_keys_loses_nothing_and_lists_in_order(self):
+    def test_a_hash_table_with_hard_keys_loses_nothing_and_lists_in_order(self):
         manager = HashedPairs()
         keys = [(1024 * a, 1024 * a + 4096 * b) for a in range(60) for b in range(1, 30)]
         keys += [(-a - 1, 1024 * b) for a in range(20) for b in range(20)]
@@ -169,7 +169,7 @@ class TestC05:
         assert all(tuple(pair) in manager for pair in left)
         manager.check()
 
-    def test_h11_a_removed_box_leaves_no_pair_to_the_next_one_of_its_id(self):
+    def test_a_removed_box_leaves_no_pair_to_the_next_one_of_its_id(self):
         for phase in phases():
             phase.add_boxes([(0, 0), (0.5, 0.5)], [(1, 1), (1.5, 1.5)])
             assert phase.pairs().tolist() == [[0, 1]]
@@ -180,7 +180,7 @@ class TestC05:
             assert phase.query_point((0.75, 0.75)).tolist() == [0]
             phase.check()
 
-    def test_h12_all_boxes_leap_into_one_cell_and_back(self):
+    def test_all_boxes_leap_into_one_cell_and_back(self):
         boxes = make_boxes("equal", 200, np.random.default_rng(3), extent=(8.0, 8.0))
         for phase in phases():
             ids = phase.add_boxes(boxes.lowers, boxes.uppers)
@@ -193,7 +193,7 @@ class TestC05:
 
 
 class TestC06:
-    def test_h1_a_size_of_a_power_of_two_stands_on_the_documented_level(self):
+    def test_a_size_of_a_power_of_two_stands_on_the_documented_level(self):
         wrong = [k for k in range(60) if math.ceil(math.log(2**k) / math.log(2)) != k]
         assert wrong == [29, 31, 39, 47, 51, 55, 58, 59]  # what logarithms would give
         grid = HierarchicalGrid()
@@ -202,7 +202,7 @@ class TestC06:
             assert grid.level(box) == k - LOWEST
             assert grid.cell_size(grid.level(box)) == 2.0**k
 
-    def test_h2_beyond_the_finest_and_the_coarsest_level(self):
+    def test_beyond_the_finest_and_the_coarsest_level(self):
         boxes = [
             ((0.0, 0.0), (1e-30, 1e-30)),
             ((0.0, 0.0), (0.0, 0.0)),
@@ -215,7 +215,7 @@ class TestC06:
         assert [grid.level(box) for box in range(5)] == [0, 0, TOP, TOP, TOP]
 
     @pytest.mark.parametrize("exponents", [(-20, 0), (-3, -3), (-20, -19)])
-    def test_h3_size_ratios_of_a_million_one_level_one_per_level(self, exponents):
+    def test_size_ratios_of_a_million_one_level_one_per_level(self, exponents):
         generator = np.random.default_rng(7)
         n = 400
         lowers = generator.random((n, 2)) * 8.0
@@ -227,7 +227,7 @@ class TestC06:
         assert grid.memory() < 4_000 * n  # as for boxes of one size, whatever the ratio
         assert len(grid.levels()) >= (19 if exponents == (-20, 0) else 1)
 
-    def test_h4_a_box_that_grows_over_a_level_border_every_frame_loses_no_pair(self):
+    def test_a_box_that_grows_over_a_level_border_every_frame_loses_no_pair(self):
         for bulk in (False, True):
             grid, naive = HierarchicalGrid(), NaiveBroadPhase()
             lowers = np.random.default_rng(2).random((60, 2)) * 4.0
@@ -247,7 +247,7 @@ class TestC06:
             assert len(met) == 20
             grid.check()
 
-    def test_h5_cells_that_share_a_bucket_are_not_taken_for_one(self):
+    def test_cells_that_share_a_bucket_are_not_taken_for_one(self):
         """All boxes in cells of one column and row modulo the table: every look-up meets all of them."""
         n = 32
         apart = 1024.0  # columns: a multiple of the number of buckets
@@ -261,14 +261,14 @@ class TestC06:
         boxes.append(((apart - 0.5, 0.5), (apart + 0.5, 0.75)))
         assert agree(boxes) == [[1, 32]]
 
-    def test_h6_coordinates_of_a_thousand_million_and_negative_ones(self):
+    def test_coordinates_of_a_thousand_million_and_negative_ones(self):
         near = [((0.0, 0.0), (1e-6, 1e-6)), ((5e-7, 5e-7), (2e-6, 2e-6)), ((-3e-7, -3e-7), (-1e-7, -1e-7))]
         far = [((x, -x), (x + 1.0, -x + 1.0)) for x in (1e9, -1e9, 1e9 + 0.5, -1e9 - 0.5, 1e9 - 3.0)]
         assert agree(near + far) == [[0, 1], [3, 5], [4, 6]]
         cell = 2.0**LOWEST
         assert int(1e9 / cell) > 2**61  # no 32 bits would do for such columns
 
-    def test_h7_empty_levels_cost_no_test_and_no_table(self):
+    def test_empty_levels_cost_no_test_and_no_table(self):
         grid = HierarchicalGrid()
         lowers = np.arange(100.0)[:, None] * [[10.0, 0.0]]
         grid.add_boxes(lowers, lowers + 1.0)
@@ -281,7 +281,7 @@ class TestC06:
         grid.remove_box(giant)
         assert grid.pairs().tolist() == [] and len(grid.levels()) == 1
 
-    def test_h8_a_pair_of_two_levels_is_found_once(self):
+    def test_a_pair_of_two_levels_is_found_once(self):
         generator = np.random.default_rng(17)
         for large in (1, 30, 300):
             lowers = generator.random((330, 2)) * 8.0
@@ -295,7 +295,7 @@ class TestC06:
 
 
 class TestC07:
-    def test_h1_ends_that_coincide_overlap(self):
+    def test_ends_that_coincide_overlap(self):
         boxes = [
             ((0.0, 0.0), (1.0, 1.0)),
             ((1.0, 0.0), (2.0, 1.0)),
@@ -313,7 +313,7 @@ class TestC07:
         assert sap.pairs().tolist() == expected
         sap.check()
 
-    def test_h2_what_is_not_a_number_never_reaches_the_sort(self):
+    def test_what_is_not_a_number_never_reaches_the_sort(self):
         sap = SweepAndPrune()
         ids = sap.add_boxes([(0, 0), (2, 2)], [(1, 1), (3, 3)])
         for bad in ((math.nan, 0.0), (0.0, math.nan)):
@@ -324,7 +324,7 @@ class TestC07:
         sap.check()
         assert sap.box(0)[0].tolist() == [0.0, 0.0]
 
-    def test_h3_a_leap_of_all_boxes_is_finished_by_sorting_and_counts_the_swaps_it_spared(self):
+    def test_a_leap_of_all_boxes_is_finished_by_sorting_and_counts_the_swaps_it_spared(self):
         n = 2000
         generator = np.random.default_rng(21)
         boxes = make_boxes("equal", n, generator, fill=0.1)
@@ -346,7 +346,7 @@ class TestC07:
         assert np.array_equal(sap.pairs(), grid.pairs())
         sap.check()
 
-    def test_h3_insertion_swaps_are_the_inversions_of_a_known_permutation(self):
+    def test_insertion_swaps_are_the_inversions_of_a_known_permutation(self):
         values = np.random.default_rng(7).permutation(500).astype(float)
         codes = np.arange(500, dtype=np.int32)
         boxes = np.zeros((500, 4))
@@ -355,7 +355,7 @@ class TestC07:
         assert (place, swaps) == (500, 63_479)
         assert values.tolist() == list(range(500))
 
-    def test_h4_boxes_come_and_go_every_frame(self):
+    def test_boxes_come_and_go_every_frame(self):
         generator = np.random.default_rng(5)
         sap, naive = SweepAndPrune(), NaiveBroadPhase()
         for _ in range(60):
@@ -372,7 +372,7 @@ class TestC07:
             sap.check()
 
     @pytest.mark.parametrize("resort", [True, False])
-    def test_h5_all_boxes_on_one_line(self, resort):
+    def test_all_boxes_on_one_line(self, resort):
         n = 300
         generator = np.random.default_rng(8)
         boxes = make_boxes("line", n, generator)
@@ -388,7 +388,7 @@ class TestC07:
         assert abs(sap.swaps / 10 / (n * (n - 1) / 2) - 1.0) < 0.2
         sap.check()
 
-    def test_h6_a_box_that_grows_over_many_others_and_one_upside_down(self):
+    def test_a_box_that_grows_over_many_others_and_one_upside_down(self):
         lowers = np.random.default_rng(4).random((100, 2)) * 10.0
         sap, naive = SweepAndPrune(), NaiveBroadPhase()
         for phase in (sap, naive):
@@ -401,7 +401,7 @@ class TestC07:
         with pytest.raises(ValueError, match="not above"):
             sap.update_box(50, (5.0, 5.0), (4.0, 6.0))
 
-    def test_h7_an_overlap_on_one_axis_alone_is_none(self):
+    def test_an_overlap_on_one_axis_alone_is_none(self):
         boxes = [((0.0, 0.0), (1.0, 1.0)), ((0.5, 5.0), (1.5, 6.0)), ((5.0, 0.5), (6.0, 1.5))]
         assert agree(boxes) == []
         sap = SweepAndPrune()
@@ -414,7 +414,7 @@ class TestC07:
         assert sap.pairs().tolist() == []
 
     @pytest.mark.parametrize("bulk", [True, False])
-    def test_h8_a_box_that_jumps_over_another_begins_and_ends_nothing(self, bulk):
+    def test_a_box_that_jumps_over_another_begins_and_ends_nothing(self, bulk):
         sap = SweepAndPrune()
         ids = sap.add_boxes([(0, 0), (2, 0)], [(1, 1), (3, 1)])
         sap.manager.take_events()
@@ -426,7 +426,7 @@ class TestC07:
             sap.check()
         assert [len(events) for events in sap.manager.take_events()] == [0, 0]
 
-    def test_h9_a_floor_without_end(self):
+    def test_a_floor_without_end(self):
         floor = ((-INF, -INF), (INF, 0.0))
         boxes = [floor, ((3.0, -0.5), (4.0, 0.5)), ((3.0, 0.25), (4.0, 1.0)), ((-1e300, -1.0), (-1e299, 0.0))]
         assert agree(boxes) == [[0, 1], [0, 3], [1, 2]]

@@ -38,7 +38,7 @@ def test_every_level_says_which_case_it_is():
 
 
 @every
-def test_h1_out_of_reach_the_chain_is_straight_and_at_rest(method):
+def test_out_of_reach_the_chain_is_straight_and_at_rest(method):
     skeleton = chain_skeleton([1.0, 0.8, 0.6], [0.3, 0.4, 0.5])
     solver = Solver(skeleton, 0, 2)
     found = solver.solve((3.0, 2.0), method, 1e-6, 5_000)
@@ -52,7 +52,7 @@ def test_h1_out_of_reach_the_chain_is_straight_and_at_rest(method):
     assert np.abs(skeleton.angles).max() < 2 * math.pi
 
 
-def test_h1_fixed_damping_thrashes_but_its_loop_ends():
+def test_fixed_damping_thrashes_but_its_loop_ends():
     skeleton = chain_skeleton([1.0, 0.8, 0.6], [0.3, 0.4, 0.5])
     solver = Solver(skeleton, 0, 2, remembered=400)
     found = solver.solve((3.0, 2.0), "damped-fixed", 1e-6, 5_000, damping=0.01)
@@ -63,7 +63,7 @@ def test_h1_fixed_damping_thrashes_but_its_loop_ends():
 
 
 @every
-def test_h2_in_the_hole(method):
+def test_a_target_in_the_hole_of_what_can_be_reached(method):
     skeleton = chain_skeleton([2.0, 0.5, 0.3], [0.3, 1.0, 1.0])
     found = solve_ik(skeleton, (0, 2), (0.4, 0.0), method, 1e-6, 20_000)
     assert found.ending == "no progress"
@@ -72,7 +72,7 @@ def test_h2_in_the_hole(method):
 
 
 @pytest.mark.parametrize("method", IK_METHODS)
-def test_h3_the_dead_point_is_left_by_a_kick(method):
+def test_the_dead_point_is_left_by_a_kick(method):
     skeleton = chain_skeleton([1.0, 0.8, 0.6])
     solver = Solver(skeleton, 0, 2, remembered=4)
     found = solver.solve((1.0, 0.0), method, 1e-6, 2_000)
@@ -84,7 +84,7 @@ def test_h3_the_dead_point_is_left_by_a_kick(method):
 
 
 @every
-def test_h3_straight_away_from_a_target_out_of_reach(method):
+def test_straight_away_from_a_target_out_of_reach(method):
     """The other dead point: the gradient is zero at the worst pose as well as at the best."""
     skeleton = chain_skeleton([1.0, 0.8, 0.6])
     found = solve_ik(skeleton, (0, 2), (-3.0, 0.0), method, 1e-6, 5_000)
@@ -92,7 +92,7 @@ def test_h3_straight_away_from_a_target_out_of_reach(method):
 
 
 @every
-def test_h4_at_full_reach_it_comes_nearer_and_ends(method):
+def test_at_full_reach_it_comes_nearer_and_ends(method):
     skeleton = chain_skeleton([1.0, 0.8, 0.6], [0.9, -0.7, 0.5])
     found = solve_ik(skeleton, (0, 2), (2.4, 0.0), method, 1e-6, 2_000)
     assert found.error < 8e-3
@@ -104,7 +104,7 @@ def test_h4_at_full_reach_it_comes_nearer_and_ends(method):
 
 
 @every
-def test_h5_on_the_root(method):
+def test_a_target_on_the_root(method):
     skeleton = chain_skeleton([1.0, 0.8, 0.6], [0.3, 0.4, 0.5])
     found = solve_ik(skeleton, (0, 2), (0.0, 0.0), method, 1e-6, 5_000)
     assert found.ending == "reached"
@@ -118,7 +118,7 @@ def test_h5_on_the_root(method):
 
 
 @every
-def test_h6_no_length_one_link_and_a_hundred(method):
+def test_no_length_one_link_and_a_hundred(method):
     skeleton = chain_skeleton([1.0, 0.0, 0.8], [0.3, 0.4, 0.5])
     assert solve_ik(skeleton, (0, 2), (0.6, 1.1), method, 1e-6, 20_000).ending == "reached"
     one = chain_skeleton([1.0], [0.3])
@@ -130,7 +130,7 @@ def test_h6_no_length_one_link_and_a_hundred(method):
     assert found.ending == "reached"
 
 
-def test_h6_a_hundred_links_take_gradients_a_thousand_iterations():
+def test_a_hundred_links_take_gradients_a_thousand_iterations():
     rng = np.random.default_rng(8)
     taken = {"gradient": [], "fabrik": []}
     for _ in range(9):
@@ -144,7 +144,7 @@ def test_h6_a_hundred_links_take_gradients_a_thousand_iterations():
 
 
 @every
-def test_h7_angles_follow_a_running_target_without_a_jump(method):
+def test_angles_follow_a_running_target_without_a_jump(method):
     skeleton = chain_skeleton([0.6, 0.5, 0.4, 0.3, 0.2], [0.3, 0.4, 0.5, 0.3, 0.2])
     solver = Solver(skeleton, 0, 4)
     solver.solve((1.2, 0.4), method, 1e-4, 2_000)
@@ -158,7 +158,7 @@ def test_h7_angles_follow_a_running_target_without_a_jump(method):
 
 
 @every
-def test_h8_at_both_limits_the_error_only_falls(method):
+def test_at_both_limits_the_error_only_falls(method):
     skeleton = Skeleton(
         [-1, 0, 1], [1.0, 0.8, 0.6], [0.2, 0.2, 0.2], lower=[-9, 0.0, 0.0], upper=[9, 0.5, 0.5]
     )
@@ -174,7 +174,7 @@ def test_h8_at_both_limits_the_error_only_falls(method):
 
 
 @every
-def test_h9_many_turns_change_nothing(method):
+def test_many_turns_change_nothing(method):
     plain = chain_skeleton([0.6, 0.5, 0.4], [0.3, 0.4, 0.5])
     wound = chain_skeleton([0.6, 0.5, 0.4], [0.3 + 40 * math.pi, 0.4 - 60 * math.pi, 0.5])
     a = solve_ik(plain, (0, 2), (0.7, 0.6), method, 1e-9, 5_000)

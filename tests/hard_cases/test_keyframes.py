@@ -22,7 +22,7 @@ every = pytest.mark.parametrize("name", NAMES)
 
 
 @every
-def test_h1_no_key_and_one_key(name):
+def test_no_key_and_one_key(name):
     with pytest.raises(ValueError, match="times"):
         Keyframes([], np.zeros((0, 2)), name)
     one = Keyframes([0.4], [(1.5, -2.5)], name)
@@ -32,7 +32,7 @@ def test_h1_no_key_and_one_key(name):
 
 
 @every
-def test_h2_before_after_and_on_a_key(name):
+def test_before_after_and_on_a_key(name):
     rng = np.random.default_rng(1)
     times, values = np.sort(rng.random(9)) * 0.7, rng.normal(size=(9, 3))
     track = Keyframes(times, values, name)
@@ -45,7 +45,7 @@ def test_h2_before_after_and_on_a_key(name):
 
 
 @every
-def test_h3_a_jump(name):
+def test_a_key_that_jumps(name):
     track = Keyframes([0.0, 0.5, 0.5, 0.5, 1.0], [0.0, 1.0, 99.0, 3.0, 4.0], name)
     below = math.nextafter(0.5, 0.0)
     assert track.sample(below) == pytest.approx(1.0, abs=1e-12)
@@ -59,7 +59,7 @@ def test_h3_a_jump(name):
 
 
 @every
-def test_h4_keys_in_any_order(name):
+def test_keys_in_any_order(name):
     rng = np.random.default_rng(3)
     times, values, at = rng.random(10), rng.normal(size=(10, 2)), rng.random(200)
     known = Keyframes(times, values, name).sample(at)
@@ -72,7 +72,7 @@ def test_h4_keys_in_any_order(name):
 
 
 @every
-def test_h5_close_far_and_negative_times(name):
+def test_close_far_and_negative_times(name):
     tiny = Keyframes([0.0, 1e-300, 1.0], [0.0, 1.0, 2.0], name)
     tiny.check()
     at = [0.0, 2e-301, 9.9e-301, 1e-300, 1e-16, 0.5, 1.0]
@@ -104,7 +104,7 @@ def test_h5_close_far_and_negative_times(name):
     ],
     ids=["P0=P1", "P2=P3", "P0=P1=P2", "all", "cusp", "loop", "there and back"],
 )
-def test_h6_coincident_control_points_cusp_and_loop(points):
+def test_coincident_control_points_cusp_and_loop(points):
     curve, u = CubicBezier(points), np.linspace(0, 1, 501)
     curve.check()
     for found in (curve.point(u), curve.tangent(u), curve.direction(u), curve.flatten(1e-3)):
@@ -118,7 +118,7 @@ def test_h6_coincident_control_points_cusp_and_loop(points):
     assert steps.max() <= ways[1] * (1 + 1e-9)
 
 
-def test_h7_zero_slope_and_steep_timing():
+def test_zero_slope_and_steep_timing():
     parts = np.linspace(0, 1, 20_001)
     for x1, x2 in ((0, 0), (0, 1), (1, 1), (1, 0), (0, 0.5), (0.5, 1), (1, 1e-9)):
         # with y = x the curve gives back how well x was met
@@ -127,13 +127,13 @@ def test_h7_zero_slope_and_steep_timing():
 
 
 @pytest.mark.parametrize("handles", [(-0.01, 0, 1, 1), (0, 0, 1.01, 1), (2, 0, -1, 1)])
-def test_h8_timing_that_turns_back_is_refused(handles):
+def test_timing_that_turns_back_is_refused(handles):
     with pytest.raises(ValueError, match="x1 and x2"):
         Easing(handles)
 
 
 @every
-def test_h9_the_shortest_way_round(name):
+def test_the_shortest_way_round(name):
     if name == "nearest":
         return
     degrees = Keyframes([0.0, 1.0], [350.0, 10.0], name, angles=(0,), turn=360.0)
@@ -148,7 +148,7 @@ def test_h9_the_shortest_way_round(name):
     assert plain.sample(0.5) == 180.0
 
 
-def test_h10_mixed_rotation_matrices_are_singular_halfway():
+def test_mixed_rotation_matrices_are_singular_halfway():
     mixed = mix_rotations(0.3, 0.3 + math.pi, [0.0, 0.25, 0.5, 1.0])
     sizes = np.linalg.det(mixed)
     assert sizes[[0, 3]] == pytest.approx([1.0, 1.0], abs=1e-15)
@@ -161,7 +161,7 @@ def test_h10_mixed_rotation_matrices_are_singular_halfway():
 
 
 @every
-def test_h11_any_order_of_playback_gives_the_same_bits(name):
+def test_any_order_of_playback_gives_the_same_bits(name):
     rng = np.random.default_rng(11)
     times = np.cumsum(rng.random(50) ** 8)  # clusters: the guide table has to search
     track = Keyframes(times, rng.normal(size=(50, 3)), name)

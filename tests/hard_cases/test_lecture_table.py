@@ -47,7 +47,7 @@ def head_on(speed, start, dt, **declared):
 
 
 @pytest.mark.parametrize("dt", [1 / 60, 1 / 240])
-def test_h1_tunnelling_begins_at_two_radii_a_step(dt):
+def test_tunnelling_begins_at_two_radii_a_step(dt):
     limit = 2.0 * R / dt
     starts = np.linspace(0.0, limit * dt, 40, endpoint=False) + 1e-6
     below = [head_on(0.99 * limit, start, dt, **AS_LECTURED) for start in starts]
@@ -57,7 +57,7 @@ def test_h1_tunnelling_begins_at_two_radii_a_step(dt):
 
 
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
-def test_h1_automatic_substeps_do_not_tunnel(order):
+def test_automatic_substeps_do_not_tunnel(order):
     starts = np.linspace(0.0, 0.17, 20) + 1e-6
     assert all(head_on(speed, start, FRAME, order=order) for speed in (8.0, 40.0) for start in starts)
 
@@ -83,7 +83,7 @@ def share_of_hits_missed(speed, dt, shots, seed):
 
 
 @pytest.mark.parametrize(("speed", "dt"), [(3.0, 1 / 60), (3.0, 1 / 240), (8.0, 1 / 60)])
-def test_h2_grazing_hits_are_missed_as_the_formula_says(speed, dt):
+def test_grazing_hits_are_missed_as_the_formula_says(speed, dt):
     d, c = 2.0 * R, speed * dt
     if c < d:
         b0 = math.sqrt(d * d - c * c)
@@ -98,7 +98,7 @@ def test_h2_grazing_hits_are_missed_as_the_formula_says(speed, dt):
 
 @pytest.mark.parametrize(("repositioning", "place"), [("exact", 0.906), ("mirror", 0.89), ("clamp", 0.97)])
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
-def test_h3_overshoot_at_a_wall(repositioning, place, order):
+def test_overshoot_at_a_wall(repositioning, place, order):
     declared = {**NO_LOSS, "bounce": 0.8}
     balls = table_with(
         [[0.95, 1.0]],
@@ -114,7 +114,7 @@ def test_h3_overshoot_at_a_wall(repositioning, place, order):
 
 @pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
 @pytest.mark.parametrize("repositioning", ["exact", "mirror", "clamp"])
-def test_h3_several_walls_in_one_step(e, repositioning):
+def test_several_walls_in_one_step(e, repositioning):
     """So fast that the reflection leaves by the other side, many times over."""
     for speed in (1e3, 7e4, 1e6):
         balls = table_with(
@@ -132,7 +132,7 @@ def test_h3_several_walls_in_one_step(e, repositioning):
 
 
 @pytest.mark.parametrize("corner", [(0, 0), (0, 1), (1, 0), (1, 1)])
-def test_h4_corner_turns_both_parts_round(corner):
+def test_corner_turns_both_parts_round(corner):
     sign = np.array([1.0 if side else -1.0 for side in corner])
     near = np.array([1.27, 2.54]) * corner - sign * (R + 0.01)
     balls = table_with([near], [sign * [3.0, 2.0]], substeps=1)
@@ -154,7 +154,7 @@ def pressed_depth(**declared):
     return deepest / R
 
 
-def test_h5_ball_pressed_on_the_cushion():
+def test_only_as_lectured_a_ball_is_pressed_into_the_cushion():
     assert pressed_depth(**AS_LECTURED) > 1.0 - 1e-9  # its centre on the nose of the cushion
     assert pressed_depth(order="pairwise", substeps=1, passes=1) < 1e-12
     assert pressed_depth(order="joint", substeps=1) < 1e-12
@@ -171,7 +171,7 @@ def rack_overlap_after(passes, order):
     return balls.deepest_overlap / (2.0 * R)
 
 
-def test_h6_compressed_rack():
+def test_a_compressed_rack_opens():
     """Pair after pair the overlap goes slowly; jointly three or four passes leave only rounding."""
     measured = [rack_overlap_after(passes, "pairwise") for passes in (1, 5, 10, 20, 50)]
     assert measured == sorted(measured, reverse=True)
@@ -183,7 +183,7 @@ def test_h6_compressed_rack():
 
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 @pytest.mark.parametrize(("dt", "passes"), [(1 / 60, 1), (1 / 60, 20), (1 / 1000, 1), (1 / 4000, 4)])
-def test_h7_break_conserves_momentum_and_energy(order, dt, passes):
+def test_break_conserves_momentum_and_energy(order, dt, passes):
     balls = table_with(eight_ball_rack(Table.pool()), order=order, passes=passes)
     balls.strike(0, (0.0, 8.0))
     hit = False
@@ -199,7 +199,7 @@ def test_h7_break_conserves_momentum_and_energy(order, dt, passes):
     assert (balls.velocities != 0.0).any(axis=1).sum() >= 10
 
 
-def test_h8_one_ball_onto_two():
+def test_one_ball_onto_two():
     a = math.pi / 6.0
     onto = 0.6 + np.array(
         [[0.0, 0.0], [2 * R * math.sin(a), 2 * R * math.cos(a)], [-2 * R * math.sin(a), 2 * R * math.cos(a)]]
@@ -218,7 +218,7 @@ def test_h8_one_ball_onto_two():
 
 @pytest.mark.parametrize("table", [Table.pool(), Table.bare(1.27, 2.54)])
 @pytest.mark.parametrize("substeps", [0, 1])
-def test_h8_symmetric_break_stays_symmetric_to_the_last_bit(table, substeps):
+def test_symmetric_break_stays_symmetric_to_the_last_bit(table, substeps):
     positions = eight_ball_rack(table)
     balls = LectureTable(table, positions, settings=lecture_settings(substeps=substeps))
     x, y = balls.state.offsets.T
@@ -236,7 +236,7 @@ def test_h8_symmetric_break_stays_symmetric_to_the_last_bit(table, substeps):
     assert collisions > 40
 
 
-def test_h8_pair_after_pair_is_not_symmetric():
+def test_pair_after_pair_is_not_symmetric():
     balls = table_with(eight_ball_rack(Table.pool()), order="pairwise")
     x, y = balls.state.offsets.T
     image = [int(np.flatnonzero((x == -x[i]) & (y == y[i]))[0]) for i in range(16)]
@@ -267,7 +267,7 @@ def cradle(order, forwards, frames, n=5):
     return balls.velocities[:, 1]
 
 
-def test_h9_each_contact_of_a_cradle_is_told_with_its_speed():
+def test_each_contact_of_a_cradle_is_told_with_its_speed():
     balls = table_with(
         [[0.6, 0.5 + 2.0 * R * k] for k in range(4)],
         [[0.0, 2.0], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]],
@@ -281,7 +281,7 @@ def test_h9_each_contact_of_a_cradle_is_told_with_its_speed():
 
 
 @pytest.mark.parametrize("forwards", [True, False])
-def test_h9_cradle_sends_off_the_last_ball(forwards):
+def test_cradle_sends_off_the_last_ball(forwards):
     expected = np.zeros(5)
     expected[-1 if forwards else 0] = 1.0 if forwards else -1.0
     assert np.abs(cradle("joint", forwards, 1) - expected).max() < 1e-12
@@ -292,7 +292,7 @@ def test_h9_cradle_sends_off_the_last_ball(forwards):
 
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 @pytest.mark.parametrize("distance", [0.0, 2 * R, math.nextafter(2 * R, 1.0), R])
-def test_h10_no_impulse_without_approach(order, distance):
+def test_no_impulse_without_approach(order, distance):
     balls = table_with([[0.5, 1.0], [0.5 + distance, 1.0]], [[-0.1, 0.0], [0.1, 0.0]], order=order)
     if distance == 0.0:
         balls.velocities[:] = 0.0
@@ -316,7 +316,7 @@ def test_h10_no_impulse_without_approach(order, distance):
         (240, "consistent", 3.3042),
     ],
 )
-def test_h11_friction_factor_and_frame_rate(rate, law, distance):
+def test_friction_factor_and_frame_rate(rate, law, distance):
     balls = LectureTable(
         Table.open(),
         [[0.0, 0.0]],
@@ -336,7 +336,7 @@ def test_h11_friction_factor_and_frame_rate(rate, law, distance):
         )
 
 
-def test_h12_minimum_speed():
+def test_what_is_slower_than_the_minimum_speed_stops():
     slow = math.nextafter(0.01, 0.0)
     balls = LectureTable(
         Table.open(),
@@ -355,7 +355,7 @@ def test_h12_minimum_speed():
 
 
 @pytest.mark.parametrize("e", [0.0, 1.0])
-def test_h13_bounce_factor_at_its_ends(e):
+def test_bounce_factor_at_its_ends(e):
     balls = table_with([[0.1, 1.0]], [[-3.0, 1.0]], bounce=e)
     for _ in range(10):
         balls.step(FRAME)
@@ -365,14 +365,14 @@ def test_h13_bounce_factor_at_its_ends(e):
 
 @pytest.mark.parametrize("e", [1.0000001, 2.0, -0.1, math.nan, math.inf])
 @pytest.mark.parametrize("parameter", ["bounce", "restitution", "friction"])
-def test_h13_factors_that_would_feed_energy_are_refused(parameter, e):
+def test_factors_that_would_feed_energy_are_refused(parameter, e):
     with pytest.raises(ValueError, match=parameter):
         lecture_settings(**{parameter: e})
 
 
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
 @pytest.mark.parametrize("width", [2 * R, 1.9 * R])
-def test_h14_wedged_ball_does_not_jitter(order, width):
+def test_wedged_ball_does_not_jitter(order, width):
     """A ball between two walls as wide as itself or narrower, and one pressed by an unyielding ball."""
     balls = table_with([[0.5 * width, 1.0]], None, Table.bare(width, 2.54), order=order)
     balls.step(FRAME)
@@ -383,7 +383,7 @@ def test_h14_wedged_ball_does_not_jitter(order, width):
 
 
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
-def test_h14_resting_contacts_stay_where_they_are(order):
+def test_resting_contacts_stay_where_they_are(order):
     lattice = eight_ball_rack(Table.pool())[1:]
     pressed = [[R, 0.5], [3 * R, 0.5], [1.27 - R, 2.54 - R]]
     balls = table_with(np.concatenate([lattice, pressed]), order=order)
@@ -396,7 +396,7 @@ def test_h14_resting_contacts_stay_where_they_are(order):
 
 
 @pytest.mark.parametrize("order", ["joint", "pairwise"])
-def test_h14_ball_between_a_wall_and_a_ball_that_does_not_yield(order):
+def test_ball_between_a_wall_and_a_ball_that_does_not_yield(order):
     balls = table_with([[R, 1.0], [2.7 * R, 1.0]], masses=[1.0, math.inf], order=order, passes=10)
     balls.step(FRAME)
     first = balls.positions

@@ -23,7 +23,7 @@ def run(system, dt, steps):
 
 
 @pytest.mark.parametrize("contact", CONTACTS)
-def test_h1_born_inside_a_stone(contact):
+def test_born_inside_a_stone(contact):
     """Put on the surface along the normal, at the very centre upwards; never faster than it was sent out."""
     stone = Discs([(0, 0)], [0.5], 0.0)
     nozzle = Emitter((0.1, 0.2), rate=200.0, speed=3.0, spread=math.pi)
@@ -51,7 +51,7 @@ def test_h1_born_inside_a_stone(contact):
     assert np.array_equal(centre.velocities[0], (0, 0))
 
 
-def test_h2_a_step_longer_than_a_life():
+def test_a_step_longer_than_a_life():
     """Each is born and dies in the step, exactly once."""
     system = ParticleSystem(10, emitters=[Emitter(rate=100.0)], effects=FREE, life=0.03)
     run(system, 0.5, 4)
@@ -59,7 +59,7 @@ def test_h2_a_step_longer_than_a_life():
     assert system.dropped == 0
 
 
-def test_h3_full_pool_drops_and_counts():
+def test_full_pool_drops_and_counts():
     system = ParticleSystem(100, emitters=[Emitter(rate=1000.0)], effects=FREE, life=1.0)
     run(system, 1 / 50, 100)
     assert len(system) == 100
@@ -72,7 +72,7 @@ def test_h3_full_pool_drops_and_counts():
     assert len(system) == 0
 
 
-def test_h4_count_of_births():
+def test_count_of_births():
     system = ParticleSystem(2000, emitters=[Emitter(rate=400.0)], effects=FREE, life=2.5)
     for dt, steps in ((1 / 60, 60), (1 / 240, 240), (0.5, 1), (0.87, 1)):
         run(system, dt, steps)
@@ -83,7 +83,7 @@ def test_h4_count_of_births():
 @pytest.mark.parametrize(
     ("method", "growth"), [("explicit-euler", 2.33), ("verlet", 3.22), ("midpoint", 3.22), ("rk4", 2.19)]
 )
-def test_h5_stiff_drag_without_substeps_grows_as_predicted(method, growth):
+def test_stiff_drag_without_substeps_grows_as_predicted(method, growth):
     """k = 200/s at 1/60 s: each step multiplies the speed by the method's polynomial of k dt."""
     system = ParticleSystem(
         4,
@@ -101,7 +101,7 @@ def test_h5_stiff_drag_without_substeps_grows_as_predicted(method, growth):
 @pytest.mark.parametrize(
     "method", ["explicit-euler", "verlet", "midpoint", "rk4", "stormer-verlet", "exponential"]
 )
-def test_h5_stiff_drag_is_done_right(method):
+def test_stiff_drag_is_done_right(method):
     """As the system does it by itself: within 1 % of g / k after 5 / k."""
     k = 200.0
     system = ParticleSystem(4, effects=GRAVITY | DRAG, method=method, forces=CALM._replace(drag=k), life=99)
@@ -113,7 +113,7 @@ def test_h5_stiff_drag_is_done_right(method):
 
 @pytest.mark.parametrize(("contact", "stopped"), [("end", False), ("chord", True), ("root", True)])
 @pytest.mark.parametrize("speed", [50.0, 1000.0, 9000.0])
-def test_h6_fast_particle_and_small_stone(contact, stopped, speed):
+def test_fast_particle_and_small_stone(contact, stopped, speed):
     """A stone of 2 cm: passed by when only the end of a step is looked at, never with the swept ways."""
     stone = Discs([(0.25 * speed / 60, 0.0)], [0.02], 0.5)
     system = ParticleSystem(4, solids=stone, effects=EffectSet([OBSTACLES]), contact=contact, life=9)
@@ -124,7 +124,7 @@ def test_h6_fast_particle_and_small_stone(contact, stopped, speed):
 
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize("offset", [-1e-12, 0.0, 1e-12, 1e-9, -1e-9, -1e-6])
-def test_h7_graze(contact, offset):
+def test_a_graze_gains_no_energy_and_nobody_sticks(contact, offset):
     """Past the top of a stone at a hair's breadth: no energy is won, none to speak of lost, nobody sticks."""
     system = ParticleSystem(
         4, solids=Discs([(1, 0)], [0.5], 0.5), effects=EffectSet([OBSTACLES]), contact=contact, life=9
@@ -141,7 +141,7 @@ def test_h7_graze(contact, offset):
     [(method, contact, 0.5) for method in METHODS for contact in CONTACTS]
     + [("explicit-euler", contact, e) for contact in CONTACTS for e in (0.0, 0.8)],
 )
-def test_h8_and_bounce_floor(method, contact, e):
+def test_everything_comes_to_rest_on_a_floor_and_on_a_stone(method, contact, e):
     """On a floor and on the top of a stone everything comes to rest, whatever the method."""
     stone = Discs([(3, 0)], [1.0], e)
     system = ParticleSystem(
@@ -182,7 +182,7 @@ def test_bounce_floor_without_a_rule_for_rest():
 
 @pytest.mark.parametrize("contact", CONTACTS)
 @pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
-def test_h9_wedge_between_overlapping_stones(contact, e):
+def test_wedge_between_overlapping_stones(contact, e):
     """Into the cusp between two stones that just overlap: every step ends, time dropped is counted."""
     stones = Discs([(-0.5, 0), (0.5, 0)], [0.5001, 0.5001], e)
     system = ParticleSystem(60, solids=stones, effects=GRAVITY | OBSTACLES, contact=contact, life=1e9)
@@ -196,7 +196,7 @@ def test_h9_wedge_between_overlapping_stones(contact, e):
         assert system.cut_short > 0
 
 
-def test_h10_many_one_or_none():
+def test_a_path_does_not_depend_on_the_pool_or_on_others():
     """The path of a particle by its identity does not depend on the pool, on other emitters or on the seed
     of others."""
     lone = Emitter((0, 0), rate=50.0, spread=0.3)

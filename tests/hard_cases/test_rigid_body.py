@@ -23,7 +23,7 @@ def body(stage, index=A):
     return stage.scene.model.bodies.all[index]
 
 
-def test_h1_spheres_in_one_place_turn_evenly():
+def test_spheres_in_one_place_turn_evenly():
     """One moment about all axes: L and spin are parallel and stay, by any method."""
     for method in ("explicit-euler", "implicit-gyroscopic", "splitting", "exact"):
         stage = opened("hard-01-in-one-place", method=method)
@@ -34,12 +34,12 @@ def test_h1_spheres_in_one_place_turn_evenly():
         assert abs(readouts(stage)["A: energy error"]) < 1e-11
 
 
-def test_h1_no_sphere_is_refused():
+def test_no_sphere_is_refused():
     with pytest.raises(LevelError, match="spheres"):
         RigidBodyScene(parse_level('scene = "c12"\n[content]\nspheres = []\n', "c12", RigidContent))
 
 
-def test_h2_points_in_a_row_do_not_turn_about_their_line():
+def test_points_in_a_row_do_not_turn_about_their_line():
     stage = opened("hard-02-in-a-row")
     moments = body(stage).moments
     assert moments[2] / moments[0] > 1e12
@@ -53,7 +53,7 @@ def test_h2_points_in_a_row_do_not_turn_about_their_line():
         )
 
 
-def test_h3_flips_at_the_instants_of_jacobis_solution():
+def test_flips_at_the_instants_of_jacobis_solution():
     stage = opened("hard-03-middle-axis", step_length=1 / 120)
     one = body(stage)
     expected = FreeTop(one.moments, one.spin).flips(20.0)
@@ -69,7 +69,7 @@ def test_h3_flips_at_the_instants_of_jacobis_solution():
     assert readouts(stage)["A: flips"] == len(expected)
 
 
-def test_h4_energy_rises_to_its_bound_or_falls():
+def test_energy_rises_to_its_bound_or_falls():
     stage = opened("hard-04-the-sign-depends")
     last = 0.0
     for _ in range(40):
@@ -83,7 +83,7 @@ def test_h4_energy_rises_to_its_bound_or_falls():
     assert now["A: L error"] == 0.0
 
 
-def test_h5_a_quaternion_left_alone_grows_but_turns_alike():
+def test_a_quaternion_left_alone_grows_but_turns_alike():
     stage = opened("hard-05-not-normalized")
     rate = float(np.sqrt(body(stage).spin @ body(stage).spin))
     stage.run(60)
@@ -95,7 +95,7 @@ def test_h5_a_quaternion_left_alone_grows_but_turns_alike():
     assert turn_between(body(stage).state[3:7], body(twin).state[3:7]) < 1e-12
 
 
-def test_h6_more_than_half_a_turn_a_step():
+def test_more_than_half_a_turn_a_step():
     """Explicit Euler turns by 2 atan(w dt / 2) < pi; the exponential map is where the exact body is."""
     stage = opened("hard-06-more-than-half-a-turn")
     before = body(stage).orientation
@@ -108,7 +108,7 @@ def test_h6_more_than_half_a_turn_a_step():
     assert stage.fault is None
 
 
-def test_h7_a_millionfold_far_away():
+def test_a_millionfold_far_away():
     """Its spheres keep their distances, and the heavy one stays where the centre of mass is."""
     stage = opened("hard-07-a-millionfold", method="splitting")
     masses = body(stage).radii ** 3
@@ -123,7 +123,7 @@ def test_h7_a_millionfold_far_away():
     assert abs(readouts(stage)["A: energy error"]) < 1e-4
 
 
-def test_h8_a_symmetric_body_precesses_evenly():
+def test_a_symmetric_body_precesses_evenly():
     """The exact spin goes round the axis at (I3 - I1) / I1 w3; explicit Euler's opens up."""
     stage = opened("hard-08-symmetric", second="exact")
     one = body(stage, B)
@@ -139,7 +139,7 @@ def test_h8_a_symmetric_body_precesses_evenly():
     assert readouts(stage)["A: energy error"] > 1e-3
 
 
-def test_h9_rounding_alone_makes_it_flip_after_a_while():
+def test_rounding_alone_makes_it_flip_after_a_while():
     """Both stay for some seconds and flip later, each by its own rounding."""
     stage = opened("hard-09-on-the-middle-axis")
     rate = float(body(stage).spin[1])

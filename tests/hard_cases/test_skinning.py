@@ -42,7 +42,7 @@ def test_every_level_of_the_gallery_runs(path):
             stage.scene.model.rig.binding.check()
 
 
-def test_h1_beyond_every_threshold_the_nearest_bone_leads():
+def test_beyond_every_threshold_the_nearest_bone_leads():
     skeleton = Skeleton([-1, 0], [1.0, 1.0])
     points = [(0.3, 5.0), (1.7, -5.0), (1.0, 4.0)]
     binding = bind_weights(skeleton, points, 0.1)
@@ -51,7 +51,7 @@ def test_h1_beyond_every_threshold_the_nearest_bone_leads():
     assert set(np.unique(rig.weights[rig.outline(0)]).tolist()) == {0.0, 1.0}
 
 
-def test_h2_on_a_bone_or_a_joint_the_weight_is_finite():
+def test_on_a_bone_or_a_joint_the_weight_is_finite():
     skeleton = Skeleton([-1, 0], [1.0, 1.0])
     weights = bind_weights(skeleton, [(0.5, 0.0), (1.0, 0.0), (2.0, 0.0)], 0.4).dense()
     assert weights.tolist() == [[1.0, 0.0], [0.5, 0.5], [0.0, 1.0]]
@@ -59,7 +59,7 @@ def test_h2_on_a_bone_or_a_joint_the_weight_is_finite():
     assert np.abs(rig.weights.sum(axis=1) - 1.0).max() <= 4 * EPS
 
 
-def test_h3_a_bone_without_length_is_a_point():
+def test_a_bone_without_length_is_a_point():
     skeleton = Skeleton([-1, 0, 1], [1.0, 0.0, 1.0])
     weights = bind_weights(skeleton, [(1.0, 0.3)], 1.0, 2.0).dense()[0]
     assert np.allclose(weights, 1 / 3, rtol=0, atol=4 * EPS)
@@ -67,7 +67,7 @@ def test_h3_a_bone_without_length_is_a_point():
     assert np.array_equal(skeleton.bases[1], skeleton.ends[1])
 
 
-def test_h4_weights_are_cut_made_whole_or_refused():
+def test_weights_are_cut_made_whole_or_refused():
     rig = open_level(Skinning, "hard-04-weights-given").scene.model.rig
     assert np.count_nonzero(rig.weights, axis=1).max() == 2
     text = next(p for p in LEVELS if "04" in p.stem).read_text()
@@ -89,7 +89,7 @@ def test_h4_weights_are_cut_made_whole_or_refused():
 
 
 @pytest.mark.parametrize("degrees", [179.9, 180.0])
-def test_h5_a_closed_joint_collapses_as_predicted_and_nothing_flips(degrees):
+def test_a_closed_joint_collapses_as_predicted_and_nothing_flips(degrees):
     skeleton = chain_skeleton([1.0, 1.0])
     binding = bind_given(skeleton, [(1.0, 0.2), (0.5, 0.2), (1.5, 0.2)], [[0.5, 0.5], [1.0, 0.0], [0.0, 1.0]])
     skeleton.turn(1, math.radians(degrees))
@@ -103,7 +103,7 @@ def test_h5_a_closed_joint_collapses_as_predicted_and_nothing_flips(degrees):
         assert np.allclose(moved[2], (turned.real, turned.imag), rtol=0, atol=1e-13)
 
 
-def test_h6_what_has_no_size_cannot_be_bound():
+def test_what_has_no_size_cannot_be_bound():
     frames = np.tile(np.eye(3), (2, 1, 1))
     frames[1, :2, :2] = 0.0
     with pytest.raises(WeightError, match="bone 1"):
@@ -117,7 +117,7 @@ def test_h6_what_has_no_size_cannot_be_bound():
     assert small.scene.model.skin_areas["rotor"] > 0.9
 
 
-def test_h7_a_thousand_bones():
+def test_a_thousand_bones():
     skeleton = chain_skeleton(np.full(1000, 0.01), np.full(1000, math.radians(0.37)))
     turn, end, step = 1.0 + 0.0j, 0.0 + 0.0j, cmath.exp(1j * math.radians(0.37))
     for _ in range(1000):
@@ -127,7 +127,7 @@ def test_h7_a_thousand_bones():
     assert off <= 1000 * 8 * EPS * 10.0
 
 
-def test_h8_binding_again_and_any_order_give_the_same():
+def test_binding_again_and_any_order_give_the_same():
     stage = open_level(Skinning, "hard-08-scrambled")
     stage.run(1)
     rig = stage.scene.model.rig
@@ -147,7 +147,7 @@ def test_h8_binding_again_and_any_order_give_the_same():
         Skeleton([2, 0, 1], [1.0, 1.0, 1.0])
 
 
-def test_h9_weights_do_not_change_while_a_bone_moves():
+def test_weights_do_not_change_while_a_bone_moves():
     """Points on the threshold of two bones: the skin moves without a jump."""
     stage = open_level(Skinning, "hard-09-at-the-threshold")
     weights = stage.scene.model.rig.weights.copy()

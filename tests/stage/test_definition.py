@@ -102,3 +102,20 @@ def test_a_row_that_names_a_card_that_is_not_there():
     )
     with pytest.raises(DefinitionError, match=r"examples.card has no function 'draw_nothing'"):
         row.card_painter()
+
+
+def test_the_length_of_a_step_is_declared_once():
+    """By a parameter or by dt, never by both; dt then is the default of the parameter."""
+    with pytest.raises(DefinitionError, match=r"Both.dt: the parameter step_length says it already"):
+
+        class Both(Scene):
+            dt = 0.01
+            step_length = Param(0.01, 0.001, 0.1)
+
+    class Steps(Parameters):
+        step_length = Param(0.02, 0.001, 0.1)
+
+    class One(Scene):
+        parameters_type = Steps
+
+    assert One.dt == 0.02 and Scene.dt != One.dt

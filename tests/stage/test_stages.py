@@ -309,17 +309,6 @@ class TestCatalogue:
             self.row._replace(title="Something else").load()
 
 
-def test_a_copy_for_measurements_is_a_scene_of_its_own() -> None:
-    stage = Stage(Cloud)
-    stage.run(20)
-    digest = stage.digest()
-    copy = stage.copy_scene()
-    assert copy is not stage.scene
-    assert copy.state().points.tolist() == stage.scene.state().points.tolist()
-    copy.advance(0.01)
-    assert stage.digest() == digest
-
-
 def test_a_scene_says_what_it_cannot_restore() -> None:
     class Hidden(Fragile):
         def build(self, level):

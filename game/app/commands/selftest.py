@@ -13,6 +13,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -249,7 +250,18 @@ def _compare(first: Stage, other: Stage, straight: str) -> str:
         if stage.fault is not None:
             return f"stopped at step {stage.fault.step}: {stage.fault.message}"
     if other.digest() != straight:
-        return "after steps back it came to another state"
+        return "after steps back it came to another state" + _left_out(first)
+    return ""
+
+
+def _left_out(stage: Stage) -> str:
+    """Which fields state() leaves out, if that can be told."""
+    from game.stage.states.left_out import fields_left_out
+
+    with suppress(Exception):  # the scene is at fault already; this only says more
+        names = fields_left_out(stage.build_scene(stage.scene.values, stage.scene.active), stage.dt)
+        if names:
+            return f": state() leaves out {', '.join(names)}"
     return ""
 
 

@@ -93,7 +93,7 @@ def _pocketings(
             while at < len(rows) and rows[at][0] == time and rows[at][1] == BALL_BALL:
                 contacts.append(rows[at][2:])
                 at += 1
-            _pass_on(contacts, moving, chains)
+            pass_on(contacts, moving, chains)
             continue
         if event in STOPS:
             moving[i] = False
@@ -108,7 +108,7 @@ def _pocketings(
     return tuple(fallen)
 
 
-def _pass_on(contacts: list[tuple[int, int]], moving: list[bool], chains: list[tuple[int, ...]]) -> None:
+def pass_on(contacts: list[tuple[int, int]], moving: list[bool], chains: list[tuple[int, ...]]) -> None:
     """Contacts of one moment: from the balls that move on to those that they send, and so on."""
     waiting = list(contacts)
     while waiting:

@@ -168,13 +168,12 @@ def make_shot(
     motions: ArrayLike | None = None,
     physics: Physics = Physics(),  # noqa: B008  (immutable)
     ids: tuple[str, ...] | None = None,
-    element_ids: tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]] | None = None,
 ) -> Shot:
     """A checked shot. positions, velocities (n, 2) SI; spins (n, 3) rad/s; radii (n,) m, masses (n,) kg.
 
     Numbers stand for all balls. motions (n,): names or numbers of `state.MOTIONS`; left out, a ball slides if
-    it moves, spins in place if only w z is not 0, else rests. ids: of the balls; element_ids: of cushions,
-    jaws and pockets; left out they are the row numbers. ShotError names what is wrong.
+    it moves, spins in place if only w z is not 0, else rests. ids: of the balls; left out they are
+    the row numbers, as those of cushions, jaws and pockets are. ShotError names what is wrong.
     """
     xy = np.array(positions, dtype=np.float64).reshape(-1, 2)
     n = len(xy)
@@ -194,12 +193,10 @@ def make_shot(
     balls[:, 10] = [float(is_clear(table, radius)) for radius in balls[:, 7].tolist()]
     balls[:, 0:2] -= layout.middle
     balls.setflags(write=False)
-    if element_ids is None:
-        element_ids = tuple(
-            tuple(str(k) for k in range(len(rows))) for rows in (table.cushions, table.jaws, table.pockets)
-        )  # type: ignore[assignment]
-    assert element_ids is not None
-    return Shot(table, physics, balls, names, *element_ids, layout)
+    cushion_ids, jaw_ids, pocket_ids = (
+        tuple(str(k) for k in range(len(rows))) for rows in (table.cushions, table.jaws, table.pockets)
+    )
+    return Shot(table, physics, balls, names, cushion_ids, jaw_ids, pocket_ids, layout)
 
 
 def _fill(name: str, value: ArrayLike, columns: Array) -> None:

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -138,7 +139,7 @@ def _read_balls(
         for field, count in fields.items():
             columns[field].append(_numbers(_member(ball, field, here), f"{here}.{field}", count))
         motions.append(_choice(_member(ball, "motion", here), f"{here}.motion", MOTIONS))
-    return make_shot(
+    shot = make_shot(
         table,
         columns["position"],
         columns["velocity"],
@@ -148,8 +149,9 @@ def _read_balls(
         motions=motions,
         physics=physics,
         ids=tuple(ids),
-        element_ids=element_ids,
     )
+    cushion_ids, jaw_ids, pocket_ids = element_ids
+    return replace(shot, cushion_ids=cushion_ids, jaw_ids=jaw_ids, pocket_ids=pocket_ids)
 
 
 def _member(data: dict[str, Any], name: str, place: str = "") -> Any:

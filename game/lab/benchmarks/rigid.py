@@ -147,7 +147,7 @@ def runner(method: str) -> tuple[Call, Array]:
 
     def run() -> None:
         states[:] = start
-        advance(number, states, constants, loads, 0.0, 1.0, 1, 1, DT, STEPS)
+        advance(number, states, constants, loads, (0.0, 1.0), 1, 1, DT, STEPS)
 
     return run, states
 

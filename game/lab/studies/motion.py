@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -48,26 +48,32 @@ class MotionTrial:
         return Outcome(abs(self._end - self._exact), self._steps)
 
 
+class KnownMotion(NamedTuple):
+    """A motion whose end is known: in words, its length (s), and where it ends exactly, in a unit."""
+
+    words: str
+    seconds: float
+    end: float
+    unit: str = "m"
+
+
 def motion_study(
     name: str,
     title: str,
     run: Callable[[str, float, int], float],
     methods: Sequence[Method],
-    exact: float,
-    seconds: float,
+    motion: KnownMotion,
     *,
-    choice: str = "method",
-    unit: str = "m",
-    measured_on: str,
     reference: str,
+    choice: str = "method",
     expectation: str = "",
 ) -> Study:
-    """Error after ``seconds`` s against CPU time, for steps of many lengths.
+    """Error at the end of a motion against CPU time, for steps of many lengths.
 
-    run(method, dt, steps): where the motion ends; ``exact`` is where it should. choice: the parameter of the
-    scene that names the method. unit: of both. measured_on: the motion, in words. The scene has a parameter
-    "step_length".
+    run(method, dt, steps): where the motion ends. choice: the parameter of the scene that names the method.
+    The scene has a parameter "step_length". reference: where the exact end is from.
     """
+    seconds = motion.seconds
 
     def settings() -> list[Setting]:
         return [
@@ -88,16 +94,16 @@ def motion_study(
         name=name,
         title=title,
         error=f"distance from the exact place after {seconds:g} s",
-        error_unit=unit,
+        error_unit=motion.unit,
         counter="steps",
         knob=Knob("step_length", "step", "s"),
         methods=tuple(methods),
         settings=settings,
-        trial=lambda setting: MotionTrial(run, setting, exact, seconds),
+        trial=lambda setting: MotionTrial(run, setting, motion.end, seconds),
         reference=reference,
         expectation=expectation,
         present=present,
-        workload=Workload(measured_on),
+        workload=Workload(motion.words),
     )
 
 
@@ -110,8 +116,10 @@ def swing_study(name: str) -> Study:
 
     return motion_study(
         name, "A pendulum let go at 60 degrees", run, INTEGRATORS,
-        pendulum_angle(math.pi / 3.0, 9.81, 2.0), 2.0, unit="rad",
-        measured_on="a rod of 1 m let go at 60 degrees", reference="Jacobi's elliptic functions.",
+        KnownMotion(
+            "a rod of 1 m let go at 60 degrees", 2.0, pendulum_angle(math.pi / 3.0, 9.81, 2.0), "rad"
+        ),
+        reference="Jacobi's elliptic functions.",
     )  # fmt: skip
 
 
@@ -129,8 +137,9 @@ def bounce_study(name: str) -> Study:
         Method("root", "at the root", None, "exact"),
     )
     return motion_study(
-        name, "A ball that bounces three times", drop, methods, bounce_height(1.0, 0.8, 9.81, 2.0), 2.0,
-        choice="impact", measured_on="a fall of 1 m, restitution 0.8", reference="parabolas between bounces.",
+        name, "A ball that bounces three times", drop, methods,
+        KnownMotion("a fall of 1 m, restitution 0.8", 2.0, bounce_height(1.0, 0.8, 9.81, 2.0)),
+        choice="impact", reference="parabolas between bounces.",
         expectation="Found at the end of a step, an impact costs an error of first order.",
     )  # fmt: skip
 
@@ -145,6 +154,8 @@ def chain_study(name: str) -> Study:
 
     return motion_study(
         name, "A plucked chain: its middle bead", run, INTEGRATORS,
-        float(bead_positions(start, 10.0, 2.0)[7]), 2.0,
-        measured_on="15 beads plucked in the middle, k/m = 100/s²", reference="the sum of all modes.",
+        KnownMotion(
+            "15 beads plucked in the middle, k/m = 100/s²", 2.0, float(bead_positions(start, 10.0, 2.0)[7])
+        ),
+        reference="the sum of all modes.",
     )  # fmt: skip

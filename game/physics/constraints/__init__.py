@@ -3,7 +3,7 @@
 from game.physics.constraints.colours import ORDERS
 from game.physics.constraints.effects import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKED, LINKS, TEARING
 from game.physics.constraints.links import MODELS
-from game.physics.constraints.motion import SCHEMES
+from game.physics.constraints.schemes import SCHEMES
 from game.physics.constraints.settings import SOLVERS, Settings
 from game.physics.constraints.system import LinkMeasures, PositionBasedDynamics, PositionState
 

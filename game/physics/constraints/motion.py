@@ -1,14 +1,6 @@
 """One step of position based dynamics: predict, project, take the velocities from what came of it.
 
-    Euler   v* = v / (1 + h k_d w) + h g,  p = x + h v*,  project p,  v⁺ = (p - x) / h
-            Müller, Heidelberger, Hennix, Ratcliff 2007, algorithm 1
-    BDF2    v* = (4 v - v₋ + 2 h (g - k_d w (2 v - v₋))) / 3,  p = (4 x - x₋ + 2 h v*) / 3,  project p,
-            v⁺ = (3 p - 4 x + x₋) / (2 h)
-            English and Bridson 2008; both halves are needed: with v* of Euler nothing converges
-
-Damping acts on what there was of velocity, not on the pull of gravity, so that it moves no resting point; and
-it never reverses a motion: BDF2 takes it as Euler does where h k_d w is above STRONG.
-
+How particles are predicted, and what velocities the projected positions mean: see `schemes`.
 A particle begins BDF2 afresh, with one step of Euler, after it has touched the ground or was slowed down.
 Substeps in place of sweeps: Macklin and others 2019, "Small steps in physics simulation".
 
@@ -25,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.constraints.areas import INTACT, sweep_areas
 from game.physics.constraints.areas import MULTIPLIER as AREA_MULTIPLIER
+from game.physics.constraints.areas import sweep_areas
 from game.physics.constraints.attachments import pull_back
 from game.physics.constraints.bodies import push_bodies_apart
 from game.physics.constraints.chains import solve_chains
@@ -40,12 +32,9 @@ from game.physics.constraints.effects import (
     GROUND_BIT,
     LINKS_BIT,
 )
-from game.physics.constraints.links import MULTIPLIER, REST, WEIGHT, XPBD, sweep_links
+from game.physics.constraints.links import MULTIPLIER, XPBD, sweep_links
+from game.physics.constraints.schemes import EULER, predict_bdf2, predict_euler, settle_bdf2, settle_euler
 from game.physics.kernels.jit import kernel
-
-SCHEMES = ("euler", "bdf2")
-STRONG = 0.2  # damping per substep above which taking it from two velocities could overshoot
-EULER, BDF2 = range(2)
 
 # rows of the particles' numbers: position (m), velocity (m/s), both of the step before, inverse mass (1/kg),
 # 1 if the step before does not count, and the positions that are being projected
@@ -97,74 +86,6 @@ class Network(NamedTuple):
     members: NDArray[np.int64]  # (n,) particles body by body
     body_starts: NDArray[np.int64]  # (b + 1,)
     boxes: NDArray[np.float64]  # (4, b) m, scratch buffer
-
-
-@kernel
-def predict_euler(now, inverse_mass, aim, h, fall, damping):
-    """Where particles would be without constraints; the fixed ones stay."""
-    x, y, vx, vy = now
-    px, py = aim
-    for i in range(x.shape[0]):
-        keep = 1.0 / (1.0 + h * damping * inverse_mass[i])
-        step = h if inverse_mass[i] > 0.0 else 0.0
-        px[i] = x[i] + step * keep * vx[i]
-        py[i] = y[i] + step * (keep * vy[i] - h * fall)
-
-
-@kernel
-def predict_bdf2(now, before, inverse_mass, fresh, aim, h, fall, damping):
-    """The same from two steps; from one where the step before does not count."""
-    x, y, vx, vy = now
-    ox, oy, ux, uy = before
-    px, py = aim
-    for i in range(x.shape[0]):
-        step = h if inverse_mass[i] > 0.0 else 0.0
-        drag = h * damping * inverse_mass[i]
-        keep = 1.0 / (1.0 + drag)
-        history = 1.0 / (3.0 + 2.0 * drag) if drag > STRONG else 1.0 / 3.0
-        lag = 0.0 if drag > STRONG else 2.0 * drag / 3.0
-        qx = history * (4.0 * vx[i] - ux[i]) - lag * (2.0 * vx[i] - ux[i])
-        qy = history * (4.0 * vy[i] - uy[i]) - lag * (2.0 * vy[i] - uy[i]) - 2.0 / 3.0 * h * fall
-        bx = x[i] + (x[i] - ox[i] + 2.0 * step * qx) / 3.0
-        by = y[i] + (y[i] - oy[i] + 2.0 * step * qy) / 3.0
-        ex = x[i] + step * keep * vx[i]
-        ey = y[i] + step * (keep * vy[i] - h * fall)
-        px[i] = ex if fresh[i] > 0.0 else bx
-        py[i] = ey if fresh[i] > 0.0 else by
-
-
-@kernel
-def settle_euler(now, aim, h):
-    """Take over projected positions and the velocities that they mean."""
-    x, y, vx, vy = now
-    px, py = aim
-    for i in range(x.shape[0]):
-        vx[i] = (px[i] - x[i]) / h
-        vy[i] = (py[i] - y[i]) / h
-        x[i] = px[i]
-        y[i] = py[i]
-
-
-@kernel
-def settle_bdf2(now, before, fresh, aim, h):
-    """The same by the backward difference over two steps; the step before is kept."""
-    x, y, vx, vy = now
-    ox, oy, ux, uy = before
-    px, py = aim
-    for i in range(x.shape[0]):
-        ax = (px[i] - x[i]) / h
-        ay = (py[i] - y[i]) / h
-        bx = (3.0 * px[i] - 4.0 * x[i] + ox[i]) / (2.0 * h)
-        by = (3.0 * py[i] - 4.0 * y[i] + oy[i]) / (2.0 * h)
-        ux[i] = vx[i]
-        uy[i] = vy[i]
-        ox[i] = x[i]
-        oy[i] = y[i]
-        vx[i] = ax if fresh[i] > 0.0 else bx
-        vy[i] = ay if fresh[i] > 0.0 else by
-        x[i] = px[i]
-        y[i] = py[i]
-        fresh[i] = 0.0
 
 
 @kernel
@@ -291,41 +212,3 @@ def advance(fields, count, motion, net, held, target):
                         fresh[i] = 1.0
         if motion.speed_limit < math.inf:
             limit_speeds(vx, vy, fresh, motion.speed_limit)
-
-
-@kernel
-def tear(x, y, net, limit):
-    """Break links longer than (1 + limit) times their length at rest; how many broke.
-
-    Outlines with a broken link for an edge do not keep their area any more.
-    """
-    broken = 0
-    for e in range(net.links.shape[0]):
-        place = net.order[e]
-        a = net.links[e, 0]
-        b = net.links[e, 1]
-        dx = x[b] - x[a]
-        dy = y[b] - y[a]
-        most = (1.0 + limit) * net.link_rows[REST, e]
-        if net.torn[place] or dx * dx + dy * dy <= most * most:
-            continue
-        break_link(net, e)
-        broken += 1
-    return broken
-
-
-@kernel
-def break_link(net, e):
-    """Let link e (in the order of solving) hold no more."""
-    net.torn[net.order[e]] = 1
-    net.link_rows[WEIGHT, e] = 0.0
-    a = net.links[e, 0]
-    b = net.links[e, 1]
-    for j in range(net.corner_starts.shape[0] - 1):
-        first = net.corner_starts[j]
-        last = net.corner_starts[j + 1]
-        for i in range(first, last):
-            p = net.corners[i]
-            q = net.corners[i + 1] if i + 1 < last else net.corners[first]
-            if (p == a and q == b) or (p == b and q == a):
-                net.area_rows[INTACT, j] = 0.0

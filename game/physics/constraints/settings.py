@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from game.physics.constraints.effects import AREAS, CONTACTS, DAMPING, LINKED, LINKS
 from game.physics.constraints.links import MODELS
-from game.physics.constraints.motion import SCHEMES
+from game.physics.constraints.schemes import SCHEMES
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, GROUND
 

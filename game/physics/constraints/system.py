@@ -20,17 +20,16 @@ from game.physics.constraints.motion import (
     FRESH,
     INVERSE_MASS,
     OLD_VX,
-    SCHEMES,
     VX,
     Motion,
     X,
     Y,
     advance,
-    break_link,
-    tear,
 )
 from game.physics.constraints.network import NOBODY, PADDING, network_of
+from game.physics.constraints.schemes import SCHEMES
 from game.physics.constraints.settings import LARGEST, Settings, effects_for
+from game.physics.constraints.tearing import break_link, tear
 
 
 class PositionState(NamedTuple):

@@ -1,32 +1,60 @@
 """Where particles are between two steps, for a picture of them.
 
-Arrays: fields and before (>= 5, n), tags and tags_before (2, n), now and a step earlier.
+Arrays: fields (>= 5, n), x, y, vx, vy, birth; tags (2, n); places, velocities and trails (m, 2).
 """
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
 from game.physics.kernels.jit import kernel
 
 
-@kernel
-def place_between(
-    fields, before, tags, tags_before, low, high, alpha, dt, now, trail, positions, velocities, trails, first
-):
-    """Write places ``alpha`` of the way from the step before, and velocities, of particles low to high.
+class Swarm(NamedTuple):
+    """The arrays of a pool of particles."""
 
-    Who was not there before comes from the nozzle, backwards along its velocity, and waits there to be born.
-    now: s, at the end of the step. trails: velocities that lead back no farther than the nozzle in ``trail``
-    (s). positions, velocities and trails (n, 2) are written from row ``first`` on; the next free row is
-    returned.
+    fields: NDArray[np.float64]
+    tags: NDArray[np.int64]
+
+
+class Shown(NamedTuple):
+    """What a picture shows of particles."""
+
+    places: NDArray[np.float64]  # (m, 2) m
+    velocities: NDArray[np.float64]  # (m, 2) m/s
+    trails: NDArray[np.float64]  # (m, 2) m/s: velocities that lead back no farther than the nozzle
+
+
+class Instant(NamedTuple):
+    """Where between two steps: alpha of the way from the one before to that at ``now`` (s), dt (s) apart."""
+
+    alpha: float
+    dt: float
+    now: float
+
+
+@kernel
+def place_between(swarm, before, low, high, instant, trail, shown, first):
+    """Write places at an instant, and velocities, of particles low to high of a `Swarm`.
+
+    before: the same swarm a step earlier. Who was not there then comes from the nozzle, backwards along its
+    velocity, and waits there to be born. trail: s, what a trail lasts. ``shown`` is written from row
+    ``first`` on; the next free row is returned.
     """
+    fields, tags = swarm
+    alpha, dt, now = instant
+    positions, velocities, trails = shown
     for i in range(low, high):
         x = fields[0, i]
         y = fields[1, i]
         vx = fields[2, i]
         vy = fields[3, i]
-        if tags[0, i] == tags_before[0, i] and fields[4, i] == before[4, i]:
-            x = before[0, i] + alpha * (x - before[0, i])
-            y = before[1, i] + alpha * (y - before[1, i])
+        if tags[0, i] == before.tags[0, i] and fields[4, i] == before.fields[4, i]:
+            x = before.fields[0, i] + alpha * (x - before.fields[0, i])
+            y = before.fields[1, i] + alpha * (y - before.fields[1, i])
         else:
             back = min((1.0 - alpha) * dt, max(now - fields[4, i], 0.0))
             x -= back * vx

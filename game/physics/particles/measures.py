@@ -51,12 +51,13 @@ def circle_at(law, age):
 
 
 @kernel
-def measure_deviation(fields, tags, low, high, stride, emitters, law, now, since, tolerance):
-    """Of every ``stride``-th particle born after ``since`` (s) that has touched nothing: off their circles.
+def measure_deviation(swarm, low, high, stride, emitters, law, now, since, tolerance):
+    """Off their circles: every ``stride``-th of a `Swarm` born after ``since`` (s) that has touched nothing.
 
     Returns (greatest distance from the circle in m, how many are outside by more than ``tolerance`` m, how
     many were looked at).
     """
+    fields, tags = swarm
     worst = 0.0
     outside = 0
     looked = 0

@@ -178,7 +178,7 @@ class RigidBody(BodyState):
         keep = math.exp(-self.damping * dt) if DRAG in self.effects else 1.0
         for _ in range(steps if walls else 1):
             advance(
-                METHODS.index(self.method), self.states, self.constants, self.loads, self._fall(), keep,
+                METHODS.index(self.method), self.states, self.constants, self.loads, (self._fall(), keep),
                 int(ROTATION in self.effects), int(self.normalizing), float(dt), 1 if walls else int(steps),
             )  # fmt: skip
             if walls:

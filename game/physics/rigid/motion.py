@@ -131,12 +131,14 @@ def turn_once(method, q, angular, torque, moments, inverses, dt, normalizing):
 
 
 @kernel
-def advance(method, states, constants, loads, fall, keep, turning, normalizing, dt, steps):
+def advance(method, states, constants, loads, air, turning, normalizing, dt, steps):
     """Make steps of dt s by METHODS[method]. states (n, 13) are written.
 
-    constants (n, 7) and loads (n, 6) as above. fall: m/s² along -y. keep: share of the momenta that the air
-    leaves, each step. turning 0: bodies only translate. normalizing 0: |q| is left to the method.
+    constants (n, 7) and loads (n, 6) as above. air: how bodies fall in it, m/s² along -y, and the share of
+    the momenta that it leaves, each step. turning 0: bodies only translate. normalizing 0:
+    |q| is left to the method.
     """
+    fall, keep = air
     for i in range(states.shape[0]):
         row, body, load = states[i], constants[i], loads[i]
         inverse_mass = body[0]

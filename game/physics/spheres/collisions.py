@@ -14,18 +14,22 @@ from game.physics.broadphase import BroadPhase
 from game.physics.spheres.candidates import Candidates
 from game.physics.spheres.contact_buffers import ContactBuffers
 from game.physics.spheres.effects import COLLISIONS, IMPACT_TIMES, PUSHES, SPHERES, STRINGS
-from game.physics.spheres.impulses import collide_in_turn
-from game.physics.spheres.joint_impulses import collide_at_once
-from game.physics.spheres.ledger import LEDGER_COLUMNS, LEDGER_ROWS, Totals, deepest_overlap, sum_totals
+from game.physics.spheres.ledger import (
+    LEDGER_COLUMNS,
+    LEDGER_ROWS,
+    Ledger,
+    Totals,
+    deepest_overlap,
+    sum_totals,
+)
 from game.physics.spheres.planar_impulses import FLAT_COLUMNS, lies_in_plane
 from game.physics.spheres.planar_steps import move_flat, planar_part
-from game.physics.spheres.position_correction import project_apart, split_apart
 from game.physics.spheres.settings import (
-    LAGS,
     CollisionSettings,
     Numbers,
     Surroundings,
     Tables,
+    World,
     material_tables,
     surroundings_of,
 )
@@ -44,10 +48,9 @@ from game.physics.spheres.steps import (
     LAST_H,
     MADE,
     ROUNDS,
-    finish_part,
+    BodyMotion,
+    general_part,
     move_by_velocity,
-    prepare_part,
-    resting_part,
 )
 from game.physics.spheres.time_of_impact import divide_at_impacts, first_impact
 
@@ -90,11 +93,13 @@ class CollidingSpheres:
         self._work = np.zeros((n + 1, WORK_COLUMNS))
         self._flat = np.zeros((n + 1, FLAT_COLUMNS))
         self._shifts = np.zeros((n + 1, 4))
-        self._sums = np.zeros((2, 7))
+        self._log = Ledger(self.ring, self.counters, np.zeros((2, 7)))
         self._places = bodies.places()
         self._candidates = Candidates(bodies.composition, broad_phase)
         self._buffers = ContactBuffers(max(64, 4 * s))
         self.parts = 0  # of the last step
+        self._asked: tuple[CollisionSettings, float, float, float] | None = None
+        self._numbers: Numbers
 
     def change(self, **settings: Any) -> None:
         """Other settings from now on; ValueError, and nothing changed, if one of them makes no sense."""
@@ -131,16 +136,24 @@ class CollidingSpheres:
 
     def _time_to_impact(self, left: float, nominal: float) -> float:
         """Seconds until the first impact that bounces, at most those left of a substep of nominal length."""
-        bodies, settings = self.bodies, self.settings
+        bodies, _settings = self.bodies, self.settings
         gather_velocities(bodies.state, bodies.composition, self._work)
         self._place()
         pairs = self._candidates.that_could_meet(self._places, self._work, left)
-        numbers = settings.numbers(left, nominal, float(self.counters[LAST_H]), self.smallest)
-        first: float = first_impact(
-            self._places, bodies.composition, self._work, pairs, self.surroundings, self.tables,
-            SPHERES.mask(settings.effects), numbers, LAGS[settings.scheme], float(settings.fast),
-        )  # fmt: skip
+        numbers = self._numbers_of(left, nominal)
+        first: float = first_impact(self._places, self._world(), self._work, pairs, numbers)
         return first
+
+    def _numbers_of(self, h: float, nominal: float) -> Numbers:
+        """For kernels, a part of h (s) of a substep of nominal length: mostly those of the part before."""
+        asked = (self.settings, h, nominal, float(self.counters[LAST_H]))
+        if asked != self._asked:
+            self._asked, self._numbers = asked, self.settings.numbers(*asked[1:], self.smallest)
+        return self._numbers
+
+    def _world(self) -> World:
+        """What a step meets and leaves as it is."""
+        return World(self.bodies.composition, self.surroundings, self.tables, self.pulls)
 
     def planar(self) -> bool:
         """True if the next step will be that of single spheres in a plane."""
@@ -156,51 +169,23 @@ class CollidingSpheres:
 
     def _part(self, h: float, nominal: float) -> None:
         bodies, settings = self.bodies, self.settings
-        mask = SPHERES.mask(settings.effects)
-        numbers = settings.numbers(h, nominal, float(self.counters[LAST_H]), self.smallest)
+        numbers = self._numbers_of(h, nominal)
         planar = self.planar()
-        work = self._flat if planar else self._work
         if settings.scheme == "explicit-euler":
-            (move_flat if planar else move_by_velocity)(
-                bodies.state, bodies.composition, mask, work, numbers.h
-            )
-        self._find_contacts(mask)
+            move, work = (move_flat, self._flat) if planar else (move_by_velocity, self._work)
+            move(bodies.state, bodies.composition, work, numbers)
+        self._find_contacts(numbers.mask)
+        buffers = self._buffers
+        contacts, count, past = buffers.contacts, buffers.count, buffers.past
         if planar:
-            buffers = self._buffers
+            rows = buffers.planar_rows()
             planar_part(
-                bodies.state, bodies.composition, self.surroundings, self.tables, mask, numbers, work,
-                buffers.contacts, buffers.who, buffers.ids, buffers.keys, buffers.count, buffers.old_keys,
-                buffers.old_count, buffers.held, buffers.old_held, buffers.planar_rows(), buffers.pushes,
-                self.pulls, self.ring, self.counters,
-            )  # fmt: skip
+                bodies.state, self._world(), numbers, self._flat, contacts, count, past, rows, self._log
+            )
         else:
-            self._general_part(mask, numbers)
-        self._buffers.turn_over()
-
-    def _general_part(self, mask: int, numbers: Numbers) -> None:
-        """The rest of a part, for any bodies."""
-        buffers, rows = self._buffers, self._buffers.general_rows()
-        state, composition, work = self.bodies.state, self.bodies.composition, self._work
-        contacts, who, ids, count = buffers.contacts, buffers.who, buffers.ids, buffers.count
-        gather_velocities(state, composition, work)
-        fastest = prepare_part(
-            state, composition, self.tables, numbers, work, self._places, contacts, who, ids, buffers.keys,
-            count, buffers.old_keys, buffers.old_count, buffers.held, buffers.old_held, rows,
-        )  # fmt: skip
-        self.counters[ROUNDS : BOUNCES + 1] = 0.0
-        if fastest > 0.0:
-            collide = collide_at_once if self.settings.law == "at-once" else collide_in_turn
-            self.counters[ROUNDS : BOUNCES + 1] = collide(
-                work, state.positions, composition.radii, contacts, who, ids, count, rows, fastest, numbers,
-                self.ring, self.counters, self._sums,
-            )  # fmt: skip
-        resting_part(work, contacts, ids, count, buffers.held, rows, self._shifts, self.pulls, numbers)
-        limits = numbers.slop, numbers.share, numbers.most_shift, numbers.passes
-        if self.settings.correction == "split":
-            split_apart(contacts, ids, count, self._shifts, buffers.pushes, *limits)
-        elif self.settings.correction == "projection":
-            project_apart(self._places, composition.radii, contacts, who, ids, count, self._shifts, *limits)
-        finish_part(state, composition, self.surroundings, mask, numbers, work, self._shifts, self.counters)
+            rows, motion = buffers.general_rows(), BodyMotion(self._places, self._work, self._shifts)
+            general_part(bodies.state, self._world(), numbers, motion, contacts, count, past, rows, self._log)
+        buffers.turn_over()
 
     def _find_contacts(self, mask: int) -> None:
         """Bring places, candidates and contacts up to date."""
@@ -252,19 +237,19 @@ class CollidingSpheres:
         bodies = self.bodies
         self._place()
         self._find_candidates()
-        buffers = ContactBuffers(max(64, 4 * len(self._places), len(self._buffers.keys)))
+        buffers = ContactBuffers(max(64, 4 * len(self._places), self._buffers.capacity))
         mask = SPHERES.mask(self.settings.effects)
         count = buffers.find(
             self._places, bodies.composition, self._candidates.pairs, self.surroundings, mask, 0.0
         )
-        return float(deepest_overlap(buffers.contacts, buffers.who, count)[0])
+        return float(deepest_overlap(buffers.contacts, count)[0])
 
     @property
     def contacts(self) -> tuple[Floats, NDArray[np.int32], Floats]:
         """Of the last step: normals and gaps (m, 4), spheres (m, 2), contact impulses (m, 4)."""
-        buffers = self._buffers
-        m = buffers.old_count
-        return buffers.contacts[:m], buffers.who[:m], buffers.old_held[:m]
+        found, impulses = self._buffers.contacts, self._buffers.past.impulses
+        m = len(impulses)
+        return found.normals[:m], found.spheres[:m], impulses
 
     @property
     def time(self) -> float:
@@ -294,12 +279,10 @@ class CollidingSpheres:
 
     def state(self) -> CollisionState:
         """The state as arrays that the world goes on using."""
-        found, buffers = self._candidates, self._buffers
-        m = buffers.old_count
+        found, past = self._candidates, self._buffers.past
         return CollisionState(
-            *self.bodies.state, found.pairs, found.found_at, buffers.old_keys[:m], buffers.old_held[:m],
-            self.pulls, self.ring, self.counters,
-        )  # fmt: skip
+            *self.bodies.state, found.pairs, found.found_at, *past, self.pulls, self.ring, self.counters
+        )
 
     def restore(self, state: CollisionState) -> None:
         """Take over a copy of a state of a world of the same bodies."""
@@ -314,7 +297,6 @@ class CollidingSpheres:
     def check(self) -> None:
         """Verify what must always hold; AssertionError names what does not."""
         self.bodies.check()
-        buffers = self._buffers
-        keys = buffers.old_keys[: buffers.old_count]
+        keys, impulses = self._buffers.past
         assert np.all(np.diff(keys) > 0), "contacts by ascending key, each once"
-        assert (buffers.old_held[: buffers.old_count, 0] >= 0.0).all(), "impulses only push"
+        assert (impulses[:, 0] >= 0.0).all(), "impulses only push"

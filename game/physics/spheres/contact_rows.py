@@ -3,9 +3,8 @@
     1/m_eff = 1/m_a + 1/m_b + (r_a x n)·(I_a⁻¹ (r_a x n)) + (r_b x n)·(I_b⁻¹ (r_b x n))
 
 (Hahn 1988; Mirtich 1996). And what an impulse at a contact does to its bodies. Arrays, here and where rows
-are solved: work (n + 1, WORK_COLUMNS), velocities of bodies, see spheres; contact: a line of (count, 4), its
-normal and gap, see contacts; row: a line of rows (count, ROW_COLUMNS); who, ids (count, 2): its spheres and
-its bodies a and b.
+are solved: work (n + 1, WORK_COLUMNS), velocities of bodies, see spheres; contacts: `Contacts`; contact: a
+line of its normals, with the gap; row: a line of rows (count, ROW_COLUMNS); a, b: its bodies.
 """
 
 from __future__ import annotations
@@ -159,9 +158,11 @@ def is_apart(offsets, s):
 
 
 @inner_kernel
-def measure_row(work, composition, state, places, contact, row, who, a, b, tables, numbers):
-    """Fill in the arms, effective mass and material of one contact."""
-    s, other = who[FIRST], who[SECOND]
+def measure_row(state, world, places, work, contacts, m, row, numbers):
+    """Fill in the arms, effective mass and material of contact m."""
+    composition, tables, contact = world.composition, world.tables, contacts.normals[m]
+    s, other = contacts.spheres[m, FIRST], contacts.spheres[m, SECOND]
+    a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
     # overlap is shared in proportion to the radii, so that both arms end at one point
     reach_a, reach_b = composition.radii[s], composition.radii[other] if other >= 0 else 0.0
     scale = 1.0 + min(contact[GAP], 0.0) / (reach_a + reach_b)
@@ -196,18 +197,19 @@ def measure_row(work, composition, state, places, contact, row, who, a, b, table
 
 
 @inner_kernel
-def prepare_rows(state, composition, places, work, contacts, who, ids, held, count, tables, numbers, rows):
+def prepare_rows(state, world, places, work, contacts, count, rows, numbers):
     """Rows of all contacts (count, ROW_COLUMNS) written; returns the fastest approach that bounces, m/s.
 
-    held: (count, 4) impulses of the last step.
+    The contacts' impulses are those of the last step.
     """
+    held = contacts.impulses
     fastest = 0.0
     for m in range(count):
-        contact, row = contacts[m], rows[m]
-        a, b = ids[m, FIRST], ids[m, SECOND]
-        measure_row(work, composition, state, places, contact, row, who[m], a, b, tables, numbers)
+        contact, row = contacts.normals[m], rows[m]
+        a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+        measure_row(state, world, places, work, contacts, m, row, numbers)
         speed = normal_speed(work, row, contact, a, b)
-        touching = contact[GAP] <= TOUCHING * composition.radii[who[m, FIRST]]
+        touching = contact[GAP] <= TOUCHING * world.composition.radii[contacts.spheres[m, FIRST]]
         least = rest_speed(row[REBOUND], numbers)
         row[SOFT] = 0.0
         row[HIT] = row[HITX] = row[HITY] = row[HITZ] = 0.0

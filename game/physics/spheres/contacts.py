@@ -10,8 +10,10 @@ Arrays: places, before (s, 3) m; radii (s,) m; pairs (p, 2).
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spheres.effects import COLLISIONS_BIT, LEDGES_BIT, STRINGS_BIT, WINDOW_BIT
@@ -22,9 +24,25 @@ FAR = 1e9  # m, a gap that never closes: a contact that takes no part
 COINCIDENT = 1e-300  # m², below which centres count as one place
 FALLBACK = (1.0, 0.0, 0.0)  # normal of spheres whose centres coincide
 
-# columns of ``who`` (capacity, 2) int32: spheres, the second one -1 for walls and -2 for strings;
-# ``ids`` (capacity, 2) uint32 holds their bodies, the second one that of what nothing moves
-FIRST, SECOND = range(2)
+FIRST, SECOND = range(2)  # columns of spheres and bodies
+
+
+class Contacts(NamedTuple):
+    """The contacts of a step, by ascending key, in arrays with room for so many; their number goes along."""
+
+    normals: NDArray[np.float64]  # (capacity, 4) unit normal from the first body to the second, gap m
+    spheres: NDArray[np.int32]  # (capacity, 2), the second one -1 for walls and -2 for strings
+    bodies: NDArray[np.uint32]  # (capacity, 2) of these, the second one n for what nothing moves
+    keys: NDArray[np.int64]  # (capacity,) by which a contact is known again
+    impulses: NDArray[np.float64]  # (capacity, 4) of resting contacts: normal, friction x y z, kg m/s
+    pushes: NDArray[np.float64]  # (capacity,) kg m, of position correction
+
+
+class PastContacts(NamedTuple):
+    """What is remembered of the m contacts of the last step: keys (m,), ascending; impulses (m, 4) kg m/s."""
+
+    keys: NDArray[np.int64]
+    impulses: NDArray[np.float64]
 
 
 @inner_kernel
@@ -58,26 +76,22 @@ def ledge_separation(places, radii, a, ledge):
 
 
 @inner_kernel
-def write_contact(contacts, who, ids, keys, m, key, a, b, body_a, body_b, nx, ny, nz, gap):
-    """One contact at place m of the list, if there is capacity."""
-    if m < keys.shape[0]:
-        contacts[m, NX] = nx
-        contacts[m, NY] = ny
-        contacts[m, NZ] = nz
-        contacts[m, GAP] = gap
-        who[m, FIRST] = a
-        who[m, SECOND] = b
-        ids[m, FIRST] = body_a
-        ids[m, SECOND] = body_b
-        keys[m] = key
+def write_contact(contacts, m, key, spheres, bodies, normal, gap):
+    """One contact at place m of the list, if there is capacity. spheres, bodies: pairs; normal: (x, y, z)."""
+    if m < contacts.keys.shape[0]:
+        contacts.normals[m, NX], contacts.normals[m, NY], contacts.normals[m, NZ] = normal
+        contacts.normals[m, GAP] = gap
+        contacts.spheres[m, FIRST], contacts.spheres[m, SECOND] = spheres
+        contacts.bodies[m, FIRST], contacts.bodies[m, SECOND] = bodies
+        contacts.keys[m] = key
 
 
 @lean_kernel
-def find_contacts(places, composition, pairs, surroundings, mask, margin, contacts, who, ids, keys):
+def find_contacts(places, composition, pairs, surroundings, mask, margin, contacts):
     """All contacts with a gap up to ``margin`` (m), by ascending key; returns their number.
 
-    pairs: (p, 2) candidates a < b, sorted. contacts (capacity, 4), who and ids (capacity, 2),
-    keys (capacity,) are written; if the number is above the capacity, only so many are.
+    pairs: (p, 2) candidates a < b, sorted. contacts: `Contacts`, all but impulses and pushes are written; if
+    the number is above the capacity, only so many are.
     """
     radii, owners = composition.radii, composition.owners
     s, n = radii.shape[0], composition.masses.shape[0]
@@ -91,9 +105,8 @@ def find_contacts(places, composition, pairs, surroundings, mask, margin, contac
             reach = radii[a] + radii[b] + margin
             if dx * dx + dy * dy + dz * dz <= reach * reach and owners[a] != owners[b]:
                 nx, ny, nz, gap = separation(places, radii, a, b)
-                write_contact(
-                    contacts, who, ids, keys, m, a * s + b, a, b, owners[a], owners[b], nx, ny, nz, gap
-                )
+                bodies = owners[a], owners[b]
+                write_contact(contacts, m, a * s + b, (a, b), bodies, (nx, ny, nz), gap)
                 m += 1
     first = s * s
     if mask & WINDOW_BIT:
@@ -108,21 +121,19 @@ def find_contacts(places, composition, pairs, surroundings, mask, margin, contac
                 gap = side * (edge - places[a, axis]) - radii[a]
                 if gap <= margin:
                     key = first + wall * s + a
-                    write_contact(contacts, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
+                    write_contact(contacts, m, key, (a, -1), (owners[a], n), (nx, ny, 0.0), gap)
                     m += 1
     first += WALLS * s
     if mask & LEDGES_BIT:
-        m = find_at_ledges(
-            places, composition, surroundings.ledges, first, margin, contacts, who, ids, keys, m
-        )
+        m = find_at_ledges(places, composition, surroundings.ledges, first, margin, contacts, m)
     first += surroundings.ledges.shape[0] * s
     if mask & STRINGS_BIT:
-        m = find_strings(places, composition, surroundings, first, margin, contacts, who, ids, keys, m)
+        m = find_strings(places, composition, surroundings, first, margin, contacts, m)
     return m
 
 
 @inner_kernel
-def find_at_ledges(places, composition, ledges, first, margin, contacts, who, ids, keys, m):
+def find_at_ledges(places, composition, ledges, first, margin, contacts, m):
     """Contacts of spheres and ledges, from place m of the list on; returns the next place."""
     radii, owners = composition.radii, composition.owners
     s, n = radii.shape[0], composition.masses.shape[0]
@@ -137,13 +148,13 @@ def find_at_ledges(places, composition, ledges, first, margin, contacts, who, id
             nx, ny, gap = ledge_separation(places, radii, a, ledges[k])
             if gap <= margin:
                 key = first + k * s + a
-                write_contact(contacts, who, ids, keys, m, key, a, -1, owners[a], n, nx, ny, 0.0, gap)
+                write_contact(contacts, m, key, (a, -1), (owners[a], n), (nx, ny, 0.0), gap)
                 m += 1
     return m
 
 
 @inner_kernel
-def find_strings(places, composition, surroundings, first, margin, contacts, who, ids, keys, m):
+def find_strings(places, composition, surroundings, first, margin, contacts, m):
     """Strings that are taut, or nearly: see `surroundings`. From place m on; returns the next place."""
     s, n = composition.radii.shape[0], composition.masses.shape[0]
     for k in range(surroundings.hung.shape[0]):
@@ -155,8 +166,8 @@ def find_strings(places, composition, surroundings, first, margin, contacts, who
         gap = surroundings.strings[k, 3] - length
         if gap <= margin and length > 0.0:
             key = first + k * s + a
-            nx, ny, nz = dx / length, dy / length, dz / length
-            write_contact(contacts, who, ids, keys, m, key, a, -2, composition.owners[a], n, nx, ny, nz, gap)
+            normal = dx / length, dy / length, dz / length
+            write_contact(contacts, m, key, (a, -2), (composition.owners[a], n), normal, gap)
             m += 1
     return m
 
@@ -194,16 +205,16 @@ def farthest_moved(places, before):
 
 
 @inner_kernel
-def recall_impulses(keys, count, old_keys, old_count, held, old_held):
-    """Impulses (capacity, 4) of the contacts that there were in the last step; 0 for the others."""
+def recall_impulses(contacts, count, past):
+    """Impulses of the contacts that there were in the last step (past: `PastContacts`); 0 for the others."""
     p = 0
     for m in range(count):
-        key = keys[m]
-        while p < old_count and old_keys[p] < key:
+        key = contacts.keys[m]
+        while p < past.keys.shape[0] and past.keys[p] < key:
             p += 1
-        known = p < old_count and old_keys[p] == key
+        known = p < past.keys.shape[0] and past.keys[p] == key
         for column in range(4):
-            held[m, column] = old_held[p, column] if known else 0.0
+            contacts.impulses[m, column] = past.impulses[p, column] if known else 0.0
 
 
 def boxes_of(places: np.ndarray, radii: np.ndarray, skin: float) -> tuple[np.ndarray, np.ndarray]:

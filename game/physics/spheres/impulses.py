@@ -9,7 +9,7 @@ Arrays as in contact_rows.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.kernels.lean import inner_kernel
 from game.physics.spheres import ledger
 from game.physics.spheres.contact_rows import (
     HIT,
@@ -53,8 +53,11 @@ def collide(work, row, contact, a, b, j):
 
 
 @inner_kernel
-def collide_and_enter(work, positions, row, contact, who, a, b, j, speed, ring, counters, sums):
-    """A collision, entered into the ledger."""
+def collide_and_enter(work, positions, contacts, m, row, j, speed, log):
+    """An impulse j at contact m, which separates at ``speed`` (m/s) before; entered into the ledger."""
+    ring, counters, sums = log
+    contact, who = contacts.normals[m], contacts.spheres[m]
+    a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
     entry = ring[int(counters[2]) % ring.shape[0]]
     weigh_pair(work, positions, a, b, sums[0])
     ux, uy, uz = relative_velocity(work, row, a, b)
@@ -79,28 +82,26 @@ def collide_and_enter(work, positions, row, contact, who, a, b, j, speed, ring, 
     counters[2] += 1.0
 
 
-@lean_kernel
-def collide_in_turn(
-    work, positions, radii, contacts, who, ids, count, rows, fastest, numbers, ring, counters, sums
-):  # fmt: skip
+@inner_kernel
+def collide_in_turn(work, positions, radii, contacts, count, rows, fastest, numbers, log):
     """Collisions one after the other, in rounds, until none approaches. Returns rounds and impulses made.
 
-    ring, counters, sums (2, 7): the ledger (see ledger.py) that each is entered into.
+    log: the `Ledger` that each is entered into.
     """
     made = 0
     for turn in range(numbers.rounds):
         changed = False
         for m in range(count):
-            contact, row = contacts[m], rows[m]
-            a, b = ids[m, FIRST], ids[m, SECOND]
-            if contact[GAP] > TOUCHING * radii[who[m, FIRST]]:
+            contact, row = contacts.normals[m], rows[m]
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            if contact[GAP] > TOUCHING * radii[contacts.spheres[m, FIRST]]:
                 continue
             speed = normal_speed(work, row, contact, a, b)
             least = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
             if speed < -least and row[MASS] > 0.0:
                 mass = row[MASS] / (1.0 - row[SOFT])
                 j = -(1.0 + row[REBOUND]) * speed * mass
-                collide_and_enter(work, positions, row, contact, who[m], a, b, j, speed, ring, counters, sums)
+                collide_and_enter(work, positions, contacts, m, row, j, speed, log)
                 made += 1
                 changed = True
         if not changed:

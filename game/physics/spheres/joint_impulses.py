@@ -11,7 +11,7 @@ in contact_rows.
 
 from __future__ import annotations
 
-from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.kernels.lean import inner_kernel
 from game.physics.spheres import ledger
 from game.physics.spheres.contact_rows import (
     BEFORE,
@@ -37,47 +37,45 @@ SETTLED = 1e-15  # of the fastest approach: a sweep that changes speeds by less 
 SEPARATING, ABSENT = 1e300, 2e300  # in place of an expected speed: contacts that take no part
 
 
-@lean_kernel
-def collide_at_once(
-    work, positions, radii, contacts, who, ids, count, rows, fastest, numbers, ring, counters, sums
-):  # fmt: skip
+@inner_kernel
+def collide_at_once(work, positions, radii, contacts, count, rows, fastest, numbers, log):
     """Newton's law at all contacts together, in rounds. Returns rounds and impulses made.
 
     Friction follows each round, contact by contact. If collisions go on without end (e < 1 between spheres in
     contact), or nothing that approaches rebounds, a last round takes the approach from every contact.
     """
-    before = counters[2]
+    before = log.counters[2]
     for turn in range(numbers.rounds):
-        rebound = measure_round(work, radii, contacts, who, ids, count, rows, fastest, numbers)
+        rebound = measure_round(work, radii, contacts, count, rows, fastest, numbers)
         if rebound < 0.0:
-            return turn, int(counters[2] - before)
+            return turn, int(log.counters[2] - before)
         ends = rebound == 0.0 or turn == numbers.rounds - 1
         if ends:
             join_all(count, rows)
         for _ in range(max(LEAST_SWEEPS, SWEPT // count)):
-            if not sweep_jointly(work, contacts, ids, count, rows) > SETTLED * fastest:
+            if not sweep_jointly(work, contacts, count, rows) > SETTLED * fastest:
                 break
-        hold_energy(work, contacts, ids, count, rows)
-        enter_joint(work, positions, contacts, who, ids, count, rows, ring, counters, sums)
+        hold_energy(work, contacts, count, rows)
+        enter_joint(work, positions, contacts, count, rows, log)
         if ends:
             break
-    return turn + 1, int(counters[2] - before)
+    return turn + 1, int(log.counters[2] - before)
 
 
 @inner_kernel
-def measure_round(work, radii, contacts, who, ids, count, rows, fastest, numbers):
+def measure_round(work, radii, contacts, count, rows, fastest, numbers):
     """Who takes part in a round, and the separating speed that each is to have at least.
 
     Returns the largest restitution of a contact that approaches; -1 if none does.
     """
     rebound = -1.0
     for m in range(count):
-        contact, row = contacts[m], rows[m]
+        contact, row = contacts.normals[m], rows[m]
         row[JOINT] = 0.0
         row[TARGET] = ABSENT
-        if contact[GAP] > TOUCHING * radii[who[m, FIRST]] or not row[MASS] > 0.0:
+        if contact[GAP] > TOUCHING * radii[contacts.spheres[m, FIRST]] or not row[MASS] > 0.0:
             continue
-        speed = normal_speed(work, row, contact, ids[m, FIRST], ids[m, SECOND])
+        speed = normal_speed(work, row, contact, contacts.bodies[m, FIRST], contacts.bodies[m, SECOND])
         row[BEFORE] = speed
         rest = max(rest_speed(row[REBOUND], numbers), STILL * fastest)
         if abs(speed) <= rest:
@@ -102,14 +100,14 @@ def join_all(count, rows):
 
 
 @inner_kernel
-def sweep_jointly(work, contacts, ids, count, rows):
+def sweep_jointly(work, contacts, count, rows):
     """One sweep over all contacts of a round; returns the largest change of a speed, m/s."""
     change = 0.0
     for m in range(count):
-        contact, row = contacts[m], rows[m]
+        contact, row = contacts.normals[m], rows[m]
         if row[TARGET] >= SEPARATING:
             continue
-        a, b = ids[m, FIRST], ids[m, SECOND]
+        a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
         missing = row[TARGET] - normal_speed(work, row, contact, a, b)
         mass = row[MASS] / (1.0 - row[SOFT])
         j = max(row[JOINT] + missing * mass, 0.0) - row[JOINT]
@@ -121,7 +119,7 @@ def sweep_jointly(work, contacts, ids, count, rows):
 
 
 @inner_kernel
-def hold_energy(work, contacts, ids, count, rows):
+def hold_energy(work, contacts, count, rows):
     """Impulses of a round that raise the energy, as too few sweeps can leave them, made as much smaller.
 
     With all of them times s the energy changes by s j·v + s² (j·v' - j·v) / 2.
@@ -130,7 +128,8 @@ def hold_energy(work, contacts, ids, count, rows):
     for m in range(count):
         row = rows[m]
         if row[JOINT] > 0.0:
-            speed = normal_speed(work, row, contacts[m], ids[m, FIRST], ids[m, SECOND])
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            speed = normal_speed(work, row, contacts.normals[m], a, b)
             along += row[JOINT] * row[BEFORE]
             change += row[JOINT] * (speed - row[BEFORE])
     if not 2.0 * along + change > 1e-12 * change:
@@ -140,24 +139,27 @@ def hold_energy(work, contacts, ids, count, rows):
         row = rows[m]
         if row[JOINT] > 0.0:
             j = share * row[JOINT]
-            push_along(work, row, contacts[m], ids[m, FIRST], ids[m, SECOND], j - row[JOINT])
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            push_along(work, row, contacts.normals[m], a, b, j - row[JOINT])
             row[JOINT] = j
 
 
 @inner_kernel
-def enter_joint(work, positions, contacts, who, ids, count, rows, ring, counters, sums):
+def enter_joint(work, positions, contacts, count, rows, log):
     """Friction of a round whose impulses along the normals have acted, and the ledger of it.
 
     The energy of the round is shared out: each normal impulse has its work, j times the mean of the speeds
     before and after, in sum all of it. What friction takes is measured, as it is made.
     """
+    ring, counters = log.ring, log.counters
     first = int(counters[2])
     made = 0
     for m in range(count):
         row = rows[m]
         if row[JOINT] > 0.0:
             entry = ring[(first + made) % ring.shape[0]]
-            entry[ledger.AFTER] = normal_speed(work, row, contacts[m], ids[m, FIRST], ids[m, SECOND])
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            entry[ledger.AFTER] = normal_speed(work, row, contacts.normals[m], a, b)
             entry[ledger.CHANGE] = 0.5 * row[JOINT] * (row[BEFORE] + entry[ledger.AFTER])
             made += 1
     skipped = made - ring.shape[0]
@@ -165,7 +167,7 @@ def enter_joint(work, positions, contacts, who, ids, count, rows, ring, counters
         row = rows[m]
         j = row[JOINT]
         if j > 0.0:
-            contact, a, b = contacts[m], ids[m, FIRST], ids[m, SECOND]
+            contact, a, b = contacts.normals[m], contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             entry = ring[int(counters[2]) % ring.shape[0]]
             if skipped > 0:  # more at once than the ledger has lines: the last of them are entered
                 skipped -= 1
@@ -178,9 +180,7 @@ def enter_joint(work, positions, contacts, who, ids, count, rows, ring, counters
             speeds = normal_speed(work, row, contact, a, b)
             push_along(work, row, contact, a, b, -j)
             speeds += normal_speed(work, row, contact, a, b)
-            collide_and_enter(
-                work, positions, row, contact, who[m], a, b, j, row[BEFORE], ring, counters, sums
-            )
+            collide_and_enter(work, positions, contacts, m, row, j, row[BEFORE], log)
             entry[ledger.AFTER] = after
             entry[ledger.CHANGE] += share - 0.5 * j * speeds
             entry[ledger.EXPECTED] += share - 0.5 * j * speeds

@@ -11,6 +11,9 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.spheres.contacts import GAP, SECOND
 from game.physics.spheres.spheres import IXX, IXY, IXZ, IYY, IYZ, IZZ, VX, VY, VZ, WEIGHT, WX, WY, WZ
@@ -24,6 +27,14 @@ from game.physics.spheres.spheres import IXX, IXY, IXZ, IYY, IYZ, IZZ, VX, VY, V
 ) = range(16)  # fmt: skip
 LEDGER_COLUMNS = 16
 LEDGER_ROWS = 256
+
+
+class Ledger(NamedTuple):
+    """Where collisions are entered, and the scratch buffer in which a pair is weighed."""
+
+    ring: NDArray[np.float64]  # (LEDGER_ROWS, LEDGER_COLUMNS), the last collisions
+    counters: NDArray[np.float64]  # (8,), see steps.py
+    sums: NDArray[np.float64]  # (2, 7) of a pair before and after: see `weigh_pair`
 
 
 class Totals(NamedTuple):
@@ -136,12 +147,12 @@ def sum_totals(state, composition, work, gravity):
 
 
 @lean_kernel
-def deepest_overlap(contacts, who, count):
+def deepest_overlap(contacts, count):
     """Deepest overlap (m) and the sum of all, of contacts that have just been found; 0 if there is none."""
     deepest = total = 0.0
     for m in range(count):
-        if who[m, SECOND] != -2:
-            overlap = max(-contacts[m, GAP], 0.0)
+        if contacts.spheres[m, SECOND] != -2:
+            overlap = max(-contacts.normals[m, GAP], 0.0)
             deepest = max(deepest, overlap)
             total += overlap
     return deepest, total

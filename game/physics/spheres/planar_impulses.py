@@ -3,8 +3,8 @@
 A sphere's normal impulse does not turn it, and friction has one direction in the plane, so a contact takes
 three velocities of each body. All that a contact needs of a body lies in one line of the cache.
 
-Arrays: flat (n + 1, FLAT_COLUMNS), rows (count, PLANAR_COLUMNS); positions, momenta, spins (n, 3); contacts,
-who, ids as in `contacts`.
+Arrays: flat (n + 1, FLAT_COLUMNS), rows (count, PLANAR_COLUMNS); positions, momenta, spins (n, 3); contacts:
+`Contacts`.
 """
 
 from __future__ import annotations
@@ -78,15 +78,16 @@ def turn_flat(orientations, flat, h):
 
 
 @inner_kernel
-def prepare_planar(composition, flat, contacts, who, ids, held, count, tables, numbers, rows):
+def prepare_planar(world, flat, contacts, count, rows, numbers):
     """Rows of contacts (count, PLANAR_COLUMNS) written; returns the fastest approach that bounces, m/s."""
+    composition, tables, held = world.composition, world.tables, contacts.impulses
     fastest = 0.0
     last = tables.restitution.shape[0] - 1
     for m in range(count):
-        a, b = ids[m, FIRST], ids[m, SECOND]
-        nx, ny, gap = contacts[m, NX], contacts[m, NY], contacts[m, GAP]
-        other = who[m, SECOND]
-        mine = composition.kinds[who[m, FIRST]]
+        a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+        nx, ny, gap = contacts.normals[m, NX], contacts.normals[m, NY], contacts.normals[m, GAP]
+        other = contacts.spheres[m, SECOND]
+        mine = composition.kinds[contacts.spheres[m, FIRST]]
         kind = composition.kinds[other] if other >= 0 else last
         real = 0.0 if other == STRING else 1.0
         e = tables.restitution[mine, kind] * real
@@ -141,16 +142,16 @@ def speeds_of(flat, rows, m, a, b):
 
 
 @inner_kernel
-def collide_flat(flat, composition, contacts, ids, count, rows, fastest, numbers):
+def collide_flat(flat, composition, contacts, count, rows, fastest, numbers):
     """Collisions one after the other, in rounds, until none approaches. Returns rounds and impulses made."""
     made = 0
     for turn in range(numbers.rounds):
         changed = False
         for m in range(count):
-            a, b = ids[m, FIRST], ids[m, SECOND]
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             x, y = flat[b, VX] - flat[a, VX], flat[b, VY] - flat[a, VY]
             speed = x * rows[m, PX] + y * rows[m, PY]
-            if speed >= -STILL * fastest or contacts[m, GAP] > TOUCHING * composition.radii[a]:
+            if speed >= -STILL * fastest or contacts.normals[m, GAP] > TOUCHING * composition.radii[a]:
                 continue
             if speed < -rest_speed(rows[m, REBOUND], numbers) and rows[m, MASS] > 0.0:
                 j = -(1.0 + rows[m, REBOUND]) * speed * rows[m, MASS] / (1.0 - rows[m, SOFT])
@@ -169,34 +170,35 @@ def collide_flat(flat, composition, contacts, ids, count, rows, fastest, numbers
 
 
 @inner_kernel
-def pass_over_flat(flat, contacts, ids, count, rows, numbers):
+def pass_over_flat(flat, contacts, count, rows, numbers):
     """As `impulses.pass_over`."""
     for m in range(count):
-        if contacts[m, GAP] > 0.0:
-            a, b = ids[m, FIRST], ids[m, SECOND]
+        if contacts.normals[m, GAP] > 0.0:
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             speed = (flat[b, VX] - flat[a, VX]) * rows[m, PX] + (flat[b, VY] - flat[a, VY]) * rows[m, PY]
             if speed < 0.0 and speed < -rest_speed(rows[m, REBOUND], numbers):
-                contacts[m, GAP] = FAR
+                contacts.normals[m, GAP] = FAR
                 rows[m, BIAS] = -FAR / numbers.h
                 rows[m, JN] = 0.0
                 rows[m, JT] = 0.0
 
 
 @inner_kernel
-def start_flat(flat, ids, count, rows):
+def start_flat(flat, contacts, count, rows):
     """Begin with the impulses of the last step."""
     for m in range(count):
         if rows[m, JN] > 0.0:
-            push_flat(flat, rows, m, ids[m, FIRST], ids[m, SECOND], rows[m, JN], rows[m, JT])
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+            push_flat(flat, rows, m, a, b, rows[m, JN], rows[m, JT])
 
 
 @inner_kernel
-def sweep_flat(flat, ids, count, rows):
+def sweep_flat(flat, contacts, count, rows):
     """One sweep over all contacts, as `impulses.sweep_rows`."""
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            a = ids[m, FIRST]
-            b = ids[m, SECOND]
+            a = contacts.bodies[m, FIRST]
+            b = contacts.bodies[m, SECOND]
             nx = rows[m, PX]
             ny = rows[m, PY]
             ax, ay, spin_a, weight_a = flat[a, VX], flat[a, VY], flat[a, TURN], flat[a, WEIGHT]
@@ -235,8 +237,9 @@ def harden_flat(count, rows):
 
 
 @inner_kernel
-def keep_flat(count, rows, held):
-    """Impulses (count, 4) for the next step: along the normal, and the vector of friction."""
+def keep_flat(contacts, count, rows):
+    """Impulses for the next step: along the normal, and the vector of friction."""
+    held = contacts.impulses
     for m in range(count):
         held[m, 0] = rows[m, JN]
         held[m, 1] = -rows[m, JT] * rows[m, PY]
@@ -245,15 +248,16 @@ def keep_flat(count, rows, held):
 
 
 @inner_kernel
-def split_flat(flat, contacts, ids, count, rows, pushes, numbers):
+def split_flat(flat, contacts, count, rows, numbers):
     """`position_correction.split_apart` in the plane."""
+    pushes = contacts.pushes
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            a = ids[m, FIRST]
-            b = ids[m, SECOND]
+            a = contacts.bodies[m, FIRST]
+            b = contacts.bodies[m, SECOND]
             nx, ny = rows[m, PX], rows[m, PY]
             ax, ay, bx, by = flat[a, WAY_X], flat[a, WAY_Y], flat[b, WAY_X], flat[b, WAY_Y]
-            lack = min(numbers.share * (-numbers.slop - contacts[m, GAP]), numbers.most_shift)
+            lack = min(numbers.share * (-numbers.slop - contacts.normals[m, GAP]), numbers.most_shift)
             lack -= (bx - ax) * nx + (by - ay) * ny
             old = pushes[m]
             total = max(old + lack * rows[m, MASS], 0.0)
@@ -266,16 +270,16 @@ def split_flat(flat, contacts, ids, count, rows, pushes, numbers):
 
 
 @inner_kernel
-def project_flat(positions, flat, contacts, who, ids, count, numbers):
+def project_flat(positions, flat, contacts, count, numbers):
     """`position_correction.project_apart` in the plane."""
     n = positions.shape[0]
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            a = ids[m, FIRST]
-            b = ids[m, SECOND]
+            a = contacts.bodies[m, FIRST]
+            b = contacts.bodies[m, SECOND]
             ax, ay, bx, by = flat[a, WAY_X], flat[a, WAY_Y], flat[b, WAY_X], flat[b, WAY_Y]
             x, y = bx - ax, by - ay
-            gap = contacts[m, GAP]
+            gap = contacts.normals[m, GAP]
             if b < n and gap < FAR:
                 x += positions[b, 0] - positions[a, 0]
                 y += positions[b, 1] - positions[a, 1]
@@ -286,7 +290,7 @@ def project_flat(positions, flat, contacts, who, ids, count, numbers):
                 length = math.sqrt(square)
                 lack = min(numbers.share * (reach - length), numbers.most_shift) / length
             else:
-                nx, ny = contacts[m, NX], contacts[m, NY]
+                nx, ny = contacts.normals[m, NX], contacts.normals[m, NY]
                 lack = min(numbers.share * (-numbers.slop - gap - x * nx - y * ny), numbers.most_shift)
                 x, y = nx, ny
                 if lack <= 0.0:

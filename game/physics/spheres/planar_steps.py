@@ -1,7 +1,8 @@
 """One part of a step of spheres that stay in a plane: as in steps.py, with less to do.
 
 Arrays: flat (n + 1, FLAT_COLUMNS), velocities and displacements; rows (capacity, PLANAR_COLUMNS);
-pulls (n, 6) N and N m; counters (COUNTERS,), see steps.py.
+counters (COUNTERS,), see steps.py. What goes together: state (`MotionState`), world (`World`), numbers
+(`Numbers`), contacts (`Contacts`), log (`Ledger`).
 """
 
 from __future__ import annotations
@@ -44,13 +45,14 @@ from game.physics.spheres.steps import (
 
 
 @lean_kernel
-def move_flat(state, composition, mask, flat, h):
+def move_flat(state, composition, flat, numbers):
     """Explicit Euler in the plane: positions and orientations by the velocities that there are."""
+    h = numbers.h
     flat_law.flatten_bodies(state, composition, flat)
     for i in range(state.positions.shape[0]):
         state.positions[i, 0] += h * flat[i, flat_law.VX]
         state.positions[i, 1] += h * flat[i, flat_law.VY]
-    if mask & ROTATION_BIT:
+    if numbers.mask & ROTATION_BIT:
         flat_law.turn_flat(state.orientations, flat, h)
 
 
@@ -83,13 +85,14 @@ def lost_momentum(state, flat, taken_x, taken_y):
 
 
 @inner_kernel
-def note_flat(state, flat, radii, contacts, who, ids, count, rows, ring, counters):
+def note_flat(state, flat, radii, contacts, count, rows, log):
     """Enter the collisions of a part into the ledger, with their shares of the energy that they took.
 
     A share is J (u + u') / 2 by the speeds before and after all collisions of the part; in sum that is all
     the energy. Bodies have several collisions at once, so momentum is weighed for all of them together: each
     entry has what the part has lost.
     """
+    ring, counters = log.ring, log.counters
     first = counters[MADE]
     taken_x = taken_y = 0.0
     for m in range(count):
@@ -100,9 +103,9 @@ def note_flat(state, flat, radii, contacts, who, ids, count, rows, ring, counter
             entry[:] = 0.0
             nx, ny, jt = rows[m, flat_law.PX], rows[m, flat_law.PY], rows[m, flat_law.HIT_T]
             entry[TIME] = counters[CLOCK]
-            entry[ONE], entry[OTHER] = who[m, 0], max(who[m, 1], -1)
+            entry[ONE], entry[OTHER] = contacts.spheres[m, 0], max(contacts.spheres[m, 1], -1)
             entry[REBOUND] = rows[m, flat_law.REBOUND]
-            a, b = ids[m, 0], ids[m, 1]
+            a, b = contacts.bodies[m, 0], contacts.bodies[m, 1]
             reach = radii[a] * rows[m, flat_law.ARMS]
             entry[X] = state.positions[a, 0] + nx * reach
             entry[Y] = state.positions[a, 1] + ny * reach
@@ -138,13 +141,13 @@ def force_flat(flat, pulls, numbers):
 
 
 @inner_kernel
-def finish_flat(state, composition, surroundings, mask, numbers, flat, counters):
+def finish_flat(state, composition, flat, numbers, counters):
     """New positions, orientations and momenta."""
     for i in range(state.positions.shape[0]):
         if flat[i, flat_law.WEIGHT] > 0.0:
             state.positions[i, 0] += flat[i, flat_law.WAY_X]
             state.positions[i, 1] += flat[i, flat_law.WAY_Y]
-    if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
+    if numbers.mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
         flat_law.turn_flat(state.orientations, flat, numbers.h)
     flat_law.keep_motion(state, composition, flat)
     counters[CLOCK] += numbers.h
@@ -152,40 +155,36 @@ def finish_flat(state, composition, surroundings, mask, numbers, flat, counters)
 
 
 @lean_kernel
-def planar_part(
-    state, composition, surroundings, tables, mask, numbers, flat, contacts, who, ids, keys, count,
-    old_keys, old_count, held, old_held, rows, pushes, pulls, ring, counters,
-):  # fmt: skip
-    """All of a part but for the contacts, for single spheres in a plane that hang from no strings."""
+def planar_part(state, world, numbers, flat, contacts, count, past, rows, log):
+    """All of a part but for finding contacts, for single spheres in a plane that hang from no strings."""
+    composition, counters = world.composition, log.counters
     flat_law.flatten_bodies(state, composition, flat)
-    recall_impulses(keys, count, old_keys, old_count, held, old_held)
-    fastest = flat_law.prepare_planar(
-        composition, flat, contacts, who, ids, held, count, tables, numbers, rows
-    )
+    recall_impulses(contacts, count, past)
+    fastest = flat_law.prepare_planar(world, flat, contacts, count, rows, numbers)
     counters[ROUNDS] = counters[BOUNCES] = 0.0
     if fastest > 0.0:
-        turns, made = flat_law.collide_flat(flat, composition, contacts, ids, count, rows, fastest, numbers)
+        turns, made = flat_law.collide_flat(flat, composition, contacts, count, rows, fastest, numbers)
         counters[ROUNDS] = turns
         counters[BOUNCES] = made
-        note_flat(state, flat, composition.radii, contacts, who, ids, count, rows, ring, counters)
-    flat_law.pass_over_flat(flat, contacts, ids, count, rows, numbers)
-    force_flat(flat, pulls, numbers)
-    flat_law.start_flat(flat, ids, count, rows)
+        note_flat(state, flat, composition.radii, contacts, count, rows, log)
+    flat_law.pass_over_flat(flat, contacts, count, rows, numbers)
+    force_flat(flat, world.pulls, numbers)
+    flat_law.start_flat(flat, contacts, count, rows)
     for _ in range(numbers.iterations):
-        flat_law.sweep_flat(flat, ids, count, rows)
+        flat_law.sweep_flat(flat, contacts, count, rows)
     h = 0.0 if numbers.scheme == EXPLICIT else 0.5 * numbers.h if numbers.scheme == EXACT else numbers.h
     for i in range(flat.shape[0]):
         flat[i, flat_law.WAY_X] += h * flat[i, flat_law.VX]
         flat[i, flat_law.WAY_Y] += h * flat[i, flat_law.VY]
     if numbers.correction == SOFT:
         flat_law.harden_flat(count, rows)
-        flat_law.sweep_flat(flat, ids, count, rows)
-    flat_law.keep_flat(count, rows, held)
+        flat_law.sweep_flat(flat, contacts, count, rows)
+    flat_law.keep_flat(contacts, count, rows)
     for m in range(count):
-        pushes[m] = 0.0
+        contacts.pushes[m] = 0.0
     for _ in range(numbers.passes):
         if numbers.correction == SPLIT:
-            flat_law.split_flat(flat, contacts, ids, count, rows, pushes, numbers)
+            flat_law.split_flat(flat, contacts, count, rows, numbers)
         else:
-            flat_law.project_flat(state.positions, flat, contacts, who, ids, count, numbers)
-    finish_flat(state, composition, surroundings, mask, numbers, flat, counters)
+            flat_law.project_flat(state.positions, flat, contacts, count, numbers)
+    finish_flat(state, composition, flat, numbers, counters)

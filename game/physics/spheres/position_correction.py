@@ -6,31 +6,32 @@ slop, as accumulated impulses do it for velocities (split impulses: Bullet; Tong
 Catto, Box2D). Both take into account how far bodies move in this step. ``shifts`` (n + 1, 4) m holds that,
 and what is added to it: x, y, z, inverse mass.
 
-Arrays: contacts (count, 4), who and ids (count, 2), see `contacts`; shifts (n + 1, 4); places (s, 3) m;
-radii (s,) m.
+Arrays: shifts (n + 1, 4); places (s, 3) m; radii (s,) m. contacts: `Contacts`; numbers: `Numbers`.
 """
 
 from __future__ import annotations
 
 import math
 
-from game.physics.kernels.lean import lean_kernel
+from game.physics.kernels.lean import inner_kernel
 from game.physics.spheres.contacts import FAR, FIRST, GAP, NX, NY, NZ, SECOND
 from game.physics.spheres.resting_contacts import STRIDE
 
 WEIGHT_COLUMN = 3
 
 
-@lean_kernel
-def split_apart(contacts, ids, count, shifts, pushes, slop, share, most, passes):
-    """Sweeps: displacements (kg m: times inverse mass) that only push, accumulated in pushes (count,)."""
+@inner_kernel
+def split_apart(contacts, count, shifts, numbers):
+    """Sweeps: pushes (kg m: displacements over inverse mass), accumulated and not below 0."""
+    normals, pushes = contacts.normals, contacts.pushes
+    slop, share, most = numbers.slop, numbers.share, numbers.most_shift
     for m in range(count):
         pushes[m] = 0.0
-    for _ in range(passes):
+    for _ in range(numbers.passes):
         for first in range(STRIDE):
             for m in range(first, count, STRIDE):
-                a, b = ids[m, FIRST], ids[m, SECOND]
-                nx, ny, nz, gap = contacts[m, NX], contacts[m, NY], contacts[m, NZ], contacts[m, GAP]
+                a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+                nx, ny, nz, gap = normals[m, NX], normals[m, NY], normals[m, NZ], normals[m, GAP]
                 weight_a, weight_b = shifts[a, WEIGHT_COLUMN], shifts[b, WEIGHT_COLUMN]
                 moved = (
                     (shifts[b, 0] - shifts[a, 0]) * nx
@@ -51,20 +52,22 @@ def split_apart(contacts, ids, count, shifts, pushes, slop, share, most, passes)
                 shifts[b, 2] += weight_b * push * nz
 
 
-@lean_kernel
-def project_apart(places, radii, contacts, who, ids, count, shifts, slop, share, most, passes):
-    """Sweeps: each overlap beyond the slop is reduced by a share, at most by ``most`` m."""
-    for _ in range(passes):
+@inner_kernel
+def project_apart(places, radii, contacts, count, shifts, numbers):
+    """Sweeps: each overlap beyond the slop is reduced by a share, at most by ``most_shift`` m."""
+    normals = contacts.normals
+    slop, share, most = numbers.slop, numbers.share, numbers.most_shift
+    for _ in range(numbers.passes):
         for first in range(STRIDE):
             for m in range(first, count, STRIDE):
-                a, b = ids[m, FIRST], ids[m, SECOND]
-                nx, ny, nz, gap = contacts[m, NX], contacts[m, NY], contacts[m, NZ], contacts[m, GAP]
+                a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
+                nx, ny, nz, gap = normals[m, NX], normals[m, NY], normals[m, NZ], normals[m, GAP]
                 x, y, z = (
                     shifts[b, 0] - shifts[a, 0],
                     shifts[b, 1] - shifts[a, 1],
                     shifts[b, 2] - shifts[a, 2],
                 )
-                s, t = who[m, FIRST], who[m, SECOND]
+                s, t = contacts.spheres[m, FIRST], contacts.spheres[m, SECOND]
                 if t >= 0 and gap < FAR:
                     x += places[t, 0] - places[s, 0]
                     y += places[t, 1] - places[s, 1]

@@ -1,7 +1,7 @@
 """Resting contacts: after the forces have acted, impulses that stop what still approaches.
 
 Accumulated and clamped, so that they only push and friction stays within mu times that, and warm started
-(Catto 2005, "Iterative dynamics with temporal coherence"). Arrays as in contact_rows; held: (count, 4).
+(Catto 2005, "Iterative dynamics with temporal coherence"). Arrays as in contact_rows.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ STRIDE = 4  # contacts are swept in strides, so that one need not wait for the r
 
 
 @inner_kernel
-def pass_over(work, contacts, ids, count, rows, numbers):
+def pass_over(work, contacts, count, rows, numbers):
     """After the collisions: a gap that is closing too fast to be borne takes no part until it has closed."""
     for m in range(count):
-        contact, row = contacts[m], rows[m]
+        contact, row = contacts.normals[m], rows[m]
         if contact[GAP] > 0.0 and row[BIAS] < 0.0:
-            speed = normal_speed(work, row, contact, ids[m, FIRST], ids[m, SECOND])
+            speed = normal_speed(work, row, contact, contacts.bodies[m, FIRST], contacts.bodies[m, SECOND])
             if speed < -rest_speed(row[REBOUND], numbers):
                 contact[GAP] = FAR
                 row[BIAS] = -FAR / numbers.h
@@ -44,23 +44,23 @@ def pass_over(work, contacts, ids, count, rows, numbers):
 
 
 @inner_kernel
-def start_warm(work, contacts, ids, count, rows):
+def start_warm(work, contacts, count, rows):
     """Begin with the impulses of the last step."""
     for m in range(count):
         row = rows[m]
-        a, b = ids[m, FIRST], ids[m, SECOND]
+        a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
         if row[JN] > 0.0:
-            push_along(work, row, contacts[m], a, b, row[JN])
+            push_along(work, row, contacts.normals[m], a, b, row[JN])
             push_bodies(work, row, a, b, row[JTX], row[JTY], row[JTZ])
 
 
 @inner_kernel
-def sweep_rows(work, contacts, ids, count, rows):
+def sweep_rows(work, contacts, count, rows):
     """One sweep over all contacts: normal impulses that only push, friction within mu times that."""
     for first in range(STRIDE):
         for m in range(first, count, STRIDE):
-            contact, row = contacts[m], rows[m]
-            a, b = ids[m, FIRST], ids[m, SECOND]
+            contact, row = contacts.normals[m], rows[m]
+            a, b = contacts.bodies[m, FIRST], contacts.bodies[m, SECOND]
             speed = normal_speed(work, row, contact, a, b)
             j = max(row[JN] - (speed - row[BIAS]) * row[MASS] - row[SOFT] * row[JN], 0.0)
             if j != row[JN]:
@@ -82,7 +82,7 @@ def sweep_rows(work, contacts, ids, count, rows):
 
 
 @inner_kernel
-def harden_rows(contacts, count, rows):
+def harden_rows(count, rows):
     """Take softness and push back out of the rows: what follows removes the speed they gave."""
     for m in range(count):
         row = rows[m]
@@ -92,8 +92,8 @@ def harden_rows(contacts, count, rows):
 
 
 @inner_kernel
-def keep_impulses(count, rows, held):
-    """Impulses (count, 4) for the next step."""
+def keep_impulses(contacts, count, rows):
+    """Impulses for the next step."""
     for m in range(count):
         for column in range(4):
-            held[m, column] = rows[m, JN + column]
+            contacts.impulses[m, column] = rows[m, JN + column]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.effects import EffectSet
-from game.physics.spheres.composition import whole_numbers
+from game.physics.spheres.composition import Composition, whole_numbers
 from game.physics.spheres.effects import DRAG_BIT, FRICTION_BIT, GRAVITY_BIT, SPHERES, USUAL
 
 SCHEMES = ("explicit-euler", "semi-implicit", "exact-flight")
@@ -45,6 +45,15 @@ class Surroundings(NamedTuple):
     strings: NDArray[np.float64]
 
 
+class World(NamedTuple):
+    """What a step meets and leaves as it is: what bodies are made of, what surrounds and what pulls them."""
+
+    composition: Composition
+    surroundings: Surroundings
+    tables: Tables
+    pulls: NDArray[np.float64]  # (n, 6) forces N and torques N m
+
+
 class Numbers(NamedTuple):
     """The numbers of a step, for its kernels."""
 
@@ -67,6 +76,9 @@ class Numbers(NamedTuple):
     law: int
     correction: int
     scheme: int
+    lag: float  # c in x = v t - c g t², of the scheme
+    fast: float  # radii that a sphere moves at least in a step for its impacts to be timed
+    mask: int  # bits of its effects
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,6 +150,7 @@ class CollisionSettings:
             SHARES.get(self.correction, 0.0), MOST_SHIFT * radius, self.rounds, self.iterations,
             self.passes if self.correction in ("split", "projection") else 0,
             LAWS.index(self.law), CORRECTIONS.index(self.correction), SCHEMES.index(self.scheme),
+            LAGS[self.scheme], float(self.fast), mask,
         )  # fmt: skip
 
 

@@ -8,19 +8,27 @@ first, by the velocities of before; the semi-implicit scheme moves last, by the 
 their mean, which is a parabola.
 
 Arrays: work (n + 1, WORK_COLUMNS), velocities; shifts (n + 1, 4), by how much positions are corrected; pulls
-(n, 6) N and N m; counters (COUNTERS,). For single spheres in a plane there is `planar_steps`.
+(n, 6) N and N m; counters (COUNTERS,). What goes together: state (`MotionState`), world (`World`), numbers
+(`Numbers`), contacts (`Contacts`), log (`Ledger`). For single spheres in a plane there is `planar_steps`.
 """
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.rigid.quaternion import exponentiate, multiply, normalize
 from game.physics.spheres.contact_rows import prepare_rows
 from game.physics.spheres.contacts import recall_impulses
 from game.physics.spheres.effects import ROTATION_BIT, STRINGS_BIT
+from game.physics.spheres.impulses import collide_in_turn
+from game.physics.spheres.joint_impulses import collide_at_once
 from game.physics.spheres.ledger import spin_of
+from game.physics.spheres.position_correction import project_apart, split_apart
 from game.physics.spheres.resting_contacts import (
     harden_rows,
     keep_impulses,
@@ -31,10 +39,19 @@ from game.physics.spheres.resting_contacts import (
 from game.physics.spheres.spheres import VX, VY, VZ, WEIGHT, WX, WY, WZ, gather_velocities
 
 EXPLICIT, SEMI_IMPLICIT, EXACT = range(3)
+IN_TURN, AT_ONCE = range(2)
 NO_CORRECTION, BAUMGARTE, SOFT, SPLIT, PROJECTION = range(5)
 # of counters: time s, length of the last part s, collisions so far, rounds and bounces of the last part
 CLOCK, LAST_H, MADE, ROUNDS, BOUNCES = range(5)
 COUNTERS = 8
+
+
+class BodyMotion(NamedTuple):
+    """Arrays of a part: where spheres are, how bodies move, and how far they go."""
+
+    places: NDArray[np.float64]  # (s, 3) m
+    work: NDArray[np.float64]  # (n + 1, WORK_COLUMNS)
+    shifts: NDArray[np.float64]  # (n + 1, 4) m, and inverse mass 1/kg
 
 
 @inner_kernel
@@ -78,14 +95,15 @@ def apply_torques(work, pulls, h):
 
 
 @lean_kernel
-def move_by_velocity(state, composition, mask, work, h):
+def move_by_velocity(state, composition, work, numbers):
     """Explicit Euler: positions and orientations by the velocities that there are."""
+    h = numbers.h
     gather_velocities(state, composition, work)
     for i in range(state.positions.shape[0]):
         state.positions[i, 0] += h * work[i, VX]
         state.positions[i, 1] += h * work[i, VY]
         state.positions[i, 2] += h * work[i, VZ]
-    if mask & ROTATION_BIT:
+    if numbers.mask & ROTATION_BIT:
         turn_bodies(state, work, h, False)
 
 
@@ -111,7 +129,7 @@ def add_shifts(work, shifts, h, scheme):
 
 
 @inner_kernel
-def swing_on(state, work, shifts, surroundings, owners):
+def swing_on(state, work, surroundings, owners):
     """What hangs on a taut string goes on along its circle: as fast as before, and not off it."""
     for k in range(surroundings.hung.shape[0]):
         i = owners[surroundings.hung[k]]
@@ -137,16 +155,17 @@ def swing_on(state, work, shifts, surroundings, owners):
             work[i, VZ] = scale * (vz - out * z)
 
 
-@lean_kernel
-def finish_part(state, composition, surroundings, mask, numbers, work, shifts, counters):
+@inner_kernel
+def finish_part(state, world, numbers, work, shifts, counters):
     """New positions, orientations and momenta."""
+    composition, mask = world.composition, numbers.mask
     for i in range(state.positions.shape[0]):
         if work[i, WEIGHT] > 0.0:
             state.positions[i, 0] += shifts[i, 0]
             state.positions[i, 1] += shifts[i, 1]
             state.positions[i, 2] += shifts[i, 2]
     if mask & STRINGS_BIT:
-        swing_on(state, work, shifts, surroundings, composition.owners)
+        swing_on(state, work, world.surroundings, composition.owners)
     if mask & ROTATION_BIT and numbers.scheme != EXPLICIT:
         turn_bodies(state, work, numbers.h, numbers.scheme == EXACT)
     for i in range(state.positions.shape[0]):
@@ -159,30 +178,46 @@ def finish_part(state, composition, surroundings, mask, numbers, work, shifts, c
     counters[LAST_H] = numbers.h
 
 
-@lean_kernel
-def prepare_part(
-    state, composition, tables, numbers, work, places, contacts, who, ids, keys, count, old_keys, old_count,
-    held, old_held, rows,
-):  # fmt: skip
-    """Rows of all contacts; returns the fastest approach that bounces, m/s. held (capacity, 4) is written."""
-    recall_impulses(keys, count, old_keys, old_count, held, old_held)
-    return prepare_rows(
-        state, composition, places, work, contacts, who, ids, held, count, tables, numbers, rows
-    )
-
-
-@lean_kernel
-def resting_part(work, contacts, ids, count, held, rows, shifts, pulls, numbers):
-    """Forces, resting contacts, and how far bodies go. held (capacity, 4): impulses, written."""
-    pass_over(work, contacts, ids, count, rows, numbers)
+@inner_kernel
+def resting_part(work, contacts, count, rows, shifts, pulls, numbers):
+    """Forces, resting contacts, and how far bodies go. The contacts' impulses are written."""
+    pass_over(work, contacts, count, rows, numbers)
     start_shifts(work, shifts, numbers.h, numbers.scheme)
     apply_forces(work, pulls, numbers.h, numbers.gravity, numbers.drag)
     apply_torques(work, pulls, numbers.h)
-    start_warm(work, contacts, ids, count, rows)
+    start_warm(work, contacts, count, rows)
     for _ in range(numbers.iterations):
-        sweep_rows(work, contacts, ids, count, rows)
+        sweep_rows(work, contacts, count, rows)
     add_shifts(work, shifts, numbers.h, numbers.scheme)
     if numbers.correction == SOFT:
-        harden_rows(contacts, count, rows)
-        sweep_rows(work, contacts, ids, count, rows)
-    keep_impulses(count, rows, held)
+        harden_rows(count, rows)
+        sweep_rows(work, contacts, count, rows)
+    keep_impulses(contacts, count, rows)
+
+
+@lean_kernel
+def general_part(state, world, numbers, motion, contacts, count, past, rows, log):
+    """All of a part but for finding contacts, for any bodies. motion: `BodyMotion`, places up to date."""
+    radii, counters = world.composition.radii, log.counters
+    places, work, shifts = motion
+    gather_velocities(state, world.composition, work)
+    recall_impulses(contacts, count, past)
+    fastest = prepare_rows(state, world, places, work, contacts, count, rows, numbers)
+    counters[ROUNDS] = counters[BOUNCES] = 0.0
+    if fastest > 0.0:
+        if numbers.law == AT_ONCE:
+            turns, made = collide_at_once(
+                work, state.positions, radii, contacts, count, rows, fastest, numbers, log
+            )
+        else:
+            turns, made = collide_in_turn(
+                work, state.positions, radii, contacts, count, rows, fastest, numbers, log
+            )
+        counters[ROUNDS] = turns
+        counters[BOUNCES] = made
+    resting_part(work, contacts, count, rows, shifts, world.pulls, numbers)
+    if numbers.correction == SPLIT:
+        split_apart(contacts, count, shifts, numbers)
+    elif numbers.correction == PROJECTION:
+        project_apart(places, radii, contacts, count, shifts, numbers)
+    finish_part(state, world, numbers, work, shifts, counters)

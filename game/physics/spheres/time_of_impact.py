@@ -107,13 +107,14 @@ def ledge_time(x, y, radius, vx, vy, ledge, borne):
 
 
 @lean_kernel
-def first_impact(places, composition, work, pairs, surroundings, tables, mask, numbers, lag, fast):
+def first_impact(places, world, work, pairs, numbers):
     """Seconds until the first new contact that bounces, or numbers.h if there is none before.
 
-    Nothing is changed. tables: restitution; numbers: of the step, see collision_settings; lag: c of the
-    scheme. fast: only what moves farther than this part of its radius within h is looked at.
+    Nothing is changed. Only what moves farther than numbers.fast of its radius within h is looked at.
     """
-    radii, owners, kinds, h = composition.radii, composition.owners, composition.kinds, numbers.h
+    composition, surroundings, tables = world.composition, world.surroundings, world.tables
+    radii, owners, kinds = composition.radii, composition.owners, composition.kinds
+    h, mask, fast = numbers.h, numbers.mask, numbers.fast
     wall = tables.restitution.shape[0] - 1
     first = h
     if mask & COLLISIONS_BIT:
@@ -138,7 +139,7 @@ def first_impact(places, composition, work, pairs, surroundings, tables, mask, n
         if (vx * vx + vy * vy) * h * h < fast * fast * radii[s] * radii[s]:
             continue
         borne = borne_speed(tables.restitution[kinds[s], wall], radii[s], numbers)
-        fall = lag * numbers.gravity
+        fall = numbers.lag * numbers.gravity
         if mask & WINDOW_BIT:
             first = min(first, window_time(places, radii[s], work, s, i, surroundings.window, fall, borne))
         if mask & LEDGES_BIT:

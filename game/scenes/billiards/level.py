@@ -17,6 +17,7 @@ from game.billiards.game.tally import Tally
 from game.billiards.shot.shot import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
 from game.billiards.table.table import Table
+from game.scenes.shared.entry import LevelEntry
 
 # the cushions' model needs a nose below the top of every ball, 1.27 R0 < 2 R: R > 0.635 R0
 MOST_RADIUS_SPREAD = 0.35
@@ -34,7 +35,7 @@ class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_onl
     position: tuple[Coordinate, Coordinate]
 
 
-class Solution(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Solution(LevelEntry, frozen=True, kw_only=True):
     """A stroke that meets the goal of a puzzle: as `game.billiards.Stroke`, angles in degrees."""
 
     cue_speed: Annotated[float, msgspec.Meta(gt=0.0, le=20.0)]  # m/s

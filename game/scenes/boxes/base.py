@@ -31,7 +31,6 @@ class BoxesScene(Scene):
     """Base of the broad-phase scenes: a subclass names its parameters, model and view."""
 
     effects = MOTION | BOUNDARY
-    dt = 1.0 / 60.0
     content_type = BoxesContent
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     may_be_infinite = frozenset(("lowers", "uppers", "swept_lowers", "swept_uppers"))

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.outlines.board import Board
 from game.scenes.shared.outlines.outline import Outline, Point
 
@@ -15,11 +16,7 @@ Place = tuple[Unit, Unit]
 MOST_CORNERS = 2_000
 
 
-class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
-    pass
-
-
-class ShapeEntry(_Entry, frozen=True, kw_only=True):
+class ShapeEntry(LevelEntry, frozen=True, kw_only=True):
     """An outline. points: in order, about ``position``; or so many ``corners`` on an ellipse.
 
     radius, flat: the ellipse's long half axis, and the short one over it. turn: °, about the position.
@@ -36,7 +33,7 @@ class ShapeEntry(_Entry, frozen=True, kw_only=True):
     spin: Annotated[float, msgspec.Meta(ge=-720.0, le=720.0)] = 0.0
 
 
-class View(_Entry, frozen=True, kw_only=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, in the level's unit."""
 
     left: Unit = -4.8
@@ -45,7 +42,7 @@ class View(_Entry, frozen=True, kw_only=True):
     top: Unit = 2.6
 
 
-class PairContent(_Entry, frozen=True, kw_only=True):
+class PairContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a level. scale: m to a unit; origin: where the level's (0, 0) is, in units.
 
     What is far from the origin is computed there, but drawn near.

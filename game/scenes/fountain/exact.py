@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import OBSTACLES, Forces
+from game.physics.particles.in_between import Swarm
 from game.physics.particles.measures import envelope, measure_deviation
 from game.scenes.fountain.model import FountainModel
 
@@ -73,11 +74,12 @@ def deviation(model: FountainModel) -> tuple[float, int, int]:
     """Of untouched particles: (worst distance from the exact solution in m, how many are outside, of how
     many)."""
     system, worst, outside, compared = model.system, 0.0, 0, 0
+    swarm = Swarm(system.fields, system.tags)
     emitters, law, now = system.state().emitters, force_law(model), system.time_s
     stride = -(-max(len(system), 1) // COMPARED)
     for low, high in system.segments():
         bad, out, seen = measure_deviation(
-            system.fields, system.tags, low, high, stride, emitters, law, now, model.since, TOLERANCE
+            swarm, low, high, stride, emitters, law, now, model.since, TOLERANCE
         )
         worst, outside, compared = max(worst, bad), outside + out * stride, compared + seen
     return worst, outside, compared

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
@@ -16,7 +17,7 @@ MOST_STONES = 32
 MOST_NOZZLES = 8
 
 
-class Nozzle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Nozzle(LevelEntry, frozen=True, kw_only=True):
     """Where particles come from. position: m; tilt: ° from straight up, clockwise; share: of the rate."""
 
     position: Point = (0.0, 0.0)
@@ -24,7 +25,7 @@ class Nozzle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tr
     share: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] = 1.0
 
 
-class Stone(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Stone(LevelEntry, frozen=True, kw_only=True):
     """A round obstacle: centre and radius, m. restitution: its own; without, the one of the panel."""
 
     centre: Point
@@ -32,14 +33,14 @@ class Stone(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tru
     restitution: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] | None = None
 
 
-class Particle(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Particle(LevelEntry, frozen=True, kw_only=True):
     """A single particle that is there from the beginning: m, m/s."""
 
     position: Point
     velocity: tuple[Speed, Speed] = (0.0, 0.0)
 
 
-class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, m."""
 
     left: Metre = -4.7
@@ -48,9 +49,7 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
     top: Metre = 4.75
 
 
-class FountainContent(
-    msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True
-):
+class FountainContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a fountain level. floor: m; whirl: centre of the vortex, m; expected: of readouts."""
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)

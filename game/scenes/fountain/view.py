@@ -8,7 +8,7 @@ import numpy as np
 
 from game.physics.fields import DRAG, GROUND, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles import OBSTACLES, ParticleState
-from game.physics.particles.in_between import gather_touching, place_between
+from game.physics.particles.in_between import Instant, Shown, Swarm, gather_touching, place_between
 from game.scenes.fountain.exact import exact_envelope, open_nozzles
 from game.scenes.fountain.hand import rim_handle
 from game.scenes.fountain.model import FountainModel
@@ -75,14 +75,13 @@ class FountainView:
         self._reserve(system.capacity)
         if before is None or before.fields.shape != system.fields.shape:
             before = system.state()
-        dt = self.model.parameters.step_length
+        swarm, then = Swarm(system.fields, system.tags), Swarm(before.fields, before.tags)
+        instant = Instant(alpha, self.model.parameters.step_length, system.time_s)
+        shown = Shown(self._places, self._speeds, self._trails)
         first_step, rows, found = self.model.first_step_in_contact(), 0, 0
         for low, high in system.segments():
             begin = rows
-            rows = place_between(
-                system.fields, before.fields, system.tags, before.tags, low, high, alpha, dt,
-                system.time_s, TRAIL, self._places, self._speeds, self._trails, rows,
-            )  # fmt: skip
+            rows = place_between(swarm, then, low, high, instant, TRAIL, shown, rows)
             found = gather_touching(
                 system.tags, self._places, low, high, first_step, begin, found, self._in_contact
             )

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
+
 MOST_KEYS = 200
 FARTHEST = 1000.0  # m
 FASTEST = 100_000.0  # m/s
@@ -18,7 +20,7 @@ Point = tuple[Metre, Metre]
 Velocity = tuple[Speed, Speed]
 
 
-class KeyEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class KeyEntry(LevelEntry, frozen=True, kw_only=True):
     """A key-frame: time s, position m, angle degrees.
 
     velocity: m/s, for Bezier curves, whose control points lie a third of the piece's duration times it before
@@ -33,7 +35,7 @@ class KeyEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=
     velocity_before: Velocity | None = None
 
 
-class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, m; its lowest quarter is the timeline."""
 
     left: Metre = -6.4
@@ -42,7 +44,7 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
     top: Metre = 3.2
 
 
-class Motion(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Motion(LevelEntry, frozen=True, kw_only=True):
     """[content] of a key-framing level.
 
     keys: in any order; of equal times the order counts. timing: x1, y1, x2, y2 of the timing curve, where the

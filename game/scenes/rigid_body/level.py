@@ -8,6 +8,8 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.scenes.shared.entry import LevelEntry
+
 Array = NDArray[np.float64]
 Metre = Annotated[float, msgspec.Meta(ge=-10_000_000.0, le=10_000_000.0)]
 Length = Annotated[float, msgspec.Meta(gt=0.0, le=10_000.0)]
@@ -23,11 +25,7 @@ MOST_SPHERES = 2_000
 RADIUS, SHARE, COLOR, DESIGN = 3, 4, 5, 6
 
 
-class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
-    pass
-
-
-class SphereEntry(_Entry, frozen=True, kw_only=True):
+class SphereEntry(LevelEntry, frozen=True, kw_only=True):
     """A sphere: position m (in the world, at first), radius m, density as a multiple of the panel's."""
 
     position: Annotated[tuple[Metre, ...], msgspec.Meta(min_length=2, max_length=3)]
@@ -36,7 +34,7 @@ class SphereEntry(_Entry, frozen=True, kw_only=True):
     color: ColorName = "ivory"
 
 
-class RockEntry(_Entry, frozen=True, kw_only=True):
+class RockEntry(LevelEntry, frozen=True, kw_only=True):
     """Spheres at random in an ellipsoid with these half axes (m), as ``seed`` has it."""
 
     half_axes: tuple[Length, Length, Length]
@@ -47,7 +45,7 @@ class RockEntry(_Entry, frozen=True, kw_only=True):
     color: ColorName = "stone"
 
 
-class RigidContent(_Entry, frozen=True, kw_only=True):
+class RigidContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a level of one rigid body.
 
     place: where its centre of mass is at first, m; else where the spheres as listed have it. velocity m/s

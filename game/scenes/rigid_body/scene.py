@@ -42,7 +42,6 @@ class RigidBodyScene(Scene):
     """
 
     name, task, title = C12.names
-    dt = RigidBodyParameters.step_length.default
     parameters_type = RigidBodyParameters
     parameters: RigidBodyParameters
     effects = GRAVITY | DRAG | ROTATION | WINDOW | PUSHES

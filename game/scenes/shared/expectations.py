@@ -7,6 +7,7 @@ from typing import Annotated, NamedTuple
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
 from game.stage import Readout
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
@@ -14,7 +15,7 @@ from game.ui.look.numerals import format_si
 Number = Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)]
 
 
-class Expectation(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
+class Expectation(LevelEntry, frozen=True, kw_only=True):
     """What a readout should be, or become (SI), give or take ``within``."""
 
     readout: Annotated[str, msgspec.Meta(max_length=40)]

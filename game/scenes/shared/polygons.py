@@ -7,6 +7,7 @@ costs a third of a line drawn around.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,12 +48,20 @@ def move_outwards(places, first, last, width, moved):
         moved[i - first, 1] = places[i, 1] - share * dx
 
 
-@lean_kernel
-def paint_polygons(pixels, clip, area, extent, places, starts, inks, shares, edges, width, moved):
-    """Fill polygons: places (v, 2) px from ``starts`` (m + 1,) on, colours ``inks`` (m,), opacity ``shares``.
+class Polygons(NamedTuple):
+    """Polygons to be painted; an opacity of 0 is skipped."""
 
-    edges (m,): colours of their edges, or NO_EDGE. moved (v, 2): scratch buffer. An opacity of 0 is skipped.
-    """
+    places: Array  # (v, 2) px, corners of all of them
+    starts: NDArray[np.int64]  # (m + 1,) first corner of each
+    inks: NDArray[np.int64]  # (m,) colours
+    shares: Array  # (m,) opacity
+    edges: NDArray[np.int64]  # (m,) colours of their edges, or NO_EDGE
+
+
+@lean_kernel
+def paint_polygons(pixels, clip, area, extent, polygons, width, moved):
+    """Fill `Polygons`, with edges ``width`` px wide. moved (v, 2): scratch buffer."""
+    places, starts, inks, shares, edges = polygons
     for j in range(inks.shape[0]):
         first, last = starts[j], starts[j + 1]
         if shares[j] <= 0.0 or abs(signed_area(places, first, last)) < LEAST_AREA:
@@ -72,7 +81,7 @@ def paint(
     scratch = scratch_for(pixels)
     places = canvas.place_all(points)
     paint_polygons(
-        pixels, clip, scratch.area, scratch.extent, places, starts, inks, shares, edges,
+        pixels, clip, scratch.area, scratch.extent, Polygons(places, starts, inks, shares, edges),
         EDGE_PX * canvas.k, moved,
     )  # fmt: skip
 
@@ -83,6 +92,7 @@ def warm_up_painter() -> None:
     scratch = scratch_for(pixels)
     corners = np.array(((1.0, 1.0), (6.0, 1.0), (3.0, 6.0)))
     paint_polygons(
-        pixels, np.array((0, 0, 8, 8), np.int64), scratch.area, scratch.extent, corners,
-        np.array((0, 3)), np.zeros(1, np.int64), np.ones(1), np.zeros(1, np.int64), 0.9, np.zeros((3, 2)),
+        pixels, np.array((0, 0, 8, 8), np.int64), scratch.area, scratch.extent,
+        Polygons(corners, np.array((0, 3)), np.zeros(1, np.int64), np.ones(1), np.zeros(1, np.int64)),
+        0.9, np.zeros((3, 2)),
     )  # fmt: skip

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
+
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
 Degrees = Annotated[float, msgspec.Meta(ge=-36_000.0, le=36_000.0)]
@@ -18,11 +20,7 @@ MOST_BONES = 2_000
 MOST_POINTS = 20_000
 
 
-class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
-    pass
-
-
-class SwingEntry(_Entry, frozen=True, kw_only=True):
+class SwingEntry(LevelEntry, frozen=True, kw_only=True):
     """How a bone moves when nobody poses it: to and fro by so many degrees, at a rate and a phase (turns)."""
 
     by: Degrees
@@ -30,7 +28,7 @@ class SwingEntry(_Entry, frozen=True, kw_only=True):
     phase: Annotated[float, msgspec.Meta(ge=-10.0, le=10.0)] = 0.0
 
 
-class BoneEntry(_Entry, frozen=True, kw_only=True):
+class BoneEntry(LevelEntry, frozen=True, kw_only=True):
     """A bone in the bind pose. angle: against its parent. place: in the parent's frame, else its end.
 
     turn: degrees from the bind pose to the pose at the beginning. limits: of the angle against the bind
@@ -47,7 +45,7 @@ class BoneEntry(_Entry, frozen=True, kw_only=True):
     swing: SwingEntry | None = None
 
 
-class SkinEntry(_Entry, frozen=True, kw_only=True):
+class SkinEntry(LevelEntry, frozen=True, kw_only=True):
     """A closed outline in the bind pose, bound by distance or by weights given.
 
     fill: a colour by name or "#rrggbb". bones: those that it may follow, else all. weights: a row for each
@@ -62,7 +60,7 @@ class SkinEntry(_Entry, frozen=True, kw_only=True):
     weights: tuple[tuple[Weight, ...], ...] | None = None
 
 
-class PathEntry(_Entry, frozen=True, kw_only=True):
+class PathEntry(LevelEntry, frozen=True, kw_only=True):
     """How a target moves when nobody pulls it: about a centre, so far along each axis, so often a second.
 
     turns: how many times it goes up and down while it goes once to and fro.
@@ -74,7 +72,7 @@ class PathEntry(_Entry, frozen=True, kw_only=True):
     turns: Annotated[float, msgspec.Meta(ge=0.0, le=20.0)] = 2.0
 
 
-class ChainEntry(_Entry, frozen=True, kw_only=True):
+class ChainEntry(LevelEntry, frozen=True, kw_only=True):
     """A chain from one bone to another, and where its end is to go."""
 
     start: Name
@@ -83,7 +81,7 @@ class ChainEntry(_Entry, frozen=True, kw_only=True):
     path: PathEntry | None = None
 
 
-class View(_Entry, frozen=True, kw_only=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, m."""
 
     left: Metre = -1.2
@@ -92,7 +90,7 @@ class View(_Entry, frozen=True, kw_only=True):
     top: Metre = 2.0
 
 
-class FigureContent(_Entry, frozen=True, kw_only=True):
+class FigureContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m."""
 
     bones: Annotated[tuple[BoneEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_BONES)]

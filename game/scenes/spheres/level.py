@@ -6,6 +6,7 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-1_000.0, le=1_000.0)]
@@ -28,11 +29,7 @@ WALL = "wall"
 COLORS = ("chalk", "pink", "violet", "yellow", "green")  # of materials, in their order
 
 
-class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
-    pass
-
-
-class SphereEntry(_Entry, frozen=True, kw_only=True):
+class SphereEntry(LevelEntry, frozen=True, kw_only=True):
     """A sphere: position m, radius m, velocity m/s, turning rad/s, mass kg (else that of the panel).
 
     fixed: nothing moves it. body: spheres of the same number are one body, which has the velocity of the
@@ -50,7 +47,7 @@ class SphereEntry(_Entry, frozen=True, kw_only=True):
     body: Index | None = None
 
 
-class RackEntry(_Entry, frozen=True, kw_only=True):
+class RackEntry(LevelEntry, frozen=True, kw_only=True):
     """A triangle of spheres in contact, pointing to the left. gap: m between them."""
 
     apex: tuple[Metre, Metre]
@@ -60,7 +57,7 @@ class RackEntry(_Entry, frozen=True, kw_only=True):
     material: Word | None = None
 
 
-class CradleEntry(_Entry, frozen=True, kw_only=True):
+class CradleEntry(LevelEntry, frozen=True, kw_only=True):
     """A row of spheres on strings, ``drawn`` of them drawn aside by ``swing`` (degrees)."""
 
     top: tuple[Metre, Metre]
@@ -73,7 +70,7 @@ class CradleEntry(_Entry, frozen=True, kw_only=True):
     material: Word | None = None
 
 
-class HeapEntry(_Entry, frozen=True, kw_only=True):
+class HeapEntry(LevelEntry, frozen=True, kw_only=True):
     """Columns and rows of spheres, not quite in order: ``stir`` is a part of the space between them."""
 
     corner: tuple[Metre, Metre]
@@ -88,7 +85,7 @@ class HeapEntry(_Entry, frozen=True, kw_only=True):
     layers: tuple[Word, ...] = ()  # materials of its layers, from below
 
 
-class StringEntry(_Entry, frozen=True, kw_only=True):
+class StringEntry(LevelEntry, frozen=True, kw_only=True):
     """A string that holds a sphere (by its number). length: m, else as long as it is."""
 
     sphere: Index
@@ -96,7 +93,7 @@ class StringEntry(_Entry, frozen=True, kw_only=True):
     length: Radius | None = None
 
 
-class PairEntry(_Entry, frozen=True, kw_only=True):
+class PairEntry(LevelEntry, frozen=True, kw_only=True):
     """Restitution and friction between two materials, or a material and "wall"."""
 
     of: tuple[Word, Word]
@@ -104,7 +101,7 @@ class PairEntry(_Entry, frozen=True, kw_only=True):
     friction: Friction | None = None
 
 
-class View(_Entry, frozen=True, kw_only=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The window, whose edges are the walls, m."""
 
     left: Metre = -4.0
@@ -113,7 +110,7 @@ class View(_Entry, frozen=True, kw_only=True):
     top: Metre = 4.5
 
 
-class CollisionContent(_Entry, frozen=True, kw_only=True):
+class CollisionContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a level. Spheres are numbered as listed, then those of racks, cradles and heaps."""
 
     spheres: Annotated[tuple[SphereEntry, ...], msgspec.Meta(max_length=MOST_WRITTEN)] = ()

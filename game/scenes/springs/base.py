@@ -24,7 +24,6 @@ from game.stage.messages import Messages
 class MassSpringScene(Scene):
     """Base of C14 and C15. A subclass says how stiff a link is."""
 
-    dt = 1.0 / 60.0
     effects = GRAVITY | GROUND | LINKS | AREAS | ATTACHMENTS | TEARING | DAMPING | CONTACTS
     parameters: MassSpringParameters
     content_type = SpringContent

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
@@ -19,11 +20,7 @@ Point = tuple[Metre, Metre]
 MOST_WRITTEN = 2_000  # particles and links that are written one by one into a file
 
 
-class _Entry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
-    pass
-
-
-class ParticleEntry(_Entry, frozen=True, kw_only=True):
+class ParticleEntry(LevelEntry, frozen=True, kw_only=True):
     """A particle: position m, velocity m/s, inverse mass 1/kg; an inverse mass of 0 fixes it in space."""
 
     position: Point
@@ -31,7 +28,7 @@ class ParticleEntry(_Entry, frozen=True, kw_only=True):
     velocity: Point = (0.0, 0.0)
 
 
-class LinkEntry(_Entry, frozen=True, kw_only=True):
+class LinkEntry(LevelEntry, frozen=True, kw_only=True):
     """A link or spring between two particles. rest: m, else as long as it is; stiffness: 0 to 1, its own."""
 
     ends: tuple[Index, Index]
@@ -39,7 +36,7 @@ class LinkEntry(_Entry, frozen=True, kw_only=True):
     stiffness: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] | None = None
 
 
-class RopeEntry(_Entry, frozen=True, kw_only=True):
+class RopeEntry(LevelEntry, frozen=True, kw_only=True):
     """A row of so many links. pins: "first", "both" or "none"."""
 
     start: Point
@@ -51,7 +48,7 @@ class RopeEntry(_Entry, frozen=True, kw_only=True):
     slack: Annotated[float, msgspec.Meta(ge=0.1, le=100.0)] = 1.0  # length at rest over the distance
 
 
-class ClothEntry(_Entry, frozen=True, kw_only=True):
+class ClothEntry(LevelEntry, frozen=True, kw_only=True):
     """A net that hangs from its top left corner; see `shapes.cloth`. gather: width at first over its own."""
 
     corner: Point
@@ -64,7 +61,7 @@ class ClothEntry(_Entry, frozen=True, kw_only=True):
     gather: Annotated[float, msgspec.Meta(ge=0.05, le=2.0)] = 1.0
 
 
-class BlockEntry(_Entry, frozen=True, kw_only=True):
+class BlockEntry(LevelEntry, frozen=True, kw_only=True):
     """A jelly, from its bottom left corner."""
 
     corner: Point
@@ -74,7 +71,7 @@ class BlockEntry(_Entry, frozen=True, kw_only=True):
     mass: Mass = 1.0
 
 
-class BridgeEntry(_Entry, frozen=True, kw_only=True):
+class BridgeEntry(LevelEntry, frozen=True, kw_only=True):
     """A rope bridge between pins, with a hand rope above and lamps below. slack: length over the span."""
 
     start: Point
@@ -87,7 +84,7 @@ class BridgeEntry(_Entry, frozen=True, kw_only=True):
     slack: Annotated[float, msgspec.Meta(ge=1.0, le=10.0)] = 1.0
 
 
-class RingEntry(_Entry, frozen=True, kw_only=True):
+class RingEntry(LevelEntry, frozen=True, kw_only=True):
     """A closed skin that keeps the area within, times ``pressure``."""
 
     centre: Point
@@ -97,7 +94,7 @@ class RingEntry(_Entry, frozen=True, kw_only=True):
     pressure: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)] = 1.0
 
 
-class CradleEntry(_Entry, frozen=True, kw_only=True):
+class CradleEntry(LevelEntry, frozen=True, kw_only=True):
     """Balls side by side on links, the first drawn aside by ``swing`` (degrees)."""
 
     top: Point
@@ -107,7 +104,7 @@ class CradleEntry(_Entry, frozen=True, kw_only=True):
     swing: Annotated[float, msgspec.Meta(ge=-170.0, le=170.0)]
 
 
-class View(_Entry, frozen=True, kw_only=True):
+class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, m."""
 
     left: Metre = -4.8
@@ -116,7 +113,7 @@ class View(_Entry, frozen=True, kw_only=True):
     top: Metre = 4.6
 
 
-class SpringContent(_Entry, frozen=True, kw_only=True):
+class SpringContent(LevelEntry, frozen=True, kw_only=True):
     """[content] of a mass-spring level. Particles are numbered as listed, those of shapes after them.
 
     areas: outlines of particles that keep their area. reference: exact places, drawn dashed. floor: m.

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 from game.levels import Level
 from game.physics.effects import EffectSet
+from game.stage.parameters import STEP_LENGTH
 from game.stage.scene import Scene
-from game.stage.session import STEP_LENGTH
 
 
 class Recipe(NamedTuple):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pygame
 
 from game.stage import Frame
@@ -67,16 +66,6 @@ class Camera:
         u = (px - self.rect.x - 0.5 * self.rect.w) / s
         v = (py - self.rect.y - 0.5 * self.rect.h) / s
         return self._view[0] + a * u + c * v, self._view[1] + b * u + d * v
-
-    def points_to_screen(self, points: np.ndarray) -> np.ndarray:
-        """Pixels, ``(n, 2)`` float64, of world points ``(n, 2)``."""
-        points = np.asarray(points, dtype=np.float64).reshape(-1, 2)
-        a, b, c, d, e, f = self.affine()
-        out = np.empty_like(points)
-        with np.errstate(all="ignore"):  # what is not finite stays so and is not drawn
-            out[:, 0] = a * points[:, 0] + b * points[:, 1] + e
-            out[:, 1] = c * points[:, 0] + d * points[:, 1] + f
-        return out
 
     def angle_to_screen(self, angle: float) -> float:
         """Angle in the picture (from +x towards +y down, rad) of a world direction."""

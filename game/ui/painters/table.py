@@ -62,10 +62,6 @@ class TableView(NamedTuple):
         """Places (n, 2) px of points (n, 2) m."""
         return np.ascontiguousarray(places[:, ::-1] * self.scale + (self.left, self.top))
 
-    def to_table(self, px: float, py: float) -> tuple[float, float]:
-        """Point m in the table's frame of a place px."""
-        return (py - self.top) / self.scale, (px - self.left) / self.scale
-
     def middle(self, table: Table) -> tuple[float, float]:
         """Place px of the middle of the bed."""
         return self.to_screen(0.5 * table.width, 0.5 * table.length)

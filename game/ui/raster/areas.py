@@ -56,19 +56,10 @@ def _cut_row(area: Any, extent: Any, row: int, x0: float, x1: float, height: flo
 
 
 @inner_kernel
-def _add_edge(
-    area: Any,
-    extent: Any,
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
-    x_low: int,
-    y_low: int,
-    x_high: int,
-    y_high: int,
-) -> None:
-    """Add one edge of a polygon; what lies left of the clip counts at its left border."""  # fmt: skip
+def _add_edge(area: Any, extent: Any, start: Any, end: Any, box: Any) -> None:
+    """Add one edge of a polygon, from (x, y) to (x, y) px; what is left of the box counts at its border."""
+    (x0, y0), (x1, y1) = start, end
+    x_low, y_low, x_high, y_high = box
     sign = 1.0
     if y0 > y1:
         x0, y0, x1, y1 = x1, y1, x0, y0
@@ -163,9 +154,8 @@ def fill_polygon(
         return
     for i in range(count):
         j = i + 1 if i + 1 < count else 0
-        _add_edge(
-            area, extent, points[i, 0], points[i, 1], points[j, 0], points[j, 1], x_low, y_low, x_high, y_high
-        )
+        start, end = (points[i, 0], points[i, 1]), (points[j, 0], points[j, 1])
+        _add_edge(area, extent, start, end, (x_low, y_low, x_high, y_high))
     first = int(max(top, 1.0 * y_low))
     last = min(y_high, math.ceil(min(bottom, 1.0 * y_high)))
     _sweep(pixels, area, extent, x_high, first, last, color, alpha)
@@ -225,7 +215,7 @@ def fill_arrow(
     for corner in range(7):
         along, across = _arrow_corner(corner, size, length)
         qx, qy = x0 + along * ux - across * uy, y0 + along * uy + across * ux
-        _add_edge(area, extent, px, py, qx, qy, x_low, y_low, x_high, y_high)
+        _add_edge(area, extent, (px, py), (qx, qy), (x_low, y_low, x_high, y_high))
         px, py = qx, qy
     top, bottom = min(y0, y1) - HEAD_HALF * size, max(y0, y1) + HEAD_HALF * size
     first = int(min(max(top - 1.0, 1.0 * y_low), 1.0 * y_high))

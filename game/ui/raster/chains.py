@@ -61,18 +61,10 @@ def _cover_segment(
 
 @inner_kernel
 def _lay_cover(
-    cover: Any,
-    pixels: Any,
-    clip: Any,
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
-    half: float,
-    color: int,
-    weight: int,
+    cover: Any, pixels: Any, clip: Any, segment: Any, half: float, color: int, weight: int
 ) -> None:
-    """Lay what ``cover`` holds along a segment over the picture, and wipe it."""  # fmt: skip
+    """Lay what ``cover`` holds along a segment (x0, y0, x1, y1 px) over the picture, and wipe it."""
+    x0, y0, x1, y1 = segment
     if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
         return
     reach = half + FADING
@@ -120,7 +112,7 @@ def stroke_polyline(
             if phase == 0:
                 _cover_segment(cover, pixels, clip, x0, y0, x1, y1, half, np.int64(ROUND))
             else:
-                _lay_cover(cover, pixels, clip, x0, y0, x1, y1, half, color, weight)
+                _lay_cover(cover, pixels, clip, (x0, y0, x1, y1), half, color, weight)
 
 
 @inner_kernel
@@ -128,16 +120,14 @@ def _cover_dashes(
     cover: Any,
     pixels: Any,
     clip: Any,
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
+    segment: Any,
     half: float,
     travelled: float,
     dash: float,
     period: float,
 ) -> None:
-    """Cover the dashes on one segment, which starts ``travelled`` px into the pattern."""
+    """Cover the dashes on one segment (x0, y0, x1, y1 px), which starts ``travelled`` px into the pattern."""
+    x0, y0, x1, y1 = segment
     dx, dy = x1 - x0, y1 - y0
     length = math.sqrt(dx * dx + dy * dy)
     first, last = inside_share(clip, x0, y0, x1, y1, half + 2.0)
@@ -193,7 +183,7 @@ def stroke_dashes(
             if not (is_drawable(x0) and is_drawable(y0) and is_drawable(x1) and is_drawable(y1)):
                 continue
             if phase == 0:
-                _cover_dashes(cover, pixels, clip, x0, y0, x1, y1, half, travelled, dash, period)
+                _cover_dashes(cover, pixels, clip, (x0, y0, x1, y1), half, travelled, dash, period)
                 travelled += math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
             else:
-                _lay_cover(cover, pixels, clip, x0, y0, x1, y1, half, color, weight)
+                _lay_cover(cover, pixels, clip, (x0, y0, x1, y1), half, color, weight)

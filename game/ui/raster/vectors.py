@@ -12,7 +12,7 @@ from numba import config, types
 from numba.extending import intrinsic
 
 
-def _blend_four_plainly(pixels: Any, position: int, weights: Any, first: int, color: int) -> None:
+def blend_four_plainly(pixels: Any, position: int, weights: Any, first: int, color: int) -> None:
     """Lay a colour over ``pixels[position : position + 4]`` of a flat picture.
 
     ``weights[first : first + 16]`` (uint16, 0 to 256) holds each pixel's weight four times, once a channel.
@@ -30,7 +30,7 @@ def _blend_four_plainly(pixels: Any, position: int, weights: Any, first: int, co
 def _blend_four_at_once(
     typing_context: Any, pixels: Any, position: Any, weights: Any, first: Any, color: Any
 ) -> Any:
-    """``_blend_four_plainly`` in eight vector instructions; numba's own loop is five times slower."""
+    """``blend_four_plainly`` in eight vector instructions; numba's own loop is five times slower."""
     signature = types.void(pixels, position, weights, first, color)
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -58,7 +58,7 @@ def _blend_four_at_once(
     return signature, generate
 
 
-blend_four = _blend_four_plainly if config.DISABLE_JIT else _blend_four_at_once
+blend_four = blend_four_plainly if config.DISABLE_JIT else _blend_four_at_once
 
 
 def _mix_four_plainly(pixels: Any, position: int, color: int, weight: int) -> None:

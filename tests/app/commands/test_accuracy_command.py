@@ -179,7 +179,8 @@ def test_a_copy_without_an_effect_does_not_declare_it():
     stage = prices._begun(example_scene.BouncingBall)
     declared = stage.scene_type.effects
     made = prices.copy_declaring(stage, declared.without("test-gravity"), declared.without("test-gravity"))
-    off = stage.copy_scene(declared.without("test-gravity"))
+    off = stage.build_scene(stage.scene.values, declared.without("test-gravity"))
+    off.restore(stage.scene.state())
     assert "test-gravity" not in type(made).effects.names
     made.restore(off.state())
     for scene in (made, off):

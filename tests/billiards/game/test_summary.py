@@ -7,7 +7,7 @@ import pytest
 
 from game.billiards import Table, make_shot, simulate
 from game.billiards.game.arrangement import arrange, racked
-from game.billiards.game.summary import _pass_on, summarize
+from game.billiards.game.summary import pass_on, summarize
 from game.billiards.shot.shot import FRICTIONLESS, Physics
 from game.billiards.table.rack import BALL_RADIUS as R
 
@@ -74,15 +74,15 @@ def test_a_ball_that_stopped_is_not_the_cause_of_what_runs_into_it():
     """2 meets 1, which 0 left lying in its way: 1 goes on by way of 2, which still owes its way to 3."""
     moving = [True, False, True, True]
     chains = [(0,), (0, 1), (0, 3, 2), (0, 3)]
-    _pass_on([(1, 2)], moving, chains)
+    pass_on([(1, 2)], moving, chains)
     assert chains == [(0,), (0, 3, 2, 1), (0, 3, 2), (0, 3)] and moving[1]
 
 
 def test_chains_name_no_ball_twice():
     moving, chains = [True, True, True], [(0,), (0, 1), (0, 1, 2)]
-    _pass_on([(1, 2)], moving, chains)
+    pass_on([(1, 2)], moving, chains)
     assert chains == [(0,), (0, 1), (0, 1, 2)]
-    _pass_on([(0, 1)], moving, chains)
+    pass_on([(0, 1)], moving, chains)
     assert chains == [(0,), (0, 1), (0, 1, 2)]
 
 
@@ -90,7 +90,7 @@ def test_contacts_of_one_moment_spread_from_what_moves():
     """A touching row, in whatever order its contacts are listed."""
     for order in ([(0, 1), (1, 2), (2, 3)], [(2, 3), (1, 2), (0, 1)]):
         moving, chains = [True, False, False, False], [(0,), (), (), ()]
-        _pass_on(order, moving, chains)
+        pass_on(order, moving, chains)
         assert chains == [(0,), (0, 1), (0, 1, 2), (0, 1, 2, 3)] and all(moving)
 
 

@@ -1,6 +1,7 @@
 """State at any time, orientation, digests."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -112,10 +113,9 @@ def test_events_name_balls_and_elements():
         [[0.2, 0.5], [0.5, 0.5]],
         [(1.0, 0.0), (0.0, 0.0)],
         ids=("cue", "red"),
-        element_ids=(("west", "east", "south", "north"), (), ()),
         physics=Physics("elastic", "mirror"),
     )
-    events = simulate(shot).events
+    events = simulate(replace(shot, cushion_ids=("west", "east", "south", "north"))).events
     hit = next(e for e in events if e.type == "ball-ball")
     rail = next(e for e in events if e.type == "ball-cushion")
     assert set(hit.ids) == {"cue", "red"} and rail.ids == ("red", "east")

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.physics.animation.skeleton import Skeleton, SkeletonError, chain_skeleton
-from game.physics.animation.skeleton_editing import NOWHERE, bone_at, with_bone, without_bone
+from game.physics.animation.skeleton_editing import NOWHERE, bone_at
 
 EPS = 2.0**-52
 turns = st.floats(-10.0, 10.0)
@@ -139,34 +139,6 @@ def test_what_is_not_there_is_refused():
 
 
 # -- by hand --------------------------------------------------------------------------------------------
-
-
-@given(st.lists(turns, min_size=3, max_size=3), st.floats(-3, 3), st.floats(-3, 3))
-def test_a_new_bone_ends_where_it_was_clicked(angles, x, y):
-    skeleton = Skeleton([-1, 0, 0], [1.0, 0.5, 0.7], angles)
-    if math.dist(skeleton.ends[1], (x, y)) < 1e-3:
-        return
-    longer = with_bone(skeleton, 1, (x, y))
-    assert longer.parents.tolist() == [-1, 0, 0, 1]
-    assert np.allclose(longer.ends[3], (x, y), rtol=0, atol=32 * EPS * 6)
-    assert np.allclose(longer.bases[3], skeleton.ends[1], rtol=0, atol=0)
-    assert np.array_equal(longer.world[:3], skeleton.world)
-
-
-def test_a_bone_without_length_is_not_made_by_hand():
-    skeleton = chain_skeleton([1.0])
-    with pytest.raises(SkeletonError, match="at least"):
-        with_bone(skeleton, 0, (1.0, 0.0))
-
-
-def test_a_bone_goes_with_all_that_hangs_on_it():
-    skeleton = Skeleton([1, -1, 0, 1, 3], [0.5, 1.0, 0.2, 0.7, 0.1])
-    removal = without_bone(skeleton, 0)
-    assert removal.place.tolist() == [-1, 0, -1, 1, 2]
-    assert removal.skeleton.parents.tolist() == [-1, 0, 1]
-    assert np.array_equal(removal.skeleton.ends, skeleton.ends[[1, 3, 4]])
-    with pytest.raises(SkeletonError, match="last one"):
-        without_bone(removal.skeleton, 0)
 
 
 def test_the_bone_at_a_point():

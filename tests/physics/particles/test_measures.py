@@ -9,7 +9,7 @@ import pytest
 
 from game.physics.fields import DRAG, GRAVITY, WIND
 from game.physics.particles import CALM, Discs, Emitter, ParticleSystem
-from game.physics.particles.in_between import gather_touching, place_between
+from game.physics.particles.in_between import Instant, Shown, Swarm, gather_touching, place_between
 from game.physics.particles.measures import count_touching, envelope, measure_deviation, measure_swarm
 
 SPEED, G = 6.0, 9.81
@@ -32,8 +32,8 @@ def swarm(law, effects, **changes):
 
 def deviation(system, law, since=0.0, tolerance=1e-9, stride=1):
     return measure_deviation(
-        system.fields, system.tags, 0, len(system), stride, system.state().emitters, law, system.time_s,
-        since, tolerance,
+        Swarm(system.fields, system.tags), 0, len(system), stride, system.state().emitters, law,
+        system.time_s, since, tolerance,
     )  # fmt: skip
 
 
@@ -125,8 +125,8 @@ def test_between_two_steps():
     assert (old, n) == (4, 8)
     positions, velocities, trails = np.zeros((3, n + 1, 2))
     row = place_between(
-        system.fields, before, system.tags, tags, 0, n, alpha, dt, system.time_s, 0.01, positions,
-        velocities, trails, 1,
+        Swarm(system.fields, system.tags), Swarm(before, tags), 0, n, Instant(alpha, dt, system.time_s), 0.01,
+        Shown(positions, velocities, trails), 1,
     )  # fmt: skip
     assert row == n + 1
     assert np.array_equal(velocities[1:], system.velocities)

@@ -96,7 +96,7 @@ def test_the_window_mirrors():
 
 
 @pytest.mark.parametrize("correction", ["split", "projection"])
-def test_h8_deep_overlap_gains_no_energy(correction):
+def test_deep_overlap_gains_no_energy(correction):
     bodies = SphereBodies([(0, 0), (0.1, 0), (0.0, 0.1), (0.05, 0.05)], [0.5] * 4)
     world = world_of(bodies, correction=correction, passes=3)
     for _ in range(60):
@@ -105,7 +105,7 @@ def test_h8_deep_overlap_gains_no_energy(correction):
     assert world.overlap() <= 0.0051 + 1e-9
 
 
-def test_h8_pushes_that_are_speeds_do_gain_energy():
+def test_pushes_that_are_speeds_do_gain_energy():
     """Baumgarte's way, to compare with; none leaves it as it is."""
     for correction, gains in (("baumgarte", True), ("none", False)):
         world = world_of(SphereBodies([(0, 0), (0.1, 0)], [0.5] * 2), correction=correction)
@@ -117,7 +117,7 @@ def test_h8_pushes_that_are_speeds_do_gain_energy():
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("e", [0.0, 0.5, 0.9])
-def test_h7_a_stack_rests(scheme, e):
+def test_a_stack_rests(scheme, e):
     """Five spheres on the ground for 60 s: no growth of energy, overlap up to the slop, no creep."""
     bodies = SphereBodies([(0, 0.5 + i) for i in range(5)], [0.5] * 5, inertias="solid")
     world = world_of(bodies, restitution=e, friction=0.5, window=(-2, 0, 2, 20), effects=USUAL, scheme=scheme)
@@ -133,7 +133,7 @@ def test_h7_a_stack_rests(scheme, e):
     assert np.abs(bodies.state.positions[:, 0]).max() < 1e-12
 
 
-def test_h7_a_bounce_ends_and_begins_with_the_right_height():
+def test_a_bounce_ends_and_begins_with_the_right_height():
     """e = 0.8 from 1 m: up to e² of it (with impact times), and at rest within 10 s."""
     bodies = SphereBodies([(0, 1.5)], [0.5])
     world = world_of(
@@ -247,7 +247,7 @@ def test_explicit_euler_collides_before_the_gravity_of_its_part(part):
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
-def test_h9_fast_and_small(scheme):
+def test_fast_and_small(scheme):
     """300 m/s against 1 cm: through in steps, hit with impact times, as without any step."""
     places, speeds, radii = [(-2.0, 0.004), (0.0, 0.0)], [(300.0, 0.0), (0.0, 0.0)], [0.01, 0.02]
     exact = SmoothSpheres(places, speeds, radii)

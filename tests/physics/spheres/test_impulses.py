@@ -124,7 +124,7 @@ def test_the_ledger_of_any_collision(axis, a, b, spins, masses, e, mu):
             assert np.array_equal(world.bodies.turning, turning), "smooth spheres keep their spin"
 
 
-def test_h1_coincident_centres():
+def test_coincident_centres_separate():
     bodies = SphereBodies([(1, 1), (1, 1)], [0.3, 0.5])
     world = world_of(bodies)
     world.step(0.01)
@@ -133,14 +133,14 @@ def test_h1_coincident_centres():
     assert first[0] < 1.0 < second[0] and first[1] == second[1] == 1.0
 
 
-def test_h2_a_separating_contact_gets_no_impulse():
+def test_a_separating_contact_gets_no_impulse():
     world = world_of(row_of([-1.0, 2.0]))
     world.step(MOMENT)
     assert world.collisions == 0
     assert world.bodies.velocities[:, 0].tolist() == [-1.0, 2.0]
 
 
-def test_h3_several_contacts_of_two_bodies():
+def test_several_contacts_of_two_bodies():
     """Two dumb-bells meet end on end: rounds until no contact approaches; with e = 1 no energy is lost."""
     bodies = SphereBodies(
         [(0, 1), (0, -1), (1, 1), (1, -1)], [0.5] * 4, [(2, 0), (-1, 0)], [(0, 0, 0.7), (0, 0, 0.2)],
@@ -161,7 +161,7 @@ def test_h3_several_contacts_of_two_bodies():
 
 @pytest.mark.parametrize("mirrored", [False, True])
 @pytest.mark.parametrize("count", [2, 3, 5])
-def test_h4_newtons_cradle_in_turn(count, mirrored):
+def test_newtons_cradle_in_turn(count, mirrored):
     """The last one leaves with all of it, in whichever direction contacts are looked at."""
     v = [1.0] + [0.0] * (count - 1)
     world = world_of(row_of([-x for x in v[::-1]] if mirrored else v))
@@ -170,7 +170,7 @@ def test_h4_newtons_cradle_in_turn(count, mirrored):
     assert (left if not mirrored else [-x for x in left[::-1]]) == v[::-1]
 
 
-def test_h4_newtons_law_at_once():
+def test_newtons_law_at_once():
     world = world_of(row_of([1.0, 0.0, 0.0]), law="at-once")
     world.step(MOMENT)
     assert np.allclose(world.bodies.velocities[:, 0], (-1 / 3, 2 / 3, 2 / 3), rtol=0, atol=1e-13)
@@ -208,7 +208,7 @@ def test_a_joint_collision_of_many_enters_the_last():
     assert (world.ledger()[:, ledger.LOST_MOMENTUM] < 1e-12).all()
 
 
-def test_h5_mass_ratio_and_infinite_mass():
+def test_mass_ratio_and_infinite_mass():
     for heavy in (1e6, math.inf):
         world = world_of(row_of([1.0, 0.0], masses=[1.0, heavy]), restitution=0.5)
         world.step(MOMENT)
@@ -220,7 +220,7 @@ def test_h5_mass_ratio_and_infinite_mass():
     assert world.bodies.velocities[1, 0] == pytest.approx(2e6 / (1e6 + 1.0), rel=1e-13)
 
 
-def test_h6_grazing_makes_no_spin():
+def test_grazing_makes_no_spin():
     bodies = two((1, 0, 0), [(0, 3, 0), (-1e-12, -3, 0)], 1.0)
     world = world_of(bodies, restitution=1.0, friction=0.5, effects=RUBBING)
     world.step(MOMENT)
@@ -232,7 +232,7 @@ def test_h6_grazing_makes_no_spin():
     assert world.collisions == 0 and not tangential.turning.any()
 
 
-def test_h10_spin_decides_at_the_contact_point():
+def test_spin_decides_at_the_contact_point():
     """Centres at rest to each other along the tangent, rims not: friction acts all the same."""
     bodies = two((1, 0, 0), [(1, 0, 0), (-1, 0, 0)], 1.0, [(0, 0, 4), (0, 0, 4)], inertias="solid")
     world = world_of(bodies, restitution=0.5, friction=10.0, effects=RUBBING)
@@ -246,7 +246,7 @@ def test_h10_spin_decides_at_the_contact_point():
     assert equal.turning[:, 2].tolist() == [4.0, -4.0], "as gears: no slip, no friction"
 
 
-def test_h11_restitution():
+def test_restitution():
     for e in (0.0, 1.0):
         world = world_of(row_of([1.0, 0.0]), restitution=e)
         world.step(MOMENT)

@@ -206,7 +206,7 @@ def test_the_table_is_saved_and_loaded_as_it_lies(tmp_path: Path):
 # -- the hard cases, as levels -------------------------------------------------------
 
 
-def test_h1_one_substep_tunnels_and_automatic_substeps_do_not():
+def test_one_substep_tunnels_and_automatic_substeps_do_not():
     through = seconds(open_level("hard-01-tunnelling"), 0.15)
     assert through.scene.model.marks.unseen == 1  # and the picture says so
     assert not through.scene.model.table.velocities[1].any()
@@ -216,7 +216,7 @@ def test_h1_one_substep_tunnels_and_automatic_substeps_do_not():
     assert held.scene.model.table.velocities[1, 1] > 7.0
 
 
-def test_h2_a_thin_hit_is_missed_with_one_substep_only():
+def test_a_thin_hit_is_missed_with_one_substep_only():
     missed = seconds(open_level("hard-02-grazing"), 0.35)
     assert missed.scene.model.marks.unseen == 1
     assert not missed.scene.model.table.velocities[1].any()
@@ -225,7 +225,7 @@ def test_h2_a_thin_hit_is_missed_with_one_substep_only():
     assert hit.scene.model.table.velocities[1].any()
 
 
-def test_h3_absurd_speed_stays_on_the_table_with_its_energy():
+def test_absurd_speed_stays_on_the_table_with_its_energy():
     stage = open_level("hard-03-overshoot")
     energy = stage.scene.model.table.energy
     for _ in range(100):
@@ -235,21 +235,21 @@ def test_h3_absurd_speed_stays_on_the_table_with_its_energy():
     assert stage.scene.model.table.energy == pytest.approx(energy, rel=1e-12)
 
 
-def test_h4_both_cushions_turn_it_round():
+def test_both_cushions_turn_it_round():
     stage = seconds(open_level("hard-04-corner"), 0.5)
     assert (stage.scene.model.table.velocities[0] < 0.0).all()
     vx, vy = stage.scene.model.table.velocities[0]
     assert vx == pytest.approx(vy, rel=1e-12)
 
 
-def test_h5_the_pressed_ball_stays_out_of_the_wood():
+def test_the_pressed_ball_stays_out_of_the_wood():
     stage = open_level("hard-05-pressed")
     for _ in range(120):
         stage.run(1)
         assert stage.scene.model.table.positions[1, 1] <= 2.54 - R + 1e-9
 
 
-def test_h6_a_compressed_rack_opens_without_gaining_energy():
+def test_a_compressed_rack_opens_without_gaining_energy():
     stage = open_level("hard-06-compressed-rack")
     assert stage.scene.model.table.deepest_overlap > 0.004
     stage.run(1)
@@ -257,7 +257,7 @@ def test_h6_a_compressed_rack_opens_without_gaining_energy():
     assert stage.scene.model.table.energy == 0.0
 
 
-def test_h7_momentum_and_energy_of_the_break_are_those_of_the_cue_ball():
+def test_momentum_and_energy_of_the_break_are_those_of_the_cue_ball():
     stage = open_level("hard-07-break")
     while not stage.scene.model.strokes:
         stage.run(1)
@@ -271,7 +271,7 @@ def test_h7_momentum_and_energy_of_the_break_are_those_of_the_cue_ball():
     assert stage.scene.model.table.energy == pytest.approx(0.5 * MASS * 64.0, rel=1e-12)
 
 
-def test_h8_a_symmetric_break_stays_symmetric_when_solved_jointly_only():
+def test_a_symmetric_break_stays_symmetric_when_solved_jointly_only():
     def asymmetry(stage: Stage) -> float:
         while not stage.scene.model.strokes:
             stage.run(1)
@@ -286,14 +286,14 @@ def test_h8_a_symmetric_break_stays_symmetric_when_solved_jointly_only():
     assert asymmetry(open_level("hard-08-symmetric-break", order="pairwise")) > 0.01
 
 
-def test_h9_one_ball_comes_one_ball_leaves():
+def test_one_ball_comes_one_ball_leaves():
     stage = seconds(open_level("hard-09-cradle"), 0.35)
     speeds = stage.scene.model.table.velocities[:, 1]
     assert speeds[-1] == pytest.approx(2.0, abs=1e-12)
     assert np.abs(speeds[:-1]).max() <= 1e-12
 
 
-def test_h10_balls_in_contact_rest_and_coincident_ones_separate():
+def test_balls_in_contact_rest_and_coincident_ones_separate():
     stage = seconds(open_level("hard-10-touching"), 1.0)
     places = stage.scene.model.table.positions
     assert places[0].tolist() == [0.4, 1.0] and places[1, 0] == pytest.approx(0.45715, abs=1e-15)
@@ -301,7 +301,7 @@ def test_h10_balls_in_contact_rest_and_coincident_ones_separate():
     assert stage.scene.model.table.energy == 0.0
 
 
-def test_h11_the_factor_per_frame_shortens_the_path_and_the_factor_per_second_does_not():
+def test_the_factor_per_frame_shortens_the_path_and_the_factor_per_second_does_not():
     def distance(**parameters) -> float:
         stage = seconds(open_level("hard-11-friction-factor", **parameters), 12.0)
         assert not stage.scene.model.table.moving
@@ -312,7 +312,7 @@ def test_h11_the_factor_per_frame_shortens_the_path_and_the_factor_per_second_do
     assert distance(friction_law="consistent", step_length=1 / 60) == pytest.approx(3.3168, abs=5e-4)
 
 
-def test_h12_a_stopped_ball_wakes_when_it_is_pushed():
+def test_a_stopped_ball_wakes_when_it_is_pushed():
     stage = open_level("hard-12-minimum-speed")
     stopped = 0
     moving_before = True
@@ -327,14 +327,14 @@ def test_h12_a_stopped_ball_wakes_when_it_is_pushed():
     assert stage.scene.model.table.velocities[1, 1] > 0.3
 
 
-def test_h13_a_dead_cushion_takes_the_normal_speed_only():
+def test_a_dead_cushion_takes_the_normal_speed_only():
     stage = seconds(open_level("hard-13-dead-cushion"), 1.0)
     vx, vy = stage.scene.model.table.velocities[0]
     assert vx == 0.0 and vy == 0.5
     assert stage.scene.model.table.positions[0, 0] == pytest.approx(1.27 - R, abs=1e-12)
 
 
-def test_h14_wedged_balls_do_not_tremble():
+def test_wedged_balls_do_not_tremble():
     stage = seconds(open_level("hard-14-wedged"), 1.0)
     before = stage.scene.model.table.positions.copy()
     seconds(stage, 1.0)

@@ -149,14 +149,14 @@ def test_two_runs_and_a_way_back_give_one_digest():
 # -- hard cases ---------------------------------------------------------------------------------------
 
 
-def test_h2_a_thin_hit_changes_little_unless_printed():
+def test_a_thin_hit_changes_little_unless_printed():
     stage = until_collision(open_level("hard-01-thin-hit", hold=0.0))
     assert abs(stage.scene.model.balls[0].velocity[0] - 6.0) < 0.4
     printed = until_collision(open_level("hard-01-thin-hit", hold=0.0, rule="as-printed"))
     assert abs(printed.scene.model.balls[0].velocity[0] - 6.0) > 2.0
 
 
-def test_h10_coincident_centres_part_at_once():
+def test_coincident_centres_part_at_once():
     stage = open_level("hard-02-same-place")
     stage.run(1)
     first, second = stage.scene.model.balls
@@ -164,7 +164,7 @@ def test_h10_coincident_centres_part_at_once():
     assert np.isfinite(stage.scene.model.last).all()
 
 
-def test_h4_the_corner_turns_both_components():
+def test_the_corner_turns_both_components():
     stage = open_level("hard-03-corner", bounce=1.0)
     stage.run(1)
     ball = stage.scene.model.balls[0]
@@ -173,7 +173,7 @@ def test_h4_the_corner_turns_both_components():
     assert (stage.scene.model.walls[0, :2] > 0.0).all()
 
 
-def test_h1_the_lectures_program_does_not_see_fast_balls():
+def test_the_lectures_program_does_not_see_fast_balls():
     stage = open_level("hard-04-through")
     stage.run(8)
     first, second = stage.scene.model.balls

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pygame
 import pytest
 from hypothesis import given
@@ -29,7 +28,6 @@ def test_there_and_back(y_up, turns, x, y):
     c = camera(y_up, turns)
     back = c.to_world(*c.to_screen(x, y))
     assert back == pytest.approx((x, y), abs=1e-9)
-    assert c.points_to_screen(np.array([[x, y]]))[0] == pytest.approx(c.to_screen(x, y), abs=1e-6)
 
 
 def test_fit_leaves_the_margin_and_centres():

@@ -38,7 +38,7 @@ from game.ui.raster import (
 )
 from game.ui.raster.discs import disc_stamps
 from game.ui.raster.pixels import blend, fill_row
-from game.ui.raster.vectors import _blend_four_plainly
+from game.ui.raster.vectors import blend_four_plainly
 from tests.ui.raster.paper import Paper, in_polygon, sampled, segment_distance
 
 INK = 0xFFFFFF
@@ -333,7 +333,7 @@ def test_four_pixels_at_once_are_as_four_pixels_alone():
         i, j = math.floor(x - 1.5), math.floor(y - 1.5)
         first = (int((y - 1.5 - j) * 8) * 8 + int((x - 1.5 - i) * 8)) * 64
         for row in range(4):
-            _blend_four_plainly(flat, (j + row) * 40 + i, weights, first + 16 * row, int(color) | 0xFF000000)
+            blend_four_plainly(flat, (j + row) * 40 + i, weights, first + 16 * row, int(color) | 0xFF000000)
     assert (paper.pixels == twin.pixels).all()
 
 

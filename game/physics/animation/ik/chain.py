@@ -28,9 +28,9 @@ FULL_TURN = 2.0 * math.pi
 LENGTH, ANGLE, LOWER, UPPER, BEST, PULL, TRIAL = range(7)
 LINK_ROWS = 7
 
-# the numbers that a method has, and what it keeps from one iteration to the next
-STEP, DAMPING, MEMORY, REACH_SQUARE = range(4)
-NUMBERS = 4
+# the numbers that a method has, what it keeps from one iteration to the next, and when and where it ends
+STEP, DAMPING, MEMORY, REACH_SQUARE, TOLERANCE, ITERATIONS, KEEP_BEST, AIM_X, AIM_Y = range(9)
+NUMBERS = 9
 
 
 @kernel(_nrt=False)

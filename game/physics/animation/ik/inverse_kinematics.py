@@ -13,14 +13,24 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.animation.ik.chain import ANGLE, DAMPING, LOWER, STEP, UPPER, chain_of
+from game.physics.animation.ik.chain import (
+    ANGLE,
+    DAMPING,
+    ITERATIONS,
+    KEEP_BEST,
+    LOWER,
+    STEP,
+    TOLERANCE,
+    UPPER,
+    chain_of,
+)
 from game.physics.animation.ik.solver import ENDINGS, METHODS, solve_links
 from game.physics.animation.skeleton import LARGEST, Array, Skeleton, SkeletonError
 from game.physics.kernels.jit import kernel
 
 Point = Sequence[float] | Array  # (2,)
-TOLERANCE = 1e-6  # m
-ITERATIONS = 1_000
+CLOSE = 1e-6  # m, of the target
+MOST_ITERATIONS = 1_000
 ADAPTED = "damped"  # the best method but for chains without limits, where FABRIK is quicker
 
 
@@ -43,13 +53,17 @@ class Solutions(NamedTuple):
 
 
 @kernel(_nrt=False)
-def take_links(bones, parents, bases, world, angles, lower, upper, limited, turns, base, links):
-    """Write base, angles and limits of a chain's links from those of its bones."""
-    first = bones[0]
+def take_base(first, parents, bases, world, base):
+    """Write where the bone ``first`` begins, and the angle of the frame that it hangs in."""
     p = parents[first]
     base[0], base[1], base[2] = bases[first, 0], bases[first, 1], 0.0
     if p >= 0:
         base[2] = math.atan2(world[p, 1, 0], world[p, 0, 0])
+
+
+@kernel(_nrt=False)
+def take_links(bones, angles, lower, upper, limited, turns, links):
+    """Write angles and limits of a chain's links from those of its bones."""
     for i in range(bones.shape[0]):
         k = bones[i]
         low, high = -math.inf, math.inf
@@ -79,7 +93,7 @@ class Solver:
         self.history = np.zeros(remembered)
         self.count = 0
         self._reach = self.chain.reach
-        self._aim, self._settings = np.zeros(2), np.zeros(3)
+        self._first = int(self.chain.bones[0])
         self._start, self._found = np.zeros((1, self.length)), np.zeros((1, 4))
         self._targets = np.zeros((1, 2))
 
@@ -98,8 +112,8 @@ class Solver:
         self,
         target: Point,
         method: str = ADAPTED,
-        tolerance: float = TOLERANCE,
-        iterations: int = ITERATIONS,
+        tolerance: float = CLOSE,
+        iterations: int = MOST_ITERATIONS,
         *,
         step: float = 1.0,
         damping: float = 0.1,
@@ -131,8 +145,8 @@ class Solver:
         self,
         targets: ArrayLike,
         method: str = ADAPTED,
-        tolerance: float = TOLERANCE,
-        iterations: int = ITERATIONS,
+        tolerance: float = CLOSE,
+        iterations: int = MOST_ITERATIONS,
         limited: bool = True,
         keep_best: bool = True,
     ) -> Solutions:
@@ -155,22 +169,19 @@ class Solver:
     def _take(self, limited: bool) -> None:
         """Base, angles and limits of the links as the skeleton has them now."""
         skeleton, chain = self.skeleton, self.chain
+        take_base(self._first, skeleton.parents, skeleton.bases, skeleton.world, chain.base)
         take_links(
-            chain.bones, skeleton.parents, skeleton.bases, skeleton.world, skeleton.angles, skeleton.lower,
-            skeleton.upper, limited, chain.turns, chain.base, chain.links,
-        )  # fmt: skip
+            chain.bones, skeleton.angles, skeleton.lower, skeleton.upper, limited, chain.turns, chain.links
+        )
 
     def _run(
         self, method: str, tolerance: float, iterations: int, keep_best: bool, start: Array, targets: Array,
         history: Array, found: Array,
     ) -> Array:  # fmt: skip
         number, chain = _method(method, tolerance, iterations), self.chain
-        settings = self._settings
-        settings[0], settings[1], settings[2] = tolerance, iterations, keep_best
-        solve_links(
-            number, chain.base, chain.links, start, targets, chain.points, self._aim, chain.numbers,
-            self._settings, history, found,
-        )  # fmt: skip
+        numbers = chain.numbers
+        numbers[TOLERANCE], numbers[ITERATIONS], numbers[KEEP_BEST] = tolerance, iterations, keep_best
+        solve_links(number, chain.base, chain.links, start, targets, chain.points, numbers, history, found)
         return found
 
 
@@ -179,8 +190,8 @@ def solve_ik(
     chain: tuple[int, int] | Solver,
     target: Point,
     method: str = ADAPTED,
-    tolerance: float = TOLERANCE,
-    iterations: int = ITERATIONS,
+    tolerance: float = CLOSE,
+    iterations: int = MOST_ITERATIONS,
     *,
     step: float = 1.0,
     damping: float = 0.1,

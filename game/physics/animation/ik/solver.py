@@ -20,12 +20,17 @@ from game.physics.animation.ik.armijo import relax_by_armijo
 from game.physics.animation.ik.buss import relax_by_buss
 from game.physics.animation.ik.ccd import relax_by_cycle
 from game.physics.animation.ik.chain import (
+    AIM_X,
+    AIM_Y,
     ANGLE,
     BEST,
+    ITERATIONS,
+    KEEP_BEST,
     LENGTH,
     LOWER,
     MEMORY,
     REACH_SQUARE,
+    TOLERANCE,
     UPPER,
     copy_row,
     error_of,
@@ -104,15 +109,16 @@ def aim_at(base, links, target, aim):
 
 
 @kernel(_nrt=False)
-def solve_links(method, base, links, start, targets, points, aim, numbers, settings, history, found):
+def solve_links(method, base, links, start, targets, points, numbers, history, found):
     """Move a chain's end to targets (m, 2), each from the angles (and to those) in ``start`` (m, n).
 
-    settings: tolerance (m), most iterations, and 1.0 to keep the best pose on the way, not the last one
-    (which is done anyway after a kick that has led nowhere, but not if it ends soon after one). history (h,):
+    Of numbers, KEEP_BEST is 1.0 to keep the best pose on the way, not the last one (which is done anyway
+    after a kick that has led nowhere, but not if it ends soon after one). history (h,):
     the errors before each iteration of the last target, as far as it has room. found (m, 4): error,
     iterations, placings, ending.
     """
-    tolerance, most, keep_best = settings[0], int(settings[1]), settings[2] > 0.0
+    tolerance, most, keep_best = numbers[TOLERANCE], int(numbers[ITERATIONS]), numbers[KEEP_BEST] > 0.0
+    aim = numbers[AIM_X : AIM_Y + 1]
     for task in range(targets.shape[0]):
         target = targets[task]
         for i in range(links.shape[1]):

@@ -57,19 +57,6 @@ def frame_of(table: Table) -> Frame:
     return Frame(-SURROUND, -SURROUND, table.width + SURROUND, table.length + SURROUND)
 
 
-def matrices_of(quaternions: Array) -> Array:
-    """Rotation matrices (n, 3, 3) of unit quaternions (n, 4), scalar first."""
-    w, x, y, z = quaternions.T
-    return np.stack(
-        (
-            np.stack((1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)), axis=-1),
-            np.stack((2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)), axis=-1),
-            np.stack((2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)), axis=-1),
-        ),
-        axis=-2,
-    )
-
-
 def draw_table(
     canvas: Canvas, table: Table, origin: tuple[float, float] = (0.0, 0.0), alone: bool = True
 ) -> None:
