@@ -8,7 +8,7 @@ from functools import lru_cache
 import pygame
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.rules import Game
+from game.billiards.game.frame import Frame
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
@@ -41,9 +41,8 @@ class Instruments:
         _draw_aim(canvas, look, x, play.aiming.cue.aim, play.aiming.locked and play.may_aim)
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
-        game = play.model.frame.game
-        if play.phase == AIMING and game.options:
-            _draw_options(canvas, look, game, play.grip)
+        if play.phase == AIMING and play.model.frame.game.options:
+            _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
             _draw_tray(canvas, look, play.model.frame.layout.numbers)
         elif play.phase == REPLAY:
@@ -102,23 +101,30 @@ def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pre
     fill = theme.accent if on else theme.hover if pressed else theme.inset
     draw_box(picture, rect, look.px(8), fill, None if on else theme.line2, look.border)
     color = theme.on_accent if on else theme.text1
-    words = look.fonts.fit(words, 12, "semibold", rect.w - look.px(8))
-    look.text(picture, words, rect.center, 12, "semibold", color, "center")
+    size, space = 12, rect.w - look.px(8)
+    lines = [words]
+    if rect.h >= look.px(32) and look.fonts.size(words, 12, "semibold")[0] > space:
+        size, lines = 11, look.fonts.wrap(words, 11, "semibold", space)[:2]
+    for row, line in enumerate(lines):
+        y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
+        fitted = look.fonts.fit(line, size, "semibold", space)
+        look.text(picture, fitted, (rect.centerx, y), size, "semibold", color, "center")
     return picture
 
 
-def _draw_options(canvas: Canvas, look: Look, game: Game, grip: str) -> None:
-    """What may be chosen, one below the other, in the middle of the table."""
-    options, whose = game.options, game.shooter
-    top = layout.option_box(0, len(options))
-    look_at = layout.rect_of(
-        canvas, layout.Box(top.top - layout.metres(44.0), top.left, top.top - layout.metres(8.0), top.right)
-    )
-    draw_box(canvas.surface, look_at, look.px(10), look.theme.panel, look.theme.line, look.border)
-    look.text(canvas.surface, f"{whose} chooses", look_at.center, 15, "semibold", "text1", "center")
-    for row, option in enumerate(options):
-        box = layout.option_box(row, len(options))
-        draw_button(canvas, look, box, f"{row + 1}   {option.words}", False, grip == f"button option-{row}")
+def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
+    """Who chooses and why, and what may be chosen, in the row below the table."""
+    game, rect = frame.game, layout.rect_of(canvas, layout.FOOT)
+    width = look.px(layout.ASKED - 12.0)
+    why = look.fonts.fit(" ".join(frame.words[:1]), 12, "medium", width)
+    x = rect.x + look.px(4)
+    up = look.px(9) if why else 0
+    who = look.fonts.fit(f"{game.shooter} chooses", 14, "semibold", width)
+    look.text(canvas.surface, who, (x, rect.centery - up), 14, "semibold", "text1")
+    look.text(canvas.surface, why, (x, rect.centery + look.px(10)), 12, "medium", "text2")
+    for row, option in enumerate(game.options):
+        box = layout.option_box(row, len(game.options))
+        draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, grip == f"button option-{row}")
 
 
 def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:

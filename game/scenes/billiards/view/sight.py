@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from game.billiards.game.arrangement import Places
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.table import Table
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from game.billiards.search.finding import FoundShot
 
 DASH = (8.0, 6.0)  # design px
+ON_PATH = 1e-6  # m; a bounce so near to a path is on it
 
 
 def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, foul: bool = False) -> None:
@@ -41,6 +44,25 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         canvas.circle(
             sight.last, radius, fill=FELT_LINE, fill_alpha=0.16, outline=FELT_LINE, width=1.0, alpha=0.7
         )
+
+
+def draw_fan(canvas: Canvas, sight: Sight, aside: float) -> None:
+    """Where an unsteady hand may send the cue ball instead: so far to either side, rad; 0 for a steady one.
+
+    It ends where the path that is meant does, or at its first cushion.
+    """
+    if not aside or len(sight.approach) < 2:
+        return
+    start, end = sight.approach[0], sight.approach[-1]
+    for bounce in sight.bounces[:1]:
+        if float(np.hypot(*(sight.approach - bounce).T).min()) < ON_PATH:
+            end = np.array(bounce)
+    along = math.atan2(end[1] - start[1], end[0] - start[0])
+    reach = math.hypot(end[0] - start[0], end[1] - start[1])
+    sides = [start + reach * np.array((math.cos(turn), math.sin(turn))) for turn in (along - aside, along + aside)]
+    canvas.polygon(np.array((start, *sides)), FELT_WARM, 0.28)
+    for side in sides:
+        canvas.line(start, side, FELT_WARM, 1.0, alpha=0.7)
 
 
 def draw_label(canvas: Canvas, sight: Sight, places: Places, table: Table, radius: float, foul: str) -> None:
