@@ -30,7 +30,7 @@ def start(
     app.tour_due = not settings.toured
     app.open_menu()
     if scene_name:
-        app.open_scene(scene_name, opening=opening)
+        app.open_scene(scene_name, opening=None if opening == Opening() else opening)
     if complaint:
         app.tell("Settings not read.", complaint, kind="warning")
     try:

@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import Any, NamedTuple
 
 from game.definition import DefinitionError
+from game.stage.declarations import StartLine
 from game.stage.scene import Scene
 
 
@@ -24,6 +25,8 @@ class Entry(NamedTuple):
     keywords: str = ""
     roomy: bool = False  # a game: all of the window is its stage until the panel is asked for
     card: str = ""  # function in card.py beside the module that draws its card with a ui.canvas.pen.Pen
+    level_card: str = ""  # function in card.py that draws a level, as its file is read, with a Pen
+    start: str = ""  # StartLines in start.py beside the module: the card that a game is begun with
 
     @property
     def names(self) -> tuple[str, str, str]:
@@ -47,15 +50,34 @@ class Entry(NamedTuple):
 
         DefinitionError if card.py has no such function.
         """
-        if not self.card:
-            return None
-        where = f"{self.module.rpartition('.')[0]}.card"
-        painter: Callable[[Any], None] | None = getattr(import_module(where), self.card, None)
-        if painter is None:
-            raise DefinitionError(
-                f"{where} has no function {self.card!r}, which the row of {self.name} names"
-            )
+        painter: Callable[[Any], None] | None = self._beside("card", self.card)
         return painter
+
+    def level_painter(self) -> Callable[[Any, dict[str, Any]], None] | None:
+        """The function that draws a level (a Pen, the level's file as it is read); None without one.
+
+        DefinitionError if card.py has no such function.
+        """
+        painter: Callable[[Any, dict[str, Any]], None] | None = self._beside("card", self.level_card)
+        return painter
+
+    def start_lines(self) -> tuple[StartLine, ...]:
+        """What can be chosen before a game begins; empty if it begins at once.
+
+        DefinitionError if start.py has no such lines.
+        """
+        lines: tuple[StartLine, ...] = self._beside("start", self.start) or ()
+        return lines
+
+    def _beside(self, module: str, wanted: str) -> Any:
+        """What a module beside the scene's defines; None if nothing is wanted of it."""
+        if not wanted:
+            return None
+        where = f"{self.module.rpartition('.')[0]}.{module}"
+        found = getattr(import_module(where), wanted, None)
+        if found is None:
+            raise DefinitionError(f"{where} has no {wanted!r}, which the row of {self.name} names")
+        return found
 
 
 class Catalogue:

@@ -23,6 +23,7 @@ from game.ui.widgets.toasts import Toasts
 if TYPE_CHECKING:
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
+    from game.stage.catalogue import Entry
 
 
 class Host(Protocol):
@@ -112,6 +113,12 @@ class Host(Protocol):
         self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None
     ) -> None:
         """A card with a list; ``chosen`` is called with the value of the row taken."""
+        ...
+
+    def open_levels(
+        self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
+    ) -> None:
+        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of the one taken."""
         ...
 
     def open_help(self, scene_type: type[Scene]) -> None:

@@ -38,6 +38,7 @@ class Settings(msgspec.Struct, forbid_unknown_fields=True):
     volume: Annotated[float, msgspec.Meta(ge=0.0, le=1.0)] = 0.7  # of sounds; 0 is silence
     toured: bool = False  # the tour has been shown
     keys: dict[str, str] = {}
+    start: dict[str, dict[str, str]] = {}  # by scene: what was chosen before the last game
 
 
 class Loaded(msgspec.Struct):

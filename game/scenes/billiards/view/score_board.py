@@ -20,11 +20,14 @@ from game.ui.painters.ball_picture import ball_chip
 
 COLORS = ("amber", "accent")  # of the two players
 
+ON_CLOTH = {"line": FELT_LINE, "cool": FELT_COOL, "warm": FELT_WARM}
+
+
 class KeyRow(NamedTuple):
-    """A line on the cloth and what it means."""
+    """A line on the cloth and what it means; color: of ON_CLOTH."""
 
     words: str
-    color: pygame.Color
+    color: str
     dashed: bool
 
 
@@ -32,13 +35,13 @@ def key_rows(guide: str, shaky: bool) -> tuple[KeyRow, ...]:
     """What the lines of a guide mean. shaky: the hand is unsteady, and a fan shows how much."""
     if guide == NONE:
         return ()
-    rows = [KeyRow("cue ball", FELT_LINE, False)]
+    rows = [KeyRow("cue ball", "line", False)]
     if guide == FIRST:
-        rows.append(KeyRow("first ball sets off", FELT_COOL, True))
+        rows.append(KeyRow("first ball sets off", "cool", True))
     else:
-        rows += [KeyRow("after the hit", FELT_LINE, True), KeyRow("other balls", FELT_COOL, True)]
+        rows += [KeyRow("after the hit", "line", True), KeyRow("other balls", "cool", True)]
     if shaky:
-        rows.append(KeyRow("your hand, 19 of 20 strokes", FELT_WARM, False))
+        rows.append(KeyRow("your hand, 19 of 20 strokes", "warm", False))
     return tuple(rows)
 
 
@@ -156,7 +159,7 @@ def _key_picture(key: tuple[KeyRow, ...], height: int, look: Look) -> pygame.Sur
             box = pygame.Rect(
                 x + k * look.px(9), middle - 1, look.px(6 if row.dashed else 24), max(2, look.px(2))
             )
-            draw_box(picture, box, 0, row.color)
+            draw_box(picture, box, 0, ON_CLOTH[row.color])
         look.text(picture, row.words, (x + sample, middle), 12, "medium", FELT_LINE)
         x += wide + gap
     return picture
