@@ -7,7 +7,7 @@ from game.scenes.billiards.modes import Replay, SetUp, leave
 from game.scenes.billiards.opponents.thinking import GRADES
 from game.scenes.billiards.play import AIMING, PERSON, REPLAY, ROLLING, SET_UP, Play
 from game.scenes.billiards.stroke.calling import announced
-from game.scenes.billiards.stroke.guide import GUIDE_BUTTONS, NONE, next_guide
+from game.scenes.billiards.stroke.guide import GUIDE_BUTTONS, next_guide
 from game.stage import Part
 
 POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
@@ -33,7 +33,7 @@ class Buttons(Part):
         back = play.model.match_behind
         rows = [("set-up", "Set up", False), ("replay", "Replay", False),
                 ("undo", "To match" if back else "Undo", back),
-                ("view", GUIDE_BUTTONS[play.guide], play.guide != NONE)]  # fmt: skip
+                ("view", GUIDE_BUTTONS[play.guide], False)]  # fmt: skip
         game = play.model.frame.game
         if play.model.content.solution is not None:
             rows.append(("hint", "Hint", self.hint_shown))

@@ -50,7 +50,7 @@ def metres(pixels: float) -> float:
     return pixels / PIXELS
 
 
-ASKED = 210.0  # design px: width of the words before the options
+ASKED = 270.0  # design px: width of the words before the options
 CARD, CARD_FROM = 300.0, 144.0  # design px: width of a player's card, and where it begins
 SIDE = metres(84.0)  # of the gutters left and right
 TOP, LINE, GAP = metres(58.0), metres(36.0), metres(8.0)

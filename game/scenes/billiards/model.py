@@ -182,7 +182,7 @@ class BilliardsModel(Part):
         numbers = tuple(number for number in self.frame.layout.numbers if number != CUE_BALL)
         hand: Hand = "" if self.frame.cue_ball is not None else "anywhere"
         game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
-        words = LEFT_MATCH if self.match_behind else ()
+        words = LEFT_MATCH if len(before.game.players) == 2 else ()
         self.frame = self.frame.replace(game=game, last=None, words=words, foul=False).with_cue_ball()
         self._lay_out()
 

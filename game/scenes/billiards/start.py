@@ -5,7 +5,7 @@ from game.stage.declarations import StartLine
 ALONE = ("game", "practice")
 START = (
     StartLine(
-        "second_player", "Opponent", "a person beside you, or the computer",
+        "second_player", "Opponent", "a person, or the computer",
         (("person", "Person"), ("novice", "Novice"), ("club", "Club player"), ("expert", "Expert"),
          ("master", "Master")),
         "novice", idle=ALONE,

@@ -23,6 +23,9 @@ from game.ui.painters.ball_picture import ball_chip
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 
+MOST_LINES = 3  # of words before options
+
+
 class Instruments:
     """All of them, as far as the phase of the game has them."""
 
@@ -115,13 +118,11 @@ def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pre
 def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
     """Who chooses and why, and what may be chosen, in the row below the table."""
     game, rect = frame.game, layout.rect_of(canvas, layout.FOOT)
-    width = look.px(layout.ASKED - 12.0)
-    why = look.fonts.fit(" ".join(frame.words[:1]), 12, "medium", width)
-    x = rect.x + look.px(4)
-    up = look.px(9) if why else 0
-    who = look.fonts.fit(f"{game.shooter} chooses", 14, "semibold", width)
-    look.text(canvas.surface, who, (x, rect.centery - up), 14, "semibold", "text1")
-    look.text(canvas.surface, why, (x, rect.centery + look.px(10)), 12, "medium", "text2")
+    said = " ".join(frame.words) or f"{game.shooter} chooses."
+    lines = look.fonts.wrap(said, 12, "medium", look.px(layout.ASKED - 12.0))[:MOST_LINES]
+    for row, line in enumerate(lines):
+        y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
+        look.text(canvas.surface, line, (rect.x + look.px(4), y), 12, "medium", "text1")
     for row, option in enumerate(game.options):
         box = layout.option_box(row, len(game.options))
         draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, grip == f"button option-{row}")

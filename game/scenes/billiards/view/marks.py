@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from game.billiards.game.games import Drill
 from game.billiards.game.games.eight_ball import EIGHT
-from game.billiards.game.rules import CUE_BALL
+from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.table.rack import HEAD_SPOT
 from game.billiards.table.table import Table
 from game.scenes.billiards.play import AIMING, SET_UP, Play
@@ -36,15 +36,19 @@ def draw_marks(canvas: Canvas, play: Play) -> None:
         canvas.circle(frame.cue_ball, radius, outline=FELT_WARM, width=1.5, dash=(4.0, 3.0))
 
 
+def own_balls(game: Game) -> tuple[int, ...]:
+    """The balls that the player at turn may hit first; none if those are all, or all but the 8."""
+    own = game.legal_first()
+    return () if len(own) > 1 and set(game.on_table) <= {*own, EIGHT} else own
+
+
 def _draw_own(canvas: Canvas, play: Play) -> None:
-    """A soft light round the balls that the player at turn may hit first, if those are not nearly all.
+    """A soft light round the own balls of the player at turn.
 
     Solids have a whole ring and stripes a broken one: a stripe that is turned to its pole looks like a solid.
     """
     frame = play.model.frame
-    own = frame.game.legal_first()
-    if len(own) >= len(frame.game.on_table) - 1 and len(own) > 1:
-        return
+    own = own_balls(frame.game)
     for number, x, y in frame.layout.places:
         if number in own:
             radius = OWN_RING * float(frame.layout.balls.radii[number])
