@@ -5,6 +5,7 @@ import pygame
 import pytest
 
 from game.app.scene.keeping import kept_path
+from game.app.stagehand.opening import Opening
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
 from game.stage import Action, Decision, SetParameter
@@ -120,7 +121,7 @@ def test_a_game_goes_on_after_the_program_was_closed_and_n_begins_a_new_one(driv
 def test_a_kept_game_that_cannot_be_read_costs_a_line(driver):
     kept_path("billiards").parent.mkdir(parents=True, exist_ok=True)
     kept_path("billiards").write_text("scene = 'billiards'\n[content]\nballs = 7\n")
-    driver.app.open_scene("billiards")
+    driver.app.open_scene("billiards", opening=Opening())
     for _ in range(4):
         if driver.top.loader is not None:
             driver.top.loader.wait(300.0)

@@ -133,6 +133,22 @@ def test_a_game_under_way_can_be_gone_on_with(begin: Callable[..., Driver]):
     assert again.app.toasts.shown.cause == "Your game goes on."
 
 
+def test_a_kept_game_that_cannot_be_read_is_not_offered(begin: Callable[..., Driver]):
+    driver = begin()
+    driver.app.open_menu()
+    kept_path("billiards").parent.mkdir(parents=True, exist_ok=True)
+    kept_path("billiards").write_text("scene = 'billiards'\n[content]\nballs = 7\n")
+    again = begin()
+    scene_below = again.app.screens.visible()[0]
+    for _ in range(3):
+        if scene_below.loader is not None:
+            scene_below.loader.wait(LONGEST_S)
+        again.frames(2)
+    assert again.top.spots.find("go-on") is None
+    again.key(pygame.K_RETURN)
+    assert opened(again).model.frame.game.opening
+
+
 def test_the_levels_stand_in_groups_with_pictures_and_stars(begin: Callable[..., Driver]):
     driver = begin()
     keep_stars("billiards", "trick-02-plant", Stars(2, 3))
