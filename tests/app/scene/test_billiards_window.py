@@ -226,3 +226,16 @@ def test_the_right_button_sets_spin_and_a_click_locks_the_aim(driver):
     driver.button(False, start[0], start[1] + 12, 3)
     driver.frames(2)
     assert scene.parameters.tip_up < -0.2 and scene.aiming.cue.aim == aim and scene.play.phase == "aiming"
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+def test_the_tour_leaves_free_the_line_that_says_what_to_do(driver, size):
+    driver.open("billiards")
+    driver.resize(*size)
+    camera = driver.top.play.view.camera
+    driver.app.perform("tour")
+    driver.frames(2)
+    left, top = camera.to_screen(layout.FOOT.top, layout.FOOT.left)
+    right, bottom = camera.to_screen(layout.FOOT.bottom, layout.FOOT.right)
+    line = pygame.Rect(round(left), round(top), round(right - left), round(bottom - top))
+    assert driver.top.stop.part == "stage" and line.w > 300 and not driver.top.card.colliderect(line)

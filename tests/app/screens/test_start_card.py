@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+import numpy as np
 import pygame
 import pytest
 
@@ -9,11 +10,14 @@ from game.app.menu.screen import MenuScreen
 from game.app.scene.keeping import kept_path
 from game.app.scene.screen import SceneScreen
 from game.app.scene.tour import TourScreen
-from game.app.screens.level_card import LevelCard
+from game.app.screens.level_card import LevelCard, level_picture
 from game.app.screens.start_card import StartCard
 from game.app.stagehand.stars import Stars, keep_stars
 from game.app.window.settings import load_settings
 from game.scenes import CATALOGUE
+from game.scenes.billiards.card import TO_PEN
+from game.ui.look.look import Look
+from game.ui.look.theme import THEMES
 from tests.app.tests_app import Driver
 
 LONGEST_S = 300.0
@@ -170,6 +174,34 @@ def test_the_levels_stand_in_groups_with_pictures_and_stars(begin: Callable[...,
     driver.frames(2)
     opened(driver)
     assert driver.stage.level.path == chosen
+
+
+def test_the_picture_of_a_level_has_the_balls_where_they_lie(tmp_path):
+    level = tmp_path / "own.toml"
+    level.write_text(
+        'scene = "billiards"\n[content]\ngame = "practice"\n'
+        "balls = [{ number = 0, position = [1.0, 0.3] }, { number = 1, position = [0.2, 2.3] }]"
+    )
+    pygame.font.init()
+    size = (320, 173)
+    picture = level_picture(CATALOGUE["billiards"], level, size, Look(THEMES["dark"], 1.0))
+    rgb = pygame.surfarray.array3d(picture).astype(int)
+    yellow = (rgb[..., 0] > 200) & (rgb[..., 1] > 150) & (rgb[..., 2] < 110)
+    x, y = (float(rows.mean()) for rows in np.nonzero(yellow))
+    # the table's middle is the picture's; its length of 2.54 m lies across
+    scale = 2.0 * TO_PEN
+    assert x == pytest.approx(160.0 + scale * (2.3 - 1.27), abs=3.0)
+    assert y == pytest.approx(86.4 + scale * (0.2 - 0.635), abs=3.0)
+
+
+def test_a_level_that_cannot_be_read_has_the_picture_of_its_scene(tmp_path):
+    broken = tmp_path / "broken.toml"
+    broken.write_text("scene = 'billiards'\n[content]\nballs = 7\n")
+    pygame.font.init()
+    picture = level_picture(CATALOGUE["billiards"], broken, (160, 86), Look(THEMES["dark"], 1.0))
+    assert picture.get_size() == (160, 86)
+    gone = level_picture(CATALOGUE["billiards"], tmp_path / "gone.toml", (160, 86), Look(THEMES["dark"], 1.0))
+    assert pygame.image.tobytes(gone, "RGB") == pygame.image.tobytes(picture, "RGB")
 
 
 def test_a_level_in_play_leads_to_the_same_list(begin: Callable[..., Driver]):

@@ -24,7 +24,9 @@ from tests.scenes.billiards.billiards_stages import (
     drag,
     level_of,
     open_level,
+    point,
     press,
+    seconds,
     standing,
     until_aiming,
 )
@@ -196,6 +198,21 @@ def test_the_strike_button_strikes_as_it_is_set_and_is_there_only_when_one_may()
     press(stage, layout.button_box(row))
     assert scene.play.phase == "striking" and scene.play.pending == pytest.approx(meant)
     assert "strike" not in [name for name, _, _ in scene.buttons.rows()]
+
+
+def test_on_its_way_to_the_strike_button_the_hand_does_not_turn_the_cue():
+    stage = level_of(ON_THE_EIGHT)
+    scene = stage.scene
+    aim(stage, AT_THE_CORNER)
+    seconds(stage, 0.6)
+    meant = scene.aiming.cue.aim
+    row = [name for name, _, _ in scene.buttons.rows()].index("strike")
+    x, y = layout.button_box(row).middle
+    for share in (0.2, 0.4, 0.6, 0.8):
+        point(stage, "move", 0.3 + share * (x - 0.3), 0.3 + share * (y - 0.3))
+        seconds(stage, 0.05)
+    press(stage, layout.button_box(row))
+    assert scene.play.pending is not None and scene.play.pending.azimuth == meant
 
 
 def test_who_gets_ready_says_how_far_it_has_come():

@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Struck
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.stroke.unsteady import HANDS, shaken, spread_of
 from game.stage import Action, Decision, SetParameter, replay_scene
+from game.scenes.billiards.stroke.prediction import FIRST_BALL, foresee
+from game.scenes.billiards.view.sight import fan_of
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,
     aim,
@@ -56,6 +59,18 @@ def test_the_fan_is_the_spread_of_the_cue_balls_direction(hand: str, tip_left: f
         x, y, _ = strike(*done).velocity
         turns.append(math.atan2(y, x))
     assert spread_of(meant, hand, BALL_RADIUS) == pytest.approx(np.std(turns), rel=0.05)
+
+
+def test_the_fan_opens_by_the_spread_as_far_as_the_first_cushion_or_ball():
+    frame = straight_pot().scene.model.frame
+    ball = np.array(frame.cue_ball)
+    pot = foresee(Struck(frame, Stroke(2.0, AT_THE_CORNER)), FIRST_BALL)
+    start, right, left = fan_of(pot, 0.03)
+    assert start == pytest.approx(ball) and np.hypot(*(left - ball)) == pytest.approx(math.dist(ball, pot.ghost))
+    turns = [math.atan2(*(side - ball)[::-1]) for side in (right, left)]
+    assert turns == pytest.approx([AT_THE_CORNER - 0.03, AT_THE_CORNER + 0.03])
+    bank = foresee(Struck(frame, Stroke(2.0, 0.1)), FIRST_BALL)
+    assert np.hypot(*(fan_of(bank, 0.03)[1] - ball)) == pytest.approx(math.dist(ball, bank.bounces[0]))
 
 
 def pull_and_let_go(stage) -> None:
