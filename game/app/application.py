@@ -216,7 +216,7 @@ class App:
     def open_levels(
         self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
     ) -> None:
-        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of the one taken."""
+        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
         self._open_card(LevelCard.called, lambda: LevelCard(self, entry, chosen, present))
 
     def open_help(self, scene_type: type[Scene]) -> None:

@@ -180,7 +180,12 @@ class SceneScreen(Screen):
             self.play.update(elapsed_s)
             self._age_s += elapsed_s
             # a game begins with its own card, and the tour can wait for another scene
-            if not self.entry.start and self.host.tour_due and self._age_s >= TOUR_AFTER_S and not self.play.hand.held:
+            if (
+                not self.entry.start
+                and self.host.tour_due
+                and self._age_s >= TOUR_AFTER_S
+                and not self.play.hand.held
+            ):
                 self._open_tour()
         else:
             self.shell.update(elapsed_s, None, None)

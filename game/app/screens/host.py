@@ -118,7 +118,7 @@ class Host(Protocol):
     def open_levels(
         self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
     ) -> None:
-        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of the one taken."""
+        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
         ...
 
     def open_help(self, scene_type: type[Scene]) -> None:

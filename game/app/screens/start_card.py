@@ -182,7 +182,9 @@ class StartCard(CardScreen):
         look, px, theme = self.host.look, self.host.look.px, self.host.look.theme
         rect = self.inner(spot.rect)
         draw_box(picture, rect, px(10), theme.accent.lerp(theme.text1, 0.15 * self.spots.hover("play")))
-        look.text(picture, "Play", (rect.centerx, rect.centery - px(1)), 18, "display", theme.on_accent, "center")
+        look.text(
+            picture, "Play", (rect.centerx, rect.centery - px(1)), 18, "display", theme.on_accent, "center"
+        )
         if self.spots.focused == "play":
             draw_box(picture, rect.inflate(px(6), px(6)), px(13), None, theme.accent, max(2, px(2)))
 

@@ -188,10 +188,9 @@ class BilliardsModel(Part):
 
     @property
     def match_behind(self) -> bool:
-        """True if the last thing that was done has left a game between two, to which undoing it leads back."""
+        """True if what was done last has left a game between two, to which undoing it leads back."""
         before = self.frame.earlier
-        left = before is not None and len(before.game.players) == 2
-        return left and (self.frame.last is None) and len(self.frame.game.players) == 1
+        return before is not None and len(before.game.players) == 2 and len(self.frame.game.players) == 1
 
 
 @lru_cache(maxsize=1)

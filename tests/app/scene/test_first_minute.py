@@ -112,7 +112,8 @@ def pot_of(scene) -> float | None:
         for step in range(-60, 61):
             azimuth = towards + step * 2.0 * TURN
             sights = [
-                foresee(Struck(frame, stroke._replace(azimuth=azimuth + off)), 200) for off in (-0.6 * TURN, 0.0, 0.6 * TURN)
+                foresee(Struck(frame, stroke._replace(azimuth=azimuth + off)), 200)
+                for off in (-0.6 * TURN, 0.0, 0.6 * TURN)
             ]
             if all(sight.target == number and number in _down(sight) and _stays(sight) for sight in sights):
                 return azimuth
@@ -172,17 +173,15 @@ def test_from_the_card_to_a_potted_ball_within_a_minute(person: Person):
 
 
 def play_a_stroke(person: Person) -> bool:
-    """Power, aim, spin, and power again, each left alone by the others; then Strike. Whether a pot was seen."""
+    """Power, aim, spin, power again, each left alone by the others; then Strike. Whether a pot was seen."""
     scene = person.scene
     person.set_power(POWER)
     person.set_spin(0.0)
     azimuth = pot_of(scene)
+    found = azimuth is not None
     if azimuth is None:
         azimuth = simple_stroke(scene.model.frame, 0).azimuth
-        found = False
-    else:
-        found = True
-    if scene.aiming.locked:
+    if scene.aiming.locked:  # a click frees the aim
         x, y = scene.model.frame.cue_ball
         person.driver.click(*person.pixel(x + 0.15, y + 0.15 if y < 1.2 else y - 0.15))
     person.aim(azimuth)

@@ -80,7 +80,12 @@ def test_what_was_chosen_is_the_next_default(begin: Callable[..., Driver]):
         press(driver, name)
     scene = opened(driver)
     chosen = scene.parameters
-    assert (chosen.second_player, chosen.race, chosen.guide, chosen.hand) == ("master", "5", "none", "average")
+    assert (chosen.second_player, chosen.race, chosen.guide, chosen.hand) == (
+        "master",
+        "5",
+        "none",
+        "average",
+    )
     assert type(scene.model.frame.game).__name__ == "NineBall"
     kept = load_settings(driver.app.folder).settings
     again = begin(start=kept.start)

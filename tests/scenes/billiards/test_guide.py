@@ -1,4 +1,4 @@
-"""The guide: whole path, to the first ball, none; what suits which game; and that it never changes a stroke."""
+"""The guide: whole path, to the first ball, none; and what suits which game."""
 
 import math
 
@@ -12,7 +12,14 @@ from game.scenes.billiards.stroke.guide import FIRST, NONE, WHOLE
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, SET_OFF, foresee
 from game.scenes.billiards.view.score_board import key_rows
 from game.stage import Action, SetParameter
-from tests.scenes.billiards.billiards_stages import AT_THE_CORNER, aim, level_of, open_level, press, straight_pot
+from tests.scenes.billiards.billiards_stages import (
+    AT_THE_CORNER,
+    aim,
+    level_of,
+    open_level,
+    press,
+    straight_pot,
+)
 
 
 @pytest.mark.parametrize(
@@ -59,11 +66,13 @@ def test_to_the_first_ball_nothing_after_it_is_foreseen():
 
 def test_the_way_to_the_first_ball_may_lead_over_cushions():
     stage = level_of(
-        'game = "eight-ball"\nballs = [{ number = 0, position = [0.3, 0.6] }, { number = 3, position = [0.3, 1.6] },'
-        " { number = 5, position = [0.6, 1.1] }]"
+        'game = "eight-ball"\nballs = [{ number = 0, position = [0.3, 0.6] }, { number = 3,'
+        " position = [0.3, 1.6] }, { number = 5, position = [0.6, 1.1] }]"
     )
     frame = stage.scene.model.frame
-    found = [foresee(Struck(frame, Stroke(3.0, math.radians(a))), FIRST_BALL) for a in np.arange(115.0, 135.0, 0.5)]
+    found = [
+        foresee(Struck(frame, Stroke(3.0, math.radians(a))), FIRST_BALL) for a in np.arange(115.0, 135.0, 0.5)
+    ]
     banked = [sight for sight in found if sight.target is not None and sight.bounces]
     assert banked
     for sight in banked:

@@ -1,7 +1,8 @@
-"""A race that ends a match, the way back from set-up, choices beside the cloth, own balls lit, getting ready."""
+"""Races, the way back from set-up, choices beside the cloth, own balls lit, an opponent that gets ready."""
 
 import math
 import threading
+from itertools import pairwise
 
 import msgspec
 import numpy as np
@@ -102,7 +103,7 @@ def test_leaving_a_changed_set_up_says_that_the_match_is_left_and_the_button_lea
 def test_practice_that_is_set_up_has_left_no_match():
     stage = open_level("practice")
     stage.post(Action("set-up"))
-    places = dict((number, (x, y)) for number, x, y in stage.scene.model.frame.layout.places)
+    places = {number: (x, y) for number, x, y in stage.scene.model.frame.layout.places}
     drag(stage, places[1], (0.4, 0.9))
     stage.post(Action("set-up"))
     assert "match" not in " ".join(line_of(stage.scene.play, None)[:2])
@@ -184,8 +185,10 @@ def test_choices_lie_side_by_side_below_the_table_and_cover_no_ball(count: int):
     for box in boxes:
         assert box.top >= layout.TABLE.bottom
         assert layout.FOOT.top <= box.top < box.bottom <= layout.FOOT.bottom
-        assert layout.FOOT.left + layout.metres(layout.ASKED) <= box.left < box.right <= layout.FOOT.right + 1e-9
-    for one, other in zip(boxes, boxes[1:], strict=False):
+        assert (
+            layout.FOOT.left + layout.metres(layout.ASKED) <= box.left < box.right <= layout.FOOT.right + 1e-9
+        )
+    for one, other in pairwise(boxes):
         assert one.right < other.left
 
 

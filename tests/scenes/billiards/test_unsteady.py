@@ -11,10 +11,10 @@ from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards.scene import Billiards
-from game.scenes.billiards.stroke.unsteady import HANDS, shaken, spread_of
-from game.stage import Action, Decision, SetParameter, replay_scene
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, foresee
+from game.scenes.billiards.stroke.unsteady import HANDS, shaken, spread_of
 from game.scenes.billiards.view.sight import fan_of
+from game.stage import Action, Decision, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,
     aim,
@@ -66,7 +66,9 @@ def test_the_fan_opens_by_the_spread_as_far_as_the_first_cushion_or_ball():
     ball = np.array(frame.cue_ball)
     pot = foresee(Struck(frame, Stroke(2.0, AT_THE_CORNER)), FIRST_BALL)
     start, right, left = fan_of(pot, 0.03)
-    assert start == pytest.approx(ball) and np.hypot(*(left - ball)) == pytest.approx(math.dist(ball, pot.ghost))
+    assert start == pytest.approx(ball) and np.hypot(*(left - ball)) == pytest.approx(
+        math.dist(ball, pot.ghost)
+    )
     turns = [math.atan2(*(side - ball)[::-1]) for side in (right, left)]
     assert turns == pytest.approx([AT_THE_CORNER - 0.03, AT_THE_CORNER + 0.03])
     bank = foresee(Struck(frame, Stroke(2.0, 0.1)), FIRST_BALL)
@@ -80,7 +82,9 @@ def pull_and_let_go(stage) -> None:
 
 
 @pytest.mark.parametrize("way", ["pull", "button"])
-def test_the_stroke_that_is_played_is_not_quite_the_one_that_was_aimed_and_undo_aims_as_it_was_meant(way: str):
+def test_the_stroke_that_is_played_is_not_quite_the_one_that_was_aimed_and_undo_aims_as_it_was_meant(
+    way: str,
+):
     stage = straight_pot()
     stage.post(SetParameter("hand", "average"))
     aim(stage, AT_THE_CORNER)

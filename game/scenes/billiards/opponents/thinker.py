@@ -108,7 +108,8 @@ class Thinker:
         self.failure = ""
         if self._warm_ups:
             self._begun = time.monotonic()
-        for self._warmed, call in enumerate(self._warm_ups or ()):
+        for done, call in enumerate(self._warm_ups or ()):
+            self._warmed = done
             try:
                 call()
             except Exception as error:  # thinking itself will fail the same way, and is seen to there

@@ -22,7 +22,6 @@ from game.ui.look.shapes import draw_box, draw_disc, draw_line, draw_polygon
 from game.ui.painters.ball_picture import ball_chip
 from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
-
 MOST_LINES = 3  # of words before options
 
 
@@ -104,14 +103,14 @@ def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pre
     fill = theme.accent if on else theme.hover if pressed else theme.inset
     draw_box(picture, rect, look.px(8), fill, None if on else theme.line2, look.border)
     color = theme.on_accent if on else theme.text1
-    size, space = 12, rect.w - look.px(8)
+    letters, space = 12, rect.w - look.px(8)
     lines = [words]
     if rect.h >= look.px(32) and look.fonts.size(words, 12, "semibold")[0] > space:
-        size, lines = 11, look.fonts.wrap(words, 11, "semibold", space)[:2]
+        letters, lines = 11, look.fonts.wrap(words, 11, "semibold", space)[:2]
     for row, line in enumerate(lines):
         y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
-        fitted = look.fonts.fit(line, size, "semibold", space)
-        look.text(picture, fitted, (rect.centerx, y), size, "semibold", color, "center")
+        fitted = look.fonts.fit(line, letters, "semibold", space)
+        look.text(picture, fitted, (rect.centerx, y), letters, "semibold", color, "center")
     return picture
 
 

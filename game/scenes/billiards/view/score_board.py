@@ -147,7 +147,7 @@ def _draw_key(canvas: Canvas, look: Look, rect: pygame.Rect, key: tuple[KeyRow, 
 
 @lru_cache(maxsize=8)
 def _key_picture(key: tuple[KeyRow, ...], height: int, look: Look) -> pygame.Surface:
-    """The words and samples of the lines, on a piece of the cloth: there they look as they do on the table."""
+    """The words and samples of the lines, on a piece of cloth, where they look as they do on the table."""
     gap, sample, edge = look.px(16), look.px(24) + look.px(8), look.px(12)
     widths = [look.fonts.size(row.words, 12, "medium")[0] + sample for row in key]
     width = sum(widths) + gap * (len(key) - 1) + 2 * edge
