@@ -22,7 +22,9 @@ START = (
     ),
     StartLine(
         "guide", "Guide", "what is shown of your stroke",
-        (("whole", "Whole path"), ("first", "To the first ball"), ("none", "None")), "first",
+        (("auto", "Suits the game"), ("whole", "Whole path"), ("first", "To the first ball"),
+         ("none", "None")),
+        "auto",
     ),
     StartLine(
         "hand", "Your hand", "how much it shakes",

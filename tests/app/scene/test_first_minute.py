@@ -176,7 +176,7 @@ def play_a_stroke(person: Person) -> bool:
     """Power, aim, spin, power again, each left alone by the others; then Strike. Whether a pot was seen."""
     scene = person.scene
     person.set_power(POWER)
-    person.set_spin(0.0)
+    person.driver.key(pygame.K_c)
     azimuth = pot_of(scene)
     found = azimuth is not None
     if azimuth is None:
@@ -188,7 +188,8 @@ def play_a_stroke(person: Person) -> bool:
     aim = scene.aiming.cue.aim
     person.set_spin(0.2)
     assert scene.aiming.cue.aim == aim and scene.parameters.tip_up == pytest.approx(0.2, abs=0.05)
-    person.set_spin(0.0)
+    person.driver.key(pygame.K_c)
+    assert scene.aiming.cue.aim == aim and scene.parameters.tip_up == 0.0
     tip = (scene.parameters.tip_left, scene.parameters.tip_up)
     person.set_power(POWER)
     assert scene.aiming.cue.aim == aim and (scene.parameters.tip_left, scene.parameters.tip_up) == tip
