@@ -59,15 +59,16 @@ class Person:
     def aim(self, azimuth: float) -> None:
         """The pointer where the ball is to go, then the wheel."""
         x, y = self.scene.model.frame.cue_ball
-        reach = 0.1
-        self.driver.move(*self.pixel(x + reach * math.cos(azimuth), y + reach * math.sin(azimuth)))
+        place = self.pixel(x + 0.1 * math.cos(azimuth), y + 0.1 * math.sin(azimuth))
+        self.driver.move(*place)
         off = math.remainder(self.scene.aiming.cue.aim - azimuth, 2.0 * math.pi)
         notches = round(off / TURN)
         for _ in range(abs(notches)):
-            self.driver.wheel(1 if notches > 0 else -1)
-        assert abs(math.remainder(self.scene.aiming.cue.aim - azimuth, 2.0 * math.pi)) <= 0.51 * TURN
-        self.driver.click(*self.pixel(x + reach * math.cos(azimuth), y + reach * math.sin(azimuth)))
+            turn = 1 if notches > 0 else -1
+            self.driver.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=turn, precise_y=float(turn), pos=place))
+        self.driver.click(*place)
         assert self.scene.aiming.locked
+        assert abs(math.remainder(self.scene.aiming.cue.aim - azimuth, 2.0 * math.pi)) <= 0.51 * TURN
 
     def set_spin(self, up: float) -> None:
         x, y = layout.SPIN
