@@ -15,9 +15,11 @@ from game.app.scene.screen import SceneScreen
 from game.app.screens.choices import ChoiceCard
 from game.app.screens.composition import Composition
 from game.app.screens.keys_card import KeysCard
+from game.app.screens.level_card import LevelCard
 from game.app.screens.screen import Screen
 from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
+from game.app.screens.start_card import Below, StartCard
 from game.app.stagehand.opening import Opening
 from game.app.window.commands import Actions, perform
 from game.app.window.frames import FrameMeter
@@ -40,6 +42,7 @@ from game.ui.widgets.toasts import Toasts
 if TYPE_CHECKING:
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
+    from game.stage.catalogue import Entry
 
 
 class App:
@@ -183,9 +186,22 @@ class App:
         self._replace(MenuScreen(self, focus, self.menu_category))
 
     def open_scene(self, name: str, level: Path | None = None, opening: Opening | None = None) -> None:
-        """A scene in place of the menu or of another scene; the menu shows it among the recent ones."""
+        """A scene in place of the menu or of another scene; the menu shows it among the recent ones.
+
+        A game of which nothing is asked begins with its start card; an empty ``opening`` begins it at once.
+        """
         note_opened(self.settings, name)
-        self._replace(SceneScreen(self, self.catalogue[name], opening or Opening(level=level)))
+        entry = self.catalogue[name]
+        screen = SceneScreen(self, entry, opening or Opening(level=level))
+        self._replace(screen)
+        if entry.start and level is None and opening is None:
+            below = Below(lambda elapsed_s: self._load_below(screen, elapsed_s), lambda: screen.goes_on)
+            self._open_card(StartCard.called, lambda: StartCard(self, entry, below))
+
+    def _load_below(self, screen: SceneScreen, elapsed_s: float) -> None:
+        """Let a scene go on loading under a card, and show it when it is there."""
+        if screen.load(elapsed_s):
+            self._composition.forget()
 
     def open_welcome(self) -> None:
         """The card of the very first start, over the menu; it is not shown again."""
@@ -213,6 +229,12 @@ class App:
     ) -> None:
         """A card with a list; ``chosen`` is called with the value of the row taken."""
         self._open_card(ChoiceCard.called, lambda: ChoiceCard(self, heading, rows, chosen, present))
+
+    def open_levels(
+        self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
+    ) -> None:
+        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
+        self._open_card(LevelCard.called, lambda: LevelCard(self, entry, chosen, present))
 
     def open_help(self, scene_type: type[Scene]) -> None:
         """A scene's help page."""

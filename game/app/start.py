@@ -29,7 +29,7 @@ def start(window: Window, loaded: Loaded, scene_name: str = "", opening: Opening
     app.welcome_due = loaded.first_start and not scene_name
     app.open_menu()
     if scene_name:
-        app.open_scene(scene_name, opening=opening)
+        app.open_scene(scene_name, opening=None if opening == Opening() else opening)
     if loaded.complaint:
         app.tell("Settings not read.", loaded.complaint, kind="warning")
     try:

@@ -9,6 +9,7 @@ from types import ModuleType
 from typing import Any, NamedTuple
 
 from game.definition import DefinitionError
+from game.stage.declarations import StartLine
 from game.stage.scene import Scene
 
 # Of the menu's bar, in its order; one that is not among them comes after these.
@@ -44,6 +45,8 @@ class Entry(NamedTuple):
     roomy: bool = False  # a game: all of the window is its stage until the panel is asked for
     card: str = ""  # function in card.py beside the module that draws its card with a ui.canvas.pen.Pen
     topic: str = ""  # what a large category is divided into; of it a heading in the menu
+    level_card: str = ""  # function in card.py that draws a level, as its file is read, with a Pen
+    start: str = ""  # StartLines in start.py beside the module: the card that a game is begun with
 
     @property
     def names(self) -> tuple[str, str, str]:
@@ -67,25 +70,44 @@ class Entry(NamedTuple):
 
         DefinitionError if card.py has no such function.
         """
-        if not self.card:
-            return None
-        module = self._card_module()
-        painter: Callable[[Any], None] | None = getattr(module, self.card, None)
-        if painter is None:
-            raise DefinitionError(
-                f"{module.__name__} has no function {self.card!r}, which the row of {self.name} names"
-            )
+        painter: Callable[[Any], None] | None = self._beside("card", self.card)
         return painter
 
     def close_up(self) -> CloseUp:
         """How its live picture is framed: as CLOSE_UPS, by scenes' names, in card.py says, or all of it."""
         if not self.card:
             return CloseUp()
-        close_up: CloseUp = getattr(self._card_module(), "CLOSE_UPS", {}).get(self.name, CloseUp())
+        close_up: CloseUp = getattr(self._module_beside("card"), "CLOSE_UPS", {}).get(self.name, CloseUp())
         return close_up
 
-    def _card_module(self) -> ModuleType:
-        return import_module(f"{self.module.rpartition('.')[0]}.card")
+    def level_painter(self) -> Callable[[Any, dict[str, Any]], None] | None:
+        """The function that draws a level (a Pen, the level's file as it is read); None without one.
+
+        DefinitionError if card.py has no such function.
+        """
+        painter: Callable[[Any, dict[str, Any]], None] | None = self._beside("card", self.level_card)
+        return painter
+
+    def start_lines(self) -> tuple[StartLine, ...]:
+        """What can be chosen before a game begins; empty if it begins at once.
+
+        DefinitionError if start.py has no such lines.
+        """
+        lines: tuple[StartLine, ...] = self._beside("start", self.start) or ()
+        return lines
+
+    def _beside(self, module: str, wanted: str) -> Any:
+        """What a module beside the scene's defines; None if nothing is wanted of it."""
+        if not wanted:
+            return None
+        home = self._module_beside(module)
+        found = getattr(home, wanted, None)
+        if found is None:
+            raise DefinitionError(f"{home.__name__} has no {wanted!r}, which the row of {self.name} names")
+        return found
+
+    def _module_beside(self, module: str) -> ModuleType:
+        return import_module(f"{self.module.rpartition('.')[0]}.{module}")
 
 
 class Catalogue:

@@ -39,6 +39,21 @@ class Strip(NamedTuple):
     sometimes: tuple[str, ...] = ()  # of these, the ones that are not always measured
 
 
+class StartLine(NamedTuple):
+    """A line of the card that a game is begun with: a parameter, and which of its values can be chosen there.
+
+    options: (value, words). default: the value chosen first. idle: (parameter, value) of another line with
+    which this one means nothing.
+    """
+
+    parameter: str
+    label: str
+    about: str
+    options: tuple[tuple[str, str], ...]
+    default: str
+    idle: tuple[str, str] = ("", "")
+
+
 class Equation(NamedTuple):
     """A line of the help page: what it says, the formula (markup: ui/text/formula.py), its source."""
 

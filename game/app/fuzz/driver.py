@@ -13,6 +13,7 @@ import pygame
 from game.app.application import App
 from game.app.loop import Loop
 from game.app.scene.screen import SceneScreen
+from game.app.stagehand.opening import Opening
 from game.app.window.settings import Settings
 from game.app.window.window import Window
 from game.stage.catalogue import Catalogue
@@ -124,8 +125,8 @@ class Driver:
         return self.top.play.stage
 
     def open(self, name: str) -> SceneScreen:
-        """Open a scene and wait until it is there, or until the menu is back."""
-        self.app.open_scene(name)
+        """Open a scene, a game without its start card, and wait until it is there, or the menu is back."""
+        self.app.open_scene(name, opening=Opening())
         screen = self.top
         screen.loader.wait(LONGEST_LOAD_S)
         self.frames(2)

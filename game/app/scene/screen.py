@@ -81,7 +81,7 @@ class SceneScreen(Screen):
         return {
             **always,
             **play.actions,
-            "levels": lambda: self._choose("Levels and hard cases", play.shelf.levels(), play.shelf.present),
+            "levels": lambda: self._choose_level(play),
             "open": lambda: self._choose("Saved levels and recordings", play.shelf.saved(), None),
             "help": lambda: self.host.open_help(play.stage.scene_type),
             "tour": self._open_tour,
@@ -136,6 +136,13 @@ class SceneScreen(Screen):
         assert self.play is not None
         self.host.open_choices(heading, rows, self.play.open_file, present)
 
+    def _choose_level(self, play: ScenePlay) -> None:
+        """The list of levels, with pictures where the scene draws them."""
+        if self.entry.level_card:
+            self.host.open_levels(self.entry, play.open_file, play.shelf.present)
+        else:
+            self._choose("Levels and hard cases", play.shelf.levels(), play.shelf.present)
+
     def _open_study(self) -> None:
         assert self.play is not None
         study = self.play.stage.scene_type.study
@@ -156,15 +163,29 @@ class SceneScreen(Screen):
         if name:
             self.host.perform(name)
 
+    def load(self, elapsed_s: float) -> bool:
+        """Go on loading for so long, as under a card; whether the scene has just come, or could not."""
+        if self.loader is None:
+            return False
+        self.shell.loading.update(elapsed_s, self.loader.done, self.loader.total)
+        if not self.loader.finished:
+            return False
+        self._open(self.loader)
+        return True
+
     def update(self, elapsed_s: float) -> None:
-        if self.loader is not None:
-            self.shell.loading.update(elapsed_s, self.loader.done, self.loader.total)
-            if self.loader.finished:
-                self._open(self.loader)
+        if self.load(elapsed_s) and self.goes_on and self.play is not None:
+            self.host.tell("Your game goes on.", "N begins a new one.")
         if self.play is not None:
             self.play.update(elapsed_s)
             self._age_s += elapsed_s
-            if self.host.tour_due and self._age_s >= TOUR_AFTER_S and not self.play.hand.held:
+            # a game begins with its own card, and the tour can wait for another scene
+            if (
+                not self.entry.start
+                and self.host.tour_due
+                and self._age_s >= TOUR_AFTER_S
+                and not self.play.hand.held
+            ):
                 self._open_tour()
         else:
             self.shell.update(elapsed_s, None, None)
@@ -184,8 +205,6 @@ class SceneScreen(Screen):
         from game.app.scene.play import ScenePlay
 
         self.play = ScenePlay(self.host, self.shell, loader.stage, self.opening)
-        if self.goes_on:
-            self.host.tell("Your game goes on.", "N begins a new one.")
 
     def closed(self) -> None:
         if self.loader is not None:

@@ -122,7 +122,7 @@ class TourScreen(Screen):
             return card
         lit = self._place(self._layout(), self.stop.part)
         if lit.h > window.h // 2 and lit.w > window.w // 2:
-            card.midbottom = (lit.centerx, lit.bottom - px(BESIDE))
+            card.center = lit.center  # at its edges stands what a scene has to say
         elif lit.h > window.h // 2:
             card.midright = (lit.x - px(BESIDE), lit.centery)
         elif lit.centery > window.centery:

@@ -23,6 +23,7 @@ from game.ui.widgets.toasts import Toasts
 if TYPE_CHECKING:
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
+    from game.stage.catalogue import Entry
 
 
 class Host(Protocol):
@@ -118,6 +119,12 @@ class Host(Protocol):
         self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None
     ) -> None:
         """A card with a list; ``chosen`` is called with the value of the row taken."""
+        ...
+
+    def open_levels(
+        self, entry: Entry, chosen: Callable[[Path], object], present: Path | None = None
+    ) -> None:
+        """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
         ...
 
     def open_help(self, scene_type: type[Scene]) -> None:

@@ -54,7 +54,13 @@ def save_all(stage: Stage) -> Path:
 def level_rows(scene_type: type[Scene]) -> list[ListRow]:
     """The scene's levels and the user's own, to choose from."""
     return [
-        ListRow(head.title, head.about, head.hard_case or head.stars, bool(head.hard_case), head.path)
+        ListRow(
+            head.title,
+            head.about,
+            "hard case" if head.hard_case else head.stars,
+            bool(head.hard_case),
+            head.path,
+        )
         for head in level_heads(scene_type.name)
     ]
 

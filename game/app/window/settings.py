@@ -42,6 +42,7 @@ class Settings(msgspec.Struct, forbid_unknown_fields=True):
     favourites: SceneNames = []  # scenes with a star, as starred; one that there is no more is kept too
     recent: SceneNames = []  # scenes opened, the last one first
     keys: dict[str, str] = {}
+    start: dict[str, dict[str, str]] = {}  # by scene: what was chosen before the last game
 
 
 class Loaded(msgspec.Struct):

@@ -13,5 +13,7 @@ BILLIARDS = Entry(
     keywords="pool eight-ball nine-ball combination match trick shots puzzles drills opponents A02 exact cue",
     roomy=True,
     card="draw_billiards",
+    level_card="draw_level",
+    start="START",
 )
 ENTRIES = (BILLIARDS,)

@@ -17,13 +17,13 @@ HINTS = (
     Hint(("U",), "undo"),  # from here on there are buttons too; a narrow bar drops them
     Hint(("R",), "replay"),
     Hint(("E",), "set up"),
-    Hint(("V",), "aim line"),
+    Hint(("V",), "guide"),
 )
 ACTIONS = (
     SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),
     SceneAction("undo", "undo the last stroke, aim as before", "U"),
     SceneAction("replay", "replay of the last stroke", "R"),
-    SceneAction("view", "aim line on or off", "V"),
+    SceneAction("view", "guide: whole path, to the first ball, none", "V"),
     SceneAction("set-up", "place the balls freely", "E"),
     SceneAction("rack", "next rack, or the same again", "N"),
     SceneAction("demo", "plays itself", "D"),

@@ -6,7 +6,8 @@ from game.scenes.billiards import layout
 from game.scenes.billiards.modes import Replay, SetUp, leave
 from game.scenes.billiards.opponents.thinking import GRADES
 from game.scenes.billiards.play import AIMING, PERSON, REPLAY, ROLLING, SET_UP, Play
-from game.scenes.billiards.stroke.calling import announced, call_for
+from game.scenes.billiards.stroke.calling import announced
+from game.scenes.billiards.stroke.guide import GUIDE_BUTTONS, next_guide
 from game.stage import Part
 
 POWER_STEP = 0.1  # m/s for a key or a notch of the wheel
@@ -29,17 +30,21 @@ class Buttons(Part):
             return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False)]
         if play.phase == REPLAY:
             return [("replay", "Back", True)]
-        rows = [("set-up", "Set up", False), ("replay", "Replay", False), ("undo", "Undo", False),
-                ("view", "Aim line", bool(play.parameters.prediction))]  # fmt: skip
+        back = play.model.match_behind
+        rows = [("set-up", "Set up", False), ("replay", "Replay", False),
+                ("undo", "To match" if back else "Undo", back),
+                ("view", GUIDE_BUTTONS[play.guide], False)]  # fmt: skip
         game = play.model.frame.game
         if play.model.content.solution is not None:
             rows.append(("hint", "Hint", self.hint_shown))
         if game.over:
-            rows.append(("rack", "Next rack", True))
+            rows.append(("rack", "New match" if play.match_over else "Next rack", True))
         elif game.may_push_out():
             rows.append(("safety", "Push out", play.aiming.call.push_out))
         elif game.needs_call():
             rows.append(("safety", "Safety", play.aiming.call.safety))
+        if play.may_aim:
+            rows.append(("strike", "Strike", True))
         return rows
 
     def at(self, x: float, y: float) -> str:
@@ -107,7 +112,7 @@ class Buttons(Part):
                 "replay": self._watch,
                 "set-up": self._lay_out,
                 "rack": play.rack,
-                "view": self._show_aim_line,
+                "view": self._change_guide,
                 "safety": self._announce,
                 "lock": self._lock,
                 "demo": self._play_itself,
@@ -125,8 +130,7 @@ class Buttons(Part):
         elif play.phase == AIMING and play.model.frame.game.over:
             play.rack()
         elif play.may_aim:
-            stroke = play.aiming.stroke
-            play.begin_stroke(stroke, call_for(play.model.frame, play.aiming.call, stroke), practised=False)
+            play.strike_by_hand()
 
     def _watch(self) -> None:
         if self.play.phase == REPLAY:
@@ -140,8 +144,8 @@ class Buttons(Part):
         elif self.play.phase == AIMING:
             self.set_up.begin()
 
-    def _show_aim_line(self) -> None:
-        self.play.parameters.prediction = not self.play.parameters.prediction
+    def _change_guide(self) -> None:
+        self.play.parameters.guide = next_guide(self.play.guide)
 
     def _lock(self) -> None:
         if self.play.may_aim:

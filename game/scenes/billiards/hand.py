@@ -12,7 +12,6 @@ from game.scenes.billiards.buttons import POWER_STEP, Buttons
 from game.scenes.billiards.modes import Replay, SetUp
 from game.scenes.billiards.parameters import LARGEST_TIP
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, Play
-from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.stage import Part, Pointer
 
@@ -64,7 +63,7 @@ class BilliardsHand(Part):
         name = self.buttons.at(x, y)
         if name:
             play.grip = f"button {name}"
-            if play.may_aim and name in ("safety", "view", "hint"):
+            if play.may_aim and name in ("strike", "safety", "view", "hint"):
                 self.play.keep_aim()
         elif play.phase == REPLAY:
             if layout.SCRUBBER.holds(x, y):
@@ -140,8 +139,7 @@ class BilliardsHand(Part):
             else:
                 self.play.toggle_lock()
         elif done == "strike":
-            stroke = self.aiming.stroke
-            self.play.begin_stroke(stroke, call_for(frame, self.aiming.call, stroke), practised=False)
+            self.play.strike_by_hand()
             self.aiming.keep_pull()
 
     def _move(self, event: Pointer) -> None:

@@ -51,6 +51,7 @@ def metres(pixels: float) -> float:
     return pixels / PIXELS
 
 
+ASKED = 270.0  # design px: width of the words before the options
 CARD, CARD_FROM = 352.0, 144.0  # design px: width of a player's card, and where it begins
 SIDE = metres(80.0)  # of the gutters left and right
 ROW = metres(56.0)  # of the frame above and below the table
@@ -96,10 +97,11 @@ def button_box(row: int) -> Box:
 
 
 def option_box(row: int, count: int) -> Box:
-    """The box of one of several options in the middle of the table."""
-    height, gap, width = metres(40.0), metres(8.0), metres(430.0)
-    top = 0.5 * BED_WIDTH - 0.5 * (count * height + (count - 1) * gap) + row * (height + gap)
-    return Box(top, 0.5 * (BED_LENGTH - width), top + height, 0.5 * (BED_LENGTH + width))
+    """The box of one of several options, side by side below the table, where they cover no ball."""
+    gap, left = metres(8.0), FOOT.left + metres(ASKED)
+    width = min((FOOT.right - left + gap) / count - gap, metres(300.0))
+    left += row * (width + gap)
+    return Box(FOOT.top, left, FOOT.bottom, left + width)
 
 
 def card_box(player: int) -> Box:

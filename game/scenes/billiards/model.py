@@ -30,6 +30,9 @@ from game.stage import Part
 Array = NDArray[np.float64]
 
 
+LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")
+
+
 class BilliardsModel(Part):
     """The frame, and the balls as they move.
 
@@ -141,10 +144,15 @@ class BilliardsModel(Part):
         self.frame = self.frame.choose(name, self._next_seed()).with_cue_ball()
         self._lay_out()
 
-    def rack(self) -> None:
-        """The next rack if the game is over, else this game, or this drill, from its beginning."""
+    def rack(self, new_match: bool = False) -> None:
+        """The next rack if the game is over, else this game, or this drill, from its beginning.
+
+        new_match: no racks are won yet.
+        """
         seed = self._next_seed()
         frame, drill = self.frame, isinstance(self.frame.game, Drill)
+        if new_match:
+            frame = frame.replace(game=msgspec.structs.replace(frame.game, won=(0,) * len(frame.game.won)))
         if frame.game.over and not drill:
             self.frame = frame.next_rack(seed).with_cue_ball()
         else:
@@ -182,8 +190,15 @@ class BilliardsModel(Part):
         numbers = tuple(number for number in self.frame.layout.numbers if number != CUE_BALL)
         hand: Hand = "" if self.frame.cue_ball is not None else "anywhere"
         game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
-        self.frame = self.frame.replace(game=game, last=None, words=()).with_cue_ball()
+        words = LEFT_MATCH if len(before.game.players) == 2 else ()
+        self.frame = self.frame.replace(game=game, last=None, words=words, foul=False).with_cue_ball()
         self._lay_out()
+
+    @property
+    def match_behind(self) -> bool:
+        """True if what was done last has left a game between two, to which undoing it leads back."""
+        before = self.frame.earlier
+        return before is not None and len(before.game.players) == 2 and len(self.frame.game.players) == 1
 
 
 @lru_cache(maxsize=1)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.billiards.opponents.thinking import GRADE_LABELS, GRADES
+from game.scenes.billiards.stroke.guide import GUIDE_LABELS, GUIDES
+from game.scenes.billiards.stroke.unsteady import HANDS
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.stage import Choice, Param, Parameters, Toggle
 
@@ -29,6 +31,10 @@ class BilliardsParameters(Parameters):
         "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
         group="Game", label="Second player", help="you, or a computer player",
     )  # fmt: skip
+    race = Choice(
+        "open", ("open", "1", "3", "5", "7"), labels=("No end", "1 rack", "3 racks", "5 racks", "7 racks"),
+        group="Game", label="Race to", help="so many racks win the match",
+    )  # fmt: skip
     considered = Toggle(
         False, group="Game", label="Show its thoughts", help="the strokes that a computer player considered"
     )
@@ -40,10 +46,17 @@ class BilliardsParameters(Parameters):
     tip_up = Param(0.0, -LARGEST_TIP, LARGEST_TIP, unit="R", group="Stroke", label="Tip up",
                    help="follow above, draw below")  # fmt: skip
     elevation = Param(0.0, 0.0, STEEPEST_DEG, unit="°", group="Stroke", help="of the butt of the cue")
-    prediction = Toggle(True, group="Stroke", label="Aim line", help="ghost ball and the paths after it")
+    guide = Choice(
+        "auto", ("auto", *GUIDES), labels=("As suits the game", *GUIDE_LABELS), group="Stroke",
+        help="what is shown of a stroke before it: in practice its whole path, else that to the first ball",
+    )  # fmt: skip
     events = Param(
-        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where the paths shown end"
+        30, 1, 120, whole=True, group="Stroke", label="Events ahead", help="where a whole path ends"
     )
+    hand = Choice(
+        "none", tuple(HANDS), group="Stroke", label="Noise of the hand",
+        help="how far a person's tip, elevation, azimuth and speed stray, as a computer player's do",
+    )  # fmt: skip
     sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")
     ball_restitution = Param(0.95, 0.5, 1.0, group="Table", label="Ball restitution")

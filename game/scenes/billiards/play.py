@@ -6,11 +6,14 @@ import numpy as np
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
-from game.billiards.game.rules import Call
+from game.billiards.game.rules import CUE_BALL, Call
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.billiards.stroke.aiming import AT_THE_RACK, Aiming
+from game.scenes.billiards.stroke.calling import call_for
+from game.scenes.billiards.stroke.guide import guide_of
 from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
+from game.scenes.billiards.stroke.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
 
@@ -25,10 +28,13 @@ class Play(Part):
 
     clock (2,) s: time of the phase, place in the replay; it belongs to the state. pending: the stroke for
     which the cue swings; practised: with strokes in the air first. grip: what the pointer holds, which a new
-    phase takes from it. rest_s: how long nobody has done anything, s.
+    phase takes from it. rest_s: how long nobody has done anything, s. by_hand: how many strokes a hand has
+    played; meant, done: the last of them as it was aimed, and as the hand did it.
     """
 
-    def __init__(self, parameters: BilliardsParameters, model: BilliardsModel, aiming: Aiming) -> None:
+    def __init__(
+        self, parameters: BilliardsParameters, model: BilliardsModel, aiming: Aiming, seed: int
+    ) -> None:
         self.parameters = parameters
         self.model = model
         self.aiming = aiming
@@ -40,6 +46,10 @@ class Play(Part):
         self.plays_itself = False
         self.rest_s = 0.0
         self.lock_explained = False
+        self.by_hand = 0
+        self.meant: Stroke | None = None
+        self.done: Stroke | None = None
+        self._seed = seed
         self.messages = Messages()
 
     # -- who plays ----------------------------------------------------------------------------------
@@ -59,6 +69,23 @@ class Play(Part):
     def person_plays(self) -> bool:
         """True if the player at turn is a person."""
         return not self.plays_itself and self.grade_of(self.model.frame.game.turn) == PERSON
+
+    @property
+    def guide(self) -> str:
+        """How much of the stroke that is aimed is shown: one of `stroke.guide.GUIDES`."""
+        return guide_of(str(self.parameters.guide), self.model.frame.game)
+
+    @property
+    def racks_to_win(self) -> int:
+        """Racks that win the match; 0 if it has no end."""
+        two = len(self.model.frame.game.players) == 2
+        return int(self.parameters.race) if two and self.parameters.race != "open" else 0
+
+    @property
+    def match_over(self) -> bool:
+        """True if a player has won the match."""
+        game = self.model.frame.game
+        return game.over and 0 < self.racks_to_win <= max(game.won)
 
     @property
     def plays_alone(self) -> bool:
@@ -132,6 +159,16 @@ class Play(Part):
         self.aiming.point_along(stroke.azimuth)
         self.start_phase(STRIKING)
 
+    def strike_by_hand(self) -> None:
+        """The stroke that is set, as the hand of a person does it."""
+        frame, meant = self.model.frame, self.aiming.stroke
+        call = call_for(frame, self.aiming.call, meant)
+        radius = float(frame.layout.balls.radii[CUE_BALL])
+        done = shaken(meant, str(self.parameters.hand), self._seed, self.by_hand, radius)
+        self.begin_stroke(done, call, practised=False)
+        self.by_hand += 1
+        self.meant, self.done = meant, done
+
     def _swing(self) -> None:
         """When the tip has met the ball, the stroke is played."""
         late = float(self.clock[PHASE_S]) - self.motion.hit_s
@@ -204,14 +241,17 @@ class Play(Part):
                 break
         self.model.go_back_to(taken)
         if last is not None and self.grade_of(taken.game.turn) == PERSON:
-            self.aiming.aim_as(last.stroke)
+            self.aiming.aim_as(self.meant if self.meant and last.stroke == self.done else last.stroke)
             self._explain_lock()
         self.aiming.call = Call()
         self.start_phase(AIMING)
 
     def rack(self) -> None:
-        """The next rack if the game is over, else this game, or this drill, from its beginning."""
-        self.model.rack()
+        """The next rack if the game is over, else this game, or this drill, from its beginning.
+
+        After a match the next one.
+        """
+        self.model.rack(new_match=self.match_over)
         if not isinstance(self.model.frame.game, Drill):  # a shot that is tried again is aimed as it was
             self.aiming.point_along(AT_THE_RACK)
         self.pending, self.aiming.call = None, Call()

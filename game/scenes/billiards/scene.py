@@ -122,7 +122,7 @@ class Billiards(Scene):
             )  # fmt: skip
         self.model = BilliardsModel(content, self.parameters, self.active, self.seed)
         self.aiming = Aiming(self.parameters)
-        self.play = Play(self.parameters, self.model, self.aiming)
+        self.play = Play(self.parameters, self.model, self.aiming, self.seed)
         self.replay = Replay(self.play)
         self.set_up = SetUp(self.play)
         self.buttons = Buttons(self.play, self.replay, self.set_up)

@@ -6,7 +6,7 @@ import numpy as np
 
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.table.aim import first_contact
-from game.billiards.table.table import CUSHION_DEPTH
+from game.billiards.table.table import CUSHION_DEPTH, Table
 from game.scenes.lecture_table.marks import MARK_S
 from game.scenes.lecture_table.model import SUNK_S, LectureTableModel, LectureTableState
 from game.scenes.lecture_table.turns import Turns
@@ -18,6 +18,8 @@ from game.ui.look.theme import FELT, FELT_WARM
 
 PASSED_S = 3.0  # s that a contact is shown that was not noticed
 TELEPORT = 0.25  # m; a ball that moved farther in one step was put there, and is not drawn in between
+RING_AT = 0.05  # m along the table, of the legend above it
+TAKE_OVER = "The table plays itself. Press on it to take the cue."
 CUE_WORDS = -28.0  # px above the cue ball, of the speed of the stroke
 
 
@@ -46,6 +48,7 @@ def draw(
     if model.cue_ball_ready and (aiming or cue.phase == STRIKING):
         table_view.draw_cue_behind(canvas, table, balls.positions[0], float(balls.radii[0]), cue, CUE_WORDS)
     _draw_resting_cue(canvas, model, turns.player)
+    _draw_words(canvas, table, turns)
 
 
 def _balls_of(model: LectureTableModel, previous: LectureTableState | None, alpha: float) -> Balls:
@@ -77,6 +80,16 @@ def _draw_marks(canvas: Canvas, model: LectureTableModel) -> None:
         if strength > 0.0:
             size = 3.0 + 9.0 * min(abs(impulse) / 0.8, 1.0) + 6.0 * (1.0 - strength)
             canvas.ring((x + mx, y + my), size, FELT_WARM, 1.5, alpha=0.8 * strength)
+
+
+def _draw_words(canvas: Canvas, table: Table, turns: Turns) -> None:
+    """Above the table: what the amber rings mean, and that it plays itself."""
+    x = 0.02 - table_view.SURROUND
+    canvas.ring((x, RING_AT), 6.0, "amber", 1.5)
+    words = "contact, the wider the harder"
+    canvas.label((x, RING_AT), words, "text2", 12, anchor="left", offset=(14.0, 0.0), halo=False)
+    if turns.plays_itself:
+        canvas.label((x, table.length), TAKE_OVER, "text1", 13, "semibold", anchor="right", halo=False)
 
 
 def _draw_passed(canvas: Canvas, model: LectureTableModel) -> None:

@@ -41,7 +41,7 @@ MAKING = {
     "bone": (Hint(("Click",), "parent bone, then the new end"), Hint(("Delete",), "delete the chosen bone")),
     "skin": (
         Hint(("Click",), "corners around the bones"),
-        Hint(("Return",), "close the skin"),
+        Hint(("Enter",), "close the skin"),
         Hint(("Delete",), "delete the last corner"),
     ),
     "chain": (Hint(("Click",), "first and last bone of the chain"),),

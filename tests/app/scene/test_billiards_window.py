@@ -5,6 +5,7 @@ import pygame
 import pytest
 
 from game.app.scene.keeping import kept_path
+from game.app.stagehand.opening import Opening
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
@@ -171,7 +172,7 @@ def test_a_game_goes_on_after_the_program_was_closed_and_n_begins_a_new_one(driv
 def test_a_kept_game_that_cannot_be_read_costs_a_line(driver):
     kept_path("billiards").parent.mkdir(parents=True, exist_ok=True)
     kept_path("billiards").write_text("scene = 'billiards'\n[content]\nballs = 7\n")
-    driver.app.open_scene("billiards")
+    driver.app.open_scene("billiards", opening=Opening())
     for _ in range(4):
         if driver.top.loader is not None:
             driver.top.loader.wait(300.0)
@@ -276,3 +277,16 @@ def test_the_right_button_sets_spin_and_a_click_locks_the_aim(driver):
     driver.button(False, start[0], start[1] + 12, 3)
     driver.frames(2)
     assert scene.parameters.tip_up < -0.2 and scene.aiming.cue.aim == aim and scene.play.phase == "aiming"
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
+def test_the_tour_leaves_free_the_line_that_says_what_to_do(driver, size):
+    driver.open("billiards")
+    driver.resize(*size)
+    camera = driver.top.play.view.camera
+    driver.app.perform("tour")
+    driver.frames(2)
+    left, top = camera.to_screen(layout.FOOT.top, layout.FOOT.left)
+    right, bottom = camera.to_screen(layout.FOOT.bottom, layout.FOOT.right)
+    line = pygame.Rect(round(left), round(top), round(right - left), round(bottom - top))
+    assert driver.top.stop.part == "stage" and line.w > 300 and not driver.top.card.colliderect(line)

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from game.app.stagehand import level_index
+from game.app.stagehand.files import level_rows
 from game.app.stagehand.level_index import LevelHead, level_heads
 from game.scenes import CATALOGUE
 
@@ -78,3 +79,11 @@ def test_heads_are_those_of_the_whole_files():
         for head in level_heads(CATALOGUE[name].name):
             whole = tomllib.loads(head.path.read_text(encoding="utf-8"))
             assert head.title == whole["title"] and head.about == whole.get("about", "")
+
+
+@pytest.mark.parametrize("entry", tuple(CATALOGUE), ids=lambda entry: entry.name)
+def test_a_hard_case_is_called_so_and_not_by_its_id(entry):
+    rows = level_rows(entry.load())
+    marked = [row for row in rows if row.marked]
+    assert {row.chip for row in marked} <= {"hard case"}
+    assert len(marked) == sum(bool(head.hard_case) for head in level_heads(entry.name))

@@ -4,6 +4,7 @@ import pytest
 
 from game.app.window.keys import chord_label, parse_chord
 from game.scenes import CATALOGUE
+from game.scenes.skeletons.base import MAKING
 from game.ui.widgets.keycap import key_name
 
 
@@ -29,6 +30,11 @@ def test_hints_and_actions_call_no_key_by_a_second_name(entry):
     named = {key for hint in scene_type.hints for key in hint.keys}
     named |= {key_name(action.key) for action in scene_type.actions}
     assert not named & {"Return", "Escape", "Backspace"}
+
+
+@pytest.mark.parametrize("tool", tuple(MAKING))
+def test_nor_do_those_of_a_tool(tool):
+    assert not {key for hint in MAKING[tool] for key in hint.keys} & {"Return", "Escape", "Backspace"}
 
 
 @pytest.mark.parametrize("key", ("return", "escape", "left", "pageup", "backspace", "space", "f1"))

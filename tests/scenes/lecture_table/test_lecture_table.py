@@ -6,11 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from game.app.stagehand.headless import picture_of_stage
 from game.billiards.lecture.settings import DEFAULTS, lecture_settings
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.levels import LevelError, level_files, load_level
 from game.scenes.lecture_table.scene import LectureTable
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
+from game.ui.canvas.canvas import Canvas
 
 MASS = 0.170097
 
@@ -353,3 +355,26 @@ def test_as_printed_loses_momentum_and_the_default_does_not():
 
     assert momentum() == pytest.approx(8.0 * MASS, rel=1e-12)
     assert abs(momentum(rule="as-printed", restitution=0.9) - 8.0 * MASS) > 0.05
+
+
+# -- what is said ---------------------------------------------------------------------------------------
+
+
+def words_of(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The words in the picture."""
+    said: list[str] = []
+    monkeypatch.setattr(Canvas, "label", lambda canvas, position, text, *more, **other: said.append(text))
+    picture_of_stage(stage, (640, 400))
+    return said
+
+
+def test_a_table_that_plays_itself_says_so_until_a_person_takes_the_cue(monkeypatch: pytest.MonkeyPatch):
+    stage = Stage(LectureTable)
+    assert any("plays itself" in words for words in words_of(stage, monkeypatch))
+    stage.post(Pointer("down", 0.6, 1.2, button=1))
+    stage.post(Pointer("up", 0.6, 1.2, button=1))
+    assert not any("plays itself" in words for words in words_of(stage, monkeypatch))
+
+
+def test_the_rings_of_contacts_are_explained(monkeypatch: pytest.MonkeyPatch):
+    assert any("contact" in words for words in words_of(free_table(), monkeypatch))

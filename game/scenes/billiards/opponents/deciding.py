@@ -8,7 +8,7 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.shot.cue import strike as struck_ball
 from game.scenes.billiards.opponents.thinker import Question, Thinker
-from game.scenes.billiards.opponents.thinking import decision_of, simple_stroke, think, warm_up
+from game.scenes.billiards.opponents.thinking import WARM_UPS, decision_of, simple_stroke, think
 from game.scenes.billiards.play import AIMING, PERSON, Play
 from game.stage import Decision
 
@@ -24,7 +24,7 @@ class Opponents:
 
     def __init__(self, play: Play, seed: int) -> None:
         self.play = play
-        self.thinker = Thinker(think, warm_up)
+        self.thinker = Thinker(think, *WARM_UPS)
         self.considered: tuple[FoundShot, ...] = ()
         self._seed = seed
 

@@ -8,6 +8,7 @@ depends on the question alone.
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -44,10 +45,12 @@ Think = Callable[[Question], Thought]
 class Thinker:
     """Answers the newest question; answers to older ones are forgotten."""
 
-    def __init__(self, think: Think, warm_up: Callable[[], None]) -> None:
-        """``warm_up`` is done once, before the first question: it compiles what thinking needs."""
+    def __init__(self, think: Think, *warm_ups: Callable[[], None]) -> None:
+        """``warm_ups`` are done once, before the first question: they compile what thinking needs."""
         self._think = think
-        self._warm_up: Callable[[], None] | None = warm_up
+        self._warm_ups: tuple[Callable[[], None], ...] | None = warm_ups
+        self._warmed = 0
+        self._begun: float | None = None
         self._lock = threading.Lock()
         self._key: object = None
         self._thread: threading.Thread | None = None
@@ -63,12 +66,20 @@ class Thinker:
     @property
     def warm(self) -> bool:
         """False while what thinking needs is still being compiled, or was never asked for."""
-        return self._warm_up is None
+        return self._warm_ups is None
+
+    @property
+    def getting_ready(self) -> str:
+        """How far getting ready has come, in words."""
+        count = len(self._warm_ups or ())
+        seconds = 0.0 if self._begun is None else time.monotonic() - self._begun
+        part = min(self._warmed + 1, count)
+        return f"gets ready: part {part} of {count}, {seconds:.0f} s" if count else "gets ready"
 
     def prepare(self) -> None:
         """Begin to compile what thinking needs, if that has not been done."""
         with self._lock:
-            if self._warm_up is not None and self._thread is None:
+            if self._warm_ups is not None and self._thread is None:
                 self._thread = threading.Thread(target=self._make_ready, daemon=True, name="opponent")
                 self._thread.start()
 
@@ -94,13 +105,16 @@ class Thinker:
             self._key, self._answer = None, None
 
     def _make_ready(self) -> None:
-        call, self.failure = self._warm_up, ""
-        try:
-            if call is not None:
+        self.failure = ""
+        if self._warm_ups:
+            self._begun = time.monotonic()
+        for done, call in enumerate(self._warm_ups or ()):
+            self._warmed = done
+            try:
                 call()
-        except Exception as error:  # thinking itself will fail the same way, and is seen to there
-            self.failure = f"{type(error).__name__}: {error}"
-        self._warm_up = None
+            except Exception as error:  # thinking itself will fail the same way, and is seen to there
+                self.failure = f"{type(error).__name__}: {error}"
+        self._warm_ups = None
 
     def _run(self, question: Question) -> None:
         self._make_ready()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
@@ -37,15 +39,19 @@ def think(question: Question) -> Thought:
     return Thought(tuple(decisions), made.considered)
 
 
-def warm_up() -> None:
-    """Compile what thinking needs, by letting a player think about a small table."""
+def warm_up(grade: str) -> None:
+    """Compile what a player of a grade needs to think, by letting it think about a small table."""
     from game.billiards.game.frame import new_frame
     from game.billiards.game.games import EightBall
     from game.billiards.players.opponents import GRADES as PLAYERS
     from game.billiards.players.opponents import decide
 
     frame = new_frame(EightBall(on_table=(1, 8, 9), opening=False, in_hand="anywhere"))
-    decide(frame, PLAYERS["master"], 0, 0.1, threads=1)
+    decide(frame, PLAYERS[grade], 0, 0.1, threads=1)
+
+
+# the weakest first: what it compiles the others need as well
+WARM_UPS = tuple(partial(warm_up, grade) for grade in GRADES)
 
 
 def simple_stroke(frame: Frame, seed: int) -> Stroke:

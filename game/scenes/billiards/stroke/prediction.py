@@ -21,6 +21,9 @@ from game.scenes.billiards.stroke.paths import Paths
 
 Array = NDArray[np.float64]
 
+FIRST_BALL = 0  # in place of a number of events: up to the first ball, and where that sets off
+SET_OFF = 0.12  # m, so far
+MOST_CUSHIONS = 30  # that are shown on the way to a first ball
 LEAST_PATH = 0.004  # m; a ball that moves less is not shown to move
 
 
@@ -52,14 +55,15 @@ class Sight(NamedTuple):
 
 
 def foresee(struck: Struck, events: int) -> Sight:
-    """The paths of a stroke up to its n-th contact. ValueError if it cannot be played."""
+    """The paths of a stroke up to its n-th contact, or the FIRST_BALL. ValueError if it cannot be played."""
     trajectory = trajectory_of(struck)
     rows = trajectory.rows
     contacts = rows[rows[:, 1] <= BALL_POCKET]
-    whole = len(contacts) < events
-    until = trajectory.end_time if whole else float(contacts[events - 1, 0])
     numbers = list(struck.frame.layout.numbers)
     cue = numbers.index(CUE_BALL)
+    only_first, events = events == FIRST_BALL, events or _until_first_ball(contacts, cue)
+    whole = len(contacts) < events
+    until = trajectory.end_time if whole else float(contacts[events - 1, 0])
     seen = contacts[contacts[:, 0] <= until]
     first = next((row for row in seen.tolist() if row[1] == BALL_BALL and cue in row[2:]), None)
     meets = first[0] if first is not None else until
@@ -70,16 +74,15 @@ def foresee(struck: Struck, events: int) -> Sight:
         ghost, target = paths.arriving(cue, meets)[0], numbers[other]
         place = paths.arriving(other, meets)[0]
         cut = _cut(paths.path(cue, 0.0, meets), ghost, place)
+        if only_first:
+            begun = BallPath(target, _beginning(paths.path(other, meets, trajectory.end_time)), False)
+            return Sight(paths.path(cue, 0.0, meets), np.empty((0, 2)), ghost, target, place, cut, (begun,),
+                         _bounces(paths, seen, cue), None)  # fmt: skip
     sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
     others = tuple(
         BallPath(numbers[ball], points, ball in sunk)
         for ball in range(len(numbers))
         if ball != cue and paths.moves(ball) and _length(points := paths.path(ball, 0.0, until)) > LEAST_PATH
-    )
-    bounces = tuple(
-        paths.arriving(cue, t)[0]
-        for t, e, i, _ in seen.tolist()
-        if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
     )
     last = paths.arriving(cue, until + 1e-9)[0] if whole and cue not in sunk else None
     return Sight(
@@ -90,9 +93,35 @@ def foresee(struck: Struck, events: int) -> Sight:
         place,
         cut,
         others,
-        bounces,
+        _bounces(paths, seen, cue),
         last,
     )
+
+
+def _until_first_ball(contacts: Array, cue: int) -> int:
+    """How many contacts there are until the cue ball meets a ball; MOST_CUSHIONS if it never does."""
+    met = (contacts[:, 1] == BALL_BALL) & (contacts[:, 2:] == cue).any(axis=1)
+    return int(met.argmax()) + 1 if met.any() else MOST_CUSHIONS
+
+
+def _bounces(paths: Paths, seen: Array, cue: int) -> tuple[tuple[float, float], ...]:
+    """Where the cue ball meets cushions, m."""
+    return tuple(
+        paths.arriving(cue, t)[0]
+        for t, e, i, _ in seen.tolist()
+        if e in (BALL_CUSHION, BALL_JAW) and int(i) == cue
+    )
+
+
+def _beginning(points: Array) -> Array:
+    """The first SET_OFF of a path (n, 2) m."""
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
+    count = int(np.searchsorted(way, SET_OFF))
+    if count == len(points):
+        return points
+    share = (SET_OFF - way[count - 1]) / (way[count] - way[count - 1])
+    end = points[count - 1] + share * (points[count] - points[count - 1])
+    return np.concatenate([points[:count], end[None]])
 
 
 def _cut(approach: Array, ghost: tuple[float, float], place: tuple[float, float]) -> float:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import pygame
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.rules import Game
+from game.billiards.game.frame import Frame
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
@@ -27,6 +27,7 @@ from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
 ROOM_FOR_CAPTIONS = 0.85  # scale
+MOST_LINES = 3  # of words before options
 
 
 class Instruments:
@@ -47,9 +48,8 @@ class Instruments:
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
         for row, (name, words, on) in enumerate(self.buttons.rows()):
             draw_button(canvas, look, layout.button_box(row), words, on, play.grip == f"button {name}")
-        game = play.model.frame.game
-        if play.phase == AIMING and game.options:
-            _draw_options(canvas, look, game, play.grip)
+        if play.phase == AIMING and play.model.frame.game.options:
+            _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
             _draw_tray(canvas, look, play.model.frame.layout.numbers)
         elif play.phase == REPLAY:
@@ -136,23 +136,28 @@ def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pre
     fill = theme.accent if on else theme.hover if pressed else theme.inset
     draw_box(picture, rect, look.px(8), fill, None if on else theme.line2, look.border)
     color = theme.on_accent if on else theme.text1
-    words = look.fonts.fit(words, 12, "semibold", rect.w - look.px(8))
-    look.text(picture, words, rect.center, 12, "semibold", color, "center")
+    letters, space = 12, rect.w - look.px(8)
+    lines = [words]
+    if rect.h >= look.px(32) and look.fonts.size(words, 12, "semibold")[0] > space:
+        letters, lines = 11, look.fonts.wrap(words, 11, "semibold", space)[:2]
+    for row, line in enumerate(lines):
+        y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
+        fitted = look.fonts.fit(line, letters, "semibold", space)
+        look.text(picture, fitted, (rect.centerx, y), letters, "semibold", color, "center")
     return picture
 
 
-def _draw_options(canvas: Canvas, look: Look, game: Game, grip: str) -> None:
-    """What may be chosen, one below the other, in the middle of the table."""
-    options, whose = game.options, game.shooter
-    top = layout.option_box(0, len(options))
-    look_at = layout.rect_of(
-        canvas, layout.Box(top.top - layout.metres(44.0), top.left, top.top - layout.metres(8.0), top.right)
-    )
-    draw_box(canvas.surface, look_at, look.px(10), look.theme.panel, look.theme.line, look.border)
-    look.text(canvas.surface, f"{whose} chooses", look_at.center, 15, "semibold", "text1", "center")
-    for row, option in enumerate(options):
-        box = layout.option_box(row, len(options))
-        draw_button(canvas, look, box, f"{row + 1}   {option.words}", False, grip == f"button option-{row}")
+def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
+    """Who chooses and why, and what may be chosen, in the row below the table."""
+    game, rect = frame.game, layout.rect_of(canvas, layout.FOOT)
+    said = " ".join(frame.words) or f"{game.shooter} chooses."
+    lines = look.fonts.wrap(said, 12, "medium", look.px(layout.ASKED - 12.0))[:MOST_LINES]
+    for row, line in enumerate(lines):
+        y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
+        look.text(canvas.surface, line, (rect.x + look.px(4), y), 12, "medium", "text1")
+    for row, option in enumerate(game.options):
+        box = layout.option_box(row, len(game.options))
+        draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, grip == f"button option-{row}")
 
 
 def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:

@@ -14,16 +14,18 @@ from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.stroke.odds import Odds, OddsMeter
-from game.scenes.billiards.stroke.prediction import Foresight, Sight
+from game.scenes.billiards.stroke.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.billiards.stroke.unsteady import SURE, spread_of
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
 from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
-from game.scenes.billiards.view.score_board import draw_board, draw_line
-from game.scenes.billiards.view.sight import draw_considered, draw_label, draw_sight
+from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
+from game.scenes.billiards.view.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
@@ -74,7 +76,7 @@ class BilliardsView:
         """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""
         play, frame = self.play, self.play.model.frame
         draw_marks(canvas, play)
-        shows_aim = play.may_aim and play.parameters.prediction and play.grip != "cue ball"
+        shows_aim = play.may_aim and play.guide != NONE and play.grip != "cue ball"
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
             self._draw_hint(canvas, self.hint)
@@ -122,10 +124,12 @@ class BilliardsView:
     def _draw_aim(self, canvas: Canvas) -> Sight | None:
         """Cue line and paths of the stroke that is set; what is foreseen, None if it cannot be played."""
         play, frame = self.play, self.play.model.frame
-        sight = self._foresight.of(frame, play.aiming.stroke, int(play.parameters.events))
+        stroke, events = play.aiming.stroke, int(play.parameters.events)
+        sight = self._foresight.of(frame, stroke, FIRST_BALL if play.guide == FIRST else events)
         if sight is None:
             return None
         radii = frame.layout.balls.radii.tolist()
+        draw_fan(canvas, sight, SURE * spread_of(stroke, str(play.parameters.hand), radii[CUE_BALL]))
         target = radii[sight.target] if sight.target is not None else 0.0
         foul = foul_of(frame.game, play.aiming.call, sight.target)
         draw_sight(canvas, sight, radii[CUE_BALL], target, bool(foul))
@@ -146,7 +150,9 @@ class BilliardsView:
         draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
-            draw_line(canvas, look, line, with_key=play.may_aim and play.parameters.prediction)
+            shaky = play.parameters.hand != "none"
+            if not (play.phase == AIMING and play.model.frame.game.options):  # these stand there then
+                draw_line(canvas, look, line, key_rows(play.guide, shaky) if play.may_aim else ())
         self.instruments.draw(canvas, look, odds)
         if is_shown(play):
             self._end_card.draw(canvas, look, play)

@@ -3,21 +3,46 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import pygame
 
 from game.scenes.billiards import layout
+from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.view.standing import Card, Standing
 from game.scenes.billiards.view.words import Line
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.icons import icon
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box, draw_disc
-from game.ui.look.theme import FELT_COOL, FELT_LINE
+from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 from game.ui.painters.ball_picture import ball_chip
 
 COLORS = ("amber", "accent")  # of the two players
-KEY = (("cue ball", FELT_LINE, False), ("after the hit", FELT_LINE, True), ("other balls", FELT_COOL, True))
+
+ON_CLOTH = {"line": FELT_LINE, "cool": FELT_COOL, "warm": FELT_WARM}
+
+
+class KeyRow(NamedTuple):
+    """A line on the cloth and what it means; color: of ON_CLOTH."""
+
+    words: str
+    color: str
+    dashed: bool
+
+
+def key_rows(guide: str, shaky: bool) -> tuple[KeyRow, ...]:
+    """What the lines of a guide mean. shaky: the hand is unsteady, and a fan shows how much."""
+    if guide == NONE:
+        return ()
+    rows = [KeyRow("cue ball", "line", False)]
+    if guide == FIRST:
+        rows.append(KeyRow("first ball sets off", "cool", True))
+    else:
+        rows += [KeyRow("after the hit", "line", True), KeyRow("other balls", "cool", True)]
+    if shaky:
+        rows.append(KeyRow("your hand, 19 of 20 strokes", "warm", False))
+    return tuple(rows)
 
 
 def draw_board(canvas: Canvas, look: Look, standing: Standing) -> None:
@@ -88,10 +113,10 @@ def _draw_card(picture: pygame.Surface, box: pygame.Rect, card: Card, player: in
             picture.blit(chip, chip.get_rect(center=at))
 
 
-def draw_line(canvas: Canvas, look: Look, line: Line, with_key: bool) -> None:
-    """What was said last, or what to do now; with_key: what the lines on the cloth mean at its right."""
+def draw_line(canvas: Canvas, look: Look, line: Line, key: tuple[KeyRow, ...]) -> None:
+    """What was said last, or what to do now; key: what the lines on the cloth mean, at its right."""
     rect = layout.rect_of(canvas, layout.FOOT)
-    taken = _draw_key(canvas, look, rect) if with_key else 0
+    taken = _draw_key(canvas, look, rect, key) if key else 0
     if not line.lead:
         return
     x = rect.x + look.px(4)
@@ -124,27 +149,28 @@ def draw_line(canvas: Canvas, look: Look, line: Line, with_key: bool) -> None:
     look.text(canvas.surface, more, (x, rect.centery + look.px(7)), 11, "medium", "text2")
 
 
-def _draw_key(canvas: Canvas, look: Look, rect: pygame.Rect) -> int:
+def _draw_key(canvas: Canvas, look: Look, rect: pygame.Rect, key: tuple[KeyRow, ...]) -> int:
     """What the lines on the cloth mean, at the right end of the row; the width it takes, px."""
-    picture = _key_picture(rect.h, look)
-    canvas.surface.blit(picture, picture.get_rect(midright=(rect.right - look.px(4), rect.centery)))
-    return picture.get_width() + look.px(22)
+    picture = _key_picture(key, min(rect.h, look.px(26)), look)
+    canvas.surface.blit(picture, picture.get_rect(midright=rect.midright))
+    return picture.get_width() + look.px(18)
 
 
-@lru_cache(maxsize=4)
-def _key_picture(height: int, look: Look) -> pygame.Surface:
-    """The words and samples of the lines."""
-    gap, sample = look.px(18), look.px(24) + look.px(8)
-    widths = [look.fonts.size(words, 12)[0] + sample for words, _, _ in KEY]
-    picture = pygame.Surface((sum(widths) + gap * (len(KEY) - 1), max(height, 1)), pygame.SRCALPHA, 32)
-    x, middle = 0, height // 2
-    for (words, color, dashed), wide in zip(KEY, widths, strict=True):
-        for k in range(3 if dashed else 1):
+@lru_cache(maxsize=8)
+def _key_picture(key: tuple[KeyRow, ...], height: int, look: Look) -> pygame.Surface:
+    """The words and samples of the lines, on a piece of cloth, where they look as they do on the table."""
+    gap, sample, edge = look.px(16), look.px(24) + look.px(8), look.px(12)
+    widths = [look.fonts.size(row.words, 12, "medium")[0] + sample for row in key]
+    width = sum(widths) + gap * (len(key) - 1) + 2 * edge
+    picture = pygame.Surface((width, max(height, 1)), pygame.SRCALPHA, 32)
+    draw_box(picture, picture.get_rect(), look.px(8), FELT)
+    x, middle = edge, height // 2
+    for row, wide in zip(key, widths, strict=True):
+        for k in range(3 if row.dashed else 1):
             box = pygame.Rect(
-                x + k * look.px(9), middle - 1, look.px(6 if dashed else 24), max(2, look.px(2))
+                x + k * look.px(9), middle - 1, look.px(6 if row.dashed else 24), max(2, look.px(2))
             )
-            on_paper = color is FELT_LINE and look.theme.name != "dark"
-            draw_box(picture, box, 0, look.theme.text1 if on_paper else color)
-        look.text(picture, words, (x + sample, middle), 12, "medium", "text3")
+            draw_box(picture, box, 0, ON_CLOTH[row.color])
+        look.text(picture, row.words, (x + sample, middle), 12, "medium", FELT_LINE)
         x += wide + gap
     return picture

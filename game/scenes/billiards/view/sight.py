@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+from numpy.typing import NDArray
+
 from game.billiards.game.arrangement import Places
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.table import Table
@@ -17,7 +20,10 @@ from game.ui.painters.cloth_label import draw_cloth_label
 if TYPE_CHECKING:
     from game.billiards.search.finding import FoundShot
 
+Array = NDArray[np.float64]
+
 DASH = (8.0, 6.0)  # design px
+ON_PATH = 1e-6  # m; a bounce so near to a path is on it
 
 
 def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float, foul: bool = False) -> None:
@@ -41,6 +47,30 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         canvas.circle(
             sight.last, radius, fill=FELT_LINE, fill_alpha=0.16, outline=FELT_LINE, width=1.0, alpha=0.7
         )
+
+
+def fan_of(sight: Sight, aside: float) -> Array:
+    """Corners (3, 2) m of where a cue ball may go that sets off up to ``aside`` rad to either side.
+
+    The first is where it lies; the others are as far as its path leads, or as its first cushion.
+    """
+    start, end = sight.approach[0], sight.approach[-1]
+    for bounce in sight.bounces[:1]:
+        if float(np.hypot(*(sight.approach - bounce).T).min()) < ON_PATH:
+            end = np.array(bounce)
+    along, reach = math.atan2(end[1] - start[1], end[0] - start[0]), math.dist(start, end)
+    turned = np.array((along - aside, along + aside))
+    return np.concatenate([start[None], start + reach * np.stack((np.cos(turned), np.sin(turned)), axis=1)])
+
+
+def draw_fan(canvas: Canvas, sight: Sight, aside: float) -> None:
+    """Where an unsteady hand may send the cue ball instead; nothing for a steady one (``aside`` 0)."""
+    if not aside or len(sight.approach) < 2:
+        return
+    start, *sides = corners = fan_of(sight, aside)
+    canvas.polygon(corners, FELT_WARM, 0.28)
+    for side in sides:
+        canvas.line(start, side, FELT_WARM, 1.0, alpha=0.7)
 
 
 def draw_label(canvas: Canvas, sight: Sight, places: Places, table: Table, radius: float, foul: str) -> None:

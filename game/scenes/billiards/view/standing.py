@@ -50,7 +50,7 @@ def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
         return Standing(game_title, under, (_single(game, title),), "", "")
     cards = tuple(_card(play, thinker, player) for player in range(2))
     score = f"{game.won[0]} : {game.won[1]}"
-    caption = "racks"
+    caption = f"racks, race to {play.racks_to_win}" if play.racks_to_win else "racks"
     if isinstance(game, CombinationMatch):
         score, caption = f"{game.points[0]} : {game.points[1]}", "balls"
     return Standing(game_title, under, cards, score, caption)
@@ -71,7 +71,8 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
     game = play.model.frame.game
     active = game.turn == player and not game.over
     won = game.over and game.winner == player
-    doing = _doing(play, thinker) if active else "won the rack" if won else ""
+    prize = "won the match" if play.match_over else "won the rack"
+    doing = _doing(play, thinker) if active else prize if won else ""
     parts = []
     chips: tuple[tuple[int, bool], ...] = ()
     if isinstance(game, EightBall) and game.groups[player]:
@@ -104,7 +105,7 @@ def _doing(play: Play, thinker: Thinker) -> str:
     if play.plays_itself:
         return "plays by itself"
     if not play.person_plays:
-        return "thinks" if thinker.warm else "gets ready (once, some seconds)"
+        return "thinks" if thinker.warm else thinker.getting_ready
     if play.aiming.call.safety:
         return "plays safe"
     if play.aiming.call.push_out:

@@ -79,7 +79,11 @@ def _what_to_do(game: Game) -> str:
         where = " behind the line" if game.in_hand == "behind the line" else ""
         who = "The cue ball is" if alone else f"{game.shooter} has the cue ball"
         return f"{who} in hand: drag it{where}, then pull the cue back and let go."
-    return "Aim, pull the cue back and let go." if alone else f"{game.shooter} plays."
+    return (
+        "Aim, pull the cue back and let go."
+        if alone
+        else f"{game.shooter} plays: aim, pull the cue back and let go."
+    )
 
 
 def _call_due(play: Play) -> tuple[str, ...]:

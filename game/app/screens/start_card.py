@@ -1,0 +1,210 @@
+"""The card that a game is begun with: a few choices, one large button, and the way to its levels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, NamedTuple
+
+import pygame
+
+from game.app.screens.card import HEAD, CardScreen
+from game.app.screens.host import Host
+from game.app.stagehand.opening import Opening
+from game.app.window.commands import Actions
+from game.stage.catalogue import Entry
+from game.stage.declarations import StartLine
+from game.ui.look.shapes import draw_box
+from game.ui.widgets.hotspots import Hotspot
+
+ROW, LEAST_ROW, LABELS, FEW_LABELS, ROOMY = 56, 36, 240, 108, 640  # design px
+SEGMENT, BUTTON, PLAY_WIDTH, FOOT = 34, 48, 232, 100  # design px
+MARGIN, GAP = 32, 12  # design px
+
+
+class Below(NamedTuple):
+    """The scene that is opened under the card. wait: lets it go on loading for so long, s; kept: there is a
+    game to go on with.
+    """
+
+    wait: Callable[[float], object]
+    kept: Callable[[], bool]
+
+
+class StartCard(CardScreen):
+    """Segments, remembered as the next choice; Enter plays, Esc leads back to the menu."""
+
+    called: ClassVar[str] = "The card before the game"
+    width = 840.0
+
+    def __init__(self, host: Host, entry: Entry, below: Below):
+        self.entry = entry
+        self.below = below
+        self.lines = entry.start_lines()
+        self.chosen = {line.parameter: line.default for line in self.lines}
+        remembered = host.settings.start.get(entry.name, {})
+        for line in self.lines:
+            if remembered.get(line.parameter) in dict(line.options):
+                self.chosen[line.parameter] = remembered[line.parameter]
+        self._kept = below.kept()
+        super().__init__(host)
+        self.veil.size = (self.width, HEAD + ROW * len(self.lines) + FOOT)
+        self.restyle()
+
+    @property
+    def heading(self) -> str:
+        return self.entry.title
+
+    # -- what can be done ---------------------------------------------------------------------------
+
+    @property
+    def actions(self) -> Actions:
+        return {"back": self._leave, "menu": self._leave, "levels": self._open_levels}
+
+    def _leave(self) -> None:
+        self.host.open_menu(self.entry.name)
+
+    def play(self) -> None:
+        """Begin, and remember what was chosen."""
+        self.host.settings.start = {**self.host.settings.start, self.entry.name: dict(self.chosen)}
+        self.host.save_settings()
+        self.host.open_scene(self.entry.name, opening=Opening(parameters=dict(self.chosen)))
+
+    def _go_on(self) -> None:
+        self.host.tell("Your game goes on.", "N begins a new one.")
+        self.close()
+
+    def _open_levels(self) -> None:
+        self.host.open_levels(self.entry, lambda path: self.host.open_scene(self.entry.name, level=path))
+
+    def pressed(self, name: str) -> None:
+        if name == "play":
+            self.play()
+        elif name == "go-on":
+            self._go_on()
+        elif name == "levels":
+            self._open_levels()
+        else:
+            parameter, _, value = name.partition("=")
+            self.chosen[parameter] = value
+            self.refresh()
+
+    def handle(self, event: pygame.Event) -> None:
+        if event.type == pygame.KEYDOWN and not self.leaving:
+            if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and self.spots.focused is None:
+                self.play()
+                return
+            if event.key in (pygame.K_LEFT, pygame.K_RIGHT):
+                self.spots.focus_next(event.key == pygame.K_LEFT)
+                return
+        if event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+            spot = self.spots.at(event.pos)
+            if spot is not None and spot.name == "close" and self.spots.pressed == "close":
+                self._leave()
+                return
+        super().handle(event)
+
+    def update(self, elapsed_s: float) -> None:
+        self.below.wait(elapsed_s)
+        if self._kept != self.below.kept():
+            self._kept = self.below.kept()
+            self.refresh()
+        super().update(elapsed_s)
+
+    # -- places -------------------------------------------------------------------------------------
+
+    def is_idle(self, line: StartLine) -> bool:
+        """Whether a line means nothing beside what another one says."""
+        parameter, value = line.idle
+        return bool(parameter) and self.chosen.get(parameter) == value
+
+    @property
+    def _roomy(self) -> bool:
+        return self.veil.card.w >= self.host.look.px(ROOMY)
+
+    @property
+    def _row(self) -> int:
+        """Height of a line, window px: less in a low window."""
+        px = self.host.look.px
+        fits = (self.veil.card.h - px(HEAD) - px(FOOT)) // len(self.lines)
+        return min(px(ROW), max(px(LEAST_ROW), fits))
+
+    def places(self) -> list[Hotspot]:
+        px, card = self.host.look.px, self.veil.card
+        spots = []
+        left = card.x + px(LABELS if self._roomy else FEW_LABELS)
+        space = max(card.right - px(MARGIN) - left, 1)
+        for i, line in enumerate(self.lines):
+            y = card.y + px(HEAD) + i * self._row + (self._row - px(SEGMENT)) // 2 - px(4)
+            enabled = not self.is_idle(line)
+            for j, (value, _) in enumerate(line.options):
+                x0, x1 = (left + space * n // len(line.options) for n in (j, j + 1))
+                place = pygame.Rect(x0, y, max(x1 - x0, 1), px(SEGMENT))
+                spots.append(Hotspot(f"{line.parameter}={value}", place, enabled))
+        return [*spots, *self._buttons()]
+
+    def _buttons(self) -> list[Hotspot]:
+        """The large one at the right, the others beside it."""
+        px, card = self.host.look.px, self.veil.card
+        names = ["play", *(["go-on"] if self._kept else []), "levels"]
+        right, bottom = card.right - px(MARGIN), card.bottom - px(28)
+        widths = [min(px(PLAY_WIDTH), (card.w - 2 * px(MARGIN)) // len(names) - px(GAP))] * len(names)
+        spots = []
+        for name, width in zip(names, widths, strict=True):
+            high = px(BUTTON) if name == "play" else px(SEGMENT)
+            place = pygame.Rect(right - width, bottom - (px(BUTTON) + high) // 2, width, high)
+            spots.append(Hotspot(name, place))
+            right = place.x - px(GAP)
+        return spots
+
+    # -- picture ------------------------------------------------------------------------------------
+
+    def state(self) -> object:
+        return tuple(sorted(self.chosen.items())), self._kept
+
+    def paint(self, picture: pygame.Surface) -> None:
+        look, px = self.host.look, self.host.look.px
+        for i, line in enumerate(self.lines):
+            y = px(HEAD) + i * self._row + self._row // 2 - px(4)
+            up = px(9) if self._roomy else 0
+            color = "text3" if self.is_idle(line) else "text1"
+            look.text(picture, line.label, (px(MARGIN), y - up), 13, "semibold", color)
+            if self._roomy:
+                look.text(picture, line.about, (px(MARGIN), y + up), 12, "medium", "text3")
+            self._paint_segments(picture, line)
+        self._paint_play(picture)
+        self.draw_button(picture, "go-on", "Go on with your game")
+        self.draw_button(picture, "levels", "Puzzles, drills and levels")
+
+    def _paint_play(self, picture: pygame.Surface) -> None:
+        spot = self.spots.find("play")
+        if spot is None:
+            return
+        look, px, theme = self.host.look, self.host.look.px, self.host.look.theme
+        rect = self.inner(spot.rect)
+        draw_box(picture, rect, px(10), theme.accent.lerp(theme.text1, 0.15 * self.spots.hover("play")))
+        look.text(
+            picture, "Play", (rect.centerx, rect.centery - px(1)), 18, "display", theme.on_accent, "center"
+        )
+        if self.spots.focused == "play":
+            draw_box(picture, rect.inflate(px(6), px(6)), px(13), None, theme.accent, max(2, px(2)))
+
+    def _paint_segments(self, picture: pygame.Surface, line: StartLine) -> None:
+        look, px, theme = self.host.look, self.host.look.px, self.host.look.theme
+        idle = self.is_idle(line)
+        spots = [self.spots.find(f"{line.parameter}={value}") for value, _ in line.options]
+        rects = [self.inner(spot.rect) for spot in spots if spot is not None]
+        draw_box(picture, rects[0].unionall(rects[1:]), px(8), theme.inset)
+        for (value, words), rect in zip(line.options, rects, strict=True):
+            name = f"{line.parameter}={value}"
+            on = self.chosen[line.parameter] == value and not idle
+            inner, lit = rect.inflate(-px(4), -px(4)), self.spots.hover(name)
+            if on:
+                draw_box(picture, inner, px(6), theme.accent)
+            elif lit:
+                draw_box(picture, inner, px(6), theme.inset.lerp(theme.hover, lit))
+            weight = "semibold" if on else "medium"
+            color = theme.on_accent if on else theme.text3 if idle else theme.text2
+            fitted = look.fonts.fit(words, 13, weight, inner.w)
+            look.text(picture, fitted, rect.center, 13, weight, color, "center")
+            if self.spots.focused == name:
+                draw_box(picture, rect.inflate(px(4), px(4)), px(10), None, theme.accent, max(2, px(2)))

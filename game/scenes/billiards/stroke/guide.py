@@ -1,0 +1,23 @@
+"""How much of a stroke is shown before it is played: its whole path, that to the first ball, or nothing."""
+
+from __future__ import annotations
+
+from game.billiards.game.games import Drill, Practice
+from game.billiards.game.rules import Game
+
+WHOLE, FIRST, NONE = "whole", "first", "none"
+GUIDES = (WHOLE, FIRST, NONE)
+GUIDE_LABELS = ("Whole path", "To the first ball", "None")
+GUIDE_BUTTONS = {WHOLE: "Whole path", FIRST: "First ball", NONE: "No guide"}
+
+
+def guide_of(chosen: str, game: Game) -> str:
+    """One of GUIDES: the one chosen, or for "auto" the one that suits a game."""
+    if chosen in GUIDES:
+        return chosen
+    return WHOLE if isinstance(game, (Practice, Drill)) else FIRST
+
+
+def next_guide(guide: str) -> str:
+    """The guide after one, round the end."""
+    return GUIDES[(GUIDES.index(guide) + 1) % len(GUIDES)]
