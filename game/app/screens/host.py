@@ -114,8 +114,8 @@ class Host(Protocol):
         """A card with a list; ``chosen`` is called with the value of the row taken."""
         ...
 
-    def open_help(self, scene_type: type[Scene]) -> None:
-        """A scene's help page."""
+    def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
+        """A scene's help page; ``level``: title and words of the level in play."""
         ...
 
     def open_tour(self, layout: Callable[[], Layout]) -> None:
