@@ -69,7 +69,7 @@ class BroadPhaseRace(BoxesScene):
     try_this = (
         "Begin with 30 boxes: the naive method keeps up. Draw the number up and watch it fall behind.",
         "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
-        "Let all leap: sweep and prune sorts again in every step. On one line it does so only at first.",
+        "Let all leap, or put them on one line, where they tremble: sweep and prune sorts again in every step.",
         "Switch off all but the uniform grid and draw the number to 100 000.",
     )
 

@@ -13,6 +13,7 @@ from game.scenes.convex.level import PairContent, ShapeEntry
 from game.scenes.convex.model.pair import PairModel, PairState
 from game.scenes.convex.parameters import PairParameters
 from game.scenes.convex.readouts import PairReadouts
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
 
 
@@ -66,6 +67,7 @@ class ConvexPairScene(Scene):
         self.model = self.model_type(self.parameters, self.active, content)
         self.hand = Hand(self.model)
         self._readouts = self.readouts_type(self.model)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def state(self) -> PairState:
         return self.model.state()
@@ -114,6 +116,13 @@ class ConvexPairScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         raise NotImplementedError
+
+    def draw_expected(self, canvas: Any) -> None:
+        """What the level expects beside what is measured, above the polygons."""
+        content = self.model.content
+        if content.expected and self.model.ready:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
