@@ -46,11 +46,13 @@ class ScenePlay:
         self.caption = LevelCaption(host, welcome=not shell.entry.roomy)
         self.stopping = Stopping()
         self.standstill = Standstill()
+        self._pace = 1.0  # of the level in play
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
         if type(stage.scene).hearing is not Scene.hearing:
             host.sounds.prepare()
+        self._set_pace()
         self._introduce()
         self.restyle()
 
@@ -181,11 +183,19 @@ class ScenePlay:
         self._place_view()
         self.view.camera.home(smooth=False)
         self._offer_levels()
+        self._set_pace()
         level = self.stage.level
         if level is not None and level.about:
             self.host.toasts.clear()  # what was to be said of the level before
             if not self._introduce():
                 self.host.tell(level.title or "Level", level.about, "marker" if level.hard_case else "info")
+
+    def _set_pace(self) -> None:
+        """As fast as the level says; what a user has set is kept where no level has said anything."""
+        level, before = self.stage.level, self._pace
+        self._pace = level.pace if level is not None else 1.0
+        if self._pace != before:
+            self.stage.speed = self._pace
 
     def _introduce(self) -> bool:
         """Let a hard case wait until one has read what it is; False if the level is none, or has begun."""

@@ -18,6 +18,7 @@ from game.scenes.boxes.model.arrays import LOWER, UPPER, BoxesState
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import MAKING, BoxesParameters
+from game.scenes.boxes.view.outside import draw_outside
 from game.scenes.boxes.view.world import MOST_LINES, BoxesView
 from game.scenes.boxes.warm_up import exercise
 from game.scenes.shared.expectations import captions_of, draw_captions
@@ -137,6 +138,7 @@ class BoxesScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        draw_outside(canvas, self.model)
         if self.model.expected:
             captions = captions_of(self.model.expected, self.readouts())
             draw_captions(canvas, (0.5 * WIDTH, HEIGHT), captions)

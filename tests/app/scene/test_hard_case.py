@@ -111,3 +111,18 @@ def test_a_replay_has_a_sign_until_its_end(driver: Driver, tmp_path: Path):
     assert driver.top.play.record.watched.endswith(f" of {steps}")
     driver.frames(60)
     assert driver.stage.step_number > steps and driver.top.play.record.watched == ""
+
+
+def test_a_level_is_played_as_fast_as_it_says(driver: Driver, tmp_path: Path):
+    path = tmp_path / "home" / "levels" / "example" / "slow.toml"
+    save_level(Level(scene="example", title="Slow", about="Slow.", hard_case="E.H2", pace=0.125), path)
+    driver.app.open_scene("example", path)
+    driver.frames(40)
+    assert driver.stage.speed == 0.125
+    driver.top.play.open_file(kept_level(tmp_path, "E.H1"))
+    driver.frames(3)
+    assert driver.stage.speed == 1.0
+    driver.stage.speed = 2.0
+    driver.top.play.open_file(kept_level(tmp_path, ""))
+    driver.frames(3)
+    assert driver.stage.speed == 2.0, "what a user has set is kept"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import msgspec
 import numpy as np
 import pytest
@@ -9,6 +11,8 @@ import pytest
 from game.app.stagehand.opening import read_level
 from game.levels import level_files
 from game.scenes import CATALOGUE
+from game.scenes.boxes.level import WIDTH
+from game.scenes.boxes.view.outside import boxes_outside
 from game.scenes.shared.expectations import captions_of
 from game.stage import Stage
 
@@ -81,3 +85,14 @@ def test_a_lattice_comes_back_to_its_ties_in_every_second_step(name, stem):
     stage.run(1)
     np.testing.assert_allclose(model.boxes.lowers, places, rtol=0.0, atol=1e-12)
     assert len(model.pairs) >= 0.98 * pairs
+
+
+def test_what_lies_out_of_the_picture_is_told_by_its_side():
+    far = {one.side: one for one in boxes_outside(stage_of("c06", named("c06", "hard-06")).scene.model)}
+    assert {side: (one.boxes, one.pairs) for side, one in far.items()} == {(1, -1): (2, 1), (-1, 1): (2, 1)}
+    assert far[1, -1].farthest == pytest.approx(math.hypot(1e9 - WIDTH, 1e9), rel=1e-6)
+    assert far[1, -1].words == "2 boxes, 1 pair, up to 1.41 Gm away ↘"
+    (row,) = boxes_outside(stage_of("c06", named("c06", "hard-05")).scene.model)
+    assert row.side == (1, 0) and row.boxes >= 30 and row.farthest == pytest.approx(7936.0 - WIDTH)
+    assert boxes_outside(stage_of("c06", named("c06", "hard-02")).scene.model) == [], "without end"
+    assert boxes_outside(stage_of("c05", named("c05", "default")).scene.model) == []
