@@ -10,6 +10,7 @@ from game.billiards.lecture.settings import DEFAULTS, lecture_settings
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.levels import LevelError, level_files, load_level
 from game.scenes.lecture_table.scene import LectureTable
+from game.scenes.lecture_table.view import velocity_words
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 
 MASS = 0.170097
@@ -353,3 +354,14 @@ def test_as_printed_loses_momentum_and_the_default_does_not():
 
     assert momentum() == pytest.approx(8.0 * MASS, rel=1e-12)
     assert abs(momentum(rule="as-printed", restitution=0.9) - 8.0 * MASS) > 0.05
+
+
+def test_speed_direction_and_components_of_the_cue_ball_are_written_while_it_moves():
+    stage = open_level("free-play")
+    model = stage.scene.model
+    assert velocity_words(model) == ("", "")
+    model.strike(math.radians(150.0), 4.0, stage.dt)  # from the x axis, which is across the table
+    assert velocity_words(model) == ("4.00 m/s at 60°", "along 2.00, across −3.46")
+    readouts = {row.name: row.value for row in stage.readouts()}
+    assert readouts["its velocity along"] == pytest.approx(2.0)
+    assert readouts["its velocity across"] == pytest.approx(-2.0 * math.sqrt(3.0))

@@ -14,7 +14,7 @@ from game.scenes.boxes.numbers import grouped
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import quantity
 
-INSET_PX = 14.0  # design px from the world's boundary to the words
+INSET_PX, BELOW_CAPTION = 14.0, 40.0  # design px from the world's boundary to the words, and from its top
 ANCHORS = {
     (-1, -1): "bottomleft", (-1, 0): "left", (-1, 1): "topleft", (0, -1): "bottom", (0, 1): "top",
     (1, -1): "bottomright", (1, 0): "right", (1, 1): "topright",
@@ -65,5 +65,5 @@ def draw_outside(canvas: Canvas, model: BoxesModel) -> None:
         x, y = outside.side
         place = (0.5 * WIDTH * (1 + x), 0.5 * HEIGHT * (1 + y))
         if math.isfinite(outside.farthest):
-            offset = (-INSET_PX * x, INSET_PX * y)
+            offset = (-INSET_PX * x, (BELOW_CAPTION if y > 0 else INSET_PX) * y)
             canvas.label(place, outside.words, "amber", 12, "semibold", ANCHORS[outside.side], offset, clear=True)
