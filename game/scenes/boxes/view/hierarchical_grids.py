@@ -54,7 +54,7 @@ class HierarchicalGridView(BoxesView):
         column = Column(canvas, boxes, self.frame().bottom, 5.75)
         if seen is None or column.room_px > TALL:
             words = f"Hierarchical, {grouped(model.grid.tests)} tests"
-            draw_comparison(model, column, "hierarchical", words, "chalk")
+            draw_comparison(model, column, "hierarchical", words)
             column.space(6)
         self._draw_levels(column, counts, present)
         if seen is not None:

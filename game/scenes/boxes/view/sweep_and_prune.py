@@ -59,7 +59,7 @@ class SweepAndPruneView(BoxesView):
         model, few = self.model, named(self.model.boxes)
         column = Column(canvas, model.boxes, self.frame().bottom, 4.6, -0.95 if few else -0.75)
         if not few or column.room_px > TALL:
-            draw_comparison(model, column, "sweep", "Sweep and prune", "chalk")
+            draw_comparison(model, column, "sweep", "Sweep and prune")
             column.space(6)
         mean = model.mean_swaps()
         column.head("Swaps in this step", "both axes")
