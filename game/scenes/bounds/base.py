@@ -128,7 +128,7 @@ class BoundsScene(Scene):
     # -- what is shown ------------------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
+        return readouts_of(self.model, self.walk.under_way)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()

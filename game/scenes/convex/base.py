@@ -114,6 +114,15 @@ class ConvexPairScene(Scene):
         view = self.model.content.view
         return Frame(view.left, view.bottom, view.right, view.top)
 
+    def slider_range(self, name: str) -> tuple[float, float] | None:
+        """Features that there are: 2 n of a polygon of n corners."""
+        if name not in ("start_a", "start_b"):
+            return None
+        index, outlines = "ab".index(name[-1]), self.model.board.outlines
+        if index >= len(outlines):
+            return None
+        return 0.0, float(max(2 * len(outlines[index].points) - 1, 1))
+
     def draw(self, canvas: Any, alpha: float) -> None:
         raise NotImplementedError
 

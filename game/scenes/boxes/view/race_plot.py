@@ -36,12 +36,12 @@ class Area(NamedTuple):
 
 
 ABOVE = Area(5.9, 11.1, 8.9, 12.3)  # the world, beside the legend
-LEAST_HEIGHT = 2.4  # m, that is worth a plot below the table
+LEAST_HEIGHT = 2.0  # m, that is worth a plot below the table
 
 
 def area_below(table_foot: float) -> Area:
     """Below the table that ends at a height, m, where there is space; else above the world."""
-    below = Area(TABLE_LEFT + 1.0, TABLE_RIGHT, 0.7, table_foot - 1.0)
+    below = Area(TABLE_LEFT + 1.0, TABLE_RIGHT, 0.55, table_foot - 0.75)
     return below if below.top - below.bottom >= LEAST_HEIGHT else ABOVE
 
 
