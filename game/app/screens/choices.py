@@ -108,7 +108,9 @@ class ChoiceCard(CardScreen):
             if spot.name.startswith("row-"):
                 self._paint_row(picture, self.inner(spot.rect), int(spot.name[4:]))
         if len(self.rows) > self._fits:
-            track = pygame.Rect(picture.get_width() - px(14), px(HEAD), px(4), self._fits * px(self._row + ROW_GAP))
+            track = pygame.Rect(
+                picture.get_width() - px(14), px(HEAD), px(4), self._fits * px(self._row + ROW_GAP)
+            )
             thumb = track.copy()
             thumb.h = max(px(16), track.h * self._fits // len(self.rows))
             thumb.y += (track.h - thumb.h) * self._first // max(1, len(self.rows) - self._fits)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from game.lab.studies.broadphase.workloads import hierarchy_study
 from game.lab.studies.broadphase.count import METHOD_COLORS
+from game.lab.studies.broadphase.workloads import hierarchy_study
 from game.physics.broadphase import HierarchicalGrid, NaiveBroadPhase
 from game.scenes.boxes import C06
 from game.scenes.boxes.compared import ComparedScene
@@ -43,7 +43,9 @@ class HierarchicalGridScene(ComparedScene):
     strips = (
         Strip("Pairs", "", ("pairs",)),
         Strip(
-            "Update and all pairs", "s", ("hierarchical", "naive"),
+            "Update and all pairs",
+            "s",
+            ("hierarchical", "naive"),
             colors=(METHOD_COLORS["hierarchical"], METHOD_COLORS["naive"]),
         ),
         Strip("Box tests", "", ("box tests",)),

@@ -33,9 +33,7 @@ class BoxesParameters(Parameters):
     """What all broad-phase scenes have."""
 
     count = Param(500, 1, 100_000, whole=True, log=True, group="Boxes", label="Number", help=COUNT_HELP)
-    workload = Choice(
-        "equal", KINDS, labels=KIND_LABELS, group="Boxes", rebuild=True, help=WORKLOAD_HELP
-    )
+    workload = Choice("equal", KINDS, labels=KIND_LABELS, group="Boxes", rebuild=True, help=WORKLOAD_HELP)
     fill = Param(0.1, 0.01, 2.0, log=True, group="Boxes", label="Density", rebuild=True, help=FILL_HELP)
     speed = Param(
         0.6, 0.01, 100.0, log=True, unit="m/s", group="Boxes", help="of every box, in any direction"

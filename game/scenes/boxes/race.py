@@ -54,7 +54,9 @@ class BroadPhaseRace(BoxesScene):
     )
     strips = (
         Strip(
-            "Update and all pairs", "s", ("uniform", "hierarchical", "sweep"),
+            "Update and all pairs",
+            "s",
+            ("uniform", "hierarchical", "sweep"),
             colors=(METHOD_COLORS["uniform"], METHOD_COLORS["hierarchical"], METHOD_COLORS["sweep"]),
         ),
         Strip("Pair managers", "s", ("matrix", "hash")),

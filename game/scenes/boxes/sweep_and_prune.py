@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from game.lab.studies.broadphase.speed import sweep_study
 from game.lab.studies.broadphase.count import METHOD_COLORS
+from game.lab.studies.broadphase.speed import sweep_study
 from game.physics.broadphase import NaiveBroadPhase, SweepAndPrune
 from game.scenes.boxes import C07
 from game.scenes.boxes.compared import ComparedScene
@@ -42,7 +42,9 @@ class SweepAndPruneScene(ComparedScene):
     strips = (
         Strip("Swaps in a step", "", ("swaps", "mean"), exact=("mean",)),
         Strip(
-            "Update and all pairs", "s", ("sweep", "naive"),
+            "Update and all pairs",
+            "s",
+            ("sweep", "naive"),
             colors=(METHOD_COLORS["sweep"], METHOD_COLORS["naive"]),
         ),
         Strip("Pairs", "", ("pairs",)),

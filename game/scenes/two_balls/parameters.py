@@ -38,7 +38,12 @@ class LectureBallsParameters(Parameters):
         1.0, 0.01, 100.0, log=True, group="Balls", rebuild=True, help="mass of ball 2 over mass of ball 1"
     )
     acceleration = Param(
-        0.0, 0.0, 5.0, unit="px/frame²", group="Motion", help="added to the velocity of both balls in every frame"
+        0.0,
+        0.0,
+        5.0,
+        unit="px/frame²",
+        group="Motion",
+        help="added to the velocity of both balls in every frame",
     )
     direction = Param(
         90.0, -180.0, 180.0, unit="°", group="Motion", label="Its direction",

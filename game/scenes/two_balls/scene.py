@@ -56,7 +56,11 @@ class LectureBalls(Scene):
     )
     figure = staticmethod(draw_exchange)
     equations = (
-        Equation("Speed and direction", r"\abs{\v{v}} = \sqrt{v_x^2 + v_y^2},  \phi = \atan2(v_y, v_x)", "of a velocity"),
+        Equation(
+            "Speed and direction",
+            r"\abs{\v{v}} = \sqrt{v_x^2 + v_y^2},  \phi = \atan2(v_y, v_x)",
+            "of a velocity",
+        ),
         Equation("Acceleration", r"\v{v}_{n+1} = \v{v}_n + \v{a}", "a frame is the unit of time"),
         Equation("Deceleration", r"\abs{\v{v}_{n+1}} = \max(\abs{\v{v}_n} - d, 0)", "against the motion"),
         Equation("Line of centres", r"\alpha = \atan2(y_1 - y_2, x_1 - x_2)", "the lecture"),

@@ -270,8 +270,8 @@ def test_every_level_steps_restores_and_steps_again(scene_type, path):
     unknown = {r.name for r in stage.readouts() if not math.isfinite(r.value)}
     assert unknown <= (
         {"gap", "area above exact", "building"}
-            if "draw" in path.stem
-            else {"area above exact", *(("crossings",) if "walk-query" in path.stem else ())}
+        if "draw" in path.stem
+        else {"area above exact", *(("crossings",) if "walk-query" in path.stem else ())}
     )
 
 

@@ -29,7 +29,9 @@ def test_what_a_hard_case_expects_is_measured(name, path):
     stage = stage_of(name, path)
     assert stage.level.content.expected
     for _ in range(3):
-        assert [c.words for c in captions_of(stage.level.content.expected, stage.readouts()) if not c.met] == []
+        assert [
+            c.words for c in captions_of(stage.level.content.expected, stage.readouts()) if not c.met
+        ] == []
         stage.run(7)
 
 

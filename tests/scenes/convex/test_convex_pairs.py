@@ -305,5 +305,7 @@ def test_what_is_broken_in_a_level_is_named(text, field):
 def test_a_slider_of_features_spans_those_that_there_are():
     scene = Stage(VClip).scene
     counts = [len(outline.points) for outline in scene.model.board.outlines]
-    assert [scene.slider_range(name) for name in ("start_a", "start_b")] == [(0.0, 2.0 * n - 1.0) for n in counts]
+    assert [scene.slider_range(name) for name in ("start_a", "start_b")] == [
+        (0.0, 2.0 * n - 1.0) for n in counts
+    ]
     assert scene.slider_range("tool") is None

@@ -84,7 +84,10 @@ count_study = replace(
     methods=(
         *work_study.methods[:3],
         Method(
-            "sweep", "sweep and prune", None, "between 1 and 1.5: sorting and listing are in proportion",
+            "sweep",
+            "sweep and prune",
+            None,
+            "between 1 and 1.5: sorting and listing are in proportion",
             color=METHOD_COLORS["sweep"],
         ),
     ),

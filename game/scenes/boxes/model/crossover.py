@@ -78,7 +78,9 @@ def cost_of_a_step(phase: BroadPhase, boxes: MovingBoxes, dt: float) -> float:
 
 def overtakings(curves: Mapping[str, Curve], slow: str, others: Sequence[str]) -> dict[str, float]:
     """From which number of boxes on each of the others costs less than ``slow``; NaN where it never does."""
-    return {name: crossing(curves[slow], curves[name]) for name in others if name in curves and slow in curves}
+    return {
+        name: crossing(curves[slow], curves[name]) for name in others if name in curves and slow in curves
+    }
 
 
 def typical_size(boxes: MovingBoxes) -> float:

@@ -66,4 +66,6 @@ def draw_outside(canvas: Canvas, model: BoxesModel) -> None:
         place = (0.5 * WIDTH * (1 + x), 0.5 * HEIGHT * (1 + y))
         if math.isfinite(outside.farthest):
             offset = (-INSET_PX * x, (BELOW_CAPTION if y > 0 else INSET_PX) * y)
-            canvas.label(place, outside.words, "amber", 12, "semibold", ANCHORS[outside.side], offset, clear=True)
+            canvas.label(
+                place, outside.words, "amber", 12, "semibold", ANCHORS[outside.side], offset, clear=True
+            )

@@ -54,7 +54,8 @@ def crossover_words(curves: CostCurves) -> str:
     if not known:
         return "Naive is the fastest throughout."
     return "Naive falls behind: " + ", ".join(
-        f"{SHORT[name]} from {grouped(count)}" for name, count in sorted(known.items(), key=lambda item: item[1])
+        f"{SHORT[name]} from {grouped(count)}"
+        for name, count in sorted(known.items(), key=lambda item: item[1])
     )
 
 

@@ -60,7 +60,13 @@ class RaceTable:
         self.space(24)
 
     def row(
-        self, contestant: Contestant, seconds: float, work: str, memory: str, same: bool | None, fastest: float
+        self,
+        contestant: Contestant,
+        seconds: float,
+        work: str,
+        memory: str,
+        same: bool | None,
+        fastest: float,
     ) -> None:
         """Name, bar with its time and how many times the fastest's that is (s), work, memory, the answer."""
         first = seconds == fastest
@@ -73,7 +79,9 @@ class RaceTable:
             canvas.line((left, self.y), (left + length * width, self.y), contestant.color, 6.0)
             self._words(BAR_RIGHT + 0.25, seconds_text(seconds), "text1", "semibold")
             right = TABLE_RIGHT - TABLE_LEFT
-            self._words(right, times_text(seconds, fastest), "text2", "semibold" if first else "medium", "right")
+            self._words(
+                right, times_text(seconds, fastest), "text2", "semibold" if first else "medium", "right"
+            )
         self.space(17)
         mark = {None: "", True: "same pairs", False: "pairs differ"}[same]
         self._words(0.0, mark, "text3" if same else "vermilion", size=11)
