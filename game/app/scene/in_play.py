@@ -13,8 +13,8 @@ TRIALS = 2  # steps
 class InPlay:
     """The stage in play and what belongs to it; all of that changes together.
 
-    ``script``: the recording that is watched, if one is, of ``recorded_steps`` steps. ``untried``: how many steps are still to be made
-    before it is known how long a step takes.
+    ``script``: the recording that is watched, if one is, of ``recorded_steps`` steps. ``untried``: how many
+    steps are still to be made before it is known how long a step takes.
     """
 
     def __init__(self, stage: Stage, recording: Recording | None, in_background: bool) -> None:

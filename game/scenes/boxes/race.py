@@ -26,8 +26,8 @@ class BroadPhaseRace(BoxesScene):
     """Every broad phase is given the same boxes in every step, tells all pairs, and is timed: update and
     all pairs together. The bars are logarithmic, from a microsecond to a second. Beside them stand how many
     times the fastest's that is, the work that was done, box tests or swaps, the memory, and whether the pairs
-    are those of the others. The plot keeps what a step cost at each number of boxes that was tried; X measures
-    them all from 8 to 2048 boxes and says from where on the naive method falls behind.
+    are those of the others. The plot keeps what a step cost at each number of boxes that was tried; X
+    measures them all from 8 to 2048 boxes and says from where on the naive method falls behind.
 
     Below, both pair managers take over the pairs and tell which began and which ended. Choose the workload:
     equal boxes, two sizes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes
@@ -78,7 +78,7 @@ class BroadPhaseRace(BoxesScene):
     try_this = (
         "Begin with 30 boxes: the naive method keeps up. Draw the number up and watch it fall behind.",
         "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
-        "Let all leap, or put them on one line, where they tremble: sweep and prune sorts again in every step.",
+        "Let all leap, or tremble on one line: sweep and prune sorts again in every step.",
         "Switch off all but the uniform grid and draw the number to 100 000.",
     )
 

@@ -83,7 +83,7 @@ class LectureBalls(Scene):
         Equation("Slip 3", r"v_y = p_x \cos\alpha + p_y \sin\alpha", "x, y not swapped"),
     )
     try_this = (
-        "Give both an acceleration of 0.3 px/frame² at 90°: they fall. Then a deceleration: they come to rest.",
+        "Give both an acceleration of 0.3 px/frame² at 90°: they fall. Then a deceleration: they rest.",
         "Choose as printed and watch the momentum: " + SLIPS[0].effect,
         "Slip 2: " + SLIPS[1].effect,
         "Slip 3: " + SLIPS[2].effect,

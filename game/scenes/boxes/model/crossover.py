@@ -20,7 +20,7 @@ Curve = Mapping[int, float]  # number of boxes to s a step
 
 
 class CostCurves:
-    """Times of a step by method and number of boxes: measured on the way, and when the crossover is looked for.
+    """Times of a step by method and number: measured on the way, or by the search for a crossover.
 
     seen: what the scene has run with. swept: what `find` has measured. Both: method to `Curve`.
     """
