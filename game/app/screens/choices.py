@@ -144,6 +144,6 @@ class ChoiceCard(CardScreen):
         y = rect.y + px(17) if row.about else rect.centery
         weight = "semibold" if row.value == self._present else "medium"
         look.text(picture, look.fonts.fit(row.title, 13, weight, right - x), (x, y), 13, weight)
-        for line, words in enumerate(self.lines(row)):
-            about = look.fonts.fit(words, 12, "medium", right - x)
+        for line, said in enumerate(self.lines(row)):
+            about = look.fonts.fit(said, 12, "medium", right - x)
             look.text(picture, about, (x, rect.y + px(36 + LINE * line)), 12, "medium", "text3")

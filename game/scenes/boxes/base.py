@@ -54,13 +54,13 @@ class BoxesScene(Scene):
             sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
         )
 
-    hints = (
+    hints: ClassVar[tuple[Hint, ...]] = (
         Hint(("Point", "Click"), "look into a box"),
         Hint(("Drag",), "move a box, or draw a new one"),
         Hint(("Right click",), "remove"),
         Hint(("↑", "↓"), f"{BATCH} more, fewer"),
     )
-    actions = (
+    actions: ClassVar[tuple[SceneAction, ...]] = (
         SceneAction("more", f"{BATCH} more boxes", "up"),
         SceneAction("fewer", f"{BATCH} fewer boxes", "down"),
     )

@@ -163,7 +163,7 @@ class TwoBalls(Part):
             self.start_again()
 
     def _acceleration_of(self, ball: Ball) -> tuple[float, float]:
-        """What is added to a velocity in a frame, px/frame²: the acceleration, and what goes against the motion.
+        """What is added to a velocity in a frame, px/frame²: the acceleration, less what slows down.
 
         A deceleration ends where the ball stands; it does not turn it round.
         """
