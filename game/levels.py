@@ -7,6 +7,7 @@ wrong is answered by one LevelError: file, field, reason.
     title = "A rope"
     about = "What is to be seen."
     hard_case = "C14.H3"          # only for those of the gallery
+    pace = 0.0625                 # simulated seconds to a real one, in a window; 1 unless it is said
     seed = 7
     [parameters]                  # the scene's parameters
     iterations = 20
@@ -70,6 +71,7 @@ class Level(msgspec.Struct, frozen=True, kw_only=True):
     title: str = ""
     about: str = ""
     hard_case: str = ""
+    pace: float = 1.0
     seed: int = 0
     parameters: dict[str, float | bool | str] = {}
     effects_off: tuple[str, ...] = ()
@@ -88,6 +90,7 @@ class _File(msgspec.Struct, forbid_unknown_fields=True):
     title: Annotated[str, msgspec.Meta(max_length=200)] = ""
     about: Annotated[str, msgspec.Meta(max_length=4000)] = ""
     hard_case: Annotated[str, msgspec.Meta(max_length=40)] = ""
+    pace: Annotated[float, msgspec.Meta(ge=0.0625, le=4.0)] = 1.0
     seed: Annotated[int, msgspec.Meta(ge=0, le=2**63 - 1)] = 0
     parameters: dict[str, float | bool | str] = {}
     effects: _Effects = msgspec.field(default_factory=_Effects)
@@ -127,6 +130,7 @@ def parse_level(
         title=file.title,
         about=file.about,
         hard_case=file.hard_case,
+        pace=file.pace,
         seed=file.seed,
         parameters=file.parameters,
         effects_off=tuple(file.effects.off),
@@ -143,6 +147,8 @@ def format_level(level: Level) -> str:
     for key in ("title", "about", "hard_case", "seed"):
         if getattr(level, key):
             document[key] = getattr(level, key)
+    if level.pace != 1.0:
+        document["pace"] = level.pace
     if level.parameters:
         document["parameters"] = dict(level.parameters)
     if level.effects_off:

@@ -373,3 +373,13 @@ def test_the_limit_of_a_file_counts_bytes(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.setattr("game.levels.MAX_BYTES", len(text.encode()))
     save_level(level, path)
     assert load_level(path, "example", None).about == level.about
+
+
+def test_the_pace_of_a_level_is_kept_and_has_bounds():
+    text = 'scene = "example"\npace = 0.25\n'
+    level = parse_level(text, "example", None)
+    assert level.pace == 0.25 and "pace = 0.25" in format_level(level)
+    assert "pace" not in format_level(Level(scene="example"))
+    for wrong in ("0.01", "5.0", '"slow"'):
+        with pytest.raises(LevelError, match="pace"):
+            parse_level(text.replace("0.25", wrong), "example", None)

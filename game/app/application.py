@@ -236,11 +236,11 @@ class App:
         """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
         self._open_card(LevelCard.called, lambda: LevelCard(self, entry, chosen, present))
 
-    def open_help(self, scene_type: type[Scene]) -> None:
-        """A scene's help page."""
+    def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
+        """A scene's help page; ``level``: title and words of the level in play."""
         from game.app.scene.help_card import HelpCard
 
-        self._open_card(HelpCard.called, lambda: HelpCard(self, scene_type))
+        self._open_card(HelpCard.called, lambda: HelpCard(self, scene_type, level))
 
     def open_tour(self, layout: Callable[[], Layout]) -> None:
         """The tour of a window that is laid out so."""

@@ -25,18 +25,20 @@ def usable(rows: Sequence[Row], floor: float) -> list[Row]:
 def upper_envelope(rows: Sequence[Row], bins: int = ENVELOPE_BINS, over: str = "knob") -> list[Row]:
     """The row with the largest error in each of so many bins, evenly spaced in the logarithm of the knob.
 
-    over: `knob` or `counter`, what the bins are of.
+    over: `knob` or `counter`, what the bins are of. What counted nothing stands with the least that counts.
     """
     if len(rows) <= 1:
         return list(rows)
-    logs = np.log([float(getattr(row, over)) for row in rows])
+    places = np.array([float(getattr(row, over)) for row in rows])
+    counted = places[places > 0.0]
+    logs = np.log(np.maximum(places, counted.min() if len(counted) else 1.0))
     width = (logs.max() - logs.min()) / bins
     if width == 0.0:
         return [max(rows, key=lambda row: row.error)]
-    places = np.minimum((logs - logs.min()) / width, bins - 1).astype(int)
+    bin_of = np.minimum((logs - logs.min()) / width, bins - 1).astype(int)
     chosen = []
     for place in range(bins - 1, -1, -1):
-        inside = [row for row, at in zip(rows, places.tolist(), strict=True) if at == place]
+        inside = [row for row, at in zip(rows, bin_of.tolist(), strict=True) if at == place]
         if inside:
             chosen.append(max(inside, key=lambda row: row.error))
     return chosen
@@ -52,12 +54,12 @@ def fit_order(
     """Least-squares slope of log(error) over log(knob); nan with fewer than three usable points.
 
     floor, ceiling: errors outside take no part. over: `knob`, or `counter`, when the slope is that over
-    1 / counter.
+    1 / counter; what counted nothing has no place on its axis, and takes no part.
     """
     points = usable(rows, floor)
     if envelope:
         points = upper_envelope(points, over=over)
-    points = [row for row in points if row.error <= ceiling]
+    points = [row for row in points if row.error <= ceiling and float(getattr(row, over)) > 0.0]
     places = [float(getattr(row, over)) for row in points]
     if len(set(places)) < 3:
         return math.nan

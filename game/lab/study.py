@@ -16,12 +16,16 @@ COST = "CPU time for one simulated second"
 
 @dataclass(frozen=True)
 class Method:
-    """A way to compute: name for tables, label for pictures, the order of convergence expected of it."""
+    """A way to compute: name for tables, label for pictures, the order of convergence expected of it.
+
+    color: by its name in the theme, where a scene shows the method as well; else the series' own.
+    """
 
     name: str
     label: str
     order: float | None = None
     note: str = ""
+    color: str = ""
 
 
 @dataclass(frozen=True)

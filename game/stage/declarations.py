@@ -37,6 +37,7 @@ class Strip(NamedTuple):
     series: tuple[str, ...]
     exact: tuple[str, ...] = ()  # of these, the ones drawn dashed as a reference
     sometimes: tuple[str, ...] = ()  # of these, the ones that are not always measured
+    colors: tuple[str, ...] = ()  # of the series, by their names in the theme; none: the charts' own
 
 
 class StartLine(NamedTuple):

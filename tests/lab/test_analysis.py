@@ -128,3 +128,20 @@ def test_only_what_an_order_is_expected_of_has_a_slope():
     assert (study.across(rows[3]), study.up(rows[3])) == (8.0, 64e-6)
     with pytest.raises(ValueError, match="axes"):
         Study(**made, axes=Axes("time", "cpu"))
+
+
+def counted(error: float, counter: int, knob: float = 1.0) -> Row:
+    return Row("m", knob, error, 1e-3 * (counter + 1), counter, "", {}, {})
+
+
+def test_what_counted_nothing_stands_with_the_least_that_counts():
+    rows = [counted(0.5, 0), counted(0.2, 1), counted(0.1, 1000)]
+    assert upper_envelope(rows, over="counter") == [rows[2], rows[0]]
+    assert upper_envelope([counted(0.5, 0), counted(0.7, 0)], over="counter") == [counted(0.7, 0)]
+    part = math.log(0.5 / 0.15) / math.log(0.5 / 0.1)
+    assert cost_to_reach(rows, 0.15, envelope=True) == pytest.approx(1e-3 * 1001.0**part)
+
+
+def test_what_counted_nothing_takes_no_part_in_an_order_over_the_counter():
+    rows = [counted(1.0 / n, n) for n in (10, 100, 1000)]
+    assert fit_order([counted(3.0, 0), *rows], over="counter") == pytest.approx(1.0, abs=1e-12)

@@ -8,11 +8,13 @@ folder: the next start shows it at once, before the compiler is even imported.
 from __future__ import annotations
 
 import contextlib
+import os
 import queue
 import threading
 from collections import OrderedDict
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pygame
@@ -23,6 +25,7 @@ from game.app.window.guard import Failure
 from game.app.window.pictures import write_png
 from game.folders import cache_folder
 from game.stage.catalogue import Entry
+from game.trust import is_private_file, make_private_folder, reason_to_distrust
 from game.ui.look.look import Look
 
 if TYPE_CHECKING:
@@ -176,23 +179,32 @@ def _build(entry: Entry) -> LiveScene | None:
         return None
 
 
-def _path(key: Key):
+def _path(key: Key) -> Path:
     name, theme, width, height = key
     return cache_folder() / "thumbnails" / f"{name}-{theme}-{width}x{height}.png"
 
 
 def _load(key: Key) -> pygame.Surface | None:
-    """A picture of an earlier session, if it is whole."""
+    """A picture of an earlier session, if it is whole and nobody else can have put it there.
+
+    A decoder of pictures is C code: it is given nothing that another user may have written.
+    """
     path = _path(key)
     try:
-        picture = pygame.image.load(str(path)) if path.is_file() else None
+        if reason_to_distrust(path.parent):
+            return None
+        with path.open("rb") as file:
+            if not is_private_file(os.fstat(file.fileno())):
+                return None
+            picture = pygame.image.load(file, path.name)
     except (pygame.error, OSError):
         return None
-    return picture if picture is not None and picture.get_size() == key[2:] else None
+    return picture if picture.get_size() == key[2:] else None
 
 
 def _write(key: Key, picture: pygame.Surface) -> None:
     path = _path(key)
     with contextlib.suppress(OSError):
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_private_folder(path.parent)
         write_png(picture, path)
+        path.chmod(0o600)  # else the mask of a group could make it one that is not read again

@@ -16,7 +16,8 @@ class HelpCard(PageScreen):
 
     called: ClassVar[str] = "Help"
 
-    def __init__(self, host: Host, scene_type: type[Scene]):
+    def __init__(self, host: Host, scene_type: type[Scene], level: tuple[str, str] = ("", "")):
+        """``level``: title and words of the level in play."""
         rows = [
             ((host.keys.label(command.name),), command.label)
             for command in COMMANDS
@@ -24,7 +25,7 @@ class HelpCard(PageScreen):
         ]
         if "wheel" not in scene_type.takes:
             rows.append((("Wheel",), "zoom"))
-        super().__init__(host, HelpPage(host.look, scene_type, rows))
+        super().__init__(host, HelpPage(host.look, scene_type, rows, level))
 
     @property
     def actions(self) -> Actions:

@@ -13,8 +13,8 @@ TRIALS = 2  # steps
 class InPlay:
     """The stage in play and what belongs to it; all of that changes together.
 
-    ``script``: the recording that is watched, if one is. ``untried``: how many steps are still to be made
-    before it is known how long a step takes.
+    ``script``: the recording that is watched, if one is, of ``recorded_steps`` steps. ``untried``: how many
+    steps are still to be made before it is known how long a step takes.
     """
 
     def __init__(self, stage: Stage, recording: Recording | None, in_background: bool) -> None:
@@ -29,12 +29,21 @@ class InPlay:
         self.variants = Variants(stage)
         self.meter = EffectMeter(stage)
         self.script = Script(stage, recording.events) if recording is not None else None
+        self.recorded_steps = recording.steps if recording is not None else 0
         self.try_steps()
 
     @property
     def repeating(self) -> bool:
         """Whether a recording is being played, which a new event would end."""
         return self.script is not None and not self.script.finished
+
+    @property
+    def watched(self) -> str:
+        """What is seen of a recording, in words; empty where none is watched, and after its end."""
+        step = self.stage.step_number
+        if self.script is None or step >= self.recorded_steps:
+            return ""
+        return f"Replay, step {step} of {self.recorded_steps}"
 
     def begin_level(self) -> None:
         """The stage has begun with another level: nothing of what was before is gone on with."""

@@ -7,12 +7,13 @@ from pathlib import Path
 import pygame
 
 from game.app.scene.banner import FaultBanner
+from game.app.scene.caption import LevelCaption
 from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
 from game.app.scene.pointer import ScenePointer
 from game.app.scene.shelf import Shelf
 from game.app.scene.shell import Shell
-from game.app.scene.standstill import Standstill
+from game.app.scene.standstill import Standstill, draw_replay_sign
 from game.app.scene.steps import Steps
 from game.app.scene.stopping import Stopping
 from game.app.screens.host import Host
@@ -42,13 +43,17 @@ class ScenePlay:
         self.steps = Steps(self.record, host, self.gate)
         self.shelf = Shelf(self.record, host, self._opened, self._offer_levels)
         self.banner = FaultBanner(host)
+        self.caption = LevelCaption(host, welcome=not shell.entry.roomy)
         self.stopping = Stopping()
         self.standstill = Standstill()
+        self._pace = 1.0  # of the level in play
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
         if type(stage.scene).hearing is not Scene.hearing:
             host.sounds.prepare()
+        self._set_pace()
+        self._introduce()
         self.restyle()
 
     @property
@@ -86,6 +91,7 @@ class ScenePlay:
         """Window, scale or theme has changed."""
         self._place_view()
         self.banner.place(self.shell.layout.free_stage)
+        self.caption.place(self.shell.layout.free_stage)
 
     def _place_view(self) -> None:
         """Fit the scene's frame into the stage; a game comes nearer to its edges."""
@@ -110,6 +116,8 @@ class ScenePlay:
         """An event for panel, bar, banner or the scene; the wishes that are not fulfilled here."""
         if self.banner.handle(event):
             return [Wish("reset")]
+        if self.caption.handle(event):
+            return [Wish("pause")]
         if event.type == pygame.KEYDOWN and event.key == pygame.K_TAB and self.shell.panel is not None:
             self.shell.panel.focus_next()
             return []
@@ -177,10 +185,33 @@ class ScenePlay:
         self._place_view()
         self.view.camera.home(smooth=False)
         self._offer_levels()
+        self._set_pace()
         level = self.stage.level
         if level is not None and level.about:
             self.host.toasts.clear()  # what was to be said of the level before
-            self.host.tell(level.title or "Level", level.about, "marker" if level.hard_case else "info")
+            if not self._introduce():
+                self.host.tell(level.title or "Level", level.about, "marker" if level.hard_case else "info")
+
+    def _set_pace(self) -> None:
+        """As fast as the level says; what a user has set is kept where no level has said anything."""
+        level, before = self.stage.level, self._pace
+        self._pace = level.pace if level is not None else 1.0
+        if self._pace != before:
+            self.stage.speed = self._pace
+
+    def _introduce(self) -> bool:
+        """Let a hard case wait until one has read what it is; False if the level is none, or has begun."""
+        fresh = self.stage.step_number == 0 and not self.record.repeating
+        if not (fresh and self.caption.introduces(self.stage.level)):
+            return False
+        self.stage.pause()
+        return True
+
+    @property
+    def level_words(self) -> tuple[str, str]:
+        """Title and words of the level in play; empty if there is none."""
+        level = self.stage.level
+        return (level.title, level.about) if level is not None else ("", "")
 
     # -- time and picture ---------------------------------------------------------------------------
 
@@ -209,6 +240,7 @@ class ScenePlay:
         for message in stage.scene.messages():
             cause, _, consequence = message.partition(". ")
             self.host.tell(cause + ("." if consequence else ""), consequence)
+        self.caption.follow(stage, watched=self.record.script is not None)
         self.shell.update(elapsed_s + self._unseen_s, stage, self.record.meter)
         self._unseen_s = 0.0
         self.banner.update(elapsed_s, self.trouble)
@@ -258,5 +290,7 @@ class ScenePlay:
             surface.fill(self.host.look.theme.stage, layout.stage)
         if not pictureless:
             self.view.draw(surface, self.shell.beat.fresh)
+        self.caption.draw(surface)
+        draw_replay_sign(surface, self.host.look, layout.free_stage, self.record.watched)
         self.shell.draw(surface, self.stage, () if self.stopped else self.stage.scene.legend())
         self.banner.draw(surface)

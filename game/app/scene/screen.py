@@ -83,7 +83,7 @@ class SceneScreen(Screen):
             **play.actions,
             "levels": lambda: self._choose_level(play),
             "open": lambda: self._choose("Saved levels and recordings", play.shelf.saved(), None),
-            "help": lambda: self.host.open_help(play.stage.scene_type),
+            "help": lambda: self.host.open_help(play.stage.scene_type, play.level_words),
             "tour": self._open_tour,
             "accuracy": self._open_study,
             "pause-menu": self._open_pause_menu,

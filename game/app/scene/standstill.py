@@ -1,10 +1,11 @@
-"""A scene that is being worked at: its last picture, and from a moment on words that say so."""
+"""Words on the stage of what it stands for: a scene that is being worked at, a recording that is watched."""
 
 from __future__ import annotations
 
 import pygame
 
 from game.ui.look.look import Look
+from game.ui.look.shapes import draw_box, draw_disc
 
 PATIENCE_S = 0.3  # before anything is said
 WORDS = "Working…"
@@ -32,3 +33,17 @@ class Standstill:
         if seconds > PATIENCE_S:
             words = look.fonts.render_on_halo(WORDS, 13, "semibold", look.theme.text1, look.theme.bg)
             surface.blit(words, words.get_rect(midbottom=(stage.centerx, stage.bottom - look.px(16))))
+
+
+def draw_replay_sign(surface: pygame.Surface, look: Look, stage: pygame.Rect, words: str) -> None:
+    """At the top right of the stage: what is seen is a recording. Nothing without words."""
+    if not words:
+        return
+    px = look.px
+    place = pygame.Rect(0, 0, look.fonts.size(words, 12, "semibold")[0] + px(36), px(28))
+    place.topright = (stage.right - px(16), stage.y + px(16))
+    if place.left < stage.left:
+        return
+    draw_box(surface, place, px(8), look.theme.panel, look.color("amber"), look.border)
+    draw_disc(surface, (place.x + px(14), place.centery), 4 * look.k, look.color("amber"))
+    look.text(surface, words, (place.x + px(24), place.centery), 12, "semibold", "text1")

@@ -14,6 +14,7 @@ from game.ui.widgets.hotspots import Hotspot
 from game.ui.widgets.list_row import ListRow
 
 ROW, ROW_GAP, WHEEL_ROWS = 52, 4, 2  # design px; rows for a notch
+LINE = 16  # design px that a second line of words takes
 
 
 class ChoiceCard(CardScreen):
@@ -37,7 +38,8 @@ class ChoiceCard(CardScreen):
         self._first = 0
         self.focus = next((i for i, row in enumerate(self.rows) if row.value == present), 0)
         super().__init__(host)
-        wanted = HEAD + len(self.rows) * (ROW + ROW_GAP) + 24
+        self._row = ROW + (LINE if any(len(self.lines(row)) > 1 for row in self.rows) else 0)
+        wanted = HEAD + len(self.rows) * (self._row + ROW_GAP) + 24
         self.veil.size = (self.width, min(max(wanted, 160), 640))
         self.restyle()
 
@@ -49,7 +51,7 @@ class ChoiceCard(CardScreen):
     def _fits(self) -> int:
         """Rows that there is space for."""
         look = self.host.look
-        return max(1, (self.veil.card.h - look.px(HEAD) - look.px(16)) // look.px(ROW + ROW_GAP))
+        return max(1, (self.veil.card.h - look.px(HEAD) - look.px(16)) // look.px(self._row + ROW_GAP))
 
     def places(self) -> list[Hotspot]:
         self._first = min(max(self._first, self.focus - self._fits + 1, 0), max(self.focus, 0))
@@ -57,8 +59,8 @@ class ChoiceCard(CardScreen):
         px, card = self.host.look.px, self.veil.card
         spots = []
         for i in range(self._first, min(self._first + self._fits, len(self.rows))):
-            y = card.y + px(HEAD) + (i - self._first) * px(ROW + ROW_GAP)
-            spots.append(Hotspot(f"row-{i}", pygame.Rect(card.x + px(24), y, card.w - px(48), px(ROW))))
+            y = card.y + px(HEAD) + (i - self._first) * px(self._row + ROW_GAP)
+            spots.append(Hotspot(f"row-{i}", pygame.Rect(card.x + px(24), y, card.w - px(48), px(self._row))))
         return spots
 
     def state(self) -> object:
@@ -106,12 +108,23 @@ class ChoiceCard(CardScreen):
             if spot.name.startswith("row-"):
                 self._paint_row(picture, self.inner(spot.rect), int(spot.name[4:]))
         if len(self.rows) > self._fits:
-            track = pygame.Rect(picture.get_width() - px(14), px(HEAD), px(4), self._fits * px(ROW + ROW_GAP))
+            track = pygame.Rect(
+                picture.get_width() - px(14), px(HEAD), px(4), self._fits * px(self._row + ROW_GAP)
+            )
             thumb = track.copy()
             thumb.h = max(px(16), track.h * self._fits // len(self.rows))
             thumb.y += (track.h - thumb.h) * self._first // max(1, len(self.rows) - self._fits)
             draw_box(picture, track, px(2), look.theme.inset)
             draw_box(picture, thumb, px(2), look.theme.line2)
+
+    def lines(self, row: ListRow) -> list[str]:
+        """What is said of a row, in two lines at most; the second may be cut."""
+        look = self.host.look
+        space = look.px(self.width - 2 * 24 - 2 * 12 - (14 if row.marked else 0))
+        if row.chip:
+            space -= look.fonts.size(row.chip, 11, "semibold")[0] + look.px(2 * 6 + 12)
+        lines = look.fonts.wrap(row.about, 12, "medium", space) if row.about else []
+        return [*lines[:1], " ".join(lines[1:])] if len(lines) > 1 else lines
 
     def _paint_row(self, picture: pygame.Surface, rect: pygame.Rect, i: int) -> None:
         look, px, row = self.host.look, self.host.look.px, self.rows[i]
@@ -131,6 +144,6 @@ class ChoiceCard(CardScreen):
         y = rect.y + px(17) if row.about else rect.centery
         weight = "semibold" if row.value == self._present else "medium"
         look.text(picture, look.fonts.fit(row.title, 13, weight, right - x), (x, y), 13, weight)
-        if row.about:
-            about = look.fonts.fit(row.about, 12, "medium", right - x)
-            look.text(picture, about, (x, rect.y + px(36)), 12, "medium", "text3")
+        for line, said in enumerate(self.lines(row)):
+            about = look.fonts.fit(said, 12, "medium", right - x)
+            look.text(picture, about, (x, rect.y + px(36 + LINE * line)), 12, "medium", "text3")

@@ -127,8 +127,8 @@ class Host(Protocol):
         """The card of a scene's levels, with pictures; ``chosen`` is called with the file of one."""
         ...
 
-    def open_help(self, scene_type: type[Scene]) -> None:
-        """A scene's help page."""
+    def open_help(self, scene_type: type[Scene], level: tuple[str, str] = ("", "")) -> None:
+        """A scene's help page; ``level``: title and words of the level in play."""
         ...
 
     def open_tour(self, layout: Callable[[], Layout]) -> None:

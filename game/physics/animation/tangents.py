@@ -112,7 +112,8 @@ def _harmonic(h: Array, k: Array, d: Array, e: Array) -> Array:
     """Weighted harmonic mean of two chords, 0 where they differ in sign (Fritsch and Butland 1984)."""
     agree = d * e > 0.0
     first, second = np.where(agree, d, 1.0), np.where(agree, e, 1.0)
-    mean = 3.0 * (h + k) / ((2.0 * k + h) / first + (k + 2.0 * h) / second)
+    with np.errstate(over="ignore"):  # a chord below 1e-308 has no inverse: the mean is 0, as it should be
+        mean = 3.0 * (h + k) / ((2.0 * k + h) / first + (k + 2.0 * h) / second)
     return np.where(agree, mean, 0.0)
 
 

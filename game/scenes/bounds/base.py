@@ -16,6 +16,7 @@ from game.scenes.bounds.readouts import readouts_of
 from game.scenes.bounds.state import BoundsState
 from game.scenes.bounds.view import BoundsView
 from game.scenes.bounds.walk import Walk
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.scenes.shared.outlines.level import CoastEntry, OutlinesContent
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, WarmUp
 
@@ -74,6 +75,7 @@ class BoundsScene(Scene):
         panes = self.make_panes()
         self.hand = Hand(self.model, self.walk, panes)
         self.view = BoundsView(self.model, self.walk, panes)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def make_panes(self) -> Panes:
         """What gives the parts of the picture."""
@@ -126,7 +128,7 @@ class BoundsScene(Scene):
     # -- what is shown ------------------------------------------------------------------------------
 
     def readouts(self) -> list[Readout]:
-        return readouts_of(self.model)
+        return readouts_of(self.model, self.walk.under_way)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()
@@ -137,6 +139,10 @@ class BoundsScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        content = self.model.content
+        if content.expected and self.parameters.walked == "off":
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:

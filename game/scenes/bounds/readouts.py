@@ -10,14 +10,17 @@ from game.stage import Readout
 BESIDE = {"obb": "with boxes", "capsule": "with capsules", "aabb": "axis-aligned"}  # tests of the other trees
 
 
-def readouts_of(model: BoundsModel) -> list[Readout]:
-    """Costs of the query, the gap, and how tight the volumes are."""
+def readouts_of(model: BoundsModel, walking: bool = False) -> list[Readout]:
+    """Costs of the query, the gap, and how tight the volumes are.
+
+    walking: the query is being walked through, and its crossings have not been found yet.
+    """
     query, gap = model.pair.query, model.gap()
     beside = model.beside.query if model.parameters.compare else None
     kind = model.beside.options.kind
     return [
         Readout("tests", query.volume_tests if query else 0),
-        Readout("crossings", query.crossing_count if query else 0),
+        Readout("crossings", math.nan if walking else query.crossing_count if query else 0),
         Readout("query", model.watch.median("query"), "s"),
         Readout("gap", gap.distance if gap is not None else math.nan, "m"),
         Readout("volumes", sum(len(tree) for tree in model.pair.trees)),

@@ -68,9 +68,9 @@ class BoundsView:
         if parameters.hierarchy:
             rows.append(("box:ghost", "rest of the hierarchy", str(rest)))
         query = pair.query
-        if query is not None and query.crossing_count:
+        if query is not None and query.crossing_count and not self.walk.under_way:
             rows.append(("disc:amber", "crossing of segments", str(query.crossing_count)))
-        elif query is not None:
+        elif query is not None and not query.crossing_count:
             rows.append(("dash:text1", "least distance", ""))
         if parameters.walked == "query":
             total = query.row_count if query else 0

@@ -69,6 +69,11 @@ class Walk(Part):
             return sum(len(tree) for tree in pair.trees)
         return pair.query.row_count if pair.query is not None else 0
 
+    @property
+    def under_way(self) -> bool:
+        """Whether a query is walked through, and its end has not been reached."""
+        return self.model.parameters.walked == "query" and self.cursor < self.length()
+
     def stand_at(self, cursor: int) -> None:
         """Stand after so many steps of the walk, as far as it has them; it no longer plays."""
         self.cursor = min(max(cursor, 0), self.length())

@@ -13,13 +13,15 @@ from game.physics.broadphase import BroadPhase
 from game.physics.broadphase.effects import BOUNDARY, BOXES, MOTION
 from game.physics.broadphase.motion import move_boxes_kernel
 from game.scenes.boxes.hand import Hand
-from game.scenes.boxes.level import BoxesContent
+from game.scenes.boxes.level import HEIGHT, WIDTH, BoxesContent
 from game.scenes.boxes.model.arrays import LOWER, UPPER, BoxesState
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import MAKING, BoxesParameters
+from game.scenes.boxes.view.outside import draw_outside
 from game.scenes.boxes.view.world import MOST_LINES, BoxesView
 from game.scenes.boxes.warm_up import exercise
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import Frame, Hint, Parameter, Pointer, Scene, SceneAction, SetParameter, StageEvent, WarmUp
 from game.ui.painters.boxes import warm_up as warm_up_painter
 
@@ -51,13 +53,13 @@ class BoxesScene(Scene):
             sorted(super().declared_parameters().items(), key=lambda item: order.get(item[1].group, 0))
         )
 
-    hints = (
+    hints: ClassVar[tuple[Hint, ...]] = (
         Hint(("Point", "Click"), "look into a box"),
         Hint(("Drag",), "move a box, or draw a new one"),
         Hint(("Right click",), "remove"),
         Hint(("↑", "↓"), f"{BATCH} more, fewer"),
     )
-    actions = (
+    actions: ClassVar[tuple[SceneAction, ...]] = (
         SceneAction("more", f"{BATCH} more boxes", "up"),
         SceneAction("fewer", f"{BATCH} fewer boxes", "down"),
     )
@@ -68,6 +70,7 @@ class BoxesScene(Scene):
         self.model.begin(content)
         self.hand = self.make_hand()
         self.view = self.view_type(self.model, self.hand)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def make_hand(self) -> Hand:
         """The hand on the model."""
@@ -134,6 +137,10 @@ class BoxesScene(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        draw_outside(canvas, self.model)
+        if self.model.expected:
+            captions = captions_of(self.model.expected, self.readouts())
+            draw_captions(canvas, (0.5 * WIDTH, HEIGHT), captions)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

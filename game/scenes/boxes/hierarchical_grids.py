@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.lab.studies.broadphase.count import METHOD_COLORS
 from game.lab.studies.broadphase.workloads import hierarchy_study
 from game.physics.broadphase import HierarchicalGrid, NaiveBroadPhase
 from game.scenes.boxes import C06
@@ -41,7 +42,12 @@ class HierarchicalGridScene(ComparedScene):
     phases = (("hierarchical grids", HierarchicalGrid), ("naive pairs", NaiveBroadPhase))
     strips = (
         Strip("Pairs", "", ("pairs",)),
-        Strip("Update and all pairs", "s", ("hierarchical", "naive")),
+        Strip(
+            "Update and all pairs",
+            "s",
+            ("hierarchical", "naive"),
+            colors=(METHOD_COLORS["hierarchical"], METHOD_COLORS["naive"]),
+        ),
         Strip("Box tests", "", ("box tests",)),
     )
     figure = staticmethod(draw_levels)

@@ -7,6 +7,7 @@ from typing import Annotated
 import msgspec
 
 from game.levels import Unbounded
+from game.scenes.shared.expectations import Expectations
 
 WIDTH, HEIGHT = 11.2, 8.0  # m, the world in which boxes move
 MOST_LISTED = 5_000  # boxes in a file
@@ -29,6 +30,10 @@ class BoxEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=
 
 
 class BoxesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """[content] of a level. Without boxes, random ones are made as the parameters say."""
+    """[content] of a level. Without boxes, random ones are made as the parameters say.
+
+    expected: of readouts; "pairs missed" is measured where it is expected.
+    """
 
     boxes: Annotated[tuple[BoxEntry, ...], msgspec.Meta(max_length=MOST_LISTED)] = ()
+    expected: Expectations = ()

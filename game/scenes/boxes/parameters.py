@@ -6,6 +6,7 @@ from game.physics.broadphase.workloads import WORKLOADS
 from game.stage import Choice, Param, Parameters, Toggle
 
 KINDS = ("equal", "heavy-tail", "power-law", "clustered", "line", "lattice")
+WORKLOAD_HELP = "how boxes are made; on one line and on a lattice they tremble about their places"
 KIND_LABELS = ("Equal sizes", "Two sizes", "Heavy-tailed sizes", "Clustered", "On one line", "Lattice")
 RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without parameters for them
 MAKING = ("workload", "fill", "ratio", "share")  # parameters by which random boxes are made
@@ -32,9 +33,7 @@ class BoxesParameters(Parameters):
     """What all broad-phase scenes have."""
 
     count = Param(500, 1, 100_000, whole=True, log=True, group="Boxes", label="Number", help=COUNT_HELP)
-    workload = Choice(
-        "equal", KINDS, labels=KIND_LABELS, group="Boxes", rebuild=True, help="how boxes are made"
-    )
+    workload = Choice("equal", KINDS, labels=KIND_LABELS, group="Boxes", rebuild=True, help=WORKLOAD_HELP)
     fill = Param(0.1, 0.01, 2.0, log=True, group="Boxes", label="Density", rebuild=True, help=FILL_HELP)
     speed = Param(
         0.6, 0.01, 100.0, log=True, unit="m/s", group="Boxes", help="of every box, in any direction"
@@ -94,7 +93,7 @@ class HierarchyParameters(ComparedParameters):
         label="Cells from level to level", help="how many times larger the cells of the next level are",
     )  # fmt: skip
     workload = Choice(
-        "heavy-tail", KINDS, labels=KIND_LABELS, group="Boxes", rebuild=True, help="how boxes are made"
+        "heavy-tail", KINDS, labels=KIND_LABELS, group="Boxes", rebuild=True, help=WORKLOAD_HELP
     )
     ratio = _ratio()
     share = _share()

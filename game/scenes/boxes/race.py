@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.lab.studies.broadphase.count import count_study
+from game.lab.studies.broadphase.count import METHOD_COLORS, count_study
 from game.physics.broadphase import (
     CoveringGrid,
     HierarchicalGrid,
@@ -19,13 +19,15 @@ from game.scenes.boxes.numbers import grouped
 from game.scenes.boxes.parameters import RaceParameters
 from game.scenes.boxes.readouts import race_readouts
 from game.scenes.boxes.view.race import RaceView
-from game.stage import Equation, Readout, Strip
+from game.stage import Action, Equation, Hint, Readout, SceneAction, StageEvent, Strip
 
 
 class BroadPhaseRace(BoxesScene):
     """Every broad phase is given the same boxes in every step, tells all pairs, and is timed: update and
-    all pairs together. The bars are logarithmic, from a microsecond to a second. Beside them stand the work
-    that was done, box tests or swaps, the memory, and whether the pairs are those of the others.
+    all pairs together. The bars are logarithmic, from a microsecond to a second. Beside them stand how many
+    times the fastest's that is, the work that was done, box tests or swaps, the memory, and whether the pairs
+    are those of the others. The plot keeps what a step cost at each number of boxes that was tried; X
+    measures them all from 8 to 2048 boxes and says from where on the naive method falls behind.
 
     Below, both pair managers take over the pairs and tell which began and which ended. Choose the workload:
     equal boxes, two sizes, a heavy tail of sizes, heaps, all on one line, a lattice full of ties, or boxes
@@ -51,10 +53,17 @@ class BroadPhaseRace(BoxesScene):
         ("sweep and prune", SweepAndPrune),
     )
     strips = (
-        Strip("Update and all pairs", "s", ("uniform", "hierarchical", "sweep")),
+        Strip(
+            "Update and all pairs",
+            "s",
+            ("uniform", "hierarchical", "sweep"),
+            colors=(METHOD_COLORS["uniform"], METHOD_COLORS["hierarchical"], METHOD_COLORS["sweep"]),
+        ),
         Strip("Pair managers", "s", ("matrix", "hash")),
         Strip("Pairs", "", ("pairs",)),
     )
+    hints = (*BoxesScene.hints, Hint(("X",), "find the crossover"))
+    actions = (*BoxesScene.actions, SceneAction("crossover", "find the crossover", "x"))
     figure = staticmethod(draw_costs)
     equations = (
         Equation("Naive", r"\frac{n(n-1)}{2}", "tests"),
@@ -69,9 +78,18 @@ class BroadPhaseRace(BoxesScene):
     try_this = (
         "Begin with 30 boxes: the naive method keeps up. Draw the number up and watch it fall behind.",
         "Choose the heavy tail: the uniform grid pays for its small cells, the hierarchy does not.",
-        "Let all leap: sweep and prune sorts again in every step. On one line it does so only at first.",
+        "Let all leap, or tremble on one line: sweep and prune sorts again in every step.",
         "Switch off all but the uniform grid and draw the number to 100 000.",
     )
+
+    def action(self, name: str) -> None:
+        if name == "crossover":
+            self.model.find_crossover()
+        else:
+            super().action(name)
+
+    def takes_long(self, event: StageEvent | None) -> bool:
+        return event == Action("crossover") or super().takes_long(event)
 
     def readouts(self) -> list[Readout]:
         return race_readouts(self.model)

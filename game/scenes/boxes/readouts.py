@@ -19,6 +19,13 @@ def _begun_and_ended(model: BoxesModel) -> tuple[Readout, Readout]:
     return Readout("begun", model.begun), Readout("ended", model.ended)
 
 
+def _expected_alone(model: BoxesModel) -> list[Readout]:
+    """What costs too much to be measured where no level expects it."""
+    if any(entry.readout == "pairs missed" for entry in model.expected):
+        return [Readout("pairs missed", model.missed_pairs())]
+    return []
+
+
 def grid_readouts(model: UniformGridModel) -> list[Readout]:
     """Of C05."""
     return [
@@ -29,6 +36,7 @@ def grid_readouts(model: UniformGridModel) -> list[Readout]:
         Readout("hash", model.manager_s("hash"), "s"),
         Readout("box tests", model.grid.tests),
         Readout("answers differ", 0 if model.same else 1),
+        *_expected_alone(model),
     ]
 
 
@@ -42,6 +50,7 @@ def hierarchy_readouts(model: HierarchicalGridModel) -> list[Readout]:
         Readout("pair manager", model.watch.median("keeper"), "s"),
         Readout("box tests", model.grid.tests),
         Readout("answers differ", 0 if model.same else 1),
+        *_expected_alone(model),
     ]
 
 
@@ -56,6 +65,7 @@ def sweep_readouts(model: SweepAndPruneModel) -> list[Readout]:
         Readout("naive", model.watch.median("naive"), "s"),
         Readout("sorted again", model.sap.resorts),
         Readout("answers differ", 0 if model.same else 1),
+        *_expected_alone(model),
     ]
 
 
@@ -67,4 +77,5 @@ def race_readouts(model: RaceModel) -> list[Readout]:
         *(Readout(name, model.watch.median(name), "s") for name in (*CONTESTANTS, "matrix", "hash")),
         Readout("swaps", model.swaps),
         Readout("answers differ", float(sum(not same for same in model.agree.values()))),
+        *_expected_alone(model),
     ]

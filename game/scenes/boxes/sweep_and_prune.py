@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.lab.studies.broadphase.count import METHOD_COLORS
 from game.lab.studies.broadphase.speed import sweep_study
 from game.physics.broadphase import NaiveBroadPhase, SweepAndPrune
 from game.scenes.boxes import C07
@@ -40,7 +41,12 @@ class SweepAndPruneScene(ComparedScene):
     phases = (("sweep and prune", SweepAndPrune), ("naive pairs", NaiveBroadPhase))
     strips = (
         Strip("Swaps in a step", "", ("swaps", "mean"), exact=("mean",)),
-        Strip("Update and all pairs", "s", ("sweep", "naive")),
+        Strip(
+            "Update and all pairs",
+            "s",
+            ("sweep", "naive"),
+            colors=(METHOD_COLORS["sweep"], METHOD_COLORS["naive"]),
+        ),
         Strip("Pairs", "", ("pairs",)),
     )
     figure = staticmethod(draw_swap)

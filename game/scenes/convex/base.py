@@ -13,6 +13,7 @@ from game.scenes.convex.level import PairContent, ShapeEntry
 from game.scenes.convex.model.pair import PairModel, PairState
 from game.scenes.convex.parameters import PairParameters
 from game.scenes.convex.readouts import PairReadouts
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip, WarmUp
 
 
@@ -66,6 +67,7 @@ class ConvexPairScene(Scene):
         self.model = self.model_type(self.parameters, self.active, content)
         self.hand = Hand(self.model)
         self._readouts = self.readouts_type(self.model)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def state(self) -> PairState:
         return self.model.state()
@@ -112,8 +114,24 @@ class ConvexPairScene(Scene):
         view = self.model.content.view
         return Frame(view.left, view.bottom, view.right, view.top)
 
+    def slider_range(self, name: str) -> tuple[float, float] | None:
+        """Features that there are: 2 n of a polygon of n corners."""
+        if name not in ("start_a", "start_b"):
+            return None
+        index, outlines = "ab".index(name[-1]), self.model.board.outlines
+        if index >= len(outlines):
+            return None
+        return 0.0, float(max(2 * len(outlines[index].points) - 1, 1))
+
     def draw(self, canvas: Any, alpha: float) -> None:
         raise NotImplementedError
+
+    def draw_expected(self, canvas: Any) -> None:
+        """What the level expects beside what is measured, above the polygons."""
+        content = self.model.content
+        if content.expected and self.model.ready:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

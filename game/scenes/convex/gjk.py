@@ -73,3 +73,4 @@ class Gjk(ConvexPairScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw(self.model, self.hand, canvas)
+        self.draw_expected(canvas)

@@ -8,6 +8,7 @@ from typing import Annotated
 import msgspec
 
 from game.scenes.shared.entry import LevelEntry
+from game.scenes.shared.expectations import Expectations
 from game.scenes.shared.outlines.board import Board
 from game.scenes.shared.outlines.outline import Outline, Point
 
@@ -43,7 +44,8 @@ class View(LevelEntry, frozen=True, kw_only=True):
 
 
 class PairContent(LevelEntry, frozen=True, kw_only=True):
-    """[content] of a level. scale: m to a unit; origin: where the level's (0, 0) is, in units.
+    """[content] of a level. scale: m to a unit; origin: where the level's (0, 0) is, in units; expected: of
+    readouts.
 
     What is far from the origin is computed there, but drawn near.
     """
@@ -53,6 +55,7 @@ class PairContent(LevelEntry, frozen=True, kw_only=True):
     scale: Annotated[float, msgspec.Meta(gt=1e-12, le=1e12)] = 1.0
     origin: tuple[float, float] = (0.0, 0.0)
     view: View = View()
+    expected: Expectations = ()
 
 
 def outline_of(entry: ShapeEntry, name: str) -> Outline:

@@ -65,3 +65,4 @@ class VClip(ConvexPairScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         view.draw(self.model, self.hand, canvas)
+        self.draw_expected(canvas)

@@ -19,6 +19,8 @@ def readouts_of(model: LectureTableModel) -> tuple[Readout, ...]:
     return (
         Readout("balls down", model.balls_down),
         Readout("cue ball", math.sqrt(float(cue_ball @ cue_ball)), "m/s"),
+        Readout("its velocity along", float(cue_ball[1]), "m/s"),
+        Readout("its velocity across", float(cue_ball[0]), "m/s"),
         Readout("energy", table.energy, "J"),
         Readout("along", along, "kg m/s"),
         Readout("across", across, "kg m/s"),

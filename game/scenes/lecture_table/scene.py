@@ -64,6 +64,7 @@ class LectureTable(Scene):
     )
     figure = staticmethod(draw_tunnelling)
     equations = (
+        Equation("Speed", r"\abs{\v{v}} = \sqrt{v_x^2 + v_y^2}", "of the velocity"),
         Equation("Motion", r"\v{x}_{n+1} = \v{x}_n + \v{v}_n \Delta t", "the lecture, Euler"),
         Equation("Cushion", r"x' = w - e (x - w), v' = -e v", "overshoot given back"),
         Equation(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from game.billiards.shot.trajectory import rotation_matrices
@@ -47,8 +49,33 @@ def draw(
     table_view.draw_balls(canvas, balls, table)
     if model.cue_ball_ready and (aiming or cue.phase == STRIKING):
         table_view.draw_cue_behind(canvas, table, balls.positions[0], float(balls.radii[0]), cue, CUE_WORDS)
+    _write_velocity(canvas, model, balls)
     _draw_resting_cue(canvas, model, turns.player)
     _draw_words(canvas, table, turns)
+
+
+def velocity_words(model: LectureTableModel) -> tuple[str, str]:
+    """Of the cue ball: speed and direction (from the table's length, counter-clockwise), and components.
+
+    Empty where there is none, or it is at rest.
+    """
+    across, along = model.table.velocities[0].tolist()
+    speed = math.hypot(across, along)
+    if not (model.has_cue_ball and model.table.state.in_play[0] and speed > 0.0):
+        return "", ""
+    angle = round(math.degrees(math.atan2(-across, along)))
+    across, along = (round(part, 2) + 0.0 for part in (across, along))  # no sign before a zero
+    words = f"{speed:.2f} m/s at {angle}°", f"along {along:.2f}, across {across:.2f}"
+    return words[0].replace("-", "−"), words[1].replace("-", "−")
+
+
+def _write_velocity(canvas: Canvas, model: LectureTableModel, balls: Balls) -> None:
+    """Speed, direction and components of the cue ball beside it, while it moves."""
+    for line, words in enumerate(velocity_words(model)):
+        if words:
+            shown = canvas.figure(("velocity", line), words)
+            offset = (0.0, 24.0 + 16.0 * line)
+            canvas.label(balls.positions[0], shown, FELT_WARM, 12, "semibold", "center", offset)
 
 
 def _balls_of(model: LectureTableModel, previous: LectureTableState | None, alpha: float) -> Balls:

@@ -146,6 +146,7 @@ class TwoBalls(Part):
         straight = True
         for index, ball in enumerate(self.balls):
             if grasp != (index, False):
+                ball.acceleration = self._acceleration_of(ball)
                 overshoot = ball.update()
                 if overshoot is not None and record.write_overshoot(self.walls[index], ball, overshoot):
                     straight = False
@@ -160,6 +161,19 @@ class TwoBalls(Part):
         self.rest_s = self.rest_s + dt if resting else 0.0
         if self.parameters.again and self.rest_s > NEXT_START_S and grasp == NOTHING:
             self.start_again()
+
+    def _acceleration_of(self, ball: Ball) -> tuple[float, float]:
+        """What is added to a velocity in a frame, px/frame²: the acceleration, less what slows down.
+
+        A deceleration ends where the ball stands; it does not turn it round.
+        """
+        chosen, (vx, vy), speed = self.parameters, ball.velocity, ball.speed
+        turn = math.radians(chosen.direction)
+        lost = min(chosen.deceleration, speed) / speed if speed > 0.0 else 0.0
+        return (
+            chosen.acceleration * math.cos(turn) - lost * vx,
+            chosen.acceleration * math.sin(turn) - lost * vy,
+        )
 
     def release(self) -> None:
         """Go on from a collision that is held."""

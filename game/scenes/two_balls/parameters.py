@@ -37,6 +37,22 @@ class LectureBallsParameters(Parameters):
     mass_ratio = Param(
         1.0, 0.01, 100.0, log=True, group="Balls", rebuild=True, help="mass of ball 2 over mass of ball 1"
     )
+    acceleration = Param(
+        0.0,
+        0.0,
+        5.0,
+        unit="px/frame²",
+        group="Motion",
+        help="added to the velocity of both balls in every frame",
+    )
+    direction = Param(
+        90.0, -180.0, 180.0, unit="°", group="Motion", label="Its direction",
+        help="of the acceleration, from the x axis; y points down, so 90° is downwards",
+    )  # fmt: skip
+    deceleration = Param(
+        0.0, 0.0, 5.0, unit="px/frame²", group="Motion",
+        help="taken from the speed in every frame, until the ball stands",
+    )  # fmt: skip
     bounce = Param(0.9, 0.0, 1.0, group="Window", label="Bounce factor", help="speed kept at a wall")
     friction = Param(
         0.996, 0.8, 1.0, group="Window", label="Friction factor", help="speed kept from frame to frame"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from game.scenes.two_balls.level import FRAME_RATE
@@ -29,6 +30,21 @@ def measures_in(units: str) -> Measures:
     return Measures("m/s", "kg m/s", "J", factor, factor * factor)
 
 
+def velocity_words(model: TwoBalls, index: int) -> str:
+    """Speed, direction and components of a ball's velocity, y down: "18.0 px/frame at 56°, (10.0, 15.0)"."""
+    ball, measures = model.balls[index], measures_in(model.parameters.units)
+    digits = 1 if model.parameters.units == "pixels" else 2
+    vx, vy = (fixed(measures.speed * part, digits) for part in ball.velocity)
+    angle = fixed(math.degrees(ball.angle), 0)
+    return f"{fixed(measures.speed * ball.speed, digits)} {measures.speed_unit} at {angle}°, ({vx}, {vy})"
+
+
+def fixed(value: float, digits: int) -> str:
+    """A number with so many digits after the point, and no sign before a zero."""
+    text = f"{value:.{digits}f}"
+    return text.replace("-", "" if float(text) == 0.0 else "−")
+
+
 def readouts_of(model: TwoBalls) -> tuple[Readout, ...]:
     """All that is shown and charted."""
     speed_unit, momentum_unit, energy_unit, speed, energy = measures_in(model.parameters.units)
@@ -38,6 +54,8 @@ def readouts_of(model: TwoBalls) -> tuple[Readout, ...]:
         Readout("collisions", model.collisions),
         Readout("speed of 1", model.balls[0].speed * speed, speed_unit),
         Readout("speed of 2", model.balls[1].speed * speed, speed_unit),
+        Readout("direction of 1", math.degrees(model.balls[0].angle), "°"),
+        Readout("direction of 2", math.degrees(model.balls[1].angle), "°"),
         Readout("energy", sum(ball.energy for ball in model.balls) * energy, energy_unit),
         Readout("right", px * speed, momentum_unit),
         Readout("down", py * speed, momentum_unit),

@@ -56,6 +56,13 @@ class LectureBalls(Scene):
     )
     figure = staticmethod(draw_exchange)
     equations = (
+        Equation(
+            "Speed and direction",
+            r"\abs{\v{v}} = \sqrt{v_x^2 + v_y^2},  \phi = \atan2(v_y, v_x)",
+            "of a velocity",
+        ),
+        Equation("Acceleration", r"\v{v}_{n+1} = \v{v}_n + \v{a}", "a frame is the unit of time"),
+        Equation("Deceleration", r"\abs{\v{v}_{n+1}} = \max(\abs{\v{v}_n} - d, 0)", "against the motion"),
         Equation("Line of centres", r"\alpha = \atan2(y_1 - y_2, x_1 - x_2)", "the lecture"),
         Equation(
             "Into its frame",
@@ -76,6 +83,7 @@ class LectureBalls(Scene):
         Equation("Slip 3", r"v_y = p_x \cos\alpha + p_y \sin\alpha", "x, y not swapped"),
     )
     try_this = (
+        "Give both an acceleration of 0.3 px/frame² at 90°: they fall. Then a deceleration: they rest.",
         "Choose as printed and watch the momentum: " + SLIPS[0].effect,
         "Slip 2: " + SLIPS[1].effect,
         "Slip 3: " + SLIPS[2].effect,

@@ -11,6 +11,7 @@ from game.scenes.two_balls.hand import ARROW
 from game.scenes.two_balls.lens import draw_last_collision
 from game.scenes.two_balls.level import FRAME_RATE, HEIGHT, WIDTH
 from game.scenes.two_balls.model import NOTHING, Grasp, LectureBallsState, TwoBalls
+from game.scenes.two_balls.readouts import velocity_words
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_WARM
@@ -42,6 +43,7 @@ def draw(
     if model.parameters.vectors:
         _draw_arrows(model, canvas, places)
     canvas.halo = canvas.theme.stage
+    _write_velocities(model, canvas, grasp)
     draw_last_collision(model, canvas)
 
 
@@ -80,6 +82,17 @@ def _draw_arrows(model: TwoBalls, canvas: Canvas, places: Array) -> None:
     for index, ball in enumerate(model.balls):
         if ball.speed > 0.2:
             canvas.arrow(places[index], ball.velocity, FELT_COOL, f"v_{index + 1}", scale=ARROW)
+
+
+def _write_velocities(model: TwoBalls, canvas: Canvas, grasp: Grasp) -> None:
+    """Speed, direction and components of both, below the window, where no ball comes over them."""
+    for index in range(2):
+        words = f"Ball {index + 1}: {velocity_words(model, index)}"
+        if grasp == NOTHING:  # what a hand changes is followed at once
+            words = canvas.figure(("velocity", index), words)
+        place = (0.0, HEIGHT)
+        offset = (0.0, 8.0 + 20.0 * index)
+        canvas.label(place, words, "text1", 13, "medium", anchor="topleft", offset=offset)
 
 
 def _draw_walls(model: TwoBalls, canvas: Canvas) -> None:

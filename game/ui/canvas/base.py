@@ -59,11 +59,28 @@ class CanvasBase:
         if not self.covered:
             self.fill()
         self._cover, self._area, self._extent = raster.scratch_for(self._pixels)
+        self._origin = surface.get_abs_offset()
+        self._see_through(camera)
+
+    def _see_through(self, camera: Camera) -> None:
+        """Take over a camera's map."""
+        self.camera = camera
         self._a, self._b, self._c, self._d, self._e, self._f = camera.affine()
         self._scale = camera.scale
-        left, top = surface.get_abs_offset()
-        self._e, self._f = self._e + left, self._f + top
-        self._origin = (left, top)
+        self._e, self._f = self._e + self._origin[0], self._f + self._origin[1]
+
+    @contextmanager
+    def at_home(self) -> Iterator[bool]:
+        """What is drawn meanwhile stands where the fitted view has it, however the picture is moved.
+
+        Gives whether the picture is moved.
+        """
+        before = self.camera
+        self._see_through(before.fitted())
+        try:
+            yield before.affine() != self.camera.affine()
+        finally:
+            self._see_through(before)
 
     def end(self) -> None:
         """Give the surface back as it was."""

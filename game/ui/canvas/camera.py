@@ -125,6 +125,13 @@ class Camera:
         other.fit(frame, rect, margin)
         self._wanted, self._home, self._anchor = list(other._home), home, None
 
+    def fitted(self) -> Camera:
+        """A camera of the same rectangle that stands at the fitted view."""
+        other = Camera(y_up=self.y_up)
+        other._turn, other.rect = self._turn, self.rect
+        other._home, other._view, other._wanted = self._home, list(self._home), list(self._home)
+        return other
+
     @property
     def is_home(self) -> bool:
         """Whether the view is, or is on its way to, the fitted one."""

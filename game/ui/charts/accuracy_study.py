@@ -150,9 +150,9 @@ def _series(table: StudyTable, method: str, i: int, settings: Sequence[Setting])
     coming = _estimates(study, rows, missing)
     style = SERIES[i % len(SERIES)]
     points = (*failed, *(_point(study, row) for row in chosen), *coming)
-    return PlotSeries(
-        _sentence_case(study.method(method).label), points, order, style.color, style.marker, tuple(cloud)
-    )
+    told = study.method(method)
+    color = told.color or style.color
+    return PlotSeries(_sentence_case(told.label), points, order, color, style.marker, tuple(cloud))
 
 
 def _in_turn(study: Study, rows: Sequence[Row]) -> list[Row]:

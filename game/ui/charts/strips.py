@@ -44,6 +44,14 @@ def ends_of(values: np.ndarray, unit: str) -> tuple[float, float, bool]:
     return low, high, whole
 
 
+def color_of(strip: Strip, name: str) -> str:
+    """The colour of a series, by its name in the theme."""
+    if name in strip.exact:
+        return EXACT
+    colors = strip.colors or COLORS
+    return colors[strip.series.index(name) % len(colors)]
+
+
 class Strips:
     """The charts of a scene, as the layout gives them space."""
 
@@ -137,10 +145,10 @@ class Strips:
         """Only title and last values, in one row."""
         look, y = self.look, place.h / 2
         x = place.x + look.text(picture, strip.title, (place.x, y), 12, "semibold").w + look.px(8)
-        for i, name in enumerate(strip.series):
+        for name in strip.series:
             known = name in self._last
             number, unit = quantity(self._last[name], self.unit_shown(strip)) if known else ("–", "")
-            color = EXACT if name in strip.exact else COLORS[i % len(COLORS)]
+            color = color_of(strip, name)
             words = f"{name} "
             if x + look.fonts.size(words + number + unit, 12)[0] > place.right:
                 return
@@ -243,9 +251,7 @@ class Strips:
             raster.fill_disc(pixels, wide, points[-1, 0], points[-1, 1], 3.0 * k, ink, 1.0)
 
     def _color(self, strip: Strip, name: str) -> pygame.Color:
-        if name in strip.exact:
-            return self.look.color(EXACT)
-        return self.look.color(COLORS[strip.series.index(name) % len(COLORS)])
+        return self.look.color(color_of(strip, name))
 
     def _paint_labels(
         self, picture: pygame.Surface, box: pygame.Rect, space: int, strip: Strip,
@@ -256,7 +262,7 @@ class Strips:
         wanted = [y if math.isfinite(y) else float(box.bottom) for y in heights]
         places = spread(wanted, px(APART), box.y, box.bottom)
         for name, number, y in zip(names, numbers, places, strict=True):
-            color = EXACT if name in strip.exact else COLORS[strip.series.index(name) % len(COLORS)]
+            color = color_of(strip, name)
             x = box.right + px(10)
             free = space - px(10) - look.fonts.size(" " + number, 12, "semibold")[0]
             words = look.fonts.fit(_label(name, strip), 12, "medium", max(free, 0))

@@ -48,6 +48,11 @@ class Contents(NamedTuple):
         level = self.source.scene.level
         return str(level.path or "") if level is not None else ""
 
+    def level_tip(self) -> str:
+        """What the present level is, in all its words."""
+        level = self.source.scene.level
+        return "\n".join(filter(None, (level.title, level.about))) if level is not None else "Level"
+
     def level_options(self) -> list[tuple[str, str]]:
         """Title and path of each level; first the present one, if it is none of them."""
         options = [(row.title, str(row.value)) for row in self.levels]
@@ -71,7 +76,7 @@ class Flow:
         source = contents.source
         if contents.levels:
             self.space(16)
-            self._menu(LEVEL, contents.level_options(), contents.present_level(), "Level")
+            self._menu(LEVEL, contents.level_options(), contents.present_level(), contents.level_tip())
             self.space(8)
         for index in range(len(contents.legend)):
             self._row(LegendRow, source, index)

@@ -141,11 +141,22 @@ class Column:
 
 
 class HelpPage:
-    """The page as an overlay. ``controls``: rows of keys and words that every scene has."""
+    """The page as an overlay.
 
-    def __init__(self, look: Look, scene_type: type[Scene], controls: Sequence[KeyRow] = ()) -> None:
+    ``controls``: rows of keys and words that every scene has. ``level``: title and words of the level in
+    play, which come first.
+    """
+
+    def __init__(
+        self,
+        look: Look,
+        scene_type: type[Scene],
+        controls: Sequence[KeyRow] = (),
+        level: tuple[str, str] = ("", ""),
+    ) -> None:
         self.look = look
         self.scene_type = scene_type
+        self.level = level
         self.controls = tuple(controls)
         self.overlay = Overlay(look, HEIGHT)
         self.spots = Hotspots()
@@ -273,6 +284,11 @@ class HelpPage:
         return max(_written(section, column) for section in sections) + px(16)
 
     def _write_seen(self, column: Column) -> None:
+        title, about = self.level
+        if title and about:
+            column.head(title)
+            column.paragraph(about, color="text1")
+            column.space(8)
         column.head("What you see")
         for i, words in enumerate(paragraphs_of(self.scene_type)):
             column.paragraph(words)

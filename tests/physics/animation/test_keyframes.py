@@ -277,3 +277,11 @@ def test_the_ends_of_a_monotone_curve_are_at_most_three_chords_steep(sign, secon
     assert ends[0, 0] == begins[1, 0] == 0.0
     backwards = piece_slopes("monotone", np.array([0.0, 1.0, 2.0]), -steps[::-1])[1]
     assert backwards[-1, 0] == pytest.approx(-sign * slope, rel=1e-15)
+
+
+@pytest.mark.parametrize("least", [1e-307, 1e-310, 5e-324])
+def test_a_chord_without_an_inverse_makes_a_flat_key(least):
+    with np.errstate(all="raise", under="ignore"):
+        begins, ends = piece_slopes("monotone", np.arange(4.0), np.array([[least], [least], [1.0]]))
+    assert np.isfinite(begins).all() and np.isfinite(ends).all()
+    assert 0.0 <= begins[1, 0] <= 3.0 * least and 0.0 <= begins[2, 0] <= 3.0 * least

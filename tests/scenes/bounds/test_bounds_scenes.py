@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from game.levels import Level, LevelError, format_level, level_files, parse_level
+from game.levels import Level, LevelError, format_level, level_files, load_level, parse_level
 from game.physics.bounds import FITS, traversal
 from game.physics.bounds.query import ANCESTOR, OVERLAPPING
 from game.scenes.bounds.capsules import Capsules
@@ -269,7 +269,9 @@ def test_every_level_steps_restores_and_steps_again(scene_type, path):
     stage.scene.check()
     unknown = {r.name for r in stage.readouts() if not math.isfinite(r.value)}
     assert unknown <= (
-        {"gap", "area above exact", "building"} if "draw" in path.stem else {"area above exact"}
+        {"gap", "area above exact", "building"}
+        if "draw" in path.stem
+        else {"area above exact", *(("crossings",) if "walk-query" in path.stem else ())}
     )
 
 
@@ -371,3 +373,18 @@ def test_the_fit_that_was_called_calipers_is_taken_by_its_present_name(scene_typ
     stage.recording.save(path)
     path.write_text(path.read_text().replace(f'"{now}"', '"calipers"'))
     assert replay_scene(Recording.load(path), scene_type).digest() == stage.digest()
+
+
+def test_crossings_are_told_when_a_walk_has_come_to_its_end():
+    path = next(path for path in level_files("c08") if path.stem == "hard-06-touching")
+    stage = Stage(OrientedBoxes, level=load_level(path, "c08", OrientedBoxes.content_type))
+
+    def told() -> tuple[float, bool]:
+        crossings = next(row.value for row in stage.readouts() if row.name == "crossings")
+        return crossings, any(words == "crossing of segments" for _, words, _ in stage.scene.legend())
+
+    assert told() == (3, True)
+    stage.post(SetParameter("walked", "query"))
+    assert math.isnan(told()[0]) and not told()[1]
+    stage.scene.walk.stand_at(10_000)
+    assert told() == (3, True)

@@ -12,7 +12,7 @@ from game.physics.narrowphase import vclip
 from game.scenes.convex.gjk import Gjk
 from game.scenes.convex.level import PairContent
 from game.scenes.convex.vclip import VClip
-from game.stage import Action, Pointer, SetEffect, SetParameter, replay_scene
+from game.stage import Action, Pointer, SetEffect, SetParameter, Stage, replay_scene
 from tests.physics.narrowphase.exact_pair import exact_distance
 from tests.scenes.particle_stages import click, drag, open_level, press, readouts, release, stage_of
 
@@ -300,3 +300,12 @@ def test_what_is_broken_in_a_level_is_named(text, field):
     with pytest.raises(LevelError) as caught:
         VClip(parse_level(f'scene = "c10"\n{text}\n', "c10", PairContent))
     assert field in str(caught.value)
+
+
+def test_a_slider_of_features_spans_those_that_there_are():
+    scene = Stage(VClip).scene
+    counts = [len(outline.points) for outline in scene.model.board.outlines]
+    assert [scene.slider_range(name) for name in ("start_a", "start_b")] == [
+        (0.0, 2.0 * n - 1.0) for n in counts
+    ]
+    assert scene.slider_range("tool") is None

@@ -11,6 +11,7 @@ from game.billiards.lecture.settings import DEFAULTS, lecture_settings
 from game.billiards.table.rack import BALL_RADIUS as R
 from game.levels import LevelError, level_files, load_level
 from game.scenes.lecture_table.scene import LectureTable
+from game.scenes.lecture_table.view import velocity_words
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.ui.canvas.canvas import Canvas
 
@@ -378,3 +379,14 @@ def test_a_table_that_plays_itself_says_so_until_a_person_takes_the_cue(monkeypa
 
 def test_the_rings_of_contacts_are_explained(monkeypatch: pytest.MonkeyPatch):
     assert any("contact" in words for words in words_of(free_table(), monkeypatch))
+
+
+def test_speed_direction_and_components_of_the_cue_ball_are_written_while_it_moves():
+    stage = open_level("free-play")
+    model = stage.scene.model
+    assert velocity_words(model) == ("", "")
+    model.strike(math.radians(150.0), 4.0, stage.dt)  # from the x axis, which is across the table
+    assert velocity_words(model) == ("4.00 m/s at 60°", "along 2.00, across −3.46")
+    readouts = {row.name: row.value for row in stage.readouts()}
+    assert readouts["its velocity along"] == pytest.approx(2.0)
+    assert readouts["its velocity across"] == pytest.approx(-2.0 * math.sqrt(3.0))

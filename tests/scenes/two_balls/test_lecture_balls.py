@@ -7,7 +7,9 @@ import pytest
 
 from game.levels import level_files, load_level
 from game.scenes.two_balls import record
+from game.scenes.two_balls.hand import ARROW
 from game.scenes.two_balls.lens import NAME_SPACE, label_is_free
+from game.scenes.two_balls.readouts import velocity_words
 from game.scenes.two_balls.scene import LectureBalls
 from game.stage import Action, Pointer, SetEffect, SetParameter, Stage
 from game.ui.charts.strips import Strips
@@ -240,3 +242,52 @@ def test_each_strip_has_a_unit_that_of_what_is_chosen_now():
         stage.run(2)
         strips.update(0.3, stage)
         assert [strips.unit_shown(strip) for strip in LectureBalls.strips] == shown
+
+
+def alone(**parameters) -> Stage:
+    """Two balls without walls, collisions and friction."""
+    names = tuple(effect.name for effect in LectureBalls.effects)
+    return Stage(LectureBalls, parameters=parameters, effects_off=names)
+
+
+def test_acceleration_is_added_to_the_velocity_in_every_frame():
+    stage = alone(acceleration=0.5, direction=90.0)
+    before = [ball.velocity for ball in stage.scene.model.balls]
+    stage.run(10)
+    for ball, (vx, vy) in zip(stage.scene.model.balls, before, strict=True):
+        assert ball.velocity == pytest.approx((vx, vy + 5.0), abs=1e-12)
+
+
+def test_the_direction_of_an_acceleration_is_clockwise_from_the_right_as_y_points_down():
+    stage = alone(acceleration=2.0, direction=-30.0)
+    (vx, vy), _ = (ball.velocity for ball in stage.scene.model.balls)
+    stage.run(1)
+    now = stage.scene.model.balls[0].velocity
+    assert now == pytest.approx((vx + math.sqrt(3.0), vy - 1.0), abs=1e-12)
+
+
+def test_deceleration_takes_from_the_speed_and_ends_at_rest():
+    stage = alone(deceleration=2.0)
+    ball = stage.scene.model.balls[0]
+    speed, angle = ball.speed, ball.angle
+    stage.run(3)
+    ball = stage.scene.model.balls[0]
+    assert ball.speed == pytest.approx(speed - 6.0) and ball.angle == pytest.approx(angle)
+    stage.run(30)
+    assert [ball.speed for ball in stage.scene.model.balls] == [0.0, 0.0]
+
+
+def test_speed_direction_and_components_are_written_also_while_a_ball_is_dragged():
+    stage = open_level("default")
+    model = stage.scene.model
+    assert velocity_words(model, 0) == "18.0 px/frame at 56°, (10.0, 15.0)"
+    assert velocity_words(model, 1) == "22.4 px/frame at −153°, (−20.0, −10.0)"
+    stage.post(SetParameter("units", "metres"))
+    assert velocity_words(stage.scene.model, 0) == "2.16 m/s at 56°, (1.20, 1.80)"
+    stage.post(SetParameter("units", "pixels"))
+    x, y = stage.scene.model.balls[0].position
+    head = (x + ARROW * 10.0, y + ARROW * 15.0)
+    stage.post(Pointer("down", *head, 1))
+    stage.post(Pointer("move", x + ARROW * 8.0, y, 1))
+    assert velocity_words(stage.scene.model, 0) == "8.0 px/frame at 0°, (8.0, 0.0)"
+    assert readout(stage, "direction of 1") == 0.0

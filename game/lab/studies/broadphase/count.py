@@ -23,6 +23,9 @@ from game.physics.broadphase.workloads import make_boxes
 
 MOST_NAIVE = 10_000
 COUNT_PARAMETERS = {"workload": "equal", "fill": 0.375}
+METHOD_COLORS = {  # of the theme: in studies, tables, bars, strips and curves alike
+    "naive": "vermilion", "uniform": "chalk", "covering": "violet", "hierarchical": "green", "sweep": "pink",
+}  # fmt: skip
 COUNT_METHODS: dict[str, Callable[[float], BroadPhase]] = {
     "naive": lambda size: NaiveBroadPhase(),
     "uniform": lambda size: UniformGrid((0.0, 0.0), EXTENT, 1.25 * size),
@@ -58,10 +61,10 @@ work_study = Study(
     counter="pairs",
     knob=Knob("count", "boxes"),
     methods=(
-        Method("naive", "naive", 2.0),
-        Method("uniform", "uniform grid", 1.0),
-        Method("hierarchical", "hierarchical grids", 1.0),
-        Method("sweep", "sweep and prune", 1.5),
+        Method("naive", "naive", 2.0, color=METHOD_COLORS["naive"]),
+        Method("uniform", "uniform grid", 1.0, color=METHOD_COLORS["uniform"]),
+        Method("hierarchical", "hierarchical grids", 1.0, color=METHOD_COLORS["hierarchical"]),
+        Method("sweep", "sweep and prune", 1.5, color=METHOD_COLORS["sweep"]),
     ),
     settings=_count_settings,
     trial=_count_trial,
@@ -80,7 +83,13 @@ count_study = replace(
     title="Broad phases: time against the number of boxes",
     methods=(
         *work_study.methods[:3],
-        Method("sweep", "sweep and prune", None, "between 1 and 1.5: sorting and listing are in proportion"),
+        Method(
+            "sweep",
+            "sweep and prune",
+            None,
+            "between 1 and 1.5: sorting and listing are in proportion",
+            color=METHOD_COLORS["sweep"],
+        ),
     ),
     axes=Axes("knob", "cpu"),
     short="Number",

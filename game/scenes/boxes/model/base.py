@@ -22,6 +22,8 @@ from game.stage.messages import Messages
 
 MOST_PAIRS = 500_000  # a frame takes a tenth of a second there
 NO_BOX = -1
+# Workloads whose boxes turn back in every step, and on which axes: else a line would be none after a second.
+TREMBLING = {"line": (1,), "lattice": (0, 1)}
 
 
 class BoxesModel(Part):
@@ -45,6 +47,7 @@ class BoxesModel(Part):
 
     def begin(self, content: BoxesContent) -> None:
         """Begin with the boxes of a level, or random ones. ValueError if the level's are none."""
+        self.expected = content.expected
         self.listed = bool(content.boxes)  # the boxes are those of the level: their sizes are not changed
         if self.listed:
             self.boxes = listed_boxes(content.boxes)
@@ -112,7 +115,11 @@ class BoxesModel(Part):
         if parameters.swept:
             before = boxes.lowers.copy(), boxes.uppers.copy()
         move = move_boxes_kernel(BOXES.mask(self.active) & BOXES.mask(MOTION | BOUNDARY))
+        trembling = () if self.listed else TREMBLING.get(parameters.workload, ())
+        came_with = [boxes.velocities[:, axis].copy() for axis in trembling]
         move(boxes.lowers, boxes.uppers, boxes.velocities, boxes.growth, boxes.alive, LOWER, UPPER, dt)
+        for axis, velocity in zip(trembling, came_with, strict=True):
+            boxes.velocities[:, axis] = -velocity  # whether or not the boundary has turned it back
         if parameters.leaps > 0.0:
             self._leap()
         if parameters.swept:
@@ -275,6 +282,15 @@ class BoxesModel(Part):
         count = self.parameters.values["count"]
         self.begin_again()
         self.parameters.values["count"] = count
+
+    def missed_pairs(self) -> int:
+        """How many pairs are found but do not overlap, or overlap but are not found, by testing all."""
+        ids, (lowers, uppers) = self.boxes.ids, self.boxes.covered()
+        low, high = lowers[ids], uppers[ids]
+        overlap = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=2)
+        first, second = np.nonzero(np.triu(overlap, 1))
+        truth = set(zip(ids[first].tolist(), ids[second].tolist(), strict=True))
+        return len(truth.symmetric_difference(map(tuple, self.pairs.tolist())))
 
     def overlapping(self) -> int:
         """Number of boxes that overlap another."""

@@ -17,9 +17,12 @@ from game.physics.broadphase import (
     SweepAndPrune,
     UniformGrid,
 )
+from game.physics.broadphase.workloads import make_boxes
+from game.physics.effects import EffectSet
 from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.base import BoxesModel
 from game.scenes.boxes.model.compared import MOST_NAIVE
+from game.scenes.boxes.model.crossover import COUNTS, CostCurves, cost_of_a_step, typical_size
 from game.scenes.boxes.model.managers import matrix_for
 from game.scenes.boxes.parameters import CONTESTANTS, RaceParameters
 
@@ -30,11 +33,16 @@ class RaceModel(BoxesModel):
     """The model of the race.
 
     phases: the broad phases that take part, by name; agree: whether each finds the pairs of the first;
-    managers: both pair managers, None for a matrix that would be too large; swaps: of the last step.
+    managers: both pair managers, None for a matrix that would be too large; swaps: of the last step. curves:
+    what steps have cost at other numbers of boxes.
     """
 
     parameters: RaceParameters
     shaping = ("cell", *CONTESTANTS)
+
+    def __init__(self, parameters: RaceParameters, active: EffectSet, seed: int):
+        super().__init__(parameters, active, seed)
+        self.curves = CostCurves()
 
     def make_structures(self) -> None:
         cell = max(self.parameters.cell * self.size, math.sqrt(WIDTH * HEIGHT / MOST_CELLS))
@@ -69,6 +77,7 @@ class RaceModel(BoxesModel):
             if first is None:
                 first = self.pairs = pairs
             self.agree[name] = bool(np.array_equal(pairs, first))
+            self.curves.note(name, len(self.boxes), self.watch.median(name))
         self._keep_pairs()
 
     def _keep_pairs(self) -> None:
@@ -107,7 +116,23 @@ class RaceModel(BoxesModel):
         boxes.lowers[movable] = places[movable]
         boxes.uppers[movable] = (places + sizes)[movable]
 
+    def find_crossover(self) -> None:
+        """Measure the contestants at eight to some two thousand boxes, made as those of the scene are."""
+        chosen, dt = self.parameters, self.parameters.step_length
+        self.curves.swept = {}
+        for count in COUNTS:
+            boxes = make_boxes(
+                chosen.workload, count, np.random.default_rng((self.seed, count)), (WIDTH, HEIGHT),
+                chosen.fill, chosen.speed, *chosen.large(),
+            )  # fmt: skip
+            cell = min(chosen.cell * typical_size(boxes), WIDTH)
+            for name in CONTESTANTS:
+                seconds = cost_of_a_step(_phase(name, cell), boxes, dt)
+                self.curves.note_swept(name, count, seconds)
+
     def parameter_changed(self, name: str) -> None:
+        if name not in ("count", "lines", *CONTESTANTS):
+            self.curves.clear()  # what was measured was another workload
         super().parameter_changed(name)
         if name in self.shaping and not self.parameters.chosen():
             self.messages.say("All are left out. Hierarchical grids stay: one must know the pairs.")

@@ -24,11 +24,13 @@ class Column:
         bottom: float,
         top: float = COLUMN_TOP,
         right: float = COLUMN_RIGHT,
+        over: bool = False,
     ):
+        """``over``: whether anything may lie under it, as the picture has been moved."""
         self.canvas = canvas
         self._written = 0
         edge = right + canvas.px(10)
-        if boxes.lowers[:, 0].min(initial=0.0) < edge:  # boxes that come so far are hardly seen
+        if over or boxes.lowers[:, 0].min(initial=0.0) < edge:  # boxes that come so far are hardly seen
             ground = np.array([(-99.0, -99.0), (edge, -99.0), (edge, 99.0), (-99.0, 99.0)])
             canvas.polygon(ground, fill="stage", fill_alpha=0.9)
         self.y = top

@@ -51,15 +51,16 @@ class HierarchicalGridView(BoxesView):
             draw_names(boxes, canvas, places)
             if seen is not None:
                 draw_look(model, canvas, places, seen)
-        column = Column(canvas, boxes, self.frame().bottom, 5.75)
-        if seen is None or column.room_px > TALL:
-            words = f"Hierarchical, {grouped(model.grid.tests)} tests"
-            draw_comparison(model, column, "hierarchical", words, "chalk")
-            column.space(6)
-        self._draw_levels(column, counts, present)
-        if seen is not None:
-            column.space(6)
-            write_look(model, column, seen)
+        with canvas.at_home() as moved:
+            column = Column(canvas, boxes, self.frame().bottom, 5.75, over=moved)
+            if seen is None or column.room_px > TALL:
+                words = f"Hierarchical, {grouped(model.grid.tests)} tests"
+                draw_comparison(model, column, "hierarchical", words)
+                column.space(6)
+            self._draw_levels(column, counts, present)
+            if seen is not None:
+                column.space(6)
+                write_look(model, column, seen)
 
     def _draw_cells(self, canvas: Canvas, levels: Levels, corners: Array, present: Levels) -> None:
         """The cells that hold boxes, coarse ones first; the level that is one cell has no outline."""

@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import math
 
+from game.lab.studies.broadphase.count import METHOD_COLORS
 from game.physics.broadphase import SweepAndPrune
 from game.scenes.boxes.model.arrays import BoxesState
 from game.scenes.boxes.model.race import RaceModel
 from game.scenes.boxes.numbers import bytes_text, grouped, short
+from game.scenes.boxes.view.race_plot import area_below, crossover_words, draw_plot
 from game.scenes.boxes.view.race_table import TABLE_RIGHT, Contestant, RaceTable
 from game.scenes.boxes.view.world import BoxesView, draw_ground
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
 
 PHASES = (
-    Contestant("naive", "Naive", "vermilion", "tests"),
-    Contestant("uniform", "Uniform grid", "chalk", "tests"),
-    Contestant("covering", "Grid, all cells covered", "violet", "tests"),
-    Contestant("hierarchical", "Hierarchical grids", "green", "tests"),
-    Contestant("sweep", "Sweep and prune", "pink", "swaps"),
+    Contestant("naive", "Naive", METHOD_COLORS["naive"], "tests"),
+    Contestant("uniform", "Uniform grid", METHOD_COLORS["uniform"], "tests"),
+    Contestant("covering", "Grid, all cells covered", METHOD_COLORS["covering"], "tests"),
+    Contestant("hierarchical", "Hierarchical grids", METHOD_COLORS["hierarchical"], "tests"),
+    Contestant("sweep", "Sweep and prune", METHOD_COLORS["sweep"], "swaps"),
 )
 MANAGERS = (
     Contestant("matrix", "Full matrix", "chalk", "begun"),
@@ -42,6 +44,9 @@ class RaceView(BoxesView):
         table.space(20)
         self._write_managers(table)
         table.scale()
+        table.space(26)
+        table.words(crossover_words(self.model.curves))
+        draw_plot(canvas, self.model, area_below(table.y))
 
     def _write_phases(self, table: RaceTable) -> None:
         """A row for each broad phase."""
@@ -51,13 +56,13 @@ class RaceView(BoxesView):
         for contestant in PHASES:
             phase = model.phases.get(contestant.name)
             if phase is None:
-                table.row(contestant, math.nan, "left out", "", None, False)
+                table.row(contestant, math.nan, "left out", "", None, fastest)
                 continue
             seconds = model.watch.median(contestant.name)
             work = model.swaps if isinstance(phase, SweepAndPrune) else phase.tests
             table.row(
                 contestant, seconds, f"{short(work)} {contestant.work}", bytes_text(phase.memory()),
-                model.agree[contestant.name] if len(model.phases) > 1 else None, seconds == fastest,
+                model.agree[contestant.name] if len(model.phases) > 1 else None, fastest,
             )  # fmt: skip
 
     def _write_managers(self, table: RaceTable) -> None:
@@ -69,9 +74,9 @@ class RaceView(BoxesView):
         for contestant, seconds in zip(MANAGERS, times, strict=True):
             manager = model.managers[contestant.name]
             if manager is None:
-                table.row(contestant, math.nan, "left out", "", None, False)
+                table.row(contestant, math.nan, "left out", "", None, fastest)
                 continue
             table.row(
                 contestant, seconds, f"{grouped(model.begun)} begun, {grouped(model.ended)} ended",
-                bytes_text(manager.memory()), model.managers_agree(), seconds == fastest,
+                bytes_text(manager.memory()), model.managers_agree(), fastest,
             )  # fmt: skip

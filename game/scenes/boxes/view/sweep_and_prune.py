@@ -52,14 +52,15 @@ class SweepAndPruneView(BoxesView):
         if model.shows_axes:
             for axis in range(2):
                 self._draw_axis(canvas, axis)
-        self._draw_column(canvas, seen)
+        with canvas.at_home() as moved:
+            self._draw_column(canvas, seen, moved)
 
-    def _draw_column(self, canvas: Canvas, seen: Seen | None) -> None:
+    def _draw_column(self, canvas: Canvas, seen: Seen | None, moved: bool) -> None:
         """Times, swaps, and what is said of single boxes."""
         model, few = self.model, named(self.model.boxes)
-        column = Column(canvas, model.boxes, self.frame().bottom, 4.6, -0.95 if few else -0.75)
+        column = Column(canvas, model.boxes, self.frame().bottom, 4.6, -0.95 if few else -0.75, moved)
         if not few or column.room_px > TALL:
-            draw_comparison(model, column, "sweep", "Sweep and prune", "chalk")
+            draw_comparison(model, column, "sweep", "Sweep and prune")
             column.space(6)
         mean = model.mean_swaps()
         column.head("Swaps in this step", "both axes")

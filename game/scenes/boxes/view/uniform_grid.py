@@ -65,11 +65,12 @@ class UniformGridView(BoxesView):
         seen = look_into(model, looked) if looked >= 0 else None
         if seen is not None:
             draw_look(model, canvas, places, seen)
-        self._draw_managers(canvas, seen)
+        with canvas.at_home() as moved:
+            self._draw_managers(canvas, seen, moved)
 
-    def _draw_managers(self, canvas: Canvas, seen: Look | None) -> None:
+    def _draw_managers(self, canvas: Canvas, seen: Look | None, moved: bool) -> None:
         """Matrix and hash table as they are filled, and what each costs."""
-        column = Column(canvas, self.model.boxes, self.frame().bottom)
+        column = Column(canvas, self.model.boxes, self.frame().bottom, over=moved)
         if seen is None or column.room_px > TALL:
             self._draw_times(column)
         self._draw_matrix(column, canvas, seen)

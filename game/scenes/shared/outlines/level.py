@@ -9,6 +9,7 @@ from typing import Annotated, Any
 import msgspec
 import numpy as np
 
+from game.scenes.shared.expectations import Expectations
 from game.scenes.shared.outlines import shapes
 from game.scenes.shared.outlines.outline import Outline
 
@@ -112,10 +113,11 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
 
 
 class OutlinesContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
-    """[content] of such a level: two outlines at most, A and B; what is in view."""
+    """[content] of such a level: two outlines at most, A and B; what is in view; expected of readouts."""
 
     outlines: Annotated[tuple[Entry, ...], msgspec.Meta(max_length=2)] = ()
     view: View = View()
+    expected: Expectations = ()
 
 
 _MAKERS: dict[type[Any], tuple[bool, Callable[[Any], shapes.Array]]] = {
