@@ -178,13 +178,13 @@ class Session:
     def _set_parameter(self, event: SetParameter) -> None:
         scene = self.scene
         parameter = scene.parameter(event.name)
-        value = parameter.check(event.value)
+        name, value = parameter.name, parameter.check(event.value)
         if parameter.rebuild:
-            self.scene = self._build({**scene.values, event.name: value}, scene.active)
+            self.scene = self._build({**scene.values, name: value}, scene.active)
         else:
-            scene.values[event.name] = value
-            scene.parameter_changed(event.name)
-        if event.name == STEP_LENGTH:
+            scene.values[name] = value
+            scene.parameter_changed(name)
+        if name == STEP_LENGTH:
             self._time_base_s, self._time_base_step = self.time_s, self.step
             self._dt = float(value)
 
