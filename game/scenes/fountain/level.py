@@ -7,6 +7,8 @@ from typing import Annotated
 import msgspec
 
 from game.scenes.shared.expectations import Expectations
+from game.scenes.shared.insets import Zoom
+from game.scenes.shared.repeats import Period
 
 Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]  # m/s
@@ -51,7 +53,11 @@ class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True
 class FountainContent(
     msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True
 ):
-    """[content] of a fountain level. floor: m; whirl: centre of the vortex, m; expected: of readouts."""
+    """[content] of a fountain level. floor: m; whirl: centre of the vortex, m; expected: of readouts.
+
+    repeat: s after which it begins again; zoom: what an inset shows; paths: where the listed particles have
+    been is drawn.
+    """
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)
     stones: Annotated[tuple[Stone, ...], msgspec.Meta(max_length=MOST_STONES)] = (
@@ -61,4 +67,7 @@ class FountainContent(
     floor: Metre = 0.0
     whirl: Point = (2.2, 2.6)
     expected: Expectations = ()
+    repeat: Period = 0.0
+    zoom: Zoom | None = None
+    paths: bool = False
     view: View = View()

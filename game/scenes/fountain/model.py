@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
@@ -16,8 +17,10 @@ from game.stage import Part
 
 HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
 NEW_RADIUS = 0.25  # m, of an added stone
+PATH_STEPS, MOST_PATHS = 2_048, 16  # steps and listed particles of which paths are kept
 MOST_MEETINGS = 32_000_000  # of a particle and a solid in a step, each substep again: a second or so at worst
 CONTACT_TIME = 1.0 / 60.0  # s for which a particle counts as in contact after an impact
+RUNAWAY = "The time step is too long for this drag: it throws particles away. Take a shorter one, or Exponential."
 OF_EMITTERS = ("rate", "speed", "spread")  # parameters that the emitters take
 OF_FLIGHT = ("speed", "gravity", "drag", "wind", "fast_drag", "whirl")  # parameters of a particle's path
 
@@ -27,7 +30,7 @@ class FountainModel(Part):
 
     active: the effects that are on. own: restitutions of the stones, None where the parameter's holds. since:
     s, who was born later knows no other law and nozzle than the present ones. full: births were dropped in
-    the last step.
+    the last step. ran_away: drag has thrown particles away.
     """
 
     def __init__(
@@ -39,6 +42,7 @@ class FountainModel(Part):
         self.vortex_centre = content.whirl
         self.since = 0.0
         self.full = False
+        self.ran_away = False
         self.meetings = 0  # in a step, as far as there may be so many
         stones = Discs(capacity=MOST_STONES)
         for stone in content.stones:
@@ -56,8 +60,10 @@ class FountainModel(Part):
                 [particle.position for particle in content.particles],
                 [particle.velocity for particle in content.particles],
             )
+        self.paths = np.zeros((PATH_STEPS if content.paths else 0, MOST_PATHS, 2))  # by step modulo PATH_STEPS
         self._configure()
         self._bound_work()
+        self._note_paths()
 
     def _restitution(self, own: float | None) -> float:
         return self.parameters.restitution if own is None else own
@@ -111,8 +117,14 @@ class FountainModel(Part):
             )
         self.meetings = meetings
 
+    def renew(self) -> None:
+        """Give a state that was taken back the present parameters."""
+        self._configure()
+        self._change_emitters()
+
     def change_parameter(self, name: str) -> None:
         """Take over a parameter's new value; LimitError if it asks for too much work."""
+        self.ran_away = False
         if name in OF_EMITTERS:
             self._change_emitters()
         else:
@@ -169,9 +181,8 @@ class FountainModel(Part):
 
     # -- a step -------------------------------------------------------------------------------------
 
-    def advance(self, dt: float, carried: int, target: Point) -> bool:
-        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. True if the pool has become
-        full."""
+    def advance(self, dt: float, carried: int, target: Point) -> str:
+        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. What there is to say, or ""."""
         system = self.system
         if (system.forces.whirl_x, system.forces.whirl_y) != self.vortex_centre:
             self._configure()  # the vortex was put back by a step back
@@ -183,12 +194,33 @@ class FountainModel(Part):
             )
         dropped, moving = system.dropped, system.has_moving_emitters
         system.step(dt)
+        self._note_paths()
         if moving:  # who was born meanwhile did not leave the nozzle where it is now
             self.since = system.time_s
         if carried >= 0:
             system.solids.carry(carried, (0.0, 0.0))
+        if system.runaways and not self.ran_away:
+            self.ran_away = True
+            return RUNAWAY
         was_full, self.full = self.full, system.dropped > dropped
-        return self.full and not was_full
+        if self.full and not was_full:
+            return f"The pool of {system.capacity} is full: further births are dropped and counted."
+        return ""
+
+    def _note_paths(self) -> None:
+        """Write where the listed particles are, who have the first places of the pool."""
+        if len(self.paths):
+            count = min(len(self.content.particles), MOST_PATHS)
+            row = int(self.system.tallies[STEP]) % PATH_STEPS
+            self.paths[row, :count] = self.system.fields[:2, :count].T
+
+    def paths_so_far(self) -> NDArray[np.float64]:
+        """Where the listed particles were (steps, count, 2), m, from the oldest on; none where none are kept."""
+        if not len(self.paths):
+            return np.zeros((0, 0, 2))
+        last = int(self.system.tallies[STEP])
+        steps = np.arange(max(last + 1 - PATH_STEPS, 0), last + 1)
+        return self.paths[steps % PATH_STEPS, : min(len(self.content.particles), MOST_PATHS)]
 
     # -- what is asked of it ------------------------------------------------------------------------
 
@@ -211,5 +243,8 @@ class FountainModel(Part):
             floor=self.content.floor,
             whirl=self.vortex_centre,
             expected=self.content.expected,
+            repeat=self.content.repeat,
+            zoom=self.content.zoom,
+            paths=self.content.paths,
             view=self.content.view,
         )

@@ -18,6 +18,7 @@ from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
 from game.scenes.fountain.view import FountainView
 from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.repeats import Repeat
 from game.stage import (
     Equation,
     Frame,
@@ -31,6 +32,7 @@ from game.stage import (
     Strip,
 )
 from game.stage.messages import Messages
+from game.stage.states.state import copy_state
 
 MANY_PLACES = 200_000
 
@@ -119,6 +121,8 @@ class Fountain(Scene):
         self.hand = FountainHand(self.model)
         self.view = FountainView(self.model)
         self.said = Messages()
+        self.repeat = Repeat(content.repeat)
+        self._beginning = copy_state(self.state()) if content.repeat else None
         captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def takes_long(self, event: StageEvent | None) -> bool:
@@ -143,11 +147,15 @@ class Fountain(Scene):
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        if self.model.advance(dt, self.hand.stone, self.hand.target):
-            capacity = self.model.system.capacity
-            self.said.say(f"The pool of {capacity} is full: further births are dropped and counted.")
+        if self.repeat.advance(dt):
+            self.restore(self._beginning)
+            self.model.renew()
+            self.previous = None
+        self.said.say(self.model.advance(dt, self.hand.stone, self.hand.target))
 
     def pointer(self, event: Pointer) -> None:
+        if event.kind == "down":
+            self.repeat.end()
         self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
@@ -172,8 +180,9 @@ class Fountain(Scene):
         return Frame(view.left, view.bottom, view.right, view.top)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
-        if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+        self.view.draw(canvas, self.previous, alpha)
+        if content.zoom is not None:
+            self.view.draw_inset(canvas, content.zoom, self.previous, alpha)
+        top = (0.5 * (content.view.left + content.view.right), content.view.top)
+        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)

@@ -12,6 +12,8 @@ from game.physics.particles.in_between import gather_touching, place_between
 from game.scenes.fountain.exact import exact_envelope, open_nozzles
 from game.scenes.fountain.hand import rim_handle
 from game.scenes.fountain.model import FountainModel
+from game.scenes.shared.insets import Zoom, draw_inset
+from game.stage import Frame
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.curves import thinned
 
@@ -36,12 +38,16 @@ class FountainView:
     def draw(self, canvas: Canvas, previous: ParticleState | None, alpha: float) -> None:
         """All of it, from the back to the front, ``alpha`` of the way from the state ``previous`` to now."""
         model, on = self.model, self.model.active
+        if model.parameters.life < model.parameters.step_length:
+            alpha = 1.0  # nobody lives through a step, so there is no way to go between two of them
         canvas.grid(None, "y")
         if GROUND in on:
             canvas.ground(model.content.floor)
         if WHIRL in on:
             self._draw_vortex(canvas)
         self._draw_envelope(canvas)
+        for path in np.swapaxes(model.paths_so_far(), 0, 1):
+            canvas.polyline(path, "ghost", 1.2)
         self._draw_particles(canvas, previous, alpha)
         if OBSTACLES in on:
             self._draw_stones(canvas)
@@ -51,6 +57,12 @@ class FountainView:
             self._draw_nozzle(canvas, index)
         if WIND in on and (DRAG in on or QUADRATIC_DRAG in on):
             self._draw_wind(canvas)
+
+    def draw_inset(self, canvas: Canvas, zoom: Zoom, previous: ParticleState | None, alpha: float) -> None:
+        """The same in a corner, larger."""
+        view = self.model.content.view
+        frame = Frame(view.left, view.bottom, view.right, view.top)
+        draw_inset(canvas, frame, zoom, lambda: self.draw(canvas, previous, alpha))
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""

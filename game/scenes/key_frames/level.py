@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.expectations import Expectations
+
 MOST_KEYS = 200
 FARTHEST = 1000.0  # m
 FASTEST = 100_000.0  # m/s
@@ -47,6 +49,7 @@ class Motion(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tr
 
     keys: in any order; of equal times the order counts. timing: x1, y1, x2, y2 of the timing curve, where the
     panel says "own". start: s, time of the keys where the slider has 0. box: width and height, m.
+    expected: of readouts.
     """
 
     keys: Annotated[tuple[KeyEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_KEYS)] = (
@@ -61,4 +64,5 @@ class Motion(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tr
         1.1,
         0.66,
     )
+    expected: Expectations = ()
     view: View = View()

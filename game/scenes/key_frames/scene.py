@@ -20,6 +20,7 @@ from game.scenes.key_frames.model import KeyFrameModel, KeyFrameState
 from game.scenes.key_frames.parameters import KeyFrameParameters, range_of_slider
 from game.scenes.key_frames.readouts import readouts_of
 from game.scenes.key_frames.view import KeyFramingView
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import (
     Equation,
     Frame,
@@ -131,6 +132,7 @@ class KeyFraming(Scene):
         self.model = KeyFrameModel(self.parameters, self.active, content)
         self.hand = Hand(self.model)
         self.view = KeyFramingView(self.model)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
@@ -184,6 +186,9 @@ class KeyFraming(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
+        motion = self.model.motion
+        top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
+        draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -21,6 +21,7 @@ from game.scenes.rigid_body.readouts import readouts_of
 from game.scenes.rigid_body.saving import content_of
 from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
 
@@ -115,6 +116,7 @@ class RigidBodyScene(Scene):
         self.model = RigidModel(given, self.parameters, self.active)
         self.hand = Hand(self.model)
         self.view = RigidView(self.model, self.hand)
+        captions_of(given.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         self.model.parameter_changed(name)
@@ -163,7 +165,9 @@ class RigidBodyScene(Scene):
         return self.view.legend()
 
     def frame(self) -> Frame:
-        return self.model.panes.frame()
+        return with_headroom(self.model.panes.frame(), len(self.model.content.expected))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self.previous, canvas, alpha)
+        captions = captions_of(self.model.content.expected, self.readouts())
+        draw_captions(canvas, (0.0, self.frame().top), captions)

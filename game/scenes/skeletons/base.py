@@ -7,6 +7,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.skeletons.hand import FigureHand
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
@@ -41,7 +42,7 @@ MAKING = {
     "bone": (Hint(("Click",), "parent bone, then the new end"), Hint(("Delete",), "delete the chosen bone")),
     "skin": (
         Hint(("Click",), "corners around the bones"),
-        Hint(("Return",), "close the skin"),
+        Hint(("Enter",), "close the skin"),
         Hint(("Delete",), "delete the last corner"),
     ),
     "chain": (Hint(("Click",), "first and last bone of the chain"),),
@@ -72,6 +73,7 @@ class FigureScene(Scene):
     def build(self, level: Level | None) -> None:
         content = level.content if level is not None else None
         self.make_parts(self.default_content if content is None else content)
+        captions_of(self.model.content.expected, self.readouts())  # refuses an unknown readout
 
     def make_parts(self, content: FigureContent) -> None:
         """Model, hand and view of a figure."""
@@ -115,7 +117,17 @@ class FigureScene(Scene):
 
     def frame(self) -> Frame:
         view = self.model.bench.figure.view
-        return Frame(view.left, view.bottom, view.right, view.top)
+        return self.with_captions(Frame(view.left, view.bottom, view.right, view.top))
+
+    def with_captions(self, frame: Frame) -> Frame:
+        """A frame with room for what is expected."""
+        return with_headroom(frame, len(self.model.content.expected))
+
+    def draw_captions(self, canvas: Any) -> None:
+        """What is expected and measured, above the figure."""
+        frame, expected = self.frame(), self.model.content.expected
+        top = (0.5 * (frame.left + frame.right), frame.top)
+        draw_captions(canvas, top, captions_of(expected, self.readouts()))
 
 
 def warm_ups_of_figures() -> tuple[WarmUp, ...]:

@@ -133,13 +133,14 @@ class InverseKinematics(FigureScene):
     # -- what there is to see -----------------------------------------------------------------------
 
     def frame(self) -> Frame:
-        return frame_of_cells(self.model.bench.figure.view)
+        return self.with_captions(frame_of_cells(self.model.bench.figure.view))
 
     def readouts(self) -> list[Readout]:
         return readouts_of_methods(self.model)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        self.draw_captions(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

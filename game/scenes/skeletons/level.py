@@ -6,6 +6,8 @@ from typing import Annotated
 
 import msgspec
 
+from game.scenes.shared.expectations import Expectations
+
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
 Degrees = Annotated[float, msgspec.Meta(ge=-36_000.0, le=36_000.0)]
@@ -93,7 +95,7 @@ class View(_Entry, frozen=True, kw_only=True):
 
 
 class FigureContent(_Entry, frozen=True, kw_only=True):
-    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m."""
+    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m. expected: of readouts."""
 
     bones: Annotated[tuple[BoneEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_BONES)]
     skins: Annotated[tuple[SkinEntry, ...], msgspec.Meta(max_length=200)] = ()
@@ -102,6 +104,7 @@ class FigureContent(_Entry, frozen=True, kw_only=True):
     sway: Point = (0.0, 0.0)
     sway_rate: Annotated[float, msgspec.Meta(ge=0.0, le=20.0)] = 0.5
     ground: Metre | None = None
+    expected: Expectations = ()
     view: View = View()
 
 

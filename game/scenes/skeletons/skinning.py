@@ -104,6 +104,7 @@ class Skinning(FigureScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        self.draw_captions(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -12,7 +12,9 @@ from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.spheres import SphereBodies
-from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.insets import draw_inset
+from game.scenes.shared.repeats import Repeat
 from game.scenes.spheres import C13
 from game.scenes.spheres.figure import draw_friction_cone
 from game.scenes.spheres.hand import Hand
@@ -39,6 +41,7 @@ from game.stage import (
     Table,
     WarmUp,
 )
+from game.stage.states.state import copy_state
 
 
 class SphereCollisions(Scene):
@@ -126,6 +129,8 @@ class SphereCollisions(Scene):
         self.model = CollisionModel(given, self.parameters, self.active, self.seed)
         self.hand = Hand(self.model)
         self.view = CollisionView(self.model, self.hand)
+        self.repeat = Repeat(given.repeat)
+        self._beginning = copy_state(self.state()) if given.repeat else None
         captions_of(given.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
@@ -149,9 +154,14 @@ class SphereCollisions(Scene):
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
+        if self.repeat.advance(dt):
+            self.restore(self._beginning)
+            self.previous = None
         self.model.advance(dt)
 
     def pointer(self, event: Pointer) -> None:
+        if event.kind == "down":
+            self.repeat.end()
         self.hand.take_pointer(event)
 
     def action(self, name: str) -> None:
@@ -179,14 +189,17 @@ class SphereCollisions(Scene):
         self.view.lit = key
 
     def frame(self) -> Frame:
-        return self.model.frame()
+        content = self.model.content
+        return with_headroom(self.model.frame(), len(content.expected) + bool(content.repeat))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self.previous, canvas, alpha)
-        content = self.model.content
-        if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+        content, view = self.model.content, self.model.content.view
+        if content.zoom is not None:
+            frame = Frame(view.left, view.bottom, view.right, view.top)
+            draw_inset(canvas, frame, content.zoom, lambda: self.view.draw(self.previous, canvas, alpha))
+        top = (0.5 * (view.left + view.right), self.frame().top)
+        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:
