@@ -14,7 +14,7 @@ from game.ui.look.numerals import format_si
 
 SIZE, WEIGHT = 13, "semibold"
 FIRST, LINE = 14.0, 20.0  # design px down to the first line, and from line to line
-HEADROOM = 0.05  # of the height in view, for a line
+HEADROOM, OF_A_LINE = 0.04, 0.045  # of the height in view, above captions and for each
 
 Number = Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)]
 
@@ -57,7 +57,8 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
 
 def with_headroom(frame: Frame, lines: int) -> Frame:
     """A frame (m) with room for so many captions above it."""
-    return frame._replace(top=frame.top + HEADROOM * lines * (frame.top - frame.bottom))
+    share = HEADROOM + OF_A_LINE * lines if lines else 0.0
+    return frame._replace(top=frame.top + share * (frame.top - frame.bottom))
 
 
 def draw_captions(

@@ -7,8 +7,9 @@ from typing import Any, ClassVar, NamedTuple
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
-from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.expectations import Caption, captions_of, draw_captions, with_headroom
 from game.scenes.shared.polygons import warm_up_painter
+from game.scenes.skeletons.guide import steps_of
 from game.scenes.skeletons.hand import FigureHand
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.skeletons.model import FigureModel
@@ -39,7 +40,8 @@ EDITING = (
 
 
 MAKING = {
-    "bone": (Hint(("Click",), "parent bone, then the new end"), Hint(("Delete",), "delete the chosen bone")),
+    "bone": (Hint(("Click",), "parent bone, then the new end"),
+        Hint(("Shift", "Click"), "where on the parent it begins"), Hint(("Delete",), "delete the chosen bone")),
     "skin": (
         Hint(("Click",), "corners around the bones"),
         Hint(("Enter",), "close the skin"),
@@ -121,13 +123,18 @@ class FigureScene(Scene):
 
     def with_captions(self, frame: Frame) -> Frame:
         """A frame with room for what is expected."""
-        return with_headroom(frame, len(self.model.content.expected))
+        return with_headroom(frame, len(self.model.content.expected) + len(self.guide()))
+
+    def guide(self) -> list[Caption]:
+        """The steps of making a figure, and which of them are done; none but in a level made for it."""
+        model = self.model
+        return steps_of(model.bench.figure, model.rig.now - model.rig.bound) if model.content.guide else []
 
     def draw_captions(self, canvas: Any) -> None:
         """What is expected and measured, above the figure."""
         frame, expected = self.frame(), self.model.content.expected
         top = (0.5 * (frame.left + frame.right), frame.top)
-        draw_captions(canvas, top, captions_of(expected, self.readouts()))
+        draw_captions(canvas, top, [*captions_of(expected, self.readouts()), *self.guide()])
 
 
 def warm_ups_of_figures() -> tuple[WarmUp, ...]:

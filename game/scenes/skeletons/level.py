@@ -95,7 +95,10 @@ class View(_Entry, frozen=True, kw_only=True):
 
 
 class FigureContent(_Entry, frozen=True, kw_only=True):
-    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m. expected: of readouts."""
+    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m. expected: of readouts.
+
+    guide: what to do comes step by step, as in a level in which one makes a figure.
+    """
 
     bones: Annotated[tuple[BoneEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_BONES)]
     skins: Annotated[tuple[SkinEntry, ...], msgspec.Meta(max_length=200)] = ()
@@ -105,6 +108,7 @@ class FigureContent(_Entry, frozen=True, kw_only=True):
     sway_rate: Annotated[float, msgspec.Meta(ge=0.0, le=20.0)] = 0.5
     ground: Metre | None = None
     expected: Expectations = ()
+    guide: bool = False
     view: View = View()
 
 

@@ -15,7 +15,7 @@ from game.scenes.skeletons.level import FigureContent
 from game.scenes.skeletons.parameters import SkinningParameters
 from game.scenes.skeletons.readouts import readouts_of_skin
 from game.scenes.skeletons.skinning_model import SkinningModel
-from game.scenes.skeletons.skinning_view import SkinningView
+from game.scenes.skeletons.view.skinning import SkinningView
 from game.stage import Equation, Hint, Readout, SceneAction, Strip, WarmUp
 
 

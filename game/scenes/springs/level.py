@@ -121,7 +121,8 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
 
     areas: outlines of particles that keep their area. reference: exact places, drawn dashed. floor: m.
     walls: m, at the left and the right of the ground. body_distance: m, between particles of different
-    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts.
+    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts. sheet: nothing
+    moves while a tool that builds is in the hand.
     """
 
     particles: Annotated[tuple[ParticleEntry, ...], msgspec.Meta(max_length=MOST_WRITTEN)] = ()
@@ -139,4 +140,5 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
     body_distance: Length = 0.0
     reference: Annotated[tuple[Point, ...], msgspec.Meta(max_length=1000)] = ()
     expected: Expectations = ()
+    sheet: bool = False
     view: View = View()

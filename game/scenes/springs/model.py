@@ -19,7 +19,7 @@ from game.physics.kernels.limits import LimitError
 from game.scenes.springs.level import Point, SpringContent
 from game.scenes.springs.links import LinkLaw
 from game.scenes.springs.network import build_network
-from game.scenes.springs.parameters import MassSpringParameters
+from game.scenes.springs.parameters import BUILDING, MassSpringParameters
 from game.stage import ParameterError, Part
 
 Array = NDArray[np.float64]
@@ -176,8 +176,15 @@ class SpringModel(Part):
 
     # -- a step, and what a later one depends on -----------------------------------------------------
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether it stands still, as somebody builds on an empty sheet."""
+        return self.content.sheet and self.parameters.tool in BUILDING
+
     def advance(self, dt: float) -> bool:
         """One step; True if the first link of all has torn in it."""
+        if self.at_rest:
+            return False
         before = self.system.tears
         self.system.step(dt)
         return self.system.tears > before == 0

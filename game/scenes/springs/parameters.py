@@ -7,6 +7,7 @@ from game.physics.constraints import MODELS, ORDERS, SCHEMES, SOLVERS
 from game.stage import Choice, Param, Parameters, Toggle
 
 TOOLS = ("hand", "particle", "link", "pin", "cut")
+BUILDING = ("particle", "link", "pin")  # tools with which an empty sheet stands still
 OF_CHOSEN = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
 OF_PICTURE = ("strains", "points")
 

@@ -39,6 +39,7 @@ def content_of(model: SpringModel) -> SpringContent:
         walls=model.content.walls,
         body_distance=model.content.body_distance,
         expected=model.content.expected,
+        sheet=model.content.sheet,
         reference=model.content.reference,
         view=model.content.view,
     )

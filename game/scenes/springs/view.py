@@ -25,13 +25,6 @@ MOST_STROKES = 2_500  # links drawn as strokes; more are drawn as threads
 THREAD_OPACITY = 0.8
 MOST_OUTLINES = 1_500
 AREA_OPACITY = 0.22
-NEXT_CLICK = {  # what the left button does with each tool; moving needs no words
-    "particle": "click: a new particle",
-    "link": "click both ends of a new link",
-    "pin": "click: pin or free",
-    "cut": "drag across links: cut",
-}
-OTHER_END = "now click the other end"
 WALL_THICKNESS = 0.12  # m
 LARGEST_DOT = 15.0  # design px, of a very heavy particle
 
@@ -69,9 +62,6 @@ class SpringView:
         rows.append(("square:text1", "fixed in space", str(max(fixed, 0))))
         if system.held >= 0:
             rows.append(("ring:amber", "in your hand", ""))
-        next_click = OTHER_END if self.hand.first >= 0 else NEXT_CLICK.get(self.model.parameters.tool, "")
-        if next_click:
-            rows.append(("ring:accent", next_click, ""))
         if len(self.model.content.reference):
             rows.append(("dash:text1", "exact", ""))
         return rows
@@ -188,7 +178,9 @@ class SpringView:
         if 0 <= self.hand.first < len(places):
             end = tuple(places[self.hand.first].tolist())
             canvas.ring(end, 12.0, "accent", 1.8)
-            canvas.label(end, OTHER_END, "accent", anchor="left", offset=(18.0, -12.0))
+        words = self.hand.next_click()
+        if words and self.hand.pointer is not None:
+            canvas.label(self.hand.pointer, words, "accent", 12, anchor="left", offset=(14.0, 18.0))
         if 0 <= system.held < len(places):
             place = tuple(places[system.held].tolist())
             target = tuple(system.hand[2:4].tolist())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pygame
 import pytest
 
 from game.levels import LevelError, level_files, load_level, parse_level
@@ -16,10 +15,7 @@ from game.scenes.spheres.scene import SphereCollisions
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
 from game.stage import Readout
-from game.ui.canvas.camera import Camera
-from game.ui.canvas.canvas import Canvas
-from game.ui.look.look import Look
-from game.ui.look.theme import theme_named
+from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import open_level
 
 SCENES = (
@@ -39,28 +35,6 @@ EXPECTING = [
 ALWAYS = [name for scene, name in EXPECTING if scene is SphereCollisions]
 SETTLED_S = 20.0
 SILENT = ("hard-02-on-the-bone", "hard-06-series-and-parallel")  # whose lesson is no single number
-
-
-class Labels(Canvas):
-    """A canvas that notes the words drawn, and how."""
-
-    def __init__(self):
-        super().__init__(Look(theme_named("dark"), 1.0))
-        self.drawn = {}
-
-    def label(self, place, words, *style, **more):
-        self.drawn[words] = (tuple(place), *style)
-        super().label(place, words, *style, **more)
-
-
-def labels_of(stage, size=(1000, 600)):
-    """Labels on an empty picture that shows the scene's frame."""
-    pygame.font.init()
-    surface, camera = pygame.Surface(size, 0, 32), Camera()
-    camera.fit(stage.scene.frame(), surface.get_rect(), 0)
-    canvas = Labels()
-    canvas.begin(surface, surface.get_rect(), camera)
-    return canvas
 
 
 def captions(stage):

@@ -15,8 +15,8 @@ from game.scenes.skeletons.cells import COLUMNS, ROWS, Cell, cells_of, frame_of_
 from game.scenes.skeletons.editing import next_click
 from game.scenes.skeletons.parameters import SHOWN
 from game.scenes.skeletons.reaching_model import ReachingModel, ReachingState
-from game.scenes.skeletons.skin_painter import SkinPainter
-from game.scenes.skeletons.view import (
+from game.scenes.skeletons.view.skin_painter import SkinPainter
+from game.scenes.skeletons.view.parts import (
     bone_tokens,
     draw_bones,
     draw_limits,
@@ -81,7 +81,8 @@ class ChainView:
             if model.solver is not None:
                 self._draw_target(canvas, cells[k], ends[n][model.inside[-1]])
             self._draw_words(canvas, k, frame)
-        self._draw_hand(canvas, cells[master], ends[places.index(master)])
+        mine = places.index(master)
+        self._draw_hand(canvas, cells[master], bases[mine], ends[mine])
 
     def _draw_bones(self, canvas: Canvas, places: list[int], bases: Array, ends: Array) -> None:
         """Bones of the figures of these methods, all in one call."""
@@ -94,12 +95,15 @@ class ChainView:
             tokens += bone_tokens(model.rig.shown.count, chosen, shown.weights, inside)
         draw_bones(canvas, bases, ends, tokens)
 
-    def _draw_hand(self, canvas: Canvas, cell: Cell, ends: Array) -> None:
+    def _draw_hand(self, canvas: Canvas, cell: Cell, bases: Array, ends: Array) -> None:
         """What is being made by hand."""
         bench = self._model.bench
         if self._shown.tool == "bone" and bench.chosen != NOWHERE:
             pointer = cell.out(np.array([bench.pointer]))[0]
-            canvas.line(ends[bench.chosen], pointer, "accent", 1.6, dash=(8.0, 6.0))
+            length = float(self._model.rig.skeleton.lengths[bench.chosen])
+            part = 1.0 if bench.socket is None or length == 0.0 else bench.socket / length
+            start = bases[bench.chosen] + part * (ends[bench.chosen] - bases[bench.chosen])
+            canvas.line(start, pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, cell)
         draw_next_click(canvas, next_click(bench, self._shown.tool), bench.pointer, cell)
 
