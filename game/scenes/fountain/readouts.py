@@ -16,6 +16,8 @@ from game.scenes.fountain.exact import (
 from game.scenes.fountain.model import FountainModel
 from game.stage import Readout
 
+ROUNDING = 1e-12  # m: an error up to it is shown as none
+
 
 def readouts(model: FountainModel) -> list[Readout]:
     """All that is measured. The highest particle is one of those for which the exact height holds."""
@@ -36,7 +38,7 @@ def readouts(model: FountainModel) -> list[Readout]:
         Readout("particles", len(system)),
         Readout("highest", highest, "m"),
         Readout("exact", float(curve[:, 1].max()) + top if len(curve) else math.nan, "m"),
-        Readout("error", worst if compared else math.nan, "m"),
+        Readout("error", (worst if worst > ROUNDING else 0.0) if compared else math.nan, "m"),
         Readout("outside the curve", int(outside)),
         Readout("kinetic", kinetic, "J"),
         Readout("potential", potential, "J"),

@@ -40,6 +40,12 @@ class RigidBodyScene(Scene):
 
     The small sphere shows L as the body sees it. A free body's L stays on a curve of its own energy; a method
     that makes energy spirals outwards to an end of axis 1.
+
+    In the equations: m mass, r radius of a sphere, d from the body's centre of mass to the sphere's, x
+    position, P momentum, f force, L angular momentum, τ torque, a and α accelerations, q orientation as a
+    quaternion, ω spin, I inertia in the body's frame with I1 to I3 its principal moments, J inertia in the
+    world's frame, R the body's turn (with a number: one about that principal axis), h time step, k slopes,
+    E energy, but in the offset theorem the unit matrix.
     """
 
     name, task, title = C12.names

@@ -32,6 +32,10 @@ class InverseKinematics(FigureScene):
     A target out of reach is met by a straight chain, without shaking. A straight chain with its target on
     its axis is a dead point, where every gradient is zero: it is kicked. With joint limits all six may stop
     short of a target that another pose would reach: turn the joints by hand, and they begin from there.
+
+    In the equations: θ angles of the joints, p joints with the last of them the chain's end, t target, e the
+    error, J how the end moves as each joint turns, α step, s the change of the angles, c 0.0001, λ damping,
+    l lengths of the bones and L their sum.
     """
 
     name, task, title = C03.names

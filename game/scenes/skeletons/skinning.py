@@ -28,6 +28,11 @@ class Skinning(FigureScene):
     follows the nearest bone. Blending matrices is quick and loses area at a bend, by the cosine of half the
     bend in the middle of a joint; blending rotors keeps the thickness and bulges a little.
 
+    In the equations: W frame of a bone in the world, p(i) its parent, T a shift by its place o, R a turn by
+    its angle θ, B its frame when the skin was bound, P their palette, v a point of the skin and v' where it
+    goes, w weight, d distance from a bone, r threshold, p falloff, a angle of a bend; for rotors p turns and q
+    shifts by t.
+
     Make your own: New bone, click the parent, then where the bone is to end; Skin, click around the bones.
     """
 

@@ -56,6 +56,11 @@ class SphereCollisions(Scene):
     Every collision is entered into a ledger: momentum and angular momentum must not change, and energy only
     by what restitution and friction take. For 200 spheres and more in one plane there is a quicker solver,
     which enters the energy of each collision and the momentum that all of one moment have lost together.
+
+    In the equations: x position, v velocity, P momentum, q orientation as a quaternion, ω spin, h time step,
+    m mass, I moment of inertia, r radius (a vector: from a centre to the contact), n normal from a to b, d
+    from centre to centre, t time, e restitution, μ friction, j impulse, j_t that of friction, v_n approach,
+    u_t sliding speed, m_n and m_t the masses that those feel, λ impulse so far, g gravity; ′ after.
     """
 
     name, task, title = C13.names
