@@ -84,6 +84,8 @@ class SphereCollisions(Scene):
         SceneAction("push", "push", "1"),
         SceneAction("sphere", "new sphere", "2"),
         SceneAction("remove", "remove a sphere", "3"),
+        SceneAction("go-on", "go on after an impact", "g"),
+        SceneAction("turn", "turn over: gravity points the other way", "t"),
     )
     strips = (
         Strip("Energy", "J", ("translational energy", "rotational energy", "total energy")),
@@ -112,7 +114,8 @@ class SphereCollisions(Scene):
     )
     try_this = (
         "Press on a sphere off its centre, draw, let go: it moves and turns.",
-        'Open Newton\'s cradle; choose the law "Simultaneous": all move, and energy and momentum still fit.',
+        "Switch on freeze on impact: normal, speeds, impulse and friction cone stand in the picture; G goes on.",
+        'Open Newton\'s cradle, lift two balls; choose the law "Simultaneous": all move, and energy and momentum still fit.',
         "Switch impact times off in the fast-and-small level: the bullet passes through.",
         "Open the pile: no correction, then Baumgarte, then split impulses; compare penetration and energy.",
     )
@@ -169,7 +172,14 @@ class SphereCollisions(Scene):
             self.repeat.end()
         self.hand.take_pointer(event)
 
+    def why_idle(self, name: str) -> str:
+        return "No cradle hangs here." if name == "lifted" and not self.model.content.cradles else ""
+
     def action(self, name: str) -> None:
+        if name == "go-on":
+            return self.model.go_on()
+        if name == "turn":
+            return self.model.turn_over()
         self.parameters.tool = name
         self.hand.forget()
 
