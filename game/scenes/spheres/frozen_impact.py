@@ -71,10 +71,10 @@ def draw_impact_frozen(model: CollisionModel, canvas: Canvas) -> None:
     canvas.polygon(np.array((point, *sides)), fill="green", fill_alpha=0.18, outline="green", width=1.2)
     across = _turned(normal, 0.5 * math.pi)
     canvas.line(point - length * across, point + length * across, "text3", 1.2, dash=(5.0, 4.0))
-    canvas.arrow(point, tuple(length * normal), "text1", "n", width=1.8)
+    canvas.arrow(point, tuple(1.5 * length * normal), "text1", "n", width=1.8)
     size = math.sqrt(float(impact.impulse @ impact.impulse))
     if size > 0.0:
-        canvas.arrow(point, tuple(impact.impulse), "amber", "j", 0.8 * length / size)
+        canvas.arrow(point, tuple(impact.impulse), "amber", "j", 0.75 * length / size)
     canvas.contact(tuple(point), chosen=True)
     if canvas.words:
         _write(canvas, impact)

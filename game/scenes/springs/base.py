@@ -12,7 +12,7 @@ from game.scenes.shared.expectations import Caption, captions_of, draw_captions
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import LinkEntry, ParticleEntry, SpringContent
 from game.scenes.springs.links import LinkLaw
-from game.scenes.springs.model import SpringModel, SpringState
+from game.scenes.springs.model import ComparedState, SpringModel, SpringState
 from game.scenes.springs.parameters import OF_CHOSEN, OF_PICTURE, MassSpringParameters
 from game.scenes.springs.readouts import readouts
 from game.scenes.springs.saving import content_of
@@ -91,10 +91,10 @@ class MassSpringScene(Scene):
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
 
-    def state(self) -> SpringState:
+    def state(self) -> SpringState | ComparedState:
         return self.model.state()
 
-    def restore(self, state: SpringState) -> None:
+    def restore(self, state: SpringState | ComparedState) -> None:
         self.model.restore(state)
 
     def save_content(self) -> SpringContent:
