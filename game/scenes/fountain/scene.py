@@ -13,7 +13,7 @@ from game.scenes.fountain import C04
 from game.scenes.fountain.figure import draw_impact
 from game.scenes.fountain.hand import FountainHand
 from game.scenes.fountain.level import FountainContent
-from game.scenes.fountain.model import FountainModel
+from game.scenes.fountain.model import FountainModel, SplitState
 from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
 from game.scenes.fountain.view import FountainView
@@ -62,8 +62,14 @@ class Fountain(Scene):
     takes = frozenset(("right",))
 
     strips = (
-        Strip("Energy", "J", ("potential", "kinetic", "total")),
-        Strip("Highest particle", "m", ("exact", "highest"), ("exact",)),
+        Strip(
+            "Energy", "J", ("potential", "kinetic", "total", "Euler total", "midpoint total"),
+            sometimes=("potential", "kinetic", "Euler total", "midpoint total"),
+        ),
+        Strip(
+            "Highest particle", "m", ("exact", "highest", "Euler highest", "midpoint highest"), ("exact",),
+            sometimes=("Euler highest", "midpoint highest"),
+        ),
         Strip("Error", "m", ("error",)),
     )
     hints = (
@@ -108,6 +114,7 @@ class Fountain(Scene):
     )
     try_this = (
         "Choose explicit Euler and a long time step: the spray rises above the dashed curve.",
+        "Show three methods and take a long time step: where does the total energy of each go?",
         "Set both restitutions to 1 and wait 3 s: the total energy rises to what the nozzle gave.",
         "Switch drag and wind on: the bars show what each costs; the dashed curve is still exact.",
         "Raise the places to 100 000 and the emit rate to 40 000: see what a step costs then.",
@@ -135,11 +142,14 @@ class Fountain(Scene):
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
 
-    def state(self) -> ParticleState:
-        return self.model.system.state()
+    def state(self) -> ParticleState | SplitState:
+        return self.model.state()
 
-    def restore(self, state: ParticleState) -> None:
-        self.model.system.restore(state)
+    def restore(self, state: ParticleState | SplitState) -> None:
+        self.model.restore(state)
+
+    def why_idle(self, name: str) -> str:
+        return "Three methods are shown." if name == "method" and self.model.beside else ""
 
     def save_content(self) -> FountainContent:
         return self.model.content_now()
@@ -162,7 +172,7 @@ class Fountain(Scene):
         if name == "emit":
             self.model.switch_emitters()
         else:
-            self.model.system.clear()
+            self.model.clear()
 
     def messages(self) -> Sequence[str]:
         return self.said.take()
