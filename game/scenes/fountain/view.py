@@ -51,8 +51,8 @@ class FountainView:
             with canvas.magnified(low, high, centre, 1.0):
                 self._draw_one(canvas, system, before, alpha)
             canvas.line((pane.right, view.bottom), (pane.right, view.top), "line2", 1.0)
-            top = (0.5 * (pane.left + pane.right), view.top)
-            canvas.label(top, pane.title, "text1", 13, "semibold", "top", offset=(0.0, 12.0))
+            foot = (0.5 * (pane.left + pane.right), view.bottom)
+            canvas.label(foot, pane.title, "text1", 13, "semibold", "bottom", offset=(0.0, -6.0))
 
     def _draw_one(
         self, canvas: Canvas, system: ParticleSystem, previous: ParticleState | SplitState | None, alpha: float

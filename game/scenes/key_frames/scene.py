@@ -123,6 +123,7 @@ class KeyFraming(Scene):
     try_this = (
         "Grab the flying box and pull it aside: it has a key there now. Ctrl+Z takes it back.",
         "Change the interpolation and watch the speed below: linear has steps, a spline has none.",
+        "Show the formula: weights and key-frames of this moment, and the x that comes of them.",
         "Switch constant speed on: the curve below becomes flat, the boxes of the onion skin evenly spaced.",
         "Set frames per second to 8, then the second to 1 s: what early films looked like.",
         "Choose Bezier curves and drag a control point; with Shift its joint becomes a corner.",

@@ -88,6 +88,7 @@ class RigidBodyScene(Scene):
         "Count the flips of A and B beside the exact ones; then give A another integrator, and begin again.",
         "Set a time step of 1/10 s: explicit Euler is lost at once, the splitting only jitters.",
         "Choose Implicit gyroscopic, which most engines use: it loses energy and angular momentum.",
+        "Point at a sphere: its volume and mass, and what it adds to the moment of inertia about the spin.",
         "Push the head, then the handle, with the same force. Double the density and do it again.",
         "Switch normalizing off and look at |q| with explicit Euler, and with the exponential map.",
     )

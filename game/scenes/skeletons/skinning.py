@@ -63,6 +63,7 @@ class Skinning(FigureScene):
     try_this = (
         "Turn a knee or an elbow far: the strip shows the area that matrices lose; switch to rotors.",
         "Show the weights and click a bone: amber is what follows it.",
+        "With the weights shown, point at the skin: what each bone weighs there, and where it alone would go.",
         "Set influences to 1: the skin breaks into rigid parts.",
         "Lower the threshold until the skin follows the nearest bone alone.",
         "Open the bent bar: the collapse against cos(a/2).",

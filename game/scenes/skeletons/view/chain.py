@@ -15,6 +15,7 @@ from game.scenes.skeletons.cells import COLUMNS, ROWS, Cell, cells_of, frame_of_
 from game.scenes.skeletons.editing import next_click
 from game.scenes.skeletons.parameters import SHOWN
 from game.scenes.skeletons.reaching_model import ReachingModel, ReachingState
+from game.scenes.skeletons.view.jacobian import draw_jacobian
 from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.scenes.skeletons.view.parts import (
     bone_tokens,
@@ -80,9 +81,16 @@ class ChainView:
         for n, k in enumerate(places):
             if model.solver is not None:
                 self._draw_target(canvas, cells[k], ends[n][model.inside[-1]])
+                if self._shown.jacobian and k == master:
+                    self._draw_jacobian(canvas, cells[k], bases[n], ends[n])
             self._draw_words(canvas, k, frame)
         mine = places.index(master)
         self._draw_hand(canvas, cells[master], bases[mine], ends[mine])
+
+    def _draw_jacobian(self, canvas: Canvas, cell: Cell, bases: Array, ends: Array) -> None:
+        inside = self._model.inside
+        target = cell.out(self._model.target[None])[0]
+        draw_jacobian(canvas, bases[inside], ends[inside[-1]], target)
 
     def _draw_bones(self, canvas: Canvas, places: list[int], bases: Array, ends: Array) -> None:
         """Bones of the figures of these methods, all in one call."""

@@ -11,6 +11,7 @@ from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import WHOLE
 from game.scenes.skeletons.editing import joint_of, next_click
 from game.scenes.skeletons.model import Array
+from game.scenes.skeletons.view.point_weights import draw_point_weights
 from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.scenes.skeletons.skinning_model import SkinningModel, SkinningState
 from game.scenes.skeletons.view.parts import (
@@ -65,6 +66,8 @@ class SkinningView:
             self._painter.paint(canvas, rig, points, 0.35 if shown.weights else 1.0)
         if shown.weights:
             draw_weights(canvas, rig, points, bench.chosen)
+        if shown.weights and shown.tool == "pose" and not bench.held:
+            draw_point_weights(canvas, rig, points, bench.pointer)
         if shown.compare and SKINNING in active:
             other = BLENDS[1 - BLENDS.index(shown.blend)]
             draw_outlines(canvas, rig, rig.skin_shown(other), "text1")
