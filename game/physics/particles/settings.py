@@ -151,7 +151,7 @@ class Settings:
         return speed
 
     def may_run_away(self, h: float) -> bool:
-        """Whether a substep of h (s) is too long for drag on somebody: it may then speed up and not slow down."""
+        """Whether a substep of h (s) is too long for drag on somebody: it may speed up and not slow down."""
         limit = STABILITY_LIMITS[self._method]
         if not self.mask & AIR_BITS or math.isinf(limit):
             return False

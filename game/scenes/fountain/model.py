@@ -21,7 +21,9 @@ NEW_RADIUS = 0.25  # m, of an added stone
 PATH_STEPS, MOST_PATHS = 2_048, 16  # steps and listed particles of which paths are kept
 MOST_MEETINGS = 32_000_000  # of a particle and a solid in a step, each substep again: a second or so at worst
 CONTACT_TIME = 1.0 / 60.0  # s for which a particle counts as in contact after an impact
-RUNAWAY = "The time step is too long for this drag: it throws particles away. Take a shorter one, or Exponential."
+RUNAWAY = (
+    "The time step is too long for this drag: it throws particles away. Take a shorter one, or Exponential."
+)
 OF_EMITTERS = ("rate", "speed", "spread")  # parameters that the emitters take
 OF_FLIGHT = ("speed", "gravity", "drag", "wind", "fast_drag", "whirl")  # parameters of a particle's path
 
@@ -66,7 +68,9 @@ class FountainModel(Part):
         self.meetings = 0  # in a step, as far as there may be so many
         self.system = self._new_system(seed)
         self.beside = [self._new_system(seed) for _ in BESIDE] if parameters.split else []
-        self.paths = np.zeros((PATH_STEPS if content.paths else 0, MOST_PATHS, 2))  # by step modulo PATH_STEPS
+        self.paths = np.zeros(
+            (PATH_STEPS if content.paths else 0, MOST_PATHS, 2)
+        )  # by step modulo PATH_STEPS
         self._configure()
         self._bound_work()
         self._note_paths()
@@ -225,7 +229,7 @@ class FountainModel(Part):
     # -- a step -------------------------------------------------------------------------------------
 
     def advance(self, dt: float, carried: int, target: Point) -> str:
-        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. What there is to say, or ""."""
+        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. Gives words to say, or ""."""
         system = self.system
         if (system.forces.whirl_x, system.forces.whirl_y) != self.vortex_centre:
             self._configure()  # the vortex was put back by a step back
@@ -278,7 +282,7 @@ class FountainModel(Part):
             self.paths[row, :count] = self.system.fields[:2, :count].T
 
     def paths_so_far(self) -> NDArray[np.float64]:
-        """Where the listed particles were (steps, count, 2), m, from the oldest on; none where none are kept."""
+        """Where the listed particles were (steps, count, 2), m, oldest first; none where none are kept."""
         if not len(self.paths):
             return np.zeros((0, 0, 2))
         last = int(self.system.tallies[STEP])

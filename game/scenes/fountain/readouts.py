@@ -51,12 +51,15 @@ def _beside(model: FountainModel) -> list[Readout]:
     found = []
     for name, system in zip(("Euler", "midpoint"), model.beside, strict=False):
         kinetic, potential, highest = _swarm(model, system)
-        found += [Readout(f"{name} total", kinetic + potential, "J"), Readout(f"{name} highest", highest, "m")]
+        found += [
+            Readout(f"{name} total", kinetic + potential, "J"),
+            Readout(f"{name} highest", highest, "m"),
+        ]
     return found
 
 
 def _swarm(model: FountainModel, system: ParticleSystem) -> tuple[float, float, float]:
-    """Kinetic and potential energy (J) of all particles; the highest of those that the exact height is for, m."""
+    """Kinetic and potential energy, J; the highest (m) of those for which the exact height holds."""
     floor, gravity, since = model.content.floor, force_law(model).gravity, begin_of_claims(model)
     kinetic = potential = 0.0
     highest = -math.inf

@@ -63,11 +63,16 @@ class Fountain(Scene):
 
     strips = (
         Strip(
-            "Energy", "J", ("potential", "kinetic", "total", "Euler total", "midpoint total"),
+            "Energy",
+            "J",
+            ("potential", "kinetic", "total", "Euler total", "midpoint total"),
             sometimes=("potential", "kinetic", "Euler total", "midpoint total"),
         ),
         Strip(
-            "Highest particle", "m", ("exact", "highest", "Euler highest", "midpoint highest"), ("exact",),
+            "Highest particle",
+            "m",
+            ("exact", "highest", "Euler highest", "midpoint highest"),
+            ("exact",),
             sometimes=("Euler highest", "midpoint highest"),
         ),
         Strip("Error", "m", ("error",)),
@@ -157,7 +162,7 @@ class Fountain(Scene):
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        if self.repeat.advance(dt):
+        if self._beginning is not None and self.repeat.advance(dt):
             self.restore(self._beginning)
             self.model.renew()
             self.previous = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -37,12 +38,14 @@ class FountainView:
         self._shown_in_contact = self._in_contact
 
     def draw(self, canvas: Canvas, previous: ParticleState | SplitState | None, alpha: float) -> None:
-        """All of it, ``alpha`` of the way from the state ``previous`` to now; by several methods side by side."""
+        """All of it, ``alpha`` of the way from the state ``previous`` to now; methods side by side."""
         model = self.model
         if not model.beside:
             self._draw_one(canvas, model.system, previous, alpha)
             return
-        then = (*previous.beside, previous) if isinstance(previous, SplitState) else (None,) * len(model.systems)
+        then: Sequence[ParticleState | SplitState | None] = (None,) * len(model.systems)
+        if isinstance(previous, SplitState):
+            then = (*previous.beside, previous)
         view = model.content.view
         middle = 0.5 * (view.bottom + view.top)
         for pane, system, before in zip(panes_of(model), model.systems, then, strict=True):
@@ -55,7 +58,11 @@ class FountainView:
             canvas.label(foot, pane.title, "text1", 13, "semibold", "bottom", offset=(0.0, -6.0))
 
     def _draw_one(
-        self, canvas: Canvas, system: ParticleSystem, previous: ParticleState | SplitState | None, alpha: float
+        self,
+        canvas: Canvas,
+        system: ParticleSystem,
+        previous: ParticleState | SplitState | None,
+        alpha: float,
     ) -> None:
         """One of them, from the back to the front."""
         model, on = self.model, self.model.active

@@ -62,7 +62,10 @@ def draw_live_formula(canvas: Canvas, model: KeyFrameModel, corner: tuple[float,
         markup = r"x = (1-u)^3 P_0 + 3u(1-u)^2 P_1 + 3u^2(1-u) P_2 + u^3 P_3"
     canvas.formula(corner, markup, "text1", 16, "topright", (-14.0, 12.0))
     sum_of = " + ".join(f"{w:.2f}·{_bracketed(x)}" for w, x in zip(piece.weights, piece.places, strict=True))
-    lines = (f"piece {piece.number + 1},  u = {piece.u:.2f}", f"x = {sum_of} = {piece.x:.2f} m".replace("-", "−"))
+    lines = (
+        f"piece {piece.number + 1},  u = {piece.u:.2f}",
+        f"x = {sum_of} = {piece.x:.2f} m".replace("-", "−"),
+    )
     for i, words in enumerate(lines):
         canvas.label(corner, words, "text2", 12, "medium", "topright", (-14.0, 40.0 + LINE * i))
 

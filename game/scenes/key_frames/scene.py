@@ -46,7 +46,7 @@ class KeyFraming(Scene):
     where its velocity jumps. Constant speed spreads the time by the length of the path, easing by a timing
     curve.
 
-    In the equations: x place at time t, x_i key-frames, u the part of a piece, P control points of a piece and
+    In the equations: x place at time t, x_i key-frames, u the part of a piece, P control points of a piece,
     Q those of the next, h durations of pieces, d slopes of their chords, m slopes at the keys, k knots of
     Catmull-Rom, s length of the path, ε how far lines may be off, n how many there are.
     """

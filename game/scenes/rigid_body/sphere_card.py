@@ -18,7 +18,7 @@ LINE = 18.0  # design px
 
 
 class SphereCard(NamedTuple):
-    """volume m³, mass kg; distance m of its centre from the axis; own and offset: 2/5 m r² and m d², kg m²."""
+    """volume m³, mass kg; distance m of its centre from the axis; own, offset: 2/5 m r² and m d², kg m²."""
 
     volume: float
     mass: float

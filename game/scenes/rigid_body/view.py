@@ -81,8 +81,8 @@ class RigidView:
         self._draw_hand(canvas, view)
         hand = self.hand
         if not hand.grip and hand.pane in panes and 0 <= hand.hovered < len(model.bodies.design):
-            shift = (model.panes.shift(hand.pane), 0.0)
-            place = _seen(model.bodies, view, rows[hand.pane])[0][hand.hovered, :2] + shift
+            place = _seen(model.bodies, view, rows[hand.pane])[0][hand.hovered, :2]
+            place = place + np.array((model.panes.shift(hand.pane), 0.0))
             canvas.circle(place, float(model.bodies.design[hand.hovered, RADIUS]), None, 1.0, "amber", 2.0)
             draw_sphere_card(canvas, model, hand.pane, hand.hovered, place)
         if shown.twin:

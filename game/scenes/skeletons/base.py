@@ -40,8 +40,11 @@ EDITING = (
 
 
 MAKING = {
-    "bone": (Hint(("Click",), "parent bone, then the new end"),
-        Hint(("Shift", "Click"), "where on the parent it begins"), Hint(("Delete",), "delete the chosen bone")),
+    "bone": (
+        Hint(("Click",), "parent bone, then the new end"),
+        Hint(("Shift", "Click"), "where on the parent it begins"),
+        Hint(("Delete",), "delete the chosen bone"),
+    ),
     "skin": (
         Hint(("Click",), "corners around the bones"),
         Hint(("Enter",), "close the skin"),

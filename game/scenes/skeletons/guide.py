@@ -16,7 +16,10 @@ def steps_of(figure: FigureContent, turned: NDArray[np.float64]) -> list[Caption
     """Words for each step, and whether it is done. turned (n + 2,): the pose less the bind pose."""
     bones = len(figure.bones)
     return [
-        Caption(f"New bone (2): click a parent, then the new end, {bones} of {ENOUGH_BONES}", bones >= ENOUGH_BONES),
+        Caption(
+            f"New bone (2): click a parent, then the new end, {bones} of {ENOUGH_BONES}",
+            bones >= ENOUGH_BONES,
+        ),
         Caption("Skin (3): click around the bones, Enter closes", bool(figure.skins)),
         Caption("Turn (1): drag a bone, its children and the skin follow", _is_posed(figure, turned)),
     ]

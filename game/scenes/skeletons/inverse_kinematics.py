@@ -9,13 +9,13 @@ from game.lab.studies.animation.inverse_kinematics import reaching_study
 from game.scenes.skeletons import C03
 from game.scenes.skeletons.base import EDITING, FigureScene, warm_ups_of_figures
 from game.scenes.skeletons.cells import frame_of_cells
-from game.scenes.skeletons.view.chain import ChainView
 from game.scenes.skeletons.figure import draw_ccd
 from game.scenes.skeletons.hand import ReachingHand
 from game.scenes.skeletons.level import BoneEntry, ChainEntry, FigureContent, PathEntry, View
 from game.scenes.skeletons.parameters import ReachingParameters
 from game.scenes.skeletons.reaching_model import ReachingModel
 from game.scenes.skeletons.readouts import NAMES, readouts_of_methods
+from game.scenes.skeletons.view.chain import ChainView
 from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip, WarmUp
 
 

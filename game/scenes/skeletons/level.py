@@ -95,9 +95,9 @@ class View(_Entry, frozen=True, kw_only=True):
 
 
 class FigureContent(_Entry, frozen=True, kw_only=True):
-    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m. expected: of readouts.
+    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m.
 
-    guide: what to do comes step by step, as in a level in which one makes a figure.
+    expected: of readouts. guide: what to do comes step by step, as in a level in which one makes a figure.
     """
 
     bones: Annotated[tuple[BoneEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_BONES)]

@@ -30,7 +30,7 @@ class Skinning(FigureScene):
 
     In the equations: W frame of a bone in the world, p(i) its parent, T a shift by its place o, R a turn by
     its angle θ, B its frame when the skin was bound, P their palette, v a point of the skin and v' where it
-    goes, w weight, d distance from a bone, r threshold, p falloff, a angle of a bend; for rotors p turns and q
+    goes, w weight, d distance from a bone, r threshold, p falloff, a angle of a bend; of rotors p turns and q
     shifts by t.
 
     Make your own: New bone, click the parent, then where the bone is to end; Skin, click around the bones.
@@ -63,7 +63,7 @@ class Skinning(FigureScene):
     try_this = (
         "Turn a knee or an elbow far: the strip shows the area that matrices lose; switch to rotors.",
         "Show the weights and click a bone: amber is what follows it.",
-        "With the weights shown, point at the skin: what each bone weighs there, and where it alone would go.",
+        "With the weights shown, point at the skin: what each bone weighs there, where it alone would go.",
         "Set influences to 1: the skin breaks into rigid parts.",
         "Lower the threshold until the skin follows the nearest bone alone.",
         "Open the bent bar: the collapse against cos(a/2).",

@@ -76,7 +76,7 @@ class SkinningModel(FigureModel):
         self.apart = apart if apart > ROUNDING * float(np.abs(last).max(initial=0.0)) else 0.0
 
     def forward_error(self) -> float:
-        """How far (m) the last bone's end is from the sum of its ancestors by trigonometry alone, rounded once."""
+        """How far (m) the last bone's end is from the sum of its ancestors by angles alone, rounded once."""
         skeleton = self.rig.skeleton
         line, bone = [], skeleton.count - 1
         while bone >= 0:

@@ -17,7 +17,7 @@ LENGTH = 0.13  # of the height in view: the normal, and the impulse
 
 
 class Impact(NamedTuple):
-    """A collision in the plane. point: m; normal: unit vector from the first sphere to the other, or to the wall;
+    """A collision in the plane. point: m; normal: unit vector from the first sphere to the other or the wall;
     impulse: N s on the other; before, after: separating speed, m/s; friction: μ of the pair."""
 
     point: np.ndarray
@@ -81,10 +81,11 @@ def draw_impact_frozen(model: CollisionModel, canvas: Canvas) -> None:
 
 
 def _write(canvas: Canvas, impact: Impact) -> None:
+    most = format_si(impact.friction * impact.along, "N s")
     lines = (
         f"v_n  {format_si(impact.before, 'm/s')}, then {format_si(impact.after, 'm/s')}",
         f"j  {format_si(impact.along, 'N s')} along n",
-        f"j_t  {format_si(impact.across, 'N s')}, at most μ j = {format_si(impact.friction * impact.along, 'N s')}",
+        f"j_t  {format_si(impact.across, 'N s')}, at most μ j = {most}",
         "G goes on",
     )
     dx, dy = canvas.room_for(tuple(impact.point), (240.0, 76.0), (140.0, 60.0))

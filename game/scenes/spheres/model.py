@@ -31,8 +31,8 @@ class CollisionModel(Part):
     """The spheres of a content, stepped as the parameters say.
 
     world: the colliding spheres. exact: the event-driven run that goes beside, or None. pushes: forces by
-    hand that act now. frozen: number of the collision at which it stands still, or 0. messages: for the person, oldest first. ValueError and ParameterError for a content or
-    parameters that the world refuses.
+    hand that act now. frozen: number of the collision at which it stands still, or 0. messages: for the
+    person, oldest first. ValueError and ParameterError for a content or parameters that the world refuses.
     """
 
     def __init__(

@@ -8,7 +8,16 @@ from game.stage import Choice, Param, Parameters, Toggle
 BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
 TOOLS = ("push", "sphere", "remove")
 # what a change of is nothing to the solver
-NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger", "freeze")
+NOT_SETTINGS = (
+    "tool",
+    "radius",
+    "push_strength",
+    "push_time",
+    "shown_impulses",
+    "shown_bearing",
+    "ledger",
+    "freeze",
+)
 TABLE_PARAMETERS = ("restitution", "friction", "wall_restitution", "wall_friction")
 
 

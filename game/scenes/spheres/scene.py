@@ -114,8 +114,8 @@ class SphereCollisions(Scene):
     )
     try_this = (
         "Press on a sphere off its centre, draw, let go: it moves and turns.",
-        "Switch on freeze on impact: normal, speeds, impulse and friction cone stand in the picture; G goes on.",
-        'Open Newton\'s cradle, lift two balls; choose the law "Simultaneous": all move, and energy and momentum still fit.',
+        "Freeze on impact: normal, speeds, impulse and friction cone stand in the picture; G goes on.",
+        "Open the cradle, lift two balls; choose the law Simultaneous: all move, energy and momentum fit.",
         "Switch impact times off in the fast-and-small level: the bullet passes through.",
         "Open the pile: no correction, then Baumgarte, then split impulses; compare penetration and energy.",
     )
@@ -162,7 +162,7 @@ class SphereCollisions(Scene):
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        if self.repeat.advance(dt):
+        if self._beginning is not None and self.repeat.advance(dt):
             self.restore(self._beginning)
             self.previous = None
         self.model.advance(dt)
@@ -177,9 +177,11 @@ class SphereCollisions(Scene):
 
     def action(self, name: str) -> None:
         if name == "go-on":
-            return self.model.go_on()
+            self.model.go_on()
+            return
         if name == "turn":
-            return self.model.turn_over()
+            self.model.turn_over()
+            return
         self.parameters.tool = name
         self.hand.forget()
 

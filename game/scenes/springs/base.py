@@ -20,10 +20,12 @@ from game.scenes.springs.view import SpringView
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
 from game.stage.messages import Messages
 
-
 TOOL_HINTS = {
     "particle": (Hint(("Click",), "new particle"), Hint(("Delete",), "delete what is chosen")),
-    "link": (Hint(("Click",), "one end of a link, then the other"), Hint(("Delete",), "delete what is chosen")),
+    "link": (
+        Hint(("Click",), "one end of a link, then the other"),
+        Hint(("Delete",), "delete what is chosen"),
+    ),
     "pin": (Hint(("Click",), "pin or free a particle"),),
     "cut": (Hint(("Drag",), "cut links"),),
 }  # instead of the first of the scene's hints

@@ -108,7 +108,7 @@ class CradleEntry(_Entry, frozen=True, kw_only=True):
 
 
 class BesideEntry(_Entry, frozen=True, kw_only=True):
-    """The same network solved in another way, so far (m) to the right. What is left out is as in the panel."""
+    """The same network solved in another way, so far (m) to the right. What is left out is as there."""
 
     label: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
     to_the_right: Metre
@@ -131,8 +131,8 @@ class SpringContent(_Entry, frozen=True, kw_only=True):
 
     areas: outlines of particles that keep their area. reference: exact places, drawn dashed. floor: m.
     walls: m, at the left and the right of the ground. body_distance: m, between particles of different
-    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts. sheet: nothing
-    moves while a tool that builds is in the hand. label: of the network where others are ``beside`` it.
+    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts. sheet:
+    nothing moves while a tool that builds is in the hand. label: of the network, where others are ``beside``.
     pendulum: the second particle is the bob of one on the first, and where it should be now is shown.
     """
 

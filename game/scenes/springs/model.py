@@ -71,8 +71,9 @@ class SpringModel(Part):
     """Particles and links.
 
     beside: the same network solved in other ways, one for each of the content's entries, until it is edited.
-    time: s. undisturbed: nobody has pulled, and gravity is what it was. law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited: the network is not the
-    level's any more.
+    time: s. sweep_tick: steps since a sweep is shown slowed down. undisturbed: nobody has pulled, and gravity
+    is what it was. law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited: the
+    network is not the level's any more.
     """
 
     def __init__(
@@ -80,7 +81,7 @@ class SpringModel(Part):
     ):
         self.content, self.parameters, self.law, self.active = content, parameters, law, active
         self.projections = 0  # in a step, as far as there may be so many
-        self.time, self.undisturbed = 0.0, True
+        self.time, self.undisturbed, self.sweep_tick = 0.0, True, 0
         self._make_system()
         self._bound_work()
 
@@ -221,6 +222,10 @@ class SpringModel(Part):
 
     def advance(self, dt: float) -> bool:
         """One step; True if the first link of all has torn in it."""
+        if self.parameters.slow_sweep:
+            self.sweep_tick += 1
+            return False
+        self.sweep_tick = 0
         if self.at_rest:
             return False
         self.time += dt
@@ -235,7 +240,8 @@ class SpringModel(Part):
         """What moves, and the network once it is edited."""
         moving = self.system.state()
         if self.beside:
-            return ComparedState(*moving, *_UNEDITED, tuple(system.state() for system in self.beside))
+            beside = tuple(system.state() for system in self.beside)
+            return ComparedState(*SpringState(*moving, *_UNEDITED), beside)
         if not self.edited:
             return SpringState(*moving, *_UNEDITED)
         topology = topology_of(self.system)

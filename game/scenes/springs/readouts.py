@@ -38,7 +38,10 @@ def readouts(model: SpringModel) -> list[Readout]:
 def _beside(model: SpringModel) -> list[Readout]:
     """The greatest stretch of each network that is solved beside."""
     pairs = zip(model.content.beside, model.beside, strict=False)
-    return [Readout(f"{entry.label} worst", _above_rounding(system.measure().worst_strain)) for entry, system in pairs]
+    return [
+        Readout(f"{entry.label} worst", _above_rounding(system.measure().worst_strain))
+        for entry, system in pairs
+    ]
 
 
 def area_kept(model: SpringModel) -> Readout:

@@ -13,10 +13,11 @@ from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
 from game.physics.kernels.jit import kernel
 from game.scenes.shared.polygons import NO_EDGE, paint
+from game.scenes.springs.exact_bob import draw_exact_bob
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import Point
-from game.scenes.springs.exact_bob import draw_exact_bob
 from game.scenes.springs.model import ComparedState, SpringModel, SpringState
+from game.scenes.springs.slow_sweep import draw_slow_sweep
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
 
@@ -92,6 +93,10 @@ class SpringView:
             canvas.polyline(np.array(content.reference), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
         if AREAS in on:
             self._draw_areas(canvas, places)
+        if model.parameters.slow_sweep:
+            draw_slow_sweep(canvas, model)
+            self._draw_fixed(canvas, model.system.positions)
+            return
         self._draw_links(canvas, places)
         radii = self._radii()
         if model.parameters.points and model.system.count <= MOST_POINTS:
@@ -109,9 +114,11 @@ class SpringView:
         self._name(canvas, system, 0.0, content.label)
         then = previous.beside if isinstance(previous, ComparedState) else (None,) * len(content.beside)
         for entry, other, before in zip(content.beside, self.model.beside, then, strict=True):
-            places = between(other, before, alpha) + (entry.to_the_right, 0.0)
+            places = between(other, before, alpha) + np.array((entry.to_the_right, 0.0))
             ends = places[other.links.pairs]
-            canvas.segments(ends[:, 0], ends[:, 1], self._strained(canvas, other), 2.4 if len(ends) < 200 else 1.6)
+            canvas.segments(
+                ends[:, 0], ends[:, 1], self._strained(canvas, other), 2.4 if len(ends) < 200 else 1.6
+            )
             weights = other.inverse_masses
             sizes = np.clip(3.0 * np.power(np.where(weights > 0.0, weights, 1.0), -0.3), 1.4, LARGEST_DOT)
             canvas.discs(places, canvas.px(1.0) * sizes, "text1")
@@ -119,8 +126,10 @@ class SpringView:
 
     def _name(self, canvas: Canvas, system: PositionBasedDynamics, shift: float, label: str) -> None:
         """Label and stretch above the highest particle of a network."""
-        top = system.positions[np.argmax(system.positions[:, 1])] + (shift, 0.0)
-        words = canvas.figure(("stretch", label), f"longest link {100.0 * (1.0 + system.measure().worst_strain):.3g} %")
+        top = system.positions[np.argmax(system.positions[:, 1])] + np.array((shift, 0.0))
+        words = canvas.figure(
+            ("stretch", label), f"longest link {100.0 * (1.0 + system.measure().worst_strain):.3g} %"
+        )
         canvas.label(top, label, "text1", 13, "semibold", offset=(0.0, -34.0))
         canvas.label(top, words, "text2", 12, offset=(0.0, -16.0))
 

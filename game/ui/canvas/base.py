@@ -93,13 +93,15 @@ class CanvasBase:
 
     @contextmanager
     def magnified(self, corner: Point, opposite: Point, center: Point, times: float) -> Iterator[None]:
-        """What is drawn meanwhile is seen ``times`` as large, without words, in a box between two corners in the
-        world, with the point ``center`` in its middle."""
+        """What is drawn meanwhile is seen ``times`` as large, without words, in a box between two corners
+        in the world, with the point ``center`` in its middle."""
         camera, rect, words = self.camera, self.rect, self.words
         with self.within(corner, opposite):
             self.rect = self.surface.get_clip()
             (ax, ay), (bx, by) = (camera.to_screen(*point) for point in (corner, opposite))
-            box = pygame.Rect(round(min(ax, bx)), round(min(ay, by)), round(abs(bx - ax)), round(abs(by - ay)))
+            box = pygame.Rect(
+                round(min(ax, bx)), round(min(ay, by)), round(abs(bx - ax)), round(abs(by - ay))
+            )
             self._look_through(camera.magnified(box, (float(center[0]), float(center[1])), times))
             self.words = False
             try:

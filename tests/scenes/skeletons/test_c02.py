@@ -324,7 +324,7 @@ def test_the_guide_ticks_off_what_is_done():
     stage.post(Action("pose"))
     skeleton = stage.scene.model.rig.skeleton
     middle = 0.5 * (skeleton.bases[0] + skeleton.ends[0])
-    drag(stage, middle, middle + (0.3, 0.1))
+    drag(stage, middle, (middle[0] + 0.3, middle[1] + 0.1))
     assert done() == [True, True, True]
 
 

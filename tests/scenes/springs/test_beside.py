@@ -69,7 +69,9 @@ def test_all_of_them_go_back_and_are_named(scene_type, name):
     assert np.array_equal(stage.scene.model.beside[0].positions, places)
     canvas = labels_of(stage)
     stage.scene.draw(canvas, 1.0)
-    assert {stage.level.content.label, *(entry.label for entry in stage.level.content.beside)} <= set(canvas.drawn)
+    assert {stage.level.content.label, *(entry.label for entry in stage.level.content.beside)} <= set(
+        canvas.drawn
+    )
 
 
 def test_who_edits_goes_on_with_one_and_a_step_back_brings_all_back():

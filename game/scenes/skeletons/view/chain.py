@@ -16,7 +16,6 @@ from game.scenes.skeletons.editing import next_click
 from game.scenes.skeletons.parameters import SHOWN
 from game.scenes.skeletons.reaching_model import ReachingModel, ReachingState
 from game.scenes.skeletons.view.jacobian import draw_jacobian
-from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.scenes.skeletons.view.parts import (
     bone_tokens,
     draw_bones,
@@ -25,6 +24,7 @@ from game.scenes.skeletons.view.parts import (
     draw_pen,
     draw_weights,
 )
+from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.stage import Frame, blend_angles
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.look.numerals import quantity

@@ -1,4 +1,4 @@
-"""The Jacobian in the picture: how the end of a chain moves as each joint turns, and what the error asks of each."""
+"""The Jacobian in the picture: how the end moves as each joint turns, and what the error asks of each."""
 
 from __future__ import annotations
 

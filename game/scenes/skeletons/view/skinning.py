@@ -11,8 +11,6 @@ from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import WHOLE
 from game.scenes.skeletons.editing import joint_of, next_click
 from game.scenes.skeletons.model import Array
-from game.scenes.skeletons.view.point_weights import draw_point_weights
-from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.scenes.skeletons.skinning_model import SkinningModel, SkinningState
 from game.scenes.skeletons.view.parts import (
     bone_tokens,
@@ -23,6 +21,8 @@ from game.scenes.skeletons.view.parts import (
     draw_pen,
     draw_weights,
 )
+from game.scenes.skeletons.view.point_weights import draw_point_weights
+from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.stage import blend_angles
 from game.ui.canvas.canvas import Canvas
 
