@@ -11,7 +11,7 @@ from game.stage import Frame
 
 Array = NDArray[np.float64]
 TITLE_HEIGHT = 0.25  # m
-SPHERE_ROOM = 0.75  # m
+SPHERE_ROOM = 1.15  # m
 GAP = 0.12  # m, between the boxes of the twin view
 
 

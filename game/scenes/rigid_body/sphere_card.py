@@ -54,7 +54,7 @@ def draw_sphere_card(canvas: Canvas, model: RigidModel, pane: int, sphere: int, 
         f"m d²  {format_number(card.offset)} kg m²",
         f"together  {format_number(card.own + card.offset)} kg m²",
     )
-    dx, dy = canvas.room_for(tuple(place), (230.0, LINE * len(lines)), (140.0, 0.0))
+    dx, dy = canvas.room_for(tuple(place), (230.0, LINE * len(lines)), (170.0, 70.0))
     for i, words in enumerate(lines):
         offset = (dx - 110.0, dy + LINE * (i - 0.5 * (len(lines) - 1)))
         canvas.label(tuple(place), canvas.figure(("card", i), words), "text1", 12, "semibold", "left", offset)

@@ -88,7 +88,7 @@ def _write(canvas: Canvas, impact: Impact) -> None:
         f"j_t  {format_si(impact.across, 'N s')}, at most μ j = {most}",
         "G goes on",
     )
-    dx, dy = canvas.room_for(tuple(impact.point), (240.0, 76.0), (140.0, 60.0))
+    dx, dy = canvas.room_for(tuple(impact.point), (240.0, 76.0), (150.0, 116.0))
     for i, words in enumerate(lines):
         color = "amber" if i == 1 else "accent" if i == len(lines) - 1 else "text1"
         offset = (dx - 116.0, dy - 30.0 + 19.0 * i)

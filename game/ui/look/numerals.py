@@ -67,7 +67,7 @@ def quantity(value: float, unit: str, digits: int = 3) -> Quantity:
         return Quantity(format_number(value), unit)
     value = float(value)
     if unit.startswith("kg") and unit[2:3] in ("", "/", " ", "·"):
-        if abs(value) >= 1.0:
+        if abs(value) >= 1.0 or value == 0.0:
             return Quantity(format_number(value, digits), unit)
         value, unit = value * 1e3, unit[1:]
     symbol = unit.replace("·", "/").replace(" ", "/").split("/")[0]

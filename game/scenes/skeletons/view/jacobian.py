@@ -34,7 +34,9 @@ def pull_of(joints: Array, end: Array, target: Array) -> Pull:
 def draw_jacobian(canvas: Canvas, joints: Array, end: Array, target: Array) -> None:
     """Arcs through the end about each joint, an arrow along each column, arcs at the joints as J^T e asks."""
     pull = pull_of(joints, end, target)
-    most = float(np.abs(pull.asked).max(initial=0.0))
+    off = target - end
+    asks = math.sqrt(float(off @ off)) > canvas.px(1.0)  # else what is left is rounding
+    most = float(np.abs(pull.asked).max(initial=0.0)) if asks else 0.0
     for i, joint in enumerate(joints):
         arm = end - joint
         radius, angle = math.sqrt(float(arm @ arm)), math.atan2(float(arm[1]), float(arm[0]))
@@ -43,7 +45,7 @@ def draw_jacobian(canvas: Canvas, joints: Array, end: Array, target: Array) -> N
         if most > 0.0:
             share = float(pull.asked[i]) / most
             canvas.arc(tuple(joint), canvas.px(15.0), angle, angle + FULL_TURN * share, "amber", 3.0)
-        if len(joints) <= FEW:
+        if asks and len(joints) <= FEW:
             words = canvas.figure(("asked", i), format_number(float(pull.asked[i]), 2))
             canvas.label(tuple(joint), words, "amber", 11, offset=(0.0, 17.0), clear=True)
     canvas.arrow(tuple(end), tuple(target - end), "text1", "e")

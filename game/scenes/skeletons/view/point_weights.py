@@ -13,6 +13,7 @@ from game.scenes.skeletons.rig import Rig
 from game.ui.canvas.canvas import Canvas
 
 Array = NDArray[np.float64]
+LEAST_SHOWN = 0.005  # of a weight
 
 
 class Share(NamedTuple):
@@ -53,7 +54,7 @@ def draw_point_weights(canvas: Canvas, rig: Rig, points: Array, pointer: tuple[f
     if point < 0:
         return
     place = tuple(points[point].tolist())
-    shares = shares_of(rig, point)
+    shares = [share for share in shares_of(rig, point) if share.weight >= LEAST_SHOWN]
     for share in shares:
         canvas.line(place, tuple(share.place), "text2", 1.2, dash=(3.0, 4.0))
         canvas.dot(tuple(share.place), 4.0, "ghost")
