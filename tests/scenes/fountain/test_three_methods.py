@@ -62,3 +62,10 @@ def test_each_pane_is_named_and_the_method_cannot_be_chosen():
     assert {"Explicit Euler", "Midpoint", "Verlet"} <= set(canvas.drawn)
     assert stage.scene.why_idle("method")
     assert not open_level(Fountain, "default").scene.why_idle("method")
+
+
+def test_each_pane_has_the_nozzle_in_its_middle():
+    stage = open_level(Fountain, "three-methods")
+    stage.scene.model.place_nozzle(0, (0.8, 0.0))
+    for pane in panes_of(stage.scene.model):
+        assert 0.8 + pane.shift == pytest.approx(0.5 * (pane.left + pane.right))

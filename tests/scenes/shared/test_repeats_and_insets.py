@@ -9,7 +9,9 @@ from game.scenes.fountain.scene import Fountain
 from game.scenes.shared.expectations import with_headroom
 from game.scenes.shared.insets import Zoom, draw_inset
 from game.scenes.shared.repeats import Repeat
+from game.scenes.skeletons.skinning import Skinning
 from game.scenes.spheres.scene import SphereCollisions
+from game.scenes.springs.rigid_links import RigidLinks
 from game.stage import Frame, SetParameter
 from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import click, open_level
@@ -113,3 +115,20 @@ def test_captions_have_room_above_what_moves():
     assert with_headroom(frame, 2).top > with_headroom(frame, 1).top > 2.0
     stage = open_level(SphereCollisions, "hard-06-grazing")
     assert stage.scene.frame().top > stage.level.content.view.top + 0.4
+
+
+OF_A_LEVEL = ("expected", "repeat", "zoom", "paths", "sheet", "label", "beside", "pendulum", "guide")
+TOLD = [
+    (Fountain, "hard-06-fast-and-small"), (SphereCollisions, "hard-06-grazing"), (RigidLinks, "draw"),
+    (RigidLinks, "pendulum"), (RigidLinks, "one-budget"), (Skinning, "draw"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("scene_type", "name"), TOLD)
+def test_what_a_level_tells_is_saved_with_it(scene_type, name):
+    stage = open_level(scene_type, name)
+    stage.run(5)
+    given, saved = stage.level.content, stage.scene.save_content()
+    names = [field for field in OF_A_LEVEL if hasattr(given, field)]
+    assert any(getattr(given, field) for field in names)
+    assert [getattr(saved, field) for field in names] == [getattr(given, field) for field in names]

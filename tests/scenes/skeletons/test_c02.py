@@ -334,3 +334,15 @@ def test_the_last_bones_end_is_compared_with_a_sum_of_its_own():
     skeleton = stage.scene.model.rig.skeleton
     skeleton.ends[-1] += (0.0, 1e-6)
     assert readouts(stage)["forward error"] == pytest.approx(1e-6, rel=1e-6)
+
+
+def test_on_a_bone_that_lies_the_new_one_begins_where_it_was_clicked():
+    stage = open_level(Skinning, "bent-bar", motion=False, tool="bone")
+    skeleton = stage.scene.model.rig.skeleton
+    base, end = skeleton.bases[0].copy(), skeleton.ends[0].copy()
+    assert abs(end[0] - base[0]) > 0.5
+    click(stage, base + 0.25 * (end - base), shift=True)
+    click(stage, (float(base[0]), float(base[1]) - 0.45))
+    assert np.allclose(
+        stage.scene.model.rig.skeleton.bases[-1], base + 0.25 * (end - base), rtol=0, atol=1e-9
+    )

@@ -93,3 +93,19 @@ def test_turned_over_everything_falls_the_other_way():
     assert bodies.state.positions[0, 1] > 1.0
     stage.post(Action("turn"))
     assert stage.scene.parameters.gravity == 9.81
+
+
+def test_at_a_wall_the_normal_points_to_it_and_the_friction_is_the_walls():
+    stage = open_level(SphereCollisions, "hard-11-restitution", freeze=True, friction=0.1, wall_friction=0.3)
+    model, seen = stage.scene.model, 0
+    for _ in range(3_000):
+        stage.run(1)
+        if model.frozen:
+            impact = impact_of(model)
+            at_wall = bool(abs(abs(impact.point[0]) - 4.2) < 0.05)
+            assert impact.friction == (0.3 if at_wall else 0.1)
+            seen |= 1 << at_wall
+            if at_wall:
+                assert impact.normal == pytest.approx((math.copysign(1.0, impact.point[0]), 0.0), abs=1e-6)
+            stage.post(Action("go-on"))
+    assert seen == 3
