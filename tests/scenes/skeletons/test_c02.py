@@ -346,3 +346,4 @@ def test_on_a_bone_that_lies_the_new_one_begins_where_it_was_clicked():
     assert np.allclose(
         stage.scene.model.rig.skeleton.bases[-1], base + 0.25 * (end - base), rtol=0, atol=1e-9
     )
+    assert np.allclose(stage.scene.model.rig.skeleton.ends[-1], (base[0], base[1] - 0.45), rtol=0, atol=1e-9)
