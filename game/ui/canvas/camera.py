@@ -85,6 +85,15 @@ class Camera:
         x1, y1 = self.to_world(self.rect.right, self.rect.bottom)
         return Frame(min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1))
 
+    def magnified(self, rect: pygame.Rect, center: tuple[float, float], times: float) -> Camera:
+        """Another camera, ``times`` as near as this one now, with a world point in the middle of ``rect``."""
+        other = Camera()
+        other.y_up, other._turn, other.rect = self.y_up, self._turn, pygame.Rect(rect)
+        other._view = [*center, self._view[2] + math.log(times)]
+        other._home = (*center, other._view[2])
+        other._wanted = list(other._view)
+        return other
+
     # -- changes of view ----------------------------------------------------------------------------
 
     def fit(self, frame: Frame, rect: pygame.Rect, margin: float = 20.0) -> None:

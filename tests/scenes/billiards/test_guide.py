@@ -92,7 +92,7 @@ def test_the_lines_have_a_key_that_says_no_more_than_is_shown():
 def test_a_level_and_an_event_with_the_former_switch_still_open(tmp_path, written, guide):
     path = tmp_path / "old.toml"
     path.write_text(f'scene = "billiards"\ntitle = "Old"\n[parameters]\nprediction = {written}\n')
-    stage = Stage(Billiards, load_level(path))
+    stage = Stage(Billiards, level=load_level(path, "billiards", Billiards.content_type))
     assert stage.scene.parameters.guide == guide
     other = Stage(Billiards)
     other.post(SetParameter("prediction", written == "true"))
