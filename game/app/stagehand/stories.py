@@ -1,4 +1,4 @@
-"""Rehearsals of stories, kept in the cache: a story's first headless run tells its length and its chapters."""
+"""Rehearsals of stories, kept in the cache: the first headless run tells length and chapters."""
 
 from __future__ import annotations
 

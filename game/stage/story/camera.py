@@ -111,11 +111,18 @@ class CameraPath:
         if self._shots[-1]:
             self._shots.append([])
 
-    def lay(self, film_s: float, step: int, aim: Aim, place: tuple[float, float]) -> None:
-        """A key from what is known at a moment of the film. place: m, of what is followed or looked at."""
+    def lay(
+        self, film_s: float, step: int, aim: Aim, place: tuple[float, float], ahead: float = AHEAD_S
+    ) -> None:
+        """A key from what is known at a moment of the film. place: m, of what is followed or looked at.
+
+        ahead: s of film that the picture may go on before the next key is laid.
+        """
         keys = self._shots[-1]
+        if keys and keys[-1].film_s > film_s + ahead - 0.5 * EVERY_S:
+            return
         speed = self._speed(keys, film_s, aim, place)
-        lead = AHEAD_S + LOOK_AHEAD_S if aim.target else 0.0
+        lead = ahead + LOOK_AHEAD_S if aim.target else 0.0
         width = math.exp(aim.log_width)
         x = place[0] + _limited(lead * speed[0], LEAD * width)
         y = place[1] + _limited(lead * speed[1], LEAD * width / ASPECT)
@@ -124,9 +131,9 @@ class CameraPath:
         goal, origin = View(x, y, aim.log_width), aim.origin
         view = View(*(a + (b - a) * s for a, b in zip(origin, goal, strict=True)))
         if not keys:
-            for earlier in (-AHEAD_S, 0.0):
+            for earlier in (-ahead, 0.0):
                 keys.append(_Key(film_s + earlier, view, step, film_s, place, speed))
-        keys.append(_Key(film_s + AHEAD_S, view, step, film_s, place, speed))
+        keys.append(_Key(film_s + ahead, view, step, film_s, place, speed))
 
     @staticmethod
     def _speed(keys: list[_Key], film_s: float, aim: Aim, place: tuple[float, float]) -> tuple[float, float]:

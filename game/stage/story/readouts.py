@@ -71,9 +71,8 @@ def _with_unit(value: float, unit: str) -> str:
     """Three digits and the unit."""
     prefix = ""
     if unit in _SCALED and value:
-        for factor, prefix in _PREFIXES:
-            if abs(value) >= 0.9995 * factor:
-                break
+        rows = (row for row in _PREFIXES if abs(value) >= 0.9995 * row[0])
+        factor, prefix = next(rows, _PREFIXES[-1])
         value /= factor
     whole = float(value).is_integer() and abs(value) < 1e7
     number = f"{value:,.0f}".replace(",", "\u202f") if whole or abs(value) >= 1000.0 else f"{value:.3g}"

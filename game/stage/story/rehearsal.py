@@ -1,4 +1,4 @@
-"""The first run of a story, headless: when its moments come, how long it is, and whether what it says is so."""
+"""The first run of a story, headless: its moments, its length, and whether what it expects is so."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def rehearse(
     stage: Stage | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Rehearsal:
-    """Run a story to its end as fast as it goes; ``progress`` is told the film's seconds and may return False.
+    """Run a story to its end as fast as it goes; ``progress`` is told s of film and may return False.
 
     ``stage``: one that stands at its beginning, to be looked at afterwards.
     """

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from game.stage.declarations import Readout
 from game.stage.events import StageEvent
 from game.stage.parameters import ParameterError
-from game.stage.story.camera import Aim, CameraPath, View, kept_inside, view_of
+from game.stage.story.camera import AHEAD_S, Aim, CameraPath, View, kept_inside, view_of
 from game.stage.story.course import SLACK_S, Begun, Course, Ended, Found, Reached
 from game.stage.story.deeds import RATE_HZ, begin_of, end_of, on_the_way
 from game.stage.story.lines import WHOLE, Do, Expect, Follow, HandOver, Look, Moment, Say, Story
@@ -32,7 +32,7 @@ class StoryError(RuntimeError):
 class Runner:
     """One story on one stage that stands at its beginning. `Stage` calls it before each step.
 
-    ``looks``: whether a camera is wanted. LevelError for names that the scene does not have.
+    ``looks``: whether a camera is wanted. ``turned``: the picture's width is along the world's y. LevelError for names that the scene does not have.
     """
 
     def __init__(self, story: Story, stage: Stage, looks: bool = True) -> None:
@@ -42,7 +42,7 @@ class Runner:
         self.course = Course(story)
         self.stopped_at: int | None = None  # step at which somebody has taken over
         self._looks = looks
-        self._turned = stage.scene_type.quarter_turns % 2 == 1
+        self.turned = stage.scene_type.quarter_turns % 2 == 1
         self._conditions = {
             i: tuple(parse_condition(words) for words in line.conditions)
             for i, line in enumerate(story.lines)
@@ -59,7 +59,7 @@ class Runner:
         self.course.forget_after(-1)
         self.stopped_at = None
         self._done = -1  # the step that was dealt with last
-        start = view_of(self.stage.scene.frame(), self._turned)
+        start = view_of(self.stage.scene.frame(), self.turned)
         self._aim = Aim("", start.x, start.y, start.log_width, 0.0, 0.0, start)
         self._aims: list[tuple[int, Aim]] = [(-1, self._aim)]
         self.path = CameraPath(start)
@@ -130,13 +130,12 @@ class Runner:
         """Where what the camera follows is now; None if it follows nothing."""
         return self.stage.scene.story_targets().get(self._aim.target) if self._aim.target else None
 
-    def view(self) -> View:
-        """What the picture is to show now: what is followed is in the middle 60 % of it."""
-        shown_s = self.shown_s
+    def view(self, shown_s: float) -> View:
+        """What the picture of a moment of the film is to show: what is followed is in its middle 60 %."""
         view = self.path.at(shown_s)
         target = self.target()
         arrived = shown_s >= self._aim.begins + self._aim.ease
-        return kept_inside(view, *target, self._turned) if target is not None and arrived else view
+        return kept_inside(view, *target, self.turned) if target is not None and arrived else view
 
     # -- lines --------------------------------------------------------------------------------------
 
@@ -250,7 +249,7 @@ class Runner:
     def _point(self, line: Look | Follow, begun: Begun) -> None:
         """The camera is told something else."""
         frame = self.stage.scene.frame()
-        whole = view_of(frame, self._turned)
+        whole = view_of(frame, self.turned)
         target = line.follow if isinstance(line, Follow) else ""
         place = self._place(target or (line.look if isinstance(line, Look) else WHOLE))
         width: float | str | None = line.width
@@ -271,7 +270,8 @@ class Runner:
     def _lay_key(self, film_s: float) -> None:
         aim = self._aim
         place = self.stage.scene.story_targets().get(aim.target) if aim.target else (aim.x, aim.y)
-        self.path.lay(film_s, self.stage.step_number, aim, place or (aim.x, aim.y))
+        ahead = max(AHEAD_S, 2.0 * self.stage.dt / self.course.speed)
+        self.path.lay(film_s, self.stage.step_number, aim, place or (aim.x, aim.y), ahead)
 
 
 def last_words(story: Story) -> str:

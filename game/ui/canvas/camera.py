@@ -136,6 +136,11 @@ class Camera:
         other.fit(frame, rect, margin)
         self._wanted, self._home, self._anchor = list(other._home), home, None
 
+    def show(self, frame: Frame) -> None:
+        """Show a frame at once and without a margin, without making it home."""
+        self.look_at(frame, 0.0)
+        self._jump()
+
     @property
     def is_home(self) -> bool:
         """Whether the view is, or is on its way to, the fitted one."""
