@@ -32,7 +32,7 @@ def add(commands: Any) -> None:
     parser.add_argument("--theme", default="dark", metavar="NAME", help="dark or light")
     parser.add_argument("--replay", metavar="FILE.json", help="film a recording instead of the demo")
     parser.add_argument("--story", nargs="?", const="", metavar="NAME",
-                        help="film a story: captions, camera, sound, chapters, subtitles, poster")  # fmt: skip
+                        help="film a story, with captions, camera, sound, chapters, poster")  # fmt: skip
     parser.add_argument("--from", default="0", metavar="S", dest="begin", help="begin there in the story (0)")
     parser.set_defaults(execute=execute)
 

@@ -1,7 +1,8 @@
 """A video file that is fed with pictures and sound; encoded by a thread while the next picture is drawn.
 
-MP4 holds H.264 and AAC, GIF pictures alone, which wait in a file without loss until all colours are known. The file appears under its name only when it is whole. PyAV is an
-extra (``video``); without it VideoError says so in one line.
+MP4 holds H.264 and AAC, GIF pictures alone, which wait in a file without loss until all colours are known.
+The file appears under its name only when it is whole. PyAV is an extra (``video``); without it VideoError
+says so in one line.
 """
 
 from __future__ import annotations

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pygame
 
 from game.app.stagehand.view import StageView
@@ -32,29 +34,33 @@ def caption_at(runner: Runner, shown_s: float) -> Caption | None:
 
 
 def draw_words(
-    surface: pygame.Surface, look: Look, view: StageView, runner: Runner, shown_s: float, player: str = ""
-) -> None:
-    """Caption or card of a moment of the film. ``player``: whose name the title card bears."""
-    rect = view.rect
+    surface: pygame.Surface, look: Look, view: StageView, runner: Runner, shown_s: float, player: str = "",
+    rect: pygame.Rect | None = None, leaves: bool = False,
+) -> None:  # fmt: skip
+    """Caption or card of a moment of the film. ``player``: whose name the title card bears.
+
+    ``rect``: where captions may lie, else all of the view. ``leaves``: the end card goes when its time is up.
+    """
+    rect = view.rect if rect is None else rect
     caption = caption_at(runner, shown_s)
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
-        above = _hides_target(look, view, runner, caption.text)
+        above = _hides_target(look, view, rect, runner, caption.text)
         story_words.draw_caption(surface, look, rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
-        if begins <= shown_s and (shown_s < ends or number == len(runner.story.lines) - 1):
-            last = number == len(runner.story.lines) - 1
-            opacity = opacity_at(shown_s, begins, 1e9 if last else ends, CARD_FADE_S)
+        stays = not leaves and number == len(runner.story.lines) - 1
+        if begins <= shown_s and (shown_s < ends or stays):
+            opacity = opacity_at(shown_s, begins, math.inf if stays else ends, CARD_FADE_S)
             rise = 16.0 * (1.0 - opacity)
-            story_words.draw_card(surface, look, rect, _card(runner, number, player), opacity, rise)
+            story_words.draw_card(surface, look, view.rect, _card(runner, number, player), opacity, rise)
 
 
-def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:
+def _hides_target(look: Look, view: StageView, rect: pygame.Rect, runner: Runner, text: str) -> bool:
     """Whether a caption at the foot would lie over what the camera follows."""
     target = runner.target()
     if target is None:
         return False
-    place = story_words.caption_rect(look, view.rect, text).inflate(2 * look.px(CLEAR), 2 * look.px(CLEAR))
+    place = story_words.caption_rect(look, rect, text).inflate(2 * look.px(CLEAR), 2 * look.px(CLEAR))
     return place.collidepoint(view.camera.to_screen(*target))
 
 

@@ -100,6 +100,7 @@ class Course:
         self._ended: dict[int, float] = {}  # deeds that took time, s of film
         self.speed = 1.0
         self._anchor = (0.0, 0.0)  # s simulated, s of film
+        self._paces = [(0.0, 0.0, 1.0)]
         self._words: list[int] = []  # lines that show words, as they began
         self._last = -1  # line that has begun in its turn
         for entry in self.entries:
@@ -125,6 +126,7 @@ class Course:
                 self._words.append(entry.line)
             elif isinstance(line, Slow):
                 self._anchor, self.speed = (entry.time_s, entry.film_s), line.slow
+                self._paces.append((entry.time_s, entry.film_s, line.slow))
             elif isinstance(line, Do) and line.do.over:
                 self.under_way[entry.line] = entry
 
@@ -133,6 +135,10 @@ class Course:
     def film_s(self, time_s: float) -> float:
         """The moment of the film at a simulated time from the last change of pace on."""
         return self._anchor[1] + (time_s - self._anchor[0]) / self.speed
+
+    def paces(self) -> tuple[tuple[float, float, float], ...]:
+        """Changes of pace so far: s simulated, s of film, the pace from there on."""
+        return tuple(self._paces)
 
     # -- lines --------------------------------------------------------------------------------------
 

@@ -54,6 +54,7 @@ class Rehearsal(msgspec.Struct, frozen=True):
     moments: tuple[MomentTime, ...]
     expectations: tuple[Outcome, ...]
     ended: bool
+    paces: tuple[tuple[float, float, float], ...] = ((0.0, 0.0, 1.0),)  # see `Course.paces`
 
     @property
     def failures(self) -> list[str]:
@@ -119,6 +120,7 @@ def result_of(runner: Runner) -> Rehearsal:
         moments=tuple(moments_of(runner)),
         expectations=tuple(_outcome(runner, i) for i in range(len(story.expectations))),
         ended=ended,
+        paces=course.paces(),
     )
 
 

@@ -32,7 +32,8 @@ class StoryError(RuntimeError):
 class Runner:
     """One story on one stage that stands at its beginning. `Stage` calls it before each step.
 
-    ``looks``: whether a camera is wanted. ``turned``: the picture's width is along the world's y. LevelError for names that the scene does not have.
+    ``looks``: whether a camera is wanted. ``turned``: the picture's width is along the world's y.
+    LevelError for names that the scene does not have.
     """
 
     def __init__(self, story: Story, stage: Stage, looks: bool = True) -> None:

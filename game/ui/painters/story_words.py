@@ -47,7 +47,9 @@ def draw_caption(
     place = caption_rect(look, rect, text, above)
     theme = look.theme
     card = pygame.Surface(place.size, pygame.SRCALPHA, 32)
-    draw_box(card, card.get_rect(), look.px(12), pygame.Color(theme.panel.r, theme.panel.g, theme.panel.b, 226))
+    draw_box(
+        card, card.get_rect(), look.px(12), pygame.Color(theme.panel.r, theme.panel.g, theme.panel.b, 226)
+    )
     y = look.px(ROW[1]) + 0.5 * SIZE * LEADING * look.k
     for line in _lines(look, rect, text):
         look.text(card, line, (place.w // 2, round(y)), SIZE, "semibold", "text1", "center")
