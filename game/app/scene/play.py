@@ -93,13 +93,14 @@ class ScenePlay:
         """Window, scale or theme has changed."""
         self._place_view()
         self.banner.place(self.shell.layout.free_stage)
-        if self.story is not None:
-            self.story.place(self.shell.layout.free_stage)
 
     def _place_view(self) -> None:
         """Fit the scene's frame into the stage; a game comes nearer to its edges."""
         margin = ROOMY_MARGIN * self.host.look.k if self.shell.entry.roomy else None
-        self.view.place(self.shell.layout.free_stage, self.host.look, margin)
+        place = self.shell.layout.free_stage
+        if self.story is not None:
+            place = self.story.picture_place(place)
+        self.view.place(place, self.host.look, margin)
 
     def close(self) -> None:
         """The scene is left."""
@@ -282,5 +283,6 @@ class ScenePlay:
             self.view.draw(surface, self.shell.beat.fresh)
             if self.story is not None:
                 self.story.draw_words(surface)
-        self.shell.draw(surface, self.stage, () if self.stopped else self.stage.scene.legend())
+        bare = self.stopped or not self.view.teaching
+        self.shell.draw(surface, self.stage, () if bare else self.stage.scene.legend())
         self.banner.draw(surface)

@@ -35,18 +35,17 @@ def caption_at(runner: Runner, shown_s: float) -> Caption | None:
 
 def draw_words(
     surface: pygame.Surface, look: Look, view: StageView, runner: Runner, shown_s: float, player: str = "",
-    rect: pygame.Rect | None = None, leaves: bool = False,
+    leaves: bool = False,
 ) -> None:  # fmt: skip
     """Caption or card of a moment of the film. ``player``: whose name the title card bears.
 
-    ``rect``: where captions may lie, else all of the view. ``leaves``: the end card goes when its time is up.
+    ``leaves``: the end card goes when its time is up.
     """
-    rect = view.rect if rect is None else rect
     caption = caption_at(runner, shown_s)
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
-        above = _hides_target(look, view, rect, runner, caption.text)
-        story_words.draw_caption(surface, look, rect, caption.text, opacity, above)
+        above = _hides_target(look, view, runner, caption.text)
+        story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
         stays = not leaves and number == len(runner.story.lines) - 1
         if begins <= shown_s and (shown_s < ends or stays):
@@ -55,12 +54,12 @@ def draw_words(
             story_words.draw_card(surface, look, view.rect, _card(runner, number, player), opacity, rise)
 
 
-def _hides_target(look: Look, view: StageView, rect: pygame.Rect, runner: Runner, text: str) -> bool:
+def _hides_target(look: Look, view: StageView, runner: Runner, text: str) -> bool:
     """Whether a caption at the foot would lie over what the camera follows."""
     target = runner.target()
     if target is None:
         return False
-    place = story_words.caption_rect(look, rect, text).inflate(2 * look.px(CLEAR), 2 * look.px(CLEAR))
+    place = story_words.caption_rect(look, view.rect, text).inflate(2 * look.px(CLEAR), 2 * look.px(CLEAR))
     return place.collidepoint(view.camera.to_screen(*target))
 
 

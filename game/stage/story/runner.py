@@ -135,8 +135,13 @@ class Runner:
         """What the picture of a moment of the film is to show: what is followed is in its middle 60 %."""
         view = self.path.at(shown_s)
         target = self.target()
-        arrived = shown_s >= self._aim.begins + self._aim.ease
-        return kept_inside(view, *target, self.turned) if target is not None and arrived else view
+        if target is None or not self.arrived(shown_s):
+            return view
+        return kept_inside(view, *target, self.turned)
+
+    def arrived(self, shown_s: float) -> bool:
+        """Whether the camera has come, at a moment of the film, to what it was told last."""
+        return shown_s >= self._aim.begins + self._aim.ease
 
     # -- lines --------------------------------------------------------------------------------------
 

@@ -47,6 +47,12 @@ class Camera:
         """World point in the middle of the rectangle."""
         return self._view[0], self._view[1]
 
+    @property
+    def wanted(self) -> tuple[float, float, float]:
+        """The view that it is, or is on its way to: centre x and y, and the log of the scale."""
+        x, y, scale = self._wanted
+        return x, y, scale
+
     def affine(self) -> tuple[float, float, float, float, float, float]:
         """(a, b, c, d, e, f): pixel x = a x + b y + e, pixel y = c x + d y + f."""
         s = self.scale

@@ -98,3 +98,6 @@ least = 0.0
 def story(text: str = TEXT) -> Story:
     """The story that a text says."""
     return parse_story(text, StoryBall)
+
+
+StoryBall.stories = (story(),)

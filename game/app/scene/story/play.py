@@ -38,7 +38,7 @@ class StoryPlay:
         self.free = False  # the camera is in the viewer's hand
         self.view.teaching = False
         self._pace = 1.0
-        self._led: tuple[tuple[float, float], float] | None = None  # where the camera was last put
+        self._led: tuple[float, float, float] | None = None  # where the camera was last put
         effects = [
             event for line in story.lines if isinstance(line, Do)
             for event in events_of(line.do, (0.0, 0.0), (0.0, 0.0))
@@ -55,9 +55,11 @@ class StoryPlay:
             "marks": self.toggle_marks,
         }
 
-    def place(self, stage: pygame.Rect) -> None:
-        """The stage lies here now."""
+    def picture_place(self, stage: pygame.Rect) -> pygame.Rect:
+        """The stage lies here now; the part of it that the time bar leaves to the picture."""
         self.bar.place(stage, self.host.look)
+        self._led = None
+        return pygame.Rect(stage.x, stage.y, stage.w, max(stage.h - self.bar.rect.h, 1))
 
     def close(self) -> None:
         """The story is left."""
@@ -145,12 +147,12 @@ class StoryPlay:
     def _lead_camera(self) -> None:
         """Look where the story says, unless the viewer has moved the picture."""
         camera = self.view.camera
-        if self._led is not None and (camera.center, camera.scale) != self._led:
+        if self._led is not None and camera.wanted != self._led:
             self.free = True
         if self.free or not (self.runner.playing or not self.runner.finished):
             return
         point_camera(self.view, self.runner, self.runner.shown_s)
-        self._led = (camera.center, camera.scale)
+        self._led = camera.wanted
 
     def _bar_state(self) -> TimeBarState:
         runner, found = self.runner, self.rehearsal.found
@@ -171,19 +173,8 @@ class StoryPlay:
         """Captions and cards over the picture; none once somebody has taken over."""
         if self.runner.stopped_at is not None:
             return
-        above = self.view.rect.copy()
-        above.h = max(above.h - self.bar.rect.h, 1)
-        name = self.host.settings.name
-        draw_words(
-            surface,
-            self.host.look,
-            self.view,
-            self.runner,
-            self.runner.shown_s,
-            name,
-            rect=above,
-            leaves=True,
-        )
+        runner, name = self.runner, self.host.settings.name
+        draw_words(surface, self.host.look, self.view, runner, runner.shown_s, name, leaves=True)
 
     def draw_bar(self, surface: pygame.Surface) -> None:
         """The time bar; it does not look into the scene."""
