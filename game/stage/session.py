@@ -214,9 +214,14 @@ class Session:
         self._repeating = self.timeline.has_future
         return True
 
-    def return_to(self, step: int) -> None:
-        """Stand at an earlier step, from `first_step` on, as it was; what came later is forgotten."""
+    def return_to(self, step: int, events: int | None = None) -> None:
+        """Stand at an earlier step, from `first_step` on, as it was; what came later is forgotten.
+
+        ``events``: only so many since the beginning have acted then.
+        """
         self.fault = None
+        if events is not None:
+            self.timeline.drop_from(events)
         self._return_to(step)
         self.forget_future()
 

@@ -311,9 +311,16 @@ class Stage:
         self._next_sample = self.step_number + 1
         return True
 
-    def return_to(self, step: int) -> None:
+    @property
+    def events_acted(self) -> int:
+        """How many events have acted since the beginning."""
+        return self._session.timeline.acted
+
+    def return_to(self, step: int, events: int | None = None) -> None:
         """Stand at an earlier step as it was, or at the beginning with what it began with; no later event is
-        remembered. ValueError unless `first_step` or later, or 0.
+        remembered. ``events``: only so many of all have acted then, of those at that step the first ones.
+
+        ValueError unless it is `first_step` or later, or 0.
         """
         session = self._session
         if step and not session.first_step <= step <= session.step:
@@ -322,7 +329,7 @@ class Stage:
             values, active, _ = session.start
             self._begin(self.build_scene(values, active))
             return
-        session.return_to(step)
+        session.return_to(step, events)
         session.keep_previous()
         self._follow_session()
         self.clock.hold()

@@ -1,4 +1,4 @@
-"""Every story of every scene: it ends, what it says is so, its words can be read, its camera keeps its subject."""
+"""Every story of every scene: it ends, what it says is so, words can be read, the camera keeps its subject."""
 
 from __future__ import annotations
 
@@ -123,9 +123,7 @@ def test_whoever_takes_over_does_no_harm_and_the_script_goes_on_the_same(played:
                 continue
         stage.run(round(AFTER_S / stage.dt))
         assert stage.fault is None, stage.fault
-        stage.return_to(here)
-        runner.follow()
-        runner.go_on()
+        runner.return_to(here)
         assert stage.digest() == before
     stage.run(played.found.steps - stage.step_number)
     assert stage.digest() == played.digest

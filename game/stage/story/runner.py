@@ -59,6 +59,7 @@ class Runner:
         """The stage stands at step 0 again."""
         self.course.forget_after(-1)
         self.stopped_at = None
+        self._own_events = 0  # that had acted when somebody took over
         self._done = -1  # the step that was dealt with last
         start = view_of(self.stage.scene.frame(), self.turned)
         self._aim = Aim("", start.x, start.y, start.log_width, 0.0, 0.0, start)
@@ -122,10 +123,25 @@ class Runner:
         """From here on the scene is somebody else's: no later line begins."""
         if self.stopped_at is None:
             self.stopped_at = self.stage.step_number
+            self._own_events = self.stage.events_acted
 
     def go_on(self) -> None:
         """Lines begin again, from where the stage stands."""
         self.stopped_at = None
+
+    def return_to(self, step: int) -> None:
+        """Back to a step of the story as it was, or to its beginning if that is out of reach, and go on.
+
+        What somebody has done since is undone. ``step``: not after the one at which somebody took over.
+        """
+        stage, taken = self.stage, self.stopped_at
+        if taken is not None and step > taken:
+            raise ValueError(f"step {step}: the story was left at step {taken}")
+        stage.return_to(
+            step if step >= stage.first_step else 0, self._own_events if taken is not None else None
+        )
+        self.follow()
+        self.go_on()
 
     def target(self) -> Point | None:
         """Where what the camera follows is now; None if it follows nothing."""

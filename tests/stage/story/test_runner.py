@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from game.stage import Stage, replay_scene
+from game.stage import Pointer, Stage, replay_scene
 from game.stage.declarations import Readout
 from game.stage.story.camera import Aim, CameraPath, View, kept_inside
 from game.stage.story.course import READING, reading_s
@@ -170,14 +170,19 @@ def test_the_stage_returns_to_any_step_and_the_script_goes_on_the_same(share):
 def test_after_taking_over_no_line_begins():
     runner = Runner(story(), Stage(StoryBall, level=story().level))
     runner.stage.run(300)
+    before = runner.stage.digest()
     runner.take_over()
+    runner.stage.post(Pointer("down", 1.0, 5.0, 1))
+    assert runner.stage.digest() != before
+    runner.stage.post(Pointer("up", 1.0, 5.0, 1))
     lines = dict(runner.course.begun)
     runner.stage.run(900)
     assert runner.course.begun == lines and runner.finished and not runner.playing
     assert runner.stage.step_number == 1200
-    runner.stage.return_to(300)
-    runner.follow()
-    runner.go_on()
+    with pytest.raises(ValueError, match="left at step 300"):
+        runner.return_to(301)
+    runner.return_to(300)
+    assert runner.stage.digest() == before
     while not runner.finished:
         runner.stage.run(1)
     assert runner.course.entries == played().course.entries

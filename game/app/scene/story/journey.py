@@ -37,13 +37,8 @@ class Journey:
         runner, stage = self._runner, self._record.stage
         try:
             known = stage.step_number if runner.stopped_at is None else runner.stopped_at
-            if step < stage.step_number:
-                back = min(step, known)
-                stage.return_to(back if back >= stage.first_step else 0)
-            elif runner.stopped_at is not None:  # what a hand has done since is no part of the story
-                stage.return_to(known if known >= stage.first_step else 0)
-            runner.follow()
-            runner.go_on()
+            if step < stage.step_number or runner.stopped_at is not None:
+                runner.return_to(min(step, known))
             self._run(step, film_s)
         finally:
             self.share = None
