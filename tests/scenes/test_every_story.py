@@ -1,4 +1,4 @@
-"""Every story of every scene: it ends, what it says is so, words can be read, the camera keeps its subject."""
+"""Every story of every scene: it ends, what it says is so, its words can be read, its camera keeps up."""
 
 from __future__ import annotations
 

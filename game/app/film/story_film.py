@@ -17,7 +17,7 @@ from game.app.stagehand.story_picture import draw_words, point_camera
 from game.app.stagehand.view import StageView
 from game.app.window.pictures import write_png
 from game.files import write_text
-from game.stage import Scene, Stage
+from game.stage import Frame, Scene, Stage
 from game.stage.story.course import Caption
 from game.stage.story.lines import Story
 from game.stage.story.rehearsal import Rehearsal, stage_of
@@ -60,6 +60,11 @@ class StoryFilm:
     def sounding(self) -> bool:
         """Whether there is anything to be heard."""
         return type(self.stage.scene).hearing is not Scene.hearing
+
+    @property
+    def seen(self) -> Frame:
+        """The part of the world in the last picture."""
+        return self._view.camera.visible()
 
     def go_to(self, film_s: float) -> bool:
         """Simulate up to a moment of the film, not back; False at the end of the story."""

@@ -60,6 +60,7 @@ class Runner:
         self.course.forget_after(-1)
         self.stopped_at = None
         self._own_events = 0  # that had acted when somebody took over
+        self._own_done = -1
         self._done = -1  # the step that was dealt with last
         start = view_of(self.stage.scene.frame(), self.turned)
         self._aim = Aim("", start.x, start.y, start.log_width, 0.0, 0.0, start)
@@ -124,6 +125,7 @@ class Runner:
         if self.stopped_at is None:
             self.stopped_at = self.stage.step_number
             self._own_events = self.stage.events_acted
+            self._own_done = self._done
 
     def go_on(self) -> None:
         """Lines begin again, from where the stage stands."""
@@ -141,6 +143,8 @@ class Runner:
             step if step >= stage.first_step else 0, self._own_events if taken is not None else None
         )
         self.follow()
+        if taken is not None:  # nothing was done at the steps since, nor at that one if it was not begun
+            self._done = min(self._done, self._own_done)
         self.go_on()
 
     def target(self) -> Point | None:
