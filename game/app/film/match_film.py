@@ -36,7 +36,7 @@ from game.ui.painters.table import TableView, table_picture
 Array = NDArray[np.float64]
 
 BACKDROP_SCALE = 700.0  # px/m, of the painted table
-SURROUND = 0.6  # m of floor round the bed in the backdrop
+SURROUND = 0.8  # m of floor round the bed in the backdrop
 BANDS = ("chalk", "vermilion")  # of the two cues
 BAND = (0.79, 0.85)  # m from the tip, where a cue shows whose it is
 HEARD_S = 0.6  # s of sounds before the present moment that are still told
@@ -61,6 +61,7 @@ class MatchScene(Scene):
     def build(self, level: Level | None) -> None:
         self.clock = np.zeros(1)
         self.acts = acts_of(self.match)
+        self._widths = [width_of(act) for act in self.acts]
         self._turns = self._all_turns()
         self._backdrop: pygame.Surface | None = None
         self._sounds = [
@@ -88,7 +89,10 @@ class MatchScene(Scene):
         time = float(self.clock[0])
         act = self.act_at(time) or (self.acts[0] if time < self.acts[0].begins else self.acts[-1])
         low, high = what_matters(act, min(time, act.hits + potted_at(act.round)))
-        x, y = (0.5 * (low + high)).tolist()
+        table, share = self._table(), 1.0 - self._widths[act.round.number - 1] / WHOLE
+        middle = 0.5 * np.array((table.width, table.length))
+        reach = share * middle  # the wider the view, the nearer its middle stays to the table's
+        x, y = np.clip(0.5 * (low + high), middle - reach, middle + reach).tolist()
         return {"play": (x, y)}
 
     def readouts(self) -> list[Readout]:
@@ -153,15 +157,20 @@ class MatchScene(Scene):
         return found
 
     def _draw_backdrop(self, canvas: Canvas) -> None:
-        """The part of the painted table that the camera sees, brought to the picture's size."""
+        """The part of the painted table that the camera sees, brought to its place and size."""
         seen, k, backdrop = canvas.camera.visible(), BACKDROP_SCALE, self._painted(canvas)
+        canvas.surface.fill(backdrop.get_at((0, 0)), canvas.rect)
         left, top = (seen.bottom + SURROUND) * k, (seen.left + SURROUND) * k
         width, height = (seen.top - seen.bottom) * k, (seen.right - seen.left) * k
-        part = pygame.Rect(round(left), round(top), round(width), round(height))
-        part.clamp_ip(backdrop.get_rect())
+        part = pygame.Rect(math.floor(left), math.floor(top), math.ceil(width) + 2, math.ceil(height) + 2)
         part = part.clip(backdrop.get_rect())
-        surface = canvas.surface
-        pygame.transform.smoothscale(backdrop.subsurface(part), surface.get_size(), surface)
+        if not (part.w and part.h):
+            return
+        zoom = canvas.rect.w / width
+        x0, y0 = canvas.rect.x + (part.x - left) * zoom, canvas.rect.y + (part.y - top) * zoom
+        place = pygame.Rect(round(x0), round(y0), 0, 0)
+        place.size = round(x0 + part.w * zoom) - place.x, round(y0 + part.h * zoom) - place.y
+        canvas.surface.blit(pygame.transform.smoothscale(backdrop.subsurface(part), place.size), place)
 
     def _draw_act(self, canvas: Canvas, act: Act, time: float) -> None:
         number = act.round.number - 1

@@ -89,8 +89,10 @@ class _Key(NamedTuple):
 class CameraPath:
     """Keys in the order of the film, in shots: from one cut to the next."""
 
-    def __init__(self, start: View) -> None:
+    def __init__(self, start: View, turned: bool = False) -> None:
+        """``turned``: the picture's width is along the world's y."""
         self._start = start
+        self._turned = turned
         self._shots: list[list[_Key]] = [[]]
 
     @property
@@ -124,8 +126,11 @@ class CameraPath:
         speed = self._speed(keys, film_s, aim, place)
         lead = ahead + LOOK_AHEAD_S if aim.target else 0.0
         width = math.exp(aim.log_width)
-        x = place[0] + _limited(lead * speed[0], LEAD * width)
-        y = place[1] + _limited(lead * speed[1], LEAD * width / ASPECT)
+        most = (
+            (LEAD * width / ASPECT, LEAD * width) if self._turned else (LEAD * width, LEAD * width / ASPECT)
+        )
+        x = place[0] + _limited(lead * speed[0], most[0])
+        y = place[1] + _limited(lead * speed[1], most[1])
         u = 1.0 if aim.ease <= 0.0 else min(max((film_s - aim.begins) / aim.ease, 0.0), 1.0)
         s = u * u * u * (10.0 - u * (15.0 - 6.0 * u))
         goal, origin = View(x, y, aim.log_width), aim.origin

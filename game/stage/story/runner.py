@@ -65,7 +65,7 @@ class Runner:
         start = view_of(self.stage.scene.frame(), self.turned)
         self._aim = Aim("", start.x, start.y, start.log_width, 0.0, 0.0, start)
         self._aims: list[tuple[int, Aim]] = [(-1, self._aim)]
-        self.path = CameraPath(start)
+        self.path = CameraPath(start, self.turned)
 
     def before_step(self) -> None:
         """Do what is due at the present step; called again at the same step it does nothing."""

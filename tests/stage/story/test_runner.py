@@ -225,6 +225,16 @@ def test_it_looks_ahead_of_what_moves():
     assert path.at(8.0).x == pytest.approx(2.0 * (8.0 + 0.4), abs=0.01)
 
 
+def test_looking_ahead_never_loses_what_moves_fast():
+    for turned, most in ((False, (1.8, 1.8 * 9.0 / 16.0)), (True, (1.8 * 9.0 / 16.0, 1.8))):
+        path = CameraPath(View(0.0, 0.0, math.log(10.0)), turned)
+        aim = Aim("ball", 0.0, 0.0, math.log(10.0), 0.0, 0.0, path.last())
+        for i in range(100):
+            path.lay(0.1 * i, i, aim, (5.0 * i, 5.0 * i))  # 50 m/s
+        view = path.at(9.1)
+        assert (view.x - 5.0 * 89, view.y - 5.0 * 89) == (pytest.approx(most[0]), pytest.approx(most[1]))
+
+
 def test_kept_inside_moves_the_view_no_further_than_it_must():
     view = View(0.0, 0.0, math.log(16.0))
     assert kept_inside(view, 4.7, -2.6) == view
