@@ -6,6 +6,7 @@ real time -> clock -> steps -> session (states, events, snapshots) -> picture an
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Protocol
 
@@ -45,7 +46,7 @@ class Stage:
     ``level`` None: the scene's defaults. ``parameters`` and ``seed`` stand in for the level's,
     ``effects_off`` are switched off beside the level's, ``effects`` are exactly those active. ``dt``: s, else
     the scene's own. ``record``: keep all events for a recording. ``snapshot_bytes``: what snapshots may take.
-    ``max_steps``: the most steps that one frame makes.
+    ``max_steps``: the most steps that one frame makes. ``charts``: take readouts for strip charts on the way.
 
     Raises ParameterError, LevelError or ValueError for what the scene refuses.
     """
@@ -63,10 +64,12 @@ class Stage:
         record: bool = True,
         snapshot_bytes: int = 64 << 20,
         max_steps: int = 15,
+        charts: bool = True,
     ):
         self._recipe = Recipe(scene_type, level, checked_seed(seed), dt)
         self.series = StripSeries()
         self._record = record
+        self._charts = charts
         self._snapshot_bytes = snapshot_bytes
         self._speed = 1.0
         self._paused = False
@@ -263,7 +266,8 @@ class Stage:
             made += done
             if done < asked or (progress is not None and progress(made, steps) is False):
                 break
-        self._next_sample = min(self._next_sample, self.step_number + 1)
+        if self._charts:
+            self._next_sample = min(self._next_sample, self.step_number + 1)
         return made
 
     def _make(self, steps: int, players: bool = False) -> int:
@@ -427,6 +431,9 @@ class Stage:
             self.cue.restart()
 
     def _sample(self) -> None:
+        if not self._charts:
+            self._next_sample = sys.maxsize
+            return
         self.series.sample(self.step_number, self.time_s, self.scene.readouts())
         self._next_sample = self.step_number + max(
             1, round(min(1.0 / (self.series.rate_hz * self.dt), _MANY))

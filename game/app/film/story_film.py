@@ -49,7 +49,7 @@ class StoryFilm:
         prepare()
         self.look = Look(theme_named(theme), auto_scale(*size))
         self.surface = pygame.Surface(size, 0, 32)
-        self.stage: Stage = stage_of(story, scene_type, record=False, snapshot_bytes=0)
+        self.stage: Stage = stage_of(story, scene_type, record=False, snapshot_bytes=0, charts=False)
         self.runner = Runner(story, self.stage)
         self._player = player
         self._view = StageView(self.stage, self.look)
@@ -120,7 +120,7 @@ def write_story_film(
 def chapters_of(found: Rehearsal, begin_s: float, length: float) -> list[Chapter]:
     """Chapters of a part of the film, s from its beginning."""
     starts = [(one.chapter, one.film_s - begin_s) for one in found.chapters]
-    rows = []
+    rows: list[Chapter] = []
     for i, (title, start) in enumerate(starts):
         end = starts[i + 1][1] if i + 1 < len(starts) else length
         start, end = max(start, 0.0), min(end, length)
@@ -142,7 +142,7 @@ def _write_beside(
 
 def srt_of(captions: Sequence[Caption], begin_s: float, length: float) -> str:
     """Captions in the format of SubRip, those within a part of the film."""
-    rows = []
+    rows: list[str] = []
     for caption in captions:
         begins, ends = max(caption.begins - begin_s, 0.0), min(caption.ends - begin_s, length)
         if ends > begins:

@@ -96,7 +96,9 @@ def rehearse(
 
     ``stage``: one that stands at its beginning, to be looked at afterwards.
     """
-    stage = stage_of(story, scene_type, record=False, snapshot_bytes=0) if stage is None else stage
+    stage = (
+        stage_of(story, scene_type, record=False, snapshot_bytes=0, charts=False) if stage is None else stage
+    )
     runner = Runner(story, stage, looks=False)
     while not runner.finished and stage.fault is None and stage.time_s < MOST_S:
         if not stage.run(max(1, round(PART_S / stage.dt))):

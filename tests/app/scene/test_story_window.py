@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import io
+import itertools
+
 import pygame
 import pytest
 
+from game.app.scene.story import filming
 from game.stage import Pointer
 from game.stage.catalogue import Catalogue, Entry
 from game.stage.story.rehearsal import rehearse
@@ -196,3 +200,42 @@ def test_bar_and_words_lie_within_the_stage(start, size):
     play, stage = play_of(driver), driver.top.shell.layout.free_stage
     assert stage.contains(play.bar.rect) and play.bar.rect.contains(play.bar.track)
     assert all(play.bar.rect.contains(spot.rect) for spot in play.bar.spots.spots)
+
+
+class Process:
+    """Stands for the second process: what it was told, and how it ended."""
+
+    def __init__(self, status=0, said=""):
+        self.status, self.said, self.command = status, said, []
+
+    def __call__(self, command, **_):
+        self.command, self.returncode = command, None
+        self.stderr = io.StringIO(self.said)
+        return self
+
+    def poll(self):
+        return self.returncode
+
+
+@pytest.mark.parametrize(
+    ("status", "said", "told_so"), [(0, "", "Film saved"), (1, "carom: no room", "No film.")]
+)
+def test_the_story_is_filmed_by_another_process(told, monkeypatch, status, said, told_so):
+    process, said_so = Process(status, said), []
+    monkeypatch.setattr(told.app, "tell", lambda cause, *_: said_so.append(cause))
+    monkeypatch.setattr(filming.subprocess, "Popen", process)
+    now = play_of(told).runner.film_s
+    told.key(pygame.K_F9)
+    told.frames(2)
+    told.key(pygame.K_DOWN)
+    told.key(pygame.K_RETURN)
+    told.frames(30)
+    options = dict(itertools.pairwise(process.command))
+    assert options["record"] == "story-ball" and options["--story"] == "story"
+    assert options["--out"].endswith(".mp4") and options["--theme"] == "dark"
+    assert float(options["--from"]) == 0.0 and float(options["--seconds"]) == pytest.approx(now, abs=0.5)
+    assert play_of(told).filming.process is process
+    process.returncode = status
+    told.frames(2)
+    assert play_of(told).filming.process is None
+    assert said_so == ["Filming", told_so]

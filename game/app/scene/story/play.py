@@ -6,6 +6,7 @@ import pygame
 
 from game.app.scene.in_play import InPlay
 from game.app.scene.story.background import BackgroundRehearsal
+from game.app.scene.story.filming import Filming
 from game.app.scene.story.journey import Journey
 from game.app.screens.host import Host
 from game.app.stagehand.story_picture import draw_words, point_camera
@@ -35,6 +36,7 @@ class StoryPlay:
         self.bar = TimeBar(host.look)
         self.journey = Journey(self.runner, record)
         self.rehearsal = BackgroundRehearsal(story, record.stage.scene_type, host.background)
+        self.filming = Filming(host, story)
         self.free = False  # the camera is in the viewer's hand
         self.view.teaching = False
         self._pace = 1.0
@@ -53,6 +55,7 @@ class StoryPlay:
             "view": self.give_camera_back,
             "story": self.go_on if self.runner.stopped_at is not None else self.take_over,
             "marks": self.toggle_marks,
+            "film": lambda: self.filming.ask(self.runner.film_s),
         }
 
     def picture_place(self, stage: pygame.Rect) -> pygame.Rect:
@@ -64,6 +67,7 @@ class StoryPlay:
     def close(self) -> None:
         """The story is left."""
         self.rehearsal.stop()
+        self.filming.close()
         if self.record.stage.cue is self.runner:
             self.record.stage.cue = None
         self.record.runner = None
@@ -134,6 +138,7 @@ class StoryPlay:
             self.runner.follow()
             self._keep_pace()
             self._lead_camera()
+        self.filming.update()
         self.bar.update(elapsed_s, self._bar_state())
 
     def _keep_pace(self) -> None:
