@@ -33,6 +33,9 @@ def add(commands: Any) -> None:
     parser.add_argument("--replay", metavar="FILE.json", help="film a recording instead of the demo")
     parser.add_argument("--story", nargs="?", const="", metavar="NAME",
                         help="film a story, with captions, camera, sound, chapters, poster")  # fmt: skip
+    parser.add_argument(
+        "--quality", metavar="NAME", help="of a story: play, teach or film, if its scene has it"
+    )
     parser.add_argument("--from", default="0", metavar="S", dest="begin", help="begin there in the story (0)")
     parser.set_defaults(execute=execute)
 
@@ -48,8 +51,8 @@ def execute(options: argparse.Namespace) -> int:
     film = given.read_film(out, options.size, options.fps, "--out")
     if options.story is not None:
         return _film_story(options, scene_type, film)
-    if options.begin != "0":
-        raise MistakeError("--from: goes only with --story")
+    if options.begin != "0" or options.quality is not None:
+        raise MistakeError("--from, --quality: go only with --story")
     from game.app.film.scene_film import write_scene_film
     from game.app.film.video import VideoError
     from game.app.stagehand.script import demo_of
@@ -92,7 +95,7 @@ def _film_story(options: argparse.Namespace, scene_type: type[Scene], film: give
     given.refuse_beside_story(options)
     begin_s = given.read_seconds(options.begin, "--from")
     seconds = given.read_seconds(options.seconds) if options.seconds is not None else math.inf
-    story = stories.named(scene_type, options.story)
+    story = stories.at_quality(stories.named(scene_type, options.story), scene_type, options.quality)
     player = load_settings(user_folder()).settings.name
     try:
         found = rehearsal_of(story, scene_type)

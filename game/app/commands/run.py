@@ -26,6 +26,9 @@ def add(commands: Any) -> None:
     given.add_scene_options(parser)
     parser.add_argument("--story", nargs="?", const="", metavar="NAME",
                         help="play a story of the scene to its end, and check what it expects")  # fmt: skip
+    parser.add_argument(
+        "--quality", metavar="NAME", help="of a story: play, teach or film, if its scene has it"
+    )
     parser.add_argument("--seconds", default="10", metavar="S", help="simulated time (10)")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture of the end")
     parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the picture (1280x720)")
@@ -47,6 +50,8 @@ def execute(options: argparse.Namespace) -> int:
     _check_window(options, size)
     if options.story is not None:
         return _run_story(options, size)
+    if options.quality is not None:
+        raise MistakeError("--quality: goes only with --story")
     stage = given.make_stage(options)
     steps = given.steps_in(seconds, stage.dt)
     for _, compile_kernel in stage.scene_type.warm_ups():
@@ -78,7 +83,7 @@ def _run_story(options: argparse.Namespace, size: tuple[int, int]) -> int:
 
     given.refuse_beside_story(options)
     scene_type = given.scene_type_named(options.scene)
-    story = stories.named(scene_type, options.story)
+    story = stories.at_quality(stories.named(scene_type, options.story), scene_type, options.quality)
     began = time.process_time()
     try:
         stage = stage_of(story, scene_type)

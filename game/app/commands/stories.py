@@ -71,6 +71,17 @@ def _clock(seconds: float) -> str:
     return f"{int(seconds) // 60}:{seconds % 60:04.1f}"
 
 
+def at_quality(story: Story, scene_type: type[Scene], word: str | None) -> Story:
+    """The story with the scene's parameter "quality" (such as play, teach, film) set; MistakeError."""
+    import msgspec
+
+    if word is None:
+        return story
+    value = given.read_parameters(scene_type, [f"quality={word}"])
+    level = msgspec.structs.replace(story.level, parameters={**story.level.parameters, **value})
+    return msgspec.structs.replace(story, level=level)
+
+
 def named(scene_type: type[Scene], word: str) -> Story:
     """The story that ``--story`` names, or the first one; MistakeError."""
     from game.levels import LevelError

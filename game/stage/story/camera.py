@@ -143,7 +143,7 @@ class CameraPath:
     @staticmethod
     def _speed(keys: list[_Key], film_s: float, aim: Aim, place: tuple[float, float]) -> tuple[float, float]:
         """Of what is followed, m in a second of film, without its sudden changes."""
-        if not keys or not aim.target or film_s <= keys[-1].seen_s or keys[-1].seen_s < aim.begins:
+        if not keys or film_s <= keys[-1].seen_s or keys[-1].seen_s < aim.begins:
             return 0.0, 0.0
         before = keys[-1]
         passed = film_s - before.seen_s

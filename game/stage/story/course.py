@@ -6,7 +6,6 @@ Nothing else is remembered, so a step back only drops what has happened since.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from game.stage.story.lines import Do, Follow, HandOver, Look, Moment, Say, Slow, Story, Title
@@ -142,18 +141,23 @@ class Course:
 
     # -- lines --------------------------------------------------------------------------------------
 
-    def waiting(self) -> Iterator[tuple[int, float]]:
-        """Lines that may begin, each with the moment of the film from which on it may; the next first."""
-        coming = next(
-            (i for i in range(self._last + 1, len(self.story.lines)) if not self.story.lines[i].at), None
-        )
+    def waiting(self) -> list[tuple[int, float]]:
+        """Lines that may begin, each with the moment of the film from which on it may.
+
+        They stand in the order of their turn: who has waited longest for words to go comes first.
+        """
+        lines = self.story.lines
+        found = [
+            (self.reached[line.at].film_s + line.after, i)
+            for i, line in enumerate(lines)
+            if line.at and i not in self.begun and line.at in self.reached
+        ]
+        coming = next((i for i in range(self._last + 1, len(lines)) if not lines[i].at), None)
         if coming is not None:
             free = self._free_after(self._last)
             if free < math.inf:
-                yield coming, self._with_words(coming, free + self.story.lines[coming].after)
-        for i, line in enumerate(self.story.lines):
-            if line.at and i not in self.begun and line.at in self.reached:
-                yield i, self._with_words(i, self.reached[line.at].film_s + line.after)
+                found.append((free + lines[coming].after, coming))
+        return [(i, self._with_words(i, from_s)) for from_s, i in sorted(found)]
 
     def _with_words(self, number: int, film_s: float) -> float:
         """Words wait until those before could be read."""

@@ -145,6 +145,7 @@ class Runner:
         self.follow()
         if taken is not None:  # nothing was done at the steps since, nor at that one if it was not begun
             self._done = min(self._done, self._own_done)
+            self.path.forget_after(self._done)
         self.go_on()
 
     def target(self) -> Point | None:

@@ -47,7 +47,7 @@ def test_a_story_is_run_and_measured(capsys):
     found = rehearse(story(), StoryBall)
     assert told["digest"] == told["story"]["digest"] == found.digest
     assert [one["name"] for one in told["story"]["moments"]] == ["three", "five"]
-    assert [one["value"] for one in told["story"]["expectations"]][0] == 5.0
+    assert told["story"]["expectations"][0]["value"] == 5.0
     assert told["story"]["failures"] == []
 
 
@@ -68,7 +68,9 @@ def test_an_expectation_that_fails_is_status_2_and_one_line(capsys, tmp_path):
         (["run", "story-ball", "--story", "--set", "gravity=1"], "--set: goes not with --story"),
         (["run", "story-ball", "--story", "gone.toml"], "gone.toml"),
         (["record", "story-ball", "--story", "--out", "a.mp4", "--from", "100"], "the story has ended"),
-        (["record", "story-ball", "--from", "3", "--out", "a.mp4"], "--from: goes only with --story"),
+        (["record", "story-ball", "--from", "3", "--out", "a.mp4"], "go only with --story"),
+        (["run", "story-ball", "--quality", "film"], "--quality: goes only with --story"),
+        (["run", "story-ball", "--story", "--quality", "best"], "quality"),
         (["play", "story-ball", "--story", "none"], "no such story"),
         (["stories", "nobody"], "no scene is called nobody"),
     ],
@@ -79,6 +81,11 @@ def test_mistakes_are_one_line(words, reason, capsys, tmp_path, monkeypatch):
     assert run_command_line(words) in (1, 2)
     told = capsys.readouterr().err
     assert reason in told and told.count("\n") == 1
+
+
+def test_a_story_is_run_at_a_quality(capsys):
+    assert run_command_line(["run", "story-ball", "--story", "--quality", "film", "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)["parameters"]["quality"] == "film"
 
 
 def test_a_story_is_filmed(capsys, tmp_path):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.stage import Hearing, Readout, Sound
+from game.stage import Choice, Hearing, Readout, Sound
 from game.stage.story.lines import Story
 from game.stage.story.reading import parse_story
 from tests.stage.example_scene import BouncingBall
@@ -12,6 +12,7 @@ class StoryBall(BouncingBall):
     """The example scene with what a story may name."""
 
     name = "story-ball"
+    quality = Choice("play", ("play", "film"), help="how fine")
 
     def story_targets(self):
         return {"ball": tuple(self.ball.position.tolist())}

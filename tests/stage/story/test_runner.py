@@ -85,9 +85,9 @@ def test_captions_hold_measured_numbers_and_stay_as_long_as_reading_takes():
 
 
 def test_captions_that_come_at_once_follow_one_another():
-    text = TEXT.replace('[[line]]\ndo = { action = "kick" }', '[[line]]\nsay = "Out of turn."')
-    captions = played(text).course.captions()
-    assert len(captions) == 3
+    extra = '[[line]]\nsay = "And one more out of turn."\nat = "five"\n[[line]]\nsay = "Out of turn."'
+    captions = played(TEXT.replace('[[line]]\ndo = { action = "kick" }', extra)).course.captions()
+    assert len(captions) == 4
     assert all(a.ends <= b.begins + 1e-9 for a, b in itertools.pairwise(captions))
 
 
@@ -159,8 +159,13 @@ def test_a_step_back_and_forward_changes_nothing():
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.9])
 def test_the_stage_returns_to_any_step_and_the_script_goes_on_the_same(share):
     straight, runner = played(), played()
-    runner.stage.return_to(int(share * runner.stage.step_number))
+    step = int(share * runner.stage.step_number)
+    runner.stage.return_to(step)
     runner.follow()
+    other = Runner(story(), stage_of(story(), StoryBall))
+    other.stage.run(step)
+    assert runner.target() == other.target() and runner.view(runner.film_s) == other.view(other.film_s)
+    assert runner.path.at(1e9) == other.path.at(1e9)  # no key of what is to come
     while not runner.finished:
         runner.stage.run(1)
     assert runner.stage.digest() == straight.stage.digest()
@@ -174,7 +179,8 @@ def test_after_taking_over_no_line_begins():
     runner.take_over()
     runner.stage.post(Pointer("down", 1.0, 5.0, 1))
     assert runner.stage.digest() != before
-    runner.stage.post(Pointer("up", 1.0, 5.0, 1))
+    runner.stage.post(Pointer("move", -50.0, 5.0, 1))
+    runner.stage.post(Pointer("up", -50.0, 5.0, 1))
     lines = dict(runner.course.begun)
     runner.stage.run(900)
     assert runner.course.begun == lines and runner.finished and not runner.playing
@@ -185,7 +191,44 @@ def test_after_taking_over_no_line_begins():
     assert runner.stage.digest() == before
     while not runner.finished:
         runner.stage.run(1)
-    assert runner.course.entries == played().course.entries
+    straight = played()
+    assert runner.course.entries == straight.course.entries
+    for time in np.linspace(0.0, straight.course.end_s, 50):
+        assert runner.path.at(time) == straight.path.at(time)
+
+
+def test_a_line_that_is_due_where_somebody_takes_over_is_not_lost():
+    straight = played()
+    for entry in straight.course.entries:
+        runner = Runner(story(), stage_of(story(), StoryBall))
+        runner.stage.run(entry.step)
+        runner.take_over()
+        runner.stage.post(Pointer("down", 1.0, 5.0, 1))
+        runner.stage.run(50)
+        runner.return_to(entry.step)
+        while not runner.finished:
+            runner.stage.run(1)
+        assert runner.course.entries == straight.course.entries
+        assert runner.stage.digest() == straight.stage.digest()
+
+
+def test_meanwhile_lets_the_next_line_begin():
+    runner = played(TEXT.replace("seconds = 2.0", "seconds = 2.0\nmeanwhile = true"))
+    assert begun(runner, "Follow") == [0.0]
+
+
+@pytest.mark.parametrize("over", [0.0, 0.5])
+def test_a_drag_is_what_a_hand_does(over):
+    deed = f'{{ pointer = "drag", place = "ball", to = [3.0, 6.0], over = {over} }}'
+    runner = played(TEXT.replace('{ action = "kick" }', deed))
+    events = [e for e in runner.stage.recording.events if isinstance(e.event, Pointer)]
+    drag = events[: next(i for i, e in enumerate(events) if e.event.kind == "up") + 1]
+    kinds = [e.event.kind for e in drag]
+    assert kinds[:2] == ["move", "down"] and kinds[-2:] == ["move", "up"]
+    assert [(e.event.x, e.event.y) for e in drag[-2:]] == [(3.0, 6.0)] * 2
+    assert (drag[-1].step - drag[0].step) * DT == pytest.approx(over, abs=0.03)
+    ways = [math.hypot(e.event.x - 3.0, e.event.y - 6.0) for e in drag[1:]]
+    assert ways == sorted(ways, reverse=True) and len(drag) == 4 + (29 if over else 0)
 
 
 # -- camera ----------------------------------------------------------------------------------------
@@ -223,6 +266,15 @@ def test_it_looks_ahead_of_what_moves():
     for i in range(100):
         path.lay(0.1 * i, i, aim, (0.2 * i, 0.0))  # 2 m/s
     assert path.at(8.0).x == pytest.approx(2.0 * (8.0 + 0.4), abs=0.01)
+
+
+def test_a_place_that_is_looked_at_is_met_exactly():
+    path = CameraPath(View(0.0, 0.0, math.log(10.0)))
+    for i, aim in enumerate([("ball", 0.0), ("", 5.0)]):
+        told = Aim(aim[0], aim[1], 0.0, math.log(10.0), 5.0 * i, 0.0, path.last())
+        for j in range(50 * i, 50 * (i + 1)):
+            path.lay(0.1 * j, j, told, (0.2 * j, 0.0) if not i else (5.0, 0.0))
+    assert path.at(9.5).x == pytest.approx(5.0)
 
 
 def test_looking_ahead_never_loses_what_moves_fast():
