@@ -34,7 +34,7 @@ def add(commands: Any) -> None:
     parser.add_argument("--story", nargs="?", const="", metavar="NAME",
                         help="film a story, with captions, camera, sound, chapters, poster")  # fmt: skip
     parser.add_argument(
-        "--quality", metavar="NAME", help="of a story: play, teach or film, if its scene has it"
+        "--quality", metavar="NAME", help="of a story: play, teach, film (if its scene has it)"
     )
     parser.add_argument("--from", default="0", metavar="S", dest="begin", help="begin there in the story (0)")
     parser.set_defaults(execute=execute)

@@ -27,7 +27,7 @@ def add(commands: Any) -> None:
     parser.add_argument("--story", nargs="?", const="", metavar="NAME",
                         help="play a story of the scene to its end, and check what it expects")  # fmt: skip
     parser.add_argument(
-        "--quality", metavar="NAME", help="of a story: play, teach or film, if its scene has it"
+        "--quality", metavar="NAME", help="of a story: play, teach, film (if its scene has it)"
     )
     parser.add_argument("--seconds", default="10", metavar="S", help="simulated time (10)")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture of the end")
