@@ -240,6 +240,12 @@ class Scene(SceneDeclaration):
         """The part of the world to show."""
         return Frame(-1.0, -1.0, 1.0, 1.0)
 
+    def story_targets(self) -> Mapping[str, tuple[float, float]]:
+        """Places (x, y) that a story may name, where they are now: what moves and what stays; no part of the
+        state. All that can be named is there from the beginning.
+        """
+        return {}
+
     def readouts(self) -> Sequence[Readout]:
         """Measured values; the first is shown in the top bar, those named in strips are charted."""
         return ()

@@ -14,6 +14,7 @@ from game.stage.parameters import Parameter, ParameterError, Parameters, paramet
 
 if TYPE_CHECKING:
     from game.lab import Study
+    from game.stage.story.lines import Story
 
 
 class SceneDeclaration:
@@ -40,6 +41,7 @@ class SceneDeclaration:
     try_this: ClassVar[tuple[str, ...]] = ()
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
+    stories: ClassVar[tuple[Story, ...]] = ()  # beside those in files
     play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
