@@ -55,6 +55,7 @@ class Bodies(NamedTuple):
     reaches: Floats  # (n,) m, farthest point of its shapes from the centre of mass
     cores: Floats  # (n,) m, how far it may go in a step without passing through something thin
     quiet: Floats  # (n,) s, for how long it has been slow
+    late: Floats  # (n,) s, of the last step, that continuous collision cut off
     found: Floats  # (n, 4) pose (m, m, rad) when its boxes were made, and how much room these left, m
 
 
@@ -148,6 +149,7 @@ class Scratch(NamedTuple):
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     begun_places: (
-        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step
+        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step (negative:
+    # in the one before, which was cut short)
     )
     events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

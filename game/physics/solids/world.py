@@ -492,7 +492,7 @@ class SolidWorld:
     # ------------------------------------------------------------------ events, measures, state
 
     def contacts_begun(self) -> tuple[NDArray[np.int32], Floats]:
-        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s in the step (e, 5)."""
+        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s from the step's beginning (e, 5)."""
         count = min(int(self._scratch.events[BEGUN]), memory.EVENTS)
         return self._scratch.begun[:count].copy(), self._scratch.begun_places[:count].copy()
 
