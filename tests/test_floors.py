@@ -30,6 +30,7 @@ FOLDERS = {
         "fields proximity_effects",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres oscillators",
+        "surfaces",
     ),
     "billiards": (
         "table",

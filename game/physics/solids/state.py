@@ -150,6 +150,6 @@ class Scratch(NamedTuple):
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     begun_places: (
         Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step (negative:
-    # in the one before, which was cut short)
+        # in the one before, which was cut short)
     )
     events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

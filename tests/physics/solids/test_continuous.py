@@ -42,7 +42,9 @@ def test_random_shots_at_a_wall_and_at_a_chain():
         world = wall_world() if number % 2 else SolidWorld(SolidSettings(gravity=(0.0, 0.0)))
         if number % 2 == 0:
             world.add_body(Chain([(0.0, 20.0 - k) for k in range(41)][::-1]), kind="fixed")
-        shape = [box(1.0, 0.01), Disc(0.05), Capsule((-0.3, 0.0), (0.3, 0.0), 0.01), box(0.2, 0.3)][number % 4]
+        shape = [box(1.0, 0.01), Disc(0.05), Capsule((-0.3, 0.0), (0.3, 0.0), 0.01), box(0.2, 0.3)][
+            number % 4
+        ]
         bodies = [
             world.add_body(
                 shape, (-rng.uniform(1.0, 6.0), 3.0 * k), rng.uniform(0, 6.28),

@@ -13,7 +13,6 @@ from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import touch_points
 
 SLIVER = 0.005  # of the shorter of two faces: what overlaps by less along them has not met face to face
-ELSEWHERE = 0.7  # cosine of the angle from which on a face looks elsewhere
 
 
 @inner_kernel
@@ -107,23 +106,6 @@ def keep_points(bits, lower_feature, upper_feature, manifold, features):
 
 
 @inner_kernel
-def other_face(c1, n1, start1, count1, c2, start2, count2, nx, ny):
-    """As `widest_gap`, among faces that look elsewhere than along (nx, ny)."""
-    best, face = -math.inf, 0
-    for i in range(count1):
-        k = start1 + i
-        if abs(n1[k, 0] * nx + n1[k, 1] * ny) > ELSEWHERE:
-            continue
-        deepest = math.inf
-        for j in range(count2):
-            gap = n1[k, 0] * (c2[start2 + j, 0] - c1[k, 0]) + n1[k, 1] * (c2[start2 + j, 1] - c1[k, 1])
-            deepest = min(deepest, gap)
-        if deepest > best:
-            best, face = deepest, i
-    return best, face
-
-
-@inner_kernel
 def clip_chosen(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, choice, reach, manifold, features):
     """Clip with the face that was chosen: (of the second polygon?, face). Returns points and their spread."""
     flip, face = choice
@@ -168,8 +150,8 @@ def meets_at_corners(c1, start1, count1, ra, c2, start2, count2, rb, faces, reac
 def collide_polygons(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, reach, manifold, features):
     """Manifold of two polygons whose corners and normals are in one frame. See the package for the rest.
 
-    Where they would meet in a sliver, corner beside corner, the face that they slide over answers instead: so
-    boxes pass over the gaps of tiles of equal height.
+    Where they meet in a sliver, corner beside corner, there is no telling which face it is, and none answers
+    until they overlap by more: so boxes pass over the gaps of tiles of equal height.
     """
     gap1, i = widest_gap(c1, n1, start1, count1, c2, start2, count2)
     manifold[8] = gap1 - ra - rb
@@ -196,16 +178,5 @@ def collide_polygons(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, rea
     )
     if points < 2 or spread > SLIVER:
         return points
-    if max(gap1, gap2) > 0.0:
-        manifold[8] = -1.0  # nothing yet, but look again in the next step
-        return 0
-    nx, ny = manifold[0], manifold[1]
-    gap1, i = other_face(c1, n1, start1, count1, c2, start2, count2, nx, ny)
-    gap2, j = other_face(c2, n2, start2, count2, c1, start1, count1, nx, ny)
-    if max(gap1, gap2) < -2.0 * SLIVER * math.hypot(c1[start1, 0] - c1[start1 + 1, 0], c1[start1, 1] - c1[start1 + 1, 1]):
-        return points
-    points, _ = clip_chosen(
-        c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, (gap2 > gap1, j if gap2 > gap1 else i),
-        reach, manifold, features,
-    )  # fmt: skip
-    return points
+    manifold[8] = -1.0  # nothing yet, but look again in the next step
+    return 0
