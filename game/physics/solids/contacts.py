@@ -39,7 +39,6 @@ from game.physics.solids.state import (
     IN_B_Y,
     JN,
     JT,
-    MASS_N,
     MASS_T,
     MOST_0,
     NORMAL_IMPULSE,
@@ -65,6 +64,7 @@ from game.physics.solids.state import (
     ROW_POINT_WIDTH,
     SEGMENT,
     SEP,
+    STIFF_N,
     TANGENT_IMPULSE,
 )
 
@@ -237,7 +237,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         dot_a, dot_b = mx * nx + my * ny - open_half, ex * nx + ey * ny + open_half
         row[c, to + CROSS_A], row[c, to + CROSS_B] = cross_a, cross_b
         row[c, to + DOT_A], row[c, to + DOT_B] = dot_a, dot_b
-        row[c, to + MASS_N] = 1.0 / (ima + imb + iia * cross_a * cross_a + iib * cross_b * cross_b)
+        row[c, to + STIFF_N] = ima + imb + iia * cross_a * cross_a + iib * cross_b * cross_b
         row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
@@ -247,7 +247,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]
         crosses += iib * row[c, ROW_POINT + CROSS_B] * row[c, to + CROSS_B]
         # two points that nearly coincide would make K singular: a little less coupling, the same solution
-        most = MOST_COUPLING / math.sqrt(row[c, ROW_POINT + MASS_N] * row[c, to + MASS_N])
+        most = MOST_COUPLING * math.sqrt(row[c, ROW_POINT + STIFF_N] * row[c, to + STIFF_N])
         row[c, COUPLING] = min(most, max(-most, ima + imb + crosses))
 
 

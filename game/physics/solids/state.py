@@ -104,8 +104,8 @@ class Contacts(NamedTuple):
 ) = range(11)  # fmt: skip
 ROW_POINT = 11
 # of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n of a
-# and b, gap when the step began, effective masses along normal and tangent, accumulated impulses
-CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_N, MASS_T, JN, JT = range(9)
+# and b, gap when the step began, 1 / effective mass along the normal, effective mass along the tangent, accumulated impulses
+CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, STIFF_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
 ROW_WIDTH = 30
 # columns of Rows.rare: what only the end of a step asks for
