@@ -154,14 +154,14 @@ def keep_manifold(contacts, p, points, place, angle, scratch):
     kept[p, PLACE_X], kept[p, PLACE_Y], kept[p, PLACE_ANGLE] = x, y, angle
 
 
-@inner_kernel
+@inner_kernel(inline="always")
 def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     """Bring the manifold of a pair up to date; its number of points."""
+    # inline, and left at its end only: by calls with so many arrays a third of a step would go
     a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
     i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
     dx, dy = bodies.positions[j, 0] - bodies.positions[i, 0], bodies.positions[j, 1] - bodies.positions[i, 1]
     ca, sa = bodies.rotations[i, 0], bodies.rotations[i, 1]
-    cb, sb = bodies.rotations[j, 0], bodies.rotations[j, 1]
     x, y = ca * dx + sa * dy, ca * dy - sa * dx
     angle = bodies.angles[j] - bodies.angles[i]
     size = min(shapes.sizes[a], shapes.sizes[b])
@@ -171,26 +171,24 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     speed = math.sqrt(vx * vx + vy * vy) + abs(bodies.spins[i]) * bodies.reaches[i]
     speed += abs(bodies.spins[j]) * bodies.reaches[j]
     reach = near + min(1.5 * numbers.dt * speed, 0.5 * size)
-    kept = contacts.manifolds
-    if contacts.marks[p, FOUND] == 1:
-        moved = abs(x - kept[p, PLACE_X]) + abs(y - kept[p, PLACE_Y])
-        moved += abs(angle - kept[p, PLACE_ANGLE]) * bodies.reaches[j]
-        if contacts.marks[p, POINTS] == 0:
-            if moved < kept[p, FIRST_POINT + GAP] - reach:
-                return 0
-        elif (
-            shapes.kinds[b] != DISC
-            and moved <= numbers.recycle / numbers.near * near
-            and speed * numbers.dt < near
-        ):
-            return contacts.marks[p, POINTS]
-    place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
-    points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
-    keep_manifold(contacts, p, points, place, angle, scratch)
+    kept, points = contacts.manifolds, contacts.marks[p, POINTS]
+    moved = abs(x - kept[p, PLACE_X]) + abs(y - kept[p, PLACE_Y])
+    moved += abs(angle - kept[p, PLACE_ANGLE]) * bodies.reaches[j]
+    keep = contacts.marks[p, FOUND] == 1
+    if points == 0:
+        keep = keep and moved < kept[p, FIRST_POINT + GAP] - reach
+    else:
+        keep = keep and shapes.kinds[b] != DISC and moved <= numbers.recycle * near
+        keep = keep and speed * numbers.dt < near
+    if not keep:
+        cb, sb = bodies.rotations[j, 0], bodies.rotations[j, 1]
+        place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
+        points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
+        keep_manifold(contacts, p, points, place, angle, scratch)
     return points
 
 
-@inner_kernel
+@inner_kernel(inline="always")
 def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     """Make a solver's row of a pair that has points."""
     i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]

@@ -108,24 +108,21 @@ def soft_springs(numbers):
 @inner_kernel
 def point_law(gap, spring, push, over_h):
     """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by its spring."""
-    if gap > 0.0:
-        return gap * over_h, 0.0
-    return max(spring[0] * gap, -push), spring[2]
+    bias = max(gap, 0.0) * over_h + max(spring[0] * min(gap, 0.0), -push)
+    return bias, 0.0 if gap > 0.0 else spring[2]
 
 
 @inner_kernel
 def solve_two(k11, k12, k22, r1, r2):
     """j1, j2 >= 0 with K j + r >= 0 and complementary: K = (k11, k12; k12, k22), positive definite."""
-    under = k11 * k22 - k12 * k12
     j1, j2 = k12 * r2 - k22 * r1, k12 * r1 - k11 * r2
     if j1 >= 0.0 and j2 >= 0.0:
-        return j1 / under, j2 / under
-    j1 = -r1 / k11
-    if j1 >= 0.0 and k12 * j1 + r2 >= 0.0:
-        return j1, 0.0
-    j2 = -r2 / k22
-    if j2 >= 0.0 and k12 * j2 + r1 >= 0.0:
-        return 0.0, j2
+        under = 1.0 / (k11 * k22 - k12 * k12)
+        return j1 * under, j2 * under
+    if r1 <= 0.0 and r2 * k11 >= k12 * r1:
+        return -r1 / k11, 0.0
+    if r2 <= 0.0 and r1 * k22 >= k12 * r2:
+        return 0.0, -r2 / k22
     return 0.0, 0.0
 
 
