@@ -262,7 +262,8 @@ def is_computed(bodies, i, j):
 def update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers):
     """Manifolds of all pairs, and rows of those that have points."""
     made = 0
-    for p in range(contacts.count[0]):
+    for place in range(contacts.count[0]):
+        p = contacts.order[place]
         if not is_computed(bodies, contacts.bodies[p, 0], contacts.bodies[p, 1]):
             continue
         if update_pair(bodies, shapes, pool, contacts, p, scratch, numbers) > 0:

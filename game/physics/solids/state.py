@@ -90,6 +90,7 @@ class Contacts(NamedTuple):
     """
 
     count: Longs  # (2,) pairs; those that touch
+    order: Ints  # (p,) in which they are solved: by colours, of which each has every body at most once
     shapes: Ints  # (p, 2) a, b: a's kind is not below b's
     bodies: Ints  # (p, 2) of a, of b
     marks: Ints  # (p, MARKS_WIDTH)
@@ -145,6 +146,8 @@ class Scratch(NamedTuple):
     pair_keys: Ints  # (p, 2)
     pair_spare: Ints  # (p, 2)
     tallies: Ints  # (s + 1,)
+    colours: Longs  # (n,) bits of colours in which a body has a pair
+    colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     begun: Ints  # (e, 2) shapes of contacts that began in the last step

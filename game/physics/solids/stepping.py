@@ -24,7 +24,7 @@ from game.physics.solids.joints.layout import (
     SUBSTEP,
     TURN,
 )
-from game.physics.solids.pairs import carry_over, find_pairs
+from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
     APPROACH_0,
@@ -73,6 +73,7 @@ def renew_pairs(bodies, shapes, pool, contacts, spare, excluded, scratch, number
     found = find_pairs(bodies, shapes, excluded, scratch)
     if found <= contacts.shapes.shape[0]:
         carry_over(contacts, spare, scratch.pair_keys, found, shapes)
+        order_by_colours(bodies, contacts, scratch)
     return found
 
 

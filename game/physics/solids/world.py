@@ -297,7 +297,7 @@ class SolidWorld:
         self._changed()
 
     def _forget_contacts(self, gone: NDArray[np.int64]) -> None:
-        """Drop the pairs of shapes that are gone."""
+        """Drop the pairs of shapes that are gone; the next step orders those that are left."""
         contacts = self.contacts
         left = ~np.isin(contacts.shapes, gone).any(axis=1)
         count = int(left.sum())
