@@ -193,7 +193,9 @@ def order_by_colours(bodies, contacts, scratch):
     top = 0
     for p in range(contacts.count[0]):
         i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
-        taken = (colours[i] if bodies.flags[i] & DYNAMIC else 0) | (colours[j] if bodies.flags[j] & DYNAMIC else 0)
+        taken = (colours[i] if bodies.flags[i] & DYNAMIC else 0) | (
+            colours[j] if bodies.flags[j] & DYNAMIC else 0
+        )
         colour = 0
         while colour < MOST_COLOURS and taken >> colour & 1:
             colour += 1

@@ -108,6 +108,9 @@ ROW_POINT = 11
 # and b, gap when the step began, 1 / effective mass along the normal, effective mass along the tangent, accumulated impulses
 CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, STIFF_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
+ROW_COLD = (
+    29  # 1: two that hit each other in this step; impulses of an impact are no guess for the next substep
+)
 ROW_WIDTH = 30
 # columns of Rows.rare: what only the end of a step asks for
 # restitution, gap speeds before the step (negative: closing), largest impulses of any substep
