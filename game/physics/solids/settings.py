@@ -70,8 +70,8 @@ class SolidSettings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
     effects: of `SOLIDS`. solver: a name of `SOLVERS`. substeps: parts of a step. iterations: sweeps of a
-    substep. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft contacts, at most a quarter of the
-    substeps a second; 0: an eighth (a pyramid of 100 rows stands at that, at a quarter it does not).
+    substep. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft contacts, at most a quarter
+    of the substeps a second; 0: an eighth (a pyramid of 100 rows stands at that, at a quarter it does not).
     contact_damping: of critical. joint_hertz, joint_damping: of joints without a compliance of their own;
     hertz 0: an eighth of the substeps a second. push: m/s, fastest parting of what overlaps. bounce: m/s,
     slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of it, how far two may

@@ -112,7 +112,9 @@ def soft_springs(numbers):
 
 @inner_kernel
 def point_law(gap, spring, push, over_h):
-    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by its spring."""
+    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by
+    its spring.
+    """
     bias = max(gap, 0.0) * over_h + max(spring[0] * min(gap, 0.0), -push)
     return bias, 0.0 if gap > 0.0 else spring[2]
 
