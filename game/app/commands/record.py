@@ -82,7 +82,7 @@ def execute(options: argparse.Namespace) -> int:
 def _film_story(options: argparse.Namespace, scene_type: type[Scene], film: given.Film) -> int:
     """Film a story and say where."""
     from game.app.commands import stories
-    from game.app.film.story_film import write_story_film
+    from game.app.film.story_film import Excerpt, StoryFilm, write_story_film
     from game.app.film.video import VideoError
     from game.app.stagehand.stories import rehearsal_of
     from game.app.window.settings import load_settings
@@ -101,10 +101,8 @@ def _film_story(options: argparse.Namespace, scene_type: type[Scene], film: give
         found = rehearsal_of(story, scene_type)
         if begin_s >= found.film_s:
             raise MistakeError(f"--from {options.begin}: the story has ended by {found.film_s:.1f} s")
-        made = write_story_film(
-            story, scene_type, found, film.path, film.size, film.fps,
-            theme=options.theme, player=player, begin_s=begin_s, seconds=seconds,
-        )  # fmt: skip
+        drawn = StoryFilm(story, scene_type, film.size, options.theme, player)
+        made = write_story_film(drawn, found, film.path, film.fps, Excerpt(begin_s, seconds))
     except (VideoError, StoryError, LevelError) as error:
         raise MistakeError(str(error), status=1) from None
     for path in (film.path, *made.beside):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from game.app.film.match_acts import END_S, TITLE_S, WHOLE, Act, acts_of, potted_at, what_matters, width_of
 from game.app.film.match_tally import draw_tally
-from game.app.film.story_film import write_story_film
+from game.app.film.story_film import Excerpt, StoryFilm, write_story_film
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.laws.state import BALL_POCKET
 from game.billiards.players.match import PLAYERS, Match
@@ -55,6 +55,7 @@ class MatchScene(Scene):
 
     name, task, title = "match", "", HEADING
     quarter_turns = 1
+    story_row = 60  # below the table: no pocket is covered
     covers = True
     match: ClassVar[Match]
 
@@ -84,6 +85,9 @@ class MatchScene(Scene):
         table = self._table()
         x, y, up = 0.5 * table.width, 0.5 * table.length, 0.5 * WHOLE * 9.0 / 16.0
         return Frame(x - up, y - 0.5 * WHOLE, x + up, y + 0.5 * WHOLE)
+
+    def draw_story_row(self, surface: pygame.Surface, look: Any, row: pygame.Rect) -> None:
+        draw_tally(surface, look, row, BANDS, self.potted_at(float(self.clock[0])))
 
     def story_targets(self) -> dict[str, tuple[float, float]]:
         time = float(self.clock[0])
@@ -128,8 +132,6 @@ class MatchScene(Scene):
             self._draw_rest(canvas, 0, 0.0)
         else:
             self._draw_rest(canvas, len(self.match.rounds) - 1, math.inf)
-        if self.acts[0].begins <= time < self.acts[-1].ends:
-            draw_tally(canvas.surface, canvas.look, BANDS, self.potted_at(time))
 
     def _table(self) -> Table:
         return self.match.rounds[0].shot.table
@@ -266,7 +268,8 @@ def story_of(match: Match, title: str = "") -> Story:
     points = [sum(1 for one in match.rounds if one.player == player) for player in range(2)]
     lines.append(Moment("the end", when="over > 0.5", deadline=120.0))
     winner = PLAYERS[points.index(max(points))]
-    lines.append(HandOver(f"{winner} wins, {max(points)} : {min(points)}", seconds=END_S))
+    outcome = "A draw" if points[0] == points[1] else f"{winner} wins"
+    lines.append(HandOver(f"{outcome}, {max(points)} : {min(points)}", seconds=END_S))
     return written_story(
         f"match-{match.seed}", scene_of(match), lines,
         [Expect("potted", least=float(len(match.rounds)))], title=HEADING,
@@ -295,4 +298,5 @@ def write_match_film(
     """Draw and encode the film of a match, or its first seconds; its length, s. VideoError in one line."""
     story, scene_type = story_of(match, title), scene_of(match)
     found = rehearse(story, scene_type)
-    return write_story_film(story, scene_type, found, path, size, fps, seconds=seconds).length_s
+    film = StoryFilm(story, scene_type, size)
+    return write_story_film(film, found, path, fps, Excerpt(seconds=seconds)).length_s

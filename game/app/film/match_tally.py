@@ -1,4 +1,4 @@
-"""The tally of a match on film: what each player has potted, in the upper corners."""
+"""The tally of a match on film: what each player has potted, at both ends of the row below the table."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from game.ui.painters.ball_picture import ball_chip
 
 
 def draw_tally(
-    surface: pygame.Surface, look: Look, colors: tuple[str, str],
+    surface: pygame.Surface, look: Look, row: pygame.Rect, colors: tuple[str, str],
     potted: tuple[tuple[int, ...], tuple[int, ...]],
 ) -> None:  # fmt: skip
-    """The balls of each player, in the upper corners, each by the colour of the cue."""
+    """The balls of each player, at both ends of a row (px), each by the colour of the cue."""
     px, theme = look.px, look.theme
     for player, balls in enumerate(potted):
         width = px(60) + look.fonts.size(PLAYERS[player], 13, "semibold")[0] + px(24) * len(balls)
@@ -26,5 +26,5 @@ def draw_tally(
             chip = ball_chip(number, 8.5 * look.k, (theme.panel.r, theme.panel.g, theme.panel.b))
             card.blit(chip, chip.get_rect(center=(x, px(18))))
             x += px(24)
-        at = px(24) if player == 0 else surface.get_width() - px(24) - width
-        surface.blit(card, (at, px(20)))
+        at = row.x + px(24) if player == 0 else row.right - px(24) - width
+        surface.blit(card, (at, row.centery - px(18)))

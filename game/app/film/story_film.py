@@ -54,7 +54,11 @@ class StoryFilm:
         self._player = player
         self._view = StageView(self.stage, self.look)
         self._view.teaching = False
-        self._view.place(self.surface.get_rect(), self.look)
+        picture = self.surface.get_rect()
+        height = min(self.look.px(scene_type.story_row), picture.h // 3)
+        picture.h -= height
+        self._row = pygame.Rect(0, picture.h, picture.w, height) if height else None
+        self._view.place(picture, self.look)
 
     @property
     def sounding(self) -> bool:
@@ -82,19 +86,31 @@ class StoryFilm:
         self.surface.fill(self.look.theme.stage)
         point_camera(self._view, runner, film_s)
         self._view.draw(self.surface, alpha=min(max(1.0 - behind, 0.0), NEWEST))
-        draw_words(self.surface, self.look, self._view, runner, film_s, self._player)
+        if self._row is not None:
+            stage.scene.draw_story_row(self.surface, self.look, self._row)
+        draw_words(self.surface, self.look, self._view, runner, film_s, self._player, row=self._row)
         return self.surface
 
 
+class Excerpt(NamedTuple):
+    """The part of a film, s, that is made."""
+
+    begin_s: float = 0.0
+    seconds: float = math.inf
+
+
+WHOLE = Excerpt()
+
+
 def write_story_film(
-    story: Story, scene_type: type[Scene], found: Rehearsal, path: Path, size: tuple[int, int], fps: int,
-    *, theme: str = "dark", player: str = "", begin_s: float = 0.0, seconds: float = math.inf,
-) -> FilmResult:  # fmt: skip
-    """Film a story, or ``seconds`` of it from ``begin_s`` on. VideoError in one line.
+    film: StoryFilm, found: Rehearsal, path: Path, fps: int, excerpt: Excerpt = WHOLE
+) -> FilmResult:
+    """Film a story, or a part of it. VideoError in one line.
 
     ``found``: its rehearsal, for the chapters. A GIF has neither sound nor files beside it and at most 10 s.
     """
-    film = StoryFilm(story, scene_type, size, theme, player)
+    begin_s, seconds = excerpt
+    story, size = film.runner.story, film.surface.get_size()
     gif = path.suffix.lower() == ".gif"
     length = min(found.film_s - begin_s, seconds, LONGEST_GIF_S if gif else math.inf)
     count = max(round(length * fps), 1)

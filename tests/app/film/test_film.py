@@ -5,6 +5,7 @@ import math
 import sys
 from types import SimpleNamespace
 
+import msgspec
 import numpy as np
 import pygame
 import pytest
@@ -23,8 +24,9 @@ from game.billiards.shot.shot import Physics
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
 from game.stage import Sound
+from game.stage.story.lines import Say
 from game.stage.story.rehearsal import rehearse, stage_of
-from game.stage.story.runner import Runner
+from game.stage.story.runner import Runner, last_words
 from game.ui.sound import RATE, sample_of
 
 
@@ -168,3 +170,25 @@ def test_a_film_of_a_recording_is_as_long_as_that(tmp_path, capsys):
     words = ["record", "example", "--out", str(film), "--size", "160x120", "--fps", "10"]
     assert run_command_line([*words, "--replay", str(recording)]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == f"{film}: 0.5 s, 5 pictures"
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (480, 270), (600, 800)])
+def test_what_is_said_while_balls_roll_covers_no_part_of_the_table(size):
+    match = small_match()
+    scene_type, story = scene_of(match), story_of(match, "")
+    silent = msgspec.structs.replace(story, lines=tuple(x for x in story.lines if not isinstance(x, Say)))
+    found = rehearse(story, scene_type)
+    time = next(one.film_s for one in found.moments if one.chapter == "Ball 5") + 0.6
+    drawn = []
+    for told in (story, silent):
+        film = StoryFilm(told, scene_type, size)
+        film.go_to(time)
+        drawn.append(pygame.surfarray.array3d(film.picture(time)))
+    row = size[1] - min(film.look.px(scene_type.story_row), size[1] // 3)
+    assert (drawn[0][:, :row] == drawn[1][:, :row]).all()
+    assert (drawn[0][:, row:] != drawn[1][:, row:]).any()
+
+
+def test_a_match_without_a_winner_is_a_draw():
+    match = small_match()
+    assert last_words(story_of(match)) == "A draw, 1 : 1"

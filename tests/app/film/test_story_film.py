@@ -8,7 +8,7 @@ import numpy as np
 import pygame
 import pytest
 
-from game.app.film.story_film import StoryFilm, chapters_of, srt_of, write_story_film
+from game.app.film.story_film import Excerpt, StoryFilm, chapters_of, srt_of, write_story_film
 from game.stage.story.course import Caption
 from game.stage.story.rehearsal import rehearse
 from tests.stage.story.bouncing import StoryBall, story
@@ -28,7 +28,7 @@ def pictures(path):
 
 def test_a_film_has_picture_sound_chapters_subtitles_and_a_poster(found, tmp_path):
     path = tmp_path / "a.mp4"
-    made = write_story_film(story(), StoryBall, found, path, (320, 180), 10)
+    made = write_story_film(StoryFilm(story(), StoryBall, (320, 180)), found, path, 10)
     assert sorted(item.name for item in tmp_path.iterdir()) == ["a.mp4", "a.png", "a.srt"]
     assert made.length_s == pytest.approx(found.film_s, abs=0.1)
     with av.open(str(path)) as film:
@@ -63,7 +63,7 @@ def test_the_same_story_gives_the_same_pictures_bit_for_bit(found):
 def test_a_part_of_a_story(found, tmp_path):
     path = tmp_path / "part.mp4"
     begin = found.chapters[1].film_s
-    made = write_story_film(story(), StoryBall, found, path, (160, 90), 10, begin_s=begin, seconds=2.0)
+    made = write_story_film(StoryFilm(story(), StoryBall, (160, 90)), found, path, 10, Excerpt(begin, 2.0))
     assert made.pictures == 20 and len(pictures(path)) == 20
     with av.open(str(path)) as film:
         assert [c["metadata"]["title"] for c in film.chapters()] == ["Three bounces"]
@@ -71,7 +71,7 @@ def test_a_part_of_a_story(found, tmp_path):
 
 def test_a_gif_has_its_own_colours_and_at_most_ten_seconds(found, tmp_path):
     path = tmp_path / "a.gif"
-    made = write_story_film(story(), StoryBall, found, path, (160, 90), 10)
+    made = write_story_film(StoryFilm(story(), StoryBall, (160, 90)), found, path, 10)
     assert made.length_s == 10.0 and [item.name for item in tmp_path.iterdir()] == ["a.gif"]
     film = StoryFilm(story(), StoryBall, (160, 90))
     film.go_to(9.0)
