@@ -178,7 +178,7 @@ def test_what_is_said_while_balls_roll_covers_no_part_of_the_table(size):
     scene_type, story = scene_of(match), story_of(match, "")
     silent = msgspec.structs.replace(story, lines=tuple(x for x in story.lines if not isinstance(x, Say)))
     found = rehearse(story, scene_type)
-    time = next(one.film_s for one in found.moments if one.chapter == "Ball 5") + 0.6
+    time = next(one.film_s for one in found.moments if one.chapter == "Ball 5") - 0.6
     drawn = []
     for told in (story, silent):
         film = StoryFilm(told, scene_type, size)
