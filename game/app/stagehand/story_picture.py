@@ -44,8 +44,11 @@ def draw_words(
     caption = caption_at(runner, shown_s)
     if caption is not None:
         opacity = opacity_at(shown_s, caption.begins, caption.ends)
-        above = row is None and _hides_target(look, view, runner, caption.text)
-        story_words.draw_caption(surface, look, row or view.rect, caption.text, opacity, above)
+        if row is not None:
+            story_words.draw_row_caption(surface, look, row, caption.text, opacity)
+        else:
+            above = _hides_target(look, view, runner, caption.text)
+            story_words.draw_caption(surface, look, view.rect, caption.text, opacity, above)
     for number, begins, ends in runner.course.cards():
         stays = not leaves and number == len(runner.story.lines) - 1
         if begins <= shown_s and (shown_s < ends or stays):
