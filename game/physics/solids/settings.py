@@ -18,6 +18,8 @@ from game.physics.solids.effects import (
 )
 
 MOST_TURNS = 10_000
+JOINT_SOLVERS = ("direct", "sweeps")
+JOINT_RATE = 0.4  # part of a stiff joint's gap that a substep restores
 TIERS = {"play": 4, "teach": 12, "film": 16}  # substeps
 
 
@@ -41,6 +43,7 @@ class Numbers(NamedTuple):
     fixed_rate: float  # the same against what cannot move, which is twice as stiff in frequency
     fixed_mass: float
     fixed_give: float
+    direct_joints: bool  # all joints at once, where they have a plan
     joint_rate: float
     joint_mass: float
     joint_give: float
@@ -89,6 +92,7 @@ class SolidSettings:
     contact_damping: float = 10.0
     joint_hertz: float = 0.0
     joint_damping: float = 2.0
+    joint_solver: str = "direct"
     push: float = 3.0
     bounce: float = 1.0
     near: float = 0.02
@@ -103,6 +107,10 @@ class SolidSettings:
             turns = getattr(self, name)
             if isinstance(turns, bool) or not isinstance(turns, int) or not 1 <= turns <= MOST_TURNS:
                 raise ValueError(f"{name} = {turns!r}: expected a whole number, 1 to {MOST_TURNS}")
+        if self.joint_solver not in JOINT_SOLVERS:
+            raise ValueError(
+                f"joint_solver = {self.joint_solver!r}: expected one of {', '.join(JOINT_SOLVERS)}"
+            )
         limits = {
             "drag": (0.0, 1e6),
             "spin_drag": (0.0, 1e6),
@@ -138,8 +146,14 @@ class SolidSettings:
             float(self.drag) if dragging else 0.0, float(self.spin_drag) if dragging else 0.0,
             float(self.near), self.recycle * self.near,
             *soft(hertz, self.contact_damping, h), *soft(2.0 * hertz, self.contact_damping, h),
-            *soft(self.joint_hertz or 0.125 / h, self.joint_damping, h),
+            self.joint_solver == "direct", *self._joint_spring(h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),
             1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0,
             float(self.calm), float(self.patience),
         )  # fmt: skip
+
+    def _joint_spring(self, h: float) -> tuple[float, float, float]:
+        """Rate, mass and give of joints without a compliance of their own."""
+        if self.joint_hertz == 0.0 and self.joint_solver == "direct":
+            return JOINT_RATE / h, 1.0, 0.0
+        return soft(self.joint_hertz or 0.125 / h, self.joint_damping, h)
