@@ -59,5 +59,6 @@ class Joints(NamedTuple):
     parameters: Floats  # (j, PARAMETERS)
     impulses: Floats  # (j, IMPULSES)
     stiffnesses: Floats  # (j, IMPULSES) N/m that solvers by penalty have come to
+    starts: Floats  # (j, IMPULSES) m or rad, gaps when a substep began
     rows: Floats  # (j, JOINT_ROW) work of one step
     lines: Floats  # (j, LINES) work of one sweep

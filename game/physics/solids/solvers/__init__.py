@@ -1,7 +1,7 @@
 """Solvers: each a file, all on one set of contacts and joints, chosen live by name from SOLVERS.
 
-The protocol. A solver is one ``lean_kernel`` ``solve(bodies, rows, joints, scratch, numbers)``, called once a
-step. It runs all ``numbers.substeps`` of ``numbers.h`` s. To add one: a file with that kernel, a line below.
+The protocol. A solver is one ``lean_kernel`` ``solve(bodies, contacts, rows, joints, scratch,
+numbers)``, called once a step. It runs all ``numbers.substeps`` of ``numbers.h`` s. To add one: a file with that kernel, a line below.
 
 Prepared before the call (`stepping.begin_step`):
 
@@ -17,8 +17,10 @@ Prepared before the call (`stepping.begin_step`):
   step (warm start; 0 for a new contact). The tangent is t = (ny, -nx), so r = DOT n + CROSS t and r x t = -DOT.
   The gap now is `impulses.gap_now`: rounding does not turn with a body, so discs roll without bumps.
 - ``rare[c]``: RESTITUTION, speeds APPROACH_0/1 of the gap before the step (negative: closing), MOST_0/1 = 0.
-- ``joints``: see `joints.layout`. Kinds without rows of their own for a solver are swept by
-  `joints.sweeps`: `prepare_joints` once, then `start_joints_warm` and `sweep_joints` in each substep.
+- ``joints``: see `joints.layout`: each is up to six lines, so a solver takes all kinds at once. `lines.prepare_joints`
+  once; then, for solvers of velocities, in each substep `lines.start_joints_warm`, `geometric.steady_turns` and
+  `direct.solve_joints`; solvers of positions read the lines that `lines.write_lines` makes of the places now.
+- ``contacts.manifolds``: numbers from STIFF on are a solver's own and stay with a pair from step to step.
 
 Expected after it: final velocities and places in ``scratch.motion``; JN, JT: impulses (N s) of the last substep,
 which come back as warm start (a solver that needs forces divides by h); MOST_0/1: the largest normal impulse
@@ -32,10 +34,25 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from game.physics.solids.solvers.augmented_vertex_block_descent import (
+    solve_augmented_vertex_block_descent,
+)
+from game.physics.solids.solvers.compliant_lagrangian import solve_compliant_lagrangian
 from game.physics.solids.solvers.sequential_impulses import solve_sequential_impulses
 from game.physics.solids.solvers.soft_step import solve_soft_step
+from game.physics.solids.solvers.xpbd import solve_xpbd
 
 SOLVERS: dict[str, Callable[..., Any]] = {
     "soft-step": solve_soft_step,
     "sequential-impulses": solve_sequential_impulses,
+    "xpbd": solve_xpbd,
+    "augmented-vertex-block-descent": solve_augmented_vertex_block_descent,
+    "compliant-lagrangian": solve_compliant_lagrangian,
+}
+# how a solver is meant to be used, where that is not four substeps of one sweep
+SUGGESTED: dict[str, dict[str, int]] = {
+    "sequential-impulses": {"substeps": 1, "iterations": 10},
+    "xpbd": {"substeps": 16},
+    "augmented-vertex-block-descent": {"substeps": 1, "iterations": 10},
+    "compliant-lagrangian": {"substeps": 2, "iterations": 5},
 }
