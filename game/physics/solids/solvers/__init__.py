@@ -38,7 +38,9 @@ from game.physics.solids.solvers.augmented_vertex_block_descent import (
     solve_augmented_vertex_block_descent,
 )
 from game.physics.solids.solvers.compliant_lagrangian import solve_compliant_lagrangian
+from game.physics.solids.solvers.complementarity import solve_by_complementarity
 from game.physics.solids.solvers.sequential_impulses import solve_sequential_impulses
+from game.physics.solids.solvers.shock_propagation import solve_shock_propagation
 from game.physics.solids.solvers.soft_step import solve_soft_step
 from game.physics.solids.solvers.xpbd import solve_xpbd
 
@@ -48,11 +50,15 @@ SOLVERS: dict[str, Callable[..., Any]] = {
     "xpbd": solve_xpbd,
     "augmented-vertex-block-descent": solve_augmented_vertex_block_descent,
     "compliant-lagrangian": solve_compliant_lagrangian,
+    "shock-propagation": solve_shock_propagation,
+    "complementarity": solve_by_complementarity,
 }
 # how a solver is meant to be used, where that is not four substeps of one sweep
 SUGGESTED: dict[str, dict[str, int]] = {
     "sequential-impulses": {"substeps": 1, "iterations": 10},
     "xpbd": {"substeps": 16},
     "augmented-vertex-block-descent": {"substeps": 1, "iterations": 10},
-    "compliant-lagrangian": {"substeps": 2, "iterations": 5},
+    "compliant-lagrangian": {"substeps": 4, "iterations": 4},
+    "shock-propagation": {"substeps": 1},
+    "complementarity": {"substeps": 2},
 }

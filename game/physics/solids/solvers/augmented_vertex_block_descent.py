@@ -4,7 +4,8 @@ Sections 3.1 to 3.7 and their demonstration's constants: a hard contact or joint
 a stiffness that grows by 100,000 N/m for each metre of its gap in each sweep, from 1 N/m; both are kept from
 step to step by 0.99 (the force by 0.99 of that again), and 0.99 of the gap that a step begins with is left to the
 next steps. Friction is bounded by the normal force of the sweep before. It is meant for one substep of 1/60 s
-with 10 sweeps (and warm start by the last acceleration, which one frame of a story does not miss: left out).
+with 10 sweeps. A sweep begins where velocities lead, without gravity in the place of the printed
+estimate of last step's acceleration.
 
 What it cannot do: stiffness takes time to grow, so what is dropped or loaded first sinks, and columns of 40 lean
 and fall after some seconds; very heavy upon light never settles within ten sweeps.
@@ -39,7 +40,7 @@ from game.physics.solids.solvers.descent import (
     start_lines,
 )
 from game.physics.solids.solvers.impulses import bounce_contacts
-from game.physics.solids.solvers.motion import accelerate, move
+from game.physics.solids.solvers.motion import accelerate
 from game.physics.solids.solvers.positions import note_gaps, remember, velocities_from_places
 from game.physics.solids.state import END_PAIR, END_POINTS, JN, JT, ROW_POINT, ROW_POINT_WIDTH, STIFF
 
@@ -127,8 +128,7 @@ def solve_augmented_vertex_block_descent(bodies, contacts, rows, joints, scratch
         note_gaps(rows, motion, scratch.points)
         remember(motion, scratch.before)
         accelerate(scratch, numbers)
-        aim(bodies, motion, scratch.before, h)
-        move(motion, h)
+        aim(motion, scratch, h)
         for _ in range(numbers.iterations):
             descend(bodies, rows, joints, scratch, rule)
             update_forces(rows, joints, scratch, rule)

@@ -4,7 +4,7 @@ After the Newton physics engine's rigid solver (2026). A line of stiffness K has
 normal H = 1 / (h² J M⁻¹ Jᵀ): as stiff as inertia makes it in one substep. Its force is k gap + s f with
 k = K rho / (K + rho) and s = K / (K + rho), f the force that is remembered, which becomes s (f + rho gap) after each
 sweep and is kept by 0.999 from substep to substep. What is stiff (K without bound) has s = 1 and k = rho.
-Nothing is ramped, so what is dropped is carried at once. Of a gap that a substep begins with, 0.95 is left to the
+Nothing is ramped, so what is dropped is carried at once. Of a gap that a substep begins with, 0.99 is left to the
 next ones, so that parting gives no speed.
 
 What it cannot do: it converges as sweeps over bodies do, a few bodies a sweep: long columns and chains sink
@@ -31,11 +31,11 @@ from game.physics.solids.solvers.descent import (
     start_lines,
 )
 from game.physics.solids.solvers.impulses import bounce_contacts
-from game.physics.solids.solvers.motion import accelerate, move
+from game.physics.solids.solvers.motion import accelerate
 from game.physics.solids.solvers.positions import note_gaps, remember, velocities_from_places
 from game.physics.solids.state import END_POINTS, JN, JT, MASS_N, MASS_T, ROW_POINT, ROW_POINT_WIDTH
 
-LEFT = 0.95  # of a gap, for the next substeps
+LEFT = 0.99  # of a gap, for the next substeps
 KEPT = 0.999  # of forces
 
 
@@ -92,8 +92,7 @@ def solve_compliant_lagrangian(bodies, contacts, rows, joints, scratch, numbers)
         note_gaps(rows, motion, scratch.points)
         remember(motion, scratch.before)
         accelerate(scratch, numbers)
-        aim(bodies, motion, scratch.before, h)
-        move(motion, h)
+        aim(motion, scratch, h)
         for _ in range(numbers.iterations):
             descend(bodies, rows, joints, scratch, rule)
             update_forces(rows, joints, scratch, rule)

@@ -101,12 +101,23 @@ def count_touching(bodies, rows, joints, scratch):
 
 
 @inner_kernel
-def aim(bodies, motion, before, h):
-    """Where inertia and outer forces alone would bring each body: columns VX, VY, W of ``before``."""
+def aim(motion, scratch, h):
+    """Where inertia and outer forces alone would bring each body: columns VX, VY, W of ``before``.
+
+    A body that may touch something begins on its way without the forces of this substep, so that what rests is
+    not shaken; any other is there already.
+    """
+    before = scratch.before
     for i in range(motion.shape[0]):
+        x, y, turn = h * before[i, VX], h * before[i, VY], h * before[i, W]
         before[i, VX] = motion[i, DX] + h * motion[i, VX]
         before[i, VY] = motion[i, DY] + h * motion[i, VY]
         before[i, W] = motion[i, DA] + h * motion[i, W]
+        if scratch.starts[i] == scratch.starts[i + 1]:
+            x, y, turn = h * motion[i, VX], h * motion[i, VY], h * motion[i, W]
+        motion[i, DX] += x
+        motion[i, DY] += y
+        turn_body(motion, i, turn)
 
 
 @inner_kernel
@@ -145,7 +156,7 @@ def add_contact(row, c, i, motion, scratch, ends, rule, system):
         rounded = dot + (row[c, ROUND_B] if is_b else row[c, ROUND_A])
         turn = motion[i, DC] * cross - motion[i, DS] * rounded
         j, _, slid = point_force(row, c, k, motion, scratch, ends, rule)
-        if j > 0.0:
+        if j > 0.0 or row[c, at + JN] > 0.0:  # one that just opened still slows what may close it again
             f, stiff = sign * j / h, scratch.points[c, STIFF_N + k]
             g0, g1, g2 = g0 - f * nx, g1 - f * ny, g2 - f * turn
             k00, k01, k02 = k00 + stiff * nx * nx, k01 + stiff * nx * ny, k02 + stiff * nx * turn
@@ -206,7 +217,7 @@ def add_joint_lines(joints, k, i, motion, before, keep, system):
         if joints.lines[k, at + LINE] == OFF or sign == 0.0:
             continue
         j, stiff, _ = line_force(joints, k, slot, motion, before, keep)
-        if joints.lines[k, at + LINE] == ONE_SIDED and j == 0.0:
+        if joints.lines[k, at + LINE] == ONE_SIDED and j == 0.0 and joints.impulses[k, slot] == 0.0:
             continue
         ux, uy = joints.lines[k, at + UX], joints.lines[k, at + UY]
         turn = joints.lines[k, at + (LB if is_b else LA)]
