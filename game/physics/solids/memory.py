@@ -44,7 +44,8 @@ POOL_COLUMNS = {"corners": Column(width=2), "normals": Column(width=2)}
 JOINT_COLUMNS = {
     "kinds": Column(_INT, empty=NO_JOINT), "flags": Column(_INT), "bodies": Column(_INT, 2),
     "anchors": Column(width=4), "parameters": Column(width=PARAMETERS), "impulses": Column(width=IMPULSES),
-    "stiffnesses": Column(width=IMPULSES), "starts": Column(width=IMPULSES), "rows": Column(width=JOINT_ROW, empty=-1.0),
+    "stiffnesses": Column(width=IMPULSES), "starts": Column(width=IMPULSES),
+    "rows": Column(width=JOINT_ROW, empty=-1.0),
     "lines": Column(width=LINES),
 }  # fmt: skip
 

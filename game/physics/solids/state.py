@@ -99,14 +99,17 @@ class Contacts(NamedTuple):
     manifolds: Floats  # (p, MANIFOLD_WIDTH)
 
 
-# columns of Rows.rows: what a solver reads of one contact in each sweep. Normal from a to b, friction, 1 where one
-# of the two cannot move, inverse masses and inertias, roundings (b's as it is, a's negative: levers end on the
+# columns of Rows.rows: what a solver reads of one contact in each sweep. Normal from a to b, friction, 1
+# where one
+# of the two cannot move, inverse masses and inertias, roundings (b's as it is, a's negative: levers end on
+# the
 # core when this much of the normal is added), coupling of both points (entry of K)
 (
     ROW_NX, ROW_NY, ROW_MU, ROW_HARD, ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB, ROUND_A, ROUND_B, COUPLING,
 ) = range(11)  # fmt: skip
 ROW_POINT = 11
-# of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n of a
+# of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n
+# of a
 # and b, gap when the step began, effective masses along normal and tangent, accumulated impulses
 CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9

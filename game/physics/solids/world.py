@@ -93,7 +93,8 @@ class NotFiniteError(ArithmeticError):
 class SolidWorld:
     """Bodies of any shape that touch, are joined, and move.
 
-    Ids of bodies, shapes and joints stay what they are until these are removed. A body's position is its centre
+    Ids of bodies, shapes and joints stay what they are until these are removed. A body's position is its
+    centre
     of mass; ``origin(body)`` is where the origin of its shapes' coordinates is. settings: `SolidSettings`.
     """
 
@@ -203,8 +204,10 @@ class SolidWorld:
     ) -> int:
         """A body of one or several shapes; its id.
 
-        position m and angle rad of the frame in which the shapes are given; velocity m/s of the centre of mass;
-        spin rad/s. kind: dynamic, fixed, key-framed (it moves as it is told). restless: never sleeps. ValueError.
+        position m and angle rad of the frame in which the shapes are given; velocity m/s of the centre of
+        mass;
+        spin rad/s. kind: dynamic, fixed, key-framed (it moves as it is told). restless: never sleeps.
+        ValueError.
         """
         given = [shapes] if not isinstance(shapes, Iterable) else list(shapes)
         if kind not in KINDS:
@@ -358,7 +361,8 @@ class SolidWorld:
     ) -> int:
         """Join two bodies; the joint's id.
 
-        kind: of JOINT_NAMES. anchors: points of the world, m, as the bodies stand now (anchor_b: where anchor_a
+        kind: of JOINT_NAMES. anchors: points of the world, m, as the bodies stand now (anchor_b: where
+        anchor_a
         is). options: of `JointOptions`. ValueError: a body with itself, two that nothing moves, nonsense.
         """
         given = JointOptions(**options)

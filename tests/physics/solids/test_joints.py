@@ -1,4 +1,4 @@
-"""Joints: what each kind holds, what it carries, where it breaks, and all of them at once by the direct solve."""
+"""Joints: what each kind holds, what it carries, where it breaks, and all of them at once."""
 
 from __future__ import annotations
 
@@ -106,7 +106,9 @@ def test_double_rod():
     run(world, 1.0)
     turned = world.bodies.angles[[first, second]] + 0.5 * math.pi
     assert turned == pytest.approx((-1.2077162381906033, -0.814391023091329), abs=0.02)
-    assert world.bodies.spins[[first, second]] == pytest.approx((-3.4065175329726127, -0.5160454721037531), abs=0.1)
+    assert world.bodies.spins[[first, second]] == pytest.approx(
+        (-3.4065175329726127, -0.5160454721037531), abs=0.1
+    )
 
 
 def cantilever(**breaking):
@@ -143,7 +145,12 @@ def test_a_spinning_bar_breaks_at_the_weld_that_carries_most_for_it(part, breaks
     """m w² a (n² - k²) / 2 at the weld after k of n parts."""
     world, base = empty(effects=JOINTS, substeps=16)
     parts = [
-        world.add_body(box(0.2, 0.2, material=Material(25.0)), (0.1 + 0.2 * k, 0.0), velocity=(0.0, 12.0 * (0.1 + 0.2 * k)), spin=12.0)
+        world.add_body(
+            box(0.2, 0.2, material=Material(25.0)),
+            (0.1 + 0.2 * k, 0.0),
+            velocity=(0.0, 12.0 * (0.1 + 0.2 * k)),
+            spin=12.0,
+        )
         for k in range(10)
     ]
     world.add_joint("pin", base, parts[0], (0.0, 0.0))
@@ -179,13 +186,19 @@ def test_a_slider_keeps_to_its_axis_and_its_limits():
     world, base = empty(substeps=8)
     body = world.add_body(box(0.2, 0.2), (0.0, 0.0))
     turn = math.radians(30.0)
-    world.add_joint("slider", base, body, (0.0, 0.0), axis=(math.cos(turn), -math.sin(turn)), limits=(-0.1, 0.5))
+    world.add_joint(
+        "slider", base, body, (0.0, 0.0), axis=(math.cos(turn), -math.sin(turn)), limits=(-0.1, 0.5)
+    )
     run(world, 0.25)
     n = 120
     slid = 0.5 * G / 480**2 * n * (n + 1) / 2
-    assert world.bodies.positions[body] == pytest.approx((slid * math.cos(turn), -slid * math.sin(turn)), rel=1e-6)
+    assert world.bodies.positions[body] == pytest.approx(
+        (slid * math.cos(turn), -slid * math.sin(turn)), rel=1e-6
+    )
     run(world, 2.0)
-    assert world.bodies.positions[body] == pytest.approx((0.5 * math.cos(turn), -0.5 * math.sin(turn)), abs=1e-4)
+    assert world.bodies.positions[body] == pytest.approx(
+        (0.5 * math.cos(turn), -0.5 * math.sin(turn)), abs=1e-4
+    )
     assert world.bodies.angles[body] == pytest.approx(0.0, abs=1e-9)
     assert world.joint_load(0)[0] == pytest.approx(0.04 * G, rel=1e-3)
 
@@ -229,7 +242,9 @@ def test_slider_crank_driven_by_a_motor():
     assert world.bodies.spins[crank] == pytest.approx(10.0, rel=1e-3)
     place = float(world.bodies.positions[piston, 0])
     angle = float(world.bodies.angles[crank])
-    assert place == pytest.approx(0.2 * math.cos(angle) + math.sqrt(0.25 - 0.04 * math.sin(angle) ** 2), abs=1e-3)
+    assert place == pytest.approx(
+        0.2 * math.cos(angle) + math.sqrt(0.25 - 0.04 * math.sin(angle) ** 2), abs=1e-3
+    )
     assert angle == pytest.approx(turns, abs=0.05)
     assert max(gap_of(world, k) for k in range(3)) < 1e-3
 
@@ -274,7 +289,10 @@ def test_a_chain_of_ropes_under_a_heavy_load_does_not_stretch():
     world, base = empty()
     before, at = base, (0.0, 0.0)
     for k in range(20):
-        body = world.add_body(Disc(0.05, material=Material((1000.0 if k == 19 else 1.0) / (math.pi * 0.0025))), (0.0, -0.5 * (k + 1)))
+        body = world.add_body(
+            Disc(0.05, material=Material((1000.0 if k == 19 else 1.0) / (math.pi * 0.0025))),
+            (0.0, -0.5 * (k + 1)),
+        )
         world.add_joint("rope", before, body, at, (0.0, -0.5 * (k + 1)))
         before, at = body, (0.0, -0.5 * (k + 1))
     run(world, 1.0)

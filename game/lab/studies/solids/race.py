@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from game.lab.ranges import counts_between
-from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
 from game.lab.studies.solids.laws import FRAME, LAWS, Law
-from game.physics.solids import SOLVERS, SolidSettings
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.solids import SolidSettings
 
 MOST_TURNS = 64  # of a frame
 REFEREE_POINTS = 60
@@ -130,4 +130,3 @@ def law_study(law: Law, most: int = MOST_TURNS, related: tuple[Study, ...] = ())
 
 STUDIES = {name: law_study(law) for name, law in LAWS.items()}
 race_study = law_study(LAWS["column"], related=tuple(STUDIES[name] for name in LAWS if name != "column"))
-assert {use.solver for use in USES.values()} == set(SOLVERS), "every solver takes part"

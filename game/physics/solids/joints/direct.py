@@ -1,8 +1,10 @@
 """All joints at once: the exact impulses of one substep, by block elimination along the order of `plan`.
 
-Unknowns are the impulses of all EQUAL lines (and of ropes that are taut): S j = r with S = J M⁻¹ Jᵀ + compliance,
+Unknowns are the impulses of all EQUAL lines (and of ropes that are taut): S j = r with S = J M⁻¹ Jᵀ +
+compliance,
 symmetric positive definite, blocks of 3 x 3 (Baraff 1996, "Linear-time dynamics using Lagrange multipliers").
-Time grows with the number of joints, whatever their masses; sweeps need as many of them as a chain is long, squared.
+Time grows with the number of joints, whatever their masses; sweeps need as many of them as a chain is long,
+squared.
 Limits, drives and mice are swept before it. A millionth of a part of compliance is left in S, so that
 redundant joints (two welds on one pair, a loop that closes) share their load instead of dividing by zero.
 """
@@ -87,10 +89,7 @@ def fill_diagonal(joints, plan, motion, pushing):
                     else:
                         plan.diagonal[p, 3 * n + m] = coupling
             gap = joints.lines[k, at + LINE_GAP]
-            if slot == HIGH and gap > 0.0:
-                right = gap / row[k, SUBSTEP]
-            else:
-                right = rate * gap
+            right = gap / row[k, SUBSTEP] if slot == HIGH and gap > 0.0 else rate * gap
             own = plan.diagonal[p, 4 * n] - plan.diagonal[p, 4 * n] / (1.0 + soft)
             if rate > 0.0 and row[k, GIVE] > 0.0:
                 right += own * joints.impulses[k, slot]
@@ -105,7 +104,12 @@ def fill_links(joints, plan):
         for n in range(9):
             plan.blocks[e, n] = 0.0
     for link in range(plan.links.shape[0]):
-        e, high, low, body = plan.links[link, 0], plan.links[link, 1], plan.links[link, 2], plan.links[link, 3]
+        e, high, low, body = (
+            plan.links[link, 0],
+            plan.links[link, 1],
+            plan.links[link, 2],
+            plan.links[link, 3],
+        )
         k, q = plan.order[high], plan.order[low]
         if row[k, SUBSTEP] < 0.0 or row[q, SUBSTEP] < 0.0:
             continue
@@ -149,9 +153,21 @@ def eliminate(plan):
         for e in range(starts[p], starts[p + 1]):
             i = below[e]
             for n in range(3):
-                g0 = blocks[e, 3 * n] * d[p, 0] + blocks[e, 3 * n + 1] * d[p, 3] + blocks[e, 3 * n + 2] * d[p, 6]
-                g1 = blocks[e, 3 * n] * d[p, 1] + blocks[e, 3 * n + 1] * d[p, 4] + blocks[e, 3 * n + 2] * d[p, 7]
-                g2 = blocks[e, 3 * n] * d[p, 2] + blocks[e, 3 * n + 1] * d[p, 5] + blocks[e, 3 * n + 2] * d[p, 8]
+                g0 = (
+                    blocks[e, 3 * n] * d[p, 0]
+                    + blocks[e, 3 * n + 1] * d[p, 3]
+                    + blocks[e, 3 * n + 2] * d[p, 6]
+                )
+                g1 = (
+                    blocks[e, 3 * n] * d[p, 1]
+                    + blocks[e, 3 * n + 1] * d[p, 4]
+                    + blocks[e, 3 * n + 2] * d[p, 7]
+                )
+                g2 = (
+                    blocks[e, 3 * n] * d[p, 2]
+                    + blocks[e, 3 * n + 1] * d[p, 5]
+                    + blocks[e, 3 * n + 2] * d[p, 8]
+                )
                 right[i, n] -= g0 * right[p, 0] + g1 * right[p, 1] + g2 * right[p, 2]
                 for other in range(starts[p], e + 1):
                     target = plan.targets[update + other - starts[p]]

@@ -1,6 +1,7 @@
 """Joints by their kinds, as lines: made ready once a step, written anew wherever bodies have moved.
 
-A new kind: a file with ``write_KIND`` on the layout of `layout.Joints`, a line here. All solvers take it then.
+A new kind: a file with ``write_KIND`` on the layout of `layout.Joints`, a line here. All solvers take it
+then.
 """
 
 from __future__ import annotations
@@ -103,8 +104,12 @@ def line_speed(joints, k, at, motion):
     """Speed of the line at column ``at`` of joint k, m/s or rad/s."""
     a, b = joints.bodies[k, 0], joints.bodies[k, 1]
     line = joints.lines
-    speed = line[k, at + UX] * motion[b, VX] + line[k, at + UY] * motion[b, VY] + line[k, at + LB] * motion[b, W]
-    held = line[k, at + UX] * motion[a, VX] + line[k, at + UY] * motion[a, VY] + line[k, at + LA] * motion[a, W]
+    speed = (
+        line[k, at + UX] * motion[b, VX] + line[k, at + UY] * motion[b, VY] + line[k, at + LB] * motion[b, W]
+    )
+    held = (
+        line[k, at + UX] * motion[a, VX] + line[k, at + UY] * motion[a, VY] + line[k, at + LA] * motion[a, W]
+    )
     return speed - joints.rows[k, WITH_A] * held
 
 
@@ -138,7 +143,7 @@ def start_joints_warm(joints, motion):
 
 @inner_kernel
 def joint_load(joints, k):
-    """Size of the impulse (N s) and of the turning impulse (N m s) that a joint carried in the last substep."""
+    """Impulse (N s) and turning impulse (N m s) that a joint carried in the last substep: their sizes."""
     x, y, turn = 0.0, 0.0, 0.0
     for slot in range(IMPULSES):
         at, j = slot * LINE_WIDTH, joints.impulses[k, slot]

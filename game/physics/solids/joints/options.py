@@ -35,10 +35,14 @@ WITH_LIMITS = (PIN, SLIDER, MOTOR, DISTANCE, SPRING)
 class JointOptions:
     """Beside kind, bodies and anchors. ValueError, naming the field, for nonsense.
 
-    length: m, of a distance, rope or spring; None: as it is now. axis: of a slider, in the world, any length but 0.
-    limits: lower and upper, rad of a pin or motor (turn of b against a, from how they stand now), m of a slider (from
-    its anchors on), of a distance and a spring (its length). hertz Hz and damping (of critical): compliance, by the
-    masses of both bodies at the joint; 0: stiff; a spring needs one. speed m/s or rad/s and most N or N m: drive of a
+    length: m, of a distance, rope or spring; None: as it is now. axis: of a slider, in the world, any length
+    but 0.
+    limits: lower and upper, rad of a pin or motor (turn of b against a, from how they stand now), m of a
+    slider (from
+    its anchors on), of a distance and a spring (its length). hertz Hz and damping (of critical): compliance,
+    by the
+    masses of both bodies at the joint; 0: stiff; a spring needs one. speed m/s or rad/s and most N or N m:
+    drive of a
     motor, and of a pin or slider if either is given (speed 0: a brake); most is also the force of a mouse.
     break_force N, break_torque N m. colliding: the two bodies also touch.
     """
@@ -86,9 +90,7 @@ class JointOptions:
             raise ValueError("limits: only a pin, slider, motor, distance or spring has them")
         if kind == SPRING and not self.hertz > 0.0:
             raise ValueError(f"hertz = {self.hertz!r}: expected above 0 for a spring")
-        driven = kind == MOTOR or (
-            kind in (PIN, SLIDER) and (self.speed != 0.0 or math.isfinite(self.most))
-        )
+        driven = kind == MOTOR or (kind in (PIN, SLIDER) and (self.speed != 0.0 or math.isfinite(self.most)))
         joints.flags[slot] = COLLIDING * self.colliding + LIMITED * limited + DRIVEN * driven
         own[LOWER], own[UPPER] = self.limits
         own[HERTZ], own[DAMPING] = self.hertz, self.damping

@@ -1,7 +1,8 @@
 """In which order the blocks of all joints are eliminated: found once, when joints come, go or break.
 
 Joints are the unknowns, three lines at most each; two of them are coupled where they share a body that can
-move. Least degree first (Tinney and Walker 1967): a tree of bodies, as chains, bridges and rag dolls are, gets no
+move. Least degree first (Tinney and Walker 1967): a tree of bodies, as chains, bridges and rag dolls are,
+gets no
 block that was not there; a loop gets a few.
 """
 
@@ -73,7 +74,7 @@ def elimination_order(neighbours: dict[int, set[int]]) -> tuple[list[int], dict[
 
 
 def plan_joints(joints: Joints, moving: NDArray[np.bool_]) -> JointPlan:
-    """The plan of all joints that hold and are no mouse. moving (n,): bodies that couple what is joined to them."""
+    """The plan of all joints that hold and are no mouse. moving (n,): bodies that couple their joints."""
     held = (joints.kinds != NO_JOINT) & (joints.kinds != MOUSE) & (joints.flags & BROKEN == 0)
     ids = np.flatnonzero(held).tolist()
     at_body: dict[int, list[int]] = {}
@@ -101,6 +102,9 @@ def plan_joints(joints: Joints, moving: NDArray[np.bool_]) -> JointPlan:
                 low, high = sorted((place[k], place[other]))
                 links.append((block[high, low], high, low, body))
     targets = [
-        -1 - i if i == j else block[i, j] for rows in columns for n, i in enumerate(rows) for j in rows[: n + 1]
+        -1 - i if i == j else block[i, j]
+        for rows in columns
+        for n, i in enumerate(rows)
+        for j in rows[: n + 1]
     ]
     return _with_memory(order, starts, [i for rows in columns for i in rows], links, targets)

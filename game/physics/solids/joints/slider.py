@@ -1,4 +1,4 @@
-"""Slider: b moves along an axis fixed to a, and does not turn against it; with limits and a drive along it."""
+"""Slider: b moves along an axis fixed to a, and does not turn against it; with limits and a drive."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Joints by sweeps of velocities: lines that are EQUAL together as one block a joint, then limits and drives."""
+"""Joints by sweeps of velocities: EQUAL lines together as one block a joint, limits and drives."""
 
 from __future__ import annotations
 

@@ -1,13 +1,16 @@
 """Referee: contacts, friction and joints of a substep solved exactly, by pivoting and not by sweeps.
 
 Baraff 1994, "Fast Contact Force Computation for Nonpenetrating Rigid Bodies", section 4: contact as a linear
-complementarity problem solved directly. In velocities and impulses, after Stewart and Trinkle 1996 and Anitescu and
+complementarity problem solved directly. In velocities and impulses, after Stewart and Trinkle 1996 and
+Anitescu and
 Potra 1997, for which Painlevé's sliding rod has a solution too; friction's pyramid, which in a plane is the
 cone itself: a contact has a normal impulse, two of friction, and a speed of sliding. Joints' equal lines are
-eliminated first; limits and drives are rows like contacts and friction. Overlap deeper than the slop parts by a
+eliminated first; limits and drives are rows like contacts and friction. Overlap deeper than the slop parts
+by a
 tenth in a substep. Every residual is at rounding's height, whatever the masses.
 
-What it cannot do: its time grows with the cube of the points, so it refuses more than 60 of them; with redundant
+What it cannot do: its time grows with the cube of the points, so it refuses more than 60 of them; with
+redundant
 contacts the one solution that it finds among many is not the symmetric one, so single forces mean little.
 """
 
@@ -119,7 +122,9 @@ class Conditions:
         self.give: list[float] = []
         self.to: list[tuple[Any, tuple[int, int], float]] = []  # array, its element, sign
 
-    def add(self, ends: tuple[int, int], u: tuple[float, float], torques: tuple[float, float], wanted: float) -> None:
+    def add(
+        self, ends: tuple[int, int], u: tuple[float, float], torques: tuple[float, float], wanted: float
+    ) -> None:
         """A speed u . (vb - va) + torques[1] wb - torques[0] wa."""
         row = np.zeros(3 * self.bodies)
         a, b = ends
@@ -155,7 +160,9 @@ def contact_conditions(rows: Any, scratch: Any, numbers: Any) -> tuple[Condition
     return normals, tangents, frictions
 
 
-def joint_conditions(joints: Any, bodies: int, h: float) -> tuple[Conditions, Conditions, Conditions, list[float]]:
+def joint_conditions(
+    joints: Any, bodies: int, h: float
+) -> tuple[Conditions, Conditions, Conditions, list[float]]:
     """Equal lines, one-sided ones, drives, and the most impulse of these."""
     equal, limits, drives = Conditions(bodies), Conditions(bodies), Conditions(bodies)
     most = []
@@ -174,8 +181,12 @@ def joint_conditions(joints: Any, bodies: int, h: float) -> tuple[Conditions, Co
                 limits.add(ends, u, torques, gap / h if gap > 0.0 else PART * gap / h)
                 limits.to.append(to)
             elif kind == EQUAL or (kind == DRIVING and not np.isfinite(bound)):
-                equal.add(ends, u, torques, row[RATE] * line[LINE_GAP] if kind == EQUAL else -float(
-                    joints.parameters[k, SPEED]))
+                equal.add(
+                    ends,
+                    u,
+                    torques,
+                    row[RATE] * line[LINE_GAP] if kind == EQUAL else -float(joints.parameters[k, SPEED]),
+                )
                 weight = (u[0] ** 2 + u[1] ** 2) * (row[JIMA] + row[JIMB])
                 weight += row[JIIA] * torques[0] ** 2 + row[JIIB] * torques[1] ** 2
                 equal.give[-1] = weight * (LEAST_GIVE + (row[GIVE] / row[MASS] if slot != DRIVE else 0.0))
@@ -224,7 +235,10 @@ def solve_substep(bodies: Any, rows: Any, joints: Any, scratch: Any, numbers: An
     free = motion[:, VX : W + 1].ravel().copy()
     e = equal.matrix()
     if len(e):  # equal lines are always kept: what is left moves within them
-        hold = np.linalg.solve(e @ m @ e.T + np.diag(equal.give), np.concatenate([(e @ m), (e @ free + equal.wanted)[:, None]], axis=1))
+        hold = np.linalg.solve(
+            e @ m @ e.T + np.diag(equal.give),
+            np.concatenate([(e @ m), (e @ free + equal.wanted)[:, None]], axis=1),
+        )
         along, across = hold[:, :-1], hold[:, -1]
         free = free - m @ e.T @ across
         m = m - m @ e.T @ along
@@ -255,7 +269,9 @@ def give_back(to: list[tuple[Any, tuple[int, int], float]], impulses: Floats) ->
         array[place] = sign * impulse
 
 
-def solve_by_complementarity(bodies: Any, contacts: Any, rows: Any, joints: Any, scratch: Any, numbers: Any) -> None:
+def solve_by_complementarity(
+    bodies: Any, contacts: Any, rows: Any, joints: Any, scratch: Any, numbers: Any
+) -> None:
     """All substeps of one step. See the package. ValueError for more than MOST_POINTS contact points."""
     count = int(rows.count[0])
     points = int(rows.ends[:count, END_POINTS].sum())
@@ -268,6 +284,10 @@ def solve_by_complementarity(bodies: Any, contacts: Any, rows: Any, joints: Any,
         for k in range(2):
             at = ROW_POINT + k * ROW_POINT_WIDTH + JN
             held = rows.ends[:count, END_POINTS] > k
-            np.maximum(rows.rare[:count, MOST_0 + k], np.where(held, rows.rows[:count, at], 0.0), out=rows.rare[:count, MOST_0 + k])
+            np.maximum(
+                rows.rare[:count, MOST_0 + k],
+                np.where(held, rows.rows[:count, at], 0.0),
+                out=rows.rare[:count, MOST_0 + k],
+            )
         end_substep(scratch, numbers.h)
     end(rows, scratch, numbers)

@@ -1,10 +1,14 @@
-"""Compliant augmented Lagrangian: block descent with forces remembered, and stiffnesses that are known beforehand.
+"""Compliant augmented Lagrangian: block descent with forces remembered, and stiffnesses that are known
+beforehand.
 
-After the Newton physics engine's rigid solver (2026). A line of stiffness K has the penalty rho = max(H, 9 K), a contact's
+After the Newton physics engine's rigid solver (2026). A line of stiffness K has the penalty rho = max(H, 9
+K), a contact's
 normal H = 1 / (h² J M⁻¹ Jᵀ): as stiff as inertia makes it in one substep. Its force is k gap + s f with
-k = K rho / (K + rho) and s = K / (K + rho), f the force that is remembered, which becomes s (f + rho gap) after each
+k = K rho / (K + rho) and s = K / (K + rho), f the force that is remembered, which becomes s (f + rho gap)
+after each
 sweep and is kept by 0.999 from substep to substep. What is stiff (K without bound) has s = 1 and k = rho.
-Nothing is ramped, so what is dropped is carried at once. Of a gap that a substep begins with, 0.99 is left to the
+Nothing is ramped, so what is dropped is carried at once. Of a gap that a substep begins with, 0.99 is left
+to the
 next ones, so that parting gives no speed.
 
 What it cannot do: it converges as sweeps over bodies do, a few bodies a sweep: long columns and chains sink
@@ -14,7 +18,7 @@ first, and come up as forces are remembered.
 from __future__ import annotations
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.physics.solids.joints.layout import EQUAL, HERTZ, IMPULSES, LINE, LINE_WIDTH, OFF, SUBSTEP
+from game.physics.solids.joints.layout import IMPULSES, LINE, LINE_WIDTH, OFF, SUBSTEP
 from game.physics.solids.joints.lines import prepare_joints, write_lines
 from game.physics.solids.joints.points import line_weight
 from game.physics.solids.solvers.descent import (
@@ -26,7 +30,6 @@ from game.physics.solids.solvers.descent import (
     friction_force,
     line_force,
     note_largest,
-    own_spring,
     point_force,
     start_lines,
 )

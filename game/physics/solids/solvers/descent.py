@@ -1,7 +1,9 @@
-"""Block descent: each body in turn goes to where its inertia and all forces upon it balance (3 x 3 Newton step).
+"""Block descent: each body in turn goes to where its inertia and all forces upon it balance (3 x 3 Newton
+step).
 
 What `augmented_vertex_block_descent` and `compliant_lagrangian` share: who touches whom, the sweep over
-bodies, and how forces are kept between sweeps. They differ in stiffnesses and in what is remembered of forces.
+bodies, and how forces are kept between sweeps. They differ in stiffnesses and in what is remembered of
+forces.
 Chen, Liu, Yang, Yuksel 2024, "Vertex Block Descent", section 3. Forces are kept as impulses of a substep.
 """
 
@@ -65,13 +67,14 @@ from game.physics.solids.state import (
     W,
 )
 
-# columns of Scratch.points: gaps of both points when the substep began, their stiffnesses along normal and tangent
+# columns of Scratch.points: gaps of both points when the substep began, their stiffnesses along normal and
+# tangent
 GAP_0, STIFF_N, STIFF_T = 0, 2, 4
 
 
 @inner_kernel
 def count_touching(bodies, rows, joints, scratch):
-    """Which rows and joints each body takes part in: lists one after the other, in order of rows, then joints."""
+    """Which rows, then joints, each body takes part in: lists one after the other."""
     starts, touching = scratch.starts, scratch.touching
     n = bodies.flags.shape[0]
     for i in range(n + 1):
@@ -104,7 +107,8 @@ def count_touching(bodies, rows, joints, scratch):
 def aim(motion, scratch, h):
     """Where inertia and outer forces alone would bring each body: columns VX, VY, W of ``before``.
 
-    A body that may touch something begins on its way without the forces of this substep, so that what rests is
+    A body that may touch something begins on its way without the forces of this substep, so that what rests
+    is
     not shaken; any other is there already.
     """
     before = scratch.before
@@ -141,7 +145,7 @@ def friction_force(row, c, k, slid, scratch, h):
 
 @inner_kernel
 def add_contact(row, c, i, motion, scratch, ends, rule, system):
-    """Forces and stiffnesses of a row upon body i: system = (gradient 3, matrix 6), returned with them added."""
+    """Forces and stiffnesses of a row upon body i, added to system = (gradient 3, matrix 6)."""
     g0, g1, g2, k00, k01, k02, k11, k12, k22 = system
     h = rule[1]
     nx, ny = row[c, ROW_NX], row[c, ROW_NY]
@@ -149,9 +153,13 @@ def add_contact(row, c, i, motion, scratch, ends, rule, system):
     sign = 1.0 if is_b else -1.0
     for k in range(ends[c, END_POINTS]):
         at = ROW_POINT + k * ROW_POINT_WIDTH
-        cross, dot = (row[c, at + CROSS_B], row[c, at + DOT_B]) if is_b else (
-            row[c, at + CROSS_A],
-            row[c, at + DOT_A],
+        cross, dot = (
+            (row[c, at + CROSS_B], row[c, at + DOT_B])
+            if is_b
+            else (
+                row[c, at + CROSS_A],
+                row[c, at + DOT_A],
+            )
         )
         rounded = dot + (row[c, ROUND_B] if is_b else row[c, ROUND_A])
         turn = motion[i, DC] * cross - motion[i, DS] * rounded

@@ -1,6 +1,7 @@
 """Linear complementarity by pivoting: w = A z + q with w, z >= 0 and w . z = 0 (Lemke 1965).
 
-Lexicographic choice of the row that leaves, so that ties, which symmetric piles are full of, do not cycle. For
+Lexicographic choice of the row that leaves, so that ties, which symmetric piles are full of, do not cycle.
+For
 the matrices of contacts with friction (copositive) it ends in a solution (Anitescu and Potra 1997).
 """
 
@@ -64,7 +65,7 @@ def leaving_row(tableau, basis, column, cover):
 
 @lean_kernel
 def run_lemke(tableau, basis, most):
-    """Pivots on (I, -A, -1 | q), basis of w; how many there were, or ON_RAY or TOO_LONG. Columns: w, z, cover."""
+    """Pivots on (I, -A, -1 | q), columns w, z, cover; how many there were, or ON_RAY or TOO_LONG."""
     size = tableau.shape[0]
     last, cover = tableau.shape[1] - 1, 2 * size
     row = 0

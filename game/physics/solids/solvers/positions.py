@@ -65,7 +65,7 @@ def clear_impulses(rows):
 
 @inner_kernel
 def slide_now(row, c, at, a, b, motion, before):
-    """How far b's surface has slid along the tangent over a's since ``before``, m; to first order in turns."""
+    """How far b's surface has slid over a's since ``before``, m; to first order in turns."""
     nx, ny = row[c, ROW_NX], row[c, ROW_NY]
     dx = motion[b, DX] - before[b, DX] - motion[a, DX] + before[a, DX]
     dy = motion[b, DY] - before[b, DY] - motion[a, DY] + before[a, DY]

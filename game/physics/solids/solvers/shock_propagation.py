@@ -1,16 +1,24 @@
 """Contact and shock propagation: Guendelman, Bridson, Fedkiw 2003, "Nonconvex Rigid Bodies with Stacking".
 
-Order of integration (section 4): collisions, with restitution, of those that would meet by the velocities that
-they have; then forces into velocities; then contacts (section 6), which have no restitution; then places. So a
-block on a slope starts, slides and stops without hopping, and falling bodies do not bounce off their own weight.
-Contacts: sweeps of impulses, each by itself and with friction (section 5), restitution -0.9 at first and 0 at last, so
-that what presses most is slowed gently. Shock propagation (section 7): bodies in levels by how many contacts away from
-what cannot move they stand; level after level is swept once more, the level below as if it could not move. What
-still overlaps is pushed apart in the same order, in places only. Joints are held within the sweeps of contacts.
+Order of integration (section 4): collisions, with restitution, of those that would meet by the velocities
+that
+they have; then forces into velocities; then contacts (section 6), which have no restitution; then places. So
+a
+block on a slope starts, slides and stops without hopping, and falling bodies do not bounce off their own
+weight.
+Contacts: sweeps of impulses, each by itself and with friction (section 5), restitution -0.9 at first and 0
+at last, so
+that what presses most is slowed gently. Shock propagation (section 7): bodies in levels by how many contacts
+away from
+what cannot move they stand; level after level is swept once more, the level below as if it could not move.
+What
+still overlaps is pushed apart in the same order, in places only. Joints are held within the sweeps of
+contacts.
 
 Where we differ: the two points of a manifold are pushed together, so that columns do not lean to one side;
 contacts come from manifolds in the place of distance fields (convex parts stand for what is not
-convex), and a level is the least number of contacts from the ground, in the place of trial falls of single bodies.
+convex), and a level is the least number of contacts from the ground, in the place of trial falls of single
+bodies.
 
 What it cannot do: shock propagation hides weight from what is below, so a heavy box on a seesaw's end, or
 a plank that should tip by what stands on it, is held too well; nothing is remembered from step to step.
@@ -163,7 +171,7 @@ def push(row, c, at, motion, a, b, j, masses):
 
 @inner_kernel
 def asked(row, c, at, motion, a, b, keep, h):
-    """By how much a point closes faster than it may: what would overlap parts, or keeps so much of its speed."""
+    """By how much a point closes faster than it may; ``keep`` of that is left to later sweeps."""
     vn, _ = point_speeds(row, c, at, motion, a, b)
     over = vn + max(0.0, gap_now(row, c, at, motion, a, b)) / h
     return (1.0 - keep) * over if over < 0.0 else over
@@ -242,7 +250,9 @@ def push_apart(rows, motion, levels, highest, numbers):
                     over = -gap_now(row, c, at, motion, a, b) - numbers.slop
                     if over > 0.0:
                         knn, _, _ = coupled(row, c, at, masses)
-                        shift(row, c, at, motion, a, b, min(PART * over, numbers.h * numbers.push) / knn, masses)
+                        shift(
+                            row, c, at, motion, a, b, min(PART * over, numbers.h * numbers.push) / knn, masses
+                        )
 
 
 @inner_kernel

@@ -1,13 +1,17 @@
 """XPBD with small steps: places are predicted, then corrected until contacts and joints are kept.
 
-Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke, Müller 2019, "Small Steps in Physics Simulation", section 4;
+Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke, Müller 2019, "Small Steps in Physics Simulation", section
+4;
 rigid bodies by Müller, Macklin, Chentanez, Jeschke, Kim 2020, "Detailed Rigid Body Simulation with Extended
-Position Based Dynamics", section 3. A substep: forces, predicted places, ``iterations`` (one, as printed) sweeps of
-positions from impulses of zero, velocities from what was moved, and the speed taken out that parting an overlap
+Position Based Dynamics", section 3. A substep: forces, predicted places, ``iterations`` (one, as printed)
+sweeps of
+positions from impulses of zero, velocities from what was moved, and the speed taken out that parting an
+overlap
 gave. Friction is static and sliding in one: a correction within the cone of the normal one. Joints take
 their compliance as it is (section 3 of Macklin, Müller, Chentanez 2016), never more than a sweep a substep.
 
-What it cannot do: nothing is kept from substep to substep, so a column sinks, and joints stretch, as the square
+What it cannot do: nothing is kept from substep to substep, so a column sinks, and joints stretch, as the
+square
 of their number and of the substep: chains under heavy loads need very many substeps. Two points are solved
 together, as in `impulses`.
 """
@@ -19,7 +23,6 @@ import math
 from game.physics.kernels.lean import inner_kernel, lean_kernel
 from game.physics.solids.joints.layout import (
     DAMPING,
-    DRIVE,
     DRIVING,
     EQUAL,
     HERTZ,
