@@ -75,12 +75,11 @@ class SolidSettings:
     effects: of `SOLIDS`. solver: a name of `SOLVERS`. substeps: parts of a step. iterations: sweeps of a
     substep, by solvers that have them. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft
     contacts, at most a quarter of the substeps a second; contact_damping: of critical. joint_hertz,
-    joint_damping: of joints without a compliance of their own; 0: half as many as substeps a second. push:
-    m/s, fastest parting of what
-    overlaps. bounce: m/s, slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle:
-    of
-    it, how far two may move before their manifold is found again, 0 for always. slop: m. calm: m/s and
-    patience: s of sleep.
+    joint_damping: of joints without a compliance of their own; 0: half as many as substeps a second for
+    sweeps, stiff for the direct solve. joint_solver: direct (all joints at once) or sweeps. push: m/s,
+    fastest parting of what overlaps. bounce: m/s, slower impacts do not bounce. near: m, gap of a
+    contact that is prepared; recycle: of it, how far two may move before their manifold is found again, 0
+    for always. slop: m. calm: m/s and patience: s of sleep.
     """
 
     effects: EffectSet = USUAL

@@ -142,8 +142,7 @@ def card_house(settings: SolidSettings) -> float:
     """Steepest lean at which two cards stand, by bisection from 30 to 46 degrees.
 
     Moments about the foot of a card of length L with ends of radius r: L sin / 2 = mu (L cos + r): 39.018
-    degrees
-    (38.66, by tan = 2 mu, for cards without thickness).
+    degrees (38.66, by tan = 2 mu, for cards without thickness).
     """
     low, high = 30.0, 46.0
     for _ in range(7):
@@ -162,7 +161,8 @@ LAWS = {
             "Coulomb's law."),
         Law("slide-to-roll", "a disc slides, then rolls", "place after 1 s", "m", 1.0, slide_to_roll,
             "Coulomb's law, and rolling at two thirds of the speed.", 1),
-        Law("rolling", "a disc rolls down a slope", "place after 2 s", "m", 2.0, roll, "Two thirds of g sin.", 1),
+        Law("rolling", "a disc rolls down a slope", "place after 2 s", "m", 2.0, roll,
+            "Two thirds of g sin.", 1),
         Law("column", "a column of ten", "how far its top has moved", "m", 3.0, column_sinks,
             "Rigid boxes stay.", 20),
         Law("heavy-on-light", "1,000 kg upon three of 1 kg", "how far it has moved", "m", 2.0, heavy_on_light,

@@ -1,4 +1,4 @@
-"""Distance: a massless rod between two points, stiff or elastic by its compliance; with limits a telescope."""
+"""Distance: a massless rod between two points, stiff or elastic; with limits a telescope."""
 
 from __future__ import annotations
 

@@ -1,13 +1,10 @@
 """Geometric stiffness: what a joint's force does as its lever turns, where a substep is too long for it.
 
-A force f at a lever r turns back a body that turns, by r . f for each radian. A light link under a heavy load
-swings faster across its chain than substeps can follow (turns grow where h² r . f > 4 I), and the chain
-would tear
-itself apart. There, and only there, the body's inertia is raised to h² r . f, implicitly, so that it swings
-as
-fast as can be followed (Andrews, Teichmann, Kry 2017, "Geometric stiffness for real-time constrained
-multibody
-dynamics"). This takes energy from such swings, and never gives any.
+A force f at a lever r turns back a body that turns, by r . f for each radian. A light link under a heavy
+load swings faster across its chain than substeps can follow (turns grow where h² r . f > 4 I), and the
+chain would tear itself apart. There, and only there, the body's inertia is raised to h² r . f, implicitly,
+so that it swings as fast as can be followed (Andrews, Teichmann, Kry 2017, "Geometric stiffness for
+real-time constrained multibody dynamics"). This takes energy from such swings, and never gives any.
 """
 
 from __future__ import annotations

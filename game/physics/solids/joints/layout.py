@@ -30,16 +30,13 @@ COLLIDING, LIMITED, DRIVEN, BROKEN, JUST_BROKEN = 1, 2, 4, 8, 16
 ) = range(14)  # fmt: skip
 PARAMETERS = 14
 # lines of a joint, and columns of Joints.impulses (N s and N m s of the last substep): two along x and y (or
-# across
-# the axis, or along the rod), turning, drive, limits from below and above
+# across the axis, or along the rod), turning, drive, limits from below and above
 PULL_X, PULL_Y, TURN, DRIVE, LOW, HIGH = range(6)
 IMPULSES = 6
 # columns of Joints.rows: levers (world frame, of the step's beginning), offset of b's centre from a's,
-# inverse
-# masses; rate, mass and give of its spring (see `settings.soft`); angle of b against a beyond that at rest; a
-# slider's axis. OWN: 1 where the compliance is the joint's own. WITH_A: 0 where a has no part in it.
-# SUBSTEP: s, its
-# length; negative: switched off in this step
+# inverse masses; rate, mass and give of its spring (see `settings.soft`); angle of b against a beyond that at
+# rest; a slider's axis. OWN: 1 where the compliance is the joint's own. WITH_A: 0 where a has no part in it.
+# SUBSTEP: s, its length; negative: switched off in this step
 (
     JAX, JAY, JBX, JBY, OFFSET_X, OFFSET_Y, JIMA, JIIA, JIMB, JIIB, RATE, MASS, GIVE, TURNED,
     AXIS_NOW_X, AXIS_NOW_Y, OWN, WITH_A, SUBSTEP,

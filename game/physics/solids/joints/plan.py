@@ -2,8 +2,7 @@
 
 Joints are the unknowns, three lines at most each; two of them are coupled where they share a body that can
 move. Least degree first (Tinney and Walker 1967): a tree of bodies, as chains, bridges and rag dolls are,
-gets no
-block that was not there; a loop gets a few.
+gets no block that was not there; a loop gets a few.
 """
 
 from __future__ import annotations

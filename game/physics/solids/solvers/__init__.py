@@ -1,8 +1,8 @@
 """Solvers: each a file, all on one set of contacts and joints, chosen live by name from SOLVERS.
 
-The protocol. A solver is one ``lean_kernel`` ``solve(bodies, contacts, rows, joints, scratch,
-numbers)``, called once a step. It runs all ``numbers.substeps`` of ``numbers.h`` s. To add one: a file with
-that kernel, a line below.
+The protocol. A solver is one ``lean_kernel`` ``solve(bodies, contacts, rows, joints, scratch, numbers)``,
+called once a step. It runs all ``numbers.substeps`` of ``numbers.h`` s. To add one: a file with that
+kernel, a line below.
 
 Prepared before the call (`stepping.begin_step`):
 
@@ -11,30 +11,26 @@ Prepared before the call (`stepping.begin_step`):
   velocity; key-framed ones keep theirs. ``scratch.accelerations`` (n, 3), ``scratch.air`` (n, 3): see
   `motion.accelerate`, which a substep calls first; `motion.move` advances the places.
 - ``rows``: ``count[0]`` contacts. ``ends[c]``: body a, body b, points (1 or 2), pair. ``rows[c]``: normal
-  from a
-  to b, friction, whether one end cannot move, inverse masses and inertias (0 for what is not dynamic: write
-  velocities of both ends without asking), roundings ROUND_A/B, COUPLING of both points; from ROW_POINT on,
-  ROW_POINT_WIDTH each, the points: for levers r from both centres CROSS_A/B = r x n and DOT_A/B = r . n, SEP
-  the gap
-  when the step began, effective masses MASS_N, MASS_T, and the impulses JN, JT of the last substep of the
-  last
-  step (warm start; 0 for a new contact). The tangent is t = (ny, -nx), so r = DOT n + CROSS t and r x t =
-  -DOT.
-  The gap now is `impulses.gap_now`: rounding does not turn with a body, so discs roll without bumps.
-- ``rare[c]``: RESTITUTION, speeds APPROACH_0/1 of the gap before the step (negative: closing), MOST_0/1 = 0.
+  from a to b, friction, whether one end cannot move, inverse masses and inertias (0 for what is not
+  dynamic: write velocities of both ends without asking), roundings ROUND_A/B, COUPLING of both points; from
+  ROW_POINT on, ROW_POINT_WIDTH each, the points: for levers r from both centres CROSS_A/B = r x n and
+  DOT_A/B = r . n, SEP the gap when the step began, effective masses MASS_N, MASS_T, and the impulses JN, JT
+  of the last substep of the last step (warm start; 0 for a new contact). The tangent is t = (ny, -nx), so r
+  = DOT n + CROSS t and r x t = -DOT. The gap now is `impulses.gap_now`: rounding does not turn with a body,
+  so discs roll without bumps.
+- ``rare[c]``: RESTITUTION, speeds APPROACH_0/1 of the gap before the step (negative: closing), MOST_0/1 =
+  0.
 - ``joints``: see `joints.layout`: each is up to six lines, so a solver takes all kinds at once.
-  `lines.prepare_joints`
-  once; then, for solvers of velocities, in each substep `lines.start_joints_warm`, `geometric.steady_turns`
-  and
-  `direct.solve_joints`; solvers of positions read the lines that `lines.write_lines` makes of the places now.
+  `lines.prepare_joints` once; then, for solvers of velocities, in each substep `lines.start_joints_warm`,
+  `geometric.steady_turns` and `direct.solve_joints`; solvers of positions read the lines that
+  `lines.write_lines` makes of the places now.
 - ``contacts.manifolds``: numbers from STIFF on are a solver's own and stay with a pair from step to step.
 
 Expected after it: final velocities and places in ``scratch.motion``; JN, JT: impulses (N s) of the last
-substep,
-which come back as warm start (a solver that needs forces divides by h); MOST_0/1: the largest normal impulse
-of any substep (it makes events, and says that a point touched); joint impulses in ``joints.impulses``.
-Key-framed bodies must end with the velocity that they began with. Bounces: `impulses.bounce_contacts`.
-``bodies`` is read only: places of the beginning, ``inverse_masses``, ``flags``.
+substep, which come back as warm start (a solver that needs forces divides by h); MOST_0/1: the largest
+normal impulse of any substep (it makes events, and says that a point touched); joint impulses in
+``joints.impulses``. Key-framed bodies must end with the velocity that they began with. Bounces:
+`impulses.bounce_contacts`. ``bodies`` is read only: places of the beginning, ``inverse_masses``, ``flags``.
 """
 
 from __future__ import annotations

@@ -131,8 +131,8 @@ def solve_two(k11, k12, k22, r1, r2):
 def sweep_contacts(rows, motion, springs, pushing):
     """One sweep: normal impulses, then friction.
 
-    springs: rate, mass and give of overlap between two that move, and against what cannot; fastest push (m/s);
-    1/h. pushing: overlap drives bodies apart, else it is left.
+    springs: rate, mass and give of overlap between two that move, and against what cannot; fastest push
+    (m/s); 1/h. pushing: overlap drives bodies apart, else it is left.
     """
     row, ends, rare = rows.rows, rows.ends, rows.rare
     moving, fixed, push, over_h = springs

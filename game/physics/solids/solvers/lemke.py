@@ -1,8 +1,7 @@
 """Linear complementarity by pivoting: w = A z + q with w, z >= 0 and w . z = 0 (Lemke 1965).
 
 Lexicographic choice of the row that leaves, so that ties, which symmetric piles are full of, do not cycle.
-For
-the matrices of contacts with friction (copositive) it ends in a solution (Anitescu and Potra 1997).
+For the matrices of contacts with friction (copositive) it ends in a solution (Anitescu and Potra 1997).
 """
 
 from __future__ import annotations
