@@ -1,1 +1,1 @@
-"""Joints between two bodies, each kind a file: `layout` says what they are made of, `lines` how they are read."""
+"""Joints between two bodies, each kind a file: `layout` says what they are, `lines` how they are read."""
