@@ -94,7 +94,7 @@ def plan_joints(joints: Joints, moving: NDArray[np.bool_]) -> JointPlan:
     columns = [sorted(place[other] for other in later[k]) for k in order]
     starts = np.concatenate([[0], np.cumsum([len(rows) for rows in columns])]).astype(int).tolist()
     block = {(i, p): starts[p] + e for p, rows in enumerate(columns) for e, i in enumerate(rows)}
-    links = []
+    links: list[tuple[int, ...]] = []
     for body, group in at_body.items():
         for n, k in enumerate(group):
             for other in group[:n]:

@@ -72,7 +72,7 @@ def update_forces(rows, joints, scratch, rule):
         for k in range(rows.ends[c, END_POINTS]):
             at = ROW_POINT + k * ROW_POINT_WIDTH
             jn, _, slid = point_force(row, c, k, motion, scratch, rows.ends, rule)
-            jt, _ = friction_force(row, c, k, slid, scratch, h)
+            jt = friction_force(row, c, k, slid, scratch, h)[0]
             row[c, at + JN], row[c, at + JT] = jn, jt
     for k in range(joints.kinds.shape[0]):
         if joints.rows[k, SUBSTEP] < 0.0:

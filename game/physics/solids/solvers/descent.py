@@ -169,7 +169,7 @@ def add_contact(row, c, i, motion, scratch, ends, rule, system):
             k00, k01, k02 = k00 + stiff * nx * nx, k01 + stiff * nx * ny, k02 + stiff * nx * turn
             k11, k12 = k11 + stiff * ny * ny, k12 + stiff * ny * turn
             k22 += stiff * turn * turn + abs(f * rounded)
-        j, _ = friction_force(row, c, k, slid, scratch, h)
+        j = friction_force(row, c, k, slid, scratch, h)[0]
         if row[c, ROW_MU] > 0.0 and row[c, at + JN] > 0.0:
             f, stiff = sign * j / h, scratch.points[c, STIFF_T + k]
             tx, ty = ny, -nx

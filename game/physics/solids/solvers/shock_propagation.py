@@ -134,7 +134,7 @@ def masses_of(row, c):
 def collide(rows, motion, numbers):
     """Impacts with restitution, of what would overlap by the velocities that there are."""
     row, ends, rare = rows.rows, rows.ends, rows.rare
-    for _ in range(COLLISION_SWEEPS):
+    for _sweep in range(COLLISION_SWEEPS):
         for c in range(rows.count[0]):
             a, b = ends[c, END_A], ends[c, END_B]
             for k in range(ends[c, END_POINTS]):
@@ -232,7 +232,7 @@ def push_apart(rows, motion, levels, highest, numbers):
     """Overlap beyond the slop is taken out of places, level after level; velocities do not learn of it."""
     row, ends = rows.rows, rows.ends
     for level in range(1, highest + 1):
-        for _ in range(PUSHING_SWEEPS):
+        for _sweep in range(PUSHING_SWEEPS):
             for c in range(rows.count[0]):
                 a, b = ends[c, END_A], ends[c, END_B]
                 if max(levels[a], levels[b]) != level:
