@@ -4,11 +4,12 @@ contacts.
 
 from game.physics.solids.settings import TIERS, SolidSettings
 from game.physics.solids.shapes import Capsule, Chain, Disc, Material, Polygon, box
-from game.physics.solids.solvers import SOLVERS
+from game.physics.solids.solvers import SOLVERS, SUGGESTED
 from game.physics.solids.world import NotFiniteError, SolidState, SolidWorld
 
 __all__ = [
     "SOLVERS",
+    "SUGGESTED",
     "TIERS",
     "Capsule",
     "Chain",

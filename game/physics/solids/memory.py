@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, NO_JOINT, PARAMETERS, Joints
+from game.physics.solids.joints.layout import IMPULSES, JOINT_ROW, LINES, NO_JOINT, PARAMETERS, Joints
+from game.physics.solids.joints.plan import empty_plan
 from game.physics.solids.state import (
     MANIFOLD_WIDTH,
     MARKS_WIDTH,
     MOST_CORNERS,
     MOTION_WIDTH,
     NONE,
+    POINTS_WIDTH,
     RARE_WIDTH,
     ROW_WIDTH,
     Bodies,
@@ -42,7 +44,9 @@ POOL_COLUMNS = {"corners": Column(width=2), "normals": Column(width=2)}
 JOINT_COLUMNS = {
     "kinds": Column(_INT, empty=NO_JOINT), "flags": Column(_INT), "bodies": Column(_INT, 2),
     "anchors": Column(width=4), "parameters": Column(width=PARAMETERS), "impulses": Column(width=IMPULSES),
+    "stiffnesses": Column(width=IMPULSES), "starts": Column(width=IMPULSES),
     "rows": Column(width=JOINT_ROW, empty=-1.0),
+    "lines": Column(width=LINES),
 }  # fmt: skip
 
 
@@ -88,7 +92,7 @@ def rows_of(capacity: int) -> Rows:
     )
 
 
-def scratch_of(bodies: int, shapes: int, pairs: int) -> Scratch:
+def scratch_of(bodies: int, shapes: int, pairs: int, joints: int = 0) -> Scratch:
     """Memory for kernels that see so many slots and pairs."""
     buckets = 1 << max(4, (2 * shapes).bit_length())
     return Scratch(
@@ -109,6 +113,12 @@ def scratch_of(bodies: int, shapes: int, pairs: int) -> Scratch:
         colour_of=np.zeros(pairs, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
         fractions=np.ones(bodies),
+        plan=empty_plan(),
+        stiffness=np.zeros(bodies),
+        before=np.zeros((bodies, MOTION_WIDTH)),
+        starts=np.zeros(bodies + 1, dtype=_INT),
+        touching=np.zeros(2 * (pairs + joints), dtype=_INT),
+        points=np.zeros((pairs, POINTS_WIDTH)),
         begun=np.zeros((EVENTS, 2), dtype=_INT),
         begun_places=np.zeros((EVENTS, 5)),
         events=np.zeros(4, dtype=np.int64),

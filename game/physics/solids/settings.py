@@ -18,6 +18,8 @@ from game.physics.solids.effects import (
 )
 
 MOST_TURNS = 10_000
+JOINT_SOLVERS = ("direct", "sweeps")
+JOINT_RATE = 0.4  # part of a stiff joint's gap that a substep restores
 TIERS = {"play": 4, "teach": 12, "film": 24}  # substeps
 
 
@@ -41,6 +43,7 @@ class Numbers(NamedTuple):
     fixed_rate: float  # the same against what cannot move, which is twice as stiff in frequency
     fixed_mass: float
     fixed_give: float
+    direct_joints: bool  # all joints at once, where they have a plan
     joint_rate: float
     joint_mass: float
     joint_give: float
@@ -70,12 +73,13 @@ class SolidSettings:
     """What a step does. ValueError, naming the field, for nonsense; change it by `dataclasses.replace`.
 
     effects: of `SOLIDS`. solver: a name of `SOLVERS`. substeps: parts of a step. iterations: sweeps of a
-    substep. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft contacts, at most a quarter
-    of the substeps a second; 0: an eighth (a pyramid of 100 rows stands at that, at a quarter it does not).
-    contact_damping: of critical. joint_hertz, joint_damping: of joints without a compliance of their own;
-    hertz 0: an eighth of the substeps a second. push: m/s, fastest parting of what overlaps. bounce: m/s,
-    slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of it, how far two may
-    move before their manifold is found again, 0 for always. slop: m. calm: m/s and patience: s of sleep.
+    substep, by solvers that have them. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft
+    contacts, at most a quarter of the substeps a second; 0: an eighth (a pyramid of 100 rows stands at that,
+    at a quarter it does not); contact_damping: of critical. joint_hertz, joint_damping: of joints without a
+    compliance of their own; 0: half as many as substeps a second for sweeps, stiff for the direct solve.
+    joint_solver: direct (all joints at once) or sweeps. push: m/s, fastest parting of what overlaps. bounce:
+    m/s, slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of it, how far two
+    may move before their manifold is found again, 0 for always. slop: m. calm: m/s and patience: s of sleep.
     """
 
     effects: EffectSet = USUAL
@@ -89,6 +93,7 @@ class SolidSettings:
     contact_damping: float = 10.0
     joint_hertz: float = 0.0
     joint_damping: float = 2.0
+    joint_solver: str = "direct"
     push: float = 3.0
     bounce: float = 1.0
     near: float = 0.02
@@ -103,6 +108,10 @@ class SolidSettings:
             turns = getattr(self, name)
             if isinstance(turns, bool) or not isinstance(turns, int) or not 1 <= turns <= MOST_TURNS:
                 raise ValueError(f"{name} = {turns!r}: expected a whole number, 1 to {MOST_TURNS}")
+        if self.joint_solver not in JOINT_SOLVERS:
+            raise ValueError(
+                f"joint_solver = {self.joint_solver!r}: expected one of {', '.join(JOINT_SOLVERS)}"
+            )
         limits = {
             "drag": (0.0, 1e6),
             "spin_drag": (0.0, 1e6),
@@ -138,8 +147,14 @@ class SolidSettings:
             float(self.drag) if dragging else 0.0, float(self.spin_drag) if dragging else 0.0,
             float(self.near), float(self.recycle),
             *soft(hertz, self.contact_damping, h), *soft(2.0 * hertz, self.contact_damping, h),
-            *soft(self.joint_hertz or 0.125 / h, self.joint_damping, h),
+            self.joint_solver == "direct", *self._joint_spring(h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),
             1.0 if mask & FRICTION_BIT and mask & CONTACTS_BIT else 0.0,
             float(self.calm), float(self.patience),
         )  # fmt: skip
+
+    def _joint_spring(self, h: float) -> tuple[float, float, float]:
+        """Rate, mass and give of joints without a compliance of their own."""
+        if self.joint_hertz == 0.0 and self.joint_solver == "direct":
+            return JOINT_RATE / h, 1.0, 0.0
+        return soft(self.joint_hertz or 0.125 / h, self.joint_damping, h)

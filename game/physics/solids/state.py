@@ -15,6 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.solids.joints.plan import JointPlan
+
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 Longs = NDArray[np.int64]
@@ -33,7 +35,9 @@ IN_A_X, IN_A_Y, IN_B_X, IN_B_Y, GAP, NORMAL_IMPULSE, TANGENT_IMPULSE = range(7)
 POINT_WIDTH = 7
 # place of b's body in the frame of a's when the manifold was found, and the angle between them
 PLACE_X, PLACE_Y, PLACE_ANGLE = 16, 17, 18
-MANIFOLD_WIDTH = 19
+# stiffness N/m of both points along normal and tangent, that solvers by penalty have come to
+STIFF = 19
+MANIFOLD_WIDTH = 23
 # columns of Contacts.marks
 POINTS, FEATURE_0, FEATURE_1, TOUCHING, FOUND = range(5)
 MARKS_WIDTH = 5
@@ -120,6 +124,7 @@ ROW_WIDTH = 30
 # restitution, gap speeds before the step (negative: closing), largest impulses of any substep
 RESTITUTION, APPROACH_0, APPROACH_1, MOST_0, MOST_1 = range(5)
 RARE_WIDTH = 5
+POINTS_WIDTH = 8
 # columns of Rows.ends
 END_A, END_B, END_POINTS, END_PAIR = range(4)
 # columns of Motion: velocity, spin, what a body has moved since the step began, cosine and sine of what it
@@ -157,6 +162,12 @@ class Scratch(NamedTuple):
     colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
+    plan: JointPlan  # of the direct solve of joints
+    stiffness: Floats  # (n,) inverse inertias that joints see, 1/(kg m²)
+    before: Floats  # (n, MOTION_WIDTH) motion at the beginning of a substep
+    starts: Ints  # (n + 1,) of each body's part of touching
+    touching: Ints  # (2 (p + j),) rows of contacts, then -1 - joint, that a body takes part in
+    points: Floats  # (p, POINTS_WIDTH) both points' own numbers of a solver
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     begun_places: (
         # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step (negative:

@@ -18,12 +18,11 @@ from game.physics.solids.joints.layout import (
     BREAK_FORCE,
     BREAK_TORQUE,
     BROKEN,
+    JUST_BROKEN,
     NO_JOINT,
-    PULL_X,
-    PULL_Y,
     SUBSTEP,
-    TURN,
 )
+from game.physics.solids.joints.lines import joint_load
 from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
@@ -155,15 +154,15 @@ def keep_impulses(bodies, contacts, rows, scratch, dt):
 
 @inner_kernel
 def break_joints(joints, scratch, numbers):
-    """Mark joints that carried more than their breaking load."""
+    """Mark joints that carried more than their breaking load in the last substep."""
     for k in range(joints.kinds.shape[0]):
+        joints.flags[k] &= ~JUST_BROKEN
         if joints.kinds[k] == NO_JOINT or joints.flags[k] & BROKEN or joints.rows[k, SUBSTEP] < 0.0:
             continue
-        held = joints.impulses
-        force = math.sqrt(held[k, PULL_X] ** 2 + held[k, PULL_Y] ** 2) / numbers.h
-        torque = abs(held[k, TURN]) / numbers.h
-        if force > joints.parameters[k, BREAK_FORCE] or torque > joints.parameters[k, BREAK_TORQUE]:
-            joints.flags[k] |= BROKEN
+        force, torque = joint_load(joints, k)
+        most = numbers.h * joints.parameters[k, BREAK_FORCE], numbers.h * joints.parameters[k, BREAK_TORQUE]
+        if force > most[0] or torque > most[1]:
+            joints.flags[k] |= BROKEN | JUST_BROKEN
             scratch.events[SNAPPED] += 1
 
 

@@ -13,26 +13,24 @@ from numpy.typing import ArrayLike, NDArray
 from game.physics.solids import memory
 from game.physics.solids.joints.layout import (
     ANGLE,
-    BREAK_FORCE,
-    BREAK_TORQUE,
+    AXIS_X,
+    AXIS_Y,
     BROKEN,
     COLLIDING,
-    DAMPING,
-    HERTZ,
+    DRIVEN,
     JOINT_NAMES,
+    JUST_BROKEN,
     LENGTH,
-    LOWER,
     MOST,
     NO_JOINT,
-    PULL_X,
-    PULL_Y,
     SPEED,
     TARGET_X,
     TARGET_Y,
-    TURN,
-    UPPER,
     Joints,
 )
+from game.physics.solids.joints.lines import load_of
+from game.physics.solids.joints.options import FASTEST, JointOptions
+from game.physics.solids.joints.plan import plan_joints
 from game.physics.solids.outlines import LARGEST
 from game.physics.solids.settings import SolidSettings
 from game.physics.solids.shapes import (
@@ -70,7 +68,6 @@ from game.physics.solids.stepping import (
 
 Floats = NDArray[np.float64]
 KINDS = {"fixed": USED, "dynamic": USED | DYNAMIC, "key-framed": USED | KEY_FRAMED}
-FASTEST = 1e6  # m/s, rad/s
 
 
 class SolidState(NamedTuple):
@@ -132,6 +129,7 @@ class SolidWorld:
         self._settings = settings
         self.bodies.flags[self.ids()] |= WAKING
         self._numbers: Any = None
+        self._fitting = False
 
     def set(self, **changes: Any) -> None:
         """Change some of the settings. ValueError, naming the field, for nonsense."""
@@ -388,25 +386,15 @@ class SolidWorld:
         body_b: int,
         anchor_a: ArrayLike,
         anchor_b: ArrayLike | None = None,
-        *,
-        length: float | None = None,
-        limits: tuple[float, float] = (-math.inf, math.inf),
-        hertz: float = 0.0,
-        damping: float = 1.0,
-        speed: float = 0.0,
-        most: float = math.inf,
-        break_force: float = math.inf,
-        break_torque: float = math.inf,
-        colliding: bool = False,
+        **options: Any,
     ) -> int:
         """Join two bodies; the joint's id.
 
         kind: of JOINT_NAMES. anchors: points of the world, m, as the bodies stand now (anchor_b: where
         anchor_a
-        is). length m of a distance (None: as it is now). hertz Hz and damping (of critical): compliance, 0
-        for stiff. most: force N (or torque) of a mouse or motor. break_force N, break_torque N m. colliding:
-        the two also touch. ValueError: a body with itself, two that nothing moves, nonsense.
+        is). options: of `JointOptions`. ValueError: a body with itself, two that nothing moves, nonsense.
         """
+        given = JointOptions(**options)
         if kind not in JOINT_NAMES:
             raise ValueError(f"kind = {kind!r}: expected one of {', '.join(JOINT_NAMES)}")
         self._known(body_a)
@@ -419,19 +407,19 @@ class SolidWorld:
         b = a if anchor_b is None else checked_pair("anchor_b", anchor_b)
         slot = self._joints.take()
         rows = self.joints
-        rows.kinds[slot], rows.flags[slot] = JOINT_NAMES.index(kind), COLLIDING if colliding else 0
+        rows.kinds[slot] = JOINT_NAMES.index(kind)
         rows.bodies[slot] = body_a, body_b
+        try:
+            given.write(rows, slot)
+        except ValueError:
+            self._joints.release(slot)
+            raise
         rows.anchors[slot] = *self.local(body_a, a), *self.local(body_b, b)
         own = rows.parameters[slot]
         own[ANGLE] = self.bodies.angles[body_b] - self.bodies.angles[body_a]
-        own[LENGTH] = math.dist(a, b) if length is None else checked_number("length", length, 0.0, LARGEST)
-        own[LOWER], own[UPPER] = limits
-        own[HERTZ] = checked_number("hertz", hertz, 0.0, 1e6)
-        own[DAMPING] = checked_number("damping", damping, 0.0, 1e3)
-        own[SPEED] = checked_number("speed", speed, -FASTEST, FASTEST)
-        own[MOST] = checked_number("most", most, 0.0, math.inf)
-        own[BREAK_FORCE] = checked_number("break_force", break_force, 0.0, math.inf, above=True)
-        own[BREAK_TORQUE] = checked_number("break_torque", break_torque, 0.0, math.inf, above=True)
+        own[LENGTH] = math.dist(a, b) if given.length is None else given.length
+        (c, s), (x, y) = self.bodies.rotations[body_a].tolist(), given.direction()
+        own[AXIS_X], own[AXIS_Y] = c * x + s * y, c * y - s * x
         own[TARGET_X], own[TARGET_Y] = b
         self.wake(body_a)
         self.wake(body_b)
@@ -446,6 +434,22 @@ class SolidWorld:
         self._joints.release(joint)
         self._exclude()
 
+    def drive(self, joint: int, speed: float, most: float | None = None) -> None:
+        """Another speed (m/s, rad/s) of a joint that is driven, and most force or torque. ValueError."""
+        self._known_joint(joint)
+        if not self.joints.flags[joint] & DRIVEN:
+            raise ValueError(f"joint {joint}: it has no drive")
+        own = self.joints.parameters[joint]
+        own[SPEED] = checked_number("speed", speed, -FASTEST, FASTEST)
+        if most is not None:
+            own[MOST] = checked_number("most", most, 0.0, math.inf)
+        for body in self.joints.bodies[joint].tolist():
+            self.wake(body)
+
+    def joints_broken(self) -> NDArray[np.int64]:
+        """Ids of the joints that broke in the last step."""
+        return np.flatnonzero(self.joints.flags & JUST_BROKEN)
+
     def drag_to(self, joint: int, target: ArrayLike) -> None:
         """Where a mouse pulls to, m. ValueError."""
         self._known_joint(joint)
@@ -456,8 +460,9 @@ class SolidWorld:
     def joint_load(self, joint: int) -> tuple[float, float]:
         """Force N and torque N m that a joint carried in the last substep."""
         self._known_joint(joint)
-        held, h = self.joints.impulses[joint], self._numbers.h if self._numbers else 1.0
-        return float(math.hypot(held[PULL_X], held[PULL_Y]) / h), float(abs(held[TURN]) / h)
+        h = self._numbers.h if self._numbers else 1.0
+        force, torque = load_of(self.joints, joint)
+        return float(force / h), float(torque / h)
 
     def local(self, body: int, point: tuple[float, float]) -> tuple[float, float]:
         """A point of the world (m) in the frame of a body."""
@@ -472,7 +477,7 @@ class SolidWorld:
         shy = (rows.kinds != NO_JOINT) & (rows.flags & (COLLIDING | BROKEN) == 0)
         low, high = rows.bodies[shy].min(axis=1), rows.bodies[shy].max(axis=1)
         self._excluded = np.unique(low.astype(np.int64) << 32 | high)
-        self._stale = True
+        self._stale, self._fitting = True, False
 
     # ------------------------------------------------------------------ steps
 
@@ -487,7 +492,9 @@ class SolidWorld:
         if self._stale or not begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers):
             self._renew()
             begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
-        SOLVERS[self._settings.solver](self._bodies.rows, self._rows, joints, self._scratch, numbers)
+        SOLVERS[self._settings.solver](
+            self._bodies.rows, self._contacts, self._rows, joints, self._scratch, numbers
+        )
         finish_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
         self.time += dt
         self.steps += 1
@@ -519,7 +526,12 @@ class SolidWorld:
 
     def _fit(self) -> None:
         """Scratch memory that fits the tables."""
-        self._scratch = memory.scratch_of(self._bodies.top, self._shapes.top, len(self._contacts.shapes))
+        self._scratch = memory.scratch_of(
+            self._bodies.top, self._shapes.top, len(self._contacts.shapes), self._joints.top
+        )
+        if self._settings.joint_solver == "direct":
+            moving = self.bodies.flags & (DYNAMIC | KEY_FRAMED) != 0
+            self._scratch = self._scratch._replace(plan=plan_joints(self.joints, moving))
         self._fitting = True
 
     # ------------------------------------------------------------------ events, measures, state

@@ -1,3 +1,1 @@
-"""Joints between two bodies, each kind a file: see `layout` for what they are made of, `sweeps` for
-their use.
-"""
+"""Joints between two bodies, each kind a file: `layout` says what they are, `lines` how they are read."""

@@ -8,7 +8,9 @@ soft step takes out. Impacts bounce once, at the end of the step.
 from __future__ import annotations
 
 from game.physics.kernels.lean import inner_kernel, lean_kernel
-from game.physics.solids.joints.sweeps import prepare_joints, start_joints_warm, sweep_joints
+from game.physics.solids.joints.direct import solve_joints
+from game.physics.solids.joints.geometric import steady_turns
+from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
 from game.physics.solids.solvers.impulses import bounce_contacts, start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
 from game.physics.solids.state import END_POINTS, ROW_POINT, ROW_POINT_WIDTH, SEP
@@ -25,20 +27,21 @@ def leave_slop(rows, slop):
 
 
 @lean_kernel
-def solve_sequential_impulses(bodies, rows, joints, scratch, numbers):
+def solve_sequential_impulses(bodies, contacts, rows, joints, scratch, numbers):
     """All substeps of one step. See the package."""
     motion = scratch.motion
     rate = BAUMGARTE / numbers.h
     hard = (rate, 1.0, 0.0)
     springs = (hard, hard, numbers.push, 1.0 / numbers.h)
-    prepare_joints(bodies, joints, hard, numbers.h)
+    prepare_joints(bodies, joints, hard, numbers)
     leave_slop(rows, numbers.slop)
     for _ in range(numbers.substeps):
         accelerate(scratch, numbers)
         start_joints_warm(joints, motion)
+        steady_turns(bodies, joints, scratch, numbers.h)
         start_warm(rows, motion)
         for _ in range(numbers.iterations):
-            sweep_joints(joints, motion, True)
+            solve_joints(joints, scratch.plan, motion, True)
             sweep_contacts(rows, motion, springs, True, True)
         move(motion, numbers.h)
     bounce_contacts(rows, motion, numbers)

@@ -1,0 +1,1 @@
+"""Studies of solids: solver, substeps and sweeps against laws with known answers."""

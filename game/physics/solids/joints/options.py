@@ -1,0 +1,95 @@
+"""What a person says about a joint, checked."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from game.physics.solids.joints.layout import (
+    BREAK_FORCE,
+    BREAK_TORQUE,
+    COLLIDING,
+    DAMPING,
+    DISTANCE,
+    DRIVEN,
+    HERTZ,
+    LIMITED,
+    LOWER,
+    MOST,
+    MOTOR,
+    PIN,
+    SLIDER,
+    SPEED,
+    SPRING,
+    UPPER,
+    Joints,
+)
+from game.physics.solids.outlines import LARGEST
+from game.physics.solids.shapes import checked_number, checked_pair
+
+FASTEST = 1e6  # m/s, rad/s
+WITH_LIMITS = (PIN, SLIDER, MOTOR, DISTANCE, SPRING)
+
+
+@dataclass(frozen=True, slots=True)
+class JointOptions:
+    """Beside kind, bodies and anchors. ValueError, naming the field, for nonsense.
+
+    length: m, of a distance, rope or spring; None: as it is now. axis: of a slider, in the world, any
+    length but 0. limits: lower and upper, rad of a pin or motor (turn of b against a, from how they stand
+    now), m of a slider (from its anchors on), of a distance and a spring (its length). hertz Hz and damping
+    (of critical): compliance, by the masses of both bodies at the joint; 0: stiff; a spring needs one.
+    speed m/s or rad/s and most N or N m: drive of a motor, and of a pin or slider if either is given (speed
+    0: a brake); most is also the force of a mouse. break_force N, break_torque N m. colliding: the two
+    bodies also touch.
+    """
+
+    length: float | None = None
+    axis: tuple[float, float] = (1.0, 0.0)
+    limits: tuple[float, float] = (-math.inf, math.inf)
+    hertz: float = 0.0
+    damping: float = 1.0
+    speed: float = 0.0
+    most: float = math.inf
+    break_force: float = math.inf
+    break_torque: float = math.inf
+    colliding: bool = False
+
+    def __post_init__(self) -> None:
+        if self.length is not None:
+            checked_number("length", self.length, 0.0, LARGEST)
+        if not math.hypot(*checked_pair("axis", self.axis)) > 0.0:
+            raise ValueError(f"axis = {self.axis!r}: expected a direction")
+        try:
+            low, high = (float(limit) for limit in self.limits)
+        except (TypeError, ValueError):
+            raise ValueError(f"limits = {self.limits!r}: expected two numbers") from None
+        if not low <= high:
+            raise ValueError(f"limits = {self.limits!r}: expected lower, upper")
+        checked_number("hertz", self.hertz, 0.0, 1e6)
+        checked_number("damping", self.damping, 0.0, 1e3)
+        checked_number("speed", self.speed, -FASTEST, FASTEST)
+        checked_number("most", self.most, 0.0, math.inf)
+        checked_number("break_force", self.break_force, 0.0, math.inf, above=True)
+        checked_number("break_torque", self.break_torque, 0.0, math.inf, above=True)
+
+    def direction(self) -> tuple[float, float]:
+        """The axis, of length 1."""
+        x, y = self.axis
+        size = math.hypot(x, y)
+        return x / size, y / size
+
+    def write(self, joints: Joints, slot: int) -> None:
+        """Into the row of a joint whose kind stands there. ValueError for what its kind does not have."""
+        kind, own = int(joints.kinds[slot]), joints.parameters[slot]
+        limited = math.isfinite(self.limits[0]) or math.isfinite(self.limits[1])
+        if limited and kind not in WITH_LIMITS:
+            raise ValueError("limits: only a pin, slider, motor, distance or spring has them")
+        if kind == SPRING and not self.hertz > 0.0:
+            raise ValueError(f"hertz = {self.hertz!r}: expected above 0 for a spring")
+        driven = kind == MOTOR or (kind in (PIN, SLIDER) and (self.speed != 0.0 or math.isfinite(self.most)))
+        joints.flags[slot] = COLLIDING * self.colliding + LIMITED * limited + DRIVEN * driven
+        own[LOWER], own[UPPER] = self.limits
+        own[HERTZ], own[DAMPING] = self.hertz, self.damping
+        own[SPEED], own[MOST] = self.speed, self.most
+        own[BREAK_FORCE], own[BREAK_TORQUE] = self.break_force, self.break_torque

@@ -1,0 +1,225 @@
+"""XPBD with small steps: places are predicted, then corrected until contacts and joints are kept.
+
+Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke, Müller 2019, "Small Steps in Physics Simulation", section
+4; rigid bodies by Müller, Macklin, Chentanez, Jeschke, Kim 2020, "Detailed Rigid Body Simulation with
+Extended Position Based Dynamics", section 3. A substep: forces, predicted places, ``iterations`` (one, as
+printed) sweeps of positions from impulses of zero, velocities from what was moved, and the speed taken out
+that parting an overlap gave. Friction is static and sliding in one: a correction within the cone of the
+normal one. Joints take their compliance as it is (section 3 of Macklin, Müller, Chentanez 2016), never more
+than a sweep a substep.
+
+What it cannot do: nothing is kept from substep to substep, so a column sinks, and joints stretch, as the
+square of their number and of the substep: chains under heavy loads need very many substeps, and a box 1,000
+times heavier than the one below crushes it. Two points are solved together, as in `impulses`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel, lean_kernel
+from game.physics.solids.joints.layout import (
+    DAMPING,
+    DRIVING,
+    EQUAL,
+    HERTZ,
+    IMPULSES,
+    JIIA,
+    JIIB,
+    JIMA,
+    JIMB,
+    LA,
+    LB,
+    LINE,
+    LINE_GAP,
+    LINE_WIDTH,
+    MOST,
+    MOUSE,
+    OFF,
+    ONE_SIDED,
+    SPEED,
+    SUBSTEP,
+    UX,
+    UY,
+    WITH_A,
+)
+from game.physics.solids.joints.lines import prepare_joints, write_lines
+from game.physics.solids.joints.points import line_weight
+from game.physics.solids.solvers.impulses import bounce_contacts, gap_now, push_point, solve_two
+from game.physics.solids.solvers.motion import accelerate, move
+from game.physics.solids.solvers.positions import (
+    clear_impulses,
+    note_gaps,
+    remember,
+    shift_point,
+    slide_now,
+    turn_body,
+    velocities_from_places,
+)
+from game.physics.solids.state import (
+    COUPLING,
+    CROSS_A,
+    CROSS_B,
+    DA,
+    DX,
+    DY,
+    END_A,
+    END_B,
+    END_POINTS,
+    JN,
+    JT,
+    MASS_T,
+    MOST_0,
+    ROW_MU,
+    ROW_NX,
+    ROW_NY,
+    ROW_POINT,
+    ROW_POINT_WIDTH,
+    STIFF_N,
+    VX,
+    VY,
+    W,
+)
+
+SECOND = ROW_POINT + ROW_POINT_WIDTH
+
+
+@inner_kernel
+def sweep_places(rows, motion, scratch, parting):
+    """One sweep over contacts. parting: m, how much of an old overlap a substep may take away."""
+    row, ends, before = rows.rows, rows.ends, scratch.before
+    for c in range(rows.count[0]):
+        a, b = ends[c, END_A], ends[c, END_B]
+        at, second = ROW_POINT, SECOND
+        g1 = gap_now(row, c, at, motion, a, b) - min(0.0, scratch.points[c, 0] + parting)
+        n1 = row[c, at + JN]
+        if ends[c, END_POINTS] == 1:
+            shift_point(row, c, at, motion, a, b, max(n1 - g1 / row[c, at + STIFF_N], 0.0) - n1, 0.0)
+            row[c, at + JN] = max(n1 - g1 / row[c, at + STIFF_N], 0.0)
+        else:
+            g2 = gap_now(row, c, second, motion, a, b) - min(0.0, scratch.points[c, 1] + parting)
+            n2, k12 = row[c, second + JN], row[c, COUPLING]
+            k1, k2 = row[c, at + STIFF_N], row[c, second + STIFF_N]
+            j1, j2 = solve_two(k1, k12, k2, g1 - k1 * n1 - k12 * n2, g2 - k12 * n1 - k2 * n2)
+            row[c, at + JN], row[c, second + JN] = j1, j2
+            shift_point(row, c, at, motion, a, b, j1 - n1, 0.0)
+            shift_point(row, c, second, motion, a, b, j2 - n2, 0.0)
+        for k in range(ends[c, END_POINTS]):
+            at = ROW_POINT + k * ROW_POINT_WIDTH
+            most, old = row[c, ROW_MU] * row[c, at + JN], row[c, at + JT]
+            slid = slide_now(row, c, at, a, b, motion, before)
+            j = max(-most, min(most, old - row[c, at + MASS_T] * slid))
+            row[c, at + JT] = j
+            shift_point(row, c, at, motion, a, b, 0.0, j - old)
+
+
+@inner_kernel
+def line_shift(joints, k, at, motion, before):
+    """How far the line at column ``at`` of joint k has moved since ``before``, m or rad."""
+    a, b, line = joints.bodies[k, 0], joints.bodies[k, 1], joints.lines
+    shift = line[k, at + UX] * (motion[b, DX] - before[b, DX])
+    shift += line[k, at + UY] * (motion[b, DY] - before[b, DY])
+    shift += line[k, at + LB] * (motion[b, DA] - before[b, DA])
+    held = line[k, at + UX] * (motion[a, DX] - before[a, DX])
+    held += line[k, at + UY] * (motion[a, DY] - before[a, DY])
+    held += line[k, at + LA] * (motion[a, DA] - before[a, DA])
+    return shift - joints.rows[k, WITH_A] * held
+
+
+@inner_kernel
+def shift_line(joints, k, at, motion, j):
+    """Move both bodies of a joint by j along a line, kg m."""
+    a, b = joints.bodies[k, 0], joints.bodies[k, 1]
+    row, line = joints.rows, joints.lines
+    x, y = j * line[k, at + UX], j * line[k, at + UY]
+    motion[a, DX] -= row[k, JIMA] * x
+    motion[a, DY] -= row[k, JIMA] * y
+    motion[b, DX] += row[k, JIMB] * x
+    motion[b, DY] += row[k, JIMB] * y
+    turn_body(motion, a, -row[k, JIIA] * line[k, at + LA] * j)
+    turn_body(motion, b, row[k, JIIB] * line[k, at + LB] * j)
+
+
+@inner_kernel
+def correct_line(joints, k, slot, motion, before):
+    """The correction of one line, its compliance and bounds kept."""
+    at, h, held = slot * LINE_WIDTH, joints.rows[k, SUBSTEP], joints.impulses
+    kind, gap = joints.lines[k, at + LINE], joints.lines[k, at + LINE_GAP]
+    weight, give, damp, most = line_weight(joints, k, at), 0.0, 0.0, math.inf
+    shift = line_shift(joints, k, at, motion, before)
+    if kind == EQUAL and joints.parameters[k, HERTZ] > 0.0:
+        turn = 2.0 * math.pi * joints.parameters[k, HERTZ] * h
+        give, damp = weight / (turn * turn), 2.0 * joints.parameters[k, DAMPING] / turn
+    if kind == DRIVING:
+        gap = shift - h * joints.parameters[k, SPEED]
+    if kind == DRIVING or joints.kinds[k] == MOUSE:
+        most = h * h * joints.parameters[k, MOST]
+    j = held[k, slot] - (gap + give * held[k, slot] + damp * shift) / ((1.0 + damp) * weight + give)
+    j = max(0.0, j) if kind == ONE_SIDED else max(-most, min(most, j))
+    shift_line(joints, k, at, motion, j - held[k, slot])
+    held[k, slot] = j
+
+
+@inner_kernel
+def sweep_joint_places(joints, motion, before):
+    """One sweep over joints."""
+    for k in range(joints.kinds.shape[0]):
+        if joints.rows[k, SUBSTEP] < 0.0:
+            continue
+        for slot in range(IMPULSES):
+            write_lines(joints, k, motion)
+            if joints.lines[k, slot * LINE_WIDTH + LINE] != OFF:
+                correct_line(joints, k, slot, motion, before)
+
+
+@inner_kernel
+def scale_impulses(rows, joints, scratch, numbers):
+    """Impulses in N s; the speed that parting an overlap deeper than the slop gave is taken out.
+
+    Below the slop it stays: taken out point by point it would tip columns.
+    """
+    motion, h = scratch.motion, numbers.h
+    row, ends = rows.rows, rows.ends
+    for c in range(rows.count[0]):
+        a, b = ends[c, END_A], ends[c, END_B]
+        for k in range(ends[c, END_POINTS]):
+            at = ROW_POINT + k * ROW_POINT_WIDTH
+            row[c, at + JN] /= h
+            row[c, at + JT] /= h
+            rows.rare[c, MOST_0 + k] = max(rows.rare[c, MOST_0 + k], row[c, at + JN])
+            if row[c, at + JN] > 0.0 and scratch.points[c, k] < -numbers.slop:
+                speed = (motion[b, VX] - motion[a, VX]) * row[c, ROW_NX]
+                speed += (motion[b, VY] - motion[a, VY]) * row[c, ROW_NY]
+                speed += motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
+                push_point(row, c, at, motion, a, b, -max(0.0, speed) / row[c, at + STIFF_N], 0.0)
+    for k in range(joints.kinds.shape[0]):
+        for slot in range(IMPULSES):
+            joints.impulses[k, slot] /= h
+
+
+@inner_kernel
+def clear_joint_impulses(joints):
+    """A substep begins without impulses."""
+    for k in range(joints.kinds.shape[0]):
+        for slot in range(IMPULSES):
+            joints.impulses[k, slot] = 0.0
+
+
+@lean_kernel
+def solve_xpbd(bodies, contacts, rows, joints, scratch, numbers):
+    """All substeps of one step. See the package."""
+    motion, h = scratch.motion, numbers.h
+    prepare_joints(bodies, joints, (0.0, 1.0, 0.0), numbers)
+    for _ in range(numbers.substeps):
+        remember(motion, scratch.before)
+        note_gaps(rows, motion, scratch.points)
+        clear_impulses(rows)
+        clear_joint_impulses(joints)
+        accelerate(scratch, numbers)
+        move(motion, h)
+        for _ in range(numbers.iterations):
+            sweep_joint_places(joints, motion, scratch.before)
+            sweep_places(rows, motion, scratch, h * numbers.push)
+        velocities_from_places(bodies, motion, scratch.before, h)
+        scale_impulses(rows, joints, scratch, numbers)
+    bounce_contacts(rows, motion, numbers)

@@ -1,0 +1,52 @@
+"""Studies of solids: quick ones of each law, and what their settings mean."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from game.lab import run_study
+from game.lab.studies.solids.laws import LAWS
+from game.lab.studies.solids.race import STUDIES, USES, law_study, present_solver, race_study
+from game.physics.solids import SOLVERS
+
+
+def of(study, methods):
+    """The study with some of its methods' points."""
+    return replace(study, settings=lambda: [s for s in study.settings() if s.method in methods])
+
+
+@pytest.mark.parametrize("law", ["slope", "slide-to-roll", "rolling"])
+def test_substeps_divide_the_error_of_what_moves(law):
+    table = run_study(of(law_study(LAWS[law], 16), ("soft-step",)), repeats=1)
+    rows = sorted(table.of("soft-step"), key=lambda row: row.knob)
+    assert rows[-1].error < 0.2 * rows[0].error
+
+
+def test_the_referee_stands_where_sweeps_sink():
+    study = law_study(LAWS["heavy-on-light"], 1)
+    table = run_study(of(study, ("soft-step", "complementarity", "shock")), repeats=1)
+    errors = {row.method: row.error for row in table}
+    assert errors["complementarity"] < 1e-6
+    assert errors["shock"] < 1e-6
+    assert errors["soft-step"] > 0.1
+
+
+def test_two_rods_need_substeps_only():
+    table = run_study(of(law_study(LAWS["double-rod"], 32), ("soft-step", "impulses-sweeps")), repeats=1)
+    most = max(row.knob for row in table)
+    errors = {row.method: row.error for row in table if row.knob == most}
+    assert errors["soft-step"] < 0.2 * errors["impulses-sweeps"]
+
+
+def test_every_solver_takes_part_and_can_be_placed():
+    assert {use.solver for use in USES.values()} == set(SOLVERS)
+    assert len(race_study.family) == len(LAWS) == len(STUDIES) == 8
+    for name, use in USES.items():
+        assert present_solver(use.settings(16)).method == name
+    assert present_solver({"solver": "xpbd", "substeps": 3, "iterations": 2}).method == "present"
+
+
+def test_the_referee_is_not_asked_for_too_many_points():
+    assert "complementarity" not in {setting.method for setting in STUDIES["dominoes"].settings()}
