@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT
 from game.physics.particles.flight import decay_over, fly
 from game.physics.particles.forces import DRAG_BIT, SIDEWAYS_BITS, unpack_forces
@@ -23,7 +23,7 @@ from game.physics.particles.forces import DRAG_BIT, SIDEWAYS_BITS, unpack_forces
 BLOCK = 512  # particles; their four fields take 16 KiB, half of a first-level cache
 
 
-@kernel
+@lean_kernel
 def mark_near_disc(x, y, vx, vy, marks, solid, slack, h):
     """Mark each particle that may touch a disc within h (s): a superset, found without root or branch.
 
@@ -41,7 +41,7 @@ def mark_near_disc(x, y, vx, vy, marks, solid, slack, h):
         marks[i] |= dx * dx + dy * dy <= reach + stretch * (vx[i] * vx[i] + vy[i] * vy[i])
 
 
-@kernel
+@lean_kernel
 def mark_near_ground(y, vy, marks, lying, floor, slack, h):
     """Mark each particle that may be below the floor after h (s), but for those that lie on it already."""
     limit = floor + slack
@@ -50,7 +50,7 @@ def mark_near_ground(y, vy, marks, lying, floor, slack, h):
         marks[i] = (y[i] + min(h * vy[i], 0.0) <= limit) & (lying[i] == 0)
 
 
-@kernel
+@lean_kernel
 def keep_lying(y, vy, lying, floor):
     """Let those that lay on the floor lie on unless something has lifted them."""
     for i in range(y.shape[0]):
@@ -59,7 +59,7 @@ def keep_lying(y, vy, lying, floor):
         vy[i] = 0.0 if stays else vy[i]
 
 
-@kernel
+@lean_kernel
 def note_marked(x, y, vx, vy, marks, begin, listed, found):
     """Write state and index (``begin`` on) of marked particles from place ``found`` on; the next place."""
     hits, who = listed
@@ -87,7 +87,7 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
     """
     touches = mask & (OBSTACLES_BIT | GROUND_BIT)
 
-    @kernel
+    @lean_kernel
     def advance(fields, low, high, world, h, marks, listed, found):
         forces, solids, floor, slack = world
         law = unpack_forces(forces)
