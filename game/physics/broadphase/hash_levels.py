@@ -56,11 +56,10 @@ class Placed(NamedTuple):
 
 
 class Table(NamedTuple):
-    """A level's table, as its row of a layout has it, and its cells per m."""
+    """Where a level's table begins, its size - 1, the factor of its hash, and its cells per m."""
 
     offset: int
     mask: int
-    count: int
     factor: int
     scale: float
 
@@ -69,7 +68,7 @@ class Table(NamedTuple):
 def table_of(layout, scales, level):
     """The table of a level."""
     row = layout[level]
-    return Table(row[OFFSET], row[MASK], row[COUNT], row[FACTOR], scales[level])
+    return Table(row[OFFSET], row[MASK], row[FACTOR], scales[level])
 
 
 @kernel(inline="always", _nrt=False)

@@ -36,7 +36,7 @@ def search_level(ordered, start, table, keys, found, tests):
     is too short. ``tests``: (1,) added to.
     """
     order, sorted_boxes = ordered
-    offset, mask, _, factor, _ = table
+    offset, mask, factor, _ = table
     tested = 0
     for place in range(int(start[offset]), int(start[offset + mask + 1])):
         x0 = sorted_boxes[place, 0]
@@ -147,7 +147,7 @@ def run_over(sorted_boxes, start, fine, coarse, keys, found, tests):
     Where rows of one box share buckets, which is rare, the row of each box that is hit is compared. A row
     is shorter than the table, or the caller would have chosen ``look_up``. As ``search_level`` else.
     """
-    offset, mask, _, factor, scale = fine
+    offset, mask, factor, scale = fine
     tested = 0
     size = mask + 1
     for place in range(int(start[coarse.offset]), int(start[coarse.offset + coarse.mask + 1])):

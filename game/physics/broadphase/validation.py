@@ -58,7 +58,6 @@ def store_boxes(boxes, alive, ids, lowers, uppers):
     for i in range(len(ids)):
         box = ids[i]
         bad += box < 0 or box >= len(alive) or alive[box] == 0
-    for i in range(len(ids)):
         x0, y0, x1, y1 = lowers[i, 0], lowers[i, 1], uppers[i, 0], uppers[i, 1]
         bad += not ((x0 <= x1) & (y0 <= y1) & (max(x0, y0) < np.inf) & (min(x1, y1) > -np.inf))
     if bad > 0:
