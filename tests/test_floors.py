@@ -24,9 +24,9 @@ SCREENLESS = FLOORS[: FLOORS.index("ui")]
 MOST_MODULES = 20  # of a folder
 MOST_PARAMETERS = 9  # of a function, self not counted
 # Functions that take more: at most so many, and that may only shrink. What is left: kernels called from
-# Python for every shot or step, as tuples would cost more to pass than a short one to play; kernels of broad
-# phases and of the raster, all numbers; and declarations of which callers name what they need.
-MANY_PARAMETERS = 25
+# Python for every shot or step, as tuples would cost more to pass than a short one to play; kernels of
+# solids and of the raster, all numbers; and declarations of which callers name what they need.
+MANY_PARAMETERS = 20
 # The folders of a floor, from the ground up; those of one row are strangers to one another.
 FOLDERS = {
     "physics": (

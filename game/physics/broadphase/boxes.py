@@ -200,6 +200,10 @@ class BroadPhase:
 
     # -- for subclasses -----------------------------------------------------------------------------
 
+    def _store(self) -> tuple[Corners, NDArray[np.uint8], int]:
+        """The plain tuple of a ``Store``."""
+        return self.boxes, self.alive, self.top
+
     def _grow(self, capacity: int) -> None:
         """Make room for so many ids; subclasses grow their own arrays too."""
         self.boxes = grown(self.boxes, capacity)

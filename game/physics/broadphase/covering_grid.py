@@ -23,13 +23,15 @@ from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)
-def enter_cells(boxes, alive, top, geometry, columns, rows, start, entries):
+def enter_cells(store, matrix, start, entries):
     """Enter every box into all cells that it covers, by a counting sort. Returns the number of entries.
 
+    ``store``, ``matrix``: plain tuples of a `Store` and a `Matrix`.
     ``start``: (>= rows stride + 1,) written: first entry of each cell. ``entries``: (room,) ids, written
     if there is room for all of them.
     """
-    origin_x, origin_y, inverse = geometry[0], geometry[1], geometry[2]
+    boxes, alive, top = store
+    origin_x, origin_y, inverse, columns, rows = matrix
     last_column, last_row = columns - 1.0, rows - 1.0
     stride = columns + GUARD
     for cell in range(len(start)):
@@ -59,13 +61,13 @@ def enter_cells(boxes, alive, top, geometry, columns, rows, start, entries):
 
 
 @kernel(_nrt=False)
-def search_cells(boxes, geometry, columns, rows, start, entries, packed, keys, tests):
+def search_cells(boxes, matrix, start, entries, packed, keys, tests):
     """All pairs, each in its owner cell, as keys ``a << 32 | b``; returns their number.
 
     ``packed``: (boxes, 4) m, overwritten. ``tests``: (1,) box tests, written. Returns -1 if ``keys`` is too
     short.
     """
-    origin_x, origin_y, inverse = geometry[0], geometry[1], geometry[2]
+    origin_x, origin_y, inverse, columns, rows = matrix
     last_column, last_row = columns - 1.0, rows - 1.0
     stride = columns + GUARD
     found = 0
@@ -114,11 +116,11 @@ class CoveringGrid(UniformGrid):
         self._packed = np.empty((capacity, 4))
 
     def _find_pairs(self) -> Pairs:
-        grid = self._geometry, self.columns, self.rows, self._start
-        self.entries = enter_cells(self.boxes, self.alive, self.top, *grid, self._entries)
+        grid = self._matrix, self._start
+        self.entries = enter_cells(self._store(), *grid, self._entries)
         if self.entries > len(self._entries):
             self._entries = np.empty(2 * self.entries, dtype=np.int32)
-            enter_cells(self.boxes, self.alive, self.top, *grid, self._entries)
+            enter_cells(self._store(), *grid, self._entries)
         found = -1
         while found < 0:
             found = search_cells(

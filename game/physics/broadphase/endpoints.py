@@ -220,8 +220,9 @@ def keep_alive(values, codes, count, alive):
 
 
 @kernel(_nrt=False)
-def scan_end_points(boxes, codes, begin, end, last_is_upper, x0, y0, x1, y1, ids):
-    """Boxes that overlap the box given, m, among end points of one kind in a run; returns their number."""
+def scan_end_points(boxes, codes, begin, end, last_is_upper, wanted, ids):
+    """Boxes that overlap a closed one, x0 y0 x1 y1 m, among end points of one kind in a run; their number."""
+    x0, y0, x1, y1 = wanted
     found = 0
     for i in range(begin, end):
         if (codes[i] & UPPER > 0) != last_is_upper:

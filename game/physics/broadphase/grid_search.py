@@ -6,12 +6,39 @@ run of cells x - 1 .. x + 1 of a row never leaves the matrix. In the sorted boxe
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.broadphase.validation import Corners, Store
 from game.physics.kernels.jit import kernel
 
 GUARD = 2  # empty columns to the right: the run of cells x - 1 .. x + 1 never leaves the matrix
 PADDING = 8  # places after the sorted boxes that may be read but are never counted
 NEAR = 1  # cells: up to this reach the short search does
 ID_MASK = 0x7FFFFFFF
+
+
+class Matrix(NamedTuple):
+    """The cells of a uniform grid: where they begin, m, how many to a metre, and their numbers."""
+
+    x: float
+    y: float
+    scale: float
+    columns: int
+    rows: int
+
+
+class Sorted(NamedTuple):
+    """Boxes sorted by cell (or bucket): where each came from, and the boxes themselves.
+
+    ``order``: (places,) ``cell << 32 | id``. ``boxes``: (places, 4) m. Both have PADDING places more,
+    and in a hash table room for copies.
+    """
+
+    order: NDArray[np.int64]
+    boxes: Corners
 
 
 @kernel(inline="always", _nrt=False)
@@ -21,14 +48,15 @@ def cell_coordinate(x, origin, inverse, last):
 
 
 @kernel(_nrt=False)
-def place_boxes(boxes, alive, top, geometry, columns, rows, cells, start, reach):
+def place_boxes(store, matrix, cells, start, reach):
     """Find every box's cell and count the boxes of each.
 
-    ``boxes``: (capacity, 4) m. ``geometry``: (3,) origin x, origin y in m, cells per m. ``cells``:
-    (capacity,) written, -1 for ids not in use. ``start``: ((rows + 1) stride + 1,) written: boxes per cell.
+    ``store``, ``matrix``: a `Store` and a `Matrix`, or plain tuples of the same form. ``cells``: (capacity,)
+    written, -1 for ids not in use. ``start``: ((rows + 1) stride + 1,) written: boxes per cell.
     ``reach``: (2,) written: the greatest number of columns and rows between a box's two corners.
     """
-    origin_x, origin_y, inverse = geometry[0], geometry[1], geometry[2]
+    boxes, alive, top = store
+    origin_x, origin_y, inverse, columns, rows = matrix
     last_column, last_row = columns - 1.0, rows - 1.0
     stride = columns + GUARD
     reach_x = 0
@@ -51,12 +79,13 @@ def place_boxes(boxes, alive, top, geometry, columns, rows, cells, start, reach)
 
 
 @kernel(_nrt=False)
-def sort_by_cell(boxes, top, cells, start, order, sorted_boxes):
+def sort_by_cell(store, cells, start, ordered):
     """Counting sort of the boxes by cell; within a cell by id. Returns their number.
 
-    ``start``: boxes per cell; becomes the first place of each cell in ``order``. ``order``: (capacity +
-    padding,) written: ``cell << 32 | id``. ``sorted_boxes``: (capacity + padding, 4) m, written.
+    ``start``: boxes per cell; becomes the first place of each cell. ``ordered``: written.
     """
+    boxes, _, top = store
+    order, sorted_boxes = ordered
     total = 0
     for cell in range(len(start)):
         total += start[cell]
@@ -77,7 +106,7 @@ def sort_by_cell(boxes, top, cells, start, order, sorted_boxes):
 
 
 @kernel(_nrt=False)
-def search_near(sorted_boxes, order, count, start, stride, keys, tests):
+def search_near(ordered, count, start, stride, keys, tests):
     """All pairs, where no box reaches beyond the next cell: two runs of cells for each box.
 
     Half of a box's neighbourhood is enough: the rest of its own cell and the next in the row, and three
@@ -85,6 +114,7 @@ def search_near(sorted_boxes, order, count, start, stride, keys, tests):
     is too short. The first candidates of each run are tested without asking whether there are any: a
     pair is kept by adding 0 or 1, so that there is no branch to mispredict.
     """
+    order, sorted_boxes = ordered
     found = 0
     tested = 0
     for place in range(count):
@@ -140,13 +170,14 @@ def search_near(sorted_boxes, order, count, start, stride, keys, tests):
 
 
 @kernel(_nrt=False)
-def search_far(sorted_boxes, order, count, start, geometry, columns, rows, reach_x, keys, tests):
+def search_far(ordered, count, start, matrix, reach_x, keys, tests):
     """All pairs, for boxes that reach over any number of cells. As ``search_near`` else.
 
     A row's run begins ``reach_x`` columns before the box's own, where the widest box that could still
     touch it would have its lower corner.
     """
-    origin_x, origin_y, inverse = geometry[0], geometry[1], geometry[2]
+    sorted_boxes = ordered.boxes
+    origin_x, origin_y, inverse, columns, rows = matrix
     last_column, last_row = columns - 1.0, rows - 1.0
     stride = columns + GUARD
     found = 0
@@ -194,19 +225,19 @@ def name_pairs(keys, count, order):
 
 
 @kernel(_nrt=False)
-def find_pairs(boxes, alive, top, geometry, columns, rows, cells, start, order, sorted_boxes, keys, reach):
+def find_pairs(store, matrix, cells, start, ordered, keys, reach):
     """All overlapping pairs of ids as keys, unsorted; returns their number, or -1 if ``keys`` is too short.
 
-    ``reach``: (3,) written: reach in columns and rows, and the number of box tests.
+    ``store``, ``matrix``, ``ordered``: in plain tuples. ``reach``: (3,) written: reach in columns and rows,
+    and the number of box tests.
     """
-    place_boxes(boxes, alive, top, geometry, columns, rows, cells, start, reach)
-    count = sort_by_cell(boxes, top, cells, start, order, sorted_boxes)
+    store, matrix, ordered = Store(*store), Matrix(*matrix), Sorted(*ordered)
+    place_boxes(store, matrix, cells, start, reach)
+    count = sort_by_cell(store, cells, start, ordered)
     if reach[0] <= NEAR and reach[1] <= NEAR:
-        found = search_near(sorted_boxes, order, count, start, columns + GUARD, keys, reach[2:])
+        found = search_near(ordered, count, start, matrix.columns + GUARD, keys, reach[2:])
     else:
-        found = search_far(
-            sorted_boxes, order, count, start, geometry, columns, rows, reach[0], keys, reach[2:]
-        )
+        found = search_far(ordered, count, start, matrix, reach[0], keys, reach[2:])
     if found > 0:
-        name_pairs(keys, found, order)
+        name_pairs(keys, found, ordered.order)
     return found

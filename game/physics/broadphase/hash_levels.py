@@ -16,6 +16,10 @@ and no cell has to be compared.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.broadphase.grid_search import ID_MASK
 from game.physics.kernels.jit import kernel
@@ -31,6 +35,40 @@ GOLDEN = 0.6180339887498949
 GUARD = 2  # buckets after the last, copies of the first: a run of three never wraps
 # Columns of a layout: where a level's table begins, its size - 1, its boxes, and the factor of its hash.
 OFFSET, MASK, COUNT, FACTOR = 0, 1, 2, 3
+
+
+class Ladder(NamedTuple):
+    """Which levels there are: every ``step``-th one, and ``scales`` (64,): cells per m, 0 for the last."""
+
+    step: int
+    scales: NDArray[np.float64]
+
+
+class Placed(NamedTuple):
+    """Where boxes stand. ``levels``, ``buckets``: (capacity,) of each; ``layout``: (64, 4) of the tables;
+    ``start``: (all buckets,) boxes per bucket, and once they are sorted the first place of each.
+    """
+
+    levels: NDArray[np.int8]
+    layout: NDArray[np.int64]
+    buckets: NDArray[np.int32]
+    start: NDArray[np.int32]
+
+
+class Table(NamedTuple):
+    """Where a level's table begins, its size - 1, the factor of its hash, and its cells per m."""
+
+    offset: int
+    mask: int
+    factor: int
+    scale: float
+
+
+@kernel(inline="always", _nrt=False)
+def table_of(layout, scales, level):
+    """The table of a level."""
+    row = layout[level]
+    return Table(row[OFFSET], row[MASK], row[FACTOR], scales[level])
 
 
 @kernel(inline="always", _nrt=False)
@@ -68,8 +106,13 @@ def level_of(x0, y0, x1, y1, step, scales):
 
 
 @kernel(_nrt=False)
-def find_levels(boxes, alive, top, step, scales, levels, layout):
-    """Write every box's level, -1 for ids not in use, and the number of boxes of each into ``layout``."""
+def find_levels(store, ladder, levels, layout):
+    """Write every box's level, -1 for ids not in use, and the number of boxes of each into ``layout``.
+
+    ``store``, ``ladder``: a `Store` and a `Ladder`, or plain tuples of the same form.
+    """
+    boxes, alive, top = store
+    step, scales = ladder
     for level in range(LEVELS):
         layout[level, COUNT] = 0
     for box in range(top):
@@ -102,14 +145,17 @@ def lay_out(layout, spread):
 
 
 @kernel(_nrt=False)
-def place_boxes(boxes, alive, top, step, scales, levels, layout, buckets, start):
+def place_boxes(store, ladder, placed):
     """Find every box's level and bucket, and count the boxes of each.
 
-    ``levels``: (capacity,) read as a first guess, for few boxes change size, and written, -1 for ids not in
-    use. ``layout``: counts written. ``buckets``: (capacity,) and ``start``: (all buckets,) written: boxes
-    per bucket. Returns False if a level has no table, or one that is much too small or large now: then
-    only levels and counts are right.
+    ``store``, ``ladder``, ``placed``: a `Store`, a `Ladder` and a `Placed`, or plain tuples of the same form.
+    Of the last, levels are read as a first guess, for few boxes change size, and written, -1 for ids not in
+    use; written are the layout's counts, buckets, and boxes per bucket. Returns False if a level has no
+    table, or one that is much too small or large now: then only levels and counts are right.
     """
+    boxes, alive, top = store
+    step, scales = ladder
+    levels, layout, buckets, start = placed
     for level in range(LEVELS):
         layout[level, COUNT] = 0
     for bucket in range(len(start)):
@@ -156,13 +202,15 @@ def place_boxes(boxes, alive, top, step, scales, levels, layout, buckets, start)
 
 
 @kernel(_nrt=False)
-def sort_by_bucket(boxes, top, levels, layout, buckets, start, order, sorted_boxes):
+def sort_by_bucket(store, placed, ordered):
     """Counting sort of the boxes by level and bucket; within a bucket by id.
 
-    ``start``: boxes per bucket; becomes the first place of each. ``order``: (2 capacity + padding,)
-    written: ``bucket << 32 | id``; ``sorted_boxes``: (2 capacity + padding, 4) m, written. After a level's
-    boxes come copies of those in its first two buckets.
+    The boxes per bucket become the first place of each. ``ordered``: `Sorted` with twice the room, written.
+    After a level's boxes come copies of those in its first two buckets.
     """
+    boxes, _, top = store
+    levels, layout, buckets, start = placed
+    order, sorted_boxes = ordered
     total = 0
     for level in range(LEVELS):
         if layout[level, COUNT] == 0:

@@ -41,11 +41,13 @@ from game.physics.kernels.jit import kernel
 
 
 @kernel(_nrt=False)
-def walk_lists(boxes, scales, layout, heads, nexts, x0, y0, x1, y1, ids):
-    """Find all boxes that overlap the closed box given, m; returns their number. ``ids``: written, unsorted.
+def walk_lists(boxes, scales, layout, heads, nexts, wanted, ids):
+    """Find all boxes that overlap a closed one, x0 y0 x1 y1 m; returns their number.
 
     On each level either the cells are looked up, or, if there are fewer buckets than cells, all of them.
+    ``ids``: written, unsorted.
     """
+    x0, y0, x1, y1 = wanted
     found = 0
     for level in range(LEVELS):
         if layout[level, COUNT] == 0:
@@ -155,7 +157,7 @@ class HierarchicalGrid(BroadPhase):
         """For every id below ``top``: level (-1 if not in use), and (top, 2) lower corner of its cell, m."""
         levels = np.empty(self.top, dtype=np.int8)
         layout = np.empty_like(self._layout)
-        find_levels(self.boxes, self.alive, self.top, self._step, self._scales, levels, layout)
+        find_levels(self._store(), (self._step, self._scales), levels, layout)
         scales = self._scales[levels][:, None]
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             lower = np.floor(self.boxes[: self.top, :2] * scales) / scales
@@ -207,11 +209,11 @@ class HierarchicalGrid(BroadPhase):
         return offset + bucket_of(cell_at(x, scale), cell_at(y, scale), mask, factor)
 
     def _make_lists(self) -> None:
-        layout = self._list_layout
-        store = self.boxes, self.alive, self.top, self._step, self._scales, self._list_levels, layout
-        find_levels(*store)
+        layout, ladder = self._list_layout, (self._step, self._scales)
+        find_levels(self._store(), ladder, self._list_levels, layout)
         buckets = lay_out(layout, LIST_SPREAD)
-        place_boxes(*store, self._lists.cells, np.empty(buckets, dtype=np.int32))
+        placed = self._list_levels, layout, self._lists.cells, np.empty(buckets, dtype=np.int32)
+        place_boxes(self._store(), ladder, placed)
         self._lists.cells[: self.top][self.alive[: self.top] == 0] = -1
         self._lists.make(buckets, self.top)
 
@@ -219,8 +221,9 @@ class HierarchicalGrid(BroadPhase):
         found = -1
         while found < 0:
             found = find_pairs(
-                self.boxes, self.alive, self.top, self._step, self._scales, self._sort_levels, self._layout,
-                self._buckets, self._start, self._order, self._sorted, self._sorter.keys, self._tests,
+                self._store(), (self._step, self._scales),
+                (self._sort_levels, self._layout, self._buckets, self._start), (self._order, self._sorted),
+                self._sorter.keys, self._tests,
             )  # fmt: skip
             if found == -1:
                 self._sorter.grow(8 * self._count)
@@ -235,7 +238,7 @@ class HierarchicalGrid(BroadPhase):
         ids = np.empty(self._count, dtype=np.int64)
         found = walk_lists(
             self.boxes, self._scales, self._list_layout, self._lists.heads, self._lists.nexts,
-            x0, y0, x1, y1, ids,
+            (x0, y0, x1, y1), ids,
         )  # fmt: skip
         return np.sort(ids[:found], kind="stable")
 

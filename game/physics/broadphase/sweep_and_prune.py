@@ -270,7 +270,7 @@ class SweepAndPrune(BroadPhase):
         length, axis, upper = min(runs)
         begin, end = (count - length, count) if upper else (0, length)
         ids = np.empty(length, dtype=np.int64)
-        found = scan_end_points(self.boxes, self._codes[axis], begin, end, upper, x0, y0, x1, y1, ids)
+        found = scan_end_points(self.boxes, self._codes[axis], begin, end, upper, (x0, y0, x1, y1), ids)
         return np.sort(ids[:found], kind="stable")
 
     def memory(self) -> int:

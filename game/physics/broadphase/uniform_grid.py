@@ -29,6 +29,7 @@ from game.physics.broadphase.grid_search import (
     GUARD,
     ID_MASK,
     PADDING,
+    Matrix,
     cell_coordinate,
     find_pairs,
     place_boxes,
@@ -41,9 +42,10 @@ MAX_CELLS = 1 << 24  # 64 MB for each of the two arrays over cells
 
 
 @kernel(_nrt=False)
-def walk_lists(boxes, geometry, columns, rows, heads, nexts, reach, x0, y0, x1, y1, ids):
-    """Find the boxes that overlap the closed box given, m; returns their number. ``ids``: written."""
-    origin_x, origin_y, inverse = geometry[0], geometry[1], geometry[2]
+def walk_lists(boxes, matrix, heads, nexts, reach, wanted, ids):
+    """Find the boxes that overlap a closed one, x0 y0 x1 y1 m; returns their number. ``ids``: written."""
+    origin_x, origin_y, inverse, columns, rows = matrix
+    x0, y0, x1, y1 = wanted
     before = max(cell_coordinate(x0, origin_x, inverse, columns - 1.0) - reach[0], 0)
     after = cell_coordinate(x1, origin_x, inverse, columns - 1.0)
     below = max(cell_coordinate(y0, origin_y, inverse, rows - 1.0) - reach[1], 0)
@@ -90,7 +92,7 @@ class UniformGrid(BroadPhase):
         self.columns = max(across, 1)
         self.rows = max(up, 1)
         self.lower = (x0, y0)
-        self._geometry = np.array([x0, y0, 1.0 / self.cell])
+        self._matrix = tuple(Matrix(x0, y0, 1.0 / self.cell, self.columns, self.rows))
         self._reach = np.zeros(3, dtype=np.int64)
         cells = (self.rows + 1) * (self.columns + GUARD) + 1
         self._start: NDArray[np.int32] = np.zeros(cells, dtype=np.int32)
@@ -109,10 +111,10 @@ class UniformGrid(BroadPhase):
 
     def cell_of(self, x: float, y: float) -> tuple[int, int]:
         """Column and row of the cell of a point, m; border cells stand for all that is beyond them."""
-        origin_x, origin_y, inverse = self._geometry.tolist()
+        origin_x, origin_y, inverse, columns, rows = self._matrix
         return (
-            cell_coordinate(x, origin_x, inverse, self.columns - 1.0),
-            cell_coordinate(y, origin_y, inverse, self.rows - 1.0),
+            cell_coordinate(x, origin_x, inverse, columns - 1.0),
+            cell_coordinate(y, origin_y, inverse, rows - 1.0),
         )
 
     def visits(self, box: int) -> list[Visit]:
@@ -165,18 +167,15 @@ class UniformGrid(BroadPhase):
         self._lists.put(box, row * (self.columns + GUARD) + column)
 
     def _make_lists(self) -> None:
-        place_boxes(
-            self.boxes, self.alive, self.top, self._geometry, self.columns, self.rows,
-            self._lists.cells, self._start, self._reach,
-        )  # fmt: skip
+        place_boxes(self._store(), self._matrix, self._lists.cells, self._start, self._reach)
         self._lists.make(len(self._start), self.top)
 
     def _find_pairs(self) -> Pairs:
         found = -1
         while found < 0:
             found = find_pairs(
-                self.boxes, self.alive, self.top, self._geometry, self.columns, self.rows,
-                self._cells, self._start, self._order, self._sorted, self._sorter.keys, self._reach,
+                self._store(), self._matrix, self._cells, self._start, (self._order, self._sorted),
+                self._sorter.keys, self._reach,
             )  # fmt: skip
             if found < 0:
                 self._sorter.grow(8 * self._count)
@@ -188,8 +187,7 @@ class UniformGrid(BroadPhase):
             self._make_lists()
         ids = np.empty(self._count, dtype=np.int64)
         found = walk_lists(
-            self.boxes, self._geometry, self.columns, self.rows, self._lists.heads, self._lists.nexts,
-            self._reach, x0, y0, x1, y1, ids,
+            self.boxes, self._matrix, self._lists.heads, self._lists.nexts, self._reach, (x0, y0, x1, y1), ids
         )  # fmt: skip
         return np.sort(ids[:found], kind="stable")
 

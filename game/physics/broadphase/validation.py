@@ -6,7 +6,7 @@ no size; what is not a number is refused.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,18 @@ Pairs = NDArray[np.int64]
 Corners = NDArray[np.float64]
 
 MAX_BOXES = 1 << 30  # ids are kept as 32 bit integers, with one bit to spare for sweep and prune
+
+
+class Store(NamedTuple):
+    """Boxes by id, as kernels take them.
+
+    ``boxes``: (capacity, 4) m, rows x0 y0 x1 y1. ``alive``: (capacity,) 1 where an id is in use.
+    ``top``: above all ids in use.
+    """
+
+    boxes: Corners
+    alive: NDArray[np.uint8]
+    top: int
 
 
 @kernel(_nrt=False)
@@ -46,7 +58,6 @@ def store_boxes(boxes, alive, ids, lowers, uppers):
     for i in range(len(ids)):
         box = ids[i]
         bad += box < 0 or box >= len(alive) or alive[box] == 0
-    for i in range(len(ids)):
         x0, y0, x1, y1 = lowers[i, 0], lowers[i, 1], uppers[i, 0], uppers[i, 1]
         bad += not ((x0 <= x1) & (y0 <= y1) & (max(x0, y0) < np.inf) & (min(x1, y1) > -np.inf))
     if bad > 0:

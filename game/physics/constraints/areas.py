@@ -10,14 +10,14 @@ Arrays: x, y (n,) m; inverse_mass (n,) 1/kg; corners: indices of an outline, in 
 from __future__ import annotations
 
 from game.physics.constraints.links import PBD_EVEN, XPBD
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 # rows of the outlines' numbers: area at rest (m²), stiffness (0 to 1), compliance (m³/N), λ, 1 if whole
 AREA, STIFFNESS, COMPLIANCE, MULTIPLIER, INTACT = range(5)
 AREA_ROWS = 5
 
 
-@kernel
+@lean_kernel
 def outline_area(x, y, corners):
     """Signed area (m²) of a closed outline, counter-clockwise positive; (x, y) of a corner is the origin."""
     total = 0.0
@@ -31,14 +31,14 @@ def outline_area(x, y, corners):
     return 0.5 * total
 
 
-@kernel
+@lean_kernel
 def measure_areas(x, y, corners, starts, areas):
     """Write the signed areas (k,) m² of outlines; corners, starts (k + 1,): see `sweep_areas`."""
     for j in range(areas.shape[0]):
         areas[j] = outline_area(x, y, corners[starts[j] : starts[j + 1]])
 
 
-@kernel
+@lean_kernel
 def project_outline(x, y, inverse_mass, corners, correction):
     """Move the corners along the gradient of the area by ``correction`` (kg, as λ); x, y are written."""
     count = corners.shape[0]
@@ -59,7 +59,7 @@ def project_outline(x, y, inverse_mass, corners, correction):
         before_y = here_y
 
 
-@kernel
+@lean_kernel
 def gradient_weight(x, y, inverse_mass, corners):
     """Σ w_i |∂A/∂p_i|² of an outline."""
     total = 0.0
@@ -73,7 +73,7 @@ def gradient_weight(x, y, inverse_mass, corners):
     return total
 
 
-@kernel
+@lean_kernel
 def sweep_areas(model, x, y, inverse_mass, corners, starts, rows, sweeps, step):
     """One sweep over all outlines in turn; x, y (n,) m and the multipliers are written.
 

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints.links import TINY
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 Ints = NDArray[np.int64]
 
 
-@kernel
+@lean_kernel
 def root_of(parents, i):
     """The particle that stands for the body of particle i; paths are shortened on the way."""
     while parents[i] != i:
@@ -28,7 +28,7 @@ def root_of(parents, i):
     return i
 
 
-@kernel
+@lean_kernel
 def join_bodies(parents, pairs, corners, starts):
     """Write into parents (n,), each its own at first, who is held together by links and outlines."""
     for e in range(pairs.shape[0]):
@@ -49,7 +49,7 @@ def bodies_of(count: int, pairs: Ints, corners: Ints, outline_starts: Ints) -> t
     return members, np.concatenate(([0], changes, [count])).astype(np.int64)
 
 
-@kernel
+@lean_kernel
 def box_bodies(x, y, members, starts, boxes):
     """Write the axis-aligned boxes (4, b) m of bodies: left, bottom, right, top."""
     for b in range(starts.shape[0] - 1):
@@ -68,7 +68,7 @@ def box_bodies(x, y, members, starts, boxes):
         boxes[3, b] = top
 
 
-@kernel
+@lean_kernel
 def push_bodies_apart(x, y, w, members, starts, boxes, distance):
     """Move particles of different bodies that are nearer than ``distance`` (m) apart to it; x, y are written.
 
@@ -93,7 +93,7 @@ def push_bodies_apart(x, y, w, members, starts, boxes, distance):
                 push_from(i, x, y, w, members, starts[b], starts[b + 1], distance)
 
 
-@kernel
+@lean_kernel
 def push_from(i, x, y, w, members, begin, end, distance):
     """Move particle i and those of a body that are nearer than ``distance`` (m) apart to it."""
     for place in range(begin, end):

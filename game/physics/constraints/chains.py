@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.constraints.links import MULTIPLIER, REST, SOFTNESS, TINY, XPBD
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 DIAGONAL, OFF, RIGHT, NORMAL_X, NORMAL_Y = range(5)
 WORK_ROWS = 5
@@ -26,7 +26,7 @@ SINGULAR = (
 )
 
 
-@kernel
+@lean_kernel
 def solve_chain(model, x, y, inverse_mass, nodes, chain_links, net):
     """Project the links between consecutive ``nodes``; x, y and the multipliers are written.
 
@@ -78,7 +78,7 @@ def solve_chain(model, x, y, inverse_mass, nodes, chain_links, net):
         rows[MULTIPLIER, chain_links[i]] += work[RIGHT, i]
 
 
-@kernel
+@lean_kernel
 def solve_chains(model, x, y, inverse_mass, net):
     """`solve_chain` for each chain. A chain of c links takes c + 1 of ``nodes`` and c of ``chain_links``."""
     nodes, node_starts, chain_links = net.nodes, net.node_starts, net.chain_links

@@ -12,13 +12,13 @@ from __future__ import annotations
 import math
 
 from game.physics.constraints.links import TINY
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 AT_REST = 1e-9  # m/s; an approach as slow as this is rounding
 MOST_PASSES = 64  # over all pairs; a shock runs through a row of so many balls in the worst order
 
 
-@kernel
+@lean_kernel
 def bounce_pairs(now, w, fresh, pairs, distances, restitution, h):
     """Impulses between pairs (c, 2) that would touch within h (s); velocities and FRESH are written.
 
@@ -51,7 +51,7 @@ def bounce_pairs(now, w, fresh, pairs, distances, restitution, h):
             break
 
 
-@kernel
+@lean_kernel
 def push_apart(x, y, w, pairs, distances):
     """Move pairs that are nearer than their distance apart to it."""
     for j in range(pairs.shape[0]):

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 TINY = 1e-12  # m, length below which a link has no direction
 PBD, PBD_EVEN, XPBD = range(3)
@@ -29,7 +29,7 @@ REST, WEIGHT, SOFTNESS, MULTIPLIER = range(4)
 LINK_ROWS = 4
 
 
-@kernel
+@lean_kernel
 def prepare_links(w, net, stiffness, compliance, model, sweeps, relaxation, step):
     """Write WEIGHT and SOFTNESS for substeps whose compliance counts as α / step².
 
@@ -54,7 +54,7 @@ def prepare_links(w, net, stiffness, compliance, model, sweeps, relaxation, step
             rows[WEIGHT, e] = relaxation * k / mobility
 
 
-@kernel
+@lean_kernel
 def sweep_together(x, y, w, a, b, size, rest, weight):
     """One run, no particle twice: ends a, a + 1, ... and b, b + 1, ...; compiled to do several at once."""
     xa = x[a : a + size]
@@ -74,7 +74,7 @@ def sweep_together(x, y, w, a, b, size, rest, weight):
         yb[i] -= wb[i] * pull * dy
 
 
-@kernel
+@lean_kernel
 def sweep_in_turn(x, y, w, links, rest, weight):
     """Links one after the other."""
     for e in range(links.shape[0]):
@@ -91,7 +91,7 @@ def sweep_in_turn(x, y, w, links, rest, weight):
             y[b] -= w[b] * pull * dy
 
 
-@kernel
+@lean_kernel
 def sweep_soft_together(x, y, w, a, b, size, goal, weight):
     """One run with compliance; the multiplier is brought along. goal: rest, softness, multiplier."""
     rest, softness, multiplier = goal
@@ -114,7 +114,7 @@ def sweep_soft_together(x, y, w, a, b, size, goal, weight):
         yb[i] -= wb[i] * pull * dy
 
 
-@kernel
+@lean_kernel
 def sweep_soft_in_turn(x, y, w, links, rest, weight, softness, multiplier):
     """Links with compliance, one after the other."""
     for e in range(links.shape[0]):
@@ -133,7 +133,7 @@ def sweep_soft_in_turn(x, y, w, links, rest, weight, softness, multiplier):
             y[b] -= w[b] * pull * dy
 
 
-@kernel
+@lean_kernel
 def sweep_links(model, x, y, w, links, runs, rows):
     """One sweep over all links, run by run. x, y (n,) m and the multipliers are written; w (n,) 1/kg."""
     for r in range(runs.shape[0]):

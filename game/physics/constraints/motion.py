@@ -34,7 +34,7 @@ from game.physics.constraints.effects import (
 )
 from game.physics.constraints.links import MULTIPLIER, XPBD, sweep_links
 from game.physics.constraints.schemes import EULER, predict_bdf2, predict_euler, settle_bdf2, settle_euler
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 # rows of the particles' numbers: position (m), velocity (m/s), both of the step before, inverse mass (1/kg),
 # 1 if the step before does not count, and the positions that are being projected
@@ -88,7 +88,7 @@ class Network(NamedTuple):
     boxes: NDArray[np.float64]  # (4, b) m, scratch buffer
 
 
-@kernel
+@lean_kernel
 def limit_speeds(vx, vy, fresh, limit):
     """Slow down whoever is faster than ``limit`` (m/s), each particle by itself.
 
@@ -104,7 +104,7 @@ def limit_speeds(vx, vy, fresh, limit):
             fresh[i] = 1.0
 
 
-@kernel
+@lean_kernel
 def lift(py, inverse_mass, floor):
     """Push particles above the floor; the fixed ones are where they were put."""
     for i in range(py.shape[0]):
@@ -112,7 +112,7 @@ def lift(py, inverse_mass, floor):
             py[i] = max(py[i], floor)
 
 
-@kernel
+@lean_kernel
 def confine(px, inverse_mass, left, right):
     """Push particles between the walls; the fixed ones are where they were put."""
     for i in range(px.shape[0]):
@@ -120,7 +120,7 @@ def confine(px, inverse_mass, left, right):
             px[i] = min(max(px[i], left), right)
 
 
-@kernel
+@lean_kernel
 def carry_held(px, py, held, target, left, furthest):
     """Bring the particle that the hand holds nearer to the target: there in ``left`` substeps if it can."""
     dx = (target[0] - px[held]) / left
@@ -133,7 +133,7 @@ def carry_held(px, py, held, target, left, furthest):
     py[held] += dy
 
 
-@kernel
+@lean_kernel
 def project(motion, net, px, py, inverse_mass):
     """All sweeps of a substep. px, py (n,) m are written."""
     if motion.model == XPBD:
@@ -170,7 +170,7 @@ def project(motion, net, px, py, inverse_mass):
             confine(px, inverse_mass, motion.left, motion.right)
 
 
-@kernel
+@lean_kernel
 def advance(fields, count, motion, net, held, target):
     """One step of all substeps. fields (FIELD_ROWS, >= count) is written.
 

@@ -14,14 +14,14 @@ Arrays and tuples of them as in `motion`.
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 SCHEMES = ("euler", "bdf2")
 STRONG = 0.2  # damping per substep above which taking it from two velocities could overshoot
 EULER, BDF2 = range(2)
 
 
-@kernel
+@lean_kernel
 def predict_euler(now, inverse_mass, aim, h, fall, damping):
     """Where particles would be without constraints; the fixed ones stay."""
     x, y, vx, vy = now
@@ -33,7 +33,7 @@ def predict_euler(now, inverse_mass, aim, h, fall, damping):
         py[i] = y[i] + step * (keep * vy[i] - h * fall)
 
 
-@kernel
+@lean_kernel
 def predict_bdf2(now, before, inverse_mass, fresh, aim, h, fall, damping):
     """The same from two steps; from one where the step before does not count."""
     x, y, vx, vy = now
@@ -55,7 +55,7 @@ def predict_bdf2(now, before, inverse_mass, fresh, aim, h, fall, damping):
         py[i] = ey if fresh[i] > 0.0 else by
 
 
-@kernel
+@lean_kernel
 def settle_euler(now, aim, h):
     """Take over projected positions and the velocities that they mean."""
     x, y, vx, vy = now
@@ -67,7 +67,7 @@ def settle_euler(now, aim, h):
         y[i] = py[i]
 
 
-@kernel
+@lean_kernel
 def settle_bdf2(now, before, fresh, aim, h):
     """The same by the backward difference over two steps; the step before is kept."""
     x, y, vx, vy = now

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from game.physics.constraints.areas import INTACT
 from game.physics.constraints.links import REST, WEIGHT
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 
-@kernel
+@lean_kernel
 def tear(x, y, net, limit):
     """Break links longer than (1 + limit) times their length at rest; how many broke.
 
@@ -28,7 +28,7 @@ def tear(x, y, net, limit):
     return broken
 
 
-@kernel
+@lean_kernel
 def break_link(net, e):
     """Let link e (in the order of solving) hold no more."""
     net.torn[net.order[e]] = 1

@@ -166,7 +166,7 @@ def clip_vertex_to_edge(a, b, frame, feature_a, feature_b):
     return seen, feature_b, CLOSEST if seen == feature_a else MOVED_A
 
 
-@inner_kernel
+@inner_kernel(forceinline=True)  # a call would pass two polygons and a frame on the stack, for every step
 def step(pair, feature_a, feature_b):
     """One step of the walk: (feature of A, feature of B, verdict)."""
     a, b, frame = pair

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT
 from game.physics.particles.flight import decay_over, fly
 from game.physics.particles.forces import DRAG_BIT, SIDEWAYS_BITS, unpack_forces
@@ -23,7 +23,7 @@ from game.physics.particles.forces import DRAG_BIT, SIDEWAYS_BITS, unpack_forces
 BLOCK = 512  # particles; their four fields take 16 KiB, half of a first-level cache
 
 
-@kernel
+@lean_kernel
 def mark_near_disc(x, y, vx, vy, marks, solid, slack, h):
     """Mark each particle that may touch a disc within h (s): a superset, found without root or branch.
 
@@ -41,7 +41,7 @@ def mark_near_disc(x, y, vx, vy, marks, solid, slack, h):
         marks[i] |= dx * dx + dy * dy <= reach + stretch * (vx[i] * vx[i] + vy[i] * vy[i])
 
 
-@kernel
+@lean_kernel
 def mark_near_ground(y, vy, marks, lying, floor, slack, h):
     """Mark each particle that may be below the floor after h (s), but for those that lie on it already."""
     limit = floor + slack
@@ -50,16 +50,14 @@ def mark_near_ground(y, vy, marks, lying, floor, slack, h):
         marks[i] = (y[i] + min(h * vy[i], 0.0) <= limit) & (lying[i] == 0)
 
 
-@kernel
-def keep_lying(y, vy, lying, floor):
-    """Let those that lay on the floor lie on unless something has lifted them."""
-    for i in range(y.shape[0]):
-        stays = (lying[i] != 0) & (y[i] <= floor)
-        y[i] = floor if stays else y[i]
-        vy[i] = 0.0 if stays else vy[i]
+@lean_kernel(forceinline=True)
+def lie_on(lying, y, vy, floor):
+    """Height and vertical velocity after a flight: who lay on the floor lies on unless something lifted it."""
+    stays = (lying != 0) & (y <= floor)
+    return floor if stays else y, 0.0 if stays else vy
 
 
-@kernel
+@lean_kernel
 def note_marked(x, y, vx, vy, marks, begin, listed, found):
     """Write state and index (``begin`` on) of marked particles from place ``found`` on; the next place."""
     hits, who = listed
@@ -87,7 +85,7 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
     """
     touches = mask & (OBSTACLES_BIT | GROUND_BIT)
 
-    @kernel
+    @lean_kernel
     def advance(fields, low, high, world, h, marks, listed, found):
         forces, solids, floor, slack = world
         law = unpack_forces(forces)
@@ -101,9 +99,9 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
             y = fields[1][begin:end]
             vx = fields[2][begin:end]
             vy = fields[3][begin:end]
+            near = marks[0][: end - begin]
+            lying = marks[1][: end - begin]
             if touches:
-                near = marks[0][: end - begin]
-                lying = marks[1][: end - begin]
                 if mask & GROUND_BIT:
                     mark_near_ground(y, vy, near, lying, floor, slack, h)
                 else:
@@ -114,13 +112,13 @@ def make_advance(method: int, mask: int) -> Callable[..., Any]:
                 found = note_marked(x, y, vx, vy, near, begin, listed, found)
             for i in range(x.shape[0]):
                 x1, y1, ux, uy = fly(which, terms, law, decay, x[i], y[i], vx[i], vy[i], h)
+                if mask & GROUND_BIT:
+                    y1, uy = lie_on(lying[i], y1, uy, floor)
                 x[i] = x1
                 y[i] = y1
                 if mask & SIDEWAYS_BITS:
                     vx[i] = ux
                 vy[i] = uy
-            if mask & GROUND_BIT:
-                keep_lying(y, vy, marks[1][: end - begin], floor)
         return found
 
     return advance

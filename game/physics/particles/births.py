@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.encounters import (
     BORN,
@@ -39,14 +39,14 @@ IDENTITY_STEP = 1 << 40  # identity = emitter * IDENTITY_STEP + serial number; e
 SLACK = 2.0**-48  # relative: an instant that differs from a step's end by rounding only belongs to the step
 
 
-@kernel
+@lean_kernel
 def births_until(rate, carry, since, now):
     """Whole particles of one emitter from the setting of its rate (s) until now (s)."""
     phase = carry + rate * max(now - since, 0.0)
     return math.floor(phase + SLACK * (phase + rate * abs(now)))
 
 
-@kernel
+@lean_kernel
 def retire(mask, pool, listed, found, life, now, h):
     """Take those whose life (s) ends in this step from the ring's head; the next free place of the list.
 
@@ -76,7 +76,7 @@ def retire(mask, pool, listed, found, life, now, h):
     return found
 
 
-@kernel
+@lean_kernel
 def launch(emitter, seed, stream, serial, part, hits, entry):
     """Write where and how particle number ``serial`` of an emitter starts to the list.
 
@@ -95,7 +95,7 @@ def launch(emitter, seed, stream, serial, part, hits, entry):
     hits[3, entry] = speed * math.cos(direction)
 
 
-@kernel
+@lean_kernel
 def next_birth(emitters, counts, due):
     """The emitter whose next particle is born first, and when: (index or -1, instant in s)."""
     chosen = -1
@@ -110,7 +110,7 @@ def next_birth(emitters, counts, due):
     return chosen, first
 
 
-@kernel
+@lean_kernel
 def emit(mask, pool, sources, listed, found, life, now, h):
     """Give birth to all particles due in this step, in the order of their instants; the list's next place.
 

@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import GROUND_BIT, OBSTACLES_BIT
 from game.physics.particles.flight import EXPLICIT_EULER, fly_alone
 from game.physics.particles.forces import acceleration
@@ -45,7 +45,7 @@ class Rules(NamedTuple):
     h: float  # s, the whole step
 
 
-@kernel
+@lean_kernel
 def rest_speed(rules, restitution, push):
     """Speed (m/s) of approach below which there is no rebound, for an acceleration ``push`` into the surface.
 
@@ -59,7 +59,7 @@ def rest_speed(rules, restitution, push):
     return 2.0 * push * rules.h
 
 
-@kernel
+@lean_kernel
 def strike(rules, law, solids, j, particle, t, spring, impulses):
     """Newton's law at solid j for a particle on its surface, t (s) into the step: (vx, vy, impulse, stays).
 
@@ -83,7 +83,7 @@ def strike(rules, law, solids, j, particle, t, spring, impulses):
     return vx + change * nx, vy + change * ny, change, stays
 
 
-@kernel
+@lean_kernel
 def is_there(rules, solids, j):
     """Whether solid j (the floor comes last) is switched on."""
     if j == solids.shape[0]:
@@ -91,7 +91,7 @@ def is_there(rules, solids, j):
     return rules.mask & OBSTACLES_BIT != 0
 
 
-@kernel
+@lean_kernel
 def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
     """Put a particle that is inside or on solids on their surfaces and reflect it.
 
@@ -129,7 +129,7 @@ def push_out(rules, law, solids, x, y, vx, vy, t, impulses):
     return x, y, vx, vy, impulse, last, inside
 
 
-@kernel
+@lean_kernel
 def nearest_part(solids, j, x0, y0, x1, y1, t, left):
     """Part of a straight path, in [0, 1], at which it is nearest to the centre of disc j, and terms.
 
@@ -147,7 +147,7 @@ def nearest_part(solids, j, x0, y0, x1, y1, t, left):
     return min(along / length, 1.0), along, length, outside
 
 
-@kernel
+@lean_kernel
 def chord_time(rules, solids, j, x0, y0, x1, y1, t, left):
     """Flight time (s) at which the straight path of ``left`` (s) enters solid j; 2 left if it does not."""
     if j == solids.shape[0]:
@@ -159,7 +159,7 @@ def chord_time(rules, solids, j, x0, y0, x1, y1, t, left):
     return left * max(part, 0.0) if part <= 1.0 else 2.0 * left
 
 
-@kernel
+@lean_kernel
 def gap_after(rules, law, solids, j, particle, t, flown):
     """Distance (m) to solid j after a flight of ``flown`` (s) that begins t (s) into the step."""
     x, y, vx, vy = particle
@@ -167,7 +167,7 @@ def gap_after(rules, law, solids, j, particle, t, flown):
     return surface(solids, j, rules.floor, x1, y1, t + flown)[0]
 
 
-@kernel
+@lean_kernel
 def root_time(rules, law, solids, j, particle, x1, y1, t, left):
     """Flight time (s) at which the step map enters solid j; 2 left if it does not.
 
@@ -205,7 +205,7 @@ def root_time(rules, law, solids, j, particle, x1, y1, t, left):
     return low
 
 
-@kernel
+@lean_kernel
 def first_contact(rules, law, solids, particle, x1, y1, t, left):
     """The first solid on the path of a particle to (x1, y1): (index or -1, flight time in s until then).
 
@@ -237,7 +237,7 @@ def first_contact(rules, law, solids, particle, x1, y1, t, left):
     return which, earliest
 
 
-@kernel
+@lean_kernel(forceinline=True)  # into the loop over the list: a third of that loop's time
 def fly_among_solids(rules, law, solids, particle, t, left, impulses):
     """Flight of ``left`` (s), begun t (s) into the step, with what it meets on its path.
 

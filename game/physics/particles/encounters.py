@@ -11,7 +11,7 @@ Tuples of arrays: pool and listed as in `births`.
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.contacts import fly_among_solids
 from game.physics.particles.effects import REPORTS_BIT
 from game.physics.particles.forces import unpack_forces
@@ -28,7 +28,7 @@ REPORT_COLUMNS = 8
 DEATH, IMPACT = 0.0, 1.0
 
 
-@kernel
+@lean_kernel
 def report(reports, tallies, kind, identity, instant, particle, amount):
     """Add a line to the reports of this step; what does not fit is counted."""
     line = tallies[REPORTED]
@@ -44,7 +44,7 @@ def report(reports, tallies, kind, identity, instant, particle, amount):
     tallies[REPORTED] = line + 1
 
 
-@kernel
+@lean_kernel
 def resolve_encounters(rules, pool, listed, found, forces, solids, now, impulses, reports):
     """Fly the first ``found`` of the list among the solids and write what becomes of them.
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.forces import (
     AIR_BITS,
     DRAG_BIT,
@@ -48,7 +48,7 @@ class Decay(NamedTuple):
     drift: float  # s², (h - reach) / k
 
 
-@kernel
+@lean_kernel
 def decay_over(drag, h):
     """The `Decay` of a drag k (1/s) over h (s), by a series where k h is small."""
     z = drag * h
@@ -60,14 +60,14 @@ def decay_over(drag, h):
     return Decay(math.exp(-z), reach, (h - reach) / drag)
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def explicit_euler(mask, forces, x, y, vx, vy, h):
     """Both from the old state (Euler 1768). Like all steppers here: m and m/s after h s, as four numbers."""
     ax, ay = acceleration(mask, forces, x, y, vx, vy)
     return x + h * vx, y + h * vy, vx + h * ax, vy + h * ay
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def semi_implicit_euler(mask, forces, x, y, vx, vy, h):
     """Velocity first, position with the new velocity; symplectic without drag."""
     ax, ay = acceleration(mask, forces, x, y, vx, vy)
@@ -76,7 +76,7 @@ def semi_implicit_euler(mask, forces, x, y, vx, vy, h):
     return x + h * ux, y + h * uy, ux, uy
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def midpoint(mask, forces, x, y, vx, vy, h):
     """Slope in the middle, reached by half an Euler step (Runge 1895)."""
     half = 0.5 * h
@@ -87,7 +87,7 @@ def midpoint(mask, forces, x, y, vx, vy, h):
     return x + h * ux, y + h * uy, vx + h * bx, vy + h * by
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def velocity_verlet(mask, forces, x, y, vx, vy, h):
     """Drag at the new point is taken with the predicted velocity v + h a."""
     half = 0.5 * h
@@ -98,7 +98,7 @@ def velocity_verlet(mask, forces, x, y, vx, vy, h):
     return x1, y1, vx + half * (ax + bx), vy + half * (ay + by)
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def stormer_verlet(mask, forces, x, y, vx, vy, h):
     """Central differences, x₋₁ = x₀ - v₀ h + a₀ h²/2; drag at the new point solved for exactly.
 
@@ -128,7 +128,7 @@ def stormer_verlet(mask, forces, x, y, vx, vy, h):
     return x1, y1, ux, uy
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def runge_kutta_4(mask, forces, x, y, vx, vy, h):
     """The classical method of fourth order (Kutta 1901)."""
     half = 0.5 * h
@@ -151,7 +151,7 @@ def runge_kutta_4(mask, forces, x, y, vx, vy, h):
     )
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def exponential(mask, forces, decay, x, y, vx, vy, h):
     """Linear drag solved exactly; quadratic drag, exact by itself, half before and half after (Strang).
 
@@ -182,7 +182,7 @@ def exponential(mask, forces, decay, x, y, vx, vy, h):
     return x1, y1, wx + rx, wy + ry
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def fly(method, mask, forces, decay, x, y, vx, vy, h):
     """Position and velocity after h (s) of free flight: (x, y, vx, vy)."""
     if method == EXPLICIT_EULER:
@@ -200,7 +200,7 @@ def fly(method, mask, forces, decay, x, y, vx, vy, h):
     return exponential(mask, forces, decay, x, y, vx, vy, h)
 
 
-@kernel
+@lean_kernel
 def fly_alone(method, mask, forces, x, y, vx, vy, h):
     """`fly` for one particle with any method and mask, not specialised."""
     decay = Decay(1.0, h, 0.5 * h * h)

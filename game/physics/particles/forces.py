@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 from game.physics.particles.effects import (
     ATTRACTOR_BIT,
     DRAG_BIT,
@@ -43,7 +43,7 @@ class Forces(NamedTuple):
     pull: float  # s², 1/s²: square of the angular frequency about the centre
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def air_velocity(mask, forces, x, y):
     """Velocity (m/s) of the air at a point: wind, and a Kaufmann (Scully) vortex, strength r/(r² + core²)."""
     wx = 0.0
@@ -60,7 +60,7 @@ def air_velocity(mask, forces, x, y):
     return wx, wy
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def field_acceleration(mask, forces, x, y):
     """Acceleration (m/s²) by all that does not depend on the velocity: gravity and the pull."""
     ax = 0.0
@@ -73,7 +73,7 @@ def field_acceleration(mask, forces, x, y):
     return ax, ay
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def acceleration(mask, forces, x, y, vx, vy):
     """Acceleration (m/s²) of a particle at a point with a velocity."""
     ax, ay = field_acceleration(mask, forces, x, y)
@@ -91,7 +91,7 @@ def acceleration(mask, forces, x, y, vx, vy):
     return ax, ay
 
 
-@kernel(forceinline=True)
+@lean_kernel(forceinline=True)
 def unpack_forces(row):
     """`Forces` from its row of numbers."""
     return Forces(

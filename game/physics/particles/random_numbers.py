@@ -7,14 +7,14 @@ words kept in 64-bit integers: nothing overflows, compiled or not.
 
 from __future__ import annotations
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 WORD = 0xFFFFFFFF
 PARITY = 0x1BD11BDA
 UNIT = 2.0**-32
 
 
-@kernel
+@lean_kernel
 def mix_four(a, b, r0, r1, r2, r3):
     """Four rounds: a sum, then the second word rotated to the left and crossed with the first."""
     a = (a + b) & WORD
@@ -28,7 +28,7 @@ def mix_four(a, b, r0, r1, r2, r3):
     return a, b
 
 
-@kernel
+@lean_kernel
 def threefry(key_a, key_b, counter_a, counter_b):
     """Two 32-bit words from two of key and two of counter."""
     key_c = key_a ^ key_b ^ PARITY
@@ -50,7 +50,7 @@ def threefry(key_a, key_b, counter_a, counter_b):
     return (a + key_c) & WORD, (b + key_a + 5) & WORD
 
 
-@kernel
+@lean_kernel
 def uniform_pair(seed, stream, index):
     """Two numbers in (0, 1), the same for the same three integers, 0 or more and below 2**62.
 

@@ -10,14 +10,14 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import lean_kernel
 
 X, Y, RADIUS, VELOCITY_X, VELOCITY_Y, RESTITUTION = range(6)
 COLUMNS = 6
 LARGEST = 1e6  # m; radii and coordinates above this lose millimetres of the root's accuracy
 
 
-@kernel
+@lean_kernel
 def surface(solids, j, floor, x, y, t):
     """Distance (m, negative inside) and outward normal (gap, nx, ny) of solid j as it is t (s) into the step.
 
@@ -33,7 +33,7 @@ def surface(solids, j, floor, x, y, t):
     return distance - solids[j, 2], dx / distance, dy / distance
 
 
-@kernel
+@lean_kernel
 def surface_velocity(solids, j):
     """Velocity (m/s) of solid j, 0 for the floor."""
     if j == solids.shape[0]:
@@ -41,7 +41,7 @@ def surface_velocity(solids, j):
     return solids[j, 3], solids[j, 4]
 
 
-@kernel
+@lean_kernel
 def sample_discs(points, solids, distances, normals, velocities):
     """Nearest surface of any disc to each point: written to ``distances``, ``normals``, ``velocities``."""
     for i in range(points.shape[0]):
