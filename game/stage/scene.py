@@ -35,6 +35,7 @@ from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
     from game.lab import Study
+    from game.stage.story.lines import Story
 
 
 class Scene:
@@ -65,6 +66,7 @@ class Scene:
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
     play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
+    stories: ClassVar[tuple[Story, ...]] = ()  # beside those in files
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
 
     def __init_subclass__(cls) -> None:
@@ -290,6 +292,12 @@ class Scene:
     def frame(self) -> Frame:
         """The part of the world to show."""
         return Frame(-1.0, -1.0, 1.0, 1.0)
+
+    def story_targets(self) -> Mapping[str, tuple[float, float]]:
+        """Places (x, y) that a story may name, where they are now: what moves and what stays; no part of the
+        state. All that can be named is there from the beginning.
+        """
+        return {}
 
     def readouts(self) -> Sequence[Readout]:
         """Measured values; the first is shown in the top bar, those named in strips are charted."""

@@ -136,7 +136,7 @@ class Session:
         """Let a checked event act now. ParameterError if the scene refuses it; then nothing has changed."""
         if self.timeline.has_future:
             held = self.timeline.held()
-            self._give_up_future()
+            self.forget_future()
             if held is not None and not _goes_on(event):
                 # the hand let go in a future that is given up; a drag would stick to the pointer
                 self._try(Pointer("cancel", held.x, held.y))
@@ -195,7 +195,7 @@ class Session:
         while (event := self.timeline.due(self.step)) is not None:
             self._act(event)
 
-    def _give_up_future(self) -> None:
+    def forget_future(self) -> None:
         """Drop all that was remembered of later steps."""
         self.timeline.drop_future()
         self._ring.forget_after(self.step)
@@ -213,6 +213,17 @@ class Session:
         self._return_to(self.step - 1)
         self._repeating = self.timeline.has_future
         return True
+
+    def return_to(self, step: int, events: int | None = None) -> None:
+        """Stand at an earlier step, from `first_step` on, as it was; what came later is forgotten.
+
+        ``events``: only so many since the beginning have acted then.
+        """
+        self.fault = None
+        if events is not None:
+            self.timeline.drop_from(events)
+        self._return_to(step)
+        self.forget_future()
 
     def _return_to(self, step: int) -> None:
         """Stand at an earlier step, or at this one as it was before an event that failed."""
@@ -266,7 +277,7 @@ class Session:
         except Exception:  # what fails did so earlier, unseen: the last snapshot itself is good
             with suppress(Exception):  # a scene that cannot even be restored stays as it is, stopped
                 self._put_back(self._ring.before(good_step))
-            self._give_up_future()
+            self.forget_future()
         self.fault = fault_at(step, quantity, error)
 
     # -- remembering --------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, Protocol
 
 from game.levels import Level, LevelError, format_level
 from game.physics.effects import EffectSet
@@ -29,8 +29,18 @@ NEWEST = 1.0 - 2.0**-53  # alpha that shows the newest state
 _MANY = 1e9  # steps; stands for a quotient that an absurdly short step makes infinite
 
 
+class Cue(Protocol):
+    """Who has a say before each step, such as a story."""
+
+    def before_step(self) -> None:
+        """Post what is due at the step at which the stage stands; it may have gone back."""
+
+    def restart(self) -> None:
+        """The stage stands at step 0 of a new session."""
+
+
 class Stage:
-    """One scene in play.
+    """One scene in play. ``cue``: asked before each step, if there is one.
 
     ``level`` None: the scene's defaults. ``parameters`` and ``seed`` stand in for the level's,
     ``effects_off`` are switched off beside the level's, ``effects`` are exactly those active. ``dt``: s, else
@@ -61,6 +71,7 @@ class Stage:
         self._speed = 1.0
         self._paused = False
         self._next_sample = 0
+        self.cue: Cue | None = None
         scene = self._recipe.first(parameters, effects_off=effects_off, effects=effects)
         self.clock = FixedStep(self._recipe.dt_of(scene), max_steps)
         self._begin(scene)
@@ -262,6 +273,11 @@ class Stage:
             return 0
         made = 0
         while made < steps:
+            if self.cue is not None:
+                self.cue.before_step()
+                session = self._session
+                if session.fault is not None:
+                    break
             if players:
                 self.listen(at_once=True)
             if made == steps - 1:
@@ -294,6 +310,35 @@ class Stage:
         self.series.cut(self.step_number)
         self._next_sample = self.step_number + 1
         return True
+
+    @property
+    def events_acted(self) -> int:
+        """How many events have acted since the beginning."""
+        return self._session.timeline.acted
+
+    def return_to(self, step: int, events: int | None = None) -> None:
+        """Stand at an earlier step as it was, or at the beginning with what it began with; no later event is
+        remembered. ``events``: only so many of all have acted then, of those at that step the first ones.
+
+        ValueError unless it is `first_step` or later, or 0.
+        """
+        session = self._session
+        if step and not session.first_step <= step <= session.step:
+            raise ValueError(f"step {step}: outside {session.first_step} to {session.step}")
+        if step < session.first_step:
+            values, active, _ = session.start
+            self._begin(self.build_scene(values, active))
+            return
+        session.return_to(step, events)
+        session.keep_previous()
+        self._follow_session()
+        self.clock.hold()
+        self.series.cut(step)
+        self._next_sample = step + 1
+
+    def forget_future(self) -> None:
+        """Drop the events that were remembered of later steps."""
+        self._session.forget_future()
 
     def stop(self, what: str, error: Exception) -> Fault:
         """Stand still, as what somebody asked of the scene (``what``: readouts, a picture) has raised.
@@ -378,6 +423,8 @@ class Stage:
         self.clock.hold()
         self.series.clear()
         self._sample()
+        if self.cue is not None:
+            self.cue.restart()
 
     def _sample(self) -> None:
         self.series.sample(self.step_number, self.time_s, self.scene.readouts())

@@ -45,6 +45,8 @@ COMMANDS = (
     Command("slower", "slower", "minus", repeats=True),
     Command("faster", "faster", "equals", repeats=True),
     Command("view", "whole view", "home"),
+    Command("story", "take over a story, or go on with it", "f6"),
+    Command("marks", "teaching marks of a story", "f7"),
     Command("accuracy", "what accuracy costs", "a", "accuracy", helps=True),
     Command("levels", "levels and hard cases", "l", "levels", helps=True, choice=True),
     Command("panel", "panel on and off", "tab"),

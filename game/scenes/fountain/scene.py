@@ -16,6 +16,7 @@ from game.scenes.fountain.level import FountainContent
 from game.scenes.fountain.model import FountainModel
 from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
+from game.scenes.fountain.targets import story_targets
 from game.scenes.fountain.view import FountainView
 from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import (
@@ -163,6 +164,9 @@ class Fountain(Scene):
 
     def readouts(self) -> list[Readout]:
         return readouts(self.model)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return story_targets(self.model)
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()

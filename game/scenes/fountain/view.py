@@ -116,7 +116,7 @@ class FountainView:
             line = thinned(points, canvas.px(0.1))
             canvas.polyline(line, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
             right = points[(points[:, 0] > row[0] + 1.6) & (points[:, 0] < frame.right - 1.0)]
-            if len(right) and not named and len(model.content.nozzles) == 1:
+            if len(right) and not named and canvas.teaching and len(model.content.nozzles) == 1:
                 place = right[0]
                 words = "exact envelope of free flight"
                 canvas.label(tuple(place), words, "text1", anchor="left", offset=(14.0, -10.0))
@@ -125,6 +125,8 @@ class FountainView:
     def _draw_stones(self, canvas: Canvas) -> None:
         for x, y, radius, _, _, e in self.model.system.solids.rows.tolist():
             canvas.circle((x, y), radius, "body", 1.0, "text2", 2.0)
+            if not canvas.teaching:
+                continue
             handle = rim_handle(x, y, radius)
             canvas.line((x, y), handle, "text2", 1.4)
             canvas.dot((x, y), 2.5, "text1")
@@ -140,6 +142,8 @@ class FountainView:
         body = [(-0.13, -0.13), (0.13, -0.13), (0.1, 0.0), (-0.1, 0.0)]
         corners = np.array([(x + a * uy + b * ux, y - a * ux + b * uy) for a, b in body])
         canvas.polygon(corners, fill="ghost", outline="text2", width=1.2)
+        if not canvas.teaching:
+            return
         if spread < 0.5 * math.pi and model.emitting:
             for side in (-1.0, 1.0):
                 angle = axis + side * spread
@@ -171,8 +175,9 @@ class FountainView:
             radius = 0.22 * ring
             start = 0.9 * ring
             canvas.arc((x, y), radius, start, start + turn * 4.6, "green", 1.4, alpha=0.9 - 0.2 * ring)
-        canvas.handle((x, y))
-        canvas.label((x, y), "vortex", "green", offset=(0.0, -16.0))
+        if canvas.teaching:
+            canvas.handle((x, y))
+            canvas.label((x, y), "vortex", "green", offset=(0.0, -16.0))
 
 
 def _round_up(speed: float) -> float:

@@ -33,6 +33,7 @@ class CanvasBase:
         self.camera = Camera()
         self.unit = "m"
         self.words = True  # whether labels and formulas are drawn; a small picture has no space for them
+        self.teaching = True  # whether what explains is drawn: grids, handles, vectors, their words
         self.covered = False  # what is drawn covers all, so that no ground is laid
         self.fresh = True  # measured numbers are those of now; else those of the last picture stay
         self._figures: dict[Hashable, str] = {}

@@ -47,6 +47,12 @@ class Camera:
         """World point in the middle of the rectangle."""
         return self._view[0], self._view[1]
 
+    @property
+    def wanted(self) -> tuple[float, float, float]:
+        """The view that it is, or is on its way to: centre x and y, and the log of the scale."""
+        x, y, scale = self._wanted
+        return x, y, scale
+
     def affine(self) -> tuple[float, float, float, float, float, float]:
         """(a, b, c, d, e, f): pixel x = a x + b y + e, pixel y = c x + d y + f."""
         s = self.scale
@@ -135,6 +141,11 @@ class Camera:
         other._turn = self._turn
         other.fit(frame, rect, margin)
         self._wanted, self._home, self._anchor = list(other._home), home, None
+
+    def show(self, frame: Frame) -> None:
+        """Show a frame at once and without a margin, without making it home."""
+        self.look_at(frame, 0.0)
+        self._jump()
 
     @property
     def is_home(self) -> bool:
