@@ -55,10 +55,10 @@ class Aloft(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=Tru
 class View(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """The part of the world in view, m."""
 
-    left: Metre = -165.0
+    left: Metre = -180.0
     bottom: Metre = -38.0
-    right: Metre = 165.0
-    top: Metre = 148.0
+    right: Metre = 180.0
+    top: Metre = 164.0
 
 
 class FireworksContent(

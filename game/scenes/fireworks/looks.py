@@ -54,13 +54,13 @@ def burning(color: Rgb, strength: float = 1.0, **more: object) -> LookOf:
     pale: Rgb = (0.5 + 0.5 * color[0], 0.5 + 0.5 * color[1], 0.5 + 0.5 * color[2])
     stops = (
         (0.0, (1.0, 1.0, 0.95), 1.0 * strength),
-        (0.06, pale, 1.0 * strength),
-        (0.2, color, 0.95 * strength),
-        (0.75, color, 0.7 * strength),
-        (0.92, glowing(1500.0), 0.3 * strength),
+        (0.08, pale, 1.0 * strength),
+        (0.25, color, 1.0 * strength),
+        (0.8, color, 0.9 * strength),
+        (0.94, glowing(1500.0), 0.35 * strength),
         (1.0, glowing(1200.0), 0.0),
     )
-    settings: dict[str, object] = {"size": 1, "dots": 5, "tail_s": 0.10, "bloom": 0.10, **more}
+    settings: dict[str, object] = {"size": 2, "dots": 11, "tail_s": 0.26, "bloom": 0.22, **more}
     return LookOf(stops, **settings)  # type: ignore[arg-type]
 
 
@@ -68,29 +68,29 @@ RED, GREEN, BLUE = (1.0, 0.22, 0.14), (0.30, 1.0, 0.36), (0.26, 0.46, 1.0)  # st
 LEMON, VIOLET, WHITE = (1.0, 0.82, 0.28), (0.74, 0.36, 1.0), (0.95, 0.97, 1.0)
 CYAN, ROSE, GOLD = (0.26, 0.92, 0.95), (1.0, 0.30, 0.52), (1.0, 0.70, 0.30)
 LOOKS: dict[str, LookOf] = {
-    "ember": cooling(2300.0, 1250.0, 0.62, size=0, bloom=0.022, twinkle=0.5),
-    "cinder": cooling(2500.0, 1300.0, 0.66, size=0, bloom=0.022, twinkle=0.6),
+    "ember": cooling(2400.0, 1300.0, 0.85, size=0, bloom=0.05, twinkle=0.5),
+    "cinder": cooling(2600.0, 1350.0, 0.8, size=0, bloom=0.035, twinkle=0.6),
     "glitter": cooling(2900.0, 1500.0, 0.7, size=0, bloom=0.025, twinkle=0.8),
     "silver": LookOf(((0.0, WHITE, 0.75), (0.5, WHITE, 0.35), (1.0, WHITE, 0.0)), 0, bloom=0.025, twinkle=0.7),
     "crack": LookOf(((0.0, WHITE, 1.0), (0.4, LEMON, 0.9), (1.0, GOLD, 0.0)), 1, bloom=0.16),
     "lift": cooling(2900.0, 1400.0, 0.9, size=0, dots=2, tail_s=0.04, bloom=0.05),
     "red": burning(RED),
     "green": burning(GREEN),
-    "blue": burning(BLUE, bloom=0.14),
+    "blue": burning(BLUE, bloom=0.3),
     "lemon": burning(LEMON),
-    "violet": burning(VIOLET, bloom=0.12),
+    "violet": burning(VIOLET, bloom=0.26),
     "white": burning(WHITE),
-    "gilt": burning(GOLD, 0.9),
+    "gilt": burning(GOLD, 0.95, size=1, dots=4, tail_s=0.06),
     "weeping": cooling(2500.0, 1500.0, 0.9, size=1, bloom=0.06),
-    "cyan": burning(CYAN, size=2),
-    "frond": burning(GOLD, 1.0, size=3, bloom=0.2),
-    "split": burning(LEMON, size=2),
-    "cross": burning(WHITE),
+    "cyan": burning(CYAN, bloom=0.3),
+    "frond": burning(GOLD, 1.0, size=3, dots=4, tail_s=0.06, bloom=0.4),
+    "split": burning(LEMON, size=3, dots=6, tail_s=0.1, bloom=0.3),
+    "cross": burning(WHITE, size=1, dots=5, tail_s=0.1),
     "magnesium": LookOf(((0.0, WHITE, 1.0), (0.85, WHITE, 1.0), (1.0, WHITE, 0.0)), 2, bloom=0.35, blink=3.0),
-    "whirl": burning(GREEN, size=2),
-    "lace": burning(GOLD, 0.95, size=1),
-    "rose": burning(ROSE, size=2, bloom=0.14),
-    "popping": burning(RED, 0.8),
+    "whirl": burning(GREEN, dots=5, tail_s=0.1),
+    "lace": burning(GOLD, 0.95, size=1, dots=3, tail_s=0.05, bloom=0.1),
+    "rose": burning(ROSE, dots=6, tail_s=0.12, bloom=0.3),
+    "popping": burning(RED, 0.8, size=1),
 }
 SHELL_LOOK = LookOf(((0.0, GOLD, 0.7), (1.0, GOLD, 0.5)), 1, 4, 0.05, 0.10)
 COMET_LOOK = LookOf(((0.0, (1.0, 0.93, 0.8), 1.0), (0.9, GOLD, 1.0), (1.0, GOLD, 0.3)), 3, 6, 0.06, 0.5)

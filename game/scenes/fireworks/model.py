@@ -23,7 +23,7 @@ from game.stage import Part
 
 MUZZLE = 1.2  # m above the ground
 TUBES_EVERY = 20.0  # m
-ROCKET_START = 12.0  # m/s
+ROCKET_START = 24.0  # m/s
 WIND_CEILING = 400.0  # m
 FLASHES = 96
 MARKS = 256
@@ -141,6 +141,9 @@ class FireworksModel(Part):
             instant = self.system.time_s + fuse
             self.marks[int(self.counts[LAUNCHED]) % MARKS] = SHELLS.index(shell), instant, *at
         self.counts[LAUNCHED] += 1
+        place = (start, MUZZLE, depth)
+        self._flash(self.system.time_s, place, 0.0, shell)
+        self.thunder.emit(self.system.time_s, place, "mortar", LOUDNESS["mortar"])
 
     def burst_at(self, shell: str, at: Point) -> None:
         """Let a shell burst at a place (m) at once: its fuse is as short as it can be."""
@@ -159,10 +162,6 @@ class FireworksModel(Part):
         if fuse is not None:
             stars[DIES, -1] = stars[BORN, -1] + fuse
             stars[BURNT, -1] = 0.0
-        if at[1] <= 2.0 * MUZZLE:
-            instant = float(stars[BORN, -1])
-            self._flash(instant, (at[0], at[1], depth), 0.0, shell)
-            self.thunder.emit(instant, (at[0], at[1], depth), "mortar", LOUDNESS["mortar"])
 
     def fire_all(self) -> None:
         """Fire one shell of each kind, side by side."""

@@ -20,8 +20,19 @@ from game.scenes.fireworks.model import FireworksModel
 from game.scenes.fireworks.parameters import FireworksParameters
 from game.scenes.fireworks.readouts import readouts
 from game.scenes.fireworks.sounds import hearing
-from game.scenes.fireworks.view import FireworksView
-from game.stage import Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.scenes.fireworks.view import FireworksView, warm_up_shine
+from game.stage import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    WarmUp,
+)
 from game.stage.messages import Messages
 
 
@@ -162,6 +173,10 @@ class Fireworks(Scene):
 
     def check(self) -> None:
         self.model.system.check()
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        return (WarmUp("stars", lambda: cls().advance(cls.dt)), WarmUp("shine", warm_up_shine))
 
     # -- what there is to see and hear --------------------------------------------------------------
 

@@ -125,7 +125,7 @@ def _shell(name: str, amounts: Amounts) -> Kind:
     driven = name == "rocket"
     return Kind(
         name, life_s=2.6 if driven else 4.0, drag_per_m=SHELL_DRAG, burns=0.42 if driven else 0.0,
-        exhaust_m_s=110.0 if driven else 0.0, reports=True, capacity=PLACES,
+        exhaust_m_s=130.0 if driven else 0.0, reports=True, capacity=PLACES,
         births=(*births, *BURSTS[name]),
     )  # fmt: skip
 

@@ -17,6 +17,7 @@ CAMERA_AWAY = 420.0  # m before the shore
 BLINK_SHARE = 0.16  # of a strobe's period in which it shines
 FLASH_FADES = 0.45  # s
 FLASH_REACH = 42.0  # m, at which a burst lights smoke half as much
+SMOKE_LIT = 0.16  # of a burst's light that smoke near it gives back at first
 SMOKE_START, SMOKE_GROWTH = 3.5, 4.2  # m, m/√s
 
 
@@ -115,7 +116,7 @@ def light_smoke(rows, flashes, seen, ambient, places, radii, colors, shares):
             if since < 0.0 or since > 6.0 * FLASH_FADES:
                 continue
             dx, dy, back = x - flashes[j, 1], y - flashes[j, 2], rows[DEPTH, i] - flashes[j, 3]
-            light = 0.75 * math.exp(-since / FLASH_FADES)
+            light = SMOKE_LIT * math.exp(-since / FLASH_FADES)
             light = light / (1.0 + (dx * dx + dy * dy + back * back) / (FLASH_REACH * FLASH_REACH))
             red += light * flashes[j, 4]
             green += light * flashes[j, 5]

@@ -29,6 +29,7 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 MOST_LIGHTS = 160_000
 MOST_PUFFS = 4_000
 MANY_STARS = 30_000  # with more than that tails have fewer dots
+BLOOM = 1.5
 FLASH_S = 1.6  # s, for which a flash is drawn
 SOUND_S = 4.0  # s, for which a wave of sound is drawn
 NOWHERE = (0.0, 100.0)
@@ -79,7 +80,7 @@ class FireworksView:
         self._draw_smoke(canvas, seen, flashes)
         self._draw_flashes(canvas, seen)
         self._draw_lights(canvas, seen)
-        canvas.bloom(1.0)
+        canvas.bloom(BLOOM)
         night = self.landscape.night(canvas)
         canvas.water(0.0, canvas.camera.visible().top, seen.time, night.water, night.mirror)
         self.landscape.before(canvas)
@@ -147,7 +148,7 @@ class FireworksView:
             at = (seen.middle + near * (row[FLASH_X] - seen.middle), EYE + near * (row[FLASH_Y] - EYE))
             red, green, blue = _color_of(row)
             tint = (int(127 + 128 * red) << 16) | (int(127 + 128 * green) << 8) | int(127 + 128 * blue)
-            sizes = ((9.0, 1.5 * math.exp(-age / 0.06)), (75.0, 0.10 * math.exp(-age / FLASH_FADES)))
+            sizes = ((11.0, 1.2 * math.exp(-age / 0.07)), (95.0, 0.13 * math.exp(-age / FLASH_FADES)))
             for radius, share in sizes if burst else ((7.0, 0.9 * math.exp(-age / 0.09)),):
                 places.append(at)
                 radii.append(radius * near)
@@ -201,3 +202,14 @@ def _color_of(row: list[float]) -> tuple[float, float, float]:
     if row[FLASH_WHAT] <= 0.0:
         return GOLD
     return FLASH_COLORS.get(SHELLS[int(row[FLASH_SHELL])], GOLD)
+
+
+def warm_up_shine() -> None:
+    """Compile the kernels of the picture, on one star and one puff."""
+    stars, seen, one = np.zeros((8, 1)), Seen(0.0, 0.0, 0.0), np.zeros(1)
+    shades, colors = shades_of(look_of("red")), np.zeros(1, np.uint32)
+    shine(
+        stars, shades, Glow(0, 0, 0.0, 0.0, 0.0, 0.0), seen, np.zeros((1, 2)), colors,
+        np.zeros(1, np.uint8), one, 0,
+    )  # fmt: skip
+    light_smoke(stars, np.zeros((0, 7)), seen, np.zeros(4), np.zeros((1, 2)), one, colors, one)

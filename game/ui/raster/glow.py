@@ -106,63 +106,70 @@ def add_lights(
 
 @lean_kernel
 def gather_lights(light: Any, left: float, top: float, points: Any, colors: Any, shares: Any) -> None:
-    """Add lights to the bloom's cells ``light`` (rows, columns, 4) float32, each times its share (n,)."""
-    rows, columns = light.shape[0], light.shape[1]
+    """Add lights to the bloom's cells ``light`` (rows, 4 columns) float32, each times its share (n,)."""
+    rows, columns = light.shape[0], light.shape[1] // CHANNELS
     for n in range(min(points.shape[0], colors.shape[0], shares.shape[0])):
         x = (points[n, 0] - left) / CELL + 0.5
         y = (points[n, 1] - top) / CELL + 0.5
         if not (0.0 <= x < columns and 0.0 <= y < rows):
             continue
         color, share = np.int64(colors[n]), np.float32(shares[n])
-        cell = light[int(y), int(x)]
-        cell[0] += share * np.float32(color & 255)
-        cell[1] += share * np.float32((color >> 8) & 255)
-        cell[2] += share * np.float32((color >> 16) & 255)
+        row, at = int(y), CHANNELS * int(x)
+        light[row, at] += share * np.float32(color & 255)
+        light[row, at + 1] += share * np.float32((color >> 8) & 255)
+        light[row, at + 2] += share * np.float32((color >> 16) & 255)
 
 
 @lean_kernel
-def gather_glows(light: Any, left: float, top: float, points: Any, radii: Any, colors: Any, shares: Any) -> None:
+def gather_glows(
+    light: Any, left: float, top: float, points: Any, radii: Any, colors: Any, shares: Any
+) -> None:
     """Add large soft lights of ``radii`` (n,) px to the cells, fading as (1 - r²/R²)² to their rim."""
-    rows, columns = light.shape[0], light.shape[1]
+    rows, columns = light.shape[0], light.shape[1] // CHANNELS
     for n in range(min(points.shape[0], radii.shape[0], colors.shape[0], shares.shape[0])):
         if not (is_drawable(points[n, 0]) and is_drawable(points[n, 1]) and 0.0 < radii[n] < 1e5):
             continue
         x, y = (points[n, 0] - left) / CELL, (points[n, 1] - top) / CELL
         reach = max(radii[n] / CELL, 0.8)
-        color, share = np.int64(colors[n]), shares[n]
-        blue, green, red = share * (color & 255), share * ((color >> 8) & 255), share * ((color >> 16) & 255)
-        inverse = 1.0 / (reach * reach)
+        color, share = np.int64(colors[n]), np.float32(shares[n])
+        blue = share * np.float32(color & 255)
+        green = share * np.float32((color >> 8) & 255)
+        red = share * np.float32((color >> 16) & 255)
+        inverse = np.float32(1.0 / (reach * reach))
         for j in range(max(0, math.ceil(y - reach)), min(rows, math.floor(y + reach) + 1)):
-            for i in range(max(0, math.ceil(x - reach)), min(columns, math.floor(x + reach) + 1)):
-                rest = 1.0 - ((i - x) * (i - x) + (j - y) * (j - y)) * inverse
-                if rest > 0.0:
-                    weight = rest * rest
-                    light[j, i, 0] += np.float32(weight * blue)
-                    light[j, i, 1] += np.float32(weight * green)
-                    light[j, i, 2] += np.float32(weight * red)
+            half = math.sqrt(max(reach * reach - (j - y) * (j - y), 0.0))
+            begin, end = max(0, math.ceil(x - half)), min(columns, math.floor(x + half) + 1)
+            across = np.float32(begin - x)
+            most = np.float32(1.0) - np.float32((j - y) * (j - y)) * inverse
+            for at in range(CHANNELS * begin, CHANNELS * end, CHANNELS):
+                rest = max(most - across * across * inverse, np.float32(0.0))
+                weight = rest * rest
+                light[j, at] += weight * blue
+                light[j, at + 1] += weight * green
+                light[j, at + 2] += weight * red
+                light[j, at + 3] += weight * np.float32(0.0)
+                across += np.float32(1.0)
 
 
 @lean_kernel
 def blur_light(light: Any, keep: float) -> None:
-    """Blur in place, all light kept: each cell takes 1 - keep of itself and keep of the one before, both ways."""
-    rows, columns = light.shape[0], light.shape[1]
+    """Blur in place, each cell takes 1 - keep of itself and keep of the one before, both ways."""
+    rows, length = light.shape[0], light.shape[1]
     held, taken = np.float32(keep), np.float32(1.0 - keep)
     for j in range(rows):
         line = light[j]
-        for i in range(1, columns):
-            for c in range(3):
-                line[i, c] = taken * line[i, c] + held * line[i - 1, c]
-        for i in range(columns - 2, -1, -1):
-            for c in range(3):
-                line[i, c] = taken * line[i, c] + held * line[i + 1, c]
+        for k in range(CHANNELS, length):
+            line[k] = taken * line[k] + held * line[k - CHANNELS]
+        for k in range(length - CHANNELS - 1, -1, -1):
+            line[k] = taken * line[k] + held * line[k + CHANNELS]
     for j in range(1, rows):
-        for i in range(columns):
-            for c in range(3):
-                light[j, i, c] = taken * light[j, i, c] + held * light[j - 1, i, c]
+        line, before = light[j], light[j - 1]
+        for k in range(length):
+            line[k] = taken * line[k] + held * before[k]
     for j in range(rows - 2, -1, -1):
-        for i in range(columns):
-            for c in range(3):
-                light[j, i, c] = taken * light[j, i, c] + held * light[j + 1, i, c]
+        line, before = light[j], light[j + 1]
+        for k in range(length):
+            line[k] = taken * line[k] + held * before[k]
 
 
 @lean_kernel
@@ -172,25 +179,25 @@ def add_bloom(pixels: Any, flat: Any, clip: Any, light: Any, strength: float, li
     ``line``: (4 columns,) uint16 of working memory; ``grain`` (64,) uint16: four rows of dithering.
     """
     x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
-    width, columns, rows = pixels.shape[1], light.shape[1], light.shape[0]
+    width, length, rows = pixels.shape[1], light.shape[1], light.shape[0]
     scale = np.float32(strength * STEPS)
     most = np.float32(BRIGHTEST * STEPS)
+    whole = min((x_high - x_low) // CELL, length // CHANNELS - 1)
     for row in range(y_low, y_high):
         upper = min((row - y_low) // CELL, rows - 2)
-        share = np.float32(min((row - y_low + 0.5) / CELL - upper, 1.0))
-        for i in range(columns):
-            for c in range(3):
-                value = scale * (light[upper, i, c] * (np.float32(1.0) - share) + light[upper + 1, i, c] * share)
-                line[CHANNELS * i + c] = np.uint16(min(value, most))
+        below = np.float32(min((row - y_low + 0.5) / CELL - upper, 1.0)) * scale
+        above = scale - below
+        first_line, second_line = light[upper], light[upper + 1]
+        for k in range(length):
+            line[k] = np.uint16(np.int32(min(above * first_line[k] + below * second_line[k], most)))
         first = 16 * (row & 3)
-        whole = (x_high - x_low) // CELL
-        for cell in range(min(whole, columns - 1)):
+        for cell in range(whole):
             at = CHANNELS * cell
             here = line[at] | line[at + 1] | line[at + 2] | line[at + 4] | line[at + 5] | line[at + 6]
             if here > 0:
                 add_between(flat, row * width + x_low + CELL * cell, line, cell, grain, first)
         for column in range(x_low + CELL * whole, x_high):
-            _add_edge(pixels, row, column, line, min(whole, columns - 1))
+            _add_edge(pixels, row, column, line, whole)
     light[:] = np.float32(0.0)
 
 
@@ -214,16 +221,16 @@ class Bloom:
     """The light about what shines: cells for a picture of any size, used again each frame."""
 
     def __init__(self) -> None:
-        self.light = np.zeros((2, 2, CHANNELS), np.float32)
+        self.light = np.zeros((2, 2 * CHANNELS), np.float32)
         self._line = np.zeros(2 * CHANNELS, np.uint16)
         self._grain = dither_grain()
 
     def fit(self, width: int, height: int) -> None:
         """Have cells for so many px; dark if they were for another size."""
-        shape = (height // CELL + 2, width // CELL + 2, CHANNELS)
+        shape = (height // CELL + 2, (width // CELL + 2) * CHANNELS)
         if self.light.shape != shape:
             self.light = np.zeros(shape, np.float32)
-            self._line = np.zeros(shape[1] * CHANNELS, np.uint16)
+            self._line = np.zeros(shape[1], np.uint16)
 
     def shine(self, pixels: np.ndarray, clip: np.ndarray, strength: float, keep: float) -> None:
         """Blur what was gathered and add it to the picture; the cells are dark again."""
