@@ -11,7 +11,7 @@ from game.physics.fields import GRAVITY, QUADRATIC_DRAG
 from game.physics.generations import CALM, Kind, StarSystem
 from game.physics.generations.step import Y
 
-SPEED, DRAG, SECONDS = 60.0, 0.022, 2.0  # m/s, 1/m, s; it still rises then
+SPEED, DRAG, SECONDS = 60.0, 0.01, 1.0  # m/s, 1/m, s; it still rises then
 ORDERS = {"split-drag": 2.0, "explicit-euler": 1.0, "semi-implicit-euler": 1.0, "midpoint": 2.0, "rk4": 4.0}
 STAR = Kind("star", life_s=1000.0, drag_per_m=DRAG, grounded=False, capacity=1)
 

@@ -14,7 +14,9 @@ LEAST_PULL = 1.0  # m/s², with which fuses are chosen where there is less gravi
 LEAST_RISE = 5.0  # m
 FASTEST = 400.0  # m/s
 STEPS = 24
-SHOTS = 5
+SHOTS = 30
+NEAR_ENOUGH = 1e-3  # m
+THICKEST = 0.02  # 1/m, drag for which a mortar is laid at most: what is thicker lets no shell through anyway
 
 
 def fuse_for(rise: float, gravity: float, drag: float) -> Pair:
@@ -52,10 +54,13 @@ def fly_shell(velocity: Pair, seconds: float, gravity: float, drag: float, wind:
 
 def aim(way: Pair, gravity: float, drag: float, wind: float = 0.0) -> tuple[Pair, float]:
     """Velocity (m/s) and fuse (s) with which a shell goes a way (m, m). drag: 1/m; wind: m/s, even."""
+    drag = min(drag, THICKEST)
     speed, seconds = fuse_for(way[1], gravity, drag)
     velocity = (way[0] / seconds, speed)
     for _ in range(SHOTS):
         reached = fly_shell(velocity, seconds, gravity, drag, wind)
+        if math.dist(reached, way) < NEAR_ENOUGH:
+            break
         velocity = (
             min(max(velocity[0] + (way[0] - reached[0]) / seconds, -FASTEST), FASTEST),
             min(max(velocity[1] + (way[1] - reached[1]) / seconds, -FASTEST), FASTEST),

@@ -103,7 +103,7 @@ def _launch() -> tuple[Birth, ...]:
 
 def _shell(name: str, amounts: Amounts) -> Kind:
     more = amounts.sparks
-    puffs = Birth("death", "smoke", count=26, speed_m_s=13.0, speed_spread=0.5, inherited=0.3, scatter_m_s=3.0)
+    puffs = Birth("death", "smoke", count=26, speed_m_s=19.0, speed_spread=0.7, inherited=0.3, scatter_m_s=5.0)
     births = list(_launch())
     if name == "comet":
         births += [

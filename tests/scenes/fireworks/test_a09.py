@@ -112,7 +112,7 @@ def test_the_radius_of_a_burst_in_still_air(method, most):
     assert found["ballistics"] == pytest.approx(math.log1p(0.018 * 58.0 * (80 / 60 - 0.5)) / 0.018, rel=1e-12)
     assert found["radius error"] < most
     if method == "explicit-euler":
-        assert found["radius error"] > 0.3
+        assert found["radius error"] > 0.05
     assert found["burst momentum"] < 1e-14
 
 
@@ -198,7 +198,8 @@ def test_a_step_back_and_on_again_is_equal():
     here = stage.digest()
     stage.run(60)
     there = stage.digest()
-    stage.step_back(60)
+    for _ in range(60):
+        stage.step_back()
     assert stage.digest() == here
     stage.run(60)
     assert stage.digest() == there
@@ -211,7 +212,7 @@ def test_the_programme_waits_when_it_is_switched_off():
     assert readouts(stage)["fired"] == 0
     stage.post(SetParameter("programme", True))
     stage.run(200)
-    assert readouts(stage)["fired"] == 2  # what was due meanwhile has passed
+    assert readouts(stage)["fired"] == 3  # what was due meanwhile has passed
 
 
 @pytest.mark.parametrize("name", HARD)
@@ -266,7 +267,7 @@ def test_births_do_not_drift_on_a_late_clock():
     late = open_level(Fireworks, "hard-04-one-hour")
     path = next(path for path in level_files("a09") if path.stem == "hard-04-one-hour")
     words = path.read_text(encoding="utf-8").replace("begins = 3600.0", "begins = 0.0")
-    early = Stage(Fireworks, level=parse_level(words, path, "a09", FireworksContent))
+    early = Stage(Fireworks, level=parse_level(words, "a09", FireworksContent, path))
     for stage in (late, early):
         stage.run(300)
     one, other = (stage.scene.model.system for stage in (late, early))
@@ -296,7 +297,7 @@ def test_levels_say_what_is_wrong_in_one_line():
         ('scene = "a09"\n[content]\naloft = [{ shell = "peony", position = [0.0, nan] }]\n', "position"),
     ):
         with pytest.raises(LevelError) as error:
-            parse_level(words, level_files("a09")[0], "a09", FireworksContent)
+            parse_level(words, "a09", FireworksContent)
         assert field in str(error.value) and "\n" not in str(error.value)
 
 
