@@ -78,6 +78,7 @@ class Fireworks(Scene):
     study = star_study
     takes = frozenset(("right",))
     covers = True
+    legend_in_panel = True
 
     strips = (
         Strip("Stars alight", "", ("alive",)),
@@ -190,7 +191,7 @@ class Fireworks(Scene):
         return self.view.targets()
 
     def legend(self) -> Sequence[tuple[str, str, str]]:
-        return ()
+        return self.view.legend()
 
     def frame(self) -> Frame:
         view = self.model.content.view

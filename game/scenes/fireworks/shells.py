@@ -82,10 +82,10 @@ BURSTS: dict[str, tuple[Birth, ...]] = {
     "comet": (),
 }
 SHELLS = tuple(BURSTS)
-HEADS = {
+HEADS = {  # a rocket is fast when it bursts, and its stars with it: no circle is to be expected
     shell: Head(births[0].kind, births[0].speed_m_s * (1.0 + births[0].speed_spread))
     for shell, births in BURSTS.items()
-    if births
+    if births and shell != "rocket"
 }
 
 
@@ -103,7 +103,7 @@ def _launch() -> tuple[Birth, ...]:
 
 def _shell(name: str, amounts: Amounts) -> Kind:
     more = amounts.sparks
-    puffs = Birth("death", "smoke", count=26, speed_m_s=19.0, speed_spread=0.7, inherited=0.3, scatter_m_s=5.0)
+    puffs = Birth("death", "smoke", count=16, speed_m_s=19.0, speed_spread=0.7, inherited=0.3, scatter_m_s=5.0)
     births = list(_launch())
     if name == "comet":
         births += [
@@ -125,7 +125,7 @@ def _shell(name: str, amounts: Amounts) -> Kind:
     driven = name == "rocket"
     return Kind(
         name, life_s=2.6 if driven else 4.0, drag_per_m=SHELL_DRAG, burns=0.42 if driven else 0.0,
-        exhaust_m_s=130.0 if driven else 0.0, reports=True, capacity=PLACES,
+        exhaust_m_s=105.0 if driven else 0.0, reports=True, capacity=PLACES,
         births=(*births, *BURSTS[name]),
     )  # fmt: skip
 

@@ -17,8 +17,8 @@ CAMERA_AWAY = 420.0  # m before the shore
 BLINK_SHARE = 0.16  # of a strobe's period in which it shines
 FLASH_FADES = 0.45  # s
 FLASH_REACH = 42.0  # m, at which a burst lights smoke half as much
-SMOKE_LIT = 0.16  # of a burst's light that smoke near it gives back at first
-SMOKE_START, SMOKE_GROWTH = 3.5, 4.2  # m, m/√s
+SMOKE_LIT = 0.22  # of a burst's light that smoke near it gives back at first
+SMOKE_START, SMOKE_GROWTH = 3.5, 3.5  # m, m/√s
 
 
 class Seen(NamedTuple):

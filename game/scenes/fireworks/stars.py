@@ -72,7 +72,7 @@ def star_kinds(amounts: Amounts) -> tuple[Kind, ...]:
         Kind("whirl", life_s=2.4, life_spread=0.08, drag_per_m=0.014, burns=0.7,
              capacity=_room(400, room), births=(trail("silver", 22.0, 0.4),)),
         Kind("lace", life_s=3.6, life_spread=0.12, drag_per_m=0.03, burns=0.5,
-             capacity=_room(1_300, room), births=(trail("cinder", 34.0, 1.0, 0.3),)),
+             capacity=_room(1_300, room), births=(trail("cinder", 37.0, 1.0, 0.3),)),
         Kind("rose", life_s=2.6, life_spread=0.06, drag_per_m=0.014, burns=0.6, capacity=_room(500, room)),
         Kind("popping", life_s=1.9, life_spread=0.3, drag_per_m=0.026, burns=0.4, reports=True,
              capacity=_room(500, room),

@@ -29,7 +29,8 @@ from game.ui.canvas.canvas import EXACT_DASH, Canvas
 MOST_LIGHTS = 160_000
 MOST_PUFFS = 4_000
 MANY_STARS = 30_000  # with more than that tails have fewer dots
-BLOOM = 1.5
+BLOOM = 1.25
+MOST_WAVES = 4  # of sound that are drawn
 FLASH_S = 1.6  # s, for which a flash is drawn
 SOUND_S = 4.0  # s, for which a wave of sound is drawn
 NOWHERE = (0.0, 100.0)
@@ -56,6 +57,17 @@ class FireworksView:
             "smoke": (float(smoke[X].mean()), float(smoke[Y].mean())) if smoke.shape[1] else NOWHERE,
             "listener": self.hand.listener_place(),
         }
+
+    def legend(self) -> list[tuple[str, str, str]]:
+        """What the marks mean."""
+        rows = [
+            ("dash:text1", "the newest burst by ballistics", ""),
+            ("ring:chalk", "sound on its way", f"{int(self.model.thunder.counts[WAITING])}"),
+            ("ring:accent", "the listener", f"{self.model.parameters.distance:.0f} m off"),
+        ]
+        if WIND in self.model.active:
+            rows.append(("arrow:green", "wind", ""))
+        return rows
 
     def _highest_shell(self) -> tuple[float, float]:
         """The shell that is farthest up; the newest burst without one."""
@@ -148,7 +160,7 @@ class FireworksView:
             at = (seen.middle + near * (row[FLASH_X] - seen.middle), EYE + near * (row[FLASH_Y] - EYE))
             red, green, blue = _color_of(row)
             tint = (int(127 + 128 * red) << 16) | (int(127 + 128 * green) << 8) | int(127 + 128 * blue)
-            sizes = ((11.0, 1.2 * math.exp(-age / 0.07)), (95.0, 0.13 * math.exp(-age / FLASH_FADES)))
+            sizes = ((11.0, 0.9 * math.exp(-age / 0.07)), (95.0, 0.13 * math.exp(-age / FLASH_FADES)))
             for radius, share in sizes if burst else ((7.0, 0.9 * math.exp(-age / 0.09)),):
                 places.append(at)
                 radii.append(radius * near)
@@ -173,7 +185,7 @@ class FireworksView:
             center = self._burst_middle()
             canvas.circle(center, newest.ballistics, outline="text1", width=1.2, dash=EXACT_DASH, alpha=0.6)
         waves = model.thunder.waves[: int(model.thunder.counts[WAITING])]
-        for wave in waves[-12:].tolist():
+        for wave in waves[-MOST_WAVES:].tolist():
             age = seen.time - wave[EMITTED]
             if 0.02 < age < SOUND_S:
                 fade = 0.35 * (1.0 - age / SOUND_S)
