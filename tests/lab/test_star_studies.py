@@ -9,7 +9,7 @@ from game.lab.studies.stars import DRAG, ORDERS, SPEED, height_after, star_study
 
 
 def test_the_exact_height():
-    """v0 60, terminal speed 31.3: the top from ln(1 + (v0/vt)²) vt²/2g, and a quarter second by a fine flight."""
+    """v0 60, terminal speed 31.3: the top by ln(1 + (v0/vt)²) vt²/2g, a quarter second by a fine flight."""
     terminal = math.sqrt(9.81 / DRAG)
     top = terminal / 9.81 * math.atan(SPEED / terminal)
     assert height_after(top) == pytest.approx(terminal**2 / 19.62 * math.log1p((SPEED / terminal) ** 2))

@@ -118,7 +118,9 @@ SCENARIOS = (
     Scenario(
         "stars-60000", "Stars: gravity, wind, quadratic drag, burning, 60,000", "step",
         lambda: partial(burst_stars(60_000).step, SMALL_STEP),
-        peers=(Peer("numpy, same forces", lambda: partial(NumpyStars(burst_stars(60_000)).step, SMALL_STEP)),),
+        peers=(
+            Peer("numpy, same forces", lambda: partial(NumpyStars(burst_stars(60_000)).step, SMALL_STEP)),
+        ),
     ),
     Scenario(
         "fountain", "Fountain of 100,000 with births, drag, wind, stone and ground", "step",

@@ -1,4 +1,4 @@
-"""What accuracy costs for a star of a firework: thrown straight up through the air, beside the exact height."""
+"""What accuracy costs for a star of a firework that is thrown straight up, beside its exact height."""
 
 from __future__ import annotations
 

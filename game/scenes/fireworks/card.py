@@ -16,7 +16,16 @@ def draw_burst(pen: Pen) -> None:
     pen.fill("stage")
     chance = random.Random(9)
     pen.area(
-        [(0.0, SHORE), (0.0, 76.0), (30.0, 70.0), (62.0, 78.0), (100.0, 71.0), (134.0, 77.0), (160.0, 72.0), (160.0, SHORE)],
+        [
+            (0.0, SHORE),
+            (0.0, 76.0),
+            (30.0, 70.0),
+            (62.0, 78.0),
+            (100.0, 71.0),
+            (134.0, 77.0),
+            (160.0, 72.0),
+            (160.0, SHORE),
+        ],
         "body",
     )
     for x, y, radius, color, count in BURSTS:
@@ -29,7 +38,7 @@ def draw_burst(pen: Pen) -> None:
                 spot = (x + radius * share * across, y - radius * share * height + 2.5 * share * share)
                 pen.disc(*spot, 0.9 * share, ink.lerp(pen.look.color("stage"), 1.4 * (1.0 - share)))
     pen.line(((0.0, SHORE), (160.0, SHORE)), "line2", 1.0)
-    for x, y, radius, color, _ in BURSTS:
+    for x, _, radius, color, _ in BURSTS:
         ink = pen.look.color(color).lerp(pen.look.color("stage"), 0.55)
         for i in range(4):
             wide = radius * (0.55 - 0.1 * i) * chance.uniform(0.7, 1.1)

@@ -41,7 +41,10 @@ NIGHT = Night(
     (0.55, 0.65, 0.9, 0.034), 1.0, 0.66,
 )  # fmt: skip
 DUSK = Night(
-    ((0.0, _ink("141d42")), (0.4, _ink("2b3566")), (0.72, _ink("5d4f80")), (0.9, _ink("a56a78")), (1.0, _ink("d58f6c"))),
+    (
+        (0.0, _ink("141d42")), (0.4, _ink("2b3566")), (0.72, _ink("5d4f80")), (0.9, _ink("a56a78")),
+        (1.0, _ink("d58f6c")),
+    ),
     _ink("564a72"), _ink("383758"), _ink("211f38"), _ink("a87c3c"), _ink("100f1e"), _ink("1a1c38"),
     (0.85, 0.7, 0.75, 0.06), 0.45, 0.78,
 )  # fmt: skip
@@ -93,10 +96,17 @@ def town() -> tuple[Layer, Points]:
             width, wall = chance.uniform(5.0, 10.0), chance.uniform(2.4, 5.4)
             roof = wall + chance.uniform(1.2, 2.6)
             points += [(x, 0.8), (x, wall), (x + 0.5 * width, roof), (x + width, wall), (x + width, 0.8)]
-            for _ in range(int(chance.integers(0, 4))):
-                windows.append((x + chance.uniform(0.8, width - 0.8), chance.uniform(1.2, wall - 0.4)))
+            windows += [
+                (x + chance.uniform(0.8, width - 0.8), chance.uniform(1.2, wall - 0.4))
+                for _ in range(int(chance.integers(0, 4)))
+            ]
         if -70.0 < x < -55.0:  # the church
-            points += [(x + width, 6.0), (x + width + 2.0, 17.5), (x + width + 4.0, 6.0), (x + width + 4.0, 0.8)]
+            points += [
+                (x + width, 6.0),
+                (x + width + 2.0, 17.5),
+                (x + width + 4.0, 6.0),
+                (x + width + 4.0, 0.8),
+            ]
             width += 4.0
         x += width + chance.uniform(0.0, 2.5)
     points.append((HALF, 1.0))
@@ -152,7 +162,7 @@ class Landscape:
         houses, windows = town()
         self._fill(canvas, houses, night.town.lerp(glow, 0.10 * lit))
         shift = houses.slide * canvas.camera.center[0]
-        canvas.glow(windows + (shift, 0.0), _packed(night.window), 0, 0.04)
+        canvas.glow(windows + np.array((shift, 0.0)), _packed(night.window), 0, 0.04)
 
     def before(self, canvas: Canvas) -> None:
         """The near bank with its trees."""
@@ -176,7 +186,7 @@ class Landscape:
     def _fill(canvas: Canvas, layer: Layer, ink: pygame.Color, closed: bool = False) -> None:
         """An outline, down to the shore unless it is closed, where it is seen."""
         seen = canvas.camera.visible()
-        points = layer.points + (layer.slide * canvas.camera.center[0], 0.0)
+        points = layer.points + np.array((layer.slide * canvas.camera.center[0], 0.0))
         if not closed:
             part = (points[:, 0] > seen.left - 30.0) & (points[:, 0] < seen.right + 30.0)
             points = points[part]

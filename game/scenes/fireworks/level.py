@@ -21,7 +21,7 @@ FARTHEST = 2000.0  # m
 class Cue(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True, omit_defaults=True):
     """Shells of the programme. time: s, when the first is fired. at: m, where it is to burst in still air.
 
-    tube: m, where it is fired from; without one below the place. depth: m behind the shore (negative: before).
+    tube: m, where it is fired from; without one below the place. depth: m behind the shore.
     count: how many, each ``step`` m farther and ``delay`` s later.
     """
 

@@ -16,8 +16,8 @@ WHITE_HOT = 3_400.0  # K, shown as warm white
 
 
 class LookOf(NamedTuple):
-    """stops: (share of life, colour, strength). size: which of the canvas's GLOW_RADII. tail: dots, and the
-    seconds that they reach back. bloom: share of the light. blink: flashes a second (0: none). twinkle: 0 to 1.
+    """stops: (share of life, colour, strength). size: which of the canvas's GLOW_RADII. tail_s: how far back
+    its dots reach, s. bloom: share of the light. blink: flashes a second (0: none). twinkle: 0 to 1.
     """
 
     stops: tuple[tuple[float, Rgb, float], ...]
@@ -71,7 +71,9 @@ LOOKS: dict[str, LookOf] = {
     "ember": cooling(2400.0, 1300.0, 0.85, size=0, bloom=0.05, twinkle=0.5),
     "cinder": cooling(2600.0, 1350.0, 0.8, size=0, bloom=0.035, twinkle=0.6),
     "glitter": cooling(2900.0, 1500.0, 0.7, size=0, bloom=0.025, twinkle=0.8),
-    "silver": LookOf(((0.0, WHITE, 0.75), (0.5, WHITE, 0.35), (1.0, WHITE, 0.0)), 0, bloom=0.025, twinkle=0.7),
+    "silver": LookOf(
+        ((0.0, WHITE, 0.75), (0.5, WHITE, 0.35), (1.0, WHITE, 0.0)), 0, bloom=0.025, twinkle=0.7
+    ),
     "crack": LookOf(((0.0, WHITE, 1.0), (0.4, LEMON, 0.9), (1.0, GOLD, 0.0)), 1, bloom=0.16),
     "lift": cooling(2900.0, 1400.0, 0.9, size=0, dots=2, tail_s=0.04, bloom=0.05),
     "red": burning(RED),

@@ -85,10 +85,14 @@ class FireworksModel(Part):
         self._light = np.array([kind.name not in SHELLS and kind.name != "smoke" for kind in kinds])
         self.thunder = Thunder(content.listener, parameters.distance)
         self.flashes = np.full((FLASHES, 6), NO_BURST)
-        self.burst = np.array((NO_BURST, 0.0, 0.0, 0.0, NO_BURST))  # the newest measured: s, x, y, depth, shell
+        self.burst = np.array(
+            (NO_BURST, 0.0, 0.0, 0.0, NO_BURST)
+        )  # the newest measured: s, x, y, depth, shell
         self.counts = np.zeros(4, dtype=np.int64)
         self.off_mark = 0.0
-        self.marks = np.full((MARKS, 4), NO_BURST)  # of shells in the air: kind, instant s and place m of the burst
+        self.marks = np.full(
+            (MARKS, 4), NO_BURST
+        )  # of shells in the air: kind, instant s and place m of the burst
         self.fired = self.rounds = 0
         self.walk_to = content.listener
         self.configure()
@@ -105,14 +109,20 @@ class FireworksModel(Part):
     @property
     def wind(self) -> float:
         """Wind (m/s) at the ground, now."""
-        return self.parameters.wind + self.programme.gust(self.content, self.show_s) if WIND in self.active else 0.0
+        return (
+            self.parameters.wind + self.programme.gust(self.content, self.show_s)
+            if WIND in self.active
+            else 0.0
+        )
 
     def configure(self, ahead: float = 0.0) -> None:
         """Hand all parameters to the system; ``ahead``: s from now at which the wind is taken."""
         system, parameters = self.system, self.parameters
         system.effects = self.active
         system.method = parameters.method
-        wind = min(max(parameters.wind + self.programme.gust(self.content, self.show_s + ahead), -1000.0), 1000.0)
+        wind = min(
+            max(parameters.wind + self.programme.gust(self.content, self.show_s + ahead), -1000.0), 1000.0
+        )
         system.air = Air(parameters.gravity, wind, parameters.shear, WIND_CEILING, 0.0)
         lighter = np.where(self._light, parameters.air / parameters.star_mass, parameters.air)
         system.table.kinds[:, LINEAR] = self._drags[:, 0] * lighter
@@ -125,13 +135,17 @@ class FireworksModel(Part):
 
     # -- shells -------------------------------------------------------------------------------------
 
-    def fire(self, shell: str, at: Point, tube: float | None = None, depth: float = 0.0, *, blind: bool = False) -> None:
+    def fire(
+        self, shell: str, at: Point, tube: float | None = None, depth: float = 0.0, *, blind: bool = False
+    ) -> None:
         """Fire a shell that is to burst at a place (m). blind: laid as for still air."""
         start = TUBES_EVERY * round(at[0] / TUBES_EVERY) if tube is None else tube
         way = (at[0] - start, max(at[1] - MUZZLE, LEAST_RISE))
         if shell == "rocket":
             turn = math.atan2(way[0], way[1])
-            self._put(shell, (start, MUZZLE), (ROCKET_START * math.sin(turn), ROCKET_START * math.cos(turn)), depth)
+            self._put(
+                shell, (start, MUZZLE), (ROCKET_START * math.sin(turn), ROCKET_START * math.cos(turn)), depth
+            )
         else:
             drag = SHELL_DRAG * self.parameters.air if QUADRATIC_DRAG in self.active else 0.0
             wind = 0.0 if blind else self.wind * (1.0 + self.parameters.shear * 0.5 * at[1])
@@ -150,9 +164,7 @@ class FireworksModel(Part):
         self._put(shell, at, (0.0, 0.0), 0.0, 1e-6)
         self.counts[LAUNCHED] += 1
 
-    def _put(
-        self, shell: str, at: Point, velocity: Point, depth: float, fuse: float | None = None
-    ) -> None:
+    def _put(self, shell: str, at: Point, velocity: Point, depth: float, fuse: float | None = None) -> None:
         """Put a shell into the air now; with a fuse of its own (s)."""
         before = self.system.stars(shell).shape[1]
         self.system.launch(shell, at, velocity, depth)
@@ -197,7 +209,10 @@ class FireworksModel(Part):
 
     def _skip(self) -> None:
         """Let what is due pass unfired."""
-        while self.fired < len(self.programme.rows) and self.programme.rows[self.fired].time <= self.show_s + 1e-9:
+        while (
+            self.fired < len(self.programme.rows)
+            and self.programme.rows[self.fired].time <= self.show_s + 1e-9
+        ):
             self.fired += 1
 
     # -- a step -------------------------------------------------------------------------------------

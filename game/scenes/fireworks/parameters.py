@@ -23,7 +23,9 @@ class FireworksParameters(Parameters):
         1.0, 0.01, 1.0, log=True, group="Stars", rebuild=True, label="Places",
         help="share of the 134 000 places for stars; what finds none is dropped and counted",
     )  # fmt: skip
-    wind = Param(2.0, -40.0, 40.0, unit="m/s", group="Air", help="to the right, at the ground; gusts come on top")
+    wind = Param(
+        2.0, -40.0, 40.0, unit="m/s", group="Air", help="to the right, at the ground; gusts come on top"
+    )
     shear = Param(
         0.004, 0.0, 0.02, unit="1/m", group="Air", label="Wind shear",
         help="the wind grows by this share with each metre of height",

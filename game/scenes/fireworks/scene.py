@@ -82,7 +82,13 @@ class Fireworks(Scene):
 
     strips = (
         Strip("Stars alight", "", ("alive",)),
-        Strip("Burst radius", "m", ("ballistics", "burst radius"), ("ballistics",), ("ballistics", "burst radius")),
+        Strip(
+            "Burst radius",
+            "m",
+            ("ballistics", "burst radius"),
+            ("ballistics",),
+            ("ballistics", "burst radius"),
+        ),
         Strip("Wind", "m/s", ("wind", "smoke drift"), (), ("smoke drift",)),
     )
     hints = (

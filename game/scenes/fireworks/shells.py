@@ -103,7 +103,9 @@ def _launch() -> tuple[Birth, ...]:
 
 def _shell(name: str, amounts: Amounts) -> Kind:
     more = amounts.sparks
-    puffs = Birth("death", "smoke", count=16, speed_m_s=19.0, speed_spread=0.7, inherited=0.3, scatter_m_s=5.0)
+    puffs = Birth(
+        "death", "smoke", count=16, speed_m_s=19.0, speed_spread=0.7, inherited=0.3, scatter_m_s=5.0
+    )
     births = list(_launch())
     if name == "comet":
         births += [
@@ -130,7 +132,10 @@ def _shell(name: str, amounts: Amounts) -> Kind:
     )  # fmt: skip
 
 
-def all_kinds(amounts: Amounts = Amounts()) -> tuple[Kind, ...]:
+USUAL = Amounts()
+
+
+def all_kinds(amounts: Amounts = USUAL) -> tuple[Kind, ...]:
     """Every kind, shells last."""
     return (
         *spark_kinds(amounts), *star_kinds(amounts), *(_shell(name, amounts) for name in SHELLS),

@@ -72,7 +72,9 @@ def shine(rows, shades, glow, seen, places, colors, sizes, shares, line):
             continue
         strength = 1.0
         if glow.blink > 0.0:
-            phase = part_of(seen.time * glow.blink * (0.7 + 0.6 * part_of(rows[DIES, i] * 31.7)) + rows[DIES, i] * 97.3)
+            phase = part_of(
+                seen.time * glow.blink * (0.7 + 0.6 * part_of(rows[DIES, i] * 31.7)) + rows[DIES, i] * 97.3
+            )
             if phase > BLINK_SHARE:
                 strength = 0.05
         if glow.twinkle > 0.0:

@@ -80,7 +80,9 @@ class Thunder:
     def _ear_at(self, before: NDArray[np.float64], share: float) -> NDArray[np.float64]:
         return before + share * (self.ear - before)
 
-    def _meeting(self, wave: NDArray[np.float64], before: NDArray[np.float64], step: tuple[float, float]) -> float:
+    def _meeting(
+        self, wave: NDArray[np.float64], before: NDArray[np.float64], step: tuple[float, float]
+    ) -> float:
         """The instant (s) within a step (its beginning and length, s) at which a wave meets the listener."""
         now, dt = step
         low, high = max(0.0, (float(wave[EMITTED]) - now) / dt), 1.0
@@ -107,6 +109,8 @@ class Thunder:
         last = int(self.counts[LAST])
         rows = [self.heard[i % KEPT] for i in range(max(last - KEPT, 0), last)]
         return [
-            Sound(float(row[HEARD]), SOUNDS[int(row[HEARD_KIND])], float(row[HEARD_LOUD]), float(row[HEARD_PAN]))
+            Sound(
+                float(row[HEARD]), SOUNDS[int(row[HEARD_KIND])], float(row[HEARD_LOUD]), float(row[HEARD_PAN])
+            )
             for row in rows
         ]

@@ -141,7 +141,9 @@ class FireworksView:
     def _recent(self, time: float) -> list[list[float]]:
         """Flashes that are still to be seen."""
         rows = self.model.flashes
-        return rows[(rows[:, INSTANT] >= 0.0) & (time - rows[:, INSTANT] < FLASH_S) & (rows[:, INSTANT] <= time)].tolist()  # type: ignore[no-any-return]
+        return rows[
+            (rows[:, INSTANT] >= 0.0) & (time - rows[:, INSTANT] < FLASH_S) & (rows[:, INSTANT] <= time)
+        ].tolist()  # type: ignore[no-any-return]
 
     def _flashes_now(self, time: float) -> np.ndarray:
         """(n, 7): instant s, place m, depth m and colour of the bursts that light the smoke."""
@@ -189,7 +191,9 @@ class FireworksView:
             age = seen.time - wave[EMITTED]
             if 0.02 < age < SOUND_S:
                 fade = 0.35 * (1.0 - age / SOUND_S)
-                canvas.circle((wave[AT_X], wave[AT_Y]), SPEED_OF_SOUND * age, outline="chalk", width=1.0, alpha=fade)
+                canvas.circle(
+                    (wave[AT_X], wave[AT_Y]), SPEED_OF_SOUND * age, outline="chalk", width=1.0, alpha=fade
+                )
         if WIND in model.active:
             self._draw_wind(canvas)
         x, y = self.hand.listener_place()

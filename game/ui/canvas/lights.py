@@ -27,8 +27,9 @@ class LightCanvas(CanvasBase):
         self._bloom = Bloom()
 
     def glow(self, positions: Any, colors: Any, sizes: Any = 1, shares: Any = None) -> None:
-        """Very many small lights, added: (n, 2), uint32 (n,) as strong as they shine, and which of GLOW_RADII
-        each is. shares (n,): how much each adds to the bloom (1: as one cell full of its colour); None: nothing.
+        """Very many small lights, added: (n, 2), uint32 (n,) as strong as they shine, which of GLOW_RADII.
+
+        shares (n,): how much each adds to the bloom (1: as one cell full of its colour); None: nothing.
         """  # fmt: skip
         mapped = self._map(positions)
         n = mapped.shape[0]
@@ -71,7 +72,7 @@ class LightCanvas(CanvasBase):
     def water(
         self, shore: float, top: float, time: float, color: Token = "body", share: float = 0.6
     ) -> None:  # fmt: skip
-        """Still water below a height of the world, which mirrors what is drawn so far up to the height ``top``.
+        """Still water below a height of the world, which mirrors what is drawn so far, up to ``top``.
 
         time: s, for its waves; share: of the light that is mirrored.
         """
@@ -117,9 +118,7 @@ def night_sky(
     return places, (red << 16) | (green << 8) | blue, sizes
 
 
-def sky_picture(
-    stops: tuple[tuple[float, pygame.Color], ...], rows: int, columns: int
-) -> NDArray[np.uint32]:
+def sky_picture(stops: tuple[tuple[float, pygame.Color], ...], rows: int, columns: int) -> NDArray[np.uint32]:
     """A sky (rows, columns) from top (0) to bottom (1) through colours, dithered so that no bands are seen."""
     heights = np.linspace(0.0, 1.0, rows)
     grain = (np.array(((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))) + 0.5) / 16.0

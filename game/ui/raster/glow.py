@@ -37,7 +37,7 @@ class Stamps(NamedTuple):
 
 @lru_cache(maxsize=16)
 def stamps_of(radii: tuple[float, ...]) -> Stamps:
-    """Lights of these radii (px, to LARGEST) that fade as (1 - r²/R²)² to their rim. ValueError for others."""
+    """Lights of these radii (px, to LARGEST) fading as (1 - r²/R²)² to their rim. ValueError for others."""
     parts, first, sides, total = [], [], [], 0
     eighths = (np.arange(SUBPIXELS) + 0.5) / SUBPIXELS
     for radius in radii:
@@ -73,7 +73,15 @@ def _add_cut(
 
 @lean_kernel
 def add_lights(
-    pixels: Any, flat: Any, clip: Any, points: Any, colors: Any, sizes: Any, weights: Any, first: Any, side: Any
+    pixels: Any,
+    flat: Any,
+    clip: Any,
+    points: Any,
+    colors: Any,
+    sizes: Any,
+    weights: Any,
+    first: Any,
+    side: Any,
 ) -> None:
     """Add small lights: ``points`` (n, 2) px, ``colors`` (n,) uint32 already as strong as they are to be,
     ``sizes`` (n,) uint8 numbers of stamps. ``flat`` is ``pixels.reshape(-1)``; the last three are `Stamps`.
@@ -212,7 +220,7 @@ def _add_edge(pixels: Any, row: int, column: int, line: Any, cell: int) -> None:
 
 
 def dither_grain() -> NDArray[np.uint16]:
-    """Four rows of four pixels' rounding (0 to 255) by Bayer's ordered pattern (1973), each for all channels."""
+    """Four rows of four pixels' rounding (0 to 255) by Bayer's ordered pattern (1973), for all channels."""
     order = np.array(((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5)))
     return np.repeat((16 * order + 8).reshape(-1), CHANNELS).astype(np.uint16)
 

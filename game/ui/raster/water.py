@@ -49,7 +49,9 @@ def mirror_rows(
         own_red_blue, own_green = (near & 0xFF00FF) * own, (near & 0xFF00) * own
         middle = int(256.0 * (shore - (row - shore) * squeeze - 1.0))
         lift, sway = int(height * squeeze), int(0.6 * height * 256.0)
-        still = np.int64(waves[(begin // 85 + row * 31) & (WAVE_PLACES - 1)]) * int(0.75 * height * 256.0) >> 16
+        still = (
+            np.int64(waves[(begin // 85 + row * 31) & (WAVE_PLACES - 1)]) * int(0.75 * height * 256.0) >> 16
+        )
         for column in range(x_low, x_high):
             wave = np.int64(waves[((begin + column * stride) >> 8) & (WAVE_PLACES - 1)])
             source = min(max((middle + wave * lift) >> 8, y_low), first - 1)

@@ -23,6 +23,10 @@ def test_the_shell_goes_the_way(way, wind):
 
 
 def test_odd_worlds_give_finite_answers():
-    for way, gravity, drag in (((0.0, 5.0), 0.0, 0.0), ((900.0, 1000.0), 30.0, 120.0), ((0.0, -3.0), 9.81, 1e-9)):
+    for way, gravity, drag in (
+        ((0.0, 5.0), 0.0, 0.0),
+        ((900.0, 1000.0), 30.0, 120.0),
+        ((0.0, -3.0), 9.81, 1e-9),
+    ):
         velocity, seconds = aim(way, gravity, drag)
         assert all(map(math.isfinite, velocity)) and 0.0 < seconds < 200.0

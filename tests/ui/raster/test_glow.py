@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from game.physics.kernels.jit import kernel
 from game.ui.raster.additions import _add_between_plainly, _add_four_plainly, add_between, add_four
 from game.ui.raster.glow import CELL, Bloom, add_lights, dither_grain, gather_glows, gather_lights, stamps_of
 from game.ui.raster.water import mirror_rows, wave_table
-from game.physics.kernels.jit import kernel
 from tests.ui.raster.paper import Paper
 
 BLACK = 0xFF000000
@@ -138,5 +138,3 @@ def test_water_mirrors_what_is_above_and_changes_nothing_there():
     mirror_rows(paper.pixels, paper.clip, math.nan, 2.0, wave_table(), 1.5, 0, 0.8)
     mirror_rows(paper.pixels, paper.clip, -30.0, 2.0, wave_table(), 1.5, 0x000040, 0.8)
     assert ((paper.pixels >> 8) & 0xFF).max() == 0  # all water, with nothing to mirror
-
-
