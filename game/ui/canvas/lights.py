@@ -86,7 +86,7 @@ class LightCanvas(CanvasBase):
         )  # fmt: skip
 
     def backdrop(self, picture: NDArray[np.uint32], horizon: float, row: int) -> None:
-        """Lay a picture (rows, columns) behind all, its ``row`` at a height of the world; it repeats sideways."""
+        """Lay a picture (rows, columns) behind all, its ``row`` at a height of the world, over and over."""
         left, top, right, bottom = (int(value) for value in self._clip)
         first = row - round(self._place((0.0, horizon))[1]) + top
         rows = np.clip(np.arange(first, first + bottom - top), 0, picture.shape[0] - 1)
@@ -119,7 +119,7 @@ def night_sky(
 
 
 def sky_picture(stops: tuple[tuple[float, pygame.Color], ...], rows: int, columns: int) -> NDArray[np.uint32]:
-    """A sky (rows, columns) from top (0) to bottom (1) through colours, dithered so that no bands are seen."""
+    """A sky (rows, columns) from top (0) to bottom (1) through colours, dithered against bands."""
     heights = np.linspace(0.0, 1.0, rows)
     grain = (np.array(((0, 8, 2, 10), (12, 4, 14, 6), (3, 11, 1, 9), (15, 7, 13, 5))) + 0.5) / 16.0
     tile = np.tile(grain, (rows // 4 + 1, columns // 4 + 1))[:rows, :columns]
