@@ -143,7 +143,7 @@ class FireworksView:
         rows = self.model.flashes
         return rows[
             (rows[:, INSTANT] >= 0.0) & (time - rows[:, INSTANT] < FLASH_S) & (rows[:, INSTANT] <= time)
-        ].tolist()  # type: ignore[no-any-return]
+        ].tolist()
 
     def _flashes_now(self, time: float) -> np.ndarray:
         """(n, 7): instant s, place m, depth m and colour of the bursts that light the smoke."""

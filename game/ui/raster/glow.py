@@ -64,7 +64,7 @@ def _add_cut(
     for j in range(max(0, y_low - row), min(side, y_high - row)):
         for i in range(max(0, x_low - column), min(side, x_high - column)):
             weight = np.int64(weights[first + CHANNELS * (j * side + i)])
-            below = np.int64(pixels[row + j, column + i])
+            below: Any = np.int64(pixels[row + j, column + i])
             red = min(((below >> 16) & 255) + ((((color >> 16) & 255) * weight) >> 8), 255)
             green = min(((below >> 8) & 255) + ((((color >> 8) & 255) * weight) >> 8), 255)
             blue = min((below & 255) + (((color & 255) * weight) >> 8), 255)
@@ -90,7 +90,7 @@ def add_lights(
     x_low, y_low, x_high, y_high = bounds_of(pixels, clip)
     bounds = (x_low, y_low, x_high, y_high)
     for n in range(min(points.shape[0], colors.shape[0], sizes.shape[0])):
-        color = np.int64(colors[n]) & 0xFFFFFF
+        color: Any = np.int64(colors[n]) & 0xFFFFFF
         size = np.int64(sizes[n])
         if color == 0 or size >= side.shape[0]:
             continue
@@ -212,7 +212,7 @@ def add_bloom(pixels: Any, flat: Any, clip: Any, light: Any, strength: float, li
 @inner_kernel
 def _add_edge(pixels: Any, row: int, column: int, line: Any, cell: int) -> None:
     """Add a cell's light to one pixel beside the last whole cell."""
-    below = np.int64(pixels[row, column])
+    below: Any = np.int64(pixels[row, column])
     blue = min((below & 255) + (np.int64(line[CHANNELS * cell]) >> 5), 255)
     green = min(((below >> 8) & 255) + (np.int64(line[CHANNELS * cell + 1]) >> 5), 255)
     red = min(((below >> 16) & 255) + (np.int64(line[CHANNELS * cell + 2]) >> 5), 255)
