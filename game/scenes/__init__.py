@@ -10,6 +10,7 @@ from game.scenes import (
     boxes,
     convex,
     examples,
+    fireworks,
     fountain,
     key_frames,
     lecture_table,
@@ -38,5 +39,6 @@ CATALOGUE = Catalogue(
         *rigid_body.ENTRIES,
         *spheres.ENTRIES,
         *examples.ENTRIES,
+        *fireworks.ENTRIES,
     )
 )

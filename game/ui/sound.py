@@ -45,7 +45,7 @@ class _Tone(NamedTuple):
 
 BALL = (_Tone(3100.0, 1.0, 0.0045), _Tone(4900.0, 0.65, 0.0035), _Tone(7300.0, 0.40, 0.0025))
 TIP = (_Tone(700.0, 1.0, 0.008), _Tone(2200.0, 0.55, 0.005))
-KINDS = ("tip", "ball", "cushion", "pocket")
+KINDS = ("tip", "ball", "cushion", "pocket", "mortar", "burst", "crackle")
 
 
 def gain_of(speed: float) -> float:
@@ -72,6 +72,8 @@ def sample_of(kind: str, layer: int) -> Array:
         made = thump + (0.5 + 0.5 * bright) * _noise(0.11, 350.0 + 900.0 * bright, 0.018, 2)
     elif kind == "pocket":
         made = _pocket(bright)
+    elif kind in ("mortar", "burst", "crackle"):
+        made = _explosion(kind, bright)
     else:
         raise ValueError(f"sound {kind!r}: expected one of {', '.join(KINDS)}")
     made = made / np.abs(made).max()
@@ -90,6 +92,18 @@ def _pocket(bright: float) -> Array:
     start = int(0.19 * RATE)
     made[start : start + len(click)] += click
     return made
+
+
+def _explosion(kind: str, bright: float) -> Array:
+    """A thump out of a mortar, the boom of a shell with its roll over the land, or a small crack."""
+    if kind == "crackle":
+        return _noise(0.06, 2500.0 + 2500.0 * bright, 0.008, 6)
+    if kind == "mortar":
+        thump = _tones((_Tone(72.0, 1.0, 0.07), _Tone(131.0, 0.4, 0.04)), 0.4, 1.0)
+        return thump + 0.4 * _noise(0.4, 300.0 + 500.0 * bright, 0.03, 4)
+    boom = _tones((_Tone(46.0, 1.0, 0.16), _Tone(83.0, 0.6, 0.09)), 1.4, 1.0)
+    crack = _noise(1.4, 500.0 + 1600.0 * bright, 0.02, 5)
+    return boom + 0.8 * crack + 0.35 * _noise(1.4, 140.0, 0.35, 7)
 
 
 def _tones(tones: Sequence[_Tone], length_s: float, bright: float) -> Array:

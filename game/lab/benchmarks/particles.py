@@ -9,6 +9,8 @@ import numpy as np
 from game.lab.benchmarks.scenario import Call, Peer, Scenario
 from game.physics.effects import EffectSet
 from game.physics.fields import DRAG, GRAVITY, GROUND, WIND
+from game.physics.generations import CALM, Kind, StarSystem
+from game.physics.generations.step import BURNT, DIES, VX, VY, X, Y
 from game.physics.particles import OBSTACLES, Discs, Emitter, ParticleSystem
 
 SMALL_STEP = 1e-6  # s: the particles stay where they are, so that every repeat does the same work
@@ -57,6 +59,46 @@ def live_fountain(count: int) -> ParticleSystem:
     return system
 
 
+def burst_stars(count: int) -> StarSystem:
+    """Stars in the air, none of which ends or comes down within the timing."""
+    stars = StarSystem(
+        [Kind("star", life_s=1e6, drag_per_m=0.022, burns=0.5, capacity=count)],
+        air=CALM._replace(wind=5.0, shear=0.004),
+    )
+    rng = np.random.default_rng(2)
+    state, pool = stars.state(), stars.state().fields
+    pool[X], pool[Y] = rng.uniform(-100.0, 100.0, count), rng.uniform(60.0, 160.0, count)
+    pool[VX], pool[VY] = rng.normal(0.0, 20.0, count), rng.normal(0.0, 20.0, count)
+    pool[DIES], pool[BURNT] = 1e6, 0.5e-6
+    state.counts[0] = count
+    return stars
+
+
+class NumpyStars:
+    """The same split step in place with numpy: gravity, wind with shear, quadratic drag, burning."""
+
+    def __init__(self, stars: StarSystem):
+        fields = stars.stars("star")
+        self.x, self.y, self.vx, self.vy = (fields[row].copy() for row in (X, Y, VX, VY))
+        self.age = np.zeros_like(self.x)
+        self.air, self.kind = stars.air, stars.kinds[0]
+
+    def step(self, h: float) -> None:
+        """One step; ends and falls are looked for, as the other does."""
+        air, kick = self.air, -0.5 * h * self.air.gravity
+        wind = air.wind * (1.0 + air.shear * np.clip(self.y + 0.5 * h * self.vy, 0.0, air.ceiling))
+        ux, uy = self.vx - wind, self.vy + kick
+        mass = np.maximum(1.0 - self.kind.burns / self.kind.life_s * (self.age + 0.5 * h), 1e-6)
+        factor = mass / (mass + self.kind.drag_per_m * h * np.sqrt(ux * ux + uy * uy))
+        vx, vy = wind + ux * factor, uy * factor + kick
+        self.x += 0.5 * h * (self.vx + vx)
+        self.y += 0.5 * h * (self.vy + vy)
+        self.vx, self.vy = vx, vy
+        self.age += h
+        if (self.age >= self.kind.life_s).any() or (self.y <= 0.0).any():
+            raise AssertionError("a star ended")
+
+
 def _kernel(count: int) -> Call:
     return partial(swarm(count, EffectSet([GRAVITY])).step, SMALL_STEP)
 
@@ -72,6 +114,13 @@ SCENARIOS = (
             peers=(Peer("numpy in place", partial(_numpy, count)),),
         )
         for count in (10_000, 100_000, 1_000_000)
+    ),
+    Scenario(
+        "stars-60000", "Stars: gravity, wind, quadratic drag, burning, 60,000", "step",
+        lambda: partial(burst_stars(60_000).step, SMALL_STEP),
+        peers=(
+            Peer("numpy, same forces", lambda: partial(NumpyStars(burst_stars(60_000)).step, SMALL_STEP)),
+        ),
     ),
     Scenario(
         "fountain", "Fountain of 100,000 with births, drag, wind, stone and ground", "step",

@@ -14,8 +14,9 @@ import numpy as np
 import pygame
 
 from game.ui import raster
-from game.ui.canvas.base import CanvasBase, Dash, Point, Token
+from game.ui.canvas.base import Dash, Point, Token
 from game.ui.canvas.grid import draw_grid
+from game.ui.canvas.lights import LightCanvas
 from game.ui.raster.projection import as_points, map_points
 from game.ui.text.formula import render_formula
 from game.ui.text.vector_label import vector_label
@@ -28,7 +29,7 @@ _ANCHORS = {
 }  # fmt: skip
 
 
-class Canvas(CanvasBase):
+class Canvas(LightCanvas):
     """Draws the shapes, marks, words and things of the physics."""
 
     # -- lines and areas ----------------------------------------------------------------------------

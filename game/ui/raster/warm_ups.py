@@ -18,13 +18,24 @@ from game.ui.raster.discs import (
     stroke_arc,
     stroke_ring,
 )
+from game.ui.raster.glow import Bloom, add_lights, gather_glows, gather_lights, stamps_of
 from game.ui.raster.lines import BUTT, ROUND, stroke_segment, stroke_segments
 from game.ui.raster.scratch import scratch_for
+from game.ui.raster.water import mirror_rows, wave_table
 
 _PIXELS = np.zeros((8, 8), np.uint32)
 _CLIP = np.array((0, 0, 8, 8), np.int64)
 _POINTS = np.array(((1.0, 1.0), (6.0, 1.0), (3.0, 6.0)))
 _RADII, _COLORS, _SEGMENTS = np.ones(3), np.zeros(3, np.uint32), np.zeros((2, 4))
+
+
+def _lights() -> None:
+    sizes, shares, bloom = np.zeros(3, np.uint8), np.ones(3), Bloom()
+    add_lights(_PIXELS, _PIXELS.reshape(-1), _CLIP, _POINTS, _COLORS, sizes, *stamps_of((2.0,)))
+    bloom.fit(8, 8)
+    gather_lights(bloom.light, 0.0, 0.0, _POINTS, _COLORS, shares)
+    gather_glows(bloom.light, 0.0, 0.0, _POINTS, _RADII, _COLORS, shares)
+    bloom.shine(_PIXELS, _CLIP, 1.0, 0.5)
 
 
 def _chain(kernel: Callable[..., object], *rest: object) -> object:
@@ -57,5 +68,7 @@ WARM_UPS: list[tuple[str, Callable[[], object]]] = [
     ("fill_under", lambda: fill_under(_PIXELS, _CLIP, _POINTS, 8.0, 1.0, 0, 1.0)),
     ("fill_box", lambda: fill_box(_PIXELS, _CLIP, 1.0, 1.0, 6.0, 6.0, 1.0, 0, 1.0)),
     ("stroke_box", lambda: stroke_box(_PIXELS, _CLIP, 1.0, 1.0, 6.0, 6.0, 1.0, 1.0, 0, 1.0)),
+    ("lights", _lights),
+    ("mirror_rows", lambda: mirror_rows(_PIXELS, _CLIP, 4.0, 1.0, wave_table(), 0.0, 0, 0.5)),
     ("fill_shadow", lambda: fill_shadow(_PIXELS, _CLIP, 1.0, 1.0, 6.0, 6.0, 1.0, 2.0, 0, 1.0)),
 ]

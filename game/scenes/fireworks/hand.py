@@ -1,0 +1,54 @@
+"""The hand at the show: a click fires a shell that bursts there, the other button bursts one at once, and the
+listener is dragged along the bank."""
+
+from __future__ import annotations
+
+import math
+
+from game.scenes.fireworks.aiming import LEAST_RISE
+from game.scenes.fireworks.level import FARTHEST, Point
+from game.scenes.fireworks.model import MUZZLE, FireworksModel
+from game.stage import Part, Pointer
+
+REACH = 7.0  # m, how near to the listener the pointer takes hold
+BANK = 5.0  # m above the lower edge of the view, where the listener stands
+HIGHEST = 1_000.0  # m
+
+
+class FireworksHand(Part):
+    """``held``: whether the listener is held."""
+
+    def __init__(self, model: FireworksModel):
+        self.model = model
+        self.held = False
+
+    def listener_place(self) -> Point:
+        """Where the listener is drawn, m."""
+        return float(self.model.thunder.ear[0]), self.model.content.view.bottom + BANK
+
+    def take(self, event: Pointer) -> str:
+        """A pointer event in world coordinates; what there is to say about it, or ""."""
+        point = (_within(event.x, FARTHEST), _within(event.y, HIGHEST))
+        if event.kind == "down" and event.button == 1:
+            if math.dist(point, self.listener_place()) < REACH:
+                self.held = True
+                return ""
+            return self._fire(point)
+        if event.kind == "down" and event.button == 3:
+            if point[1] > 0.0:
+                self.model.burst_at(self.model.parameters.shell, point)
+        elif event.kind == "move" and self.held:
+            self.model.walk_to = point[0]
+        elif event.kind in ("up", "cancel"):
+            self.held = False
+        return ""
+
+    def _fire(self, point: Point) -> str:
+        if point[1] < MUZZLE + LEAST_RISE:
+            return f"Click {MUZZLE + LEAST_RISE:.0f} m above the shore or higher: there the shell bursts."
+        self.model.fire(self.model.parameters.shell, point)
+        return ""
+
+
+def _within(value: float, most: float) -> float:
+    return min(max(value, -most), most)

@@ -1,0 +1,80 @@
+"""What is measured of a burst: its radius beside drag ballistics, its momentum; of smoke: its drift."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.fields import QUADRATIC_DRAG
+from game.physics.generations import BURNING
+from game.physics.generations.step import BORN, VX, VY, X, Y
+from game.scenes.fireworks.model import FireworksModel
+from game.scenes.fireworks.shells import HEADS, SHELLS
+
+PIECES = 64  # of Simpson's rule for stars that burn away
+
+
+class BurstNow(NamedTuple):
+    """The newest burst: age s, radius m, what ballistics say m, net momentum (share of the sum of all)."""
+
+    age: float
+    radius: float
+    ballistics: float
+    momentum: float
+
+
+def reach_of(speed: float, drag: float, burnt: float, age: float) -> float:
+    """How far (m) a star flies in still air within ``age`` s. drag: 1/m at full mass; burnt: share a second.
+
+    ln(1 + c v t)/c for a mass that stays. Else 1/v = 1/v_0 - (c/b) ln(1 - b t), summed by Simpson's rule.
+    """
+    if drag <= 0.0:
+        return speed * age
+    if burnt <= 0.0:
+        return math.log1p(drag * speed * age) / drag
+    t = np.linspace(0.0, min(age, 0.999 / burnt), 2 * PIECES + 1)
+    v = 1.0 / (1.0 / speed - drag / burnt * np.log1p(-burnt * t))
+    weights = np.full(len(t), 2.0)
+    weights[1::2] = 4.0
+    weights[0] = weights[-1] = 1.0
+    return float(np.dot(weights, v)) * float(t[1]) / 3.0
+
+
+def stars_of_burst(model: FireworksModel) -> NDArray[np.float64]:
+    """(FIELDS, n) of the head stars of the newest burst that still burn."""
+    instant, shell = float(model.burst[0]), int(model.burst[4])
+    if shell < 0:
+        return np.zeros((8, 0))
+    stars = model.system.stars(HEADS[SHELLS[shell]].star)
+    return stars[:, stars[BORN] == instant]
+
+
+def burst_now(model: FireworksModel) -> BurstNow | None:
+    """The newest burst; None when none of it burns."""
+    stars = stars_of_burst(model)
+    if stars.shape[1] < 2:
+        return None
+    head = HEADS[SHELLS[int(model.burst[4])]]
+    kind = next(kind for kind in model.system.kinds if kind.name == head.star)
+    age = model.system.time_s - float(model.burst[0])
+    parameters = model.parameters
+    drag = kind.drag_per_m * parameters.air / parameters.star_mass if QUADRATIC_DRAG in model.active else 0.0
+    burnt = kind.burns / kind.life_s if BURNING in model.active else 0.0
+    x, y = stars[X] - stars[X].mean(), stars[Y] - stars[Y].mean()
+    sum_x, sum_y = math.fsum(stars[VX].tolist()), math.fsum(stars[VY].tolist())
+    speeds = float(np.hypot(stars[VX], stars[VY]).sum())
+    return BurstNow(
+        age,
+        math.sqrt(float(np.max(x * x + y * y))),
+        reach_of(head.speed, drag, burnt, age),
+        math.hypot(sum_x, sum_y) / speeds if speeds > 0.0 else 0.0,
+    )
+
+
+def smoke_drift(model: FireworksModel) -> float:
+    """Mean speed (m/s) of the smoke to the right; nan without smoke."""
+    smoke = model.system.stars("smoke")
+    return float(smoke[VX].mean()) if smoke.shape[1] else math.nan

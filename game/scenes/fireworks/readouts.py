@@ -1,0 +1,41 @@
+"""What is measured of the show: stars, wind and smoke, the newest burst, sound on its way."""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.generations.step import DROPPED, MADE
+from game.scenes.fireworks.measures import burst_now, smoke_drift
+from game.scenes.fireworks.model import BURST_COUNT, DUDS, LAUNCHED, FireworksModel
+from game.scenes.fireworks.thunder import HEARD_AFTER, KEPT, LAST, LOST, WAITING
+from game.stage import Readout
+
+
+def readouts(model: FireworksModel) -> list[Readout]:
+    """All that is measured."""
+    system, thunder, counts = model.system, model.thunder, model.counts
+    newest = burst_now(model)
+    heard = int(thunder.counts[LAST])
+    late = float(thunder.heard[(heard - 1) % KEPT, HEARD_AFTER]) if heard else math.nan
+    smoke = system.stars("smoke").shape[1]
+    return [
+        Readout("alive", len(system)),
+        Readout("dropped", system.tally(DROPPED)),
+        Readout("wind", model.wind, "m/s"),
+        Readout("smoke drift", smoke_drift(model), "m/s"),
+        Readout("burst radius", newest.radius if newest else math.nan, "m"),
+        Readout("ballistics", newest.ballistics if newest else math.nan, "m"),
+        Readout("radius error", abs(newest.radius - newest.ballistics) if newest else math.nan, "m"),
+        Readout("burst momentum", newest.momentum if newest else math.nan),
+        Readout("off the mark", model.off_mark, "m"),
+        Readout("fired", int(counts[LAUNCHED])),
+        Readout("bursts", int(counts[BURST_COUNT])),
+        Readout("duds", int(counts[DUDS])),
+        Readout("born", system.tally(MADE)),
+        Readout("puffs of smoke", smoke),
+        Readout("sounds on their way", int(thunder.counts[WAITING])),
+        Readout("heard", heard),
+        Readout("sound came after", late, "s"),
+        Readout("sounds lost", int(thunder.counts[LOST])),
+        Readout("show", model.show_s, "s"),
+    ]

@@ -1,0 +1,207 @@
+"""A night of fireworks over a lake: shells, stars that burst into stars, wind, smoke and late thunder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from game.lab.studies.stars import star_study
+from game.levels import Level
+from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG, WIND
+from game.physics.generations import BURNING, THRUST, TRAILS
+from game.physics.generations.system import StarState
+from game.scenes.fireworks import A09
+from game.scenes.fireworks.figure import draw_ballistics
+from game.scenes.fireworks.hand import FireworksHand
+from game.scenes.fireworks.level import FireworksContent
+from game.scenes.fireworks.model import FireworksModel
+from game.scenes.fireworks.parameters import FireworksParameters
+from game.scenes.fireworks.readouts import readouts
+from game.scenes.fireworks.sounds import hearing
+from game.scenes.fireworks.view import FireworksView, warm_up_shine
+from game.stage import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    Strip,
+    WarmUp,
+)
+from game.stage.messages import Messages
+
+
+class FireworksState(NamedTuple):
+    """Stars as `StarSystem` keeps them; sound waves, what was heard and the listener; flashes and counts."""
+
+    fields: np.ndarray
+    identities: np.ndarray
+    alive: np.ndarray
+    tallies: np.ndarray
+    clock: np.ndarray
+    waves: np.ndarray
+    heard: np.ndarray
+    sound_counts: np.ndarray
+    ear: np.ndarray
+    flashes: np.ndarray
+    burst: np.ndarray
+    counts: np.ndarray
+    marks: np.ndarray
+
+
+class Fireworks(Scene):
+    """A shell is thrown from a mortar, and bursts at the top of its way into stars, which leave sparks or
+    burst again. Each star is a point with a mass that burns away. The air drags it, the more the less of it
+    is left, and carries it with the wind. Births and bursts have their own instant within a step.
+
+    All shells of the programme are laid for still air; the wind takes them off the mark, and is seen in the
+    smoke. A burst's radius stands beside what drag ballistics say of its fastest stars in still air. Its
+    momentum is that of the shell: stars fly off in opposite pairs.
+
+    What bursts is heard later by its distance over 343.2 m/s, where the listener on the near bank stands.
+
+    In the equations: u velocity through the air, w wind, m mass as a share of the full one, g gravity, k and
+    c linear and quadratic drag, t time, v_0 speed at the burst, v_e speed of a rocket's gas, b share of the
+    mass that burns in a second, d distance.
+    """
+
+    name, task, title = A09.names
+    effects = GRAVITY | DRAG | QUADRATIC_DRAG | WIND | GROUND | BURNING | THRUST | TRAILS
+    parameters_type = FireworksParameters
+    parameters: FireworksParameters
+    content_type = FireworksContent
+    study = star_study
+    takes = frozenset(("right",))
+    covers = True
+    legend_in_panel = True
+
+    strips = (
+        Strip("Stars alight", "", ("alive",)),
+        Strip(
+            "Burst radius",
+            "m",
+            ("ballistics", "burst radius"),
+            ("ballistics",),
+            ("ballistics", "burst radius"),
+        ),
+        Strip("Wind", "m/s", ("wind", "smoke drift"), (), ("smoke drift",)),
+    )
+    hints = (
+        Hint(("Click",), "fire a shell to burst there"),
+        Hint(("Right click",), "burst one at once"),
+        Hint(("Drag",), "walk the listener along the bank"),
+    )
+    actions = (
+        SceneAction("salvo", "fire one of each shell", "B"),
+        SceneAction("clear", "put out all stars", "C"),
+    )
+    figure = staticmethod(draw_ballistics)
+    equations = (
+        Equation(
+            "A star in the air",
+            r"\dot{\v{u}} = \v{g} - (k + \frac{c}{m} \abs{\v{u}}) \v{u},  m = 1 - b t",
+            "Newton 1687",
+        ),
+        Equation(
+            "Split drag, exact for the drag alone",
+            r"\v{u}_{n+1} = \frac{E \v{u}_n}{1 + c G \abs{\v{u}_n}},  E = e^{-k h},  G = \frac{1 - E}{k}",
+            "Strang 1968",
+        ),
+        Equation("Radius of a burst", r"r = \frac{1}{c} \ln (1 + c v_0 t)", "drag ballistics, still air"),
+        Equation(
+            "A star that burns away",
+            r"\frac{1}{v} = \frac{1}{v_0} - \frac{c}{b} \ln (1 - b t)",
+        ),
+        Equation("A rocket", r"v = v_e \ln \frac{m_0}{m} - g t", "Tsiolkovsky 1903"),
+        Equation("Momentum of a burst", r"\sum m_i (\v{v}_i - \v{v}) = 0", "opposite pairs"),
+        Equation("Sound", r"t = t_0 + \frac{d}{343.2}"),
+    )
+    try_this = (
+        "Click high over the lake: the shell is laid for the wind as it is and bursts there.",
+        "Set the wind to 20 m/s: smoke streams off, and the programme's shells burst off the mark.",
+        "Drag the listener away, and see how long each sound takes.",
+        "Make stars ten times as heavy: bursts grow, and ballistics with them.",
+        "Open the level with one burst in still air and choose explicit Euler: the radius is off at once.",
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else FireworksContent()
+        self.model = FireworksModel(content, self.parameters, self.active, self.seed)
+        self.hand = FireworksHand(self.model)
+        self.view = FireworksView(self.model, self.hand)
+        self.said = Messages()
+        self.was_full = 0
+
+    def parameter_changed(self, name: str) -> None:
+        self.model.configure()
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def state(self) -> FireworksState:
+        model, thunder = self.model, self.model.thunder
+        return FireworksState(
+            *model.system.state(), thunder.waves, thunder.heard, thunder.counts, thunder.ear,
+            model.flashes, model.burst, model.counts, model.marks,
+        )  # fmt: skip
+
+    def restore(self, state: FireworksState) -> None:
+        self.model.system.restore(StarState(*state[:5]))
+        for mine, theirs in zip(self.state()[5:], state[5:], strict=True):
+            np.copyto(mine, theirs)
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+        dropped = self.model.dropped
+        if dropped > 0 and not self.was_full:
+            self.said.say("No place is left for some stars: they are dropped and counted.")
+            self.was_full = 1
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name == "salvo":
+            self.model.fire_all()
+        else:
+            self.model.clear()
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    def check(self) -> None:
+        self.model.system.check()
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        return (WarmUp("stars", lambda: cls().advance(cls.dt)), WarmUp("shine", warm_up_shine))
+
+    # -- what there is to see and hear --------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        return readouts(self.model)
+
+    def hearing(self) -> Hearing:
+        return hearing(self.model)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return self.view.targets()
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        view = self.model.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, alpha)
