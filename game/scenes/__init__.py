@@ -15,6 +15,7 @@ from game.scenes import (
     lecture_table,
     rigid_body,
     skeletons,
+    solids,
     spheres,
     springs,
     three_tables,
@@ -38,5 +39,6 @@ CATALOGUE = Catalogue(
         *rigid_body.ENTRIES,
         *spheres.ENTRIES,
         *examples.ENTRIES,
+        *solids.ENTRIES,
     )
 )
