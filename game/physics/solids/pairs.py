@@ -13,6 +13,7 @@ from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import DYNAMIC, NONE
 
 LEVELS = 48
+MOST_COLOURS = 23  # what finds none free shares the last
 FINEST = -16  # cells of the finest level are 2**FINEST m
 
 
@@ -182,3 +183,27 @@ def carry_over(contacts, old, pair_keys, found, shapes):
         for k in range(contacts.manifolds.shape[1]):
             contacts.manifolds[p, k] = old.manifolds[q, k] if same else 0.0
     contacts.count[0] = found
+
+
+@inner_kernel
+def order_by_colours(bodies, contacts, scratch):
+    """Solve pairs that share no body after each other: the processor need not wait for one to begin the next."""
+    colours, colour_of = scratch.colours, scratch.colour_of
+    colours[:] = 0
+    top = 0
+    for p in range(contacts.count[0]):
+        i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
+        taken = (colours[i] if bodies.flags[i] & DYNAMIC else 0) | (colours[j] if bodies.flags[j] & DYNAMIC else 0)
+        colour = 0
+        while colour < MOST_COLOURS and taken >> colour & 1:
+            colour += 1
+        colours[i] |= 1 << colour
+        colours[j] |= 1 << colour
+        colour_of[p] = colour
+        top = max(top, colour)
+    place = 0
+    for colour in range(top + 1):
+        for p in range(contacts.count[0]):
+            if colour_of[p] == colour:
+                contacts.order[place] = p
+                place += 1

@@ -34,7 +34,7 @@ class Numbers(NamedTuple):
     drag: float  # 1/s, of velocity against the air
     spin_drag: float  # 1/s
     near: float  # m: how far apart two may be and yet be prepared as a contact
-    recycle: float  # m: how far two may move against each other before their manifold is found again
+    recycle: float  # of near: how far two may move against each other before their manifold is found again
     contact_rate: float  # 1/s: soft contacts, speed of parting for each metre of overlap
     contact_mass: float  # part of the effective mass that a soft contact uses
     contact_give: float  # part of the impulse that a soft contact gives back
@@ -72,8 +72,8 @@ class SolidSettings:
     effects: of `SOLIDS`. solver: a name of `SOLVERS`. substeps: parts of a step. iterations: sweeps of a
     substep, by solvers that have them. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft
     contacts, at most a quarter of the substeps a second; contact_damping: of critical. joint_hertz,
-    joint_damping: of joints without a compliance of their own; 0: half as many as substeps a second. push: m/s, fastest parting of what
-    overlaps. bounce: m/s, slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of
+    joint_damping: of joints without a compliance of their own; hertz 0: half as many as substeps a second.
+    push: m/s, fastest parting of what overlaps. bounce: m/s, slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of
     it, how far two may move before their manifold is found again, 0 for always. slop: m. calm: m/s and
     patience: s of sleep.
     """
@@ -136,7 +136,7 @@ class SolidSettings:
         return Numbers(
             mask, self.substeps, self.iterations, float(dt), h, x, y,
             float(self.drag) if dragging else 0.0, float(self.spin_drag) if dragging else 0.0,
-            float(self.near), self.recycle * self.near,
+            float(self.near), float(self.recycle),
             *soft(hertz, self.contact_damping, h), *soft(2.0 * hertz, self.contact_damping, h),
             *soft(self.joint_hertz or 0.125 / h, self.joint_damping, h),
             float(self.push), float(self.bounce) if mask & RESTITUTION_BIT else math.inf, float(self.slop),

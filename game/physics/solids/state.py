@@ -55,6 +55,7 @@ class Bodies(NamedTuple):
     reaches: Floats  # (n,) m, farthest point of its shapes from the centre of mass
     cores: Floats  # (n,) m, how far it may go in a step without passing through something thin
     quiet: Floats  # (n,) s, for how long it has been slow
+    late: Floats  # (n,) s, of the last step, that continuous collision cut off
     found: Floats  # (n, 4) pose (m, m, rad) when its boxes were made, and how much room these left, m
 
 
@@ -89,6 +90,7 @@ class Contacts(NamedTuple):
     """
 
     count: Longs  # (2,) pairs; those that touch
+    order: Ints  # (p,) in which they are solved: by colours, of which each has every body at most once
     shapes: Ints  # (p, 2) a, b: a's kind is not below b's
     bodies: Ints  # (p, 2) of a, of b
     marks: Ints  # (p, MARKS_WIDTH)
@@ -103,8 +105,8 @@ class Contacts(NamedTuple):
 ) = range(11)  # fmt: skip
 ROW_POINT = 11
 # of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n of a
-# and b, gap when the step began, effective masses along normal and tangent, accumulated impulses
-CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_N, MASS_T, JN, JT = range(9)
+# and b, gap when the step began, 1 / effective mass along the normal, effective mass along the tangent, accumulated impulses
+CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, STIFF_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
 ROW_WIDTH = 30
 # columns of Rows.rare: what only the end of a step asks for
@@ -144,10 +146,13 @@ class Scratch(NamedTuple):
     pair_keys: Ints  # (p, 2)
     pair_spare: Ints  # (p, 2)
     tallies: Ints  # (s + 1,)
+    colours: Longs  # (n,) bits of colours in which a body has a pair
+    colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     begun_places: (
-        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step
+        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step (negative:
+        # in the one before, which was cut short)
     )
     events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

@@ -120,15 +120,16 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
             for k in (i, j):
                 if bodies.flags[k] & DYNAMIC:
                     fractions[k] = min(fractions[k], t)
-    return cut_motion(motion, scratch.accelerations, fractions, numbers.dt)
+    return cut_motion(bodies, motion, scratch.accelerations, fractions, numbers.dt)
 
 
 @inner_kernel
-def cut_motion(motion, pulls, fractions, dt):
+def cut_motion(bodies, motion, pulls, fractions, dt):
     """Let bodies go only a fraction of their way; how many."""
     stopped = 0
     for i in range(fractions.shape[0]):
         t = fractions[i]
+        bodies.late[i] = (1.0 - t) * dt
         if t < 1.0:
             stopped += 1
             motion[i, DX] *= t

@@ -82,6 +82,7 @@ class SolidState(NamedTuple):
     joints: Joints
     contacts: Contacts  # those in use
     origins: Floats  # (n, 2) m
+    masses: Floats  # (n, 2) kg, kg m²
     free: tuple[NDArray[np.int64], ...]  # slots of bodies, shapes, corners and joints
     free_runs: tuple[tuple[int, int], ...]  # corners that are free: (first, count)
     excluded: NDArray[np.int64]
@@ -107,6 +108,7 @@ class SolidWorld:
         self._rows = memory.rows_of(64)
         self._scratch = memory.scratch_of(0, 0, 64)
         self._origins: Floats = np.zeros((16, 2))  # in the frames of the bodies
+        self._masses: Floats = np.zeros((16, 2))  # kg, kg m², as if dynamic; 0 for what has none
         self._runs: dict[int, list[int]] = {}
         self._excluded: NDArray[np.int64] = np.zeros(0, dtype=np.int64)
         self._stale = True
@@ -224,7 +226,7 @@ class SolidWorld:
             self._check_dynamic([part for part, _ in parts], mass.mass, mass.inertia)
         if kind == "fixed" and (vx, vy, w) != (0.0, 0.0, 0.0):
             raise ValueError("velocity: a fixed body has none (a key-framed one may)")
-        cx, cy = mass.centre if kind == "dynamic" else (0.0, 0.0)
+        cx, cy = mass.centre  # of a chain: its origin
         body = self._bodies.take()
         rows = self.bodies
         c, s = math.cos(turn), math.sin(turn)
@@ -237,7 +239,10 @@ class SolidWorld:
             rows.inverse_masses[body], rows.inverse_inertias[body] = 1.0 / mass.mass, 1.0 / mass.inertia
         if body >= len(self._origins):
             self._origins = np.concatenate([self._origins, np.zeros_like(self._origins)])
+            self._masses = np.concatenate([self._masses, np.zeros_like(self._masses)])
         self._origins[body] = -cx, -cy
+        has_chain = any(part.kind == SEGMENT for part, _ in parts)
+        self._masses[body] = (0.0, 0.0) if has_chain else (mass.mass, mass.inertia)
         for part, shape in parts:
             self._add_part(body, part, shape, cx, cy)
         self._changed()
@@ -292,13 +297,34 @@ class SolidWorld:
         self._changed()
 
     def _forget_contacts(self, gone: NDArray[np.int64]) -> None:
-        """Drop the pairs of shapes that are gone."""
+        """Drop the pairs of shapes that are gone; the next step orders those that are left."""
         contacts = self.contacts
         left = ~np.isin(contacts.shapes, gone).any(axis=1)
         count = int(left.sum())
         for mine, rows in zip(self._contacts[1:], contacts[1:], strict=True):
             mine[:count] = rows[left]
         self._contacts.count[0] = count
+
+    def set_kind(self, body: int, kind: str) -> None:
+        """Make a body dynamic, fixed or key-framed; pose, velocity and spin are kept, but a fixed one stops.
+
+        ValueError for a kind that there is not, or a dynamic body without mass.
+        """
+        self._known(body)
+        if kind not in KINDS:
+            raise ValueError(f"kind = {kind!r}: expected one of {', '.join(KINDS)}")
+        rows = self.bodies
+        mass, inertia = self._masses[body]
+        if kind == "dynamic" and not (mass > 0.0 and inertia > 0.0):
+            raise ValueError(f"body {body}: its shapes have no mass, so it cannot be dynamic")
+        rows.flags[body] = KINDS[kind] | (rows.flags[body] & RESTLESS)
+        dynamic = kind == "dynamic"
+        rows.inverse_masses[body] = 1.0 / mass if dynamic else 0.0
+        rows.inverse_inertias[body] = 1.0 / inertia if dynamic else 0.0
+        if kind == "fixed":
+            rows.velocities[body], rows.spins[body] = 0.0, 0.0
+        self._stale = True
+        self.wake(body)
 
     def set_pose(self, body: int, position: ArrayLike, angle: float) -> None:
         """Put a body elsewhere at once: centre of mass m, angle rad. ValueError."""
@@ -492,7 +518,7 @@ class SolidWorld:
     # ------------------------------------------------------------------ events, measures, state
 
     def contacts_begun(self) -> tuple[NDArray[np.int32], Floats]:
-        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s in the step (e, 5)."""
+        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s from the step's beginning (e, 5)."""
         count = min(int(self._scratch.events[BEGUN]), memory.EVENTS)
         return self._scratch.begun[:count].copy(), self._scratch.begun_places[:count].copy()
 
@@ -503,7 +529,7 @@ class SolidWorld:
         runs = tuple((start, count) for count, starts in self._runs.items() for start in starts)
         return SolidState(
             tables[0][0], tables[1][0], tables[2][0], tables[3][0], contacts,
-            self._origins[: self._bodies.top].copy(), tuple(free for _, free in tables), runs,
+            self._origins[: self._bodies.top].copy(), self._masses[: self._bodies.top].copy(), tuple(free for _, free in tables), runs,
             self._excluded.copy(), self._stale, self.time,
         )  # fmt: skip
 
@@ -521,8 +547,9 @@ class SolidWorld:
         for mine, given in zip(self._contacts[1:], state.contacts[1:], strict=True):
             mine[:count] = given
         if len(self._origins) < len(state.origins):
-            self._origins = np.zeros((2 * len(state.origins), 2))
+            self._origins, self._masses = np.zeros((2, 2 * len(state.origins), 2))
         self._origins[: len(state.origins)] = state.origins
+        self._masses[: len(state.masses)] = state.masses
         self._runs = {}
         for start, size in state.free_runs:
             self._runs.setdefault(size, []).append(start)

@@ -13,7 +13,7 @@ Prepared before the call (`stepping.begin_step`):
   to b, friction, whether one end cannot move, inverse masses and inertias (0 for what is not dynamic: write
   velocities of both ends without asking), roundings ROUND_A/B, COUPLING of both points; from ROW_POINT on,
   ROW_POINT_WIDTH each, the points: for levers r from both centres CROSS_A/B = r x n and DOT_A/B = r . n, SEP the gap
-  when the step began, effective masses MASS_N, MASS_T, and the impulses JN, JT of the last substep of the last
+  when the step began, 1/effective mass STIFF_N along n, effective mass MASS_T along t, and the impulses JN, JT of the last substep of the last
   step (warm start; 0 for a new contact). The tangent is t = (ny, -nx), so r = DOT n + CROSS t and r x t = -DOT.
   The gap now is `impulses.gap_now`: rounding does not turn with a body, so discs roll without bumps.
 - ``rare[c]``: RESTITUTION, speeds APPROACH_0/1 of the gap before the step (negative: closing), MOST_0/1 = 0.

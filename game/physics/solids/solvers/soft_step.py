@@ -25,9 +25,9 @@ def solve_soft_step(bodies, rows, joints, scratch, numbers):
         start_warm(rows, motion)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, True)
-            sweep_contacts(rows, motion, springs, True)
+            sweep_contacts(rows, motion, springs, True, False)
         move(motion, numbers.h)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, False)
-            sweep_contacts(rows, motion, springs, False)
+            sweep_contacts(rows, motion, springs, False, True)
     bounce_contacts(rows, motion, numbers)
