@@ -47,6 +47,7 @@ def shapes_of(entry: BodyEntry, friction: float, restitution: float) -> list[Sha
         entry.density,
         friction if entry.friction is None else entry.friction,
         restitution if entry.restitution is None else entry.restitution,
+        *((0, 0) if entry.ghost else ()),
     )
     return [_shape(shape, material) for shape in entry.shapes]
 
@@ -114,6 +115,7 @@ def entry_of(world: SolidWorld, body: int, tint: int) -> BodyEntry:
         friction=float(shapes.frictions[first]) if tint & OWN_FRICTION else None,
         restitution=float(shapes.restitutions[first]) if tint & OWN_RESTITUTION else None,
         colour=COLOURS[tint & 255],
+        ghost=not shapes.masks[first],
     )
 
 

@@ -57,7 +57,7 @@ class SwingEntry(LevelEntry, frozen=True, kw_only=True):
 
 
 class BodyEntry(MaterialEntry, frozen=True, kw_only=True):
-    """A body. angle: degrees. gone_at: s, when it is taken away; 0: never."""
+    """A body. angle: degrees. gone_at: s, when it is taken away; 0: never. ghost: it touches nothing."""
 
     shapes: Annotated[tuple[ShapeEntry, ...], msgspec.Meta(min_length=1, max_length=400)]
     position: Point = (0.0, 0.0)
@@ -68,6 +68,7 @@ class BodyEntry(MaterialEntry, frozen=True, kw_only=True):
     gravity_scale: Rate = 1.0
     swing: SwingEntry | None = None
     gone_at: Annotated[float, msgspec.Meta(ge=0.0, le=1e6)] = 0.0
+    ghost: bool = False
 
 
 class JointEntry(LevelEntry, frozen=True, kw_only=True):
