@@ -52,6 +52,7 @@ from game.physics.solids.state import (
     RESTITUTION,
     ROUND_A,
     ROUND_B,
+    ROW_COLD,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -68,6 +69,7 @@ from game.physics.solids.state import (
     TANGENT_IMPULSE,
 )
 
+COLD = 30.0  # m/s², what closes faster than that in a step hits, it does not rest
 MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
 
 
@@ -215,6 +217,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
+    fastest = 0.0
     row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):
         at, to = FIRST_POINT + k * POINT_WIDTH, ROW_POINT + k * ROW_POINT_WIDTH
@@ -240,6 +243,8 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
         rare[c, MOST_0 + k] = 0.0
+        fastest = min(fastest, rare[c, APPROACH_0 + k])
+    row[c, ROW_COLD] = 1.0 if fastest < -COLD * numbers.dt else 0.0
     if points == 2:
         to = ROW_POINT + ROW_POINT_WIDTH
         crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]

@@ -67,7 +67,9 @@ NOTHING_WRONG = -1
 
 @lean_kernel
 def renew_pairs(bodies, shapes, pool, contacts, spare, excluded, scratch, numbers):
-    """Pairs anew, whatever moved; returns how many there are: if more than there is room for, none is changed."""
+    """Pairs anew, whatever moved; returns how many there are: if more than there is room for, none is
+    changed.
+    """
     make_room(bodies, numbers)
     make_boxes(bodies, shapes, pool, numbers)
     found = find_pairs(bodies, shapes, excluded, scratch)

@@ -1,4 +1,6 @@
-"""The surface by which rooms meet: points are sampled, impulses and heat are taken; no room knows another's classes."""
+"""The surface by which rooms meet: points are sampled, impulses and heat are taken; no room knows
+another's classes.
+"""
 
 from game.physics.surfaces.adapters import BallSurface, DiscSurface, SphereSurface
 from game.physics.surfaces.exits import EXIT_REASONS, Exits

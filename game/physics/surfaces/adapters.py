@@ -1,7 +1,7 @@
 """Round things of other rooms as surfaces: discs of particles, colliding spheres, billiard balls.
 
-All are discs by arrays: centre, radius, velocity, spin and inverse mass of each. The room's own way to take an
-impulse is given as a function.
+All are discs by arrays: centre, radius, velocity, spin and inverse mass of each. The room's own way to
+take an impulse is given as a function.
 """
 
 from __future__ import annotations
@@ -42,7 +42,9 @@ def sample_round(
 
 
 class DiscSurface:
-    """Discs that particles fall on. They are led, not pushed: their inverse mass is 0; what hits them is noted."""
+    """Discs that particles fall on. They are led, not pushed: their inverse mass is 0; what hits them is
+    noted.
+    """
 
     def __init__(self, discs: Discs, friction: float = 0.0, warmth: Warmth | None = None):
         self.discs, self.friction, self.warmth = discs, friction, warmth or Warmth()
@@ -125,8 +127,8 @@ class SphereSurface:
 class BallSurface:
     """Balls of any other room (billiards), given by functions that read and push them.
 
-    read: () -> centres (n, 2) m, velocities (n, 2) m/s. strike: (ball, impulse (2,) N s) -> None. mass kg and radius
-    m are of each ball; spin about the vertical has no part in the plane of the table.
+    read: () -> centres (n, 2) m, velocities (n, 2) m/s. strike: (ball, impulse (2,) N s) -> None. mass kg
+    and radius m are of each ball; spin about the vertical has no part in the plane of the table.
     """
 
     def __init__(

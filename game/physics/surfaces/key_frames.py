@@ -1,7 +1,8 @@
-"""A body led along a curve, and handed over: key-framed it has infinite mass and exactly the curve's velocity.
+"""A body led along a curve, and handed over: key-framed it has infinite mass and exactly the curve's
+velocity.
 
-In each step the body's velocity is what brings it from where it is to where the curve is at the end of the step,
-so what it touches feels a velocity that agrees with its motion, and places never drift from the curve.
+In each step the body's velocity is what brings it from where it is to where the curve is at the end of the
+step, so what it touches feels a velocity that agrees with its motion, and places never drift from the curve.
 """
 
 from __future__ import annotations
@@ -24,7 +25,9 @@ class KeyFrames:
         world.set_kind(body, "key-framed")
 
     def lead(self, time: float, dt: float) -> None:
-        """Give the body the velocity for a step that begins at time (s) and lasts dt. ValueError for the curve."""
+        """Give the body the velocity for a step that begins at time (s) and lasts dt. ValueError for the
+        curve.
+        """
         x, y, angle = self.curve(time + dt)
         goal: NDArray[np.float64] = np.array([x, y, angle], dtype=np.float64)
         if not np.isfinite(goal).all():

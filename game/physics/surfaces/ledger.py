@@ -1,4 +1,6 @@
-"""A ledger of mass, momentum, energy and heat over all rooms of a scene: what came in, what is there, what is open."""
+"""A ledger of mass, momentum, energy and heat over all rooms of a scene: what came in, what is there,
+what is open.
+"""
 
 from __future__ import annotations
 
@@ -21,8 +23,8 @@ class Entry(NamedTuple):
 class Ledger:
     """Compares what rooms hold with what they held and what was put in from outside.
 
-    `open_book` notes what each room holds; `bring` what comes from outside (a hand, gravity, a source); `open_share`
-    is what rooms hold now less all of that: 0 where everything is conserved.
+    `open_book` notes what each room holds; `bring` what comes from outside (a hand, gravity, a source);
+    `open_share` is what rooms hold now less all of that: 0 where everything is conserved.
     """
 
     def __init__(self) -> None:

@@ -45,7 +45,9 @@ def to_segment(px, py, qx, qy, x, y):
 
 @inner_kernel
 def to_shape(shapes, pool, s, x, y):
-    """Signed distance of (x, y), in the frame of the body, and outward direction. Chains are thin: both sides."""
+    """Signed distance of (x, y), in the frame of the body, and outward direction. Chains are thin: both
+    sides.
+    """
     start, count = shapes.starts[s], shapes.counts[s]
     if shapes.kinds[s] == SEGMENT:
         px, py = pool.corners[start + 1, 0], pool.corners[start + 1, 1]
@@ -66,7 +68,9 @@ def to_shape(shapes, pool, s, x, y):
 
 @lean_kernel
 def sample_solids(points, bodies, shapes, pool, distance, normal, velocity, friction, nearest):
-    """Write distance (n,), normal (n, 2), velocity (n, 2), friction (n,) and body (n,) of the nearest shapes."""
+    """Write distance (n,), normal (n, 2), velocity (n, 2), friction (n,) and body (n,) of the nearest
+    shapes.
+    """
     for m in range(points.shape[0]):
         distance[m], friction[m], nearest[m] = math.inf, 0.0, -1
         normal[m, 0], normal[m, 1], velocity[m, 0], velocity[m, 1] = 0.0, 0.0, 0.0, 0.0

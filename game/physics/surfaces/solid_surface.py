@@ -11,7 +11,9 @@ from game.physics.surfaces.surface import Sample, Warmth, checked_places, empty_
 
 
 class SolidSurface:
-    """Answers for all bodies of a world: discs, polygons, capsules, compounds, chains (thin, solid behind)."""
+    """Answers for all bodies of a world: discs, polygons, capsules, compounds, chains (thin, solid
+    behind).
+    """
 
     def __init__(self, world: SolidWorld, warmth: Warmth | None = None):
         self.world = world

@@ -1,6 +1,7 @@
 """What a solid of any room answers to others: where its surface is, how it moves, and how it takes a push.
 
-Rooms meet by arrays. SI units; distance is negative inside, the normal looks outward, room temperature is 293.15 K.
+Rooms meet by arrays. SI units; distance is negative inside, the normal looks outward, room temperature is
+293.15 K.
 """
 
 from __future__ import annotations

@@ -33,6 +33,7 @@ from game.physics.solids.state import (
     RESTITUTION,
     ROUND_A,
     ROUND_B,
+    ROW_COLD,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -56,11 +57,15 @@ SECOND = ROW_POINT + ROW_POINT_WIDTH
 
 @inner_kernel
 def start_warm(rows, motion):
-    """Apply the impulses of the substep before."""
+    """Apply the impulses of the substep before, but not those of an impact."""
     row, ends = rows.rows, rows.ends
     for c in range(rows.count[0]):
         a, b = ends[c, END_A], ends[c, END_B]
         nx, ny = row[c, ROW_NX], row[c, ROW_NY]
+        if row[c, ROW_COLD] > 0.0:
+            row[c, FIRST + JN], row[c, FIRST + JT] = 0.0, 0.0
+            row[c, SECOND + JN], row[c, SECOND + JT] = 0.0, 0.0
+            continue
         at = ROW_POINT
         jn, jt = row[c, at + JN], row[c, at + JT]
         turn_a = row[c, at + CROSS_A] * jn - row[c, at + DOT_A] * jt
@@ -107,7 +112,9 @@ def soft_springs(numbers):
 
 @inner_kernel
 def point_law(gap, spring, push, over_h):
-    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by its spring."""
+    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by
+    its spring.
+    """
     bias = max(gap, 0.0) * over_h + max(spring[0] * min(gap, 0.0), -push)
     return bias, 0.0 if gap > 0.0 else spring[2]
 

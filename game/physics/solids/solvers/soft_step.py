@@ -1,4 +1,5 @@
-"""Soft step: substeps, contacts as stiff damped springs, and a relaxing sweep that takes the spring's push out.
+"""Soft step: substeps, contacts as stiff damped springs, and a relaxing sweep that takes the spring's push
+out.
 
 Catto 2023, "Solver2D". A substep: forces, last impulses again, one soft sweep, places, one sweep without
 push. Overlap is compliance, not error: it falls as 1/f² with the frequency f, a quarter of the substeps a
