@@ -36,7 +36,7 @@ class SolidParameters(Parameters):
     gravity = Param(9.81, -20.0, 30.0, unit="m/s²", group="World", help="downwards")
     tier = Choice(
         "play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Solver", label="Quality",
-        help="substeps: 4, 12, 16, or as many as you say",
+        help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say",
     )  # fmt: skip
     substeps = Param(4, 1, 64, whole=True, log=True, group="Solver", help="parts of a step, with Own")
     iterations = Param(
@@ -44,8 +44,8 @@ class SolidParameters(Parameters):
     )
     solver = Choice("soft-step", tuple(SOLVERS), group="Solver", help="what finds the impulses of contacts")
     stiffness = Param(
-        30.0, 1.0, 240.0, unit="Hz", log=True, group="Solver", label="Contact frequency",
-        help="of soft contacts: a stack sinks by its inverse square",
+        0.0, 0.0, 480.0, unit="Hz", group="Solver", label="Contact frequency",
+        help="of soft contacts: a stack sinks by its inverse square; 0: an eighth of the substeps a second",
     )  # fmt: skip
     step_length = Param(1.0 / 60.0, 1.0 / 1000.0, 1.0 / 20.0, unit="s", log=True, group="Solver",
                         label="Time step")  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
+from game.lab.studies.stacks import stack_study
 from game.levels import Level
 from game.physics.solids.effects import USUAL
 from game.scenes.shared.expectations import captions_of, draw_captions
@@ -51,6 +52,7 @@ class Solids(Scene):
     parameters: SolidParameters
     effects = USUAL
     content_type = SolidContent
+    study = stack_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
     may_be_infinite = frozenset(("world.joints",))
 
