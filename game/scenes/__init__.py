@@ -19,6 +19,7 @@ from game.scenes import (
     spheres,
     springs,
     three_tables,
+    tracks,
     two_balls,
 )
 from game.stage.catalogue import Catalogue
@@ -40,5 +41,6 @@ CATALOGUE = Catalogue(
         *spheres.ENTRIES,
         *examples.ENTRIES,
         *solids.ENTRIES,
+        *tracks.ENTRIES,
     )
 )

@@ -69,7 +69,7 @@ stack_study = Study(
     settings=_settings,
     trial=StackTrial,
     reference="rigid boxes do not sink.",
-    expectation="Soft contacts sink by the inverse square of their frequency, and that goes with the substeps.",
+    expectation="Soft contacts sink by the inverse square of their frequency, which goes with the substeps.",
     present=_present,
     workload=Workload("a column of ten boxes"),
 )

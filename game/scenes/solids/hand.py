@@ -10,12 +10,12 @@ import numpy as np
 from game.physics.solids.joints.layout import MOUSE
 from game.physics.solids.outlines import signed_area
 from game.physics.solids.state import DYNAMIC
+from game.scenes.shared.simplify import simplified
 from game.scenes.solids.bodies import entry_of
 from game.scenes.solids.cutting import cut_bodies
 from game.scenes.solids.level import MOST_BODIES, BodyEntry, JointEntry, Point, ShapeEntry
 from game.scenes.solids.model import ANCHOR, SolidModel
 from game.scenes.solids.picking import NOBODY, bodies_at, body_at, joint_at, joints_across
-from game.scenes.solids.simplify import simplified
 from game.stage import Part, Pointer
 
 REACH = 0.02  # of the height in view: how near to something the pointer takes it

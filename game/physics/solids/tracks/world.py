@@ -115,10 +115,11 @@ class TrackWorld:
         """Take a ball away; later ones get its number and those after it. ValueError."""
         if not 0 <= ball < len(self.balls.rows):
             raise ValueError(f"ball {ball!r}: there is none of this number")
-        self.balls = Balls(*(np.delete(array, ball, axis=0) for array in self.balls))
+        rows, pieces = self.balls
+        self.balls = Balls(np.delete(rows, ball, axis=0), np.delete(pieces, ball, axis=0))
 
     def put_down(self, ball: int, reach: float) -> bool:
-        """Put a ball on the nearest track within reach m of touching it, as fast as it is along it; False: none."""
+        """Put a ball on the nearest track within reach m of touching it, as fast as it is; False: none."""
         one = Balls(self.balls.rows[ball : ball + 1], self.balls.pieces[ball : ball + 1])
         best = FREE
         for track in range(len(self.curves)):
