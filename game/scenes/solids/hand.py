@@ -196,7 +196,8 @@ class SolidHand(Part):
         ids = [ANCHOR, found[0]] if len(found) == 1 else found
         motor = {"speed": self.parameters.motor_speed, "most": 1e6} if kind == "motor" else {}
         try:
-            self.model.join(JointEntry(kind=kind, bodies=(0, 1), at=point, **motor), ids)  # type: ignore[arg-type]
+            entry = JointEntry(kind=kind, bodies=(0, 1), at=point, **motor)  # type: ignore[arg-type]
+            self.model.join(entry, ids)
         except ValueError as error:
             return f"{str(error)[:1].upper()}{str(error)[1:]}."
         return ""

@@ -141,14 +141,14 @@ class CradleEntry(MaterialEntry, frozen=True, kw_only=True):
 
 
 class LinksEntry(MaterialEntry, frozen=True, kw_only=True):
-    """Capsules pinned end to end. held: which ends hang on the ground; load: m² of a disc at the last end."""
+    """Capsules pinned end to end. held: which ends hang on the ground; load: kg of a disc at the last."""
 
     start: Point
     end: Point
     links: Count
     radius: Length = 0.05
     held: Literal["none", "first", "both"] = "both"
-    load: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] = 0.0  # kg
+    load: Annotated[float, msgspec.Meta(ge=0.0, le=1e9)] = 0.0
     load_radius: Length = 0.5
 
 

@@ -14,6 +14,7 @@ from game.physics.solids.state import (
     DYNAMIC,
     FIRST_POINT,
     GAP,
+    IN_B_X,
     NORMAL_IMPULSE,
     NORMAL_X,
     POINT_WIDTH,
@@ -108,14 +109,18 @@ def contact_points(world: SolidWorld) -> ContactPoints:
         x, y = manifolds[here, at], manifolds[here, at + 1]
         cos, sin = c[here], s[here]
         places = np.stack([cos * x - sin * y, sin * x + cos * y], axis=1) + rows.positions[a[here]]
-        own = manifolds[here]
+        own, b = manifolds[here], contacts.bodies[touching, 1][here]
+        cos_b, sin_b = rows.rotations[b, 0], rows.rotations[b, 1]
+        bx, by = own[:, at + IN_B_X], own[:, at + IN_B_X + 1]
+        others = np.stack([cos_b * bx - sin_b * by, sin_b * bx + cos_b * by], axis=1) + rows.positions[b]
+        gaps = own[:, at + GAP] + ((others - places) * normals[here]).sum(axis=1)
         found.append(
             (
                 places,
                 normals[here],
                 own[:, at + NORMAL_IMPULSE],
                 own[:, at + TANGENT_IMPULSE],
-                -own[:, at + GAP],
+                -gaps,
             )
         )
     return ContactPoints(*(np.concatenate([part[i] for part in found]) for i in range(5)))

@@ -21,7 +21,7 @@ MOST_TRACKS, MOST_BALLS = 40, 2_000
 
 
 class TrackHand(Part):
-    """held: ball in the hand; bent: track in the hand; point: of the hand, m; path: of a track being drawn."""
+    """held: ball in the hand; bent: track in the hand; point: of the hand, m; path: of a new track."""
 
     def __init__(self, model: TracksModel):
         self.model, self.parameters = model, model.parameters

@@ -56,13 +56,16 @@ class BallEntry(LevelEntry, frozen=True, kw_only=True):
 
 
 class GaugeEntry(LevelEntry, frozen=True, kw_only=True):
-    """A measured number. arrives: s, when ball ``of`` first is right of x = level (left of it, if it began
-    to the right of it); leaves: degrees from upright about ``about`` when it first leaves its track; period: s
-    between its last two passages of x = level to the left; speed m/s; high: m; past: balls right of x = level.
+    """A measured number.
+
+    arrives: s, when ball ``of`` first is right of x = level (left of it, if it began right of it). leaves:
+    degrees from upright about ``about`` when it first leaves its track. period: s between its last two
+    passages of x = level to the left. speed m/s, high m. past: balls right of x = level; rode: of the first
+    fifty, those that came there and never left their track before.
     """
 
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
-    measure: Literal["arrives", "leaves", "period", "speed", "high", "past"]
+    measure: Literal["arrives", "leaves", "period", "speed", "high", "past", "rode"]
     of: Annotated[int, msgspec.Meta(ge=0, le=10_000)] = 0
     level: Metre = 0.0
     about: Point = (0.0, 0.0)

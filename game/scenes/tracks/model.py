@@ -38,6 +38,7 @@ COLOURS = ("chalk", "green", "vermilion", "pink", "violet", "yellow", "amber")
 OWN_FRICTION, OWN_RESTITUTION = 256, 512
 TRAIL = 160  # places that are remembered of each ball
 SHOWN_BALLS = 200  # most that have a trail
+RIDERS = 50  # bits that a float holds, with some to spare
 REACH = 0.6  # m, to the track on which a ball is seated
 NOT_YET = 0.0
 
@@ -163,6 +164,8 @@ class TracksModel(Part):
         for k, gauge in enumerate(self.content.gauges):
             if gauge.measure == "past":
                 self.gauges[k, 0] = np.count_nonzero(self.world.balls.rows[:, X] > gauge.level)
+            elif gauge.measure == "rode":
+                self._count_riders(self.gauges[k], gauge.level)
             elif gauge.of < len(on):
                 self._measure(k, gauge, before[gauge.of], bool(on[gauge.of]), dt)
 
@@ -183,6 +186,17 @@ class TracksModel(Part):
             noted[0] = math.hypot(row[VX], row[VY])
         elif gauge.measure == "high":
             noted[0] = y
+
+    def _count_riders(self, noted: Floats, level: float) -> None:
+        """noted: how many, and the numbers of those that flew or came, as bits."""
+        flown, come = int(noted[1]), int(noted[2])
+        balls = self.world.balls
+        for ball in range(min(len(balls.rows), RIDERS)):
+            if balls.rows[ball, X] > level and not flown >> ball & 1:
+                come |= 1 << ball
+            elif balls.pieces[ball, PIECE] == FREE and not come >> ball & 1:
+                flown |= 1 << ball
+        noted[:] = come.bit_count(), flown, come
 
     # -- what is there --------------------------------------------------------------------------------
 

@@ -29,10 +29,12 @@ class Tracks(Scene):
     one of 800, where every corner of chords takes some of the speed.
 
     While friction holds, the ball rolls, and its energy says how fast. Where the track presses too little for
-    that, the ball slips. Where it would have to pull, the ball leaves and flies, until it meets a track.
+    that, it slips. Where the track would have to pull, it leaves and flies, until it meets a track.
 
-    Balls do not touch one another. In the equations: s way of the centre, κ its curvature, N force of the track,
-    F friction, m mass, k m r² inertia, μ friction, R radius of a loop, a of a cycloid's wheel.
+    Balls do not touch one another.
+
+    In the equations: s way of the centre, κ its curvature, N force of the track, F friction, m mass, k m r²
+    inertia, μ friction, R radius of a loop, a of a cycloid's wheel.
     """
 
     name, task, title = TRACKS.names
@@ -57,7 +59,7 @@ class Tracks(Scene):
     )
     figure = staticmethod(draw_rolling)
     equations = (
-        Equation("Rolling", r"\ddot{s} = \frac{g \sin\theta}{1 + k}", "Galilei 1638; k = ½ disc, ⅖ sphere"),
+        Equation("Rolling", r"\ddot{s} = \frac{g \sin\theta}{1 + k}", "k = ½ disc, ⅖ sphere"),
         Equation(
             "It holds while", r"\abs{F} = \frac{k}{1 + k} m g \abs{\sin\theta} \le \mu N", "Coulomb 1785"
         ),
