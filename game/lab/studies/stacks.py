@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
@@ -58,6 +59,19 @@ def _present(parameters: Mapping[str, Any]) -> Setting:
     return Setting(str(parameters["solver"]), float(substeps))
 
 
+def _race_settings() -> list[Setting]:
+    return [
+        replace(
+            setting, scene={"setup": "stack", "tier": "own", "substeps": int(setting.knob), "iterations": 1}
+        )
+        for setting in _settings()
+    ]
+
+
+def _race_present(parameters: Mapping[str, Any]) -> Setting | None:
+    return None
+
+
 stack_study = Study(
     name="stack",
     title="A column of ten boxes",
@@ -73,3 +87,5 @@ stack_study = Study(
     present=_present,
     workload=Workload("a column of ten boxes"),
 )
+
+race_study = replace(stack_study, name="solver-race", settings=_race_settings, present=_race_present)

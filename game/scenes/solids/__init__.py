@@ -1,4 +1,4 @@
-"""The playground of solids: bodies of any shape, joints, and machines made of them."""
+"""The playground of solids: bodies of any shape, joints, machines made of them; and a race of solvers."""
 
 from game.stage.catalogue import Entry
 
@@ -13,4 +13,15 @@ SOLIDS = Entry(
     keywords="rigid bodies stack pyramid arch domino catapult cradle galton joint rope motor solver",
     card="draw_arch",
 )
-ENTRIES = (SOLIDS,)
+RACE = Entry(
+    name="solver-race",
+    task="S03",
+    title="Solver race",
+    fact="one set-up, all solvers",
+    category="Playgrounds",
+    module="game.scenes.solids.race.scene",
+    class_name="SolverRace",
+    keywords="rigid bodies solvers compared stack pyramid arch chain mass ratio sinking leaning overlap",
+    card="draw_columns",
+)
+ENTRIES = (SOLIDS, RACE)

@@ -63,16 +63,23 @@ class SolidView:
     def draw(self, canvas: Canvas, previous: ModelState | None, alpha: float) -> None:
         """All of it, ``alpha`` of the way from the state ``previous`` to now."""
         canvas.grid(None, "y")
-        places, angles = self._between(previous, alpha)
-        outlines = self._shapes()
         self._draw_ground(canvas)
+        self.draw_bodies(canvas, previous, alpha)
+        self._draw_joints(canvas)
+        self._draw_marks(canvas)
+        self._draw_hand(canvas)
+
+    def draw_bodies(
+        self, canvas: Canvas, previous: ModelState | None, alpha: float, offset: Point = (0.0, 0.0)
+    ) -> None:
+        """Bodies alone, moved by an offset m."""
+        places, angles = self._between(previous, alpha)
+        places = places + np.array(offset)
+        outlines = self._shapes()
         turned = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         self._draw_polygons(canvas, outlines, places, turned)
         self._draw_discs(canvas, outlines, places, turned)
         self._draw_segments(canvas, outlines, places, turned)
-        self._draw_joints(canvas)
-        self._draw_marks(canvas)
-        self._draw_hand(canvas)
 
     # -- bodies ---------------------------------------------------------------------------------------
 
