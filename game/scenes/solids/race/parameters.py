@@ -13,9 +13,32 @@ def field_of(solver: str) -> str:
     return f"with_{solver.replace('-', '_')}"
 
 
+SHORT = {
+    "sequential-impulses": "sequential",
+    "xpbd": "XPBD",
+    "augmented-vertex-block-descent": "AVBD",
+    "compliant-lagrangian": "Lagrangian",
+    "shock-propagation": "shock",
+    "complementarity": "direct",
+}
+# takes part unless one says otherwise: each solver has to be compiled, and the direct one is for few contacts
+FIRST = ("soft-step", "sequential-impulses", "xpbd", "compliant-lagrangian")
+
+
 def words_of(solver: str) -> str:
     """A solver's name in words."""
-    return solver.replace("-", " ")
+    return solver.replace("-", " ") if solver != "xpbd" else "XPBD"
+
+
+def titled(solver: str) -> str:
+    """A solver's name as a heading."""
+    words = words_of(solver)
+    return words[0].upper() + words[1:]
+
+
+def short_of(solver: str) -> str:
+    """A solver's name where there is little room."""
+    return SHORT.get(solver, words_of(solver))
 
 
 class SetupParameters(Parameters):
@@ -36,7 +59,7 @@ class SetupParameters(Parameters):
 
 
 _fields: dict[str, Any] = {
-    field_of(name): Toggle(True, label=words_of(name).capitalize(), group="Solvers", rebuild=True)
+    field_of(name): Toggle(name in FIRST, label=titled(name), group="Solvers", rebuild=True)
     for name in SOLVERS
 }
 SolverToggles = type("SolverToggles", (Parameters,), {"__doc__": "Who takes part.", **_fields})

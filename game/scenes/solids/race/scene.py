@@ -13,13 +13,14 @@ from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import RACE
 from game.scenes.solids.race.figure import draw_loop_of_impulses
 from game.scenes.solids.race.model import RaceModel, RaceState
-from game.scenes.solids.race.parameters import RaceParameters, words_of
+from game.scenes.solids.race.parameters import RaceParameters, field_of, short_of, titled
 from game.scenes.solids.race.view import RaceView
-from game.stage import Equation, Frame, Hint, Readout, Scene, SceneAction, Strip, Table, WarmUp
+from game.stage import Equation, Frame, Hint, Readout, Scene, SceneAction, SetParameter, Strip, Table, WarmUp
 from game.stage.messages import Messages
 from game.ui.look.numerals import format_si
 
-NAMES = {name: words_of(name) for name in SOLVERS}
+NAMES = {name: short_of(name) for name in SOLVERS}
+SWITCHES = frozenset(field_of(name) for name in SOLVERS)
 
 
 def _series(what: str) -> tuple[str, ...]:
@@ -27,11 +28,12 @@ def _series(what: str) -> tuple[str, ...]:
 
 
 class SolverRace(Scene):
-    """Bodies that press on each other make one large problem: all impulses at once, none of which may pull. No two
-    ways to solve it agree, and all are given the same bodies here, the same step, as many substeps and sweeps.
+    """Bodies that press on each other make one large problem: all impulses at once, none of which may pull. No
+    two ways to solve it agree, and all are given the same bodies here, the same step, as many substeps and
+    sweeps.
 
-    A stack sinks by the softness of its contacts, leans by what errs to one side; a chain gapes where its joints
-    give way to a load; an arch at its limit stands or falls.
+    A stack sinks by the softness of its contacts and leans by what errs to one side; a chain gapes where its
+    joints give way to a load; an arch at its limit stands or falls.
 
     In the equations: M masses, J rows of contacts and joints, λ impulses, v velocities, f forces, h substep.
     """
@@ -100,6 +102,10 @@ class SolverRace(Scene):
             return "The quality says how many there are; choose Own."
         return ""
 
+    def takes_long(self, event: Any) -> bool:
+        """Another solver is compiled first."""
+        return isinstance(event, SetParameter) and event.name in SWITCHES
+
     def state(self) -> RaceState:
         return self.model.state()
 
@@ -113,7 +119,7 @@ class SolverRace(Scene):
 
     def advance(self, dt: float) -> None:
         for name in self.model.advance(dt):
-            self.said.say(f"{NAMES[name].capitalize()} could not go on.")
+            self.said.say(f"{titled(name)} could not go on.")
 
     def action(self, name: str) -> None:
         self.parameters.setup = name

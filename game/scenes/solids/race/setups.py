@@ -33,7 +33,7 @@ def _heavy() -> SolidContent:
         BodyEntry(shapes=(ShapeEntry(box=(1.0, 1.0)),), position=(0.0, 0.5 + k), colour="wood")
         for k in range(10)
     )
-    return SolidContent(bodies=(*boxes, top), view=View(left=-7.0, bottom=-1.0, right=7.0, top=12.5))
+    return SolidContent(bodies=(*boxes, top), view=View(left=-4.5, bottom=-0.8, right=4.5, top=11.6))
 
 
 def _ratios() -> SolidContent:
@@ -53,15 +53,15 @@ def _ratios() -> SolidContent:
 SETUPS = {
     "stack": Setup(SolidContent(
         stacks=(StackEntry(at=(0.0, 0.0), count=20, colour="wood"),),
-        view=View(left=-12.0, bottom=-1.0, right=12.0, top=22.0),
+        view=View(left=-11.0, bottom=-1.0, right=11.0, top=21.0),
     )),
     "pyramid": Setup(SolidContent(
         stacks=(StackEntry(form="pyramid", at=(0.0, 0.0), count=20, colour="stone"),),
-        view=View(left=-12.0, bottom=-1.0, right=12.0, top=22.0),
+        view=View(left=-11.0, bottom=-1.0, right=11.0, top=21.0),
     )),
     "heavy": Setup(_heavy()),
     "cards": Setup(SolidContent(
-        cards=(CardEntry(at=(0.0, 0.0), storeys=3, thickness=0.03, lean=20.0, friction=0.8),),
+        cards=(CardEntry(at=(0.0, 0.0), storeys=3, thickness=0.03, lean=20.0, friction=0.8, colour="yellow"),),
         view=View(left=-2.2, bottom=-0.2, right=2.2, top=3.4),
     )),
     "chain": Setup(SolidContent(

@@ -8,7 +8,7 @@ import numpy as np
 
 from game.scenes.solids.hand import SolidHand
 from game.scenes.solids.race.model import RaceModel, RaceState
-from game.scenes.solids.race.parameters import words_of
+from game.scenes.solids.race.parameters import titled
 from game.scenes.solids.view import SolidView
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
@@ -59,7 +59,7 @@ class RaceView:
 
     def _draw_words(self, canvas: Canvas, k: int, corner: tuple[float, float]) -> None:
         """Name and numbers, above the world."""
-        model, name = self.model, words_of(self.model.solvers[k]).capitalize()
+        model, name = self.model, titled(self.model.solvers[k])
         result = model.result(k)
         if model.given_up[k]:
             canvas.label(corner, name, "text1", 13, "semibold", "bottomleft", (6.0, -20.0))
