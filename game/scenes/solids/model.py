@@ -72,6 +72,8 @@ class SolidModel(Part):
         self.gauges: Floats = np.zeros(len(content.gauges))
         self._of = [self._gauged(gauge, ids, joints) for gauge in content.gauges]
         self._starts = [self._pose(body) for body in self._of]
+        for k, gauge in enumerate(content.gauges):
+            self.gauges[k] = self._measure(k, gauge, self._of[k])
 
     # -- building -------------------------------------------------------------------------------------
 

@@ -24,7 +24,7 @@ about = "Nothing but the ground."
 
 
 def empty(**parameters) -> Stage:
-    level = parse_level(EMPTY, "empty.toml", "solids", SolidContent)
+    level = parse_level(EMPTY, "solids", SolidContent, "empty.toml")
     return Stage(Solids, level=level, parameters=parameters)
 
 
@@ -91,7 +91,7 @@ def test_the_cradle_sends_one_ball_for_one():
     for _ in range(1400):
         stage.run(1)
         most = np.maximum(most, stage.scene.model.world.bodies.positions[ids, 0] - start)
-    assert most[4] > 1.8 and most[1:4].max() < 0.3
+    assert most[4] > 1.6 and most[1:4].max() < 0.3
     assert readouts(stage)["sum"] == pytest.approx(first, rel=0.02)
 
 
@@ -231,14 +231,17 @@ def test_a_level_that_was_saved_goes_on_as_the_world_did(name):
             path=level.path,
         )
     )  # fmt: skip
-    again = Stage(Solids, level=parse_level(text, "saved.toml", "solids", SolidContent))
+    again = Stage(Solids, level=parse_level(text, "solids", SolidContent, "saved.toml"))
     first, second = stage.scene.model, again.scene.model
     assert len(first.movable()) == len(second.movable())
     assert np.allclose(
-        first.world.bodies.positions[first.movable()], second.world.bodies.positions[second.movable()], atol=1e-9
+        first.world.bodies.positions[first.movable()],
+        second.world.bodies.positions[second.movable()],
+        atol=1e-9,
     )
     assert np.allclose(
-        first.world.bodies.inverse_masses[first.movable()], second.world.bodies.inverse_masses[second.movable()]
+        first.world.bodies.inverse_masses[first.movable()],
+        second.world.bodies.inverse_masses[second.movable()],
     )
     mobile = first.world.bodies.flags & DYNAMIC != 0
     assert mobile.sum() == (second.world.bodies.flags & DYNAMIC != 0).sum()
@@ -255,8 +258,8 @@ def test_steps_back_come_to_the_same_bits():
 
 
 def test_nonsense_in_a_level_is_one_line():
-    text = EMPTY + '[[content.bodies]]\nshapes = [{ disc = 1.0, box = [1.0, 1.0] }]\n'
-    level = parse_level(text, "wrong.toml", "solids", SolidContent)
+    text = EMPTY + "[[content.bodies]]\nshapes = [{ disc = 1.0, box = [1.0, 1.0] }]\n"
+    level = parse_level(text, "solids", SolidContent, "wrong.toml")
     with pytest.raises(ValueError, match="expected one of disc") as found:
         Stage(Solids, level=level)
     assert "\n" not in str(found.value)

@@ -26,8 +26,7 @@ def draw_columns(pen: Pen) -> None:
             corners = []
             for u, v in ((-6.0, -0.5), (6.0, -0.5), (6.0, 0.5), (-6.0, 0.5)):
                 dx, dy = u, v * height
-                corners.append((
-                    middle + dx * math.cos(turn) - dy * math.sin(turn), y + dx * math.sin(turn) + dy * math.cos(turn)
-                ))  # fmt: skip
+                across = dx * math.cos(turn) - dy * math.sin(turn)
+                corners.append((middle + across, y + dx * math.sin(turn) + dy * math.cos(turn)))
             pen.area(corners, color, 0.3)
             pen.line((*corners, corners[0]), color, 1.3)

@@ -14,7 +14,9 @@ def draw_loop_of_impulses(pen: Pen) -> None:
     for k in range(4):
         top = ground - size * (k + 1)
         outline(
-            pen, ((x - 26.0, top + 1.0), (x + 26.0, top + 1.0), (x + 26.0, top + size), (x - 26.0, top + size)), "chalk"
+            pen,
+            ((x - 26.0, top + 1.0), (x + 26.0, top + 1.0), (x + 26.0, top + size), (x - 26.0, top + size)),
+            "chalk",
         )  # fmt: skip
         y, length = ground - size * k, 9.0 * (4 - k)
         pen.arrow((x, y), (x, y - length), "amber", 2.2)

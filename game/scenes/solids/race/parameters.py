@@ -45,12 +45,14 @@ class SetupParameters(Parameters):
     """The set-up, and how finely it is computed."""
 
     setup = Choice(
-        "stack", ("stack", "pyramid", "heavy", "cards", "chain", "arch", "ratios"), rebuild=True, group="Set-up",
-        labels=("Column of 20", "Pyramid of 20 rows", "1000 kg on ten boxes", "House of cards", "Chain with a load",
+        "stack", ("stack", "pyramid", "heavy", "cards", "chain", "arch", "ratios"), rebuild=True,
+        group="Set-up",
+        labels=("Column of 20", "Pyramid of 20 rows", "1000 kg on ten boxes", "Cards", "Chain with a load",
                 "Arch at its limit", "Mass ratios to 20 000"),
         help="what all solvers compute",
     )  # fmt: skip
-    tier = Choice("play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Steps", label="Quality",
+    tier = Choice("play", (*TIERS, "own"), labels=("Play", "Teach", "Film", "Own"), group="Steps",
+                  label="Quality",
                   help=f"substeps: {', '.join(map(str, TIERS.values()))}, or as many as you say")  # fmt: skip
     substeps = Param(4, 1, 64, whole=True, log=True, group="Steps", help="parts of a step, with Own")
     iterations = Param(4, 1, 100, whole=True, log=True, group="Steps", help="sweeps of a substep")

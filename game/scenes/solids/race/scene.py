@@ -28,8 +28,8 @@ def _series(what: str) -> tuple[str, ...]:
 
 
 class SolverRace(Scene):
-    """Bodies that press on each other make one large problem: all impulses at once, none of which may pull. No
-    two ways to solve it agree, and all are given the same bodies here, the same step, as many substeps and
+    """Bodies that press on each other make one large problem: all impulses at once, none of them a
+    pull. No two ways to solve it agree, and all are given the same bodies here, the same step, as many substeps and
     sweeps.
 
     A stack sinks by the softness of its contacts and leans by what errs to one side; a chain gapes where its
@@ -63,7 +63,8 @@ class SolverRace(Scene):
         Equation("Motion", r"\v{M} (\v{v} - \v{v}_0) = h \v{f} + \v{J}^T \v{\lambda}"),
         Equation("Contacts", r"\v{J} \v{v} \ge 0,  \v{\lambda} \ge 0,  \v{\lambda} \cdot \v{J} \v{v} = 0"),
         Equation(
-            "One row at a time", r"\Delta\lambda_i = -\frac{(\v{J} \v{v})_i}{(\v{J} \v{M}^{-1} \v{J}^T)_{ii}}",
+            "One row at a time",
+            r"\Delta\lambda_i = -\frac{(\v{J} \v{v})_i}{(\v{J} \v{M}^{-1} \v{J}^T)_{ii}}",
             "Catto 2005",
         ),
         Equation("Error after n sweeps of a stack of N", r"(1 - \frac{\pi^2}{2 N^2})^n", "Gauss and Seidel"),
@@ -150,7 +151,8 @@ class SolverRace(Scene):
             cells = [format_si(value, "m") for value in (result.sinks, result.leans, off)]
             rows.append((NAMES[name], *cells))
         return Table(
-            "Measured", ("solver", "sinks", "leans", "off"), tuple(rows), tuple(range(len(rows))), len(SOLVERS),
+            "Measured", ("solver", "sinks", "leans", "off"), tuple(rows), tuple(range(len(rows))),
+            len(SOLVERS),
             "off: the deepest overlap or the widest gap of a joint",
         )  # fmt: skip
 

@@ -19,7 +19,7 @@ RATIOS = (1.0, 10.0, 100.0, 1_000.0, 20_000.0)
 
 
 class Setup(NamedTuple):
-    """content; watched: the level's number of the body whose sinking and leaning is told, negative from the last."""
+    """content; watched: number of the body whose sinking and leaning is told, negative from the last."""
 
     content: SolidContent
     watched: int = -1
@@ -61,7 +61,8 @@ SETUPS = {
     )),
     "heavy": Setup(_heavy()),
     "cards": Setup(SolidContent(
-        cards=(CardEntry(at=(0.0, 0.0), storeys=3, thickness=0.03, lean=20.0, friction=0.8, colour="yellow"),),
+        cards=(CardEntry(at=(0.0, 0.0), storeys=3, thickness=0.03, lean=20.0, friction=0.8,
+                         colour="yellow"),),
         view=View(left=-2.2, bottom=-0.2, right=2.2, top=3.4),
     )),
     "chain": Setup(SolidContent(
@@ -73,7 +74,8 @@ SETUPS = {
         view=View(left=-6.2, bottom=-0.2, right=6.2, top=7.2),
     )),
     "arch": Setup(SolidContent(
-        arches=(ArchEntry(at=(0.0, 0.0), radius=3.0, thickness=0.3277, blocks=15, friction=0.8, colour="stone"),),
+        arches=(ArchEntry(at=(0.0, 0.0), radius=3.0, thickness=0.3277, blocks=15, friction=0.8,
+                          colour="stone"),),
         view=View(left=-4.4, bottom=-0.4, right=4.4, top=4.4),
     ), watched=7),
     "ratios": Setup(_ratios()),
