@@ -189,13 +189,12 @@ def test_a_bezier_descent():
     ball = world.add_ball(way[0], r, friction=1e6)
     assert world.put_down(ball, 0.01)
     end = way[-1][0]
-    before = world.balls.rows[ball, X]
-    for step in range(1, 1000):
-        world.step(DT)
-        now = world.balls.rows[ball, X]
-        if now >= end:
-            break
+    before = now = world.balls.rows[ball, X]
+    step = 0
+    while now < end and step < 1000:
         before = now
+        world.step(DT)
+        step, now = step + 1, world.balls.rows[ball, X]
     assert (step - (now - end) / (now - before)) * DT == pytest.approx(1.0059237873314992, rel=5e-3)
 
 
@@ -268,10 +267,10 @@ def test_a_ball_jumps_as_a_parabola_and_lands():
                      [(-1.0, 0.0), (20.0, 0.0)])  # fmt: skip
     r = 0.001
     ball = world.add_ball((0.002, 2.002), r, (v * math.cos(turn), v * math.sin(turn)), friction=0.0)
-    for step in range(1, 1000):
+    step = 0
+    while world.balls.pieces[ball, PIECE] == FREE and step < 1000:
         world.step(DT)
-        if world.balls.pieces[ball, PIECE] != FREE:
-            break
+        step += 1
     assert step * DT == pytest.approx(0.8811, abs=2 * DT)
     landed = world.balls.rows[ball, X] - world.balls.rows[ball, VX] * (step * DT - 0.8811287751579031)
     assert landed == pytest.approx(4.967941247868045 + 0.002, abs=5e-3)

@@ -118,7 +118,8 @@ def test_a_drag_makes_a_body_that_falls_and_rests(tool):
 def test_a_drawn_concave_outline_becomes_one_body_of_convex_parts():
     stage = empty(tool="outline")
     outline = [(0.0, 1.0), (3.0, 1.0), (3.0, 2.0), (1.0, 2.0), (1.0, 4.0), (0.0, 4.0)]
-    path = [tuple(np.add(a, t * np.subtract(b, a))) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)
+    sides = zip(outline, outline[1:] + outline[:1], strict=True)
+    path = [tuple(np.add(a, t * np.subtract(b, a))) for a, b in sides
             for t in np.linspace(0.0, 1.0, 20)]  # fmt: skip
     draw(stage, path)
     (body,) = bodies(stage)

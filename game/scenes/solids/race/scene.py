@@ -29,8 +29,8 @@ def _series(what: str) -> tuple[str, ...]:
 
 class SolverRace(Scene):
     """Bodies that press on each other make one large problem: all impulses at once, none of them a
-    pull. No two ways to solve it agree, and all are given the same bodies here, the same step, as many substeps and
-    sweeps.
+    pull. No two ways to solve it agree, and all are given the same bodies here, the same step, as many
+    substeps and sweeps.
 
     A stack sinks by the softness of its contacts and leans by what errs to one side; a chain gapes where its
     joints give way to a load; an arch at its limit stands or falls.
