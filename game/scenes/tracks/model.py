@@ -150,14 +150,14 @@ class TracksModel(Part):
 
     def advance(self, dt: float, held: int) -> None:
         """One step; a ball that is held stays where it is."""
-        kept = None if held < 0 else [array[held].copy() for array in self.world.balls]
+        balls = self.world.balls
+        kept = None if held < 0 else (balls.rows[held].copy(), balls.pieces[held].copy())
         before = self.world.balls.rows[:, X : Y + 1].copy()
         on = self.world.balls.pieces[:, PIECE] != FREE
         with self.watch.time("step"):
             self.world.step(dt)
         if kept is not None:
-            for array, row in zip(self.world.balls, kept, strict=True):
-                array[held] = row
+            balls.rows[held], balls.pieces[held] = kept
         self.time += dt
         self.trail[self.steps % TRAIL] = self.world.balls.rows[:, X : Y + 1]
         self.steps += 1

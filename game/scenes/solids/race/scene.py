@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 from game.lab.studies.stacks import race_study
@@ -81,7 +82,7 @@ class SolverRace(Scene):
         """Each solver, then what paints."""
         scene = cls()
         rows = [
-            WarmUp(NAMES[name], lambda model=model: model.advance(cls.dt))
+            WarmUp(NAMES[name], partial(model.advance, cls.dt))
             for name, model in zip(scene.model.solvers, scene.model.worlds, strict=True)
         ]
         return (*rows, WarmUp("polygons", warm_up_painter))
