@@ -16,9 +16,11 @@ from game.scenes import (
     lecture_table,
     rigid_body,
     skeletons,
+    solids,
     spheres,
     springs,
     three_tables,
+    tracks,
     two_balls,
 )
 from game.stage.catalogue import Catalogue
@@ -40,5 +42,7 @@ CATALOGUE = Catalogue(
         *spheres.ENTRIES,
         *examples.ENTRIES,
         *fireworks.ENTRIES,
+        *solids.ENTRIES,
+        *tracks.ENTRIES,
     )
 )

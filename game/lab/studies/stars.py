@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.lab.studies.motion import motion_study
+from game.lab.studies.motion import KnownMotion, motion_study
 from game.lab.study import Method
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY, QUADRATIC_DRAG
@@ -38,8 +38,7 @@ def throw(method: str, dt: float, steps: int) -> float:
 star_study = motion_study(
     "stars", "A star thrown straight up", throw,
     tuple(Method(name, name.replace("-", " "), order) for name, order in ORDERS.items()),
-    height_after(SECONDS), SECONDS,
-    measured_on="a star thrown up at 60 m/s against quadratic drag",
+    KnownMotion("a star thrown up at 60 m/s against quadratic drag", SECONDS, height_after(SECONDS)),
     reference="ln(cos(a − g t/v) / cos a), Bernoulli.",
     expectation="Split drag solves the drag alone exactly and is of second order in all.",
 )  # fmt: skip

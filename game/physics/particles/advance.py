@@ -52,7 +52,7 @@ def mark_near_ground(y, vy, marks, lying, floor, slack, h):
 
 @lean_kernel(forceinline=True)
 def lie_on(lying, y, vy, floor):
-    """Height and vertical velocity after a flight: who lay on the floor lies on unless something lifted it."""
+    """Height and vertical velocity after a flight: who lay on the floor lies on unless lifted."""
     stays = (lying != 0) & (y <= floor)
     return floor if stays else y, 0.0 if stays else vy
 

@@ -41,6 +41,7 @@ from game.physics.solids.state import (
     JT,
     MASS_T,
     MOST_0,
+    MOST_1,
     NORMAL_IMPULSE,
     NORMAL_X,
     NORMAL_Y,
@@ -212,6 +213,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     row[c, ROW_MU] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
     row[c, ROW_HARD] = 1.0 if ima == 0.0 or imb == 0.0 else 0.0
     row[c, ROW_IMA], row[c, ROW_IIA], row[c, ROW_IMB], row[c, ROW_IIB] = ima, iia, imb, iib
+    rare[c, MOST_0], rare[c, MOST_1] = 0.0, 0.0  # also of a point that is not there: both are read
     rare[c, RESTITUTION] = max(shapes.restitutions[a], shapes.restitutions[b])
     dx, dy = bodies.positions[j, 0] - bodies.positions[i, 0], bodies.positions[j, 1] - bodies.positions[i, 1]
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
@@ -242,7 +244,6 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
-        rare[c, MOST_0 + k] = 0.0
         fastest = min(fastest, rare[c, APPROACH_0 + k])
     row[c, ROW_COLD] = 1.0 if fastest < -COLD * numbers.dt else 0.0
     if points == 2:

@@ -1,0 +1,91 @@
+"""What accuracy costs for a column of boxes: how far it sinks, by solver and substeps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from game.lab.study import Knob, Method, Outcome, Setting, Study, Workload
+from game.physics.solids import SOLVERS, TIERS, SolidSettings, SolidWorld, box
+from game.physics.solids.effects import USUAL
+
+BOXES, SECONDS, STEP = 10, 2.0, 1.0 / 60.0
+SUBSTEPS = (1, 2, 4, 8, 12, 16, 24, 32, 48, 64)
+FALLEN = 0.5  # m, of the top: the column stands no more
+
+
+class StackTrial:
+    """A column of unit boxes on the ground."""
+
+    simulated_s = SECONDS
+
+    def __init__(self, setting: Setting):
+        self.setting = setting
+
+    def reset(self) -> None:
+        """The column, not yet loaded by its weight."""
+        settings = SolidSettings(
+            effects=USUAL.without("sleep"), solver=self.setting.method, substeps=int(self.setting.knob)
+        )
+        self.world = SolidWorld(settings)
+        self.world.add_body(box(100.0, 2.0), (0.0, -1.0), kind="fixed")
+        for k in range(BOXES):
+            self.top = self.world.add_body(box(1.0, 1.0), (0.0, 0.5 + k))
+
+    def run(self) -> None:
+        """All steps."""
+        for _ in range(round(SECONDS / STEP)):
+            self.world.step(STEP)
+
+    def outcome(self) -> Outcome:
+        """How far the top is from where rigid boxes would have it, and the substeps of a second."""
+        x, y = self.world.bodies.positions[self.top].tolist()
+        sunk = float(((y - (BOXES - 0.5)) ** 2 + x * x) ** 0.5)
+        failure = "it has fallen" if sunk > FALLEN else ""
+        return Outcome(sunk, int(self.setting.knob) * round(1.0 / STEP), failure)
+
+
+def _settings() -> list[Setting]:
+    return [
+        Setting(name, float(n), scene={"solver": name, "tier": "own", "substeps": n}, weight=float(n))
+        for n in SUBSTEPS
+        for name in SOLVERS
+    ]
+
+
+def _present(parameters: Mapping[str, Any]) -> Setting:
+    substeps = TIERS.get(str(parameters["tier"]), int(parameters["substeps"]))
+    return Setting(str(parameters["solver"]), float(substeps))
+
+
+def _race_settings() -> list[Setting]:
+    return [
+        replace(
+            setting, scene={"setup": "stack", "tier": "own", "substeps": int(setting.knob), "iterations": 1}
+        )
+        for setting in _settings()
+    ]
+
+
+def _race_present(parameters: Mapping[str, Any]) -> Setting | None:
+    return None
+
+
+stack_study = Study(
+    name="stack",
+    title="A column of ten boxes",
+    error=f"the top's distance from its place after {SECONDS:g} s",
+    error_unit="m",
+    counter="substeps a second",
+    knob=Knob("substeps", "substeps"),
+    methods=tuple(Method(name, name.replace("-", " ")) for name in SOLVERS),
+    settings=_settings,
+    trial=StackTrial,
+    reference="rigid boxes do not sink.",
+    expectation="Soft contacts sink by the inverse square of their frequency, which goes with the substeps.",
+    present=_present,
+    workload=Workload("a column of ten boxes"),
+)
+
+race_study = replace(stack_study, name="solver-race", settings=_race_settings, present=_race_present)

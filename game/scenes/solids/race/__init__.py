@@ -1,0 +1,1 @@
+"""All solvers on one set-up, side by side."""

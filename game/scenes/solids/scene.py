@@ -1,0 +1,192 @@
+"""The playground of solids."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from game.lab.studies.stacks import stack_study
+from game.levels import Level
+from game.physics.solids.effects import USUAL
+from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.polygons import warm_up_painter
+from game.scenes.solids import SOLIDS as ROW
+from game.scenes.solids.figure import draw_contact
+from game.scenes.solids.hand import SolidHand
+from game.scenes.solids.level import ArchEntry, SolidContent, View
+from game.scenes.solids.model import ModelState, SolidModel
+from game.scenes.solids.parameters import OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
+from game.scenes.solids.readouts import readouts
+from game.scenes.solids.saving import content_of
+from game.scenes.solids.view import WHAT_NEXT, SolidView
+from game.stage import (
+    Equation,
+    Frame,
+    Hint,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    SetParameter,
+    Strip,
+    WarmUp,
+)
+from game.stage.messages import Messages
+
+
+class Solids(Scene):
+    """Rigid bodies that touch: a contact pushes only, never pulls, and rubs with at most μ times its push. A
+    step is cut into substeps; in each, impulses go round over all contacts and joints, and what overlaps is
+    driven apart gently: contacts are soft, like stiff damped springs. So a tall stack sinks a little, and
+    less with more substeps.
+
+    Draw bodies, pin and weld them, hang them on ropes and springs, give them motors, cut them. What has come
+    to rest falls asleep, island by island, and costs nothing until something touches it.
+
+    In the equations: n normal, t tangent, r lever, j impulse, w inverse mass, I inertia, s gap, v speed of
+    the gap, h substep, ζ damping, ω angular frequency of a contact, μ friction, g gravity.
+    """
+
+    name, task, title = ROW.names
+    parameters_type = SolidParameters
+    parameters: SolidParameters
+    effects = USUAL
+    content_type = SolidContent
+    study = stack_study
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    may_be_infinite = frozenset(("world.joints",))
+
+    hints = (
+        Hint(("Drag",), "move a body"),
+        Hint(("Right drag",), "cut"),
+        Hint(("1", "…", "9"), "tools"),
+    )
+    actions = (
+        *(SceneAction(tool, tool, str(k + 1)) for k, tool in enumerate(TOOLS[:7])),
+        SceneAction("pin", "pin", "8"),
+        SceneAction("cut", "cut", "9"),
+        SceneAction("delete", "delete what is chosen", "delete"),
+    )
+    strips = (
+        Strip("Energy", "J", ("moving", "turning", "height", "sum")),
+        Strip("Deepest overlap", "m", ("deepest",)),
+        Strip("Awake", "", ("awake", "contacts")),
+    )
+    figure = staticmethod(draw_contact)
+    equations = (
+        Equation("Contact", r"s \ge 0,  j_n \ge 0,  s j_n = 0", "Signorini 1933"),
+        Equation("Friction", r"\abs{j_t} \le \mu j_n", "Coulomb 1785"),
+        Equation(
+            "Effective mass",
+            r"\frac{1}{m_n} = w_a + w_b + \frac{(r_a \times n)^2}{I_a} + \frac{(r_b \times n)^2}{I_b}",
+            "Catto 2005",
+        ),
+        Equation("Soft contact", r"j_n = -m_n (v + \frac{\omega s}{2 \zeta + h \omega})", "Catto 2011, 2023"),
+        Equation(
+            "A column of n sinks", r"\frac{5 g}{2 \omega^2} (\frac{n(n-1)}{2} + \frac{n}{8})", "unit boxes"
+        ),
+    )
+    try_this = (
+        "Open the pyramid, and then choose Film: it sinks by less than a tenth.",
+        "Pull the keystone out of the arch with the mouse.",
+        "Draw a boat, a hook, a spoon: concave outlines are cut into convex parts.",
+        "Cut a wheel in two with the right button while it rolls.",
+        "Show the contact forces, and build a tower until it falls.",
+    )
+    default_content: ClassVar[SolidContent] = SolidContent(
+        arches=(ArchEntry(at=(0.0, 0.0), radius=3.0, thickness=0.6, blocks=13, colour="stone"),),
+        view=View(left=-6.0, bottom=-0.8, right=6.0, top=5.6),
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints polygons."""
+        return (WarmUp("step", lambda: cls().advance(cls.dt)), WarmUp("polygons", warm_up_painter))
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else self.default_content
+        self.model = SolidModel(content, self.parameters, self.active, self.seed)
+        self.hand = SolidHand(self.model)
+        self.view = SolidView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name == "tool":
+            self.hand.begin_again()
+        elif name not in OF_PICTURE and name not in OF_TOOLS:
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def why_idle(self, name: str) -> str:
+        """Substeps go by the quality unless that is one's own."""
+        if name == "substeps" and self.parameters.tier != "own":
+            return "The quality says how many there are; choose Own."
+        return ""
+
+    def takes_long(self, event: Any) -> bool:
+        """Another solver is compiled first."""
+        return isinstance(event, SetParameter) and event.name == "solver"
+
+    def state(self) -> ModelState:
+        return self.model.state()
+
+    def restore(self, state: ModelState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> SolidContent:
+        return content_of(self.model)
+
+    def check(self) -> None:
+        """What must always hold in the world."""
+        self.model.world.check()
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        if self.model.advance(dt):
+            self.said.say("A joint is broken.")
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name == "delete":
+            self.said.say(self.hand.delete_chosen())
+        else:
+            self.parameters.tool = name
+            self.hand.begin_again()
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def hints_now(self) -> Sequence[Hint]:
+        """What the tool in the hand does."""
+        tool = self.parameters.tool
+        if tool not in WHAT_NEXT:
+            return self.hints
+        words = WHAT_NEXT[tool]
+        return (Hint((tool.capitalize(),), words), *self.hints[1:])
+
+    def readouts(self) -> list[Readout]:
+        return readouts(self.model)
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        view = self.model.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        content = self.model.content
+        if content.expected:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

@@ -1,0 +1,149 @@
+"""Balls that roll, slide, fly and land on smooth tracks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from game.lab.studies.loops import loop_study
+from game.levels import Level
+from game.physics.effects import EffectSet
+from game.physics.fields import GRAVITY
+from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.tracks import TRACKS
+from game.scenes.tracks.figure import draw_rolling
+from game.scenes.tracks.hand import NOBODY, TrackHand
+from game.scenes.tracks.level import BallEntry, TrackContent, TrackEntry
+from game.scenes.tracks.model import TracksModel, TracksState
+from game.scenes.tracks.parameters import OF_PICTURE, OF_TOOLS, TOOLS, TrackParameters
+from game.scenes.tracks.readouts import readouts
+from game.scenes.tracks.saving import content_of
+from game.scenes.tracks.view import WHAT_NEXT, TrackView
+from game.stage import Equation, Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
+from game.stage.messages import Messages
+
+
+class Tracks(Scene):
+    """A ball on a track has one coordinate, the way of its centre. The track is a smooth curve through its
+    points, so it costs the ball nothing: a loop that is drawn by 50 chords is passed from the same height as
+    one of 800, where every corner of chords takes some of the speed.
+
+    While friction holds, the ball rolls, and its energy says how fast. Where the track presses too little for
+    that, it slips. Where the track would have to pull, it leaves and flies, until it meets a track.
+
+    Balls do not touch one another.
+
+    In the equations: s way of the centre, κ its curvature, N force of the track, F friction, m mass, k m r²
+    inertia, μ friction, R radius of a loop, a of a cycloid's wheel.
+    """
+
+    name, task, title = TRACKS.names
+    parameters_type = TrackParameters
+    parameters: TrackParameters
+    effects = EffectSet([GRAVITY])
+    content_type = TrackContent
+    study = loop_study
+
+    hints = (
+        Hint(("Drag",), "move a ball"),
+        Hint(("2", "3", "4"), "new ball, draw, bend"),
+        Hint(("5",), "delete"),
+    )
+    actions = tuple(SceneAction(tool, words, str(k + 1)) for k, (tool, words) in enumerate(
+        zip(TOOLS, ("move", "new ball", "draw a track", "bend a track", "delete"), strict=True)
+    ))  # fmt: skip
+    strips = (
+        Strip("Speed of the first", "m/s", ("speed", "exact"), exact=("exact",)),
+        Strip("Energy", "J", ("moving", "turning", "height", "sum")),
+        Strip("Lost to friction and impacts", "J", ("lost",)),
+    )
+    figure = staticmethod(draw_rolling)
+    equations = (
+        Equation("Rolling", r"\ddot{s} = \frac{g \sin\theta}{1 + k}", "k = ½ disc, ⅖ sphere"),
+        Equation(
+            "It holds while", r"\abs{F} = \frac{k}{1 + k} m g \abs{\sin\theta} \le \mu N", "Coulomb 1785"
+        ),
+        Equation("It stays on while", r"N = m (\kappa \dot{s}^2 + g \cos\theta) \ge 0", "Huygens 1673"),
+        Equation("A loop is passed from", r"\frac{5 + k}{2} (R - r)", "drop of the centre, no slip"),
+        Equation("Quickest way", r"x = a (\phi - \sin\phi),  y = a (\cos\phi - 1)", "Johann Bernoulli 1696"),
+        Equation("Down a cycloid", r"t = \pi \sqrt{(1 + k) a / g}", "from wherever it starts: Huygens 1673"),
+    )
+    try_this = (
+        "Set Chords to 20 and to 800: the loop's verdict is the same.",
+        "Open the race: the cycloid wins though its way is longer than the line.",
+        "Lower the friction in the loop: the ball slips near the top and needs more height.",
+        "Draw a track under a flying ball, and bend it while the ball rolls.",
+        "Give a new ball the form of a ring: it rolls slowest down every slope.",
+    )
+    default_content: ClassVar[TrackContent] = TrackContent(
+        tracks=(TrackEntry(form="loop", size=(1.0, 2.75)),),
+        balls=(BallEntry(position=(-4.4, 2.85)),),
+    )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else self.default_content
+        self.model = TracksModel(content, self.parameters, self.active)
+        self.hand = TrackHand(self.model)
+        self.view = TrackView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name == "tool":
+            self.hand.begin_again()
+        elif name not in OF_PICTURE and name not in OF_TOOLS:
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def state(self) -> TracksState:
+        return self.model.state()
+
+    def restore(self, state: TracksState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> TrackContent:
+        return content_of(self.model)
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        held = self.hand.held
+        self.model.advance(dt, held if held < len(self.model.energies) else NOBODY)
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        self.parameters.tool = name
+        self.hand.begin_again()
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def hints_now(self) -> Sequence[Hint]:
+        """What the tool in the hand does."""
+        tool = self.parameters.tool
+        return (Hint(("Mouse",), WHAT_NEXT[tool]), *self.hints[1:]) if tool in WHAT_NEXT else self.hints
+
+    def readouts(self) -> list[Readout]:
+        return readouts(self.model)
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        view = self.model.content.view
+        return Frame(view.left, view.bottom, view.right, view.top)
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        content = self.model.content
+        if content.expected:
+            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

@@ -1,0 +1,91 @@
+"""Curves by formulas, as points."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.solids.tracks import Curve, moved_aside
+from game.scenes.tracks.level import TrackEntry
+
+Floats = NDArray[np.float64]
+RAMP = 1.6  # length of a loop's ramp over its height
+
+
+def curve_of(entry: TrackEntry, chords: int = 0) -> Curve:
+    """A level's track; chords: how many points instead of its own, for a formula. ValueError."""
+    if entry.form == "points":
+        return Curve(np.array(entry.points, dtype=np.float64).reshape(-1, 2), entry.closed, entry.corner)
+    count = chords if chords >= 4 else entry.count
+    points = _FORMS[entry.form](*entry.size, count)
+    closed = entry.form in ("circle", "bowl") and entry.size[0] == entry.size[1]
+    if entry.carries and not closed:
+        points = moved_aside(points, -entry.carries)
+    if entry.mirrored:
+        points = points * (-1.0, 1.0)
+    return Curve(points + entry.at, closed, entry.corner)
+
+
+def _line(width: float, depth: float, count: int) -> Floats:
+    """From (0, 0) to (width, -depth)."""
+    t = np.linspace(0.0, 1.0, count)
+    return np.stack([width * t, -depth * t], axis=1)
+
+
+def _parabola(width: float, depth: float, count: int) -> Floats:
+    """From (0, 0), upright at first, through (width, -depth)."""
+    t = np.linspace(0.0, 1.0, count)
+    return np.stack([width * t * t, -depth * t], axis=1)
+
+
+def _cycloid(width: float, depth: float, count: int) -> Floats:
+    """From its cusp at (0, 0) through (width, -depth)."""
+    low, high = 1e-9, 2.0 * math.pi - 1e-9
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        if (middle - math.sin(middle)) * depth < width * (1.0 - math.cos(middle)):
+            low = middle
+        else:
+            high = middle
+    end = 0.5 * (low + high)
+    a = depth / (1.0 - math.cos(end))
+    turn = np.linspace(0.0, end, count)
+    return a * np.stack([turn - np.sin(turn), np.cos(turn) - 1.0], axis=1)
+
+
+def _loop(radius: float, height: float, count: int) -> Floats:
+    """A ramp of that height, a loop that begins and ends at (0, 0), and a straight way on."""
+    length = RAMP * height
+    ramp_x = np.linspace(-length, 0.0, max(count // 2, 8), endpoint=False)
+    ramp = np.stack([ramp_x, height * (ramp_x / length) ** 2], axis=1)
+    turn = np.linspace(0.0, 2.0 * math.pi, count + 1)
+    loop = radius * np.stack([np.sin(turn), 1.0 - np.cos(turn)], axis=1)
+    way = np.linspace(0.0, 4.0 * radius, max(count // 3, 6))[1:]
+    return np.concatenate([ramp, loop, np.stack([way, np.zeros_like(way)], axis=1)])
+
+
+def _circle(width: float, height: float, count: int) -> Floats:
+    """Round (0, 0), anticlockwise from its lowest point."""
+    turn = np.linspace(-0.5 * math.pi, 1.5 * math.pi, count, endpoint=False)
+    return np.stack([width * np.cos(turn), height * np.sin(turn)], axis=1)
+
+
+def _spiral(outer: float, inner: float, count: int) -> Floats:
+    """Two and a half turns about (0, 0), from the left at the height of its middle."""
+    turn = np.linspace(math.pi, 6.0 * math.pi, count)
+    reach = outer + (inner - outer) * (turn - math.pi) / (5.0 * math.pi)
+    return np.stack([reach * np.cos(turn), reach * np.sin(turn)], axis=1)
+
+
+def _waves(length: float, height: float, count: int) -> Floats:
+    """Eight waves of that height and length each."""
+    x = np.linspace(0.0, 8.0 * length, count)
+    return np.stack([x, height * np.sin(2.0 * math.pi * x / length)], axis=1)
+
+
+_FORMS = {
+    "line": _line, "parabola": _parabola, "cycloid": _cycloid, "loop": _loop, "circle": _circle,
+    "bowl": _circle, "spiral": _spiral, "waves": _waves,
+}  # fmt: skip
