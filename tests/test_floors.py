@@ -46,6 +46,7 @@ FOLDERS = {
         "many growing",
         "game",
         "search",
+        "map",
         "players",
     ),
     "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),
