@@ -16,7 +16,16 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.map.grid import Grid, aims_of, neighbours
 from game.billiards.map.routes import KISSES, Routes, Wanted, play_routes
-from game.billiards.search.strokes import AZIMUTH, SPEED, TIP_LEFT, TIP_UP, Board, Noise, draw_noise, with_noise
+from game.billiards.search.strokes import (
+    AZIMUTH,
+    SPEED,
+    TIP_LEFT,
+    TIP_UP,
+    Board,
+    Noise,
+    draw_noise,
+    with_noise,
+)
 from game.billiards.shot.shot import Physics
 from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions
 from game.billiards.table.table import Table
@@ -26,7 +35,11 @@ Array = NDArray[np.float64]
 SEED = 61
 AIMS = 300
 LEFTS, UPS = (-0.5, -0.25, 0.0, 0.25, 0.5), (-0.3, 0.0, 0.3)  # ball radii
-SPEEDS = {0: (0.5, 0.9, 1.6, 2.8), 1: (0.8, 1.4, 2.2, 3.4), 3: (1.6, 2.4, 3.4, 4.8)}  # m/s, by cushions wanted
+SPEEDS = {
+    0: (0.5, 0.9, 1.6, 2.8),
+    1: (0.8, 1.4, 2.2, 3.4),
+    3: (1.6, 2.4, 3.4, 4.8),
+}  # m/s, by cushions wanted
 LARGEST_TIP = 0.6  # ball radii
 
 
@@ -122,7 +135,9 @@ def grid_for(position: Position, search: Search = THOROUGH) -> Grid:
     return Grid(aims, np.array(speeds), np.array(LEFTS), np.array(UPS))
 
 
-def draw_map(position: Position, noise: Noise, search: Search = THOROUGH, seed: int = SEED) -> Iterator[CaromMap]:
+def draw_map(
+    position: Position, noise: Noise, search: Search = THOROUGH, seed: int = SEED
+) -> Iterator[CaromMap]:
     """The map of a position as the hand with that noise plays it: coarse, and then fine.
 
     At the end of the second one all groups that it shows have been counted.

@@ -118,7 +118,9 @@ def read_routes(events, ends, final, against, first, last, codes, facts, times, 
             places[s, k, 1] = final[s, k, IN_Y]
 
 
-def play_routes(board: Board, strokes: Array, against: int = 0, pool: ThreadPoolExecutor | None = None) -> Routes:
+def play_routes(
+    board: Board, strokes: Array, against: int = 0, pool: ThreadPoolExecutor | None = None
+) -> Routes:
     """Play strokes (m, 5) at a board of three balls whose cue ball is the first. against: rails that it
     touches, as bits. pool: threads to share them among."""
     routes = Routes.empty(len(strokes))
