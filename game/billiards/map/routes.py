@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 OTHER, RED = 1, 2  # rows of the object balls
 # a route is written in digits of base 8, the first touch in the highest: 1 to 4 for the rails left, right,
-# lower, upper, then the balls
+# lower, upper, then the balls; a ball that is touched several times with nothing between is written once
 BALL_DIGIT = 4  # of a ball is this and its row
 DIGITS = 20  # that are kept of a route
 
@@ -105,7 +105,8 @@ def read_routes(events, ends, final, against, first, last, codes, facts, times, 
                 else:
                     digit = 1 + j
                     cushions += 1
-            if digit > 0 and digits < DIGITS:
+            repeated = digit > BALL_DIGIT and code % 8 == digit
+            if digit > 0 and digits < DIGITS and not repeated:
                 code = 8 * code + digit
                 digits += 1
             if touched == 6:

@@ -53,14 +53,21 @@ def replay(winners: int, seed: int = 1, most_each: int = 60, search=GLANCE) -> R
             stroke = Stroke(*drawn.strokes[row].tolist())
             played = frame.play(stroke)
             scoring = played.summary.scoring(cue)
-            order = () if scoring is None else tuple(
-                number + 1 if kind == "cushion" else 4 + (2 if number == RED else 1) for kind, number in scoring.order
-            )  # fmt: skip
-            if not played.verdict.scored or order != touches(int(drawn.codes[row])):
+            if not played.verdict.scored or order_of(scoring) != touches(int(drawn.codes[row])):
                 failures.append((places.tolist(), stroke))
         done += len(rows)
         positions += 1
     return Replays(positions, done, failures, float(np.median(spent)))
+
+
+def order_of(scoring) -> tuple[int, ...]:
+    """A referee's order of touches as the digits of a route; a ball touched again with nothing between once."""
+    digits: list[int] = []
+    for kind, number in scoring.order if scoring is not None else ():
+        digit = number + 1 if kind == "cushion" else 6 if number == RED else 5
+        if kind == "cushion" or digits[-1:] != [digit]:
+            digits.append(digit)
+    return tuple(digits[:20])
 
 
 def main() -> None:
