@@ -53,9 +53,11 @@ __all__ = [
     "Unbounded",
     "format_level",
     "level_files",
+    "level_of",
     "load_level",
     "parse_level",
     "save_level",
+    "story_files",
     "user_level_files",
 ]
 
@@ -119,6 +121,13 @@ def parse_level(
     except ValueError as error:
         raise LevelError(path, "", f"not TOML: {error}") from None
     check_sizes(raw, path)
+    return level_of(raw, scene_name, content_type, path)
+
+
+def level_of(
+    raw: dict[str, Any], scene_name: str, content_type: type[msgspec.Struct] | None, path: Path | None
+) -> Level:
+    """The level that a parsed document of checked sizes says; LevelError."""
     file = convert(raw, _File, path, "")
     if file.scene != scene_name:
         raise LevelError(path, "scene", f"expected {scene_name!r}, not {file.scene!r}")
@@ -185,8 +194,16 @@ def user_level_files(scene_name: str) -> list[Path]:
     return _sorted_levels(user_folder() / "levels" / scene_name)
 
 
+def story_files(scene_name: str) -> list[Path]:
+    """Files of a scene's own stories, which lie beside its levels, by name."""
+    if not _SCENE_NAME.fullmatch(scene_name):
+        raise ValueError(f"scene name {scene_name!r}: expected letters a-z, digits and single hyphens")
+    return sorted((data_folder("levels") / scene_name).glob("story-*.toml"))
+
+
 def _sorted_levels(folder: Path) -> list[Path]:
-    files = [path for path in folder.glob("*.toml") if not path.name.startswith(".")]
+    """Levels alone: hidden files and stories are none."""
+    files = [path for path in folder.glob("*.toml") if not path.name.startswith((".", "story-"))]
     return sorted(
         files, key=lambda path: (path.name != "default.toml", path.name.startswith("hard-"), path.name)
     )

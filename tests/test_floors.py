@@ -35,6 +35,7 @@ FOLDERS = {
         "fields proximity_effects",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators",
+        "surfaces",
     ),
     "billiards": (
         "table",

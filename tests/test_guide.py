@@ -11,6 +11,7 @@ from game.billiards.laws.contacts import CUSHION_MODELS
 from game.levels import parse_level
 from game.physics import effects
 from game.scenes import CATALOGUE
+from game.stage.story.lines import VERBS
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import DARK
 
@@ -47,6 +48,20 @@ def test_a_scene(capsys):
     assert stage.step_back()
     stage.step()
     assert stage.digest() == before
+
+
+def test_a_story(capsys):
+    names = run("Write a story")
+    said = capsys.readouterr().out
+    assert said.startswith("[] ['The lowest point'] ")
+    assert 8.0 < names["found"].film_s < 10.0 and names["found"].ended
+
+
+def test_verbs_of_a_story_it_names_are_all():
+    section = GUIDE[GUIDE.index("## Write a story") : GUIDE.index("## Add an effect")]
+    rows = re.findall(r"^\| (`[^|]+) \|", section, re.M)
+    named = [verb for row in rows for verb in re.findall(r"`(\w+)`", row)]
+    assert sorted(named) == sorted([*VERBS, "expect"])
 
 
 def test_an_effect(capsys, no_trace):

@@ -139,7 +139,8 @@ class Study:
     measured on; a scene that has another one has no place either.
     axes: what its picture shows; accuracy against cost, unless what is bought is no accuracy. short: its name
     among the studies of its scene. related: further studies of the same scene. cost: what the CPU time is
-    for, where the seconds that its trials simulate stand for something else.
+    for, where the seconds that its trials simulate stand for something else. lesson: its expectation is said
+    below the plot, as it tells more than which method is cheapest.
     """
 
     name: str
@@ -163,6 +164,7 @@ class Study:
     axes: Axes = ACCURACY
     short: str = ""
     cost: str = COST
+    lesson: bool = False
     related: tuple[Study, ...] = ()
 
     def __post_init__(self) -> None:

@@ -146,7 +146,7 @@ class Param(Parameter[float]):
 class Choice(Parameter[str]):
     """One of a few named options.
 
-    ``formerly``: names that options had in earlier versions, and what each is called now; levels and
+    ``formerly``: values that options had in earlier versions, and what each is called now; levels and
     recordings that have them still open. ValueError for more or fewer labels than options, and for a former
     name that is an option or stands for none.
     """
@@ -157,7 +157,7 @@ class Choice(Parameter[str]):
         options: tuple[str, ...],
         *,
         labels: tuple[str, ...] = (),
-        formerly: Mapping[str, str] | None = None,
+        formerly: Mapping[str | bool, str] | None = None,
         label: str = "",
         help: str = "",
         group: str = "",
@@ -175,7 +175,7 @@ class Choice(Parameter[str]):
 
     def check(self, value: Any) -> str:
         """The option, by its present name; ParameterError, naming all, if it is none."""
-        option = self.formerly.get(value, value) if isinstance(value, str) else value
+        option = self.formerly.get(value, value) if isinstance(value, str | bool) else value
         if not isinstance(option, str) or option not in self.options:
             raise self._refuse(value, "expected one of " + ", ".join(self.options))
         return str(option)

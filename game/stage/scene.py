@@ -240,6 +240,15 @@ class Scene(SceneDeclaration):
         """The part of the world to show."""
         return Frame(-1.0, -1.0, 1.0, 1.0)
 
+    def story_targets(self) -> Mapping[str, tuple[float, float]]:
+        """Places (x, y) that a story may name, where they are now: what moves and what stays; no part of the
+        state. All that can be named is there from the beginning.
+        """
+        return {}
+
+    def draw_story_row(self, surface: Any, look: Any, row: Any) -> None:
+        """On film, draw what stands beside the captions, in the row below the picture (a Rect, px)."""
+
     def readouts(self) -> Sequence[Readout]:
         """Measured values; the first is shown in the top bar, those named in strips are charted."""
         return ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import msgspec
@@ -13,6 +14,7 @@ from game.stage.parameters import Parameter, ParameterError, Parameters, paramet
 
 if TYPE_CHECKING:
     from game.lab import Study
+    from game.stage.story.lines import Story
 
 
 class SceneDeclaration:
@@ -39,8 +41,12 @@ class SceneDeclaration:
     try_this: ClassVar[tuple[str, ...]] = ()
     hints: ClassVar[tuple[Hint, ...]] = ()
     actions: ClassVar[tuple[SceneAction, ...]] = ()
+    stories: ClassVar[tuple[Story, ...]] = ()  # beside those in files
+    story_row: ClassVar[int] = 0  # design px below the picture on film, for its captions and `draw_story_row`
     play_action: ClassVar[str] = ""  # by it a timeline of the scene's own plays and pauses, if it has one
     demo: ClassVar[tuple[Stamped, ...]] = ()  # events by which the scene shows itself when nobody plays
+
+    former_parameters: ClassVar[Mapping[str, str]] = {}  # old name: present name
 
     @classmethod
     def declared_parameters(cls) -> dict[str, Parameter[Any]]:
@@ -49,8 +55,9 @@ class SceneDeclaration:
 
     @classmethod
     def parameter(cls, name: str) -> Parameter[Any]:
-        """The parameter of that name; ParameterError if there is none."""
+        """The parameter of that name, or formerly of it; ParameterError if there is none."""
         declared = cls.declared_parameters()
+        name = cls.former_parameters.get(name, name)
         if name not in declared:
             raise ParameterError(
                 f"{name}: {cls.name} has no such parameter; it has {', '.join(declared) or 'none'}"

@@ -134,7 +134,7 @@ class Session:
         """Let a checked event act now. ParameterError if the scene refuses it; then nothing has changed."""
         if self.timeline.has_future:
             held = self.timeline.held()
-            self._give_up_future()
+            self.forget_future()
             if held is not None and not _goes_on(event):
                 # the hand let go in a future that is given up; a drag would stick to the pointer
                 self._try(Pointer("cancel", held.x, held.y))
@@ -178,13 +178,13 @@ class Session:
     def _set_parameter(self, event: SetParameter) -> None:
         scene = self.scene
         parameter = scene.parameter(event.name)
-        value = parameter.check(event.value)
+        name, value = parameter.name, parameter.check(event.value)
         if parameter.rebuild:
-            self.scene = self._build({**scene.values, event.name: value}, scene.active)
+            self.scene = self._build({**scene.values, name: value}, scene.active)
         else:
-            scene.values[event.name] = value
-            scene.parameter_changed(event.name)
-        if event.name == STEP_LENGTH:
+            scene.values[name] = value
+            scene.parameter_changed(name)
+        if name == STEP_LENGTH:
             self._time_base_s, self._time_base_step = self.time_s, self.step
             self._dt = float(value)
 
@@ -193,7 +193,7 @@ class Session:
         while (event := self.timeline.due(self.step)) is not None:
             self._act(event)
 
-    def _give_up_future(self) -> None:
+    def forget_future(self) -> None:
         """Drop all that was remembered of later steps."""
         self.timeline.drop_future()
         self._ring.forget_after(self.step)
@@ -211,6 +211,17 @@ class Session:
         self._return_to(self.step - 1)
         self._repeating = self.timeline.has_future
         return True
+
+    def return_to(self, step: int, events: int | None = None) -> None:
+        """Stand at an earlier step, from `first_step` on, as it was; what came later is forgotten.
+
+        ``events``: only so many since the beginning have acted then.
+        """
+        self.fault = None
+        if events is not None:
+            self.timeline.drop_from(events)
+        self._return_to(step)
+        self.forget_future()
 
     def _return_to(self, step: int) -> None:
         """Stand at an earlier step, or at this one as it was before an event that failed."""
@@ -264,7 +275,7 @@ class Session:
         except Exception:  # what fails did so earlier, unseen: the last snapshot itself is good
             with suppress(Exception):  # a scene that cannot even be restored stays as it is, stopped
                 self._put_back(self._ring.before(good_step))
-            self._give_up_future()
+            self.forget_future()
         self.fault = fault_at(step, quantity, error)
 
     # -- remembering --------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import Any, Protocol
 
 from game.levels import Level, LevelError
 from game.physics.effects import EffectSet
@@ -29,13 +29,23 @@ FASTEST = 4.0
 NEWEST = 1.0 - 2.0**-53  # alpha that shows the newest state
 
 
+class Cue(Protocol):
+    """Who has a say before each step, such as a story."""
+
+    def before_step(self) -> None:
+        """Post what is due at the step at which the stage stands; it may have gone back."""
+
+    def restart(self) -> None:
+        """The stage stands at step 0 of a new session."""
+
+
 class Stage:
-    """One scene in play.
+    """One scene in play. ``cue``: asked before each step, if there is one.
 
     ``level`` None: the scene's defaults. ``parameters`` and ``seed`` stand in for the level's,
     ``effects_off`` are switched off beside the level's, ``effects`` are exactly those active. ``dt``: s, else
     the scene's own. ``record``: keep all events for a recording. ``snapshot_bytes``: what snapshots may take.
-    ``max_steps``: the most steps that one frame makes.
+    ``max_steps``: the most steps that one frame makes. ``charts``: take readouts for strip charts on the way.
 
     Raises ParameterError, LevelError or ValueError for what the scene refuses.
     """
@@ -53,13 +63,15 @@ class Stage:
         record: bool = True,
         snapshot_bytes: int = 64 << 20,
         max_steps: int = 15,
+        charts: bool = True,
     ):
         self._recipe = Recipe(scene_type, level, checked_seed(seed), dt)
-        self._sampling = Sampling()
+        self._sampling = Sampling(charts)
         self._record = record
         self._snapshot_bytes = snapshot_bytes
         self._speed = 1.0
         self._paused = False
+        self.cue: Cue | None = None
         scene = self._recipe.first(parameters, effects_off=effects_off, effects=effects)
         self.clock = FixedStep(self._recipe.dt_of(scene), max_steps)
         self._begin(scene)
@@ -249,6 +261,11 @@ class Stage:
             return 0
         made = 0
         while made < steps:
+            if self.cue is not None:
+                self.cue.before_step()
+                session = self._session
+                if session.fault is not None:
+                    break
             if players:
                 self.listen(at_once=True)
             if made == steps - 1:
@@ -280,6 +297,34 @@ class Stage:
         self._follow_session()
         self._sampling.go_back(self.step_number)
         return True
+
+    @property
+    def events_acted(self) -> int:
+        """How many events have acted since the beginning."""
+        return self._session.timeline.acted
+
+    def return_to(self, step: int, events: int | None = None) -> None:
+        """Stand at an earlier step as it was, or at the beginning with what it began with; no later event is
+        remembered. ``events``: only so many of all have acted then, of those at that step the first ones.
+
+        ValueError unless it is `first_step` or later, or 0.
+        """
+        session = self._session
+        if step and not session.first_step <= step <= session.step:
+            raise ValueError(f"step {step}: outside {session.first_step} to {session.step}")
+        if step < session.first_step:
+            values, active, _ = session.start
+            self._begin(self.build_scene(values, active))
+            return
+        session.return_to(step, events)
+        session.keep_previous()
+        self._follow_session()
+        self.clock.hold()
+        self._sampling.go_back(step)
+
+    def forget_future(self) -> None:
+        """Drop the events that were remembered of later steps."""
+        self._session.forget_future()
 
     def stop(self, what: str, error: Exception) -> Fault:
         """Stand still, as what somebody asked of the scene (``what``: readouts, a picture) has raised.
@@ -358,6 +403,8 @@ class Stage:
         self.clock.hold()
         self.series.clear()
         self._sample()
+        if self.cue is not None:
+            self.cue.restart()
 
     def _sample(self) -> None:
         self._sampling.take(self._session)

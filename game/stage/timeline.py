@@ -53,6 +53,11 @@ class Timeline:
         """Forget the events that have yet to act."""
         del self._events[self.acted - self._dropped :]
 
+    def drop_from(self, number: int) -> None:
+        """Forget the event of that number and all after it, whether they have acted or not."""
+        del self._events[max(number - self._dropped, 0) :]
+        self.acted = min(self.acted, len(self))
+
     def drop_before(self, number: int) -> None:
         """Forget events before that number: no snapshot reaches back to them."""
         count = number - self._dropped

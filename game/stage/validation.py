@@ -24,7 +24,8 @@ def checked_event(event: StageEvent, scene_type: type[Scene]) -> StageEvent:
     if isinstance(event, Decision):
         return _checked_decision(event)
     if isinstance(event, SetParameter):
-        return SetParameter(event.name, scene_type.parameter(event.name).check(event.value))
+        parameter = scene_type.parameter(event.name)
+        return SetParameter(parameter.name, parameter.check(event.value))
     if isinstance(event, SetEffect):
         return SetEffect(scene_type.effect(event.name).name, bool(event.on))
     raise ParameterError(f"{type(event).__name__} is no stage event")

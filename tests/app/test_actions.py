@@ -12,12 +12,17 @@ from game.ui.widgets.list_row import ListRow
 from tests.app.tests_app import Driver
 
 WITHOUT_A_KEY = {"menu", "defaults"}  # buttons only
+OF_THE_MENU = {"favourite"}
 
 
 def test_every_command_acts_once_in_a_scene(driver: Driver):
     scene, program = set(driver.open("example").actions), set(driver.app.actions)
     assert not scene & program
-    assert scene | program == set(BY_NAME) | WITHOUT_A_KEY
+    assert scene | program | OF_THE_MENU == set(BY_NAME) | WITHOUT_A_KEY
+
+
+def test_what_belongs_to_the_menu_acts_there(driver: Driver):
+    assert set(driver.top.actions) >= OF_THE_MENU
 
 
 def test_what_does_not_need_the_scene_acts_while_it_loads(driver: Driver):

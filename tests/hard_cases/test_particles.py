@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from game.physics.effects import EffectSet
-from game.physics.fields import DRAG, GRAVITY, GROUND
+from game.physics.fields import DRAG, GRAVITY, GROUND, QUADRATIC_DRAG
 from game.physics.particles import CALM, CONTACTS, METHODS, OBSTACLES, Discs, Emitter, ParticleSystem
+from game.physics.particles.runaway import FARTHEST
 
 FREE = EffectSet([GRAVITY])
 
@@ -242,3 +243,35 @@ def test_two_runs_give_the_same_bits():
         states.append([np.array(part) for part in system.state()])
     for a, b in zip(*states, strict=True):
         assert a.tobytes() == b.tobytes()
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("contact", CONTACTS)
+def test_drag_that_no_step_can_follow_leaves_numbers(method, contact):
+    """q |v| h = 50 000: explicit methods throw the particles away, and they are held far out; the others slow
+    them down."""
+    law = CALM._replace(drag=500.0, quadratic_drag=10.0)
+    everything = EffectSet([GRAVITY, DRAG, QUADRATIC_DRAG, GROUND, OBSTACLES])
+    system = ParticleSystem(
+        40, solids=Discs([(0.5, 1.0)], [0.5]), effects=everything, method=method, contact=contact, life=30.0,
+        forces=law, substeps=1,
+    )  # fmt: skip
+    angles = np.linspace(0.0, 6.0, 40)
+    system.add(np.full((40, 2), 3.0), 1e4 * np.column_stack([np.cos(angles), np.sin(angles)]))
+    held = 0
+    for _ in range(40):
+        run(system, 0.5, 1)
+        held += system.runaways
+        assert np.abs(system.fields[:4]).max() <= FARTHEST
+    assert (held > 0) == (method not in ("stormer-verlet", "exponential"))
+
+
+def test_who_is_not_thrown_away_is_not_looked_for():
+    """The guard costs nothing where the step is short enough, and finds those put in by hand."""
+    system = ParticleSystem(4, effects=EffectSet([DRAG, QUADRATIC_DRAG]), forces=CALM)
+    assert not system.may_run_away(1.0 / 240.0)
+    system.add([(0.0, 0.0)], [(1e6, 0.0)])
+    assert system.may_run_away(1.0 / 240.0)
+    again = ParticleSystem(4, effects=EffectSet([DRAG, QUADRATIC_DRAG]), forces=CALM)
+    again.restore(system.state())
+    assert again.may_run_away(1.0 / 240.0)

@@ -48,6 +48,7 @@ PICTURES = (
 )  # lengths and shades that only the eye judges
 UNCOMPILED_S = 60.0  # what takes longer without the compiler runs again with it
 TIMEOUT_S = 600.0  # of a round of tests, which takes far less: no end within it counts as noticed
+MOST_SCENES = 2  # whose digests are taken
 EQUIVALENT = Path(__file__).with_name("equivalent.toml")
 
 
@@ -153,7 +154,7 @@ def judge(sown: Sown, copy: Path, watchers: Watchers) -> tuple[bool, str]:
                 passed, what = run_tests(copy, files[start : start + 12], jit)
                 if passed is False:
                     return True, what
-        if scenes := watchers.scenes(module)[:4]:
+        if scenes := watchers.scenes(module)[:MOST_SCENES]:
             passed, what = run_digests(copy, scenes)
             if not passed:
                 return True, what

@@ -100,7 +100,7 @@ def test_a_row_that_names_a_card_that_is_not_there():
     row = Entry(
         "pendulum", "E1", "Pendulum", "", "", "game.scenes.examples.pendulum", "Pendulum", card="draw_nothing"
     )
-    with pytest.raises(DefinitionError, match=r"examples.card has no function 'draw_nothing'"):
+    with pytest.raises(DefinitionError, match=r"examples.card has no 'draw_nothing'"):
         row.card_painter()
 
 

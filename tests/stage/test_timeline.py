@@ -29,6 +29,19 @@ def test_what_is_dropped_several_at_a_time_counts_on():
     assert len(timeline) == 11 and names(timeline.past()) == ["7", "8", "9", "last"]
 
 
+def test_what_is_dropped_from_a_number_on_is_gone_whether_it_has_acted_or_not():
+    timeline = Timeline()
+    for step in range(6):
+        timeline.add(step, Action(str(step)))
+    timeline.drop_before(2)
+    timeline.acted = 5
+    timeline.drop_from(4)
+    assert len(timeline) == timeline.acted == 4 and names(timeline.past()) == ["2", "3"]
+    timeline.acted = 3
+    timeline.drop_from(4)
+    assert timeline.has_future and len(timeline) == 4
+
+
 class Listening(BouncingBall):
     """Keeps what its effects were when it was last told of a change, as a scene set up by them does."""
 

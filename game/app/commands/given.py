@@ -169,6 +169,17 @@ def read_replay(options: argparse.Namespace, scene_name: str) -> Recording | Non
     return read_recording(options.replay, scene_name)
 
 
+def refuse_beside_story(options: argparse.Namespace) -> None:
+    """MistakeError for an option that a story says itself."""
+    said = {
+        "--set": options.parameters, "--level": options.level, "--effects-off": options.effects_off,
+        "--seed": options.seed,
+    }  # fmt: skip
+    for option, value in said.items():
+        if value:
+            raise MistakeError(f"{option}: goes not with --story; the story says how it begins")
+
+
 def read_seconds(text: str, name: str = "--seconds") -> float:
     """A time that is finite and not negative, s."""
     try:

@@ -6,9 +6,10 @@ import argparse
 import os
 import sys
 import threading
+from pathlib import Path
 from typing import Any
 
-from game.app.commands import given
+from game.app.commands import given, stories
 from game.app.window.mistake import MistakeError
 from game.app.window.window import NoDisplayError, Window, display_missing
 from game.app.window.words import printable, say
@@ -22,6 +23,7 @@ def add(commands: Any) -> None:
     parser = commands.add_parser("play", help="open a scene in the window", allow_abbrev=False)
     given.add_scene_options(parser)
     parser.add_argument("--replay", metavar="FILE", help="watch a recording made of this scene")
+    parser.add_argument("--story", nargs="?", const="", metavar="NAME", help="play a story of the scene")
     parser.set_defaults(execute=execute)
 
 
@@ -42,12 +44,16 @@ def execute(options: argparse.Namespace) -> int:
 
     scene_type = given.scene_type_named(options.scene)
     recording = given.read_replay(options, scene_type.name)
+    if options.story is not None:
+        given.refuse_beside_story(options)
+        stories.named(scene_type, options.story)
     opening = Opening(
         level=given.read_level(scene_type, options.level).path if options.level is not None else None,
         parameters=given.read_parameters(scene_type, options.parameters),
         effects_off=given.read_effects(scene_type, options.effects_off),
         seed=given.read_seed(options.seed),
         recording=recording,
+        story=_story_word(options.story),
     )
     reason = display_missing()
     if reason:
@@ -56,6 +62,11 @@ def execute(options: argparse.Namespace) -> int:
         return _run_window(scene_type.name, opening)
     except NoDisplayError as error:
         raise MistakeError(f"no display: {error}; run does the same without a window") from None
+
+
+def _story_word(word: str | None) -> str | Path | None:
+    """A story by its file or its name."""
+    return Path(word) if word is not None and word.endswith(".toml") else word
 
 
 def _run_window(scene_name: str, opening: Any = None) -> int:

@@ -24,6 +24,11 @@ def add(commands: Any) -> None:
     """Declare the command."""
     parser = commands.add_parser("run", help="run a scene without a window", allow_abbrev=False)
     given.add_scene_options(parser)
+    parser.add_argument("--story", nargs="?", const="", metavar="NAME",
+                        help="play a story of the scene to its end, and check what it expects")  # fmt: skip
+    parser.add_argument(
+        "--quality", metavar="NAME", help="of a story: play, teach, film (if its scene has it)"
+    )
     parser.add_argument("--seconds", default="10", metavar="S", help="simulated time (10)")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture of the end")
     parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the picture (1280x720)")
@@ -43,6 +48,10 @@ def execute(options: argparse.Namespace) -> int:
     for option in ("screenshot", "json", "record"):
         output.check_writable(getattr(options, option), f"--{option}")
     _check_window(options, size)
+    if options.story is not None:
+        return _run_story(options, size)
+    if options.quality is not None:
+        raise MistakeError("--quality: goes only with --story")
     stage = given.make_stage(options)
     steps = given.steps_in(seconds, stage.dt)
     for _, compile_kernel in stage.scene_type.warm_ups():
@@ -60,6 +69,46 @@ def execute(options: argparse.Namespace) -> int:
     if options.json != output.STANDARD_OUTPUT:
         print_report(report)
     return 1 if stage.fault is not None else 0
+
+
+def _run_story(options: argparse.Namespace, size: tuple[int, int]) -> int:
+    """Play a story to its end; status 2 and a line if something is not as it says."""
+    import msgspec
+
+    from game.app.commands import stories
+    from game.app.stagehand.stories import keep
+    from game.levels import LevelError
+    from game.stage.story.rehearsal import rehearse, stage_of
+    from game.stage.story.runner import StoryError
+
+    given.refuse_beside_story(options)
+    scene_type = given.scene_type_named(options.scene)
+    story = stories.at_quality(stories.named(scene_type, options.story), scene_type, options.quality)
+    began = time.process_time()
+    try:
+        stage = stage_of(story, scene_type)
+        found = rehearse(story, scene_type, stage=stage)
+    except (LevelError, StoryError, ValueError) as error:
+        raise MistakeError(f"{story.name}: {error}") from None
+    report = describe(stage, time.process_time() - began)
+    report["story"] = {**msgspec.to_builtins(found), "failures": found.failures}
+    if found.ended:
+        keep(story, found)
+    if options.screenshot:
+        write_screenshot(stage, options.screenshot, size, options.theme, options.window)
+    if options.record:
+        write_recording(stage, options.record)
+    if options.json:
+        output.write_json(report, options.json)
+    if options.json != output.STANDARD_OUTPUT:
+        print_report(report)
+        for one in found.moments:
+            say(f"  {one.film_s:7.2f} s  {one.chapter}")
+    if stage.fault is not None:
+        return 1
+    if found.failures:
+        raise MistakeError("; ".join(found.failures))
+    return 0
 
 
 def describe(stage: Stage, cpu_s: float) -> dict[str, Any]:

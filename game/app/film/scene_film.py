@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
 import pygame
-from numpy.typing import NDArray
 
 from game.app.film.progress import Progress
-from game.app.film.soundtrack import Soundtrack
+from game.app.film.soundtrack import Ear, Soundtrack
 from game.app.film.video import VideoWriter
 from game.app.stagehand.headless import prepare
 from game.app.stagehand.script import Script
@@ -19,22 +17,6 @@ from game.stage import Scene, Stage, Stamped
 from game.ui.look.layout import auto_scale
 from game.ui.look.look import Look
 from game.ui.look.theme import theme_named
-from game.ui.sound import SoundPlayer
-
-
-class _Ear(SoundPlayer):
-    """Hears a scene's sounds for a sound track instead of a card."""
-
-    def __init__(self, track: Soundtrack) -> None:
-        super().__init__(track.volume)
-        self._ready = True
-        self._track = track
-
-    def _play(self, samples: NDArray[np.int16]) -> None:
-        self._track.add(samples)
-
-    def close(self) -> None:
-        """There is no card to be given back."""
 
 
 def write_scene_film(
@@ -53,7 +35,7 @@ def write_scene_film(
     view.place(surface.get_rect(), look)
     script = Script(stage, events, players)
     track = Soundtrack()
-    ear = _Ear(track)
+    ear = Ear(track)
     sounding = type(stage.scene).hearing is not Scene.hearing
     progress = Progress("Film")
     count = max(round(seconds * fps), 1)

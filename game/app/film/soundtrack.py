@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.stage import Sound
-from game.ui.sound import RATE, mixed
+from game.ui.sound import RATE, SoundPlayer, mixed
 
 
 class Soundtrack:
@@ -51,3 +51,18 @@ class Soundtrack:
             self._tail = piece
         else:
             self._tail[: len(piece)] += piece
+
+
+class Ear(SoundPlayer):
+    """Hears a scene's sounds for a sound track instead of a card."""
+
+    def __init__(self, track: Soundtrack) -> None:
+        super().__init__(track.volume)
+        self._ready = True
+        self._track = track
+
+    def _play(self, samples: NDArray[np.int16]) -> None:
+        self._track.add(samples)
+
+    def close(self) -> None:
+        """There is no card to be given back."""

@@ -1,7 +1,8 @@
 """A video file that is fed with pictures and sound; encoded by a thread while the next picture is drawn.
 
-MP4 holds H.264 and AAC, GIF pictures alone. The file appears under its name only when it is whole. PyAV is an
-extra (``video``); without it VideoError says so in one line.
+MP4 holds H.264 and AAC, GIF pictures alone, which wait in a file without loss until all colours are known.
+The file appears under its name only when it is whole. PyAV is an extra (``video``); without it VideoError
+says so in one line.
 """
 
 from __future__ import annotations
@@ -11,14 +12,16 @@ import os
 import queue
 import tempfile
 import threading
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.app.film.gif import write_gif
 from game.ui.sound import RATE
 
 WAITING = 8  # pictures that may wait for the encoder
@@ -26,6 +29,14 @@ FORMATS = {".mp4": "mp4", ".mkv": "matroska", ".gif": "gif"}
 QUALITY = {"crf": "20", "preset": "veryfast"}
 MOST_GIF_HZ = 50  # delays in GIF files are whole hundredths of a second
 SAMPLES = 1024  # of sound that are encoded at a time
+
+
+class Chapter(NamedTuple):
+    """A part of a film with a title, from and to, s."""
+
+    title: str
+    begins: float
+    ends: float
 
 
 class VideoError(RuntimeError):
@@ -51,7 +62,10 @@ def load_av() -> Any:
 class VideoWriter:
     """Writes one film. Use as a context; what fails inside leaves no file."""
 
-    def __init__(self, path: Path, size: tuple[int, int], fps: int, sound: bool) -> None:
+    def __init__(
+        self, path: Path, size: tuple[int, int], fps: int, sound: bool, chapters: Sequence[Chapter] = (),
+        title: str = "",
+    ) -> None:  # fmt: skip
         """size: px, even numbers. Raises VideoError if the file cannot be begun."""
         check_video(path)
         self.path = path
@@ -59,13 +73,16 @@ class VideoWriter:
         self.fps = fps
         self._gif = path.suffix.lower() == ".gif"
         self._with_sound = sound and not self._gif
+        self._chapters = () if self._gif else tuple(chapters)
+        self._title = title
         self._failure = ""
         self._jobs: queue.Queue[Any] = queue.Queue(WAITING)
         try:
             handle, name = tempfile.mkstemp(prefix=".", suffix=path.suffix, dir=path.parent)
             os.close(handle)
             self._part = Path(name)
-            self._container = load_av().open(name, "w", format=FORMATS[path.suffix.lower()])
+            form = "matroska" if self._gif else FORMATS[path.suffix.lower()]
+            self._container = load_av().open(name, "w", format=form)
         except OSError as error:
             raise VideoError(f"{path}: {error.strerror or error}") from None
         self._add_streams()
@@ -73,18 +90,30 @@ class VideoWriter:
         self._thread.start()
 
     def _add_streams(self) -> None:
-        codec = "gif" if self._gif else "libx264"
-        rate = min(self.fps, MOST_GIF_HZ) if self._gif else self.fps
-        self._video = self._container.add_stream(codec, rate=rate)
+        self._video = self._container.add_stream("ffv1" if self._gif else "libx264", rate=self._rate)
         self._video.width, self._video.height = self.size
-        self._video.pix_fmt = "rgb8" if self._gif else "yuv420p"
+        self._video.pix_fmt = "bgr0" if self._gif else "yuv420p"
         if not self._gif:
             self._video.options = dict(QUALITY)
+        if self._title:
+            self._container.metadata["title"] = self._title
+        if self._chapters:
+            base = Fraction(1, 1000)
+            self._container.set_chapters([
+                {"id": i, "start": round(one.begins * 1000), "end": round(one.ends * 1000),
+                 "time_base": base, "metadata": {"title": one.title}}
+                for i, one in enumerate(self._chapters)
+            ])  # fmt: skip
         self._sound = None
         if self._with_sound:
             self._sound = self._container.add_stream("aac", rate=RATE)
             self._sound.layout = "stereo"
         self._heard = 0
+
+    @property
+    def _rate(self) -> int:
+        """Pictures a second."""
+        return min(self.fps, MOST_GIF_HZ) if self._gif else self.fps
 
     def __enter__(self) -> VideoWriter:
         return self
@@ -92,9 +121,11 @@ class VideoWriter:
     def __exit__(self, kind: Any, *_: object) -> None:
         self._jobs.put(None)
         self._thread.join()
-        failed = kind is not None or bool(self._failure)
         with contextlib.suppress(Exception):
             self._container.close()
+        if self._gif and kind is None and not self._failure:
+            self._reduce_colors()
+        failed = kind is not None or bool(self._failure)
         if failed:
             self._part.unlink(missing_ok=True)
             if kind is None:
@@ -102,6 +133,16 @@ class VideoWriter:
             return
         self._part.chmod(0o666 & ~_umask())
         self._part.replace(self.path)
+
+    def _reduce_colors(self) -> None:
+        """The GIF from what was kept without loss."""
+        reduced = self._part.with_suffix(".reduced.gif")
+        try:
+            write_gif(self._part, reduced, self._rate, load_av())
+            reduced.replace(self._part)
+        except Exception as error:  # whatever the filters find, as of the encoder
+            reduced.unlink(missing_ok=True)
+            self._failure = " ".join(str(error).split()) or type(error).__name__
 
     def add(self, picture: pygame.Surface, sound: NDArray[np.int16] | None = None) -> None:
         """The next picture, and the samples (n, 2) that are heard with it. VideoError if encoding failed."""
@@ -127,7 +168,7 @@ class VideoWriter:
         av = load_av()
         frame = av.VideoFrame.from_ndarray(pixels, format="bgra")
         if self._gif:
-            frame = frame.reformat(format="rgb8")
+            frame = frame.reformat(format="bgr0")
         for packet in self._video.encode(frame):
             self._container.mux(packet)
         if self._sound is None or sound is None:

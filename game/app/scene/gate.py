@@ -21,11 +21,14 @@ class Gate:
     def __init__(self, record: InPlay, host: Host, hand: ScenePointer) -> None:
         self._record = record
         self._host = host
+        self.touched: Callable[[StageEvent], bool] | None = None  # told of each event; False drops it
         self._hand = hand
 
     def post(self, event: StageEvent) -> bool:
         """Let an event act when it is its turn; False if it is refused at once."""
         record, taken = self._record, [True]
+        if self.touched is not None and not self.touched(event):
+            return False
         try:
             event = checked_event(event, record.stage.scene_type)
         except ParameterError as error:

@@ -6,6 +6,7 @@ from game.app.scene.errands import Errands
 from game.app.scene.variants import Variants
 from game.app.stagehand.script import Script
 from game.stage import EffectMeter, Recording, Stage
+from game.stage.story.runner import Runner
 
 TRIALS = 2  # steps
 
@@ -20,6 +21,7 @@ class InPlay:
     def __init__(self, stage: Stage, recording: Recording | None, in_background: bool) -> None:
         """``in_background``: whether threads may do what takes long."""
         self.errands = Errands(in_background)
+        self.runner: Runner | None = None  # of the story that plays
         self.script: Script | None = None
         self.show(stage, recording)
 
@@ -31,6 +33,11 @@ class InPlay:
         self.script = Script(stage, recording.events) if recording is not None else None
         self.recorded_steps = recording.steps if recording is not None else 0
         self.try_steps()
+
+    @property
+    def scripted(self) -> bool:
+        """Whether a story is played, so that the scene's own players are not asked."""
+        return self.runner is not None and self.runner.playing
 
     @property
     def repeating(self) -> bool:

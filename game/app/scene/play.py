@@ -16,6 +16,7 @@ from game.app.scene.shell import Shell
 from game.app.scene.standstill import Standstill, draw_replay_sign
 from game.app.scene.steps import Steps
 from game.app.scene.stopping import Stopping
+from game.app.scene.story.play import StoryPlay
 from game.app.screens.host import Host
 from game.app.stagehand.opening import Opening
 from game.app.stagehand.view import StageView
@@ -47,13 +48,19 @@ class ScenePlay:
         self.stopping = Stopping()
         self.standstill = Standstill()
         self._pace = 1.0  # of the level in play
+        self.story: StoryPlay | None = None
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
         shell.open(stage, self.shelf.levels())
         if type(stage.scene).hearing is not Scene.hearing:
             host.sounds.prepare()
-        self._set_pace()
-        self._introduce()
+        story = opening.read_story(stage.scene_type)
+        if story is not None:
+            self.story = StoryPlay(host, self.record, self.view, story)
+            self.gate.touched = self.story.touched
+        if self.story is None:
+            self._set_pace()
+            self._introduce()
         self.restyle()
 
     @property
@@ -74,6 +81,7 @@ class ScenePlay:
             "faster": lambda: self.change_speed(1),
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
             "save": self.shelf.save,
+            **(self.story.actions if self.story is not None else {}),
         }
 
     def panel_wants(self, event: pygame.Event) -> bool:
@@ -98,13 +106,17 @@ class ScenePlay:
         margin = ROOMY_MARGIN * self.host.look.k if self.shell.entry.roomy else None
         if self.shell.layout.overlaid:
             margin = 0.0
-        self.view.place(self.shell.layout.free_stage, self.host.look, margin)
+        place = self.shell.layout.free_stage
+        if self.story is not None:
+            place = self.story.picture_place(place)
+        self.view.place(place, self.host.look, margin)
 
     def close(self) -> None:
         """The scene is left."""
         if self.stage.level is not None:
             self.host.toasts.withdraw(self.stage.level.about)
         self.record.errands.close()
+        self._leave_story()
         self.host.sounds.follow(None)
         self.steps.close()
         if self.shell.panel is not None:
@@ -116,7 +128,10 @@ class ScenePlay:
         """An event for panel, bar, banner or the scene; the wishes that are not fulfilled here."""
         if self.banner.handle(event):
             return [Wish("reset")]
-        if self.caption.handle(event):
+        if self.story is not None:
+            if not self.hand.held and self.story.handle(event):
+                return []
+        elif self.caption.handle(event):
             return [Wish("pause")]
         if event.type == pygame.KEYDOWN and event.key == pygame.K_TAB and self.shell.panel is not None:
             self.shell.panel.focus_next()
@@ -179,8 +194,15 @@ class ScenePlay:
         if self.shell.panel is not None:
             self.shell.panel.offer(self.shelf.levels())
 
+    def _leave_story(self) -> None:
+        """Nothing is scripted any more."""
+        if self.story is not None:
+            self.story.close()
+            self.story, self.gate.touched = None, None
+
     def _opened(self) -> None:
         """What depends on the scene's frame and level follows."""
+        self._leave_story()
         self.view.stage = self.stage
         self._place_view()
         self.view.camera.home(smooth=False)
@@ -225,6 +247,8 @@ class ScenePlay:
         if not errands.busy:
             panel = self.shell.panel
             self.steps.go_on(elapsed_s, measuring=panel is not None and panel.shows_effects)
+        if self.story is not None:
+            self.story.update(elapsed_s, errands.inside)
         if errands.inside:
             self.host.sounds.follow(None)
             self.shell.hints.update(elapsed_s)
@@ -236,7 +260,8 @@ class ScenePlay:
         """Sounds, camera, messages and shell as the scene is now."""
         stage = self.stage
         self.host.sounds.follow(None if still else stage.scene.hearing())
-        self.view.camera.update(0.0 if self.host.look.less_motion else elapsed_s)
+        if self.story is None or self.story.free or self.story.runner.finished:
+            self.view.camera.update(0.0 if self.host.look.less_motion else elapsed_s)
         for message in stage.scene.messages():
             cause, _, consequence = message.partition(". ")
             self.host.tell(cause + ("." if consequence else ""), consequence)
@@ -280,6 +305,8 @@ class ScenePlay:
         else:
             self.standstill.end()
             self._draw(surface)
+        if self.story is not None:
+            self.story.draw_bar(surface)
         self.standstill.tell(surface, self.host.look, self.shell.layout.free_stage, errands.seconds)
 
     def _draw(self, surface: pygame.Surface) -> None:
@@ -290,7 +317,11 @@ class ScenePlay:
             surface.fill(self.host.look.theme.stage, layout.stage)
         if not pictureless:
             self.view.draw(surface, self.shell.beat.fresh)
-        self.caption.draw(surface)
+            if self.story is not None:
+                self.story.draw_words(surface)
+        if self.story is None:
+            self.caption.draw(surface)
         draw_replay_sign(surface, self.host.look, layout.free_stage, self.record.watched)
-        self.shell.draw(surface, self.stage, () if self.stopped else self.stage.scene.legend())
+        bare = self.stopped or not self.view.teaching
+        self.shell.draw(surface, self.stage, () if bare else self.stage.scene.legend())
         self.banner.draw(surface)

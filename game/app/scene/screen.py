@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from game.app.scene.play import ScenePlay
 
 
+STORIES = "Stories"  # category of scenes that open with their story
 TOUR_AFTER_S = 1.5  # s in which a scene comes to something worth showing
 WITHOUT_A_SCENE = frozenset(("menu", "panel"))  # of the bar's buttons, those that work while it loads
 
@@ -37,6 +38,8 @@ class SceneScreen(Screen):
         super().__init__(host)
         self.entry = entry
         self.opening = opening
+        if entry.category == STORIES and opening == Opening():
+            self.opening = opening = Opening(story="")
         self.goes_on = entry.roomy and opening == Opening() and kept_path(entry.name).exists()
         if self.goes_on:
             self.opening = Opening(level=kept_path(entry.name))

@@ -19,6 +19,7 @@ from game.stage import ParameterError, Recording, RecordingError, Scene, Stage
 from game.ui.widgets.list_row import ListRow
 
 Act = Callable[[], object]
+STORY_PREFIX = "story-"
 PROBLEMS = (LevelError, RecordingError, ParameterError)
 
 
@@ -38,15 +39,19 @@ class Shelf:
         return level.path if level is not None else None
 
     def levels(self) -> list[ListRow]:
-        """Rows of the gallery."""
-        return files.level_rows(self._record.stage.scene_type)
+        """Rows of the gallery, its stories first."""
+        scene_type = self._record.stage.scene_type
+        return files.story_rows(scene_type) + files.level_rows(scene_type)
 
     def saved(self) -> list[ListRow]:
         """Rows of what was saved."""
         return files.saved_rows(self._record.stage.scene_type.name)
 
     def open(self, path: Path) -> None:
-        """Begin with a level, or watch a recording."""
+        """Begin with a level, or watch a recording or a story."""
+        if path.name.startswith(STORY_PREFIX):
+            self._host.open_scene(self._record.stage.scene_type.name, opening=Opening(story=Path(path)))
+            return
         self._record.errands.work(lambda: self._read(Path(path)))
 
     def save(self) -> None:

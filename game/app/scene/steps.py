@@ -36,7 +36,8 @@ class Steps:
         if record.script is not None:
             record.script.advance(elapsed_s)
         else:
-            self._gate.listen()
+            if not record.scripted:
+                self._gate.listen()
             if not self._make(elapsed_s):
                 return
             if self._keeper is not None:

@@ -6,7 +6,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from game.app.stagehand.level_index import level_heads
+from game.app.stagehand.level_index import level_heads, story_heads
 from game.folders import user_folder
 from game.levels import Level, save_level
 from game.ui.widgets.list_row import ListRow
@@ -62,6 +62,13 @@ def level_rows(scene_type: type[Scene]) -> list[ListRow]:
             head.path,
         )
         for head in level_heads(scene_type.name)
+    ]
+
+
+def story_rows(scene_type: type[Scene]) -> list[ListRow]:
+    """The scene's stories, to choose from."""
+    return [
+        ListRow(head.title, head.about, "story", False, head.path) for head in story_heads(scene_type.name)
     ]
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from game.app.stagehand.stars import kept_stars
 from game.files import read_text
-from game.levels import MAX_BYTES, level_files, user_level_files
+from game.levels import MAX_BYTES, level_files, story_files, user_level_files
 
 MOST_KEPT = 2_000  # heads of files
 _TABLE = re.compile(r"^[ \t]*\[", re.MULTILINE)
@@ -31,6 +31,16 @@ class LevelHead(NamedTuple):
 def level_heads(scene_name: str) -> list[LevelHead]:
     """Heads of all levels of a scene in their order; what cannot be read is named by its file."""
     return list(_heads(scene_name))
+
+
+def story_heads(scene_name: str) -> list[LevelHead]:
+    """Heads of a scene's stories, by the names of their files."""
+    found = []
+    for path in story_files(scene_name):
+        fields = _fields(path)
+        title = str(fields.get("title") or path.stem)
+        found.append(LevelHead(scene_name, title, str(fields.get("about") or ""), "", path))
+    return found
 
 
 def _heads(scene_name: str) -> Iterator[LevelHead]:

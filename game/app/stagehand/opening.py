@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from game.levels import Level, level_files, load_level
+from game.levels import Level, LevelError, level_files, load_level
 
 if TYPE_CHECKING:
     from game.stage import Recording, Scene, Stage
+    from game.stage.story.lines import Story
 
 NOTHING: Mapping[str, Any] = {}
 
@@ -22,6 +23,7 @@ class Opening(NamedTuple):
     effects_off: tuple[str, ...] = ()
     seed: int | None = None
     recording: Recording | None = None
+    story: str | Path | None = None  # by its name or its file; "" is the scene's first one
 
     def make_stage(self, scene_type: type[Scene]) -> Stage:
         """The stage. Raises LevelError, ParameterError, RecordingError or ValueError, each with one line."""
@@ -29,6 +31,9 @@ class Opening(NamedTuple):
 
         if self.recording is not None:
             return begin(self.recording, scene_type)
+        story = self.read_story(scene_type)
+        if story is not None:
+            return Stage(scene_type, level=story.level)
         return Stage(
             scene_type,
             level=read_level(scene_type, self.level),
@@ -36,6 +41,19 @@ class Opening(NamedTuple):
             effects_off=self.effects_off,
             seed=self.seed,
         )
+
+    def read_story(self, scene_type: type[Scene]) -> Story | None:
+        """The story that is asked for, if one is; LevelError."""
+        from game.stage.story.reading import load_story, stories_of
+
+        if self.story is None:
+            return None
+        if isinstance(self.story, Path):
+            return load_story(self.story, scene_type)
+        found = [one for one in stories_of(scene_type) if self.story in ("", one.name)]
+        if not found:
+            raise LevelError(None, "story", f"{scene_type.name} has none called {self.story!r}")
+        return found[0]
 
 
 def read_level(scene_type: type[Scene], path: Path | None) -> Level | None:

@@ -22,6 +22,7 @@ class StageView:
         self.look = look
         self._words = words
         self.rect = pygame.Rect(0, 0, 1, 1)
+        self.teaching = True  # whether what explains is drawn: grids, exact curves, vectors, their words
         self.camera = Camera(y_up=scene_type.y_up, quarter_turns=scene_type.quarter_turns)
         self._canvas = self._make_canvas()
 
@@ -33,15 +34,18 @@ class StageView:
         self.rect = pygame.Rect(rect)
         self.camera.fit(self.stage.scene.frame(), self.rect, MARGIN * look.k if margin is None else margin)
 
-    def draw(self, surface: pygame.Surface, fresh: bool = True) -> None:
+    def draw(self, surface: pygame.Surface, fresh: bool = True, alpha: float | None = None) -> None:
         """Draw the scene inside its rectangle, with ``fresh`` numbers or those of the last picture.
+
+        ``alpha``: how far between the last two states, if not as the stage's clock has it.
 
         Whatever the scene raises passes through.
         """
         self._canvas.fresh = fresh
+        self._canvas.teaching = self.teaching
         self._canvas.begin(surface, self.rect, self.camera)
         try:
-            self.stage.scene.draw(self._canvas, self.stage.alpha)
+            self.stage.scene.draw(self._canvas, self.stage.alpha if alpha is None else alpha)
         finally:
             self._canvas.end()
 

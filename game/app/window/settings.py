@@ -29,6 +29,7 @@ SceneNames = Annotated[list[Annotated[str, msgspec.Meta(max_length=100)]], msgsp
 class Settings(msgspec.Struct, forbid_unknown_fields=True):
     """All settings with their defaults."""
 
+    name: Annotated[str, msgspec.Meta(max_length=40)] = ""  # of the player, on the title card of a story
     theme: Literal["dark", "light"] = "dark"
     ui_scale: Scale = 1.0  # times the automatic scale
     less_motion: bool = False

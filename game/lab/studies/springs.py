@@ -90,6 +90,7 @@ spring_study = Study(
         "With k the error does not go away, whatever the step: there is no spring that it converges to. With "
         "compliance the order is 1, with BDF2 2."
     ),
+    lesson=True,
     order_over="counter",
     present=present_spring,
     workload=Workload("a bead on a spring"),

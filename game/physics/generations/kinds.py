@@ -64,10 +64,10 @@ class Kind:
     """How one kind of star flies and ends.
 
     life_s: seconds, with ``life_spread`` (share, even chance) to each side. weight: share of gravity it
-    feels, negative for what rises. linear_drag_per_s, drag_per_m: k and q of `flight`. burns: share of its mass that
-    is gone at the end of its life. exhaust_m_s: speed of the gas a rocket throws out; needs ``burns``.
-    grounded: it ends where it meets the ground. reports: its birth, burst or fall are listed for others.
-    capacity: places kept for it.
+    feels, negative for what rises. linear_drag_per_s, drag_per_m: k and q of `flight`. burns: share of its
+    mass that is gone at the end of its life. exhaust_m_s: speed of the gas a rocket throws out; needs
+    ``burns``. grounded: it ends where it meets the ground. reports: its birth, burst or fall are listed for
+    others. capacity: places kept for it.
     """
 
     name: str

@@ -192,7 +192,7 @@ def sweep_split(terms, quadratic, rows, places, now, h):
 
 @kernel
 def fly_special(rules, table, air, pool, which, instants):
-    """Fly a kind's special stars again, each by itself, and take away those that ended. which: kind, number."""
+    """Fly a kind's special stars again, each by itself, and take away those that ended. which: kind, n."""
     kind, found = which
     now, end, limit = instants
     begin = table.begin[kind]

@@ -10,7 +10,7 @@ from game.physics.effects import Effect, EffectSet
 from game.physics.fields import DRAG, GRAVITY, QUADRATIC_DRAG, WHIRL, WIND
 from game.physics.particles.contacts import CONTACTS
 from game.physics.particles.effects import PARTICLES
-from game.physics.particles.flight import EXPONENTIAL, METHODS
+from game.physics.particles.flight import EXPONENTIAL, METHODS, STABILITY_LIMITS
 from game.physics.particles.forces import AIR_BITS, Forces
 from game.physics.particles.solids import LARGEST, Discs
 
@@ -149,6 +149,23 @@ class Settings:
         if WHIRL in self._effects:
             speed += abs(forces.whirl_strength) / (2.0 * forces.whirl_core)
         return speed
+
+    def may_run_away(self, h: float) -> bool:
+        """Whether a substep of h (s) is too long for drag on somebody: it may speed up and not slow down."""
+        limit = STABILITY_LIMITS[self._method]
+        if not self.mask & AIR_BITS or math.isinf(limit):
+            return False
+        fall = abs(self._forces.gravity) * self._life if GRAVITY in self._effects else 0.0
+        pushed = 2.0 * float(np.abs(self.solids.rows[:, 3:5]).sum(axis=1).max(initial=0.0))
+        fastest = max(self.fastest_birth(), self.fastest_added()) + self.air_speed() + fall + pushed
+        rate = self._forces.drag if DRAG in self._effects else 0.0
+        if QUADRATIC_DRAG in self._effects:
+            rate += 2.0 * self._forces.quadratic_drag * fastest
+        return rate * h > limit
+
+    def fastest_added(self) -> float:
+        """The greatest speed (m/s) of a particle that was put in by itself; 0 if none was."""
+        return 0.0
 
     def stiffness(self) -> float:
         """The fastest rate (1/s) at which drag slows anything that is sent out."""

@@ -22,6 +22,7 @@ from game.physics.particles.effects import GROUND_BIT, OBSTACLES, OBSTACLES_BIT
 from game.physics.particles.emitter import Emitter
 from game.physics.particles.forces import FORCE_BITS, Forces
 from game.physics.particles.pool import Pool
+from game.physics.particles.runaway import FARTHEST, hold_runaways
 from game.physics.particles.settings import CALM, Settings
 from game.physics.particles.solids import Discs, checked_point
 
@@ -76,6 +77,8 @@ class ParticleSystem(Pool, Settings):
         if isinstance(report_lines, bool) or not isinstance(report_lines, int) or report_lines < 0:
             raise ValueError(f"report_lines = {report_lines!r}: expected a whole number, 0 or more")
         self.seed = seed
+        self.runaways = 0  # particles that the last step held back, see `runaway`
+        self._fastest_added = 0.0
         self._clock = np.zeros(3)
         self._emitters = np.zeros((0, births.EMITTER_COLUMNS))
         self._births = np.zeros((0, 2), dtype=np.int64)
@@ -150,6 +153,16 @@ class ParticleSystem(Pool, Settings):
         speeds = self._emitters[:, births.SPEED] * (1.0 + self._emitters[:, births.SPEED_RANGE])
         return float(np.max(speeds, initial=0.0))
 
+    def add(self, positions: ArrayLike, velocities: ArrayLike) -> None:
+        """As `Pool.add`."""
+        super().add(positions, velocities)
+        speeds = np.asarray(velocities, dtype=np.float64).reshape(-1, 2)
+        self._fastest_added = max(self._fastest_added, float(np.abs(speeds).sum(axis=1).max(initial=0.0)))
+
+    def fastest_added(self) -> float:
+        """A bound of the speed (m/s) of what was put in by itself."""
+        return self._fastest_added
+
     # -- a step -------------------------------------------------------------------------------------
 
     def step(self, dt: float) -> None:
@@ -165,8 +178,12 @@ class ParticleSystem(Pool, Settings):
             self.solids.impulses[:] = 0.0
         count = self.substeps_for(dt)
         h = dt / count
+        guarded, self.runaways = self.may_run_away(h), 0
         for i in range(count):
             self._substep(now + i * h, h)
+            if guarded:
+                for low, high in self.segments():
+                    self.runaways += int(hold_runaways(self.fields, low, high, FARTHEST))
         self._clock[:] = origin, step, steps + 1.0
         self.tallies[encounters.STEP] += 1
 
@@ -242,6 +259,7 @@ class ParticleSystem(Pool, Settings):
     def restore(self, state: ParticleState) -> None:
         """Take over a copy of a state of a system of the same capacity."""
         np.copyto(self.fields, state.fields)
+        self._fastest_added = float(np.abs(self.fields[2:4]).sum(axis=0).max(initial=0.0))
         np.copyto(self.tags, state.tags)
         np.copyto(self.tallies, state.tallies)
         np.copyto(self._clock, state.clock)

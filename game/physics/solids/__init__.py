@@ -1,4 +1,6 @@
-"""Rigid bodies of any shape in a plane: contacts, joints, and several solvers for them on one set of contacts."""
+"""Rigid bodies of any shape in a plane: contacts, joints, and several solvers for them on one set of
+contacts.
+"""
 
 from game.physics.solids.settings import TIERS, SolidSettings
 from game.physics.solids.shapes import Capsule, Chain, Disc, Material, Polygon, box

@@ -39,7 +39,6 @@ from game.physics.solids.state import (
     IN_B_Y,
     JN,
     JT,
-    MASS_N,
     MASS_T,
     MOST_0,
     NORMAL_IMPULSE,
@@ -53,6 +52,7 @@ from game.physics.solids.state import (
     RESTITUTION,
     ROUND_A,
     ROUND_B,
+    ROW_COLD,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -65,9 +65,11 @@ from game.physics.solids.state import (
     ROW_POINT_WIDTH,
     SEGMENT,
     SEP,
+    STIFF_N,
     TANGENT_IMPULSE,
 )
 
+COLD = 30.0  # m/s², what closes faster than that in a step hits, it does not rest
 MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
 
 
@@ -154,14 +156,14 @@ def keep_manifold(contacts, p, points, place, angle, scratch):
     kept[p, PLACE_X], kept[p, PLACE_Y], kept[p, PLACE_ANGLE] = x, y, angle
 
 
-@inner_kernel
+@inner_kernel(inline="always")
 def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     """Bring the manifold of a pair up to date; its number of points."""
+    # inline, and left at its end only: by calls with so many arrays a third of a step would go
     a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
     i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
     dx, dy = bodies.positions[j, 0] - bodies.positions[i, 0], bodies.positions[j, 1] - bodies.positions[i, 1]
     ca, sa = bodies.rotations[i, 0], bodies.rotations[i, 1]
-    cb, sb = bodies.rotations[j, 0], bodies.rotations[j, 1]
     x, y = ca * dx + sa * dy, ca * dy - sa * dx
     angle = bodies.angles[j] - bodies.angles[i]
     size = min(shapes.sizes[a], shapes.sizes[b])
@@ -171,26 +173,24 @@ def update_pair(bodies, shapes, pool, contacts, p, scratch, numbers):
     speed = math.sqrt(vx * vx + vy * vy) + abs(bodies.spins[i]) * bodies.reaches[i]
     speed += abs(bodies.spins[j]) * bodies.reaches[j]
     reach = near + min(1.5 * numbers.dt * speed, 0.5 * size)
-    kept = contacts.manifolds
-    if contacts.marks[p, FOUND] == 1:
-        moved = abs(x - kept[p, PLACE_X]) + abs(y - kept[p, PLACE_Y])
-        moved += abs(angle - kept[p, PLACE_ANGLE]) * bodies.reaches[j]
-        if contacts.marks[p, POINTS] == 0:
-            if moved < kept[p, FIRST_POINT + GAP] - reach:
-                return 0
-        elif (
-            shapes.kinds[b] != DISC
-            and moved <= numbers.recycle / numbers.near * near
-            and speed * numbers.dt < near
-        ):
-            return contacts.marks[p, POINTS]
-    place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
-    points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
-    keep_manifold(contacts, p, points, place, angle, scratch)
+    kept, points = contacts.manifolds, contacts.marks[p, POINTS]
+    moved = abs(x - kept[p, PLACE_X]) + abs(y - kept[p, PLACE_Y])
+    moved += abs(angle - kept[p, PLACE_ANGLE]) * bodies.reaches[j]
+    keep = contacts.marks[p, FOUND] == 1
+    if points == 0:
+        keep = keep and moved < kept[p, FIRST_POINT + GAP] - reach
+    else:
+        keep = keep and shapes.kinds[b] != DISC and moved <= numbers.recycle * near
+        keep = keep and speed * numbers.dt < near
+    if not keep:
+        cb, sb = bodies.rotations[j, 0], bodies.rotations[j, 1]
+        place = (x, y, ca * cb + sa * sb, ca * sb - sa * cb)
+        points = find_manifold(shapes, pool, scratch, a, b, place, near, reach)
+        keep_manifold(contacts, p, points, place, angle, scratch)
     return points
 
 
-@inner_kernel
+@inner_kernel(inline="always")
 def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     """Make a solver's row of a pair that has points."""
     i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
@@ -217,6 +217,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
+    fastest = 0.0
     row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):
         at, to = FIRST_POINT + k * POINT_WIDTH, ROW_POINT + k * ROW_POINT_WIDTH
@@ -237,17 +238,19 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         dot_a, dot_b = mx * nx + my * ny - open_half, ex * nx + ey * ny + open_half
         row[c, to + CROSS_A], row[c, to + CROSS_B] = cross_a, cross_b
         row[c, to + DOT_A], row[c, to + DOT_B] = dot_a, dot_b
-        row[c, to + MASS_N] = 1.0 / (ima + imb + iia * cross_a * cross_a + iib * cross_b * cross_b)
+        row[c, to + STIFF_N] = ima + imb + iia * cross_a * cross_a + iib * cross_b * cross_b
         row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
         rare[c, MOST_0 + k] = 0.0
+        fastest = min(fastest, rare[c, APPROACH_0 + k])
+    row[c, ROW_COLD] = 1.0 if fastest < -COLD * numbers.dt else 0.0
     if points == 2:
         to = ROW_POINT + ROW_POINT_WIDTH
         crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]
         crosses += iib * row[c, ROW_POINT + CROSS_B] * row[c, to + CROSS_B]
         # two points that nearly coincide would make K singular: a little less coupling, the same solution
-        most = MOST_COUPLING / math.sqrt(row[c, ROW_POINT + MASS_N] * row[c, to + MASS_N])
+        most = MOST_COUPLING * math.sqrt(row[c, ROW_POINT + STIFF_N] * row[c, to + STIFF_N])
         row[c, COUPLING] = min(most, max(-most, ima + imb + crosses))
 
 
@@ -264,7 +267,8 @@ def is_computed(bodies, i, j):
 def update_contacts(bodies, shapes, pool, contacts, rows, scratch, numbers):
     """Manifolds of all pairs, and rows of those that have points."""
     made = 0
-    for p in range(contacts.count[0]):
+    for place in range(contacts.count[0]):
+        p = contacts.order[place]
         if not is_computed(bodies, contacts.bodies[p, 0], contacts.bodies[p, 1]):
             continue
         if update_pair(bodies, shapes, pool, contacts, p, scratch, numbers) > 0:

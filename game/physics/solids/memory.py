@@ -30,7 +30,7 @@ BODY_COLUMNS = {
     "positions": Column(width=2), "angles": Column(), "rotations": Column(width=2),
     "velocities": Column(width=2), "spins": Column(), "inverse_masses": Column(),
     "inverse_inertias": Column(), "forces": Column(width=3), "gravity_scales": Column(empty=1.0),
-    "flags": Column(_INT), "reaches": Column(), "cores": Column(), "quiet": Column(),
+    "flags": Column(_INT), "reaches": Column(), "cores": Column(), "quiet": Column(), "late": Column(),
     "found": Column(width=4),
 }  # fmt: skip
 SHAPE_COLUMNS = {
@@ -70,6 +70,7 @@ def contacts_of(capacity: int) -> Contacts:
     """Room for so many pairs, none there."""
     return Contacts(
         np.zeros(2, dtype=np.int64),
+        np.zeros(capacity, dtype=_INT),
         np.zeros((capacity, 2), dtype=_INT),
         np.zeros((capacity, 2), dtype=_INT),
         np.zeros((capacity, MARKS_WIDTH), dtype=_INT),
@@ -104,6 +105,8 @@ def scratch_of(bodies: int, shapes: int, pairs: int) -> Scratch:
         pair_keys=np.zeros((pairs, 2), dtype=_INT),
         pair_spare=np.zeros((pairs, 2), dtype=_INT),
         tallies=np.zeros(shapes + 1, dtype=_INT),
+        colours=np.zeros(bodies, dtype=np.int64),
+        colour_of=np.zeros(pairs, dtype=_INT),
         parents=np.zeros(bodies, dtype=_INT),
         fractions=np.ones(bodies),
         begun=np.zeros((EVENTS, 2), dtype=_INT),

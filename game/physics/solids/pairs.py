@@ -13,6 +13,7 @@ from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import DYNAMIC, NONE
 
 LEVELS = 48
+MOST_COLOURS = 23  # what finds none free shares the last
 FINEST = -16  # cells of the finest level are 2**FINEST m
 
 
@@ -43,8 +44,8 @@ def sort_into_cells(shapes, heads, members, cells, tallies):
         level = level_of(max(x1 - x0, y1 - y0))
         size = math.ldexp(1.0, level + FINEST)
         cells[s, 0] = level
-        cells[s, 1] = int(math.floor(0.5 * (x0 + x1) / size))
-        cells[s, 2] = int(math.floor(0.5 * (y0 + y1) / size))
+        cells[s, 1] = math.floor(0.5 * (x0 + x1) / size)
+        cells[s, 2] = math.floor(0.5 * (y0 + y1) / size)
         used |= 1 << level
         bucket = bucket_of(level, cells[s, 1], cells[s, 2], mask)
         tallies[s] = bucket
@@ -95,8 +96,8 @@ def pairs_of(s, level, bodies, shapes, excluded, scratch, found):
     mask = heads.shape[0] - 2
     size = math.ldexp(1.0, level + FINEST)
     x0, y0, x1, y1 = boxes[s, 0], boxes[s, 1], boxes[s, 2], boxes[s, 3]
-    first_x, last_x = int(math.floor(x0 / size - 0.5)), int(math.floor(x1 / size + 0.5))
-    first_y, last_y = int(math.floor(y0 / size - 0.5)), int(math.floor(y1 / size + 0.5))
+    first_x, last_x = math.floor(x0 / size - 0.5), math.floor(x1 / size + 0.5)
+    first_y, last_y = math.floor(y0 / size - 0.5), math.floor(y1 / size + 0.5)
     own = cells[s, 0] == level
     for x in range(first_x, last_x + 1):
         for y in range(first_y, last_y + 1):
@@ -142,7 +143,9 @@ def sort_by(column, pairs, target, count, tallies):
 
 @inner_kernel
 def find_pairs(bodies, shapes, excluded, scratch):
-    """All pairs (a, b), sorted, in scratch.pair_keys; returns how many there are, even if there is no room."""
+    """All pairs (a, b), sorted, in scratch.pair_keys; returns how many there are, even if there is no
+    room.
+    """
     used = sort_into_cells(shapes, scratch.heads, scratch.members, scratch.cells, scratch.tallies)
     found = 0
     for s in range(shapes.kinds.shape[0]):
@@ -182,3 +185,31 @@ def carry_over(contacts, old, pair_keys, found, shapes):
         for k in range(contacts.manifolds.shape[1]):
             contacts.manifolds[p, k] = old.manifolds[q, k] if same else 0.0
     contacts.count[0] = found
+
+
+@inner_kernel
+def order_by_colours(bodies, contacts, scratch):
+    """Solve pairs that share no body after each other: the processor need not wait for one to begin the
+    next.
+    """
+    colours, colour_of = scratch.colours, scratch.colour_of
+    colours[:] = 0
+    top = 0
+    for p in range(contacts.count[0]):
+        i, j = contacts.bodies[p, 0], contacts.bodies[p, 1]
+        taken = (colours[i] if bodies.flags[i] & DYNAMIC else 0) | (
+            colours[j] if bodies.flags[j] & DYNAMIC else 0
+        )
+        colour = 0
+        while colour < MOST_COLOURS and taken >> colour & 1:
+            colour += 1
+        colours[i] |= 1 << colour
+        colours[j] |= 1 << colour
+        colour_of[p] = colour
+        top = max(top, colour)
+    place = 0
+    for colour in range(top + 1):
+        for p in range(contacts.count[0]):
+            if colour_of[p] == colour:
+                contacts.order[place] = p
+                place += 1

@@ -122,7 +122,9 @@ class Capsule:
 
 @dataclass(frozen=True, slots=True)
 class Polygon:
-    """A simple outline (n, 2) m, grown by ``rounding`` m; a concave one becomes a compound of convex parts."""
+    """A simple outline (n, 2) m, grown by ``rounding`` m; a concave one becomes a compound of convex
+    parts.
+    """
 
     corners: ArrayLike = field(compare=False)
     rounding: float = 0.0

@@ -55,6 +55,7 @@ class Bodies(NamedTuple):
     reaches: Floats  # (n,) m, farthest point of its shapes from the centre of mass
     cores: Floats  # (n,) m, how far it may go in a step without passing through something thin
     quiet: Floats  # (n,) s, for how long it has been slow
+    late: Floats  # (n,) s, of the last step, that continuous collision cut off
     found: Floats  # (n, 4) pose (m, m, rad) when its boxes were made, and how much room these left, m
 
 
@@ -88,24 +89,32 @@ class Contacts(NamedTuple):
     Room for more than there are: ``count[0]`` are in use.
     """
 
-    count: Longs  # (2,) pairs; those that touch
+    count: Longs  # type: ignore[assignment]  # (2,) pairs; those that touch
+    order: Ints  # (p,) in which they are solved: by colours, of which each has every body at most once
     shapes: Ints  # (p, 2) a, b: a's kind is not below b's
     bodies: Ints  # (p, 2) of a, of b
     marks: Ints  # (p, MARKS_WIDTH)
     manifolds: Floats  # (p, MANIFOLD_WIDTH)
 
 
-# columns of Rows.rows: what a solver reads of one contact in each sweep. Normal from a to b, friction, 1 where one
-# of the two cannot move, inverse masses and inertias, roundings (b's as it is, a's negative: levers end on the
+# columns of Rows.rows: what a solver reads of one contact in each sweep. Normal from a to b, friction, 1
+# where one
+# of the two cannot move, inverse masses and inertias, roundings (b's as it is, a's negative: levers end on
+# the
 # core when this much of the normal is added), coupling of both points (entry of K)
 (
     ROW_NX, ROW_NY, ROW_MU, ROW_HARD, ROW_IMA, ROW_IIA, ROW_IMB, ROW_IIB, ROUND_A, ROUND_B, COUPLING,
 ) = range(11)  # fmt: skip
 ROW_POINT = 11
-# of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r . n of a
-# and b, gap when the step began, effective masses along normal and tangent, accumulated impulses
-CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, MASS_N, MASS_T, JN, JT = range(9)
+# of a point of a row, for levers r from both centres of mass (when the step began): r x n of a and b, r .
+# n of a
+# and b, gap when the step began, 1 / effective mass along the normal, effective mass along the tangent,
+# accumulated impulses
+CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, STIFF_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
+ROW_COLD = (
+    29  # 1: two that hit each other in this step; impulses of an impact are no guess for the next substep
+)
 ROW_WIDTH = 30
 # columns of Rows.rare: what only the end of a step asks for
 # restitution, gap speeds before the step (negative: closing), largest impulses of any substep
@@ -122,7 +131,7 @@ MOTION_WIDTH = 8
 class Rows(NamedTuple):
     """Contacts that touch, made ready for a solver; one contiguous row each. ``count[0]`` are in use."""
 
-    count: Longs  # (1,)
+    count: Longs  # type: ignore[assignment]  # (1,)
     ends: Ints  # (p, 4) body a, body b, points, pair
     rows: Floats  # (p, ROW_WIDTH)
     rare: Floats  # (p, RARE_WIDTH)
@@ -144,10 +153,14 @@ class Scratch(NamedTuple):
     pair_keys: Ints  # (p, 2)
     pair_spare: Ints  # (p, 2)
     tallies: Ints  # (s + 1,)
+    colours: Longs  # (n,) bits of colours in which a body has a pair
+    colour_of: Ints  # (p,)
     parents: Ints  # (n,)
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     begun: Ints  # (e, 2) shapes of contacts that began in the last step
     begun_places: (
-        Floats  # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step
+        # (e, 5) m, m, N s, m/s, s: where, normal impulse, speed of approach, when in the step (negative:
+        Floats
+        # in the one before, which was cut short)
     )
     events: Longs  # (4,) contacts begun; joints broken; bodies gone wrong; stopped by continuous collision

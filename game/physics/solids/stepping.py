@@ -24,7 +24,7 @@ from game.physics.solids.joints.layout import (
     SUBSTEP,
     TURN,
 )
-from game.physics.solids.pairs import carry_over, find_pairs
+from game.physics.solids.pairs import carry_over, find_pairs, order_by_colours
 from game.physics.solids.solvers.motion import start_motion
 from game.physics.solids.state import (
     APPROACH_0,
@@ -37,6 +37,7 @@ from game.physics.solids.state import (
     DY,
     DYNAMIC,
     END_A,
+    END_B,
     END_PAIR,
     END_POINTS,
     FIRST_POINT,
@@ -66,12 +67,15 @@ NOTHING_WRONG = -1
 
 @lean_kernel
 def renew_pairs(bodies, shapes, pool, contacts, spare, excluded, scratch, numbers):
-    """Pairs anew, whatever moved; returns how many there are: if more than there is room for, none is changed."""
+    """Pairs anew, whatever moved; returns how many there are: if more than there is room for, none is
+    changed.
+    """
     make_room(bodies, numbers)
     make_boxes(bodies, shapes, pool, numbers)
     found = find_pairs(bodies, shapes, excluded, scratch)
     if found <= contacts.shapes.shape[0]:
         carry_over(contacts, spare, scratch.pair_keys, found, shapes)
+        order_by_colours(bodies, contacts, scratch)
     return found
 
 
@@ -118,7 +122,7 @@ def note_beginning(bodies, contacts, rows, scratch, c, impulse, dt):
     scratch.events[BEGUN] += 1
     if number >= scratch.begun.shape[0]:
         return
-    pair, a = rows.ends[c, END_PAIR], rows.ends[c, END_A]
+    pair, a, b = rows.ends[c, END_PAIR], rows.ends[c, END_A], rows.ends[c, END_B]
     scratch.begun[number, 0], scratch.begun[number, 1] = contacts.shapes[pair, 0], contacts.shapes[pair, 1]
     at = ROW_POINT if rows.rare[c, MOST_0] >= rows.rare[c, MOST_1] else ROW_POINT + ROW_POINT_WIDTH
     if rows.ends[c, END_POINTS] == 1:
@@ -128,11 +132,10 @@ def note_beginning(bodies, contacts, rows, scratch, c, impulse, dt):
     scratch.begun_places[number, 0] = bodies.positions[a, 0] + dot * x + cross * y
     scratch.begun_places[number, 1] = bodies.positions[a, 1] + dot * y - cross * x
     scratch.begun_places[number, 2] = impulse
-    speed = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1]
+    speed, gap = -rows.rare[c, APPROACH_0 if at == ROW_POINT else APPROACH_1], row[c, at + SEP]
+    when = min(dt, gap / speed) if speed > 0.0 and gap > 0.0 else 0.0
     scratch.begun_places[number, 3] = speed
-    scratch.begun_places[number, 4] = (
-        min(dt, row[c, at + SEP] / speed) if speed > 0.0 and row[c, at + SEP] > 0.0 else 0.0
-    )
+    scratch.begun_places[number, 4] = when - max(bodies.late[a], bodies.late[b])
 
 
 @inner_kernel

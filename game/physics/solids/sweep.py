@@ -2,8 +2,8 @@
 
 Conservative advancement (Mirtich 1996; van den Bergen 2004) along the straight, evenly turning path of the
 step: as long as two are apart by a distance, they may go on for that distance over their fastest approach. Of
-all its meetings a body stops at the earliest; the next step finds the contact. What forces gave it for the rest of
-the step is taken back, so that nothing gains energy by being stopped.
+all its meetings a body stops at the earliest; the next step finds the contact. What forces gave it for the
+rest of the step is taken back, so that nothing gains energy by being stopped.
 """
 
 from __future__ import annotations
@@ -78,7 +78,9 @@ def beyond_ends(corners, start, others, count):
 
 @inner_kernel
 def meeting_time(bodies, shapes, pool, scratch, a, b, target):
-    """Fraction of the step after which two shapes are ``target`` (m) apart; 1 if they do not meet, or touch."""
+    """Fraction of the step after which two shapes are ``target`` (m) apart; 1 if they do not meet, or
+    touch.
+    """
     motion, i, j = scratch.motion, shapes.bodies[a], shapes.bodies[b]
     x, y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
     fastest = math.sqrt(x * x + y * y)
@@ -120,15 +122,16 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
             for k in (i, j):
                 if bodies.flags[k] & DYNAMIC:
                     fractions[k] = min(fractions[k], t)
-    return cut_motion(motion, scratch.accelerations, fractions, numbers.dt)
+    return cut_motion(bodies, motion, scratch.accelerations, fractions, numbers.dt)
 
 
 @inner_kernel
-def cut_motion(motion, pulls, fractions, dt):
+def cut_motion(bodies, motion, pulls, fractions, dt):
     """Let bodies go only a fraction of their way; how many."""
     stopped = 0
     for i in range(fractions.shape[0]):
         t = fractions[i]
+        bodies.late[i] = (1.0 - t) * dt
         if t < 1.0:
             stopped += 1
             motion[i, DX] *= t

@@ -40,10 +40,7 @@ class Table(Generic[Rows]):
 
     def take(self) -> int:
         """A slot, emptied; memory doubles where there is none left."""
-        if self.free:
-            slot = self.free.pop()
-        else:
-            slot = self.take_run(1)
+        slot = self.free.pop() if self.free else self.take_run(1)
         for field, column in self._columns.items():
             self._store[field][slot] = column.empty
         return slot

@@ -82,6 +82,7 @@ class SolidState(NamedTuple):
     joints: Joints
     contacts: Contacts  # those in use
     origins: Floats  # (n, 2) m
+    masses: Floats  # (n, 2) kg, kg m²
     free: tuple[NDArray[np.int64], ...]  # slots of bodies, shapes, corners and joints
     free_runs: tuple[tuple[int, int], ...]  # corners that are free: (first, count)
     excluded: NDArray[np.int64]
@@ -96,7 +97,8 @@ class NotFiniteError(ArithmeticError):
 class SolidWorld:
     """Bodies of any shape that touch, are joined, and move.
 
-    Ids of bodies, shapes and joints stay what they are until these are removed. A body's position is its centre
+    Ids of bodies, shapes and joints stay what they are until these are removed. A body's position is its
+    centre
     of mass; ``origin(body)`` is where the origin of its shapes' coordinates is. settings: `SolidSettings`.
     """
 
@@ -107,6 +109,7 @@ class SolidWorld:
         self._rows = memory.rows_of(64)
         self._scratch = memory.scratch_of(0, 0, 64)
         self._origins: Floats = np.zeros((16, 2))  # in the frames of the bodies
+        self._masses: Floats = np.zeros((16, 2))  # kg, kg m², as if dynamic; 0 for what has none
         self._runs: dict[int, list[int]] = {}
         self._excluded: NDArray[np.int64] = np.zeros(0, dtype=np.int64)
         self._stale = True
@@ -136,7 +139,9 @@ class SolidWorld:
 
     @property
     def bodies(self) -> Bodies:
-        """Rows of all slots: views, valid until a body is added. Read them; write velocities by `set_velocity`."""
+        """Rows of all slots: views, valid until a body is added. Read them; write velocities by
+        `set_velocity`.
+        """
         return self._bodies.rows
 
     @property
@@ -158,7 +163,7 @@ class SolidWorld:
     def contacts(self) -> Contacts:
         """Pairs and manifolds in use: views."""
         count = int(self._contacts.count[0])
-        return Contacts(self._contacts.count, *(array[:count] for array in self._contacts[1:]))
+        return Contacts(self._contacts.count, *(array[:count] for array in _arrays(self._contacts)[1:]))
 
     def ids(self) -> NDArray[np.int64]:
         """Of all bodies, ascending."""
@@ -205,8 +210,9 @@ class SolidWorld:
     ) -> int:
         """A body of one or several shapes; its id.
 
-        position m and angle rad of the frame in which the shapes are given; velocity m/s of the centre of mass;
-        spin rad/s. kind: dynamic, fixed, key-framed (it moves as it is told). restless: never sleeps. ValueError.
+        position m and angle rad of the frame in which the shapes are given; velocity m/s of the centre of
+        mass; spin rad/s. kind: dynamic, fixed, key-framed (it moves as it is told). restless: never sleeps.
+        ValueError.
         """
         given = [shapes] if not isinstance(shapes, Iterable) else list(shapes)
         if kind not in KINDS:
@@ -224,7 +230,7 @@ class SolidWorld:
             self._check_dynamic([part for part, _ in parts], mass.mass, mass.inertia)
         if kind == "fixed" and (vx, vy, w) != (0.0, 0.0, 0.0):
             raise ValueError("velocity: a fixed body has none (a key-framed one may)")
-        cx, cy = mass.centre if kind == "dynamic" else (0.0, 0.0)
+        cx, cy = mass.centre  # of a chain: its origin
         body = self._bodies.take()
         rows = self.bodies
         c, s = math.cos(turn), math.sin(turn)
@@ -237,7 +243,10 @@ class SolidWorld:
             rows.inverse_masses[body], rows.inverse_inertias[body] = 1.0 / mass.mass, 1.0 / mass.inertia
         if body >= len(self._origins):
             self._origins = np.concatenate([self._origins, np.zeros_like(self._origins)])
+            self._masses = np.concatenate([self._masses, np.zeros_like(self._masses)])
         self._origins[body] = -cx, -cy
+        has_chain = any(part.kind == SEGMENT for part, _ in parts)
+        self._masses[body] = (0.0, 0.0) if has_chain else (mass.mass, mass.inertia)
         for part, shape in parts:
             self._add_part(body, part, shape, cx, cy)
         self._changed()
@@ -292,13 +301,34 @@ class SolidWorld:
         self._changed()
 
     def _forget_contacts(self, gone: NDArray[np.int64]) -> None:
-        """Drop the pairs of shapes that are gone."""
+        """Drop the pairs of shapes that are gone; the next step orders those that are left."""
         contacts = self.contacts
         left = ~np.isin(contacts.shapes, gone).any(axis=1)
         count = int(left.sum())
-        for mine, rows in zip(self._contacts[1:], contacts[1:], strict=True):
+        for mine, rows in zip(_arrays(self._contacts)[1:], _arrays(contacts)[1:], strict=True):
             mine[:count] = rows[left]
         self._contacts.count[0] = count
+
+    def set_kind(self, body: int, kind: str) -> None:
+        """Make a body dynamic, fixed or key-framed; pose, velocity and spin are kept, but a fixed one stops.
+
+        ValueError for a kind that there is not, or a dynamic body without mass.
+        """
+        self._known(body)
+        if kind not in KINDS:
+            raise ValueError(f"kind = {kind!r}: expected one of {', '.join(KINDS)}")
+        rows = self.bodies
+        mass, inertia = self._masses[body]
+        if kind == "dynamic" and not (mass > 0.0 and inertia > 0.0):
+            raise ValueError(f"body {body}: its shapes have no mass, so it cannot be dynamic")
+        rows.flags[body] = KINDS[kind] | (rows.flags[body] & RESTLESS)
+        dynamic = kind == "dynamic"
+        rows.inverse_masses[body] = 1.0 / mass if dynamic else 0.0
+        rows.inverse_inertias[body] = 1.0 / inertia if dynamic else 0.0
+        if kind == "fixed":
+            rows.velocities[body], rows.spins[body] = 0.0, 0.0
+        self._stale = True
+        self.wake(body)
 
     def set_pose(self, body: int, position: ArrayLike, angle: float) -> None:
         """Put a body elsewhere at once: centre of mass m, angle rad. ValueError."""
@@ -310,7 +340,9 @@ class SolidWorld:
         self.wake(body)
 
     def set_velocity(self, body: int, velocity: ArrayLike, spin: float = 0.0) -> None:
-        """Velocity m/s of the centre of mass and spin rad/s; of a key-framed body: until it is told otherwise."""
+        """Velocity m/s of the centre of mass and spin rad/s; of a key-framed body: until it is told
+        otherwise.
+        """
         self._known(body)
         if not self.bodies.flags[body] & (DYNAMIC | KEY_FRAMED):
             raise ValueError(f"body {body}: it is fixed")
@@ -369,10 +401,11 @@ class SolidWorld:
     ) -> int:
         """Join two bodies; the joint's id.
 
-        kind: of JOINT_NAMES. anchors: points of the world, m, as the bodies stand now (anchor_b: where anchor_a
-        is). length m of a distance (None: as it is now). hertz Hz and damping (of critical): compliance, 0 for
-        stiff. most: force N (or torque) of a mouse or motor. break_force N, break_torque N m. colliding: the two
-        also touch. ValueError: a body with itself, two that nothing moves, nonsense.
+        kind: of JOINT_NAMES. anchors: points of the world, m, as the bodies stand now (anchor_b: where
+        anchor_a
+        is). length m of a distance (None: as it is now). hertz Hz and damping (of critical): compliance, 0
+        for stiff. most: force N (or torque) of a mouse or motor. break_force N, break_torque N m. colliding:
+        the two also touch. ValueError: a body with itself, two that nothing moves, nonsense.
         """
         if kind not in JOINT_NAMES:
             raise ValueError(f"kind = {kind!r}: expected one of {', '.join(JOINT_NAMES)}")
@@ -474,7 +507,7 @@ class SolidWorld:
                 break
             room = max(found, 2 * len(self._contacts.shapes))
             larger = memory.contacts_of(room)
-            for new, old in zip(larger, self._contacts, strict=True):
+            for new, old in zip(_arrays(larger), _arrays(self._contacts), strict=True):
                 new[: len(old)] = old
             self._contacts, self._spare, self._rows = larger, memory.contacts_of(room), memory.rows_of(room)
             self._fit()
@@ -492,24 +525,30 @@ class SolidWorld:
     # ------------------------------------------------------------------ events, measures, state
 
     def contacts_begun(self) -> tuple[NDArray[np.int32], Floats]:
-        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s in the step (e, 5)."""
+        """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s from
+        the step's beginning (e, 5).
+        """
         count = min(int(self._scratch.events[BEGUN]), memory.EVENTS)
         return self._scratch.begun[:count].copy(), self._scratch.begun_places[:count].copy()
 
+    def _tables(self) -> tuple[Any, ...]:
+        return self._bodies, self._shapes, self._pool, self._joints
+
     def state(self) -> SolidState:
         """Copies of all that later steps depend on."""
-        tables = [table.copy() for table in (self._bodies, self._shapes, self._pool, self._joints)]
-        contacts = Contacts(*(array.copy() for array in self.contacts))
+        tables: list[Any] = [table.copy() for table in self._tables()]
+        contacts = Contacts(*(array.copy() for array in _arrays(self.contacts)))
         runs = tuple((start, count) for count, starts in self._runs.items() for start in starts)
         return SolidState(
             tables[0][0], tables[1][0], tables[2][0], tables[3][0], contacts,
-            self._origins[: self._bodies.top].copy(), tuple(free for _, free in tables), runs,
+            self._origins[: self._bodies.top].copy(), self._masses[: self._bodies.top].copy(),
+            tuple(free for _, free in tables), runs,
             self._excluded.copy(), self._stale, self.time,
         )  # fmt: skip
 
     def restore(self, state: SolidState) -> None:
         """Be as when `state` was called: what follows is equal to the bit."""
-        tables = (self._bodies, self._shapes, self._pool, self._joints)
+        tables = self._tables()
         rows = (state.bodies, state.shapes, state.pool, state.joints)
         for table, given, free in zip(tables, rows, state.free, strict=True):
             table.restore(given, free)
@@ -518,11 +557,12 @@ class SolidWorld:
             self._contacts, self._spare = memory.contacts_of(count), memory.contacts_of(count)
             self._rows = memory.rows_of(count)
         np.copyto(self._contacts.count, state.contacts.count)
-        for mine, given in zip(self._contacts[1:], state.contacts[1:], strict=True):
-            mine[:count] = given
+        for own, kept in zip(_arrays(self._contacts)[1:], _arrays(state.contacts)[1:], strict=True):
+            own[:count] = kept
         if len(self._origins) < len(state.origins):
-            self._origins = np.zeros((2 * len(state.origins), 2))
+            self._origins, self._masses = np.zeros((2, 2 * len(state.origins), 2))
         self._origins[: len(state.origins)] = state.origins
+        self._masses[: len(state.masses)] = state.masses
         self._runs = {}
         for start, size in state.free_runs:
             self._runs.setdefault(size, []).append(start)
@@ -555,6 +595,11 @@ class SolidWorld:
     def _known_joint(self, joint: int) -> None:
         if not (0 <= joint < self._joints.top and self._joints.rows.kinds[joint] != NO_JOINT):
             raise ValueError(f"joint {joint!r}: there is none of this number")
+
+
+def _arrays(rows: Any) -> tuple[NDArray[Any], ...]:
+    """The arrays of a NamedTuple, whatever their kinds."""
+    return tuple(rows)
 
 
 def _core(part: Part) -> float:

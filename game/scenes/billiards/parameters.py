@@ -48,6 +48,7 @@ class BilliardsParameters(Parameters):
     elevation = Param(0.0, 0.0, STEEPEST_DEG, unit="°", group="Stroke", help="of the butt of the cue")
     guide = Choice(
         "auto", ("auto", *GUIDES), labels=("As suits the game", *GUIDE_LABELS), group="Stroke",
+        formerly={True: "auto", False: "none"},  # of a toggle
         help="what is shown of a stroke before it: in practice its whole path, else that to the first ball",
     )  # fmt: skip
     events = Param(

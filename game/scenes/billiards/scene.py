@@ -78,6 +78,7 @@ class Billiards(Scene):
 
     name, task, title = BILLIARDS.names
     parameters_type = BilliardsParameters
+    former_parameters = {"prediction": "guide"}
     parameters: BilliardsParameters
     effects = EXACT_EFFECTS
     study = effects_study

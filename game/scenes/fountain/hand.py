@@ -8,6 +8,7 @@ from game.physics.fields import GROUND, WHIRL
 from game.physics.particles import OBSTACLES
 from game.scenes.fountain.level import MOST_STONES, Point
 from game.scenes.fountain.model import FountainModel
+from game.scenes.fountain.panes import pane_at, panes_of
 from game.stage import Part, Pointer
 
 REACH = 0.14  # m, how near to a handle the pointer takes it
@@ -28,6 +29,7 @@ class FountainHand(Part):
         self.model = model
         self.held: tuple[str, int] = NOTHING
         self.target = self.grip = (0.0, 0.0)
+        self.pane = 0  # where the pointer was pressed, of those side by side
 
     @property
     def stone(self) -> int:
@@ -37,7 +39,10 @@ class FountainHand(Part):
 
     def take(self, event: Pointer) -> str:
         """A pointer event in world coordinates; what there is to say about it, or ""."""
-        point = _within_reach(event.x, event.y)
+        panes = panes_of(self.model)
+        if event.kind == "down":
+            self.pane = pane_at(panes, event.x)
+        point = _within_reach(event.x - panes[self.pane].shift, event.y)
         if event.kind == "down" and event.button == 1:
             return self._press(point, event.shift)
         if event.kind == "down" and event.button == 3:

@@ -8,6 +8,8 @@ import msgspec
 
 from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
+from game.scenes.shared.insets import Zoom
+from game.scenes.shared.repeats import Period
 
 Metre = Annotated[float, msgspec.Meta(ge=-1000.0, le=1000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]  # m/s
@@ -50,7 +52,11 @@ class View(LevelEntry, frozen=True, kw_only=True):
 
 
 class FountainContent(LevelEntry, frozen=True, kw_only=True):
-    """[content] of a fountain level. floor: m; whirl: centre of the vortex, m; expected: of readouts."""
+    """[content] of a fountain level. floor: m; whirl: centre of the vortex, m; expected: of readouts.
+
+    repeat: s after which it begins again; zoom: what an inset shows; paths: where the listed particles have
+    been is drawn.
+    """
 
     nozzles: Annotated[tuple[Nozzle, ...], msgspec.Meta(max_length=MOST_NOZZLES)] = (Nozzle(),)
     stones: Annotated[tuple[Stone, ...], msgspec.Meta(max_length=MOST_STONES)] = (
@@ -60,4 +66,7 @@ class FountainContent(LevelEntry, frozen=True, kw_only=True):
     floor: Metre = 0.0
     whirl: Point = (2.2, 2.6)
     expected: Expectations = ()
+    repeat: Period = 0.0
+    zoom: Zoom | None = None
+    paths: bool = False
     view: View = View()

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.physics.particles import CALM, Discs, Emitter, ParticleSystem
+from game.physics.particles import CALM, Discs, Emitter, ParticleState, ParticleSystem
 from game.physics.particles.encounters import STEP
 from game.scenes.fountain.level import MOST_STONES, FountainContent, Point, Stone
 from game.scenes.fountain.parameters import FountainParameters
@@ -16,18 +18,41 @@ from game.stage import Part
 
 HAND_SPEED = 25.0  # m/s, at which a stone follows the hand at most
 NEW_RADIUS = 0.25  # m, of an added stone
+PATH_STEPS, MOST_PATHS = 2_048, 16  # steps and listed particles of which paths are kept
 MOST_MEETINGS = 32_000_000  # of a particle and a solid in a step, each substep again: a second or so at worst
 CONTACT_TIME = 1.0 / 60.0  # s for which a particle counts as in contact after an impact
+RUNAWAY = (
+    "The time step is too long for this drag: it throws particles away. Take a shorter one, or Exponential."
+)
 OF_EMITTERS = ("rate", "speed", "spread")  # parameters that the emitters take
 OF_FLIGHT = ("speed", "gravity", "drag", "wind", "fast_drag", "whirl")  # parameters of a particle's path
+
+
+BESIDE = ("explicit-euler", "midpoint")  # methods beside the last one
+LAST = "verlet"
+
+
+class SplitState(NamedTuple):
+    """A `ParticleState`, and those of the other methods."""
+
+    fields: NDArray[np.float64]
+    tags: NDArray[np.int64]
+    tallies: NDArray[np.int64]
+    clock: NDArray[np.float64]
+    emitters: NDArray[np.float64]
+    births: NDArray[np.int64]
+    solids: NDArray[np.float64]
+    impulses: NDArray[np.float64]
+    beside: tuple[ParticleState, ...]
 
 
 class FountainModel(Part):
     """Particles over stones.
 
+    beside: the same by the methods of BESIDE, where three are shown; ``system`` is then by LAST.
     active: the effects that are on. own: restitutions of the stones, None where the parameter's holds. since:
     s, who was born later knows no other law and nozzle than the present ones. full: births were dropped in
-    the last step.
+    the last step. ran_away: drag has thrown particles away.
     """
 
     def __init__(
@@ -39,25 +64,47 @@ class FountainModel(Part):
         self.vortex_centre = content.whirl
         self.since = 0.0
         self.full = False
+        self.ran_away = False
         self.meetings = 0  # in a step, as far as there may be so many
+        self.system = self._new_system(seed)
+        self.beside = [self._new_system(seed) for _ in BESIDE] if parameters.split else []
+        self.paths = np.zeros(
+            (PATH_STEPS if content.paths else 0, MOST_PATHS, 2)
+        )  # by step modulo PATH_STEPS
+        self._configure()
+        self._bound_work()
+        self._note_paths()
+
+    def _new_system(self, seed: int) -> ParticleSystem:
+        """The level's particles, stones and nozzles at their beginning."""
+        content = self.content
         stones = Discs(capacity=MOST_STONES)
         for stone in content.stones:
             stones.add(stone.centre, stone.radius, self._restitution(stone.restitution))
-        self.system = ParticleSystem(
-            int(parameters.places),
+        system = ParticleSystem(
+            int(self.parameters.places),
             solids=stones,
-            effects=active,
+            effects=self.active,
             seed=seed,
             floor=content.floor,
             emitters=[self._emitter(i, nozzle.position) for i, nozzle in enumerate(content.nozzles)],
         )
         if content.particles:
-            self.system.add(
+            system.add(
                 [particle.position for particle in content.particles],
                 [particle.velocity for particle in content.particles],
             )
-        self._configure()
-        self._bound_work()
+        return system
+
+    @property
+    def systems(self) -> list[ParticleSystem]:
+        """All of them, in the order of their panes."""
+        return [*self.beside, self.system]
+
+    @property
+    def methods(self) -> list[str]:
+        """The method of each."""
+        return [*BESIDE, LAST] if self.beside else [self.parameters.method]
 
     def _restitution(self, own: float | None) -> float:
         return self.parameters.restitution if own is None else own
@@ -78,10 +125,16 @@ class FountainModel(Part):
     # -- changes ------------------------------------------------------------------------------------
 
     def _configure(self) -> None:
-        """Hand all parameters to the system."""
-        system, parameters = self.system, self.parameters
+        """Hand all parameters to the systems."""
+        for system, method in zip(self.systems, self.methods, strict=True):
+            self._hand_to(system, method)
+        for j, own in enumerate(self.own):
+            self.system.solids.rows[j, 5] = self._restitution(own)
+
+    def _hand_to(self, system: ParticleSystem, method: str) -> None:
+        parameters = self.parameters
         system.effects = self.active
-        system.method = parameters.method
+        system.method = method
         system.contact = parameters.contact
         system.life = parameters.life
         system.substeps = 0 if parameters.smooth else 1
@@ -95,24 +148,28 @@ class FountainModel(Part):
             whirl_x=self.vortex_centre[0],
             whirl_y=self.vortex_centre[1],
         )
-        for j, own in enumerate(self.own):
-            system.solids.rows[j, 5] = self._restitution(own)
 
     def _bound_work(self) -> None:
         """LimitError if the parameters ask for more work in a step than before and than there may be."""
         places, solids = int(self.parameters.places), 1 + len(self.own)
         substeps = self.system.substeps_for(self.parameters.step_length)
-        meetings = places * substeps * solids
+        meetings = places * substeps * solids * len(self.systems)
         if meetings > max(MOST_MEETINGS, self.meetings):
-            most = MOST_MEETINGS // (substeps * solids)
+            most = MOST_MEETINGS // (substeps * solids * len(self.systems))
             raise LimitError(
                 f"places: {places} are too many for {substeps} substeps among {solids} "
                 f"solids, {most} at most; less drag or a shorter time step takes fewer substeps"
             )
         self.meetings = meetings
 
+    def renew(self) -> None:
+        """Give a state that was taken back the present parameters."""
+        self._configure()
+        self._change_emitters()
+
     def change_parameter(self, name: str) -> None:
         """Take over a parameter's new value; LimitError if it asks for too much work."""
+        self.ran_away = False
         if name in OF_EMITTERS:
             self._change_emitters()
         else:
@@ -137,7 +194,8 @@ class FountainModel(Part):
         """Give the nozzles the panel's numbers, where they are."""
         for index in range(len(self.content.nozzles)):
             x, y = self.nozzle_position(index)
-            self.system.change_emitter(index, self._emitter(index, (x, y)))
+            for system in self.systems:
+                system.change_emitter(index, self._emitter(index, (x, y)))
 
     def nozzle_position(self, index: int) -> Point:
         """Where a nozzle is, m."""
@@ -146,7 +204,8 @@ class FountainModel(Part):
 
     def place_nozzle(self, index: int, position: Point) -> None:
         """Put a nozzle somewhere else, m."""
-        self.system.place_emitter(index, position)
+        for system in self.systems:
+            system.place_emitter(index, position)
         self.since = self.system.time_s
 
     def place_vortex(self, position: Point) -> None:
@@ -169,9 +228,8 @@ class FountainModel(Part):
 
     # -- a step -------------------------------------------------------------------------------------
 
-    def advance(self, dt: float, carried: int, target: Point) -> bool:
-        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. True if the pool has become
-        full."""
+    def advance(self, dt: float, carried: int, target: Point) -> str:
+        """One step; the stone ``carried`` (-1: none) goes towards ``target`` m. Gives words to say, or ""."""
         system = self.system
         if (system.forces.whirl_x, system.forces.whirl_y) != self.vortex_centre:
             self._configure()  # the vortex was put back by a step back
@@ -182,13 +240,54 @@ class FountainModel(Part):
                 carried, displacement / dt * min(1.0, HAND_SPEED / speed if speed > 0.0 else 1.0)
             )
         dropped, moving = system.dropped, system.has_moving_emitters
+        for other in self.beside:  # all have the stones of the hand
+            other.solids.restore(system.solids.rows, system.solids.impulses)
+            other.step(dt)
         system.step(dt)
+        self._note_paths()
         if moving:  # who was born meanwhile did not leave the nozzle where it is now
             self.since = system.time_s
         if carried >= 0:
             system.solids.carry(carried, (0.0, 0.0))
+        if any(one.runaways for one in self.systems) and not self.ran_away:
+            self.ran_away = True
+            return RUNAWAY
         was_full, self.full = self.full, system.dropped > dropped
-        return self.full and not was_full
+        if self.full and not was_full:
+            return f"The pool of {system.capacity} is full: further births are dropped and counted."
+        return ""
+
+    def clear(self) -> None:
+        """Let all particles die now."""
+        for system in self.systems:
+            system.clear()
+
+    def state(self) -> ParticleState | SplitState:
+        """All that moves."""
+        state = self.system.state()
+        return SplitState(*state, tuple(one.state() for one in self.beside)) if self.beside else state
+
+    def restore(self, state: ParticleState | SplitState) -> None:
+        """Take over a copy of a state."""
+        self.system.restore(ParticleState(*state[:8]))
+        if isinstance(state, SplitState):
+            for system, then in zip(self.beside, state.beside, strict=True):
+                system.restore(then)
+
+    def _note_paths(self) -> None:
+        """Write where the listed particles are, who have the first places of the pool."""
+        if len(self.paths):
+            count = min(len(self.content.particles), MOST_PATHS)
+            row = int(self.system.tallies[STEP]) % PATH_STEPS
+            self.paths[row, :count] = self.system.fields[:2, :count].T
+
+    def paths_so_far(self) -> NDArray[np.float64]:
+        """Where the listed particles were (steps, count, 2), m, oldest first; none where none are kept."""
+        if not len(self.paths):
+            return np.zeros((0, 0, 2))
+        last = int(self.system.tallies[STEP])
+        steps = np.arange(max(last + 1 - PATH_STEPS, 0), last + 1)
+        return self.paths[steps % PATH_STEPS, : min(len(self.content.particles), MOST_PATHS)]
 
     # -- what is asked of it ------------------------------------------------------------------------
 
@@ -211,5 +310,8 @@ class FountainModel(Part):
             floor=self.content.floor,
             whirl=self.vortex_centre,
             expected=self.content.expected,
+            repeat=self.content.repeat,
+            zoom=self.content.zoom,
+            paths=self.content.paths,
             view=self.content.view,
         )

@@ -29,6 +29,10 @@ class FountainParameters(Parameters):
         label="Integrator",
         help="how position and velocity go on by a step",
     )  # fmt: skip
+    split = Toggle(
+        False, group="Method", label="Three methods", rebuild=True,
+        help="explicit Euler, midpoint and Verlet side by side, from the same births",
+    )  # fmt: skip
     contact = Choice(
         "chord",
         CONTACTS,

@@ -13,11 +13,13 @@ from game.scenes.fountain import C04
 from game.scenes.fountain.figure import draw_impact
 from game.scenes.fountain.hand import FountainHand
 from game.scenes.fountain.level import FountainContent
-from game.scenes.fountain.model import FountainModel
+from game.scenes.fountain.model import FountainModel, SplitState
 from game.scenes.fountain.parameters import FountainParameters
 from game.scenes.fountain.readouts import readouts
+from game.scenes.fountain.targets import story_targets
 from game.scenes.fountain.view import FountainView
 from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.repeats import Repeat
 from game.stage import (
     Equation,
     Frame,
@@ -31,6 +33,7 @@ from game.stage import (
     Strip,
 )
 from game.stage.messages import Messages
+from game.stage.states.state import copy_state
 
 MANY_PLACES = 200_000
 
@@ -60,8 +63,19 @@ class Fountain(Scene):
     takes = frozenset(("right",))
 
     strips = (
-        Strip("Energy", "J", ("potential", "kinetic", "total")),
-        Strip("Highest particle", "m", ("exact", "highest"), ("exact",)),
+        Strip(
+            "Energy",
+            "J",
+            ("potential", "kinetic", "total", "Euler total", "midpoint total"),
+            sometimes=("potential", "kinetic", "Euler total", "midpoint total"),
+        ),
+        Strip(
+            "Highest particle",
+            "m",
+            ("exact", "highest", "Euler highest", "midpoint highest"),
+            ("exact",),
+            sometimes=("Euler highest", "midpoint highest"),
+        ),
         Strip("Error", "m", ("error",)),
     )
     hints = (
@@ -106,6 +120,7 @@ class Fountain(Scene):
     )
     try_this = (
         "Choose explicit Euler and a long time step: the spray rises above the dashed curve.",
+        "Show three methods and take a long time step: where does the total energy of each go?",
         "Set both restitutions to 1 and wait 3 s: the total energy rises to what the nozzle gave.",
         "Switch drag and wind on: the bars show what each costs; the dashed curve is still exact.",
         "Raise the places to 100 000 and the emit rate to 40 000: see what a step costs then.",
@@ -119,6 +134,8 @@ class Fountain(Scene):
         self.hand = FountainHand(self.model)
         self.view = FountainView(self.model)
         self.said = Messages()
+        self.repeat = Repeat(content.repeat)
+        self._beginning = copy_state(self.state()) if content.repeat else None
         captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def takes_long(self, event: StageEvent | None) -> bool:
@@ -131,11 +148,14 @@ class Fountain(Scene):
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
 
-    def state(self) -> ParticleState:
-        return self.model.system.state()
+    def state(self) -> ParticleState | SplitState:
+        return self.model.state()
 
-    def restore(self, state: ParticleState) -> None:
-        self.model.system.restore(state)
+    def restore(self, state: ParticleState | SplitState) -> None:
+        self.model.restore(state)
+
+    def why_idle(self, name: str) -> str:
+        return "Three methods are shown." if name == "method" and self.model.beside else ""
 
     def save_content(self) -> FountainContent:
         return self.model.content_now()
@@ -143,18 +163,22 @@ class Fountain(Scene):
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        if self.model.advance(dt, self.hand.stone, self.hand.target):
-            capacity = self.model.system.capacity
-            self.said.say(f"The pool of {capacity} is full: further births are dropped and counted.")
+        if self._beginning is not None and self.repeat.advance(dt):
+            self.restore(self._beginning)
+            self.model.renew()
+            self.previous = None
+        self.said.say(self.model.advance(dt, self.hand.stone, self.hand.target))
 
     def pointer(self, event: Pointer) -> None:
+        if event.kind == "down":
+            self.repeat.end()
         self.said.say(self.hand.take(event))
 
     def action(self, name: str) -> None:
         if name == "emit":
             self.model.switch_emitters()
         else:
-            self.model.system.clear()
+            self.model.clear()
 
     def messages(self) -> Sequence[str]:
         return self.said.take()
@@ -164,6 +188,9 @@ class Fountain(Scene):
     def readouts(self) -> list[Readout]:
         return readouts(self.model)
 
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return story_targets(self.model)
+
     def legend(self) -> Sequence[tuple[str, str, str]]:
         return self.view.legend()
 
@@ -172,8 +199,9 @@ class Fountain(Scene):
         return Frame(view.left, view.bottom, view.right, view.top)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
-        if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+        self.view.draw(canvas, self.previous, alpha)
+        if content.zoom is not None:
+            self.view.draw_inset(canvas, content.zoom, self.previous, alpha)
+        top = (0.5 * (content.view.left + content.view.right), content.view.top)
+        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)

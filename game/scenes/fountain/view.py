@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from game.physics.fields import DRAG, GROUND, QUADRATIC_DRAG, WHIRL, WIND
-from game.physics.particles import OBSTACLES, ParticleState
+from game.physics.particles import OBSTACLES, ParticleState, ParticleSystem
 from game.physics.particles.in_between import Instant, Shown, Swarm, gather_touching, place_between
 from game.scenes.fountain.exact import exact_envelope, open_nozzles
 from game.scenes.fountain.hand import rim_handle
-from game.scenes.fountain.model import FountainModel
+from game.scenes.fountain.model import FountainModel, SplitState
+from game.scenes.fountain.panes import panes_of
+from game.scenes.shared.insets import Zoom, draw_inset
+from game.stage import Frame
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.curves import thinned
 
@@ -33,16 +37,46 @@ class FountainView:
         self._in_contact = np.zeros((0, 2))
         self._shown_in_contact = self._in_contact
 
-    def draw(self, canvas: Canvas, previous: ParticleState | None, alpha: float) -> None:
-        """All of it, from the back to the front, ``alpha`` of the way from the state ``previous`` to now."""
+    def draw(self, canvas: Canvas, previous: ParticleState | SplitState | None, alpha: float) -> None:
+        """All of it, ``alpha`` of the way from the state ``previous`` to now; methods side by side."""
+        model = self.model
+        if not model.beside:
+            self._draw_one(canvas, model.system, previous, alpha)
+            return
+        then: Sequence[ParticleState | SplitState | None] = (None,) * len(model.systems)
+        if isinstance(previous, SplitState):
+            then = (*previous.beside, previous)
+        view = model.content.view
+        middle = 0.5 * (view.bottom + view.top)
+        for pane, system, before in zip(panes_of(model), model.systems, then, strict=True):
+            low, high = (pane.left, view.bottom), (pane.right, view.top)
+            centre = (0.5 * (pane.left + pane.right) - pane.shift, middle)
+            with canvas.magnified(low, high, centre, 1.0):
+                self._draw_one(canvas, system, before, alpha)
+            canvas.line((pane.right, view.bottom), (pane.right, view.top), "line2", 1.0)
+            foot = (0.5 * (pane.left + pane.right), view.bottom)
+            canvas.label(foot, pane.title, "text1", 13, "semibold", "bottom", offset=(0.0, -6.0))
+
+    def _draw_one(
+        self,
+        canvas: Canvas,
+        system: ParticleSystem,
+        previous: ParticleState | SplitState | None,
+        alpha: float,
+    ) -> None:
+        """One of them, from the back to the front."""
         model, on = self.model, self.model.active
+        if model.parameters.life < model.parameters.step_length:
+            alpha = 1.0  # nobody lives through a step, so there is no way to go between two of them
         canvas.grid(None, "y")
         if GROUND in on:
             canvas.ground(model.content.floor)
         if WHIRL in on:
             self._draw_vortex(canvas)
         self._draw_envelope(canvas)
-        self._draw_particles(canvas, previous, alpha)
+        for path in np.swapaxes(model.paths_so_far(), 0, 1):
+            canvas.polyline(path, "ghost", 1.2)
+        self._draw_particles(canvas, system, previous, alpha)
         if OBSTACLES in on:
             self._draw_stones(canvas)
             if len(self._shown_in_contact):
@@ -51,6 +85,14 @@ class FountainView:
             self._draw_nozzle(canvas, index)
         if WIND in on and (DRAG in on or QUADRATIC_DRAG in on):
             self._draw_wind(canvas)
+
+    def draw_inset(
+        self, canvas: Canvas, zoom: Zoom, previous: ParticleState | SplitState | None, alpha: float
+    ) -> None:
+        """The same in a corner, larger."""
+        view = self.model.content.view
+        frame = Frame(view.left, view.bottom, view.right, view.top)
+        draw_inset(canvas, frame, zoom, lambda: self.draw(canvas, previous, alpha))
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
@@ -70,8 +112,9 @@ class FountainView:
         fall = math.sqrt(2.0 * parameters.gravity * max(content.view.top - content.floor, 0.0))
         return _round_up(max(parameters.speed, 0.5 * fall, 0.1))
 
-    def _draw_particles(self, canvas: Canvas, before: ParticleState | None, alpha: float) -> None:
-        system = self.model.system
+    def _draw_particles(
+        self, canvas: Canvas, system: ParticleSystem, before: ParticleState | SplitState | None, alpha: float
+    ) -> None:
         self._reserve(system.capacity)
         if before is None or before.fields.shape != system.fields.shape:
             before = system.state()
@@ -115,7 +158,7 @@ class FountainView:
             line = thinned(points, canvas.px(0.1))
             canvas.polyline(line, "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
             right = points[(points[:, 0] > row[0] + 1.6) & (points[:, 0] < frame.right - 1.0)]
-            if len(right) and not named and len(model.content.nozzles) == 1:
+            if len(right) and not named and canvas.teaching and len(model.content.nozzles) == 1:
                 place = right[0]
                 words = "exact envelope of free flight"
                 canvas.label(tuple(place), words, "text1", anchor="left", offset=(14.0, -10.0))
@@ -124,6 +167,8 @@ class FountainView:
     def _draw_stones(self, canvas: Canvas) -> None:
         for x, y, radius, _, _, e in self.model.system.solids.rows.tolist():
             canvas.circle((x, y), radius, "body", 1.0, "text2", 2.0)
+            if not canvas.teaching:
+                continue
             handle = rim_handle(x, y, radius)
             canvas.line((x, y), handle, "text2", 1.4)
             canvas.dot((x, y), 2.5, "text1")
@@ -139,6 +184,8 @@ class FountainView:
         body = [(-0.13, -0.13), (0.13, -0.13), (0.1, 0.0), (-0.1, 0.0)]
         corners = np.array([(x + a * uy + b * ux, y - a * ux + b * uy) for a, b in body])
         canvas.polygon(corners, fill="ghost", outline="text2", width=1.2)
+        if not canvas.teaching:
+            return
         if spread < 0.5 * math.pi and model.emitting:
             for side in (-1.0, 1.0):
                 angle = axis + side * spread
@@ -170,8 +217,9 @@ class FountainView:
             radius = 0.22 * ring
             start = 0.9 * ring
             canvas.arc((x, y), radius, start, start + turn * 4.6, "green", 1.4, alpha=0.9 - 0.2 * ring)
-        canvas.handle((x, y))
-        canvas.label((x, y), "vortex", "green", offset=(0.0, -16.0))
+        if canvas.teaching:
+            canvas.handle((x, y))
+            canvas.label((x, y), "vortex", "green", offset=(0.0, -16.0))
 
 
 def _round_up(speed: float) -> float:

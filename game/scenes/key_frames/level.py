@@ -7,6 +7,7 @@ from typing import Annotated
 import msgspec
 
 from game.scenes.shared.entry import LevelEntry
+from game.scenes.shared.expectations import Expectations
 
 MOST_KEYS = 200
 FARTHEST = 1000.0  # m
@@ -49,6 +50,7 @@ class Motion(LevelEntry, frozen=True, kw_only=True):
 
     keys: in any order; of equal times the order counts. timing: x1, y1, x2, y2 of the timing curve, where the
     panel says "own". start: s, time of the keys where the slider has 0. box: width and height, m.
+    expected: of readouts.
     """
 
     keys: Annotated[tuple[KeyEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_KEYS)] = (
@@ -63,4 +65,5 @@ class Motion(LevelEntry, frozen=True, kw_only=True):
         1.1,
         0.66,
     )
+    expected: Expectations = ()
     view: View = View()

@@ -81,6 +81,9 @@ class KeyFrameParameters(Parameters):
         labels=("Nothing", *(label for label in LABELS if label != "Bezier curves")), label="Compared with",
     )  # fmt: skip
     velocity = Toggle(True, group="Shown", label="Velocity")
+    formula = Toggle(
+        False, group="Shown", label="Formula", help="of the interpolation, with its present numbers"
+    )
     corners = Toggle(
         False, group="Shown", label="Lines it is drawn by", help="found by halving pieces until flat"
     )

@@ -20,6 +20,7 @@ from game.scenes.key_frames.model import KeyFrameModel, KeyFrameState
 from game.scenes.key_frames.parameters import KeyFrameParameters, range_of_slider
 from game.scenes.key_frames.readouts import readouts_of
 from game.scenes.key_frames.view import KeyFramingView
+from game.scenes.shared.expectations import captions_of, draw_captions
 from game.stage import (
     Equation,
     Frame,
@@ -44,6 +45,10 @@ class KeyFraming(Scene):
     The curve under the stage is the speed. It shows what the path does not: where the box is in a hurry, and
     where its velocity jumps. Constant speed spreads the time by the length of the path, easing by a timing
     curve.
+
+    In the equations: x place at time t, x_i key-frames, u the part of a piece, P control points of a piece,
+    Q those of the next, h durations of pieces, d slopes of their chords, m slopes at the keys, k knots of
+    Catmull-Rom, s length of the path, ε how far lines may be off, n how many there are.
     """
 
     name, task, title = C01.names
@@ -118,6 +123,7 @@ class KeyFraming(Scene):
     try_this = (
         "Grab the flying box and pull it aside: it has a key there now. Ctrl+Z takes it back.",
         "Change the interpolation and watch the speed below: linear has steps, a spline has none.",
+        "Show the formula: weights and key-frames of this moment, and the x that comes of them.",
         "Switch constant speed on: the curve below becomes flat, the boxes of the onion skin evenly spaced.",
         "Set frames per second to 8, then the second to 1 s: what early films looked like.",
         "Choose Bezier curves and drag a control point; with Shift its joint becomes a corner.",
@@ -131,6 +137,7 @@ class KeyFraming(Scene):
         self.model = KeyFrameModel(self.parameters, self.active, content)
         self.hand = Hand(self.model)
         self.view = KeyFramingView(self.model)
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
 
     def advance(self, dt: float) -> None:
         self.model.advance(dt)
@@ -184,6 +191,9 @@ class KeyFraming(Scene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas)
+        motion = self.model.motion
+        top = (0.5 * (motion.view.left + motion.view.right), motion.view.top)
+        draw_captions(canvas, top, captions_of(motion.expected, self.readouts()))
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

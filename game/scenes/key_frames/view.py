@@ -12,6 +12,7 @@ from game.physics.animation import CONSTANT_SPEED, EASING, mix_rotations
 from game.scenes.key_frames.animation import Animation
 from game.scenes.key_frames.box import UNIT_BOX, box_corners, turning_handle
 from game.scenes.key_frames.document import NOTHING
+from game.scenes.key_frames.live_formula import draw_live_formula
 from game.scenes.key_frames.model import KeyFrameModel
 from game.scenes.key_frames.parameters import SHORT
 from game.scenes.key_frames.timeline import Places, places_of, x_of
@@ -72,6 +73,9 @@ class KeyFramingView:
         self._draw_keys(canvas)
         self._draw_box(canvas, animation)
         self._draw_timeline(canvas, animation, places)
+        if self._shown.formula:
+            view = self._model.motion.view
+            draw_live_formula(canvas, self._model, (view.right, view.top))
         if EASING in self._model.active:
             self._draw_timing(canvas, animation, places)
 

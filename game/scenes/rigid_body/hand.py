@@ -15,6 +15,7 @@ from game.stage import Part, Pointer
 
 FARTHEST = 1_000.0  # m
 LEAST_RADIUS, CLICK_RADIUS, MOST_RADIUS = 0.02, 0.15, 2.0  # m; a click without a drag gives the middle one
+NOBODY = -1
 TURN_SPEED = 28.0  # degrees for each metre of a drag
 Point = tuple[float, float]
 
@@ -24,6 +25,7 @@ class Hand(Part):
 
     grip: what is held: "", "push", "sphere" or "view". pane: the body that is held. arm: m, in the body's
     own axes, from its centre of mass; start, target: m, in the world. edits: of its spheres.
+    hovered: the sphere under the pointer, of the body in ``pane``, or NOBODY.
     """
 
     def __init__(self, model: RigidModel):
@@ -33,6 +35,7 @@ class Hand(Part):
         self.start: Vector = self.arm
         self.target: Vector = self.arm
         self._last: Point = (0.0, 0.0)
+        self.hovered = NOBODY
 
     def take_pointer(self, event: Pointer) -> None:
         """A pointer event in coordinates of the picture."""
@@ -77,7 +80,7 @@ class Hand(Part):
         return point[0] - self.model.panes.shift(pane), point[1]
 
     def _press(self, point: Point) -> None:
-        pane, tool = self.model.panes.at(point[0]), self.model.parameters.tool
+        pane, tool, self.hovered = self.model.panes.at(point[0]), self.model.parameters.tool, NOBODY
         view, seen = self._view(), self._in_pane(pane, point)
         body = self.model.bodies.all[pane]
         hit = hit_sphere(view, body.spheres(), body.radii, seen)
@@ -101,11 +104,20 @@ class Hand(Part):
             parameters.turn = (turn + 180.0) % 360.0 - 180.0
             tilt = parameters.tilt - TURN_SPEED * (point[1] - self._last[1])
             parameters.tilt = min(max(tilt, -90.0), 90.0)
-        elif self.grip:
+        elif not self.grip:
+            self._hover(point)
+        else:
             seen = self._in_pane(self.pane, point)
             x, y, z = on_plane(self._view(), np.array(self.start), seen).tolist()
             self.target = (x, y, z)
         self._last = point
+
+    def _hover(self, point: Point) -> None:
+        """Note the sphere under the pointer."""
+        self.pane = self.model.panes.at(point[0])
+        body = self.model.bodies.all[self.pane]
+        hit = hit_sphere(self._view(), body.spheres(), body.radii, self._in_pane(self.pane, point))
+        self.hovered = NOBODY if hit is None else hit[0]
 
     def _let_go(self) -> None:
         grip, self.grip = self.grip, ""

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.scenes.shared.entry import LevelEntry
+from game.scenes.shared.expectations import Expectations
 
 Array = NDArray[np.float64]
 Metre = Annotated[float, msgspec.Meta(ge=-10_000_000.0, le=10_000_000.0)]
@@ -51,6 +52,7 @@ class RigidContent(LevelEntry, frozen=True, kw_only=True):
     place: where its centre of mass is at first, m; else where the spheres as listed have it. velocity m/s
     and spin rad/s about the world's axes at first; orientation: a quaternion, scalar first, by which the
     spheres as listed are turned at first. window: half the sides of the box, m.
+    expected: of readouts.
     """
 
     spheres: Annotated[tuple[SphereEntry, ...], msgspec.Meta(max_length=MOST_SPHERES)] = ()
@@ -60,6 +62,7 @@ class RigidContent(LevelEntry, frozen=True, kw_only=True):
     spin: Fars = (0.0, 0.0, 0.0)
     orientation: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
     window: tuple[Length, Length, Length] = (4.0, 1.9, 1.5)
+    expected: Expectations = ()
 
 
 def design_of(content: RigidContent) -> Array:

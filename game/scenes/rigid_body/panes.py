@@ -11,6 +11,7 @@ from game.stage import Frame
 
 Array = NDArray[np.float64]
 TITLE_HEIGHT = 0.25  # m
+SPHERE_ROOM = 1.15  # m
 GAP = 0.12  # m, between the boxes of the twin view
 
 
@@ -44,6 +45,6 @@ class Panes:
         return B if B in self.shown and x > 0.0 else A
 
     def frame(self) -> Frame:
-        """All of the picture."""
+        """All of the picture; beside the box of B there is room for the sphere of L."""
         x, y = self._half_picture
-        return Frame(-x, -y, x, y)
+        return Frame(-x, -y, x + SPHERE_ROOM if B in self.shown else x, y)

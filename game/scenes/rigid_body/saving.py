@@ -28,4 +28,5 @@ def content_of(model: RigidModel) -> RigidContent:
         velocity=_kept_within(body.velocity),
         spin=_kept_within(body.angular_velocity),
         window=model.content.window,
+        expected=model.content.expected,
     )

@@ -21,6 +21,7 @@ from game.scenes.rigid_body.readouts import readouts_of
 from game.scenes.rigid_body.saving import content_of
 from game.scenes.rigid_body.state import RigidState, restore, state_of
 from game.scenes.rigid_body.view import RigidView
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Stamped, Strip, WarmUp
 from game.ui.painters.spheres import WARM_UPS
 
@@ -39,6 +40,12 @@ class RigidBodyScene(Scene):
 
     The small sphere shows L as the body sees it. A free body's L stays on a curve of its own energy; a method
     that makes energy spirals outwards to an end of axis 1.
+
+    In the equations: m mass, r radius of a sphere, d from the body's centre of mass to the sphere's, x
+    position, P momentum, f force, L angular momentum, τ torque, a and α accelerations, q orientation as a
+    quaternion, ω spin, I inertia in the body's frame with I1 to I3 its principal moments, J inertia in the
+    world's frame, R the body's turn (with a number: one about that principal axis), h time step, k slopes,
+    E energy, but in the offset theorem the unit matrix.
     """
 
     name, task, title = C12.names
@@ -80,6 +87,7 @@ class RigidBodyScene(Scene):
         "Count the flips of A and B beside the exact ones; then give A another integrator, and begin again.",
         "Set a time step of 1/10 s: explicit Euler is lost at once, the splitting only jitters.",
         "Choose Implicit gyroscopic, which most engines use: it loses energy and angular momentum.",
+        "Point at a sphere: its volume and mass, and what it adds to the moment of inertia about the spin.",
         "Push the head, then the handle, with the same force. Double the density and do it again.",
         "Switch normalizing off and look at |q| with explicit Euler, and with the exponential map.",
     )
@@ -114,6 +122,7 @@ class RigidBodyScene(Scene):
         self.model = RigidModel(given, self.parameters, self.active)
         self.hand = Hand(self.model)
         self.view = RigidView(self.model, self.hand)
+        captions_of(given.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
         self.model.parameter_changed(name)
@@ -162,7 +171,9 @@ class RigidBodyScene(Scene):
         return self.view.legend()
 
     def frame(self) -> Frame:
-        return self.model.panes.frame()
+        return with_headroom(self.model.panes.frame(), len(self.model.content.expected))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self.previous, canvas, alpha)
+        captions = captions_of(self.model.content.expected, self.readouts())
+        draw_captions(canvas, (0.0, self.frame().top), captions)

@@ -17,6 +17,7 @@ from game.scenes.rigid_body.hand import Hand
 from game.scenes.rigid_body.level import COLOR, COLORS, RADIUS
 from game.scenes.rigid_body.model import RigidModel
 from game.scenes.rigid_body.momentum_sphere import draw_momentum_sphere
+from game.scenes.rigid_body.sphere_card import draw_sphere_card
 from game.scenes.rigid_body.state import RigidState
 from game.stage import blend, blend_quaternions
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
@@ -78,6 +79,12 @@ class RigidView:
             if shown.vectors:
                 self._draw_vectors(canvas, view, rows[pane], pane, shift)
         self._draw_hand(canvas, view)
+        hand = self.hand
+        if not hand.grip and hand.pane in panes and 0 <= hand.hovered < len(model.bodies.design):
+            place = _seen(model.bodies, view, rows[hand.pane])[0][hand.hovered, :2]
+            place = place + np.array((model.panes.shift(hand.pane), 0.0))
+            canvas.circle(place, float(model.bodies.design[hand.hovered, RADIUS]), None, 1.0, "amber", 2.0)
+            draw_sphere_card(canvas, model, hand.pane, hand.hovered, place)
         if shown.twin:
             self._draw_titles(canvas, panes)
         if shown.momentum_sphere and ROTATION in model.active:

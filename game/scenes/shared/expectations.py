@@ -6,11 +6,16 @@ from collections.abc import Sequence
 from typing import Annotated, NamedTuple
 
 import msgspec
+import numpy as np
 
 from game.scenes.shared.entry import LevelEntry
-from game.stage import Readout
+from game.stage import Frame, Readout
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.numerals import format_si
+
+SIZE, WEIGHT = 13, "semibold"
+FIRST, LINE = 14.0, 20.0  # design px down to the first line, and from line to line
+HEADROOM, OF_A_LINE = 0.04, 0.045  # of the height in view, above captions and for each
 
 Number = Annotated[float, msgspec.Meta(ge=-1e12, le=1e12)]
 
@@ -51,8 +56,33 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
     return found
 
 
-def draw_captions(canvas: Canvas, top: tuple[float, float], captions: Sequence[Caption]) -> None:
-    """Line by line from a place (m) downwards: green where it is as expected, amber where not, or not yet."""
-    for line, (words, met) in enumerate(captions):
-        offset = (0.0, 14.0 + 20.0 * line)
-        canvas.label(top, words, "green" if met else "amber", 13, "semibold", "top", offset)
+def with_headroom(frame: Frame, lines: int) -> Frame:
+    """A frame (m) with room for so many captions above it."""
+    share = HEADROOM + OF_A_LINE * lines if lines else 0.0
+    return frame._replace(top=frame.top + share * (frame.top - frame.bottom))
+
+
+def draw_captions(
+    canvas: Canvas, top: tuple[float, float], captions: Sequence[Caption], again_in: float | None = None
+) -> None:
+    """Line by line on a plate, from a place (m) downwards: green where it is as expected, amber where not, or
+    not yet. ``again_in``: s until all begins again, or None."""
+    rows = [(words, "green" if met else "amber") for words, met in captions]
+    if again_in is not None:
+        rows.append((canvas.figure("again", f"again in {again_in:.0f} s"), "text2"))
+    if not rows or not canvas.words:
+        return
+    _draw_plate(canvas, top, [words for words, _ in rows])
+    for line, (words, color) in enumerate(rows):
+        canvas.label(top, words, color, SIZE, WEIGHT, "top", (0.0, FIRST + LINE * line))
+
+
+def _draw_plate(canvas: Canvas, top: tuple[float, float], lines: Sequence[str]) -> None:
+    """Ground of the stage's colour behind lines, so that nothing that moves is read with them."""
+    wide = max(canvas.fonts.size(words, SIZE, WEIGHT)[0] for words in lines) / canvas.pixels_per_unit
+    half = 0.5 * wide + canvas.px(8.0)
+    down = -1.0 if canvas.camera.y_up else 1.0
+    head = top[1] + down * canvas.px(FIRST - 4.0)
+    foot = top[1] + down * canvas.px(FIRST + LINE * len(lines))
+    corners = ((top[0] - half, head), (top[0] + half, head), (top[0] + half, foot), (top[0] - half, foot))
+    canvas.polygon(np.array(corners), fill="stage", fill_alpha=0.86)

@@ -7,7 +7,9 @@ from typing import Any, ClassVar, NamedTuple
 
 from game.levels import Level
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING, chain_skeleton
+from game.scenes.shared.expectations import Caption, captions_of, draw_captions, with_headroom
 from game.scenes.shared.polygons import warm_up_painter
+from game.scenes.skeletons.guide import steps_of
 from game.scenes.skeletons.hand import FigureHand
 from game.scenes.skeletons.level import BoneEntry, FigureContent, SkinEntry, View
 from game.scenes.skeletons.model import FigureModel
@@ -38,7 +40,11 @@ EDITING = (
 
 
 MAKING = {
-    "bone": (Hint(("Click",), "parent bone, then the new end"), Hint(("Delete",), "delete the chosen bone")),
+    "bone": (
+        Hint(("Click",), "parent bone, then the new end"),
+        Hint(("Shift", "Click"), "where on the parent it begins"),
+        Hint(("Delete",), "delete the chosen bone"),
+    ),
     "skin": (
         Hint(("Click",), "corners around the bones"),
         Hint(("Enter",), "close the skin"),
@@ -72,6 +78,7 @@ class FigureScene(Scene):
     def build(self, level: Level | None) -> None:
         content = level.content if level is not None else None
         self.make_parts(self.default_content if content is None else content)
+        captions_of(self.model.content.expected, self.readouts())  # refuses an unknown readout
 
     def make_parts(self, content: FigureContent) -> None:
         """Model, hand and view of a figure."""
@@ -115,7 +122,22 @@ class FigureScene(Scene):
 
     def frame(self) -> Frame:
         view = self.model.bench.figure.view
-        return Frame(view.left, view.bottom, view.right, view.top)
+        return self.with_captions(Frame(view.left, view.bottom, view.right, view.top))
+
+    def with_captions(self, frame: Frame) -> Frame:
+        """A frame with room for what is expected."""
+        return with_headroom(frame, len(self.model.content.expected) + len(self.guide()))
+
+    def guide(self) -> list[Caption]:
+        """The steps of making a figure, and which of them are done; none but in a level made for it."""
+        model = self.model
+        return steps_of(model.bench.figure, model.rig.now - model.rig.bound) if model.content.guide else []
+
+    def draw_captions(self, canvas: Any) -> None:
+        """What is expected and measured, above the figure."""
+        frame, expected = self.frame(), self.model.content.expected
+        top = (0.5 * (frame.left + frame.right), frame.top)
+        draw_captions(canvas, top, [*captions_of(expected, self.readouts()), *self.guide()])
 
 
 def warm_ups_of_figures() -> tuple[WarmUp, ...]:

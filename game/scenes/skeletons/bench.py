@@ -32,12 +32,14 @@ class Bench(msgspec.Struct, frozen=True):
     """The figure and the hand on it. drawn: points of the skin being drawn, m. pointer: where the hand is.
 
     held: "" or what is dragged ("bone", "root"); grip: how it was taken. picked: first bone of a chain being
-    picked, or NOWHERE. message: what the last event has to say, or "".
+    picked, or NOWHERE. socket: where on the chosen bone a new one begins, m from its base; None: its end.
+    message: what the last event has to say, or "".
     """
 
     figure: FigureContent
     chosen: int = NOWHERE
     picked: int = NOWHERE
+    socket: float | None = None
     drawn: tuple[Point, ...] = ()
     pointer: Point = (0.0, 0.0)
     held: str = ""

@@ -11,6 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from game.physics.animation import Skeleton
 from game.physics.animation.skeleton_editing import NOWHERE, SHORTEST, bone_at
 from game.scenes.skeletons.bench import Bench, Turn, reach_of, remembered, with_message
 from game.scenes.skeletons.level import (
@@ -29,16 +30,17 @@ from game.stage import Pointer
 Array = NDArray[np.float64]
 FARTHEST = 5_000.0  # m
 DRAWN_FILL = "chalk"
+PARENT = "click the parent bone; with Shift, where on it the new one begins"
 
 
 def next_click(bench: Bench, tool: str) -> str:
     """What the next click with a tool is for, in words; "" where it takes hold of a thing."""
     if tool == "bone":
-        return "click the parent bone" if bench.chosen == NOWHERE else "click where the new bone ends"
+        return PARENT if bench.chosen == NOWHERE else "click where the new bone ends"
     if tool == "skin":
         if not bench.drawn:
             return "click the first corner"
-        return "click the next corner" if len(bench.drawn) < 3 else "next corner; the first one closes"
+        return "click the next corner" if len(bench.drawn) < 3 else "next corner; Enter closes"
     if tool == "chain":
         return "click one end of the chain" if bench.picked == NOWHERE else "click its other end"
     return ""
@@ -52,7 +54,9 @@ def take_pointer(bench: Bench, rig: Rig, event: Pointer, tool: str, limited: boo
     point = (min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST))
     bench = msgspec.structs.replace(bench, pointer=point, message="")
     if event.kind == "down" and event.button == 1:
-        press = {"pose": _take, "bone": _grow, "skin": _draw, "chain": _pick}.get(tool)
+        if tool == "bone":
+            return _grow(bench, rig, point, event.shift)
+        press = {"pose": _take, "skin": _draw, "chain": _pick}.get(tool)
         return press(bench, rig, point) if press is not None else Turn(bench)
     if event.kind == "move" and bench.held:
         return _drag(bench, rig, point, limited)
@@ -123,28 +127,47 @@ def _take_back(bench: Bench) -> Turn:
 # -- bones ----------------------------------------------------------------------------------------------
 
 
-def _grow(bench: Bench, rig: Rig, point: Point) -> Turn:
-    """A click on a bone chooses the parent; one beside all bones lays a new bone from its end."""
+def joint_of(bench: Bench, skeleton: Skeleton) -> tuple[float, float]:
+    """Where (m) a new bone of the chosen parent begins: at its end, or where it was clicked with Shift."""
+    parent = bench.chosen
+    if bench.socket is None:
+        x, y = skeleton.ends[parent].tolist()
+        return x, y
+    (x, y), along = skeleton.bases[parent].tolist(), skeleton.world_angle(parent)
+    return x + bench.socket * math.cos(along), y + bench.socket * math.sin(along)
+
+
+def _socket_at(skeleton: Skeleton, bone: int, point: Point) -> float:
+    """How far (m) along a bone a point is."""
+    (x, y), along = skeleton.bases[bone].tolist(), skeleton.world_angle(bone)
+    far = (point[0] - x) * math.cos(along) + (point[1] - y) * math.sin(along)
+    return min(max(far, 0.0), float(skeleton.lengths[bone]))
+
+
+def _grow(bench: Bench, rig: Rig, point: Point, on_it: bool) -> Turn:
+    """A click on a bone chooses the parent; one beside all bones lays a new bone from its end, or from where
+    on the parent it was clicked (``on_it``)."""
     figure = bench.figure
     bone = bone_at(rig.skeleton, point, 0.6 * reach_of(figure))
     if bone != NOWHERE:
-        return Turn(msgspec.structs.replace(bench, chosen=bone))
+        socket = _socket_at(rig.skeleton, bone, point) if on_it else None
+        return Turn(msgspec.structs.replace(bench, chosen=bone, socket=socket))
     parent = bench.chosen
     if parent == NOWHERE:
         return Turn(with_message(bench, "Click the parent bone first."))
     if len(figure.bones) >= MOST_BONES:
         return Turn(with_message(bench, f"There is room for {MOST_BONES} bones."))
-    x, y = rig.skeleton.ends[parent].tolist()
+    x, y = joint_of(bench, rig.skeleton)
     dx, dy = point[0] - x, point[1] - y
     turn = math.degrees(math.atan2(dy, dx) - rig.skeleton.world_angle(parent))
     made = BoneEntry(
         name=fresh_name(figure), parent=figure.bones[parent].name, length=math.sqrt(dx * dx + dy * dy),
-        angle=math.remainder(turn, 360.0),
+        angle=math.remainder(turn, 360.0), place=None if bench.socket is None else (bench.socket, 0.0),
     )  # fmt: skip
     longer = msgspec.structs.replace(figure, bones=(*figure.bones, made), skins=_widened(figure))
     pose = np.insert(rig.now, len(figure.bones), math.radians(made.angle))
     bench = remembered(bench, rig.now)
-    return Turn(msgspec.structs.replace(bench, figure=longer, chosen=len(figure.bones)), pose)
+    return Turn(msgspec.structs.replace(bench, figure=longer, chosen=len(figure.bones), socket=None), pose)
 
 
 def _widened(figure: FigureContent) -> tuple[SkinEntry, ...]:

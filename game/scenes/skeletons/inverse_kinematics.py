@@ -9,13 +9,13 @@ from game.lab.studies.animation.inverse_kinematics import reaching_study
 from game.scenes.skeletons import C03
 from game.scenes.skeletons.base import EDITING, FigureScene, warm_ups_of_figures
 from game.scenes.skeletons.cells import frame_of_cells
-from game.scenes.skeletons.chain_view import ChainView
 from game.scenes.skeletons.figure import draw_ccd
 from game.scenes.skeletons.hand import ReachingHand
 from game.scenes.skeletons.level import BoneEntry, ChainEntry, FigureContent, PathEntry, View
 from game.scenes.skeletons.parameters import ReachingParameters
 from game.scenes.skeletons.reaching_model import ReachingModel
 from game.scenes.skeletons.readouts import NAMES, readouts_of_methods
+from game.scenes.skeletons.view.chain import ChainView
 from game.stage import Equation, Frame, Hint, Readout, SceneAction, Strip, WarmUp
 
 
@@ -32,6 +32,10 @@ class InverseKinematics(FigureScene):
     A target out of reach is met by a straight chain, without shaking. A straight chain with its target on
     its axis is a dead point, where every gradient is zero: it is kicked. With joint limits all six may stop
     short of a target that another pose would reach: turn the joints by hand, and they begin from there.
+
+    In the equations: θ angles of the joints, p joints with the last of them the chain's end, t target, e the
+    error, J how the end moves as each joint turns, α step, s the change of the angles, c 0.0001, λ damping,
+    l lengths of the bones and L their sum.
     """
 
     name, task, title = C03.names
@@ -83,6 +87,7 @@ class InverseKinematics(FigureScene):
     try_this = (
         "Pull the target out of reach and around: nobody shakes. Let damping be fixed: it thrashes.",
         "One iteration a step: who follows your hand?",
+        "Show the Jacobian of one figure alone: which joint is asked to turn most, and which cannot help?",
         "Set the gradient's step to 2.1 and stretch the chain.",
         "Switch joint limits off: elbows bend the wrong way.",
         "Open the dead point: what happens first?",
@@ -133,13 +138,14 @@ class InverseKinematics(FigureScene):
     # -- what there is to see -----------------------------------------------------------------------
 
     def frame(self) -> Frame:
-        return frame_of_cells(self.model.bench.figure.view)
+        return self.with_captions(frame_of_cells(self.model.bench.figure.view))
 
     def readouts(self) -> list[Readout]:
         return readouts_of_methods(self.model)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        self.draw_captions(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -7,6 +7,7 @@ from typing import Annotated
 import msgspec
 
 from game.scenes.shared.entry import LevelEntry
+from game.scenes.shared.expectations import Expectations
 
 Metre = Annotated[float, msgspec.Meta(ge=-10_000.0, le=10_000.0)]
 Length = Annotated[float, msgspec.Meta(ge=0.0, le=10_000.0)]
@@ -91,7 +92,10 @@ class View(LevelEntry, frozen=True, kw_only=True):
 
 
 class FigureContent(LevelEntry, frozen=True, kw_only=True):
-    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m."""
+    """[content] of C02 and C03. sway: how far the root goes sideways and up by itself, m.
+
+    expected: of readouts. guide: what to do comes step by step, as in a level in which one makes a figure.
+    """
 
     bones: Annotated[tuple[BoneEntry, ...], msgspec.Meta(min_length=1, max_length=MOST_BONES)]
     skins: Annotated[tuple[SkinEntry, ...], msgspec.Meta(max_length=200)] = ()
@@ -100,6 +104,8 @@ class FigureContent(LevelEntry, frozen=True, kw_only=True):
     sway: Point = (0.0, 0.0)
     sway_rate: Annotated[float, msgspec.Meta(ge=0.0, le=20.0)] = 0.5
     ground: Metre | None = None
+    expected: Expectations = ()
+    guide: bool = False
     view: View = View()
 
 

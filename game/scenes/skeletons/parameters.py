@@ -67,6 +67,10 @@ class ReachingParameters(FigureParameters):
     )  # fmt: skip
     adaptive = Toggle(True, group="Solver", label="Damping adapts", help="else it is fixed, and may thrash")
     damping = Param(0.1, 0.001, 1.0, log=True, group="Solver", label="Fixed damping", help="λ over the reach")
+    jacobian = Toggle(
+        False, group="Shown", label="Jacobian",
+        help="of the chosen method: its columns as arcs of the end, J^T e as arcs at the joints",
+    )  # fmt: skip
     circles = Toggle(True, group="Shown", label="Reach", help="what the chain can reach, and its hole")
 
     @property

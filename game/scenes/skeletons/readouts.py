@@ -21,6 +21,7 @@ def readouts_of_skin(model: SkinningModel) -> list[Readout]:
         Readout("linear", 100.0 * model.skin_areas["linear"], "%"),
         Readout("rotor", 100.0 * model.skin_areas["rotor"], "%"),
         Readout("apart", model.apart, "m"),
+        Readout("forward error", model.forward_error(), "m"),
         Readout("linear time", watch.median("linear"), "s"),
         Readout("rotor time", watch.median("rotor"), "s"),
     ]

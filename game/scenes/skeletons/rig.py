@@ -79,6 +79,12 @@ class Rig:
         shift = self.skeleton.offsets[self._roots[0]] - self._places[0]
         return np.concatenate([self.skeleton.angles, shift])
 
+    def frames_bound(self) -> Array:
+        """Frames (n, 3, 3) of the bones as the skins were bound."""
+        bound = self.skeleton.copy()
+        self._put(bound, self.bound)
+        return bound.world
+
     def pose(self, pose: Array) -> None:
         """Take angles and shift (n + 2,); the skin stays until it is moved."""
         self._put(self.skeleton, pose)

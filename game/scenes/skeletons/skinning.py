@@ -15,7 +15,7 @@ from game.scenes.skeletons.level import FigureContent
 from game.scenes.skeletons.parameters import SkinningParameters
 from game.scenes.skeletons.readouts import readouts_of_skin
 from game.scenes.skeletons.skinning_model import SkinningModel
-from game.scenes.skeletons.skinning_view import SkinningView
+from game.scenes.skeletons.view.skinning import SkinningView
 from game.stage import Equation, Hint, Readout, SceneAction, Strip, WarmUp
 
 
@@ -27,6 +27,11 @@ class Skinning(FigureScene):
     Weights come from the distance to all bones, none beyond the threshold; a point beyond every threshold
     follows the nearest bone. Blending matrices is quick and loses area at a bend, by the cosine of half the
     bend in the middle of a joint; blending rotors keeps the thickness and bulges a little.
+
+    In the equations: W frame of a bone in the world, p(i) its parent, T a shift by its place o, R a turn by
+    its angle θ, B its frame when the skin was bound, P their palette, v a point of the skin and v' where it
+    goes, w weight, d distance from a bone, r threshold, p falloff, a angle of a bend; of rotors p turns and q
+    shifts by t.
 
     Make your own: New bone, click the parent, then where the bone is to end; Skin, click around the bones.
     """
@@ -58,6 +63,7 @@ class Skinning(FigureScene):
     try_this = (
         "Turn a knee or an elbow far: the strip shows the area that matrices lose; switch to rotors.",
         "Show the weights and click a bone: amber is what follows it.",
+        "With the weights shown, point at the skin: what each bone weighs there, where it alone would go.",
         "Set influences to 1: the skin breaks into rigid parts.",
         "Lower the threshold until the skin follows the nearest bone alone.",
         "Open the bent bar: the collapse against cos(a/2).",
@@ -104,6 +110,7 @@ class Skinning(FigureScene):
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
+        self.draw_captions(canvas)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -75,6 +75,23 @@ class SkinningModel(FigureModel):
         apart = math.sqrt(float((off * off).sum(axis=1).max(initial=0.0)))
         self.apart = apart if apart > ROUNDING * float(np.abs(last).max(initial=0.0)) else 0.0
 
+    def forward_error(self) -> float:
+        """How far (m) the last bone's end is from the sum of its ancestors by angles alone, rounded once."""
+        skeleton = self.rig.skeleton
+        line, bone = [], skeleton.count - 1
+        while bone >= 0:
+            line.append(bone)
+            bone = int(skeleton.parents[bone])
+        chain = np.array(line[::-1])
+        turned = np.concatenate(([0.0], np.cumsum(skeleton.angles[chain])))
+        c, s = np.cos(turned), np.sin(turned)
+        x, y = skeleton.offsets[chain].T
+        lengths = np.concatenate((np.zeros(1), skeleton.lengths[chain[-1:]]))
+        across = (*(c[:-1] * x - s[:-1] * y), *(lengths * c[[0, -1]]))
+        upwards = (*(s[:-1] * x + c[:-1] * y), *(lengths * s[[0, -1]]))
+        exact = (math.fsum(across), math.fsum(upwards))
+        return math.dist(skeleton.ends[chain[-1]].tolist(), exact)
+
     def largest_bend(self) -> float:
         """Of the joint that is bent most, ° from where it was bound."""
         skeleton = self.rig.skeleton

@@ -8,6 +8,8 @@ import msgspec
 
 from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
+from game.scenes.shared.insets import Zoom
+from game.scenes.shared.repeats import Period
 
 Metre = Annotated[float, msgspec.Meta(ge=-1_000.0, le=1_000.0)]
 Speed = Annotated[float, msgspec.Meta(ge=-100_000.0, le=100_000.0)]
@@ -122,5 +124,7 @@ class CollisionContent(LevelEntry, frozen=True, kw_only=True):
     materials: Annotated[tuple[Word, ...], msgspec.Meta(max_length=5)] = ()
     pairs: Annotated[tuple[PairEntry, ...], msgspec.Meta(max_length=30)] = ()
     expected: Expectations = ()  # all the time
+    repeat: Period = 0.0  # s after which it begins again
+    zoom: Zoom | None = None  # what an inset shows
     exact: bool = False  # the event-driven run of smooth spheres is shown beside it
     view: View = View()

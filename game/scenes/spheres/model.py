@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 
 from game.physics.broadphase import BroadPhase, HierarchicalGrid, SweepAndPrune, UniformGrid
@@ -30,8 +31,8 @@ class CollisionModel(Part):
     """The spheres of a content, stepped as the parameters say.
 
     world: the colliding spheres. exact: the event-driven run that goes beside, or None. pushes: forces by
-    hand that act now. messages: for the person, oldest first. ValueError and ParameterError for a content or
-    parameters that the world refuses.
+    hand that act now. frozen: number of the collision at which it stands still, or 0. messages: for the
+    person, oldest first. ValueError and ParameterError for a content or parameters that the world refuses.
     """
 
     def __init__(
@@ -40,8 +41,9 @@ class CollisionModel(Part):
         self.content, self.parameters, self.active = content, parameters, active
         self.messages = Messages()
         self.pushes: list[pushes.Push] = []
+        self.frozen = 0
         self.exact: SmoothSpheres | None = None
-        layout = layout_of(content, seed)
+        layout = layout_of(_with_lifted(content, int(parameters.lifted)), seed)
         bodies = bodies_of(layout, parameters.real, parameters.density)
         self.world = self._world_of(bodies, layout.surroundings)
         self._configure()
@@ -102,6 +104,8 @@ class CollisionModel(Part):
 
     def parameter_changed(self, name: str) -> None:
         """Take over the new value of a parameter; ParameterError if the world refuses it."""
+        if name == "freeze":
+            self.frozen = 0
         if name in TABLE_PARAMETERS:
             self.world.tables = self._tables()
             self.end_exact("the spheres are others")
@@ -143,7 +147,10 @@ class CollisionModel(Part):
     # -- a step, and what comes from outside --------------------------------------------------------
 
     def advance(self, dt: float) -> None:
-        """Go on by dt s."""
+        """Go on by dt s, unless it stands still at a collision."""
+        if self.frozen:
+            return
+        collisions = self.world.collisions
         if PUSHES in self.active:
             pushes.apply_pushes(self.pushes, self.world, dt)
         self.pushes = pushes.after_step(self.pushes, dt)
@@ -153,6 +160,19 @@ class CollisionModel(Part):
                 self.exact.fly(dt, MOST_EXACT)
             except ValueError:
                 self.end_exact("it has impacts without end")
+
+        if self.parameters.freeze and self.world.collisions > collisions:
+            self.frozen = collisions + 1
+
+    def go_on(self) -> None:
+        """To the next collision of this moment, else on in time."""
+        self.frozen = self.frozen + 1 if 0 < self.frozen < self.world.collisions else 0
+
+    def turn_over(self) -> None:
+        """Turn the window over: what was below is above, as gravity now points the other way."""
+        self.parameters.gravity = -self.parameters.gravity
+        self.parameter_changed("gravity")
+        self.messages.say(f"Turned over: gravity points {'up' if self.parameters.gravity < 0.0 else 'down'}.")
 
     def push(self, body: int, place: pushes.Place, force: tuple[float, float, float]) -> None:
         """A force (N) begins to act on a body, at a point of its own frame (m from its centre)."""
@@ -195,3 +215,11 @@ class CollisionModel(Part):
         view = self.content.view
         margin = 0.015 * (view.top - view.bottom)
         return Frame(view.left - margin, view.bottom - margin, view.right + margin, view.top + margin)
+
+
+def _with_lifted(content: CollisionContent, lifted: int) -> CollisionContent:
+    """A content in whose cradles so many balls are drawn aside; 0: as it is."""
+    if not lifted:
+        return content
+    cradles = tuple(msgspec.structs.replace(one, drawn=min(lifted, one.balls)) for one in content.cradles)
+    return msgspec.structs.replace(content, cradles=cradles)

@@ -8,7 +8,16 @@ from game.stage import Choice, Param, Parameters, Toggle
 BROAD_PHASES = ("brute-force", "grid", "hierarchical", "sweep-and-prune")
 TOOLS = ("push", "sphere", "remove")
 # what a change of is nothing to the solver
-NOT_SETTINGS = ("tool", "radius", "push_strength", "push_time", "shown_impulses", "shown_bearing", "ledger")
+NOT_SETTINGS = (
+    "tool",
+    "radius",
+    "push_strength",
+    "push_time",
+    "shown_impulses",
+    "shown_bearing",
+    "ledger",
+    "freeze",
+)
 TABLE_PARAMETERS = ("restitution", "friction", "wall_restitution", "wall_friction")
 
 
@@ -79,6 +88,10 @@ class CollisionParameters(Parameters):
     density = Param(
         1.0, 1e-3, 1e5, unit="kg/m³", log=True, group="World", rebuild=True, help="for real masses"
     )
+    lifted = Param(
+        0, 0, 40, whole=True, group="World", label="Balls lifted", rebuild=True,
+        help="of each cradle; 0: as many as the level says",
+    )  # fmt: skip
     tool = Choice(
         "push", TOOLS, labels=("Push", "New sphere", "Remove"), group="Tools",
         help="a force from where you press to where you let go; a click makes a sphere, or removes one",
@@ -91,5 +104,8 @@ class CollisionParameters(Parameters):
     shown_impulses = Toggle(True, group="Shown", label="Impulses", help="of collisions of the last 0.5 s")
     shown_bearing = Toggle(
         False, group="Shown", label="Contact forces", help="of resting contacts: lines as wide as their force"
+    )
+    freeze = Toggle(
+        False, group="Shown", label="Freeze on impact", help="stand still at each collision, until G goes on"
     )
     ledger = Toggle(True, group="Shown", label="Ledger", help="the last collisions in figures")

@@ -46,6 +46,8 @@ def content_of(model: CollisionModel) -> CollisionContent:
         materials=given.materials,
         pairs=given.pairs,
         expected=given.expected,
+        repeat=given.repeat,
+        zoom=given.zoom,
         exact=given.exact,
         view=given.view,
     )

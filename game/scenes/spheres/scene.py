@@ -12,7 +12,9 @@ from game.physics.rigid import PUSHES, ROTATION, WINDOW
 from game.physics.spheres.collisions import CollidingSpheres
 from game.physics.spheres.effects import COLLISIONS, FRICTION, IMPACT_TIMES, LEDGES, STRINGS
 from game.physics.spheres.spheres import SphereBodies
-from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.insets import draw_inset
+from game.scenes.shared.repeats import Repeat
 from game.scenes.spheres import C13
 from game.scenes.spheres.figure import draw_friction_cone
 from game.scenes.spheres.hand import Hand
@@ -39,6 +41,7 @@ from game.stage import (
     Table,
     WarmUp,
 )
+from game.stage.states.state import copy_state
 
 
 class SphereCollisions(Scene):
@@ -53,6 +56,11 @@ class SphereCollisions(Scene):
     Every collision is entered into a ledger: momentum and angular momentum must not change, and energy only
     by what restitution and friction take. For 200 spheres and more in one plane there is a quicker solver,
     which enters the energy of each collision and the momentum that all of one moment have lost together.
+
+    In the equations: x position, v velocity, P momentum, q orientation as a quaternion, ω spin, h time step,
+    m mass, I moment of inertia, r radius (a vector: from a centre to the contact), n normal from a to b, d
+    from centre to centre, t time, e restitution, μ friction, j impulse, j_t that of friction, v_n approach,
+    u_t sliding speed, m_n and m_t the masses that those feel, λ impulse so far, g gravity; ′ after.
     """
 
     name, task, title = C13.names
@@ -76,6 +84,8 @@ class SphereCollisions(Scene):
         SceneAction("push", "push", "1"),
         SceneAction("sphere", "new sphere", "2"),
         SceneAction("remove", "remove a sphere", "3"),
+        SceneAction("go-on", "go on after an impact", "g"),
+        SceneAction("turn", "turn over: gravity points the other way", "t"),
     )
     strips = (
         Strip("Energy", "J", ("translational energy", "rotational energy", "total energy")),
@@ -104,7 +114,8 @@ class SphereCollisions(Scene):
     )
     try_this = (
         "Press on a sphere off its centre, draw, let go: it moves and turns.",
-        'Open Newton\'s cradle; choose the law "Simultaneous": all move, and energy and momentum still fit.',
+        "Freeze on impact: normal, speeds, impulse and friction cone stand in the picture; G goes on.",
+        "Open the cradle, lift two balls; choose the law Simultaneous: all move, energy and momentum fit.",
         "Switch impact times off in the fast-and-small level: the bullet passes through.",
         "Open the pile: no correction, then Baumgarte, then split impulses; compare penetration and energy.",
     )
@@ -126,6 +137,8 @@ class SphereCollisions(Scene):
         self.model = CollisionModel(given, self.parameters, self.active, self.seed)
         self.hand = Hand(self.model)
         self.view = CollisionView(self.model, self.hand)
+        self.repeat = Repeat(given.repeat)
+        self._beginning = copy_state(self.state()) if given.repeat else None
         captions_of(given.expected, self.readouts())  # refuses an unknown readout
 
     def parameter_changed(self, name: str) -> None:
@@ -149,12 +162,26 @@ class SphereCollisions(Scene):
     # -- a step, and what comes in ------------------------------------------------------------------
 
     def advance(self, dt: float) -> None:
+        if self._beginning is not None and self.repeat.advance(dt):
+            self.restore(self._beginning)
+            self.previous = None
         self.model.advance(dt)
 
     def pointer(self, event: Pointer) -> None:
+        if event.kind == "down":
+            self.repeat.end()
         self.hand.take_pointer(event)
 
+    def why_idle(self, name: str) -> str:
+        return "No cradle hangs here." if name == "lifted" and not self.model.content.cradles else ""
+
     def action(self, name: str) -> None:
+        if name == "go-on":
+            self.model.go_on()
+            return
+        if name == "turn":
+            self.model.turn_over()
+            return
         self.parameters.tool = name
         self.hand.forget()
 
@@ -179,14 +206,17 @@ class SphereCollisions(Scene):
         self.view.lit = key
 
     def frame(self) -> Frame:
-        return self.model.frame()
+        content = self.model.content
+        return with_headroom(self.model.frame(), len(content.expected) + bool(content.repeat))
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(self.previous, canvas, alpha)
-        content = self.model.content
-        if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+        content, view = self.model.content, self.model.content.view
+        if content.zoom is not None:
+            frame = Frame(view.left, view.bottom, view.right, view.top)
+            draw_inset(canvas, frame, content.zoom, lambda: self.view.draw(self.previous, canvas, alpha))
+        top = (0.5 * (view.left + view.right), self.frame().top)
+        draw_captions(canvas, top, captions_of(content.expected, self.readouts()), self.repeat.left)
 
     @classmethod
     def warm_ups(cls) -> Sequence[WarmUp]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from game.physics.spheres import ledger
 from game.physics.spheres.effects import LEDGES, STRINGS, WINDOW
+from game.scenes.spheres.frozen_impact import draw_impact_frozen
 from game.scenes.spheres.hand import Hand
 from game.scenes.spheres.ledger import entry_of, has_ledger
 from game.scenes.spheres.level import COLORS
@@ -77,6 +78,7 @@ class CollisionView:
         if self.model.parameters.shown_impulses:
             self._draw_impulses(canvas)
         self._draw_hand(canvas)
+        draw_impact_frozen(self.model, canvas)
         if has_ledger(self.model) and canvas.words:
             self._draw_numbers(canvas, places, tips)
             self._light_collision(canvas, places)

@@ -8,17 +8,28 @@ from typing import Any, ClassVar
 from game.levels import Level
 from game.physics.constraints import AREAS, ATTACHMENTS, CONTACTS, DAMPING, LINKS, TEARING
 from game.physics.fields import GRAVITY, GROUND
-from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.expectations import Caption, captions_of, draw_captions
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import LinkEntry, ParticleEntry, SpringContent
 from game.scenes.springs.links import LinkLaw
-from game.scenes.springs.model import SpringModel, SpringState
+from game.scenes.springs.model import ComparedState, SpringModel, SpringState
 from game.scenes.springs.parameters import OF_CHOSEN, OF_PICTURE, MassSpringParameters
 from game.scenes.springs.readouts import readouts
 from game.scenes.springs.saving import content_of
 from game.scenes.springs.view import SpringView
 from game.stage import Frame, Hint, Pointer, Readout, Scene, SceneAction, Strip
 from game.stage.messages import Messages
+
+TOOL_HINTS = {
+    "particle": (Hint(("Click",), "new particle"), Hint(("Delete",), "delete what is chosen")),
+    "link": (
+        Hint(("Click",), "one end of a link, then the other"),
+        Hint(("Delete",), "delete what is chosen"),
+    ),
+    "pin": (Hint(("Click",), "pin or free a particle"),),
+    "cut": (Hint(("Drag",), "cut links"),),
+}  # instead of the first of the scene's hints
+STILL = "It stands still while you build: 1, Move, lets it go"
 
 
 class MassSpringScene(Scene):
@@ -53,6 +64,9 @@ class MassSpringScene(Scene):
         walls=(-4.6, 4.6),
     )
 
+    def hints_now(self) -> Sequence[Hint]:
+        return (*TOOL_HINTS.get(self.parameters.tool, self.hints[:1]), *self.hints[1:])
+
     def link_law(self) -> LinkLaw:
         """How stiff links are, by the scene's parameters."""
         raise NotImplementedError
@@ -78,10 +92,10 @@ class MassSpringScene(Scene):
     def effects_changed(self) -> None:
         self.model.change_effects(self.active)
 
-    def state(self) -> SpringState:
+    def state(self) -> SpringState | ComparedState:
         return self.model.state()
 
-    def restore(self, state: SpringState) -> None:
+    def restore(self, state: SpringState | ComparedState) -> None:
         self.model.restore(state)
 
     def save_content(self) -> SpringContent:
@@ -121,6 +135,7 @@ class MassSpringScene(Scene):
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
-        if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
-            draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
+        captions = captions_of(content.expected, self.readouts())
+        if self.model.at_rest:
+            captions.append(Caption(STILL, met=False))
+        draw_captions(canvas, (0.5 * (content.view.left + content.view.right), content.view.top), captions)

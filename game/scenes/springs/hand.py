@@ -22,11 +22,17 @@ REACH = 0.045  # of the height in view: how near to a particle the pointer takes
 FARTHEST = 1e4  # m
 MOST_PARTICLES = 20_000  # that clicks can make
 NOBODY = -1
+NEXT_CLICK = {
+    "particle": "click: a new particle",
+    "link": "click one end of the link",
+    "pin": "click: pin or free",
+    "cut": "drag across links: cut",
+}
 
 
 class SpringHand(Part):
-    """What is chosen (a particle or NOBODY), the first end of a link (or NOBODY), and where a cut has come to
-    (m, or None). What it holds is in the system.
+    """What is chosen (a particle or NOBODY), the first end of a link (or NOBODY), where a cut has come to (m,
+    or None), and where the pointer was last (m, or None). What it holds is in the system.
 
     Methods give what there is to say about what was done, or "".
     """
@@ -36,6 +42,14 @@ class SpringHand(Part):
         self.parameters = model.parameters
         self.chosen = self.first = NOBODY
         self.knife: Point | None = None
+        self.pointer: Point | None = None
+
+    def next_click(self) -> str:
+        """What the left button does next with the tool in the hand; "" where it takes hold of a thing."""
+        tool = self.parameters.tool
+        if tool == "link" and self.first != NOBODY:
+            return "click the other end"
+        return NEXT_CLICK.get(tool, "")
 
     def begin_again(self) -> None:
         """Forget what was begun; what is chosen stays."""
@@ -46,6 +60,7 @@ class SpringHand(Part):
     def take(self, event: Pointer) -> str:
         """A pointer event in world coordinates."""
         point = min(max(event.x, -FARTHEST), FARTHEST), min(max(event.y, -FARTHEST), FARTHEST)
+        self.pointer = point
         if event.kind == "down" and event.button == 3:
             self.knife = point
         elif event.kind == "down" and event.button == 1:

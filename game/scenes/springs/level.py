@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 
@@ -104,6 +104,16 @@ class CradleEntry(LevelEntry, frozen=True, kw_only=True):
     swing: Annotated[float, msgspec.Meta(ge=-170.0, le=170.0)]
 
 
+class BesideEntry(LevelEntry, frozen=True, kw_only=True):
+    """The same network solved in another way, so far (m) to the right. What is left out is as there."""
+
+    label: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
+    to_the_right: Metre
+    model: Literal["pbd", "pbd-even", "xpbd"] | None = None
+    substeps: Annotated[int, msgspec.Meta(ge=1, le=200)] | None = None
+    iterations: Annotated[int, msgspec.Meta(ge=1, le=500)] | None = None
+
+
 class View(LevelEntry, frozen=True, kw_only=True):
     """The part of the world in view, m."""
 
@@ -118,7 +128,9 @@ class SpringContent(LevelEntry, frozen=True, kw_only=True):
 
     areas: outlines of particles that keep their area. reference: exact places, drawn dashed. floor: m.
     walls: m, at the left and the right of the ground. body_distance: m, between particles of different
-    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts.
+    bodies, with the effect "contacts"; 0: bodies pass through each other. expected: of readouts. sheet:
+    nothing moves while a tool that builds is in the hand. label: of the network, where others are ``beside``.
+    pendulum: the second particle is the bob of one on the first, and where it should be now is shown.
     """
 
     particles: Annotated[tuple[ParticleEntry, ...], msgspec.Meta(max_length=MOST_WRITTEN)] = ()
@@ -136,4 +148,8 @@ class SpringContent(LevelEntry, frozen=True, kw_only=True):
     body_distance: Length = 0.0
     reference: Annotated[tuple[Point, ...], msgspec.Meta(max_length=1000)] = ()
     expected: Expectations = ()
+    sheet: bool = False
+    label: Annotated[str, msgspec.Meta(max_length=40)] = ""
+    beside: Annotated[tuple[BesideEntry, ...], msgspec.Meta(max_length=4)] = ()
+    pendulum: bool = False
     view: View = View()

@@ -16,14 +16,16 @@ from game.physics.constraints.settings import LARGEST
 from game.physics.constraints.system import PositionState
 from game.physics.effects import EffectSet
 from game.physics.kernels.limits import LimitError
-from game.scenes.springs.level import Point, SpringContent
+from game.scenes.springs.level import BesideEntry, Point, SpringContent
 from game.scenes.springs.links import LinkLaw
-from game.scenes.springs.network import build_network
-from game.scenes.springs.parameters import MassSpringParameters
+from game.scenes.springs.network import Network, build_network
+from game.scenes.springs.parameters import BUILDING, MassSpringParameters
 from game.stage import ParameterError, Part
 
 Array = NDArray[np.float64]
 MOST_PROJECTIONS = 50_000_000  # of links and areas in a step: a second
+
+AS_IN_THE_PANEL = BesideEntry(label="-", to_the_right=0.0)
 
 
 class SpringState(NamedTuple):
@@ -45,11 +47,33 @@ class SpringState(NamedTuple):
     distances: Array
 
 
+class ComparedState(NamedTuple):
+    """The same with what moves of the networks that are solved beside it."""
+
+    fields: Array
+    torn: NDArray[np.int64]
+    intact: Array
+    hand: Array
+    own: Array
+    pairs: NDArray[np.int64]
+    rest: Array
+    stiffness: Array
+    compliance: Array
+    corners: NDArray[np.int64]
+    starts: NDArray[np.int64]
+    areas: Array
+    contacts: NDArray[np.int64]
+    distances: Array
+    beside: tuple[PositionState, ...]
+
+
 class SpringModel(Part):
     """Particles and links.
 
-    law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited: the network is not the
-    level's any more.
+    beside: the same network solved in other ways, one for each of the content's entries, until it is edited.
+    time: s. sweep_tick: steps since a sweep is shown slowed down. undisturbed: nobody has pulled, and gravity
+    is what it was. law: how stiff links are. own: (m,) stiffness of a link's own, or NOT_OWN. edited: the
+    network is not the level's any more.
     """
 
     def __init__(
@@ -57,16 +81,21 @@ class SpringModel(Part):
     ):
         self.content, self.parameters, self.law, self.active = content, parameters, law, active
         self.projections = 0  # in a step, as far as there may be so many
+        self.time, self.undisturbed, self.sweep_tick = 0.0, True, 0
         self._make_system()
         self._bound_work()
 
     def _make_system(self) -> None:
         """The level's network, at its beginning."""
         network = build_network(self.content)
-        shape = network.shape
         self.own, self.edited = network.own, False
-        links = self.law.firmness(self.own)
-        self.system = PositionBasedDynamics(
+        self.system = self._system_of(network)
+        self.beside = [self._system_of(network) for _ in self.content.beside]
+        self._configure()
+
+    def _system_of(self, network: Network) -> PositionBasedDynamics:
+        shape, links = network.shape, self.law.firmness(network.own)
+        system = PositionBasedDynamics(
             *shape[:3],
             links.stiffness,
             rest_lengths=network.rest,
@@ -79,20 +108,26 @@ class SpringModel(Part):
             distances=shape.distances,
             order=self.parameters.order,
         )
-        self.system.outlines.rows[AREA] *= network.pressures
-        self._configure()
+        system.outlines.rows[AREA] *= network.pressures
+        return system
 
     def _configure(self) -> None:
-        """Hand the parameters to the system; ParameterError if it refuses one."""
-        parameters = self.parameters
+        """Hand the parameters to the systems; ParameterError if one refuses one."""
+        self._hand_to(self.system, None)
+        for system, entry in zip(self.beside, self.content.beside, strict=False):
+            self._hand_to(system, entry)
+
+    def _hand_to(self, system: PositionBasedDynamics, entry: BesideEntry | None) -> None:
+        """Parameters to a system, but for what an entry says otherwise."""
+        parameters, other = self.parameters, entry or AS_IN_THE_PANEL
         try:
-            self.system.change(
+            system.change(
                 effects=self.active,
-                model=self.law.model,
+                model=other.model or self.law.model,
                 scheme=parameters.scheme,
                 solver=parameters.solver,
-                substeps=int(parameters.substeps),
-                iterations=int(parameters.iterations),
+                substeps=other.substeps or int(parameters.substeps),
+                iterations=other.iterations or int(parameters.iterations),
                 gravity=parameters.gravity,
                 damping=parameters.damping,
                 floor=self.content.floor,
@@ -112,6 +147,7 @@ class SpringModel(Part):
         each = len(system.torn) + len(system.outlines.starts) - 1 + len(system.contacts.pairs)
         if settings.body_distance > 0.0:
             each += system.body_pairs
+        each *= 1 + len(self.beside)
         projections = each * settings.iterations * settings.substeps
         if projections > max(MOST_PROJECTIONS, self.projections):
             raise LimitError(
@@ -131,6 +167,7 @@ class SpringModel(Part):
         """Take over a parameter's new value; ParameterError or LimitError if it cannot be."""
         self._configure()
         self.renew_links()
+        self.undisturbed = self.undisturbed and name != "gravity"
         if name in ("iterations", "substeps"):
             self._bound_work()
 
@@ -142,10 +179,11 @@ class SpringModel(Part):
     def renew_links(self) -> None:
         """Give all links the stiffness that they have now."""
         links = self.law.firmness(self.own)
-        self.system.links = dataclasses.replace(
-            self.system.links, stiffness=links.stiffness, compliance=links.compliance
-        )
-        self.system.masses_changed()
+        for system in (self.system, *self.beside):
+            system.links = dataclasses.replace(
+                system.links, stiffness=links.stiffness, compliance=links.compliance
+            )
+            system.masses_changed()
 
     def give_own_stiffness(self, particle: int, stiffness: float) -> None:
         """Give all links of a particle a stiffness of their own, 0 to 1."""
@@ -160,7 +198,7 @@ class SpringModel(Part):
 
     def give_inverse_mass(self, particle: int, inverse_mass: float) -> None:
         """Give a particle another mass, 1/kg; with 0 it stands still."""
-        system = self.system
+        system, self.undisturbed = self.system, False
         if system.held == particle:
             system.hand[1] = inverse_mass
         else:
@@ -172,19 +210,38 @@ class SpringModel(Part):
     def take_system(self, system: PositionBasedDynamics, own: Array) -> None:
         """Go on with an edited system."""
         self.system, self.own, self.edited = system, own, True
+        self.beside = []
         self._configure()
 
     # -- a step, and what a later one depends on -----------------------------------------------------
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether it stands still, as somebody builds on an empty sheet."""
+        return self.content.sheet and self.parameters.tool in BUILDING
+
     def advance(self, dt: float) -> bool:
         """One step; True if the first link of all has torn in it."""
+        if self.parameters.slow_sweep:
+            self.sweep_tick += 1
+            return False
+        self.sweep_tick = 0
+        if self.at_rest:
+            return False
+        self.time += dt
+        self.undisturbed = self.undisturbed and self.system.held < 0
         before = self.system.tears
         self.system.step(dt)
+        for system in self.beside:
+            system.step(dt)
         return self.system.tears > before == 0
 
-    def state(self) -> SpringState:
+    def state(self) -> SpringState | ComparedState:
         """What moves, and the network once it is edited."""
         moving = self.system.state()
+        if self.beside:
+            beside = tuple(system.state() for system in self.beside)
+            return ComparedState(*SpringState(*moving, *_UNEDITED), beside)
         if not self.edited:
             return SpringState(*moving, *_UNEDITED)
         topology = topology_of(self.system)
@@ -192,7 +249,7 @@ class SpringModel(Part):
             *moving, self.own, *(part for name, part in topology._asdict().items() if name != "torn")
         )
 
-    def restore(self, state: SpringState) -> None:
+    def restore(self, state: SpringState | ComparedState) -> None:
         """Take over a copy of a state."""
         if len(state.starts) > 0:
             topology = Topology(
@@ -202,12 +259,15 @@ class SpringModel(Part):
             count = state.fields.shape[1] - (self.system.fields.shape[1] - self.system.count)
             self.own = state.own.copy()
             self.system = assemble(self.system, state.fields[:, :count], topology)
-            self.edited = True
-        elif self.edited:
+            self.edited, self.beside = True, []
+        elif self.edited or (isinstance(state, ComparedState) and not self.beside):
             self._make_system()
         self._configure()
         self.renew_links()
         self.system.restore(PositionState(*state[:4]))
+        if isinstance(state, ComparedState):
+            for system, then in zip(self.beside, state.beside, strict=True):
+                system.restore(then)
 
 
 _NONE, _NO_INDEX = np.zeros(0), np.zeros(0, dtype=np.int64)

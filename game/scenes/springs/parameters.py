@@ -7,8 +7,9 @@ from game.physics.constraints import MODELS, ORDERS, SCHEMES, SOLVERS
 from game.stage import Choice, Param, Parameters, Toggle
 
 TOOLS = ("hand", "particle", "link", "pin", "cut")
+BUILDING = ("particle", "link", "pin")  # tools with which an empty sheet stands still
 OF_CHOSEN = ("mass", "fixed", "own_stiffness")  # they say and set what is chosen
-OF_PICTURE = ("strains", "points")
+OF_PICTURE = ("strains", "points", "slow_sweep")
 
 
 class MassSpringParameters(Parameters):
@@ -59,6 +60,10 @@ class MassSpringParameters(Parameters):
         1.0, 1e-6, 1e6, unit="kg", log=True, group="Tools", help="of the chosen particle, and of new ones"
     )
     fixed = Toggle(False, group="Tools", label="Fixed in space", help="inverse mass 0")
+    slow_sweep = Toggle(
+        False, group="Shown", label="Sweep slowed down",
+        help="time stands still, and link by link is put right, in the order given",
+    )  # fmt: skip
     strains = Toggle(True, group="Shown", label="Stretch", help="links coloured by their stretch")
     points = Toggle(True, group="Shown", label="Particles")
 

@@ -30,7 +30,17 @@ def readouts(model: SpringModel) -> list[Readout]:
         Readout("elastic", elastic, "J"),
         Readout("sum", kinetic + potential + elastic, "J"),
         Readout("torn", int(system.tears)),
+        *_beside(model),
         Readout("projections a step", int(projections)),
+    ]
+
+
+def _beside(model: SpringModel) -> list[Readout]:
+    """The greatest stretch of each network that is solved beside."""
+    pairs = zip(model.content.beside, model.beside, strict=False)
+    return [
+        Readout(f"{entry.label} worst", _above_rounding(system.measure().worst_strain))
+        for entry, system in pairs
     ]
 
 

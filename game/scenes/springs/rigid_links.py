@@ -62,7 +62,8 @@ class RigidLinks(MassSpringScene):
         Equation("Second order", r"\v{v} = (3\v{p} - 4\v{x} + \v{x}_-) / 2h", "English and Bridson 2008"),
     )
     try_this = (
-        "Open the long rope: 20 iterations in one substep, then 20 substeps of one: a twentieth.",
+        "Open the long rope: 20 iterations in one substep, then 20 substeps of one: less than a twentieth.",
+        "Open the sweep, link by link: each link that is put right spoils the one before.",
         "Choose BDF2, let the pendulum swing: its energy stays; Euler loses three quarters in ten seconds.",
         "Take the cloth with the mouse and pull until it tears; cut it with the right button.",
         "Choose the direct solver for the rope with the heavy end: no stretch, at the price of two sweeps.",

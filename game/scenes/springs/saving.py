@@ -39,6 +39,10 @@ def content_of(model: SpringModel) -> SpringContent:
         walls=model.content.walls,
         body_distance=model.content.body_distance,
         expected=model.content.expected,
+        sheet=model.content.sheet,
+        label=model.content.label,
+        beside=model.content.beside if model.beside else (),
+        pendulum=model.content.pendulum and not model.edited,
         reference=model.content.reference,
         view=model.content.view,
     )

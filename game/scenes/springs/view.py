@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.constraints import AREAS, CONTACTS
+from game.physics.constraints import AREAS, CONTACTS, PositionBasedDynamics
 from game.physics.constraints.areas import INTACT
 from game.physics.fields import GROUND
 from game.physics.kernels.jit import kernel
 from game.scenes.shared.polygons import NO_EDGE, paint
+from game.scenes.springs.exact_bob import draw_exact_bob
 from game.scenes.springs.hand import SpringHand
 from game.scenes.springs.level import Point
-from game.scenes.springs.model import SpringModel, SpringState
+from game.scenes.springs.model import ComparedState, SpringModel, SpringState
+from game.scenes.springs.slow_sweep import draw_slow_sweep
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.raster.threads import draw_threads
 
@@ -25,15 +28,18 @@ MOST_STROKES = 2_500  # links drawn as strokes; more are drawn as threads
 THREAD_OPACITY = 0.8
 MOST_OUTLINES = 1_500
 AREA_OPACITY = 0.22
-NEXT_CLICK = {  # what the left button does with each tool; moving needs no words
-    "particle": "click: a new particle",
-    "link": "click both ends of a new link",
-    "pin": "click: pin or free",
-    "cut": "drag across links: cut",
-}
-OTHER_END = "now click the other end"
 WALL_THICKNESS = 0.12  # m
 LARGEST_DOT = 15.0  # design px, of a very heavy particle
+Before = SpringState | ComparedState | None
+
+
+def between(system: PositionBasedDynamics, before: Any, alpha: float) -> Array:
+    """Places (n, 2) m of a system between its state ``before`` the last step (None: not known) and now."""
+    now = system.positions
+    if before is None or before.fields.shape != system.fields.shape:
+        return now
+    then = before.fields[:2, : len(now)].T
+    return then + alpha * (now - then)
 
 
 @kernel
@@ -69,14 +75,11 @@ class SpringView:
         rows.append(("square:text1", "fixed in space", str(max(fixed, 0))))
         if system.held >= 0:
             rows.append(("ring:amber", "in your hand", ""))
-        next_click = OTHER_END if self.hand.first >= 0 else NEXT_CLICK.get(self.model.parameters.tool, "")
-        if next_click:
-            rows.append(("ring:accent", next_click, ""))
         if len(self.model.content.reference):
             rows.append(("dash:text1", "exact", ""))
         return rows
 
-    def draw(self, canvas: Canvas, previous: SpringState | None, alpha: float) -> None:
+    def draw(self, canvas: Canvas, previous: Before, alpha: float) -> None:
         """All of it, from the back to the front, ``alpha`` of the way from the state ``previous`` to now."""
         model = self.model
         content, on = model.content, model.active
@@ -90,20 +93,49 @@ class SpringView:
             canvas.polyline(np.array(content.reference), "text1", 1.4, dash=EXACT_DASH, alpha=0.75)
         if AREAS in on:
             self._draw_areas(canvas, places)
+        if model.parameters.slow_sweep:
+            draw_slow_sweep(canvas, model)
+            self._draw_fixed(canvas, model.system.positions)
+            return
         self._draw_links(canvas, places)
         radii = self._radii()
         if model.parameters.points and model.system.count <= MOST_POINTS:
             self._draw_particles(canvas, places, radii)
         self._draw_fixed(canvas, places)
         self._draw_hand(canvas, places)
+        if model.beside:
+            self._draw_beside(canvas, previous, alpha)
+        if content.pendulum and not model.edited:
+            draw_exact_bob(canvas, model)
 
-    def _between(self, before: SpringState | None, alpha: float) -> Array:
+    def _draw_beside(self, canvas: Canvas, previous: Before, alpha: float) -> None:
+        """The networks solved in other ways, and what each is called and stretched."""
+        content, system = self.model.content, self.model.system
+        self._name(canvas, system, 0.0, content.label)
+        then = previous.beside if isinstance(previous, ComparedState) else (None,) * len(content.beside)
+        for entry, other, before in zip(content.beside, self.model.beside, then, strict=True):
+            places = between(other, before, alpha) + np.array((entry.to_the_right, 0.0))
+            ends = places[other.links.pairs]
+            canvas.segments(
+                ends[:, 0], ends[:, 1], self._strained(canvas, other), 2.4 if len(ends) < 200 else 1.6
+            )
+            weights = other.inverse_masses
+            sizes = np.clip(3.0 * np.power(np.where(weights > 0.0, weights, 1.0), -0.3), 1.4, LARGEST_DOT)
+            canvas.discs(places, canvas.px(1.0) * sizes, "text1")
+            self._name(canvas, other, entry.to_the_right, entry.label)
+
+    def _name(self, canvas: Canvas, system: PositionBasedDynamics, shift: float, label: str) -> None:
+        """Label and stretch above the highest particle of a network."""
+        top = system.positions[np.argmax(system.positions[:, 1])] + np.array((shift, 0.0))
+        words = canvas.figure(
+            ("stretch", label), f"longest link {100.0 * (1.0 + system.measure().worst_strain):.3g} %"
+        )
+        canvas.label(top, label, "text1", 13, "semibold", offset=(0.0, -34.0))
+        canvas.label(top, words, "text2", 12, offset=(0.0, -16.0))
+
+    def _between(self, before: Before, alpha: float) -> Array:
         """Places (n, 2) m between the last two steps."""
-        now = self.model.system.positions
-        if before is None or before.fields.shape != self.model.system.fields.shape:
-            return now
-        then = before.fields[:2, : len(now)].T
-        return then + alpha * (now - then)
+        return between(self.model.system, before, alpha)
 
     def _draw_walls(self, canvas: Canvas, walls: Point) -> None:
         """Slabs beside the ground, as high as they are seen."""
@@ -129,14 +161,7 @@ class SpringView:
         pairs = system.links.pairs
         if not len(pairs):
             return
-        if len(self._colors) != len(pairs):
-            self._colors = np.zeros(len(pairs), dtype=np.uint32)
-        system.measure()
-        strains = system.strains
-        if not self.model.parameters.strains:
-            strains = np.zeros_like(strains)
-        inks = (canvas.ink("text2"), canvas.ink("vermilion"), canvas.ink("chalk"))
-        color_by_strain(strains, FULL_STRAIN, *inks, self._colors)
+        self._strained(canvas, system)
         if len(pairs) > MOST_STROKES:
             pixels, clip = canvas.raster_target
             mapped = canvas.place_all(places)
@@ -146,6 +171,18 @@ class SpringView:
         width = 2.4 if len(pairs) < 200 else 1.6
         ends = places[pairs[whole]]
         canvas.segments(ends[:, 0], ends[:, 1], self._colors[whole], width)
+
+    def _strained(self, canvas: Canvas, system: PositionBasedDynamics) -> NDArray[np.uint32]:
+        """Colours (m,) of a system's links by their stretch; good until the next call."""
+        if len(self._colors) != len(system.links.pairs):
+            self._colors = np.zeros(len(system.links.pairs), dtype=np.uint32)
+        system.measure()
+        strains = system.strains
+        if not self.model.parameters.strains:
+            strains = np.zeros_like(strains)
+        inks = (canvas.ink("text2"), canvas.ink("vermilion"), canvas.ink("chalk"))
+        color_by_strain(strains, FULL_STRAIN, *inks, self._colors)
+        return self._colors
 
     def _radii(self) -> Array:
         """World radius of balls that bounce off each other, 0 for the rest."""
@@ -188,7 +225,9 @@ class SpringView:
         if 0 <= self.hand.first < len(places):
             end = tuple(places[self.hand.first].tolist())
             canvas.ring(end, 12.0, "accent", 1.8)
-            canvas.label(end, OTHER_END, "accent", anchor="left", offset=(18.0, -12.0))
+        words = self.hand.next_click()
+        if words and self.hand.pointer is not None:
+            canvas.label(self.hand.pointer, words, "accent", 12, anchor="left", offset=(14.0, 18.0))
         if 0 <= system.held < len(places):
             place = tuple(places[system.held].tolist())
             target = tuple(system.hand[2:4].tolist())

@@ -33,6 +33,7 @@ class CanvasBase:
         self.camera = Camera()
         self.unit = "m"
         self.words = True  # whether labels and formulas are drawn; a small picture has no space for them
+        self.teaching = True  # whether what explains is drawn: grids, handles, vectors, their words
         self.covered = False  # what is drawn covers all, so that no ground is laid
         self.fresh = True  # measured numbers are those of now; else those of the last picture stay
         self._figures: dict[Hashable, str] = {}
@@ -46,7 +47,7 @@ class CanvasBase:
 
     def begin(self, surface: pygame.Surface, rect: pygame.Rect, camera: Camera) -> None:
         """Draw on this part of a 32-bit surface, through this camera, until ``end``; it is cleared first."""
-        self.surface, self.camera = surface, camera
+        self.surface = surface
         self.rect = pygame.Rect(rect).clip(surface.get_rect())
         self._old_clip = surface.get_clip()
         surface.set_clip(self.rect)
@@ -60,9 +61,9 @@ class CanvasBase:
             self.fill()
         self._cover, self._area, self._extent = raster.scratch_for(self._pixels)
         self._origin = surface.get_abs_offset()
-        self._see_through(camera)
+        self._look_through(camera)
 
-    def _see_through(self, camera: Camera) -> None:
+    def _look_through(self, camera: Camera) -> None:
         """Take over a camera's map."""
         self.camera = camera
         self._a, self._b, self._c, self._d, self._e, self._f = camera.affine()
@@ -76,11 +77,11 @@ class CanvasBase:
         Gives whether the picture is moved.
         """
         before = self.camera
-        self._see_through(before.fitted())
+        self._look_through(before.fitted())
         try:
             yield before.affine() != self.camera.affine()
         finally:
-            self._see_through(before)
+            self._look_through(before)
 
     def end(self) -> None:
         """Give the surface back as it was."""
@@ -104,6 +105,25 @@ class CanvasBase:
         finally:
             self.surface.set_clip(before)
             self._clip = raster.clip_of(self.surface)
+
+    @contextmanager
+    def magnified(self, corner: Point, opposite: Point, center: Point, times: float) -> Iterator[None]:
+        """What is drawn meanwhile is seen ``times`` as large, without words, in a box between two corners
+        in the world, with the point ``center`` in its middle."""
+        camera, rect, words = self.camera, self.rect, self.words
+        with self.within(corner, opposite):
+            self.rect = self.surface.get_clip()
+            (ax, ay), (bx, by) = (camera.to_screen(*point) for point in (corner, opposite))
+            box = pygame.Rect(
+                round(min(ax, bx)), round(min(ay, by)), round(abs(bx - ax)), round(abs(by - ay))
+            )
+            self._look_through(camera.magnified(box, (float(center[0]), float(center[1])), times))
+            self.words = False
+            try:
+                yield
+            finally:
+                self.rect, self.words = rect, words
+                self._look_through(camera)
 
     def fill(self, color: Token = "stage") -> None:
         """Fill the whole part with one colour, in the array: three times as quick as the surface does it."""

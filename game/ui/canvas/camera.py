@@ -46,6 +46,12 @@ class Camera:
         """World point in the middle of the rectangle."""
         return self._view[0], self._view[1]
 
+    @property
+    def wanted(self) -> tuple[float, float, float]:
+        """The view that it is, or is on its way to: centre x and y, and the log of the scale."""
+        x, y, scale = self._wanted
+        return x, y, scale
+
     def affine(self) -> tuple[float, float, float, float, float, float]:
         """(a, b, c, d, e, f): pixel x = a x + b y + e, pixel y = c x + d y + f."""
         s = self.scale
@@ -84,6 +90,15 @@ class Camera:
         x0, y0 = self.to_world(self.rect.left, self.rect.top)
         x1, y1 = self.to_world(self.rect.right, self.rect.bottom)
         return Frame(min(x0, x1), min(y0, y1), max(x0, x1), max(y0, y1))
+
+    def magnified(self, rect: pygame.Rect, center: tuple[float, float], times: float) -> Camera:
+        """Another camera, ``times`` as near as this one now, with a world point in the middle of ``rect``."""
+        other = Camera()
+        other.y_up, other._turn, other.rect = self.y_up, self._turn, pygame.Rect(rect)
+        other._view = [*center, self._view[2] + math.log(times)]
+        other._home = (*center, other._view[2])
+        other._wanted = list(other._view)
+        return other
 
     # -- changes of view ----------------------------------------------------------------------------
 
@@ -131,6 +146,11 @@ class Camera:
         other._turn, other.rect = self._turn, self.rect
         other._home, other._view, other._wanted = self._home, list(self._home), list(self._home)
         return other
+
+    def show(self, frame: Frame) -> None:
+        """Show a frame at once and without a margin, without making it home."""
+        self.look_at(frame, 0.0)
+        self._jump()
 
     @property
     def is_home(self) -> bool:

@@ -301,4 +301,5 @@ class Canvas(CanvasBase):
 
     def grid(self, spacing: float | None = None, labels: str = "y") -> None:
         """Lines at round world coordinates; ``labels`` says which axes ("", "x", "y", "xy") have numbers."""
-        draw_grid(self, spacing, labels)
+        if self.teaching:
+            draw_grid(self, spacing, labels)

@@ -215,7 +215,7 @@ def _sentence(study: Study, rows: Sequence[TableRow], target: float) -> str:
     )
     labels = {_sentence_case(method.label): method.label for method in study.methods}
     inside = [row._replace(name=labels.get(row.name, row.name)) for row in rows]
-    if study.axes != ACCURACY:
+    if study.axes != ACCURACY or study.lesson:
         return study.expectation
     return sentence_for(inside, words) or study.expectation
 

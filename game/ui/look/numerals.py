@@ -60,12 +60,15 @@ def quantity(value: float, unit: str, digits: int = 3) -> Quantity:
     """Number and unit with an SI prefix in place of an exponent: 0.0000184 s is 18.4 µs.
 
     Only plain units and rates of them take a prefix ("m", "m/s", "N s"); squares, angles, "1/s" and
-    per cent do not. Kilograms count from the gram. A count (an integer without unit) is shown whole.
+    per cent do not. Less than a kilogram counts from the gram; nobody weighs
+    in megagrams. A count (an integer without unit) is shown whole.
     """
     if isinstance(value, Integral) and not unit:
         return Quantity(format_number(value), unit)
     value = float(value)
     if unit.startswith("kg") and unit[2:3] in ("", "/", " ", "·"):
+        if abs(value) >= 1.0 or value == 0.0:
+            return Quantity(format_number(value, digits), unit)
         value, unit = value * 1e3, unit[1:]
     symbol = unit.replace("·", "/").replace(" ", "/").split("/")[0]
     size = abs(value)

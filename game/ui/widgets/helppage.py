@@ -308,6 +308,11 @@ class HelpPage:
                 column.equation(equation)
 
     def _write_controls(self, column: Column) -> None:
+        if self.scene_type.try_this:
+            column.head("Try this")
+            for i, words in enumerate(self.scene_type.try_this):
+                column.numbered(i + 1, words)
+            column.space(8)
         column.head("Controls")
         for hint in self.scene_type.hints:
             column.control(hint.keys, hint.text)
@@ -318,11 +323,6 @@ class HelpPage:
             column.control((keycap.key_name(action.key),), action.label)
         for keys, words in self.controls:
             column.control(keys, words)
-        if self.scene_type.try_this:
-            column.space(8)
-            column.head("Try this")
-            for i, words in enumerate(self.scene_type.try_this):
-                column.numbered(i + 1, words)
 
 
 def _written(section: Callable[[Column], None], column: Column) -> int:

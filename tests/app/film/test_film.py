@@ -1,26 +1,21 @@
 """Films: the script of a match, the sound track, the file; and one clear line without PyAV."""
 
+import itertools
 import math
 import sys
 from types import SimpleNamespace
 
+import msgspec
 import numpy as np
 import pygame
 import pytest
 
 from game.app.commands import run_command_line
 from game.app.film import video
-from game.app.film.captions import draw_caption, draw_tally
-from game.app.film.script import (
-    ASPECT,
-    LEAST_S,
-    SLOW,
-    SLOW_FROM_S,
-    TITLE_S,
-    potted_at,
-    write_script,
-)
+from game.app.film.match_acts import LEAST_S, TITLE_S, acts_of, potted_at
+from game.app.film.match_film import scene_of, story_of, write_match_film
 from game.app.film.soundtrack import Soundtrack
+from game.app.film.story_film import StoryFilm
 from game.app.film.video import VideoError, VideoWriter, check_video
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.game.summary import summarize
@@ -29,6 +24,9 @@ from game.billiards.shot.shot import Physics
 from game.billiards.simulation import simulate
 from game.billiards.table.table import Table
 from game.stage import Sound
+from game.stage.story.lines import Say
+from game.stage.story.rehearsal import rehearse, stage_of
+from game.stage.story.runner import Runner, last_words
 from game.ui.sound import RATE, sample_of
 
 
@@ -50,57 +48,37 @@ def small_match() -> Match:
 
 def test_a_film_lasts_a_minute_and_its_rounds_follow_each_other():
     match = small_match()
-    script = write_script(match)
-    assert script.length >= LEAST_S
-    assert script.acts[0].begins == TITLE_S
-    for act, following in zip(script.acts, script.acts[1:], strict=False):
+    acts = acts_of(match)
+    assert acts[0].begins == TITLE_S and acts[-1].ends >= LEAST_S
+    for act, following in itertools.pairwise(acts):
         assert act.ends == following.begins
-    for act in script.acts:
-        assert act.begins < act.hits < act.hits + potted_at(act.round) <= act.potted < act.ends
-        assert script.act_at(act.hits) is act
-    assert script.act_at(0.0) is None and script.act_at(script.length) is None
+    for act in acts:
+        assert act.begins < act.hits < act.hits + potted_at(act.round) < act.ends
+
+
+def test_the_story_of_a_match_says_what_fell_and_holds():
+    match = small_match()
+    found = rehearse(story_of(match, "Anna Example"), scene_of(match))
+    assert found.failures == [] and found.film_s >= LEAST_S
+    assert [one.chapter for one in found.moments] == ["Round 1", "Ball 5", "Round 2", "Ball 3", "The end"]
+    for act, down in zip(acts_of(match), found.moments[1::2], strict=False):
+        assert down.time_s == pytest.approx(act.hits + potted_at(act.round), abs=0.05)
 
 
 def test_the_camera_sees_the_ball_that_falls():
-    script = write_script(small_match())
-    for act in script.acts:
-        trajectory = act.round.trajectory
-        row = trajectory.shot.ids.index(str(act.round.fallen.ball))
-        for share in np.linspace(0.0, 1.0, 12):
-            since = share * potted_at(act.round)
-            x, y, length = script.camera.sample(act.film_time(since)).tolist()
-            px, py = trajectory.state_at(since).positions[row].tolist()
-            assert abs(py - y) < 0.5 * length and abs(px - x) < 0.5 * length / ASPECT + 0.03
-
-
-def test_the_deciding_ball_falls_slowly_and_near_and_no_other():
-    first, last = write_script(small_match()).acts
-    assert first.potted == first.hits + potted_at(first.round)
-    down = potted_at(last.round)
-    assert last.potted == pytest.approx(last.hits + down + min(SLOW_FROM_S, down) * (SLOW - 1.0))
-    for act in (first, last):
-        for since in np.linspace(-0.5, down + 1.0, 40).tolist():
-            assert act.shot_time(act.film_time(since)) == pytest.approx(since, abs=1e-12)
-    before, now = last.shot_time(last.potted - 0.2), last.shot_time(last.potted - 0.1)
-    assert now - before == pytest.approx(0.1 / SLOW)
-    camera = write_script(small_match()).camera
-    assert camera.sample(last.potted - 0.1)[2] < 0.8 * camera.sample(first.potted - 0.1)[2]
-
-
-@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (480, 270), (600, 800)])
-def test_what_is_said_while_balls_roll_covers_no_part_of_the_table(size):
-    from game.app.film.match_film import MatchFilm
-
-    film = MatchFilm(small_match(), size, "")
-    assert not film.stage.colliderect(film.row) and film.stage.union(film.row).size == size
-    act = film.script.acts[0]
-    with_words = pygame.surfarray.array3d(film.picture(act.potted))
-    surface = pygame.Surface(size, 0, 32)
-    draw_tally(surface, film.look, film.row, (tuple(range(1, 8)), tuple(range(8, 16))))
-    draw_caption(surface, film.look, film.row, act, act.potted)
-    drawn = pygame.surfarray.array3d(surface)
-    assert not drawn[:, : film.row.top].any() and drawn[:, film.row.top :].any()
-    assert with_words[:, film.row.top :].any()
+    match = small_match()
+    story = story_of(match)
+    stage = stage_of(story, scene_of(match))
+    runner = Runner(story, stage)
+    for act in acts_of(match):
+        row = act.round.trajectory.shot.ids.index(str(act.round.fallen.ball))
+        while stage.time_s < act.hits + potted_at(act.round):
+            stage.run(6)
+            if stage.time_s < act.hits:
+                continue
+            seen = runner.view(runner.film_s).frame(turned=True)
+            x, y = act.round.trajectory.state_at(stage.time_s - act.hits).positions[row].tolist()
+            assert seen.left - 0.03 < x < seen.right + 0.03 and seen.bottom < y < seen.top
 
 
 def test_sounds_come_at_their_moments_however_they_are_taken():
@@ -173,16 +151,16 @@ def test_a_film_that_fails_leaves_no_file(tmp_path):
 
 def test_match_and_scene_are_filmed(tmp_path, monkeypatch):
     pytest.importorskip("av")
-    from game.app.film.match_film import MatchFilm, write_match_film
-
     path = tmp_path / "match.mp4"
     assert write_match_film(small_match(), path, "Anna Example", (160, 90), 5, seconds=1.0) == 1.0
     assert path.stat().st_size > 1000
-    film = MatchFilm(small_match(), (320, 180), "Anna Example")
-    times = (1.5, film.script.acts[0].hits - 0.2, film.script.acts[1].hits + 0.4, film.length - 1.0)
-    seen = [pygame.image.tobytes(film.picture(time), "RGB") for time in times]
+    match = small_match()
+    film = StoryFilm(story_of(match), scene_of(match), (320, 180), player="Anna Example")
+    acts, seen = acts_of(match), []
+    for time in (1.5, acts[0].hits - 0.2, acts[1].hits + 0.4, acts[1].ends + 2.0):
+        film.go_to(time)
+        seen.append(pygame.image.tobytes(film.picture(time), "RGB"))
     assert len(set(seen)) == 4
-    assert film.potted_at(film.length) == ((5,), (3,))
 
 
 def test_a_film_of_a_recording_is_as_long_as_that(tmp_path, capsys):
@@ -192,3 +170,25 @@ def test_a_film_of_a_recording_is_as_long_as_that(tmp_path, capsys):
     words = ["record", "example", "--out", str(film), "--size", "160x120", "--fps", "10"]
     assert run_command_line([*words, "--replay", str(recording)]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == f"{film}: 0.5 s, 5 pictures"
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1920, 1080), (480, 270), (600, 800)])
+def test_what_is_said_while_balls_roll_covers_no_part_of_the_table(size):
+    match = small_match()
+    scene_type, story = scene_of(match), story_of(match, "")
+    silent = msgspec.structs.replace(story, lines=tuple(x for x in story.lines if not isinstance(x, Say)))
+    found = rehearse(story, scene_type)
+    time = next(one.film_s for one in found.moments if one.chapter == "Ball 5") - 0.6
+    drawn = []
+    for told in (story, silent):
+        film = StoryFilm(told, scene_type, size)
+        film.go_to(time)
+        drawn.append(pygame.surfarray.array3d(film.picture(time)))
+    row = size[1] - min(film.look.px(scene_type.story_row), size[1] // 3)
+    assert (drawn[0][:, :row] == drawn[1][:, :row]).all()
+    assert (drawn[0][:, row:] != drawn[1][:, row:]).any()
+
+
+def test_a_match_without_a_winner_is_a_draw():
+    match = small_match()
+    assert last_words(story_of(match)) == "A draw, 1 : 1"

@@ -32,7 +32,7 @@ def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def taken(driver: Driver) -> pygame.Surface | None:
-    return Thumbnails(driver.app).picture("example", SIZE, Look(DARK))
+    return Thumbnails(driver.app).load("example", SIZE, Look(DARK))
 
 
 def test_a_picture_of_ones_own_is_shown_again(driver: Driver, kept: Path) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from game.physics.solids import Disc, Material, box
+from game.physics.solids.effects import SLEEP, USUAL
 from tests.physics.solids.setups import G, column, floor_world, run
 
 
@@ -58,7 +59,7 @@ def test_a_disc_bounces_obliquely(velocity, spin, e, mu, after):
 @pytest.mark.parametrize(("hertz", "sink"), [(30.0, 0.5418466923972897), (60.0, 0.13546167309932242)])
 def test_a_column_sinks_by_the_law_of_soft_contacts(hertz, sink):
     """24.525/w² (n(n-1)/2 + n/8) for n = 40."""
-    world, _ = floor_world(contact_hertz=hertz)
+    world, _ = floor_world(contact_hertz=hertz, effects=USUAL.without(SLEEP))
     top = column(world, 40)[-1]
     run(world, 10.0)
     assert 39.5 - world.bodies.positions[top, 1] == pytest.approx(sink, rel=1e-3)

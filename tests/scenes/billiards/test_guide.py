@@ -7,11 +7,13 @@ import pytest
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Struck
+from game.levels import load_level
 from game.scenes.billiards import layout
+from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.stroke.guide import FIRST, NONE, WHOLE
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, SET_OFF, foresee
 from game.scenes.billiards.view.score_board import key_rows
-from game.stage import Action, SetParameter
+from game.stage import Action, SetParameter, Stage
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,
     aim,
@@ -84,3 +86,15 @@ def test_the_lines_have_a_key_that_says_no_more_than_is_shown():
     assert [row.words for row in key_rows(FIRST, False)] == ["cue ball", "first ball sets off"]
     assert key_rows(NONE, True) == ()
     assert "hand" in key_rows(FIRST, True)[-1].words
+
+
+@pytest.mark.parametrize(("written", "guide"), [("true", "auto"), ("false", "none")])
+def test_a_level_and_an_event_with_the_former_switch_still_open(tmp_path, written, guide):
+    path = tmp_path / "old.toml"
+    path.write_text(f'scene = "billiards"\ntitle = "Old"\n[parameters]\nprediction = {written}\n')
+    stage = Stage(Billiards, level=load_level(path, "billiards", Billiards.content_type))
+    assert stage.scene.parameters.guide == guide
+    other = Stage(Billiards)
+    other.post(SetParameter("prediction", written == "true"))
+    other.run(1)
+    assert other.scene.parameters.guide == guide

@@ -284,3 +284,66 @@ def test_all_levels_but_the_hard_ones_run():
             stage.run(30)
             assert stage.fault is None
             assert stage.scene.legend()
+
+
+def test_a_child_bone_begins_where_its_parent_is_clicked_with_shift():
+    stage = open_level(Skinning, "draw")
+    rig = stage.scene.model.rig
+    base, end = rig.skeleton.bases[0].copy(), rig.skeleton.ends[0].copy()
+    click(stage, base + 0.25 * (end - base), shift=True)
+    click(stage, (0.5, 0.9))
+    skeleton = stage.scene.model.rig.skeleton
+    assert np.allclose(skeleton.bases[1], base + 0.25 * (end - base), rtol=0, atol=1e-12)
+    assert np.allclose(skeleton.ends[1], (0.5, 0.9), rtol=0, atol=1e-12)
+    click(stage, (0.8, 0.9))  # the next one hangs on the end of this one again
+    skeleton = stage.scene.model.rig.skeleton
+    assert np.allclose(skeleton.bases[2], (0.5, 0.9), rtol=0, atol=1e-12)
+    again = open_level(Skinning, "draw")
+    click(again, base + 0.25 * (end - base))
+    click(again, (0.5, 0.9))
+    assert np.allclose(again.scene.model.rig.skeleton.bases[1], end, rtol=0, atol=1e-12)
+
+
+def test_the_guide_ticks_off_what_is_done():
+    stage = open_level(Skinning, "draw")
+
+    def done():
+        return [caption.met for caption in stage.scene.guide()]
+
+    assert done() == [False, False, False]
+    for i in range(14):
+        if i == 0:
+            click(stage, stage.scene.model.rig.skeleton.ends[0] - (0.0, 0.05))
+        click(stage, (0.1 * (i % 2), 1.0 + 0.05 * (i + 1)))
+    assert done() == [True, False, False]
+    stage.post(Action("skin"))
+    for corner in ((-0.3, 0.5), (0.4, 0.5), (0.4, 1.9), (-0.3, 1.9)):
+        click(stage, corner)
+    stage.post(Action("finish"))
+    assert done() == [True, True, False]
+    stage.post(Action("pose"))
+    skeleton = stage.scene.model.rig.skeleton
+    middle = 0.5 * (skeleton.bases[0] + skeleton.ends[0])
+    drag(stage, middle, (middle[0] + 0.3, middle[1] + 0.1))
+    assert done() == [True, True, True]
+
+
+def test_the_last_bones_end_is_compared_with_a_sum_of_its_own():
+    stage = open_level(Skinning, "hard-07-thousand-bones")
+    assert readouts(stage)["forward error"] < 1e-12
+    skeleton = stage.scene.model.rig.skeleton
+    skeleton.ends[-1] += (0.0, 1e-6)
+    assert readouts(stage)["forward error"] == pytest.approx(1e-6, rel=1e-6)
+
+
+def test_on_a_bone_that_lies_the_new_one_begins_where_it_was_clicked():
+    stage = open_level(Skinning, "bent-bar", motion=False, tool="bone")
+    skeleton = stage.scene.model.rig.skeleton
+    base, end = skeleton.bases[0].copy(), skeleton.ends[0].copy()
+    assert abs(end[0] - base[0]) > 0.5
+    click(stage, base + 0.25 * (end - base), shift=True)
+    click(stage, (float(base[0]), float(base[1]) - 0.45))
+    assert np.allclose(
+        stage.scene.model.rig.skeleton.bases[-1], base + 0.25 * (end - base), rtol=0, atol=1e-9
+    )
+    assert np.allclose(stage.scene.model.rig.skeleton.ends[-1], (base[0], base[1] - 0.45), rtol=0, atol=1e-9)

@@ -7,7 +7,7 @@ import pytest
 from game.app.fuzz.driver import Driver
 from game.levels import parse_level
 from game.scenes import CATALOGUE
-from game.scenes.skeletons.editing import next_click
+from game.scenes.skeletons.editing import PARENT, next_click
 from game.scenes.skeletons.inverse_kinematics import InverseKinematics
 from game.scenes.skeletons.level import FigureContent
 from game.scenes.skeletons.parameters import SHOWN
@@ -70,7 +70,7 @@ def test_each_tool_names_the_next_click():
 
     assert words() == ""
     stage.post(Action("bone"))
-    assert words() == "click the parent bone"
+    assert words() == PARENT
     skeleton = scene.model.rig.skeleton
     click(stage, 0.5 * (skeleton.bases[1] + skeleton.ends[1]))
     assert words() == "click where the new bone ends"
@@ -80,7 +80,7 @@ def test_each_tool_names_the_next_click():
         said.append(words())
         click(stage, corner)
     assert said == ["click the first corner", "click the next corner", "click the next corner"]
-    assert "first one closes" in words()
+    assert "Enter closes" in words()
 
 
 def test_both_ends_of_a_chain_are_asked_for():
@@ -97,7 +97,7 @@ def test_hints_are_those_of_the_tool(scene_type):
     usual = stage.scene.hints_now()
     assert usual == scene_type.hints
     stage.post(SetParameter("tool", "skin"))
-    assert [hint.keys for hint in stage.scene.hints_now()[:2]] == [("Click",), ("Return",)]
+    assert [hint.keys for hint in stage.scene.hints_now()[:2]] == [("Click",), ("Enter",)]
     for tool in stage.scene.parameters.tools:
         stage.post(SetParameter("tool", tool))
         assert stage.scene.hints_now()
@@ -126,4 +126,4 @@ def test_bar_and_figures_show_one_error(driver):
 def test_the_hint_bar_follows_the_tool(driver):
     driver.top.play.post(SetParameter("tool", "skin"))
     driver.frames(30)
-    assert (("Return",), "close the skin") in driver.top.shell.hints.hints
+    assert (("Enter",), "close the skin") in driver.top.shell.hints.hints

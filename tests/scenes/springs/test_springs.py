@@ -12,6 +12,7 @@ from game.scenes.springs.level import SpringContent
 from game.scenes.springs.rigid_links import RigidLinks
 from game.scenes.springs.soft_springs import Springs
 from game.stage import Action, ParameterError, SetEffect, SetParameter, replay_scene
+from tests.scenes.labels import labels_of
 from tests.scenes.particle_stages import click, drag, move, open_level, press, readouts, release, stage_of
 
 SCENES = (RigidLinks, Springs)
@@ -66,6 +67,7 @@ def test_inverse_mass_zero_is_fixed_and_masses_are_typed(scene_type):
     stage.post(Action("pin"))
     click(stage, (0.0, 3.0))
     assert scene.model.system.inverse_masses[0] > 0.0
+    stage.post(Action("hand"))
     stage.run(10)
     assert scene.model.system.positions[0, 1] < 3.0
     stage.post(Action("hand"))
@@ -85,6 +87,7 @@ def test_the_ground_pushes_up_and_gravity_pulls_down(scene_type):
     stage = sheet(scene_type)
     stage.post(Action("pin"))
     click(stage, (0.0, 3.0))
+    stage.post(Action("hand"))
     stage.run(120)
     assert stage.scene.model.system.positions[:, 1].min() == 0.0
     stage.post(SetEffect("ground", False))
@@ -283,10 +286,34 @@ def test_a_solver_that_does_not_fit_is_refused_and_the_old_one_goes_on():
 @both
 def test_the_next_click_is_named(scene_type):
     stage = sheet(scene_type)
-    assert not any("click" in words for _, words, _ in stage.scene.legend())
-    for tool, words in (("particle", "new particle"), ("link", "both ends"), ("pin", "pin"), ("cut", "cut")):
+    assert stage.scene.hand.next_click() == ""
+    assert stage.scene.hints_now() == scene_type.hints
+    for tool, words in (("particle", "new particle"), ("link", "one end"), ("pin", "pin"), ("cut", "cut")):
         stage.post(Action(tool))
-        assert any(words in label for _, label, _ in stage.scene.legend())
+        assert words in stage.scene.hand.next_click()
+        assert words in stage.scene.hints_now()[0].text
     stage.post(Action("link"))
     click(stage, (0.0, 3.0))
-    assert any("other end" in label for _, label, _ in stage.scene.legend())
+    assert "other end" in stage.scene.hand.next_click()
+
+
+@both
+def test_the_next_click_stands_at_the_pointer(scene_type):
+    stage = open_level(scene_type, "draw")
+    move(stage, (1.0, 2.0), button=0)
+    canvas = labels_of(stage)
+    stage.scene.draw(canvas, 1.0)
+    place, *_ = canvas.drawn["click: a new particle"]
+    assert place == (1.0, 2.0)
+
+
+@both
+def test_an_empty_sheet_stands_still_while_one_builds(scene_type):
+    stage = open_level(scene_type, "draw")
+    click(stage, (-2.0, 2.0))
+    before = stage.scene.model.system.positions.copy()
+    stage.run(60)
+    assert np.array_equal(stage.scene.model.system.positions, before)
+    stage.post(Action("hand"))
+    stage.run(60)
+    assert stage.scene.model.system.positions[2, 1] < 1.0

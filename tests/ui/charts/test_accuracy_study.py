@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from itertools import pairwise
 
 import pytest
 
 from game.lab import Knob, Method, Row, Setting, Study, StudyTable, Workload
+from game.lab.studies.animation.skinning import skinning_study
+from game.lab.studies.springs import spring_study
 from game.ui.charts.accuracy_study import round_error, setting_words, study_data
 
 STEPS = [2.0**-i for i in range(4, 14)]
@@ -63,6 +66,13 @@ def test_orders_costs_and_lines():
     assert data.series[0].points[0].parameters == {"step_length": STEPS[0]}
     assert data.sentence.startswith("For ") and "second order" in data.sentence.lower()
     assert data.present is None
+
+
+def test_a_lesson_is_said_in_place_of_who_is_cheapest():
+    made = dataclasses.replace(study(), lesson=True)
+    data = study_data(table_of(made, [row(s.method, s.knob) for s in made.settings()]), "A scene")
+    assert data.sentence == "It falls."
+    assert skinning_study.lesson and spring_study.lesson
 
 
 def test_runs_to_come_lie_on_the_line_of_those_there_are():

@@ -114,6 +114,9 @@ def test_numbers(value, text):
         (1.84e-5, "s", "18.4 µs"),
         (9.996e-4, "s", "1.00 ms"),
         (0.5, "kg", "500 g"),
+        (0.9999, "kg", "1.00 kg"),
+        (0.0, "kg m/s", "0 kg m/s"),
+        (1660.0, "kg", "1\u202f660 kg"),
         (2.0, "1/s", "2.00 1/s"),
         (16.0, "°", "16.0°"),
         (1.85e-11, "°", "1.85\u202f×\u202f10⁻¹¹ °"),  # close to its exponent it would be one digit more

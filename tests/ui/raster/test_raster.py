@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pygame
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from game.ui import raster
@@ -74,6 +74,8 @@ def test_ring(x, y, radius, width):
 def test_arc_with_round_ends(start, sweep):
     paper = Paper()
     x, y, radius, width = 20.3, 14.8, 10.0, 3.0
+    # round ends that meet leave a notch narrower than a pixel, of which a distance does not know
+    assume(abs(sweep) < 2.0 * math.pi - (width + 1.0) / radius)
     stroke_arc(paper.pixels, paper.clip, x, y, radius, width, start, sweep, INK, 1.0)
 
     def inside(u, v):

@@ -83,6 +83,22 @@ def test_help_scrolls_to_its_end_and_no_farther(look):
     assert page.scroll == page._sheet.get_height() - page._view().h > 0
 
 
+def test_what_to_try_stands_above_the_keys(monkeypatch):
+    look, places = Look(DARK, 1.0), {}
+    draw = Look.text
+
+    def note(self, surface, words, place, *style):
+        places[words] = place
+        return draw(self, surface, words, place, *style)
+
+    monkeypatch.setattr(Look, "text", note)
+    page = HelpPage(look, Sample)
+    page.place(pygame.Rect(0, 0, 1280, 720), look)
+    page.draw(pygame.Surface((1280, 720), 0, 32))
+    assert places["Try this"][0] == places["Controls"][0]
+    assert places["Try this"][1] < places["Controls"][1]
+
+
 def test_help_closes_by_cross_and_by_a_press_beside_it(look):
     page = HelpPage(look, Sample)
     page.place(pygame.Rect(0, 0, 1280, 720), look)

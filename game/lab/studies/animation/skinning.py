@@ -258,6 +258,7 @@ skinning_study = Study(
     trial=influence_trial,
     reference="the same blend of all bones.",
     expectation="The error falls with every influence; time grows slowly, as most weights are small.",
+    lesson=True,
     order_over="counter",
     floor=1e-13,
     present=present_influences,

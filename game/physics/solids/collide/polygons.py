@@ -12,7 +12,7 @@ import math
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import touch_points
 
-FIRST, SECOND = 0, 64  # where in the work array of corners the polygons lie that are compared
+SLIVER = 0.005  # of the shorter of two faces: what overlaps by less along them has not met face to face
 
 
 @inner_kernel
@@ -106,38 +106,77 @@ def keep_points(bits, lower_feature, upper_feature, manifold, features):
 
 
 @inner_kernel
+def clip_chosen(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, choice, reach, manifold, features):
+    """Clip with the face that was chosen: (of the second polygon?, face). Returns points and their spread."""
+    flip, face = choice
+    if flip:
+        i, j = facing(n1, start1, count1, n2[start2 + face, 0], n2[start2 + face, 1]), face
+    else:
+        i, j = face, facing(n2, start2, count2, n1[start1 + face, 0], n1[start1 + face, 1])
+    i_next, j_next = i + 1 if i + 1 < count1 else 0, j + 1 if j + 1 < count2 else 0
+    p1, q1 = (c1[start1 + i, 0], c1[start1 + i, 1]), (c1[start1 + i_next, 0], c1[start1 + i_next, 1])
+    p2, q2 = (c2[start2 + j, 0], c2[start2 + j, 1]), (c2[start2 + j_next, 0], c2[start2 + j_next, 1])
+    if flip:
+        nx, ny = n2[start2 + j, 0], n2[start2 + j, 1]
+        manifold[0], manifold[1] = -nx, -ny
+        bits = clip_faces(p2, q2, p1, q1, (nx, ny), (rb, ra), reach, manifold)
+        lower, upper = i_next << 8 | j, i << 8 | j_next
+    else:
+        nx, ny = n1[start1 + i, 0], n1[start1 + i, 1]
+        manifold[0], manifold[1] = nx, ny
+        bits = clip_faces(p1, q1, p2, q2, (nx, ny), (ra, rb), reach, manifold)
+        lower, upper = i << 8 | j_next, i_next << 8 | j
+    spread = abs((manifold[5] - manifold[2]) * ny - (manifold[6] - manifold[3]) * nx)
+    spread /= min(math.hypot(q1[0] - p1[0], q1[1] - p1[1]), math.hypot(q2[0] - p2[0], q2[1] - p2[1]))
+    return keep_points(bits, lower, upper, manifold, features), spread
+
+
+@inner_kernel
+def meets_at_corners(c1, start1, count1, ra, c2, start2, count2, rb, faces, reach, manifold, features):
+    """Cores that are apart: points (0 or 1) if they are nearest at two corners, else -1. faces: i, j."""
+    i, j = faces
+    i_next, j_next = i + 1 if i + 1 < count1 else 0, j + 1 if j + 1 < count2 else 0
+    p1, q1 = (c1[start1 + i, 0], c1[start1 + i, 1]), (c1[start1 + i_next, 0], c1[start1 + i_next, 1])
+    p2, q2 = (c2[start2 + j, 0], c2[start2 + j, 1]), (c2[start2 + j_next, 0], c2[start2 + j_next, 1])
+    f1, f2, _ = nearest_on_segments(p1, q1, p2, q2)
+    if not ((f1 == 0.0 or f1 == 1.0) and (f2 == 0.0 or f2 == 1.0)):
+        return -1
+    a, b = (p1 if f1 == 0.0 else q1), (p2 if f2 == 0.0 else q2)
+    features[0] = (i if f1 == 0.0 else i_next) << 8 | (j if f2 == 0.0 else j_next)
+    return touch_points(a[0], a[1], ra, b[0], b[1], rb, reach, manifold)
+
+
+@inner_kernel
 def collide_polygons(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, reach, manifold, features):
-    """Manifold of two polygons whose corners and normals are in one frame. See the package for the rest."""
+    """Manifold of two polygons whose corners and normals are in one frame. See the package for the rest.
+
+    Where they meet in a sliver, corner beside corner, there is no telling which face it is, and none answers
+    until they overlap by more: so boxes pass over the gaps of tiles of equal height.
+    """
     gap1, i = widest_gap(c1, n1, start1, count1, c2, start2, count2)
     manifold[8] = gap1 - ra - rb
     if gap1 > reach + ra + rb:
         return 0
     gap2, j = widest_gap(c2, n2, start2, count2, c1, start1, count1)
-    manifold[8] = max(manifold[8], gap2 - ra - rb)
+    manifold[8] = max(gap1, gap2) - ra - rb
     if gap2 > reach + ra + rb:
         return 0
     flip = gap2 > gap1 + 0.02 * reach  # the first one's face is kept where both are nearly as good
-    if flip:
-        i = facing(n1, start1, count1, n2[start2 + j, 0], n2[start2 + j, 1])
-    else:
-        j = facing(n2, start2, count2, n1[start1 + i, 0], n1[start1 + i, 1])
-    i_next, j_next = i + 1 if i + 1 < count1 else 0, j + 1 if j + 1 < count2 else 0
-    p1 = (c1[start1 + i, 0], c1[start1 + i, 1])
-    q1 = (c1[start1 + i_next, 0], c1[start1 + i_next, 1])
-    p2 = (c2[start2 + j, 0], c2[start2 + j, 1])
-    q2 = (c2[start2 + j_next, 0], c2[start2 + j_next, 1])
+    face = j if flip else i
     if max(gap1, gap2) > 0.02 * reach:
-        f1, f2, _ = nearest_on_segments(p1, q1, p2, q2)
-        if (f1 == 0.0 or f1 == 1.0) and (f2 == 0.0 or f2 == 1.0):
-            a, b = (p1 if f1 == 0.0 else q1), (p2 if f2 == 0.0 else q2)
-            features[0] = (i if f1 == 0.0 else i_next) << 8 | (j if f2 == 0.0 else j_next)
-            return touch_points(a[0], a[1], ra, b[0], b[1], rb, reach, manifold)
-    if flip:
-        nx, ny = n2[start2 + j, 0], n2[start2 + j, 1]
-        manifold[0], manifold[1] = -nx, -ny
-        bits = clip_faces(p2, q2, p1, q1, (nx, ny), (rb, ra), reach, manifold)
-        return keep_points(bits, i_next << 8 | j, i << 8 | j_next, manifold, features)
-    nx, ny = n1[start1 + i, 0], n1[start1 + i, 1]
-    manifold[0], manifold[1] = nx, ny
-    bits = clip_faces(p1, q1, p2, q2, (nx, ny), (ra, rb), reach, manifold)
-    return keep_points(bits, i << 8 | j_next, i_next << 8 | j, manifold, features)
+        if flip:
+            i = facing(n1, start1, count1, n2[start2 + j, 0], n2[start2 + j, 1])
+        else:
+            j = facing(n2, start2, count2, n1[start1 + i, 0], n1[start1 + i, 1])
+        points = meets_at_corners(
+            c1, start1, count1, ra, c2, start2, count2, rb, (i, j), reach, manifold, features
+        )
+        if points >= 0:
+            return points
+    points, spread = clip_chosen(
+        c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, (flip, face), reach, manifold, features
+    )
+    if points < 2 or spread > SLIVER:
+        return points
+    manifold[8] = -1.0  # nothing yet, but look again in the next step
+    return 0

@@ -1,7 +1,8 @@
 """Segments of chains, one-sided: discs and polygons slide over where segments meet without noticing.
 
 A segment knows the ends of its neighbours ("ghosts"; Box2D, Catto 2013). It answers only for directions that
-belong to it: its own normal, and at its first corner those between the normal of the segment before and its own,
+belong to it: its own normal, and at its first corner those between the normal of the segment before and
+its own,
 if the chain turns away there. What presses from elsewhere belongs to a neighbour. A ghost that lies on the
 end itself marks the end of an open chain, which answers for all directions.
 """
@@ -98,7 +99,9 @@ def farthest_face(c2, n2, count2, p, q):
 
 @inner_kernel
 def direction_verdict(corners, start, ex, ey, mx, my):
-    """What a push along m from the segment is: 1 its own, 0 a neighbour's, -1 to be turned into its normal."""
+    """What a push along m from the segment is: 1 its own, 0 a neighbour's, -1 to be turned into its
+    normal.
+    """
     if mx * ex + my * ey <= 0.0:
         dx = corners[start + 1, 0] - corners[start, 0]
         dy = corners[start + 1, 1] - corners[start, 1]

@@ -23,7 +23,8 @@ COLLIDING, LIMITED, DRIVEN, BROKEN = 1, 2, 4, 8
     TARGET_X, TARGET_Y,
 ) = range(14)  # fmt: skip
 PARAMETERS = 14
-# columns of Joints.impulses, N s and N m s of the last substep: along x, y (or the axis), turning, drive, limits
+# columns of Joints.impulses, N s and N m s of the last substep: along x, y (or the axis), turning, drive,
+# limits
 PULL_X, PULL_Y, TURN, DRIVE, LOW, HIGH = range(6)
 IMPULSES = 6
 # columns of Joints.rows: levers (world frame, of the step's beginning), offset of b's centre from a's, and

@@ -1,6 +1,7 @@
 """Joints by their kinds: made ready once a step, swept in each substep by solvers that sweep velocities.
 
-A new kind: a file with ``warm_KIND`` and ``sweep_KIND`` on the layout of `layout.Joints`, a line in each kernel here.
+A new kind: a file with ``warm_KIND`` and ``sweep_KIND`` on the layout of `layout.Joints`, a line in each
+kernel here.
 """
 
 from __future__ import annotations

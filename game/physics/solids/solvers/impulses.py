@@ -8,6 +8,8 @@ substeps by what both bodies have moved since the step began.
 
 from __future__ import annotations
 
+import numpy as np
+
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import (
     APPROACH_0,
@@ -25,13 +27,13 @@ from game.physics.solids.state import (
     END_POINTS,
     JN,
     JT,
-    MASS_N,
     MASS_T,
     MOST_0,
     MOST_1,
     RESTITUTION,
     ROUND_A,
     ROUND_B,
+    ROW_COLD,
     ROW_HARD,
     ROW_IIA,
     ROW_IIB,
@@ -43,21 +45,27 @@ from game.physics.solids.state import (
     ROW_POINT,
     ROW_POINT_WIDTH,
     SEP,
+    STIFF_N,
     VX,
     VY,
     W,
 )
 
+FIRST = ROW_POINT
 SECOND = ROW_POINT + ROW_POINT_WIDTH
 
 
 @inner_kernel
 def start_warm(rows, motion):
-    """Apply the impulses of the substep before."""
+    """Apply the impulses of the substep before, but not those of an impact."""
     row, ends = rows.rows, rows.ends
     for c in range(rows.count[0]):
         a, b = ends[c, END_A], ends[c, END_B]
         nx, ny = row[c, ROW_NX], row[c, ROW_NY]
+        if row[c, ROW_COLD] > 0.0:
+            row[c, FIRST + JN], row[c, FIRST + JT] = 0.0, 0.0
+            row[c, SECOND + JN], row[c, SECOND + JT] = 0.0, 0.0
+            continue
         at = ROW_POINT
         jn, jt = row[c, at + JN], row[c, at + JT]
         turn_a = row[c, at + CROSS_A] * jn - row[c, at + DOT_A] * jt
@@ -95,8 +103,8 @@ def gap_now(row, c, at, motion, a, b):
 def soft_springs(numbers):
     """Springs of soft contacts; see `sweep_contacts`."""
     return (
-        (numbers.contact_rate, numbers.contact_mass, numbers.contact_give),
-        (numbers.fixed_rate, numbers.fixed_mass, numbers.fixed_give),
+        (numbers.contact_rate, numbers.contact_mass, numbers.contact_give / numbers.contact_mass),
+        (numbers.fixed_rate, numbers.fixed_mass, numbers.fixed_give / numbers.fixed_mass),
         numbers.push,
         1.0 / numbers.h,
     )
@@ -104,108 +112,103 @@ def soft_springs(numbers):
 
 @inner_kernel
 def point_law(gap, spring, push, over_h):
-    """What a point asks for: speed, mass and give. It may close its gap; overlap parts by its spring."""
-    if gap > 0.0:
-        return gap * over_h, 1.0, 0.0
-    rate, mass, give = spring
-    return max(rate * gap, -push), mass, give
+    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by
+    its spring.
+    """
+    bias = max(gap, 0.0) * over_h + max(spring[0] * min(gap, 0.0), -push)
+    return bias, 0.0 if gap > 0.0 else spring[2]
 
 
 @inner_kernel
 def solve_two(k11, k12, k22, r1, r2):
     """j1, j2 >= 0 with K j + r >= 0 and complementary: K = (k11, k12; k12, k22), positive definite."""
-    under = k11 * k22 - k12 * k12
     j1, j2 = k12 * r2 - k22 * r1, k12 * r1 - k11 * r2
     if j1 >= 0.0 and j2 >= 0.0:
-        return j1 / under, j2 / under
-    j1 = -r1 / k11
-    if j1 >= 0.0 and k12 * j1 + r2 >= 0.0:
-        return j1, 0.0
-    j2 = -r2 / k22
-    if j2 >= 0.0 and k12 * j2 + r1 >= 0.0:
-        return 0.0, j2
+        under = 1.0 / (k11 * k22 - k12 * k12)
+        return j1 * under, j2 * under
+    if r1 <= 0.0 and r2 * k11 >= k12 * r1:
+        return -r1 / k11, 0.0
+    if r2 <= 0.0 and r1 * k22 >= k12 * r2:
+        return 0.0, -r2 / k22
     return 0.0, 0.0
 
 
 @inner_kernel
-def sweep_contacts(rows, motion, springs, pushing):
+def sweep_contacts(rows, motion, springs, pushing, noting):
     """One sweep: normal impulses, then friction.
 
-    springs: rate, mass and give of overlap between two that move, and against what cannot; fastest push (m/s);
-    1/h. pushing: overlap drives bodies apart, else it is left.
+    springs: rate, mass and softness of overlap between two that move, and against what cannot; fastest push
+    (m/s); 1/h. pushing: overlap drives bodies apart, else it is left. noting: largest impulses are noted.
     """
     row, ends, rare = rows.rows, rows.ends, rows.rare
     moving, fixed, push, over_h = springs
     for c in range(rows.count[0]):
-        a, b = ends[c, END_A], ends[c, END_B]
+        a, b = np.uint64(ends[c, END_A]), np.uint64(ends[c, END_B])
         nx, ny = row[c, ROW_NX], row[c, ROW_NY]
-        ima, iia, imb, iib = row[c, ROW_IMA], row[c, ROW_IIA], row[c, ROW_IMB], row[c, ROW_IIB]
-        wa, wb = motion[a, W], motion[b, W]
-        vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-        un, ut = vx * nx + vy * ny, vx * ny - vy * nx
+        iia, iib, wa, wb = row[c, ROW_IIA], row[c, ROW_IIB], motion[a, W], motion[b, W]
+        x, y = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
+        un, ut = x * nx + y * ny, x * ny - y * nx
+        gone = (motion[b, DX] - motion[a, DX]) * nx + (motion[b, DY] - motion[a, DY]) * ny
+        ca, sa, cb, sb = motion[a, DC] - 1.0, motion[a, DS], motion[b, DC] - 1.0, motion[b, DS]
+        gone += cb * row[c, ROUND_B] - ca * row[c, ROUND_A]
         spring = (0.0, 1.0, 0.0)
         if pushing:
             spring = fixed if row[c, ROW_HARD] > 0.0 else moving
-        gap = gap_now(row, c, ROW_POINT, motion, a, b)
-        bias, mass, give = point_law(gap, spring, push, over_h)
-        ca1, cb1, m1, n1 = (
-            row[c, ROW_POINT + CROSS_A],
-            row[c, ROW_POINT + CROSS_B],
-            row[c, ROW_POINT + MASS_N],
-            row[c, ROW_POINT + JN],
-        )
+        ca1, cb1, k1 = row[c, FIRST + CROSS_A], row[c, FIRST + CROSS_B], row[c, FIRST + STIFF_N]
+        da1, db1, n1 = row[c, FIRST + DOT_A], row[c, FIRST + DOT_B], row[c, FIRST + JN]
+        gap = gone + row[c, FIRST + SEP] + cb * db1 + sb * cb1 - ca * da1 - sa * ca1
+        bias, soft1 = point_law(gap, spring, push, over_h)
         v1 = un + wb * cb1 - wa * ca1 + bias
+        mu = row[c, ROW_MU]
         if ends[c, END_POINTS] == 1:
-            j = max(n1 - m1 * mass * v1 - give * n1, 0.0)
-            row[c, ROW_POINT + JN] = j
-            rare[c, MOST_0] = max(rare[c, MOST_0], j)
-            jn = j - n1
+            j1 = max((k1 * n1 - v1) / (k1 + k1 * soft1), 0.0)
+            row[c, FIRST + JN] = j1
+            if noting:
+                rare[c, MOST_0] = max(rare[c, MOST_0], j1)
+            jn = j1 - n1
             wa, wb = wa - iia * ca1 * jn, wb + iib * cb1 * jn
-            da, db, n1 = row[c, ROW_POINT + DOT_A], row[c, ROW_POINT + DOT_B], row[c, ROW_POINT + JT]
-            most = row[c, ROW_MU] * j
-            j = max(-most, min(most, n1 - row[c, ROW_POINT + MASS_T] * (ut - wb * db + wa * da)))
-            row[c, ROW_POINT + JT] = j
-            jt = j - n1
-            wa, wb = wa + iia * da * jt, wb - iib * db * jt
+            before = row[c, FIRST + JT]
+            j = before - row[c, FIRST + MASS_T] * (ut - wb * db1 + wa * da1)
+            j = max(-mu * j1, min(mu * j1, j))
+            row[c, FIRST + JT] = j
+            jt = j - before
+            wa, wb = wa + iia * da1 * jt, wb - iib * db1 * jt
         else:
-            ca2, cb2, m2, n2 = (
-                row[c, SECOND + CROSS_A],
-                row[c, SECOND + CROSS_B],
-                row[c, SECOND + MASS_N],
-                row[c, SECOND + JN],
-            )
-            k1, k2 = 1.0 / m1, 1.0 / m2
-            soft1 = k1 * give / mass
-            gap = gap_now(row, c, SECOND, motion, a, b)
-            bias, mass, give = point_law(gap, spring, push, over_h)
-            soft2 = k2 * give / mass
+            ca2, cb2, k2 = row[c, SECOND + CROSS_A], row[c, SECOND + CROSS_B], row[c, SECOND + STIFF_N]
+            da2, db2, n2 = row[c, SECOND + DOT_A], row[c, SECOND + DOT_B], row[c, SECOND + JN]
+            gap = gone + row[c, SECOND + SEP] + cb * db2 + sb * cb2 - ca * da2 - sa * ca2
+            bias, soft2 = point_law(gap, spring, push, over_h)
             v2 = un + wb * cb2 - wa * ca2 + bias
             k12 = row[c, COUPLING]
-            j1, j2 = solve_two(k1 + soft1, k12, k2 + soft2, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2)
-            row[c, ROW_POINT + JN], row[c, SECOND + JN] = j1, j2
-            rare[c, MOST_0], rare[c, MOST_1] = max(rare[c, MOST_0], j1), max(rare[c, MOST_1], j2)
+            j1, j2 = solve_two(
+                k1 + k1 * soft1, k12, k2 + k2 * soft2, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2
+            )
+            row[c, FIRST + JN], row[c, SECOND + JN] = j1, j2
+            if noting:
+                rare[c, MOST_0], rare[c, MOST_1] = max(rare[c, MOST_0], j1), max(rare[c, MOST_1], j2)
             n1, n2 = j1 - n1, j2 - n2
             jn = n1 + n2
             wa, wb = wa - iia * (ca1 * n1 + ca2 * n2), wb + iib * (cb1 * n1 + cb2 * n2)
-            da, db, n1 = row[c, ROW_POINT + DOT_A], row[c, ROW_POINT + DOT_B], row[c, ROW_POINT + JT]
-            most = row[c, ROW_MU] * j1
-            j = max(-most, min(most, n1 - row[c, ROW_POINT + MASS_T] * (ut - wb * db + wa * da)))
-            row[c, ROW_POINT + JT] = j
-            jt = j - n1
-            ut += (ima + imb) * jt
-            wa, wb = wa + iia * da * jt, wb - iib * db * jt
-            da, db, n2 = row[c, SECOND + DOT_A], row[c, SECOND + DOT_B], row[c, SECOND + JT]
-            most = row[c, ROW_MU] * j2
-            j = max(-most, min(most, n2 - row[c, SECOND + MASS_T] * (ut - wb * db + wa * da)))
+            before = row[c, FIRST + JT]
+            j = before - row[c, FIRST + MASS_T] * (ut - wb * db1 + wa * da1)
+            j = max(-mu * j1, min(mu * j1, j))
+            row[c, FIRST + JT] = j
+            jt = j - before
+            ut += (row[c, ROW_IMA] + row[c, ROW_IMB]) * jt
+            wa, wb = wa + iia * da1 * jt, wb - iib * db1 * jt
+            before = row[c, SECOND + JT]
+            j = before - row[c, SECOND + MASS_T] * (ut - wb * db2 + wa * da2)
+            j = max(-mu * j2, min(mu * j2, j))
             row[c, SECOND + JT] = j
-            jt += j - n2
-            wa, wb = wa + iia * da * (j - n2), wb - iib * db * (j - n2)
+            j -= before
+            jt += j
+            wa, wb = wa + iia * da2 * j, wb - iib * db2 * j
         x, y = jn * nx + jt * ny, jn * ny - jt * nx
-        motion[a, VX] -= ima * x
-        motion[a, VY] -= ima * y
+        motion[a, VX] -= row[c, ROW_IMA] * x
+        motion[a, VY] -= row[c, ROW_IMA] * y
         motion[a, W] = wa
-        motion[b, VX] += imb * x
-        motion[b, VY] += imb * y
+        motion[b, VX] += row[c, ROW_IMB] * x
+        motion[b, VY] += row[c, ROW_IMB] * y
         motion[b, W] = wb
 
 
@@ -226,7 +229,7 @@ def bounce_contacts(rows, motion, numbers):
             vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
             vn = vx * nx + vy * ny + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
             before = row[c, at + JN]
-            jn = max(before - row[c, at + MASS_N] * (vn + e * rare[c, APPROACH_0 + k]), 0.0)
+            jn = max(before - (vn + e * rare[c, APPROACH_0 + k]) / row[c, at + STIFF_N], 0.0)
             row[c, at + JN] = jn
             rare[c, MOST_0 + k] = max(rare[c, MOST_0 + k], jn)
             push_point(row, c, at, motion, a, b, jn - before, 0.0)

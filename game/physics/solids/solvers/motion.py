@@ -12,7 +12,9 @@ SMALL_TURN = 0.1  # rad, up to which a short series gives cosine and sine to 1e-
 
 @inner_kernel
 def start_motion(bodies, scratch, numbers):
-    """Velocities to motion, accelerations from gravity and from the forces of this step; forces are emptied."""
+    """Velocities to motion, accelerations from gravity and from the forces of this step; forces are
+    emptied.
+    """
     motion, pulls = scratch.motion, scratch.accelerations
     for i in range(bodies.flags.shape[0]):
         flags = bodies.flags[i]

@@ -39,6 +39,6 @@ def solve_sequential_impulses(bodies, rows, joints, scratch, numbers):
         start_warm(rows, motion)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, True)
-            sweep_contacts(rows, motion, springs, True)
+            sweep_contacts(rows, motion, springs, True, True)
         move(motion, numbers.h)
     bounce_contacts(rows, motion, numbers)

@@ -1,4 +1,5 @@
-"""Soft step: substeps, contacts as stiff damped springs, and a relaxing sweep that takes the spring's push out.
+"""Soft step: substeps, contacts as stiff damped springs, and a relaxing sweep that takes the spring's push
+out.
 
 Catto 2023, "Solver2D". A substep: forces, last impulses again, one soft sweep, places, one sweep without
 push. Overlap is compliance, not error: it falls as 1/f² with the frequency f, a quarter of the substeps a
@@ -25,9 +26,9 @@ def solve_soft_step(bodies, rows, joints, scratch, numbers):
         start_warm(rows, motion)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, True)
-            sweep_contacts(rows, motion, springs, True)
+            sweep_contacts(rows, motion, springs, True, False)
         move(motion, numbers.h)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, False)
-            sweep_contacts(rows, motion, springs, False)
+            sweep_contacts(rows, motion, springs, False, True)
     bounce_contacts(rows, motion, numbers)

@@ -15,8 +15,8 @@ from game.scenes.skeletons.cells import COLUMNS, ROWS, Cell, cells_of, frame_of_
 from game.scenes.skeletons.editing import next_click
 from game.scenes.skeletons.parameters import SHOWN
 from game.scenes.skeletons.reaching_model import ReachingModel, ReachingState
-from game.scenes.skeletons.skin_painter import SkinPainter
-from game.scenes.skeletons.view import (
+from game.scenes.skeletons.view.jacobian import draw_jacobian
+from game.scenes.skeletons.view.parts import (
     bone_tokens,
     draw_bones,
     draw_limits,
@@ -24,6 +24,7 @@ from game.scenes.skeletons.view import (
     draw_pen,
     draw_weights,
 )
+from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.stage import Frame, blend_angles
 from game.ui.canvas.canvas import EXACT_DASH, Canvas
 from game.ui.look.numerals import quantity
@@ -80,8 +81,16 @@ class ChainView:
         for n, k in enumerate(places):
             if model.solver is not None:
                 self._draw_target(canvas, cells[k], ends[n][model.inside[-1]])
+                if self._shown.jacobian and k == master:
+                    self._draw_jacobian(canvas, cells[k], bases[n], ends[n])
             self._draw_words(canvas, k, frame)
-        self._draw_hand(canvas, cells[master], ends[places.index(master)])
+        mine = places.index(master)
+        self._draw_hand(canvas, cells[master], bases[mine], ends[mine])
+
+    def _draw_jacobian(self, canvas: Canvas, cell: Cell, bases: Array, ends: Array) -> None:
+        inside = self._model.inside
+        target = cell.out(self._model.target[None])[0]
+        draw_jacobian(canvas, bases[inside], ends[inside[-1]], target)
 
     def _draw_bones(self, canvas: Canvas, places: list[int], bases: Array, ends: Array) -> None:
         """Bones of the figures of these methods, all in one call."""
@@ -94,12 +103,15 @@ class ChainView:
             tokens += bone_tokens(model.rig.shown.count, chosen, shown.weights, inside)
         draw_bones(canvas, bases, ends, tokens)
 
-    def _draw_hand(self, canvas: Canvas, cell: Cell, ends: Array) -> None:
+    def _draw_hand(self, canvas: Canvas, cell: Cell, bases: Array, ends: Array) -> None:
         """What is being made by hand."""
         bench = self._model.bench
         if self._shown.tool == "bone" and bench.chosen != NOWHERE:
             pointer = cell.out(np.array([bench.pointer]))[0]
-            canvas.line(ends[bench.chosen], pointer, "accent", 1.6, dash=(8.0, 6.0))
+            length = float(self._model.rig.skeleton.lengths[bench.chosen])
+            part = 1.0 if bench.socket is None or length == 0.0 else bench.socket / length
+            start = bases[bench.chosen] + part * (ends[bench.chosen] - bases[bench.chosen])
+            canvas.line(start, pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, cell)
         draw_next_click(canvas, next_click(bench, self._shown.tool), bench.pointer, cell)
 

@@ -9,11 +9,10 @@ import numpy as np
 from game.physics.animation import BLENDS, JOINT_LIMITS, SKINNING
 from game.physics.animation.skeleton_editing import NOWHERE
 from game.scenes.skeletons.cells import WHOLE
-from game.scenes.skeletons.editing import next_click
+from game.scenes.skeletons.editing import joint_of, next_click
 from game.scenes.skeletons.model import Array
-from game.scenes.skeletons.skin_painter import SkinPainter
 from game.scenes.skeletons.skinning_model import SkinningModel, SkinningState
-from game.scenes.skeletons.view import (
+from game.scenes.skeletons.view.parts import (
     bone_tokens,
     draw_bones,
     draw_limits,
@@ -22,6 +21,8 @@ from game.scenes.skeletons.view import (
     draw_pen,
     draw_weights,
 )
+from game.scenes.skeletons.view.point_weights import draw_point_weights
+from game.scenes.skeletons.view.skin_painter import SkinPainter
 from game.stage import blend_angles
 from game.ui.canvas.canvas import Canvas
 
@@ -65,6 +66,8 @@ class SkinningView:
             self._painter.paint(canvas, rig, points, 0.35 if shown.weights else 1.0)
         if shown.weights:
             draw_weights(canvas, rig, points, bench.chosen)
+        if shown.weights and shown.tool == "pose" and not bench.held:
+            draw_point_weights(canvas, rig, points, bench.pointer)
         if shown.compare and SKINNING in active:
             other = BLENDS[1 - BLENDS.index(shown.blend)]
             draw_outlines(canvas, rig, rig.skin_shown(other), "text1")
@@ -74,7 +77,7 @@ class SkinningView:
             tokens = bone_tokens(rig.shown.count, bench.chosen, shown.weights)
             draw_bones(canvas, rig.shown.bases, rig.shown.ends, [token or "text1" for token in tokens])
         if shown.tool == "bone" and bench.chosen != NOWHERE:
-            canvas.line(rig.shown.ends[bench.chosen], bench.pointer, "accent", 1.6, dash=(8.0, 6.0))
+            canvas.line(joint_of(bench, rig.shown), bench.pointer, "accent", 1.6, dash=(8.0, 6.0))
         draw_pen(canvas, bench.drawn, bench.pointer, WHOLE)
         draw_next_click(canvas, next_click(bench, shown.tool), bench.pointer, WHOLE)
 

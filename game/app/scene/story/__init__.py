@@ -1,0 +1,1 @@
+"""A story in the window: time bar, camera, words, take over and go on."""

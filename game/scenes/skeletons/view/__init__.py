@@ -1,0 +1,1 @@
+"""How figures, skins and chains are drawn."""

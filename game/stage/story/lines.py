@@ -1,0 +1,190 @@
+"""The words of a story: eight verbs, each a line; and what must be true of it.
+
+Times of a story are those of its film (s): where it goes slowly, a second of film is less of simulated time.
+Only `Do` touches the scene, by the events that a hand would send.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from game.levels import Level
+
+Seconds = Annotated[float, msgspec.Meta(ge=0.0, le=3600.0)]
+Words = Annotated[str, msgspec.Meta(min_length=1, max_length=300)]
+Name = Annotated[str, msgspec.Meta(min_length=1, max_length=60)]
+Coordinate = Annotated[float, msgspec.Meta(ge=-1e9, le=1e9)]
+Width = Annotated[float, msgspec.Meta(ge=1e-9, le=1e9)]
+Place = tuple[Coordinate, Coordinate] | str  # m, or what the scene calls it
+# (msgspec 0.22 mixes up the lengths of a text and of a list where both are limited within one union)
+
+WHOLE = "whole"  # the place, and the width, of the frame that the scene shows by itself
+EASE_S = 1.5
+
+
+class Line(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
+    """What all lines may say of when they begin.
+
+    at: a moment at which it begins, out of its turn; without one it waits for the line before. after: s more.
+    meanwhile: the line after it does not wait for its end.
+    """
+
+    at: str = ""
+    after: Seconds = 0.0
+    meanwhile: bool = False
+
+
+class Title(Line, frozen=True, kw_only=False):
+    """A card over the picture: a heading and a line below it. seconds: how long."""
+
+    title: Words
+    line: Annotated[str, msgspec.Meta(max_length=120)] = ""
+    seconds: Seconds = 4.0
+
+
+class _Camera(Line, frozen=True, kw_only=True):
+    """width: m that are seen across, else as before. ease: s until it is there. cut: at once."""
+
+    width: Width | Literal["whole"] | None = None
+    ease: Seconds = EASE_S
+    cut: bool = False
+
+
+class Look(_Camera, frozen=True, kw_only=False):
+    """The camera goes to a place and stays."""
+
+    look: Place
+
+
+class Follow(_Camera, frozen=True, kw_only=False):
+    """The camera goes with what the scene calls so."""
+
+    follow: Name
+
+
+class Deed(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
+    """One of: an action; a parameter set to a value; an effect on or off; a pointer at a place.
+
+    over: s of simulated time in which a parameter goes to its value, or a drag ``to`` a place. Without it
+    both are there at once.
+    """
+
+    action: str = ""
+    parameter: str = ""
+    value: float | bool | str | None = None
+    effect: str = ""
+    on: bool = True
+    pointer: Literal["", "click", "drag", "move", "down", "up", "wheel"] = ""
+    place: Place | None = None
+    to: Place | None = None
+    button: Annotated[int, msgspec.Meta(ge=1, le=3)] = 1
+    wheel: Annotated[float, msgspec.Meta(ge=-100.0, le=100.0)] = 0.0
+    shift: bool = False
+    control: bool = False
+    over: Seconds = 0.0
+
+
+class Do(Line, frozen=True, kw_only=False):
+    """What a hand would do."""
+
+    do: Deed
+
+
+class Say(Line, frozen=True, kw_only=False):
+    """A caption; {readout} stands for its value with its unit, {readout:.1f} for the number alone.
+
+    until: the moment at which it goes, once it could be read; without one it stays as long as reading takes.
+    """
+
+    say: Words
+    until: str = ""
+
+
+class Moment(Line, frozen=True, kw_only=False):
+    """Waits until the state is so. when: one or more of "READOUT > NUMBER" (or <, >=, <=), all at a time.
+
+    deadline: s of simulated time that it may take. chapter: how the film calls what begins then.
+    """
+
+    moment: Name
+    when: str | tuple[str, ...]
+    deadline: Annotated[float, msgspec.Meta(gt=0.0, le=3600.0)]
+    chapter: Annotated[str, msgspec.Meta(max_length=60)] = ""
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """All that must be true at a time."""
+        return (self.when,) if isinstance(self.when, str) else self.when
+
+    @property
+    def heading(self) -> str:
+        """The name of its chapter."""
+        return self.chapter or self.moment[0].upper() + self.moment[1:]
+
+
+class Slow(Line, frozen=True, kw_only=False):
+    """Simulated seconds for one of the film, from here on; 1 is as fast as it is."""
+
+    slow: Annotated[float, msgspec.Meta(ge=1.0 / 16.0, le=4.0)]
+
+
+class HandOver(Line, frozen=True, kw_only=False):
+    """The end card; from then on the scene is the viewer's. seconds: how long it stands in a film."""
+
+    hand_over: Words
+    seconds: Annotated[float, msgspec.Meta(ge=1.0, le=60.0)] = 5.0
+
+
+class Expect(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """A readout must lie from ``least`` to ``most``.
+
+    at: when, a moment or s of simulated time. by: at some time not later than that. Without either: at the
+    end.
+    """
+
+    expect: Name
+    least: float | None = None
+    most: float | None = None
+    at: Name | Seconds | None = None
+    by: Name | Seconds | None = None
+
+    def holds(self, value: float) -> bool:
+        """Whether a value lies within; one that is not a number does not."""
+        low, high = self.least, self.most
+        return value == value and (low is None or value >= low) and (high is None or value <= high)
+
+    @property
+    def range(self) -> str:
+        """The range in words."""
+        low, high = self.least, self.most
+        if low is None:
+            return f"at most {high:g}"
+        return f"at least {low:g}" if high is None else f"{low:g} to {high:g}"
+
+
+StoryLine = Title | Look | Follow | Do | Say | Moment | Slow | HandOver
+VERBS: dict[str, type[StoryLine]] = {
+    "title": Title, "look": Look, "follow": Follow, "do": Do, "say": Say, "moment": Moment, "slow": Slow,
+    "hand_over": HandOver,
+}  # fmt: skip
+
+
+class Story(msgspec.Struct, frozen=True, kw_only=True):
+    """A whole story. ``level`` is what it begins with, its title and words among them."""
+
+    name: str
+    level: Level
+    lines: tuple[StoryLine, ...]
+    expectations: tuple[Expect, ...] = ()
+
+    @property
+    def scene(self) -> str:
+        """Name of the scene that it is played in."""
+        return self.level.scene
+
+    @property
+    def title(self) -> str:
+        """Its title."""
+        return self.level.title

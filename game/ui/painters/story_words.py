@@ -1,0 +1,106 @@
+"""The words of a story over its picture: captions at the foot, cards over all of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import pygame
+
+from game.ui.look.look import Look
+from game.ui.look.shapes import draw_box
+
+SIZE, LEADING = 21, 1.36  # design px, of a caption's letters; times that from line to line
+WIDEST = 0.74  # of the picture's width
+ROW = (18, 10)  # design px about a caption's words
+EDGE = 0.045  # of the picture's height from a caption to its edge
+ROW_SHARE = 0.5  # of a row's width, between what stands at its ends
+SMALLEST = 11
+FADE_S = 0.25
+CARD_FADE_S = 0.6
+
+CardLine = tuple[str, int, str, str]  # words, size in design px, weight, colour
+
+
+def opacity_at(time: float, begins: float, ends: float, fade_s: float = FADE_S) -> float:
+    """How far words have come, 0 to 1, that stand from one moment to another, s."""
+    return min(max(min((time - begins) / fade_s, (ends - time) / fade_s), 0.0), 1.0)
+
+
+def caption_rect(look: Look, rect: pygame.Rect, text: str, above: bool = False) -> pygame.Rect:
+    """Where a caption lies in a picture: at its foot, or ``above``; px."""
+    lines = _lines(look, rect, text)
+    width = max(look.fonts.size(line, SIZE, "semibold")[0] for line in lines) + 2 * look.px(ROW[0])
+    height = round(len(lines) * SIZE * LEADING * look.k) + 2 * look.px(ROW[1])
+    place = pygame.Rect(0, 0, width, height)
+    edge = round(EDGE * rect.h)
+    if above:
+        place.midtop = (rect.centerx, rect.y + edge)
+    else:
+        place.midbottom = (rect.centerx, rect.bottom - edge)
+    return place
+
+
+def draw_caption(
+    surface: pygame.Surface, look: Look, rect: pygame.Rect, text: str, opacity: float, above: bool = False
+) -> None:
+    """A caption in a picture's rectangle, on a ground of its own."""
+    if opacity <= 0.0 or not text:
+        return
+    place = caption_rect(look, rect, text, above)
+    theme = look.theme
+    card = pygame.Surface(place.size, pygame.SRCALPHA, 32)
+    draw_box(
+        card, card.get_rect(), look.px(12), pygame.Color(theme.panel.r, theme.panel.g, theme.panel.b, 226)
+    )
+    y = look.px(ROW[1]) + 0.5 * SIZE * LEADING * look.k
+    for line in _lines(look, rect, text):
+        look.text(card, line, (place.w // 2, round(y)), SIZE, "semibold", "text1", "center")
+        y += SIZE * LEADING * look.k
+    card.set_alpha(round(255 * opacity))
+    surface.blit(card, place)
+
+
+def draw_row_caption(
+    surface: pygame.Surface, look: Look, row: pygame.Rect, text: str, opacity: float
+) -> None:
+    """A caption in one line in the middle of a row (px) of its own, as large as fits there."""
+    if opacity <= 0.0 or not text:
+        return
+    room = round(ROW_SHARE * row.w)
+    fitting = [
+        size for size in range(SIZE, SMALLEST, -1) if look.fonts.size(text, size, "semibold")[0] <= room
+    ]
+    size = fitting[0] if fitting else SMALLEST
+    words = look.fonts.fit(text, size, "semibold", room)
+    picture = look.fonts.render(words, size, "semibold", look.color("text1", words=True)).copy()
+    picture.set_alpha(round(255 * opacity))
+    surface.blit(picture, picture.get_rect(center=row.center))
+
+
+def _lines(look: Look, rect: pygame.Rect, text: str) -> list[str]:
+    return look.fonts.wrap(text, SIZE, "semibold", round(WIDEST * rect.w)) or [""]
+
+
+def draw_card(
+    surface: pygame.Surface, look: Look, rect: pygame.Rect, lines: Sequence[CardLine], opacity: float,
+    rise: float = 0.0,
+) -> None:  # fmt: skip
+    """Lines of words in the middle of a rectangle, on a darkened picture. ``rise``: design px downwards."""
+    if opacity <= 0.0:
+        return
+    scrim = look.theme.scrim
+    veil = pygame.Surface(rect.size, pygame.SRCALPHA, 32)
+    veil.fill((scrim.r, scrim.g, scrim.b, round(scrim.a * opacity)))
+    surface.blit(veil, rect)
+    rows = [
+        (part, size, weight, color)
+        for words, size, weight, color in lines
+        for part in look.fonts.wrap(words, size, weight, rect.w - look.px(64))
+    ]
+    heights = [look.px(1.5 * size) for _, size, _, _ in rows]
+    y = rect.centery - 0.5 * sum(heights) + rise * look.k
+    for (words, size, weight, color), height in zip(rows, heights, strict=True):
+        picture = look.fonts.render(words, size, weight, look.color(color, words=True)).copy()
+        picture.set_alpha(round(255 * opacity))
+        surface.blit(picture, picture.get_rect(center=(rect.centerx, round(y + 0.5 * height))))
+        y += height

@@ -1,0 +1,147 @@
+"""Every story of every scene: it ends, what it says is so, its words can be read, its camera keeps up."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from game.scenes import CATALOGUE
+from game.stage import Action, ParameterError, Pointer, Stage, replay_scene
+from game.stage.story.course import READING, Caption
+from game.stage.story.lines import Moment, Story
+from game.stage.story.reading import stories_of
+from game.stage.story.rehearsal import Rehearsal, result_of, stage_of
+from game.stage.story.runner import Runner
+
+LEAST_S = 60.0
+LOOK_EVERY_S = 0.1
+TAKE_OVERS, AFTER_S = 20, 0.4
+
+pytestmark = pytest.mark.compiled
+
+
+class Performance(NamedTuple):
+    """A story played to its end, and what was seen of it on the way."""
+
+    story: Story
+    stage: Stage
+    runner: Runner
+    found: Rehearsal
+    digest: str
+    off_middle: list[tuple[float, float]]  # s of film; the target's distance from the middle over its limit
+    outside: list[float]  # s of film at which the view had no finite place
+
+
+def _stories() -> list[tuple[str, str]]:
+    return [(entry.name, one.name) for entry in CATALOGUE for one in stories_of(entry.load())]
+
+
+@pytest.fixture(scope="module", params=_stories(), ids="/".join)
+def played(request: pytest.FixtureRequest) -> Performance:
+    scene_type = CATALOGUE[request.param[0]].load()
+    story = next(one for one in stories_of(scene_type) if one.name == request.param[1])
+    stage = stage_of(story, scene_type)
+    runner = Runner(story, stage)
+    off, outside = [], []
+    every = max(1, round(LOOK_EVERY_S / stage.dt))
+    while not runner.finished and stage.fault is None and stage.time_s < 600.0:
+        stage.run(every)
+        view, target = runner.view(runner.shown_s), runner.target()
+        if not all(map(math.isfinite, view)):
+            outside.append(runner.shown_s)
+        if target is not None and runner.arrived(runner.shown_s):
+            share = max(
+                abs(target[0] - view.x) / (0.3 * view.width), abs(target[1] - view.y) / (0.16875 * view.width)
+            )
+            off.append((runner.shown_s, share))
+    return Performance(story, stage, runner, result_of(runner), stage.digest(), off, outside)
+
+
+def test_it_ends_and_lasts_a_minute(played: Performance) -> None:
+    assert played.stage.fault is None and played.found.ended
+    assert played.found.film_s >= LEAST_S and played.found.time_s >= LEAST_S
+
+
+def test_every_moment_comes_before_its_deadline(played: Performance) -> None:
+    named = [line.moment for line in played.story.lines if isinstance(line, Moment)]
+    assert sorted(one.name for one in played.found.moments) == sorted(named)
+    assert [one.name for one in played.found.moments if one.missed] == []
+
+
+def test_everything_that_is_expected_is_so(played: Performance) -> None:
+    assert played.story.expectations
+    assert played.found.failures == []
+
+
+def test_captions_can_be_read_and_do_not_overlap(played: Performance) -> None:
+    captions: list[Caption] = played.runner.course.captions()
+    assert captions
+    for one in captions:
+        assert "–" not in one.text.split(), one  # a number that was not measured
+        assert (one.ends - one.begins) * READING >= len(one.text) - 1e-6
+    spans = [(one.begins, one.ends) for one in captions]
+    spans += [(begins, ends) for _, begins, ends in played.runner.course.cards()]
+    for (_, ends), (begins, _) in itertools.pairwise(sorted(spans)):
+        assert begins >= ends - 1e-9
+
+
+def test_the_camera_keeps_its_subject(played: Performance) -> None:
+    assert played.outside == []
+    assert [pair for pair in played.off_middle if pair[1] > 1.0 + 1e-9] == []
+
+
+def test_chapters_lie_apart(played: Performance) -> None:
+    begins = [one.film_s for one in played.found.chapters]
+    assert len(begins) >= 4
+    assert all(b - a >= 2.0 for a, b in itertools.pairwise(begins))
+
+
+@pytest.mark.slow
+def test_its_replay_is_equal(played: Performance) -> None:
+    recording = played.stage.recording
+    assert replay_scene(recording, played.stage.scene_type).digest() == recording.digest
+
+
+@pytest.mark.slow
+def test_whoever_takes_over_does_no_harm_and_the_script_goes_on_the_same(played: Performance) -> None:
+    story, scene_type = played.story, played.stage.scene_type
+    stage = stage_of(story, scene_type)
+    runner = Runner(story, stage, looks=False)
+    random = np.random.default_rng(18)
+    for step in sorted(random.integers(1, played.found.steps - 1, TAKE_OVERS).tolist()):
+        stage.run(max(step - stage.step_number, 0))
+        here, before = stage.step_number, stage.digest()
+        runner.take_over()
+        for event in _pokes(stage, random):
+            try:
+                stage.post(event)
+            except ParameterError:  # refused in words, as a window would tell
+                continue
+        stage.run(round(AFTER_S / stage.dt))
+        assert stage.fault is None, stage.fault
+        runner.return_to(here)
+        assert stage.digest() == before
+    stage.run(played.found.steps - stage.step_number)
+    assert stage.digest() == played.digest
+
+
+def _pokes(stage: Stage, random: np.random.Generator) -> list[Pointer | Action]:
+    """A drag from a place to another, and one of the scene's actions."""
+    frame = stage.scene.frame()
+    targets = [*stage.scene.story_targets().values()]
+    low, high = (frame.left, frame.bottom), (frame.right, frame.top)
+    start = targets[int(random.integers(len(targets)))] if targets else random.uniform(low, high)
+    end = random.uniform(low, high)
+    pokes: list[Pointer | Action] = [
+        Pointer("down", float(start[0]), float(start[1]), 1),
+        Pointer("move", float(end[0]), float(end[1]), 1),
+        Pointer("up", float(end[0]), float(end[1]), 1),
+    ]
+    actions = stage.scene_type.actions
+    if actions:
+        pokes.append(Action(actions[int(random.integers(len(actions)))].name))
+    return pokes

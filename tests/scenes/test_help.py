@@ -1,0 +1,19 @@
+"""What the help pages of the scenes with equations must say."""
+
+from __future__ import annotations
+
+import inspect
+
+import pytest
+
+from game.scenes import CATALOGUE
+
+NAMES = ("c01", "c02", "c03", "c04", "c12", "c13", "c14", "c15")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_symbols_are_explained(name):
+    words = " ".join(inspect.cleandoc(CATALOGUE[name].load().__doc__ or "").split())
+    assert "In the equations:" in words
+    explained = words.partition("In the equations:")[2]
+    assert explained.count(",") > 4
