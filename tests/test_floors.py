@@ -47,7 +47,7 @@ FOLDERS = {
         "many growing",
         "game",
         "search",
-        "map",
+        "map rhythm",
         "players",
     ),
     "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),

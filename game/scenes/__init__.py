@@ -5,6 +5,7 @@ imports nothing of the scenes.
 """
 
 from game.scenes import (
+    beat,
     billiards,
     bounds,
     boxes,
@@ -38,5 +39,6 @@ CATALOGUE = Catalogue(
         *rigid_body.ENTRIES,
         *spheres.ENTRIES,
         *examples.ENTRIES,
+        *beat.ENTRIES,
     )
 )

@@ -1,1 +1,1 @@
-"""Shots whose impacts meet a given beat: what is heard of a shot, and a search for one that is heard on time."""
+"""Shots whose impacts meet a given beat: what is heard of a shot, and the search for one on time."""

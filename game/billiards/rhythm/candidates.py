@@ -1,7 +1,7 @@
 """Candidates of the search as plain numbers, and what each costs by all its impacts, however quiet.
 
-A candidate of n balls is a row of 4 + 2 n numbers: speed (m/s) and azimuth (rad) of the stroke, tip left and up
-(ball radii), then x and y (m) of each ball, the cue ball first.
+A candidate of n balls is a row of 4 + 2 n numbers: speed (m/s) and azimuth (rad) of the stroke, tip left and
+up (ball radii), then x and y (m) of each ball, the cue ball first.
 """
 
 from __future__ import annotations
@@ -49,17 +49,18 @@ class Candidates:
         spread = np.linspace(0.1, 0.9, balls)
         places = np.stack([np.full(balls, 0.5 * table.width), spread * table.length], axis=1)
         self._one = batch_of([make_shot(table, places, physics=physics)])
+        self._to_kernel = self._one.balls[0, 0, IN_X : IN_Y + 1] - places[0]  # it counts from the table's middle
         self.radius = float(self._one.balls[0, 0, IN_RADIUS])
 
     def shot(self, row: Array) -> Shot:
         """One candidate as a shot; ShotError if it can be none."""
-        balls = self._batch(row[None]).balls[0]
-        return make_shot(self.table, balls[:, 0:2], balls[:, 2:4], balls[:, 4:7], physics=self.physics)
+        balls, places = self._batch(row[None]).balls[0], row[STROKE:].reshape(-1, 2)
+        return make_shot(self.table, places, balls[:, 2:4], balls[:, 4:7], physics=self.physics)
 
     def rough_costs(self, rows: Array, beats: Array) -> Array:
-        """Cost (s) of each row (m, 4 + 2 n) by all its impacts; infinite for balls in one another or outside."""
+        """Cost (s) of each row (m, 4 + 2 n) by all impacts; infinite for balls in one another or outside."""
         batch = self._batch(rows)
-        x, y, r = batch.balls[:, :, IN_X], batch.balls[:, :, IN_Y], self.radius
+        x, y, r = rows[:, STROKE::2], rows[:, STROKE + 1 :: 2], self.radius
         inside = (x > r) & (x < self.table.width - r) & (y > r) & (y < self.table.length - r)
         sound = np.all(inside, axis=1) & are_apart(x, y, 2.0 * r * (1.0 + 1e-9))
         costs = np.full(len(rows), math.inf)
@@ -85,7 +86,7 @@ class Candidates:
         strokes[:, SPEED], strokes[:, 1], strokes[:, 3:] = rows[:, 0], rows[:, 1], rows[:, 2:STROKE]
         strokes[:, 3:] *= (LARGEST_TIP / np.maximum(np.hypot(rows[:, 2], rows[:, 3]), LARGEST_TIP))[:, None]
         strike_all(strokes, one.balls[0], 0, CUE_END_MASS, CUE_MASS, balls)
-        balls[:, :, IN_X : IN_Y + 1] = rows[:, STROKE:].reshape(m, self.balls, 2)
+        balls[:, :, IN_X : IN_Y + 1] = rows[:, STROKE:].reshape(m, self.balls, 2) + self._to_kernel
         balls[:, :, IN_CLEAR] = 0.0
         constants, ranges = np.repeat(one.constants, m, axis=0), np.repeat(one.ranges, m, axis=0)
         return Batch(balls, constants, one.elements, ranges)

@@ -1,10 +1,10 @@
 """A shot whose impacts meet a given beat, found by search over the stroke and where the balls lie.
 
-Motion that meets sound is found, not steered: every candidate is a shot of the exact table, played as any other.
-A ball that nobody has met yet may lie anywhere. So for the next beat one is laid where a ball that moves then
-will just meet it, in any direction: the impact is on the beat to rounding, and what came before stays as it
-was. A beam search (Lowerre 1976) keeps the layouts that are heard least between the beats. What clicks off the
-beat at the end, at a cushion mostly, is then moved by an evolution strategy with plus selection (Rechenberg
+Motion that meets sound is found, not steered: every candidate is a shot of the exact table, played as any
+other. A ball that nobody has met yet may lie anywhere. So for the next beat one is laid where a ball that moves
+then will just meet it, in any direction: the impact is on the beat to rounding, and what came before stays as
+it was. A beam search (Lowerre 1976) keeps the layouts that are heard least between the beats. What clicks off
+the beat at the end, at a cushion mostly, is then moved by an evolution strategy with plus selection (Rechenberg
 1973), side by side for each layout, so that no early luck drives out the others. The tip's click is the first
 beat. Cost: see `candidates.rate_shots`.
 """
@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -33,7 +34,11 @@ LEAST_MOVING = 0.15  # m/s; what is slower by then is not laid anything in its w
 WIDEST = 1.25  # rad from its path, at which a ball meets the one laid for it
 LIVELY = 2.0  # m/s; below it, the slower the fastest ball, the less is hoped for
 MOST_FEARED = 3  # beats
-BEAM, DIRECTIONS, FAMILY = 64, 16, 4  # layouts kept; balls laid for each that moves; children kept of one layout
+BEAM, DIRECTIONS, FAMILY = (
+    64,
+    16,
+    4,
+)  # layouts kept; balls laid for each that moves; children kept of one layout
 CHILDREN, HEARD = 96, 3  # of a layout in a round of the evolution; listened to of these
 
 
@@ -69,12 +74,20 @@ class Rhythm(NamedTuple):
         return math.sqrt(sum(miss * miss for miss in capped) / len(capped)) + EXTRA * self.extras
 
 
+def rhythm_of(trajectory: Trajectory, beats: tuple[float, ...], candidate: Array) -> Rhythm:
+    """How a candidate that was played meets some beats (s)."""
+    times = heard_impacts(trajectory, beats[-1])
+    misses = tuple(min((time - beat for time in times), key=abs) for beat in beats)
+    speed = float(np.max(np.hypot(*trajectory.state_at(beats[-1]).velocities.T)))
+    return Rhythm(trajectory.shot, beats, times, misses, tuple(candidate.tolist()), speed)
+
+
 def check_beats(beats: Sequence[float]) -> tuple[float, ...]:
     """Beats (s) from the first on; ValueError unless there are 2 to MOST_BEATS, in order and apart."""
     times = tuple(float(beat) - float(beats[0]) for beat in beats) if len(beats) else ()
     if not 2 <= len(times) <= MOST_BEATS:
         raise ValueError(f"beats: expected 2 to {MOST_BEATS}, got {len(times)}")
-    for before, after in zip(times, times[1:], strict=False):
+    for before, after in pairwise(times):
         if not after - before >= LEAST_GAP:
             raise ValueError(f"beats: expected at least {LEAST_GAP:g} s between two, got {after - before:g}")
     if not times[-1] <= MOST_SECONDS:
@@ -86,7 +99,7 @@ class RhythmSearch:
     """The search for one beat: ``improve`` goes one step on, ``best`` is what it has come to.
 
     First a step for each beat lays the balls, so that there are as many as beats; every further one varies
-    them. What it finds depends on the arguments alone. ValueError, naming the argument, for what makes no sense.
+    them. What it finds depends on the arguments alone. ValueError, naming the argument, for absurd ones.
     """
 
     def __init__(
@@ -118,7 +131,9 @@ class RhythmSearch:
         elif len(self._rows):
             self._vary()
 
-    def run(self, steps: int, go_on: Callable[[], bool] = lambda: True, good_s: float = 1e-3) -> Rhythm | None:
+    def run(
+        self, steps: int, go_on: Callable[[], bool] = lambda: True, good_s: float = 1e-3
+    ) -> Rhythm | None:
         """So many steps, unless it is told to stop, or the cost has come to ``good_s``; what was found."""
         for _ in range(steps):
             best = self.best()
@@ -227,7 +242,4 @@ class RhythmSearch:
         trajectory = self._play(row, beats[-1] + FARTHEST_MISS)
         if trajectory is None:
             return None
-        times = heard_impacts(trajectory, beats[-1])
-        misses = tuple(min((time - beat for time in times), key=abs) for beat in beats)
-        speed = float(np.max(np.hypot(*trajectory.state_at(beats[-1]).velocities.T)))
-        return Rhythm(trajectory.shot, beats, times, misses, tuple(row.tolist()), speed)
+        return rhythm_of(trajectory, beats, row)
