@@ -49,7 +49,8 @@ class Candidates:
         spread = np.linspace(0.1, 0.9, balls)
         places = np.stack([np.full(balls, 0.5 * table.width), spread * table.length], axis=1)
         self._one = batch_of([make_shot(table, places, physics=physics)])
-        self._to_kernel = self._one.balls[0, 0, IN_X : IN_Y + 1] - places[0]  # it counts from the table's middle
+        # a kernel counts from the middle of the table
+        self._to_kernel = self._one.balls[0, 0, IN_X : IN_Y + 1] - places[0]
         self.radius = float(self._one.balls[0, 0, IN_RADIUS])
 
     def shot(self, row: Array) -> Shot:

@@ -13,13 +13,13 @@ def readouts_of(model: BeatModel) -> tuple[Readout, ...]:
     shown = model.shown
     count = Readout("beats", len(model.beats))
     if shown is None:
-        return (count, Readout("error", math.nan, "ms"), Readout("largest error", math.nan, "ms"),
+        return (count, Readout("error", math.nan, "s"), Readout("largest error", math.nan, "s"),
                 Readout("impacts", math.nan), Readout("off the beat", math.nan))  # fmt: skip
     found = shown[1]
     return (
         count,
-        Readout("error", 1e3 * found.error_s, "ms"),
-        Readout("largest error", 1e3 * max(map(abs, found.misses)), "ms"),
+        Readout("error", found.error_s, "s"),
+        Readout("largest error", max(map(abs, found.misses)), "s"),
         Readout("impacts", len(found.impacts)),
         Readout("off the beat", found.extras),
     )

@@ -18,6 +18,7 @@ from game.scenes.beat.parameters import BeatParameters
 from game.scenes.beat.readouts import readouts_of
 from game.scenes.beat.searching import Searcher
 from game.scenes.beat.state import PLAYING, BeatState
+from game.scenes.shared.expectations import captions_of
 from game.scenes.shared.tables import view as table_view
 from game.stage import Decision, Equation, Frame, Hearing, Hint, Pointer, Readout, Scene, SceneAction, WarmUp
 
@@ -25,7 +26,7 @@ from game.stage import Decision, Equation, Frame, Hearing, Hint, Pointer, Readou
 class Beat(Scene):
     """Tap a beat with B, or on the bar below the table, and rest: a stroke is found whose impacts meet it.
     Nothing is steered. For each beat a ball is laid where one that moves then will just meet it, in any of
-    many directions; the exact table says what comes of it, and layouts that click between the beats fall behind.
+    many directions; the exact table says what comes of it; layouts that click between the beats fall behind.
     The impacts are on the beat to rounding; what cushions add off the beat is counted.
     """
 
@@ -93,7 +94,8 @@ class Beat(Scene):
         return view.frame_of(self.model)
 
     def draw(self, canvas: Any, alpha: float) -> None:
-        view.draw(canvas, self.model, self.previous, alpha)
+        captions = captions_of(self.content.expected, self.readouts())
+        view.draw(canvas, self.model, self.previous, alpha, captions)
 
     def readouts(self) -> tuple[Readout, ...]:
         return readouts_of(self.model)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from game.billiards.laws.state import BALL_POCKET, IN_RADIUS
 from game.billiards.shot.trajectory import Trajectory
 from game.scenes.beat.model import SHOWN_S, BeatModel
 from game.scenes.beat.state import CLOCK, PLAYING, SEARCHING, SILENT, TAPPING, BeatState
+from game.scenes.shared.expectations import Caption, draw_captions
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_stick, draw_table
 from game.stage import Frame
 from game.ui.canvas.canvas import Canvas
@@ -33,8 +36,14 @@ def frame_of(model: BeatModel) -> Frame:
     return Frame(-RIM, -RIM, PAD.right + 0.06, model.table.length + RIM)
 
 
-def draw(canvas: Canvas, model: BeatModel, previous: BeatState | None, alpha: float) -> None:
-    """A moment between two steps."""
+def draw(
+    canvas: Canvas,
+    model: BeatModel,
+    previous: BeatState | None,
+    alpha: float,
+    captions: Sequence[Caption] = (),
+) -> None:
+    """A moment between two steps; what a level expects, beside what is measured."""
     canvas.fill("bg")
     time = model.clock
     if previous is not None and previous.numbers[CLOCK] <= time:
@@ -50,6 +59,7 @@ def draw(canvas: Canvas, model: BeatModel, previous: BeatState | None, alpha: fl
             _draw_cue(canvas, model, time)
     canvas.halo = canvas.theme.bg
     _draw_bar(canvas, model, time)
+    draw_captions(canvas, (-RIM + 0.02, 0.5 * model.table.length), captions)
 
 
 def balls_at(trajectory: Trajectory, time: float) -> Balls:
