@@ -47,6 +47,7 @@ FOLDERS = {
         "many growing",
         "game",
         "search",
+        "map rhythm",
         "players",
     ),
     "ui": ("look raster sound", "text", "canvas", "painters widgets", "charts panel"),

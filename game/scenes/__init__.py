@@ -5,6 +5,7 @@ imports nothing of the scenes.
 """
 
 from game.scenes import (
+    beat,
     billiards,
     bounds,
     boxes,
@@ -44,5 +45,6 @@ CATALOGUE = Catalogue(
         *fireworks.ENTRIES,
         *solids.ENTRIES,
         *tracks.ENTRIES,
+        *beat.ENTRIES,
     )
 )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -200,28 +200,36 @@ class Board:
 
     def _play_chunk(self, strokes: Array, outcomes: Outcomes, start: int) -> None:
         """Play one chunk into its rows of the outcomes."""
-        end = min(start + CHUNK, len(strokes))
-        m = end - start
+        chunk = strokes[start : start + CHUNK]
+        for log, first, played in self.played(chunk):
+            sum_up(
+                log.events, log.ends, log.final, self.cue, first, played,
+                *(column[start : start + len(chunk)] for column in outcomes),
+            )  # fmt: skip
+
+    def played(self, strokes: Array) -> Iterator[tuple[Log, int, int]]:
+        """Play at most CHUNK strokes (m, 5): a log, and from which to which row it holds them, part by part.
+
+        The log is this thread's own, and is written over by the next part.
+        """
+        m = len(strokes)
         buffers = _buffers_for(self.count)
         balls, constants, ranges = buffers.balls[:m], buffers.constants[:m], buffers.ranges[:m]
         constants[:] = self._constants
         ranges[:] = self._ranges
-        strike_all(strokes[start:end], self.base, self.cue, CUE_END_MASS, CUE_MASS, balls)
+        strike_all(strokes, self.base, self.cue, CUE_END_MASS, CUE_MASS, balls)
         log = buffers.log
         rows = Log(log.events, log.segments, log.ends[:m], log.final[:m])
         first = 0
         while first < m:
-            played = int(
+            end = int(
                 play_shots(
                     *workspace_for(self.count), balls, constants, self._elements, ranges, *rows,
                     first, math.inf, MAX_EVENTS,
                 )
             )  # fmt: skip
-            sum_up(
-                rows.events, rows.ends, rows.final, self.cue, first, played,
-                *(column[start:end] for column in outcomes),
-            )  # fmt: skip
-            first = played
+            yield rows, first, end
+            first = end
 
 
 def in_threads(

@@ -33,6 +33,10 @@ SIDE_MOUTH = 0.130  # m (WPA 9: 127 to 130 mm)
 SIDE_FACING = math.radians(104.0)  # (WPA 9: 104 +- 1 degrees)
 SIDE_JAW_RADIUS = 0.008  # m
 
+CAROM_WIDTH = 1.42  # m, between the noses (UMB, World rules of carom billiard, article 11)
+CAROM_LENGTH = 2.84  # m
+CAROM_CUSHION_HEIGHT = 0.037  # m; nose above the cloth, 36 to 37 mm (article 11)
+
 POCKET_NAMES = ("lower left", "lower right", "middle left", "middle right", "upper left", "upper right")
 
 
@@ -54,6 +58,11 @@ class Table(NamedTuple):
     def pool(cls) -> Table:
         """Nine-foot pool table with six pockets, the cushions between them ending in rounded jaws."""
         return _pool_table()
+
+    @classmethod
+    def carom(cls) -> Table:
+        """Match table for carom billiards: four full rails, in the order left, right, lower, upper."""
+        return cls.bare(CAROM_WIDTH, CAROM_LENGTH, CAROM_CUSHION_HEIGHT)
 
     @classmethod
     def bare(cls, width: float, length: float, cushion_height: float = CUSHION_HEIGHT) -> Table:

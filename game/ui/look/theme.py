@@ -20,11 +20,14 @@ from game.ui.look.measures import Metrics, auto_scale, border_width, metrics
 __all__ = [
     "BALL_COLORS",
     "BALL_WHITE",
+    "CAROM_COLORS",
+    "CAROM_SPOT",
     "CUE_BALL",
     "CUE_BALL_SPOT",
     "CUE_CHALK",
     "DARK",
     "FELT",
+    "FELT_BLUE",
     "FELT_COOL",
     "FELT_LINE",
     "FELT_WARM",
@@ -201,6 +204,7 @@ THEMES = {theme.name: theme for theme in (DARK, LIGHT)}
 
 # The billiard table keeps its colours in both themes.
 FELT = Color("#1E6E66")
+FELT_BLUE = Color("#1F4F80")  # of carom; the three inks are legible on it too
 FELT_LINE = Color("#F4EDE0")  # on felt only these three are legible: 5.2 to 1,
 FELT_WARM = Color("#FFC05A")  # 3.7,
 FELT_COOL = Color("#8CBBFF")  # 3.1
@@ -219,6 +223,10 @@ BALL_COLORS = (
     Color("#15191E"),
     *(Color("#" + c) for c in _SOLIDS),
 )  # by number: 0 the cue ball, 1 to 7 solid, 8 black, 9 to 15 striped
+
+
+CAROM_COLORS = (CUE_BALL, Color("#F3BE2C"), Color("#BE1E16"))  # white, yellow, red
+CAROM_SPOT = Color("#F1DCC8")  # of the red ball; the others have those of a cue ball
 
 
 def theme_named(name: str) -> Theme:

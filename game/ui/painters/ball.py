@@ -58,12 +58,16 @@ def _digit(texture: Any, number: int, x: float, y: float) -> float:
 def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -> Any:
     """Colour in linear light of the resin at a unit vector of the ball's frame; ``px`` pixels a radius."""
     red, green, blue = look.BASE[number, 0], look.BASE[number, 1], look.BASE[number, 2]
-    if number == 0:
+    if number == 0 or number >= look.NUMBERS:
+        red_ball = number == look.CAROM_RED
+        ink_red = look.RED_BALL_INK[0] if red_ball else look.SPOT_INK[0]
+        ink_green = look.RED_BALL_INK[1] if red_ball else look.SPOT_INK[1]
+        ink_blue = look.RED_BALL_INK[2] if red_ball else look.SPOT_INK[2]
         most = max(abs(x), max(abs(y), abs(z)))
         cover = _share((look.SPOT - math.sqrt(max(0.0, 1.0 - most * most))) * px)
-        red += cover * (look.SPOT_INK[0] - red)
-        green += cover * (look.SPOT_INK[1] - green)
-        blue += cover * (look.SPOT_INK[2] - blue)
+        red += cover * (ink_red - red)
+        green += cover * (ink_green - green)
+        blue += cover * (ink_blue - blue)
         return red, green, blue
     from_pole = x * x + y * y
     disc = 0.0
@@ -196,7 +200,7 @@ def _paint_ball(
 class ScreenBalls(NamedTuple):
     """Balls on the screen, later ones on top.
 
-    ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 15 (others are left out), ``turns``
+    ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 18 (see `ball_look`; others are left out), ``turns``
     (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``opacities`` (n,);
     None: all solid.
     """
@@ -227,7 +231,9 @@ def paint_balls(pixels: Any, clip: Any, balls: Any, places: Any, texture: Any, f
     ground = (felt[0], felt[1], felt[2])
     for i in range(points.shape[0]):
         x, y, radius, number = points[i, 0], points[i, 1], radii[i], numbers[i]
-        if not (is_drawable(x) and is_drawable(y) and 0.5 <= radius <= LARGEST_RADIUS and 0 <= number < 16):
+        if not (is_drawable(x) and is_drawable(y) and 0.5 <= radius <= LARGEST_RADIUS):
+            continue
+        if not 0 <= number < look.KINDS:
             continue
         t = turns[i]
         turn = (t[0, 0], t[0, 1], t[0, 2], t[1, 0], t[1, 1], t[1, 2], t[2, 0], t[2, 1], t[2, 2])

@@ -31,8 +31,8 @@ def ball_picture(
     rim: the cloth, or the colour of the panel it lies on. ``place`` in metres from the middle of the table
     says how the lamps stand. ValueError for a number or radius that no ball has.
     """
-    if not 0 <= number < look.NUMBERS:
-        raise ValueError(f"ball: number {number!r} is not between 0 and {look.NUMBERS - 1}")
+    if not 0 <= number < look.KINDS:
+        raise ValueError(f"ball: number {number!r} is not between 0 and {look.KINDS - 1}")
     turn = np.asarray(rotation, float).T
 
     def resin(normal: Array) -> Array:
@@ -109,9 +109,10 @@ def _surface(number: int, radius: float, body: Array, facing: Array) -> Array:
         return below + cover * (above.reshape(3, 1, 1) - below)
 
     color = look.BASE[number].reshape(3, 1, 1) + np.zeros_like(body)
-    if number == 0:
+    if number == 0 or number >= look.NUMBERS:
+        ink = look.RED_BALL_INK if number == look.CAROM_RED else look.SPOT_INK
         rim = np.sqrt(np.maximum(0.0, 1.0 - np.max(np.abs(body), axis=0) ** 2))
-        return over(color, look.SPOT_INK, share(look.SPOT - rim))
+        return over(color, ink, share(look.SPOT - rim))
     x, y = np.where(body[2] < 0.0, -body[0], body[0]), body[1]
     disc = share(look.DISC - np.sqrt(x * x + y * y))
     white = np.maximum(disc, share(np.abs(body[1]) - look.STRIPE)) if number > 8 else disc

@@ -82,35 +82,68 @@ def fit_table(area: pygame.Rect, table: Table) -> TableView:
     return TableView(float(left), float(top), scale)
 
 
+class Dress(NamedTuple):
+    """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the other
+    slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares of width
+    and length; line: share of the length at which a line is drawn across, None for none."""
+
+    felt: pygame.Color
+    slope_lit: int
+    slope: int
+    top_short: int
+    top: int
+    nose: int
+    spots: tuple[tuple[float, float], ...]
+    line: float | None
+
+
+POOL = Dress(
+    colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.5, 0.25), (0.5, 0.75)), 0.25
+)
+
+
+def carom_dress(felt: pygame.Color, spots: tuple[tuple[float, float], ...]) -> Dress:
+    """A carom table's: the spots of the game, no line; cushions in shades of its cloth."""
+    white, black = pygame.Color("#FFFFFF"), pygame.Color("#000000")
+    shades = (colors.mix(felt, black, 0.06), colors.mix(felt, black, 0.18), colors.mix(felt, white, 0.04),
+              colors.mix(felt, white, 0.06), colors.mix(felt, black, 0.48))  # fmt: skip
+    return Dress(felt, *(packed(shade) for shade in shades), spots, None)
+
+
 class TablePainter:
     """Keeps the last few pictures of tables; ``draw`` makes one when table, view, size or theme are new."""
 
     def __init__(self) -> None:
         self._pictures: OrderedDict[tuple[object, ...], pygame.Surface] = OrderedDict()
 
-    def draw(self, surface: pygame.Surface, table: Table, view: TableView, theme: Theme) -> None:
+    def draw(
+        self, surface: pygame.Surface, table: Table, view: TableView, theme: Theme, dress: Dress = POOL
+    ) -> None:
         """Cover a surface with background, table and its shadow."""
         measures = (table.width, table.length, *(array.tobytes() for array in table[3:]))
-        key = (surface.get_size(), measures, view, theme.name)
+        felt = (dress.felt.r, dress.felt.g, dress.felt.b)
+        key = (surface.get_size(), measures, view, theme.name, felt, dress[1:])
         picture = self._pictures.get(key)
         if picture is None:
-            picture = self._pictures[key] = table_picture(surface.get_size(), table, view, theme)
+            picture = self._pictures[key] = table_picture(surface.get_size(), table, view, theme, dress)
             while len(self._pictures) > KEPT_PICTURES:
                 self._pictures.popitem(last=False)
         self._pictures.move_to_end(key)
         surface.blit(picture, (0, 0))
 
 
-def table_picture(size: tuple[int, int], table: Table, view: TableView, theme: Theme) -> pygame.Surface:
+def table_picture(
+    size: tuple[int, int], table: Table, view: TableView, theme: Theme, dress: Dress = POOL
+) -> pygame.Surface:
     """A picture of ``size`` px with a table and its shadow on the theme's background."""
     picture = pygame.Surface((max(1, size[0]), max(1, size[1])), 0, 32)
     picture.fill(theme.bg)
     pixels, clip = pixels_of(picture), clip_of(picture)
-    _draw_ground(pixels, clip, table, view, theme)
-    _draw_marks(pixels, clip, table, view)
+    _draw_ground(pixels, clip, table, view, theme, dress.felt)
+    _draw_marks(pixels, clip, table, view, dress)
     shapes = cushion_shapes(table, CUSHION_DEPTH)
     for shape in shapes:
-        _draw_cushion(pixels, clip, view, shape)
+        _draw_cushion(pixels, clip, view, shape, dress)
     _draw_pockets(pixels, clip, table, view, theme)
     _draw_sights(pixels, clip, table, view)
     return picture
@@ -125,7 +158,9 @@ def _channels(color: pygame.Color) -> Array:
     return np.array([color.r, color.g, color.b], np.float64)
 
 
-def _draw_ground(pixels: Array, clip: Array, table: Table, view: TableView, theme: Theme) -> None:
+def _draw_ground(
+    pixels: Array, clip: Array, table: Table, view: TableView, theme: Theme, felt: pygame.Color
+) -> None:
     """Floor, shadow, frame, cloth."""
     s = view.scale
     x, y = view.middle(table)
@@ -139,7 +174,7 @@ def _draw_ground(pixels: Array, clip: Array, table: Table, view: TableView, them
     )
     bed = np.array((x, y, half_x, half_y))
     inks = np.stack([_channels(c) for c in (colors.WOOD_DARK, colors.WOOD_LIGHT)])
-    paint_cloth(pixels, bed, s, CUSHION_DEPTH * s, _channels(colors.FELT))
+    paint_cloth(pixels, bed, s, CUSHION_DEPTH * s, _channels(felt))
     paint_wood(pixels, bed, s, CUSHION_DEPTH * s, WOOD * s, inks, 0.79 if dark else 1.12)
 
 
@@ -168,25 +203,27 @@ def _draw_shadow(
         )
 
 
-def _draw_marks(pixels: Array, clip: Array, table: Table, view: TableView) -> None:
-    """Head line, and the spots of head and foot."""
-    quarter, middle = 0.25 * table.length, 0.5 * table.width
-    (x0, y0), (x1, y1) = view.to_screen(0.0, quarter), view.to_screen(table.width, quarter)
-    stroke_segment(pixels, clip, x0, y0, x1, y1, _line(view), BUTT, packed(colors.FELT_LINE), 0.15)
-    for y in (quarter, table.length - quarter):
-        fill_disc(pixels, clip, *view.to_screen(middle, y), SPOT_RADIUS * view.scale, 0, 0.42)
+def _draw_marks(pixels: Array, clip: Array, table: Table, view: TableView, dress: Dress) -> None:
+    """The line across, such as pool's head line, and the spots."""
+    if dress.line is not None:
+        at = dress.line * table.length
+        (x0, y0), (x1, y1) = view.to_screen(0.0, at), view.to_screen(table.width, at)
+        stroke_segment(pixels, clip, x0, y0, x1, y1, _line(view), BUTT, packed(colors.FELT_LINE), 0.15)
+    for across, along in dress.spots:
+        place = view.to_screen(across * table.width, along * table.length)
+        fill_disc(pixels, clip, *place, SPOT_RADIUS * view.scale, 0, 0.42)
 
 
-def _draw_cushion(pixels: Array, clip: Array, view: TableView, shape: CushionShape) -> None:
+def _draw_cushion(pixels: Array, clip: Array, view: TableView, shape: CushionShape, dress: Dress) -> None:
     """Top, slope, their edge, the dark line under the nose and the joint to the wood."""
     cover, area, extent = scratch_for(pixels)
     line = _line(view)
     outline, top = view.points(shape.outline), view.points(shape.top)
     upright = abs(shape.normal[1]) > 0.5  # a short rail, which stands upright on the screen
     faces_lamp = shape.normal[0] < -0.5  # the lower rail's slope looks at the nearer lamp
-    stroke_polyline(pixels, clip, cover, view.points(shape.nose), 2.0 * line, False, 0x0E3C37, 0.9)
-    fill_polygon(pixels, clip, area, extent, outline, 0x1E6A63 if faces_lamp else 0x1A5A54, 1.0)
-    fill_polygon(pixels, clip, area, extent, top, 0x24726A if upright else 0x28756D, 1.0)
+    stroke_polyline(pixels, clip, cover, view.points(shape.nose), 2.0 * line, False, dress.nose, 0.9)
+    fill_polygon(pixels, clip, area, extent, outline, dress.slope_lit if faces_lamp else dress.slope, 1.0)
+    fill_polygon(pixels, clip, area, extent, top, dress.top_short if upright else dress.top, 1.0)
     (x0, y0), (x1, y1) = view.points(shape.ridge)
     stroke_segment(pixels, clip, x0, y0, x1, y1, line, BUTT, 0xF4EDE0, 0.09)
     nx, ny = shape.normal[1], shape.normal[0]  # into the table, on the screen

@@ -10,7 +10,7 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.players import opponents
 from game.scenes.billiards.opponents.deciding import NEW_RACK_S
-from game.scenes.billiards.opponents.thinker import Question, Thinker, Thought
+from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.scenes.billiards.opponents.thinking import GRADES, decision_of, simple_stroke, think
 from game.scenes.billiards.scene import Billiards
 from game.stage import Action, Decision, SetParameter, replay_scene

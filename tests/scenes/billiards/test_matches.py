@@ -13,7 +13,7 @@ from game.app.stagehand.headless import prepare
 from game.app.stagehand.view import StageView
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
-from game.scenes.billiards.opponents.thinker import Question, Thinker, Thought
+from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.scenes.billiards.view.marks import OWN_RING, own_balls
 from game.scenes.billiards.view.words import line_of
 from game.stage import Action, SetParameter

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.shot.cue import strike as struck_ball
-from game.scenes.billiards.opponents.thinker import Question, Thinker
 from game.scenes.billiards.opponents.thinking import WARM_UPS, decision_of, simple_stroke, think
 from game.scenes.billiards.play import AIMING, PERSON, Play
+from game.scenes.shared.thinker import Question, Thinker
 from game.stage import Decision
 
 if TYPE_CHECKING:

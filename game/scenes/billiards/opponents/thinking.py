@@ -9,8 +9,8 @@ import numpy as np
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
-from game.scenes.billiards.opponents.thinker import Question, Thought
 from game.scenes.shared.tables.demo_shots import choose_stroke
+from game.scenes.shared.thinker import Question, Thought
 from game.stage import Decision
 
 GRADES = ("novice", "club", "expert", "master")  # of game.billiards.players.opponents

@@ -17,7 +17,7 @@ from game.billiards.laws.state import (
     BALL_JAW,
     BALL_POCKET,
 )
-from game.scenes.billiards.stroke.paths import Paths
+from game.scenes.shared.tables.paths import Paths
 
 Array = NDArray[np.float64]
 

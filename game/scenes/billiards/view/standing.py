@@ -7,8 +7,8 @@ from typing import NamedTuple
 from game.billiards.game.games import CombinationMatch, Drill, EightBall, NineBall, Practice
 from game.billiards.game.games.eight_ball import GROUPS
 from game.billiards.game.rules import Game, listed
-from game.scenes.billiards.opponents.thinker import Thinker
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.shared.thinker import Thinker
 
 GAME_TITLES = {
     EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination", Practice: "Practice",

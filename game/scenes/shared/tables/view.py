@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,7 @@ from game.ui.painters import cue as cue_painter
 from game.ui.painters import table as table_painter
 from game.ui.painters.ball import BallPainter, ScreenBalls
 from game.ui.painters.cue import draw_cue
-from game.ui.painters.table import TablePainter, TableView
+from game.ui.painters.table import POOL, Dress, TablePainter, TableView
 
 Array = NDArray[np.float64]
 
@@ -29,8 +30,13 @@ WOOD = 0.074  # m, breadth of the frame outside the cushions
 SURROUND = 0.175  # m of floor and frame shown around the bed
 QUARTER_TURN = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # table frame to screen frame
 
-_ball_painter = BallPainter(FELT)
 _table_painter = TablePainter()
+
+
+@lru_cache(maxsize=4)
+def _ball_painter(red: int, green: int, blue: int) -> BallPainter:
+    """The painter of balls on a cloth of that colour."""
+    return BallPainter(pygame.Color(red, green, blue))
 
 
 class Balls(NamedTuple):
@@ -58,7 +64,11 @@ def frame_of(table: Table) -> Frame:
 
 
 def draw_table(
-    canvas: Canvas, table: Table, origin: tuple[float, float] = (0.0, 0.0), alone: bool = True
+    canvas: Canvas,
+    table: Table,
+    origin: tuple[float, float] = (0.0, 0.0),
+    alone: bool = True,
+    dress: Dress = POOL,
 ) -> None:
     """Cloth, cushions, wood and pockets, from a picture that is kept while nothing about it changes.
 
@@ -73,10 +83,16 @@ def draw_table(
         region = pygame.Rect(round(x0), round(y0), round(x1 - x0), round(y1 - y0)).clip(canvas.rect)
     if region.w > 0 and region.h > 0:
         view = TableView(left - region.x, top - region.y, canvas.camera.scale)
-        _table_painter.draw(canvas.surface.subsurface(region), table, view, canvas.theme)
+        _table_painter.draw(canvas.surface.subsurface(region), table, view, canvas.theme, dress)
 
 
-def draw_balls(canvas: Canvas, balls: Balls, table: Table, origin: tuple[float, float] = (0.0, 0.0)) -> None:
+def draw_balls(
+    canvas: Canvas,
+    balls: Balls,
+    table: Table,
+    origin: tuple[float, float] = (0.0, 0.0),
+    felt: pygame.Color = FELT,
+) -> None:
     """Shaded balls with their shadows, numbers and stripes turned as they have rolled."""
     pixels, clip = canvas.raster_target
     points = np.array([canvas.place(point) for point in balls.positions + origin]).reshape(-1, 2)
@@ -86,7 +102,7 @@ def draw_balls(canvas: Canvas, balls: Balls, table: Table, origin: tuple[float, 
     drawn = ScreenBalls(
         points, balls.radii * scale, balls.numbers, np.ascontiguousarray(turns), balls.opacities
     )
-    _ball_painter.draw(pixels, clip, drawn, middle, scale)
+    _ball_painter(felt.r, felt.g, felt.b).draw(pixels, clip, drawn, middle, scale)
 
 
 def draw_aim(canvas: Canvas, first: FirstContact, start: Array, radius: float, cue: CueControl) -> None:

@@ -10,20 +10,16 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Any, NamedTuple
 
-from game.billiards.game.frame import Frame
 from game.stage import Decision
-
-if TYPE_CHECKING:
-    from game.billiards.search.finding import FoundShot
 
 
 class Thought(NamedTuple):
-    """What a player has come to: decisions in order, and the shots that were considered, the best first."""
+    """What a player has come to: decisions in order, and what was considered, the best first."""
 
     decisions: tuple[Decision, ...]
-    considered: tuple[FoundShot, ...] = ()
+    considered: tuple[Any, ...] = ()
 
 
 class Question(NamedTuple):
@@ -33,7 +29,7 @@ class Question(NamedTuple):
     """
 
     key: object
-    frame: Frame
+    frame: Any
     grade: str
     seed: int
     patient: bool = False

@@ -1,0 +1,95 @@
+"""From a played stroke at carom to what the referee sees of it: what the cue ball touched, in order."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, IN_X, IN_Y, SEG_BALL, SEG_TIME
+from game.billiards.shot.trajectory import Trajectory
+from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions
+
+Array = NDArray[np.float64]
+BALL, CUSHION = "ball", "cushion"
+LOOKS = 8  # at each stretch of a path, for whether it leaves a corner
+
+
+class CaromSummary(NamedTuple):
+    """What a stroke did. Balls: WHITE, YELLOW, RED; cushions: left, right, lower, upper, 0 to 3.
+
+    path: what the cue ball touched, in order, without the cushion that it lay against and was played into.
+    into: balls that it lay against and was played into. rest (3, 2) m. off_table: balls that left the table.
+    left_corner: object balls that were outside the barred corner they began in, if only for a moment.
+    """
+
+    path: tuple[tuple[str, int], ...]
+    rest: Array
+    into: tuple[int, ...] = ()
+    off_table: tuple[int, ...] = ()
+    left_corner: tuple[int, ...] = ()
+
+    def scoring(self, cue: int) -> Scoring | None:
+        """Order of touches up to the second object ball; None if the cue ball did not touch both."""
+        met: set[int] = set()
+        for at, (kind, number) in enumerate(self.path):
+            if kind == BALL:
+                met.add(number)
+            if met == {1 - cue, RED}:
+                order = self.path[: at + 1]
+                return Scoring(order, sum(1 for kind, _ in order if kind == CUSHION))
+        return None
+
+
+class Scoring(NamedTuple):
+    """A cannon: touches of the cue ball up to the second object ball, and how many were cushions."""
+
+    order: tuple[tuple[str, int], ...]
+    cushions: int
+
+
+def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
+    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for other names."""
+    numbers = [_number(name) for name in trajectory.shot.ids]
+    row = numbers.index(cue)
+    start = trajectory.shot.positions
+    against = frozen_cushions((float(start[row, 0]), float(start[row, 1])))
+    path: list[tuple[str, int]] = []
+    into: tuple[int, ...] = ()
+    for time, event, i, j in trajectory.rows.tolist():
+        if event == BALL_BALL and row in (i, j):
+            ball = numbers[int(j if i == row else i)]
+            if time == 0.0:
+                into += (ball,)
+            path.append((BALL, ball))
+        elif event == BALL_CUSHION and i == row and (path or int(j) not in against):
+            path.append((CUSHION, int(j)))
+        elif event == BALL_CUSHION and i == row:
+            against = ()  # it has left that cushion; from now on it counts
+    rest = np.empty((3, 2))
+    rest[numbers] = trajectory.end[:, [IN_X, IN_Y]]
+    left = tuple(ball for ball in (1 - cue, RED) if _leaves_corner(trajectory, numbers.index(ball)))
+    return CaromSummary(tuple(path), rest, into, left_corner=left)
+
+
+def _number(name: str) -> int:
+    if name not in BALL_NAMES:
+        raise ValueError(f"balls: carom is played with {', '.join(BALL_NAMES)}, not {name!r}")
+    return BALL_NAMES.index(name)
+
+
+def _leaves_corner(trajectory: Trajectory, row: int) -> bool:
+    """True if a ball that begins in a barred corner is seen outside it."""
+    x, y = trajectory.shot.positions[row].tolist()
+    corner = corner_of((x, y))
+    if corner < 0:
+        return False
+    segments = trajectory.segments
+    times = [*segments[segments[:, SEG_BALL] == row, SEG_TIME].tolist(), trajectory.end_time]
+    for begin, end in zip(times, times[1:], strict=False):
+        for share in np.linspace(0.0, 1.0, LOOKS).tolist():
+            px, py = trajectory.state_at(begin + share * (end - begin)).positions[row].tolist()
+            if corner_of((px, py)) != corner:
+                return True
+    return False

@@ -1,0 +1,283 @@
+"""Carom billiards: straight rail, one-cushion and three-cushion, between two players or for one.
+
+A point is made by a stroke whose cue ball touches both other balls, in cushion games after so many cushions.
+Rules are those of the Union Mondiale de Billard (World rules of carom billiard); numbers of articles are
+theirs. Safeties are counted as the Billiard Congress of America does: none twice in a row.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.carom_summary import BALL, CaromSummary
+from game.billiards.game.rules import Foul, Option
+from game.billiards.table.carom import BALL_NAMES, RED, corner_of, respotted, starting_position, touching
+
+Array = NDArray[np.float64]
+Kind = Literal["straight-rail", "one-cushion", "three-cushion"]
+
+CUSHIONS = {"straight-rail": 0, "one-cushion": 1, "three-cushion": 3}  # needed before the second ball
+TITLES = {"straight-rail": "Straight rail", "one-cushion": "One-cushion", "three-cushion": "Three-cushion"}
+ENTERED, INSIDE = (
+    1,
+    2,
+)  # straight rail: both balls have come into one barred corner; a point was made there (54)
+
+PLAY_AWAY = Option("away", "Play away from the ball that the cue ball touches.")
+RESPOT = Option("spots", "Have the balls that touch put on their spots.")
+RESTART = Option("start", "Begin from the starting position.")
+ACCEPT = Option("accept", "Play from where the balls lie.")
+
+
+class CaromVerdict(NamedTuple):
+    """What follows from a stroke, or from a choice.
+
+    game: the state to go on with. places (3, 2) m: where the balls then lie. scored: a point was made. fouls
+    and words as for the games of pool.
+    """
+
+    game: Carom
+    places: Array
+    scored: bool = False
+    fouls: tuple[Foul, ...] = ()
+    words: tuple[str, ...] = ()
+
+
+class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="game"):
+    """A game of carom before a stroke. Player 0 plays the white ball, player 1 the yellow one.
+
+    target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: who began
+    second has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
+    (games): of each player. run: points of this inning. inside: ENTERED or INSIDE while both object
+    balls lie in one barred corner, else 0. opening: the stroke is made from the starting position. ended: nobody plays any
+    more; winner: None too if it is drawn.
+    """
+
+    kind: Kind = "three-cushion"
+    players: tuple[str, ...] = ("Player 1", "Player 2")
+    target: int = 15
+    most_innings: int = 0
+    most_safeties: int = 1
+    equalise: bool = True
+    turn: int = 0
+    breaker: int = 0
+    points: tuple[int, ...] = (0, 0)
+    innings: tuple[int, ...] = (1, 0)
+    high_runs: tuple[int, ...] = (0, 0)
+    safeties: tuple[int, ...] = (0, 0)
+    won: tuple[int, ...] = (0, 0)
+    run: int = 0
+    inside: int = 0
+    opening: bool = True
+    options: tuple[Option, ...] = ()
+    ended: bool = False
+    winner: int | None = None
+
+    @property
+    def cue(self) -> int:
+        """The ball that the player at turn plays: WHITE or YELLOW."""
+        return self.turn
+
+    @property
+    def shooter(self) -> str:
+        """Name of the player at turn."""
+        return self.players[self.turn]
+
+    @property
+    def other(self) -> int:
+        """Number of the player who is not at turn; in a game of one, the same."""
+        return (self.turn + 1) % len(self.players)
+
+    @property
+    def cushions(self) -> int:
+        """Cushions that the cue ball needs before the second object ball."""
+        return CUSHIONS[self.kind]
+
+    def average(self, player: int) -> float:
+        """Points an inning of a player; 0 before the first."""
+        return self.points[player] / self.innings[player] if self.innings[player] else 0.0
+
+    def start(self) -> Array:
+        """Places (3, 2) m of the starting position of the player at turn."""
+        return starting_position(self.cue)
+
+    # -- a stroke -----------------------------------------------------------------------------------
+
+    def judge(self, shot: CaromSummary, safety: bool = False) -> CaromVerdict:
+        """What follows from a stroke; safety: it was announced as one. ValueError if none may be played."""
+        self.check_playable()
+        scoring = shot.scoring(self.cue)
+        fouls = self._fouls(shot, safety)
+        scored = not fouls and not safety and scoring is not None and scoring.cushions >= self.cushions
+        words = [foul.words for foul in fouls]
+        restart = bool(shot.off_table) and self.kind != "three-cushion"
+        after = msgspec.structs.replace(
+            self, opening=restart, inside=self._inside_after(shot),
+            safeties=_with(self.safeties, self.turn, self._safeties(safety)),
+        )  # fmt: skip
+        places = self._put_back(shot)
+        if not scored:
+            return after._next_inning(places, fouls, words + self._why_not(shot, fouls, safety))
+        run = self.run + 1
+        after = msgspec.structs.replace(
+            after, run=run, points=_with(self.points, self.turn, self.points[self.turn] + 1),
+            high_runs=_with(self.high_runs, self.turn, max(run, self.high_runs[self.turn])),
+        )  # fmt: skip
+        words.append(f"{self.shooter} scores: a run of {run}.")
+        if self.target and after.points[self.turn] >= self.target:
+            return after._target_reached(places, words)
+        return after._ready(CaromVerdict(after, places, True, (), tuple(words)))
+
+    def _fouls(self, shot: CaromSummary, safety: bool) -> tuple[Foul, ...]:
+        """Articles 23, 27, 41, 54, and safeties in a row."""
+        fouls = [
+            Foul("off the table", f"The {BALL_NAMES[ball]} ball left the table.") for ball in shot.off_table
+        ]
+        fouls += [Foul("touching", f"The cue ball was played into the {BALL_NAMES[ball]} ball that it touched.")
+                  for ball in shot.into]  # fmt: skip
+        if self.opening and shot.path[:1] != ((BALL, RED),):
+            fouls.append(
+                Foul("opening", "From the starting position the red ball is played first, directly.")
+            )
+        if safety and not any(kind == BALL for kind, _ in shot.path):
+            fouls.append(Foul("no contact", "A safety must touch a ball."))
+        if safety and self._safeties(True) > self.most_safeties:
+            fouls.append(Foul("safety", f"No more than {self.most_safeties} safety in a row."))
+        if self._barred(shot):
+            fouls.append(Foul("corner", "Both balls stayed in the corner; one of them must leave it."))
+        return tuple(fouls)
+
+    def _safeties(self, safety: bool) -> int:
+        return self.safeties[self.turn] + 1 if safety else 0
+
+    def _barred(self, shot: CaromSummary) -> bool:
+        """54: after a point with both balls in a corner, the next one must drive one of them out of it."""
+        return self.kind == "straight-rail" and self.inside == INSIDE and not shot.left_corner
+
+    def _inside_after(self, shot: CaromSummary) -> int:
+        """54: a point that leaves both balls in the corner they lay in; one that came back has entered anew."""
+        entered = _entered(shot.rest, self.cue)
+        return INSIDE if entered and self.inside and not shot.left_corner else entered
+
+    def _why_not(self, shot: CaromSummary, fouls: tuple[Foul, ...], safety: bool) -> list[str]:
+        """Why a stroke without a foul made no point."""
+        if fouls:
+            return []
+        if safety:
+            return [f"{self.shooter} plays safe."]
+        scoring = shot.scoring(self.cue)
+        if scoring is None:
+            met = {number for kind, number in shot.path if kind == BALL}
+            missed = [BALL_NAMES[ball] for ball in (1 - self.cue, RED) if ball not in met]
+            return [f"Not touched: {' and '.join(missed)}."]
+        return [f"Only {scoring.cushions} of {self.cushions} cushions before the second ball."]
+
+    def _put_back(self, shot: CaromSummary) -> Array:
+        """28: balls that left the table go to their spots; in the games of fewer cushions all start again."""
+        if not shot.off_table:
+            return shot.rest
+        if self.kind == "three-cushion":
+            return respotted(shot.rest, shot.off_table, self.other if len(self.players) == 2 else self.cue)
+        return starting_position(self.other)
+
+    # -- what follows -------------------------------------------------------------------------------
+
+    def _next_inning(self, places: Array, fouls: tuple[Foul, ...], words: list[str]) -> CaromVerdict:
+        """The inning is over: the other player's begins, unless the game ends."""
+        turn = self.other
+        closed = turn == self.breaker  # both have had as many innings
+        if self.ended_by_innings(closed):
+            return self._end(places, fouls, words)
+        game = msgspec.structs.replace(
+            self, turn=turn, run=0, inside=_entered(places, turn),
+            innings=_with(self.innings, turn, self.innings[turn] + 1),
+        )  # fmt: skip
+        verdict = CaromVerdict(game, places, False, fouls, (*words, f"{game.shooter} plays."))
+        if any(foul.kind == "safety" for foul in fouls):
+            game = msgspec.structs.replace(game, options=(ACCEPT, RESTART))
+            return verdict._replace(game=game)
+        return game._ready(verdict)
+
+    def ended_by_innings(self, closed: bool) -> bool:
+        """True if no inning is left. closed: all players have had as many."""
+        if self.target and max(self.points) >= self.target:
+            return closed
+        return bool(self.most_innings) and closed and self.innings[self.turn] >= self.most_innings
+
+    def _target_reached(self, places: Array, words: list[str]) -> CaromVerdict:
+        """29: who began second may draw level, in an inning from the starting position."""
+        if len(self.players) == 2 and self.equalise and self.turn == self.breaker:
+            turn = self.other
+            game = msgspec.structs.replace(
+                self, turn=turn, run=0, inside=0, opening=True,
+                innings=_with(self.innings, turn, self.innings[turn] + 1),
+            )  # fmt: skip
+            words += [f"{self.shooter} has {self.points[self.turn]}.", f"{game.shooter} has the last inning."]
+            return CaromVerdict(game, starting_position(game.cue), True, (), tuple(words))
+        verdict = self._end(places, (), words)
+        return verdict._replace(scored=True)
+
+    def _end(self, places: Array, fouls: tuple[Foul, ...], words: list[str]) -> CaromVerdict:
+        """The most points win."""
+        most = max(self.points)
+        leaders = [player for player in range(len(self.players)) if self.points[player] == most]
+        winner = leaders[0] if len(leaders) == 1 else None
+        won = self.won if winner is None else _with(self.won, winner, self.won[winner] + 1)
+        score = " to ".join(str(self.points[player]) for player in range(len(self.players)))
+        words.append(f"Drawn, {score}." if winner is None else f"{self.players[winner]} wins, {score}.")
+        game = msgspec.structs.replace(self, ended=True, winner=winner, won=won, run=0)
+        return CaromVerdict(game, places, False, fouls, tuple(words))
+
+    def _ready(self, verdict: CaromVerdict) -> CaromVerdict:
+        """27: a player whose ball touches another may have the balls put on their spots."""
+        if self.opening or not touching(verdict.places, self.cue):
+            return verdict
+        return verdict._replace(game=msgspec.structs.replace(self, options=(PLAY_AWAY, RESPOT)))
+
+    def choose(self, name: str, places: Array) -> CaromVerdict:
+        """What follows from the player at turn choosing an option. places (3, 2) m. ValueError if none is."""
+        names = [option.name for option in self.options]
+        if name not in names:
+            raise ValueError(f"game option {name!r}: {', '.join(names) or 'there is nothing to choose'}")
+        game = msgspec.structs.replace(self, options=())
+        if name == RESTART.name or (name == RESPOT.name and self.kind != "three-cushion"):
+            game = msgspec.structs.replace(game, opening=True, inside=0)
+            return CaromVerdict(game, game.start(), words=("The balls lie in the starting position.",))
+        if name == RESPOT.name:
+            balls = (self.cue, *touching(places, self.cue))
+            return CaromVerdict(
+                game, respotted(places, balls, self.cue), words=("The balls lie on their spots.",)
+            )
+        return game._ready(CaromVerdict(game, places)) if name == ACCEPT.name else CaromVerdict(game, places)
+
+    def next_game(self) -> CaromVerdict:
+        """The next game of the same players, who begin in turns."""
+        breaker = (self.breaker + 1) % len(self.players)
+        zeros = (0, 0)
+        game = msgspec.structs.replace(
+            self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1), high_runs=zeros,
+            safeties=zeros, run=0, inside=0, opening=True, options=(), ended=False, winner=None,
+        )  # fmt: skip
+        return CaromVerdict(game, game.start(), words=(f"{game.shooter} begins.",))
+
+    def check_playable(self) -> None:
+        """ValueError if no stroke may be played now."""
+        if self.ended:
+            raise ValueError("game: it is over")
+        if self.options:
+            raise ValueError(f"game: {self.shooter} must choose first")
+
+
+def _entered(places: Array, cue: int) -> int:
+    """ENTERED if both object balls lie in one barred corner, else 0. places (3, 2) m."""
+    first, second = (corner_of(tuple(places[ball].tolist())) for ball in (1 - cue, RED))
+    return ENTERED if first == second >= 0 else 0
+
+
+def _with(row: tuple[int, ...], player: int, value: int) -> tuple[int, ...]:
+    """A tuple with one number changed."""
+    return tuple(value if k == player else old for k, old in enumerate(row))

@@ -1,0 +1,120 @@
+"""What has been tapped, the shot that meets it, and how far it has been played."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from game.billiards.rhythm.candidates import FARTHEST_MISS, STROKE, Candidates
+from game.billiards.rhythm.hearing import heard_impacts
+from game.billiards.rhythm.search import LEAST_GAP, MOST_BEATS, MOST_SECONDS, Rhythm, rhythm_of
+from game.billiards.shot.shot import Physics
+from game.billiards.shot.trajectory import Trajectory
+from game.billiards.simulation import simulate_exact
+from game.billiards.table.table import Table
+from game.scenes.beat.level import MOST_NUMBERS, BeatContent
+from game.scenes.beat.parameters import BeatParameters
+from game.scenes.beat.state import CLOCK, COUNT, PHASE, PLAYING, SEARCHING, SILENT, SIZE, TAPPING, BeatState
+from game.scenes.shared.tables.sounds import sounds_of
+from game.stage import Part, Sound
+from game.stage.messages import Messages
+
+PAUSE_S = 1.5  # between one playing and the next
+SHOWN_S = 0.8  # that balls go on after the last beat
+
+
+class BeatModel(Part):
+    """The beat and its shot."""
+
+    def __init__(self, content: BeatContent, parameters: BeatParameters, seed: int) -> None:
+        self.parameters, self.seed = parameters, seed
+        self.table, self.physics = Table.pool(), Physics()
+        self.messages = Messages()
+        self.data = BeatState(np.zeros(MOST_BEATS), np.zeros(MOST_NUMBERS), np.zeros(4))
+        self._known = b""
+        self._shown: tuple[Trajectory, Rhythm, tuple[Sound, ...]] | None = None
+        self.data.taps[: len(content.beats)] = content.beats
+        self.data.numbers[COUNT] = len(content.beats)
+        self.data.numbers[PHASE] = SEARCHING if content.beats else SILENT
+        if content.layout:
+            self.take_layout(np.array(content.layout))
+
+    @property
+    def phase(self) -> int:
+        """One of `state`'s."""
+        return int(self.data.numbers[PHASE])
+
+    @property
+    def clock(self) -> float:
+        """s since the first tap, or since the stroke."""
+        return float(self.data.numbers[CLOCK])
+
+    @property
+    def beats(self) -> tuple[float, ...]:
+        """What has been tapped, s since the first."""
+        return tuple(self.data.taps[: int(self.data.numbers[COUNT])].tolist())
+
+    def advance(self, dt: float) -> None:
+        """Go on by dt (s)."""
+        numbers = self.data.numbers
+        numbers[CLOCK] += dt
+        if self.phase == TAPPING and self.clock - self.beats[-1] > self.parameters.rest:
+            if len(self.beats) > 1:
+                numbers[PHASE] = SEARCHING
+            else:
+                numbers[PHASE] = SILENT
+                self.messages.say("One tap is no beat: tap two or more.")
+        elif self.phase == PLAYING and self.clock > self.beats[-1] + SHOWN_S + PAUSE_S:
+            numbers[CLOCK] = 0.0
+
+    def tap(self) -> None:
+        """A tap: the first of a new beat, or one more."""
+        numbers = self.data.numbers
+        if self.phase != TAPPING:
+            numbers[COUNT], numbers[CLOCK], numbers[PHASE], numbers[SIZE] = 1.0, 0.0, TAPPING, 0.0
+            self.data.taps[:] = 0.0
+        elif len(self.beats) == MOST_BEATS or self.clock > MOST_SECONDS:
+            self.messages.say(f"At most {MOST_BEATS} taps in {MOST_SECONDS:g} s: these are searched for.")
+            numbers[PHASE] = SEARCHING
+        elif self.clock - self.beats[-1] >= LEAST_GAP:
+            self.data.taps[len(self.beats)] = self.clock
+            numbers[COUNT] += 1.0
+
+    def search_again(self) -> None:
+        """Look for another shot for the same beat."""
+        if len(self.beats) > 1 and self.phase in (PLAYING, SILENT):
+            self.data.numbers[PHASE], self.data.numbers[SIZE] = SEARCHING, 0.0
+
+    def take_layout(self, layout: np.ndarray) -> None:
+        """Play a layout from its stroke on. ValueError if it does not fit the beat or is no shot."""
+        if len(layout) != STROKE + 2 * len(self.beats):
+            raise ValueError(f"layout: expected {STROKE + 2 * len(self.beats)} numbers, got {len(layout)}")
+        Candidates(self.table, self.physics, len(self.beats)).shot(layout)
+        self.data.layout[: len(layout)] = layout
+        self.data.numbers[SIZE], self.data.numbers[PHASE] = len(layout), PLAYING
+        self.data.numbers[CLOCK] = -PAUSE_S
+
+    def found_nothing(self) -> None:
+        """The search came to no shot."""
+        self.data.numbers[PHASE] = SILENT
+        self.messages.say("No shot was found for this beat: tap another, or change the seed.")
+
+    @property
+    def shown(self) -> tuple[Trajectory, Rhythm, tuple[Sound, ...]] | None:
+        """The shot played, how it meets the beat, and its sounds; None while there is none."""
+        size = int(self.data.numbers[SIZE])
+        if not size:
+            return None
+        key = self.data.layout[:size].tobytes() + self.data.taps.tobytes()
+        if self._shown is None or key != self._known:
+            layout = self.data.layout[:size]
+            shot = Candidates(self.table, self.physics, len(self.beats)).shot(layout)
+            trajectory = simulate_exact(shot, until=self.beats[-1] + max(SHOWN_S, FARTHEST_MISS))
+            found = rhythm_of(trajectory, self.beats, layout)
+            sounds = tuple(one for one in sounds_of(trajectory, float(layout[0])))
+            self._known, self._shown = key, (trajectory, found, sounds)
+        return self._shown
+
+    def heard(self) -> tuple[float, ...]:
+        """Times of all impacts that are heard while the shot is shown, s."""
+        shown = self.shown
+        return () if shown is None else heard_impacts(shown[0], shown[0].end_time)
