@@ -8,6 +8,7 @@ from game.scenes import (
     billiards,
     bounds,
     boxes,
+    carom,
     convex,
     examples,
     fountain,
@@ -25,6 +26,7 @@ from game.stage.catalogue import Catalogue
 CATALOGUE = Catalogue(
     (
         *billiards.ENTRIES,
+        *carom.ENTRIES,
         *two_balls.ENTRIES,
         *lecture_table.ENTRIES,
         *three_tables.ENTRIES,

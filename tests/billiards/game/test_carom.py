@@ -228,6 +228,13 @@ def test_one_player_plays_on():
     assert (now.turn, now.points, now.innings, now.run) == (0, (1,), (2,), 0)
 
 
+def test_practice_goes_on_with_the_same_ball():
+    now = game("one-cushion", turn=1, innings=(3, 3), points=(4, 2)).alone()
+    assert (now.cue, now.kind, now.points, now.target) == (YELLOW, "one-cushion", (0,), 0)
+    after = now.judge(did("r<w")).game.judge(did("")).game
+    assert (after.cue, after.points, after.innings, after.ended) == (YELLOW, (1,), (2,), False)
+
+
 # -- safeties ---------------------------------------------------------------------------------------
 
 
