@@ -70,9 +70,9 @@ class Wanted(NamedTuple):
 
 
 @lean_kernel
-def read_routes(events, ends, final, against, first, last, codes, facts, times, places):
-    """Read off shots `first` to `last` of a log, see `Routes`. against: rails the cue ball touches, as bits."""
-    for s in range(first, last):
+def read_routes(events, ends, final, against, codes, facts, times, places):
+    """Read off the shots whose ends are given, see `Routes`. against: rails the cue ball touches, as bits."""
+    for s in range(ends.shape[0]):
         code = 0
         digits = 0
         cushions = 0
@@ -130,7 +130,8 @@ def play_routes(
         chunk = strokes[start : start + CHUNK]
         parts = [column[start : start + len(chunk)] for column in routes]
         for log, first, end in board.played(chunk):
-            read_routes(log.events, log.ends, log.final, against, first, end, *parts)
+            rows = (column[first:end] for column in parts)
+            read_routes(log.events, log.ends[first:end], log.final[first:end], against, *rows)
 
     in_threads(pool, play, range(0, len(strokes), CHUNK))
     return routes

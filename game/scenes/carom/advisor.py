@@ -68,6 +68,13 @@ class MapMaker:
                 self._thread = threading.Thread(target=self._run, daemon=True, name="map")
                 self._thread.start()
 
+    def wait(self) -> None:
+        """Until nothing is being drawn any more."""
+        with self._lock:
+            thread = self._thread
+        if thread is not None:
+            thread.join()
+
     def answer(self, key: object, make: Callable[[], Position], noise: Noise) -> Drawn:
         """The whole map here and now."""
         found = self.latest

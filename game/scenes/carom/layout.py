@@ -18,15 +18,15 @@ RIM = CUSHION_DEPTH + 0.074  # m; cushion and wood
 GAP = 0.05  # m
 
 TABLE = Box(-RIM, -RIM, CAROM_WIDTH + RIM, CAROM_LENGTH + RIM)
-FRAME = Frame(-0.43, -0.18, 1.97, 4.087)
-BOARD = Box(-0.41, TABLE.left, TABLE.top - 0.02, TABLE.right)
+FRAME = Frame(-0.36, -0.18, 2.04, 4.087)  # the window's hints cover its lowest tenth of a metre
+BOARD = Box(-0.34, TABLE.left, TABLE.top - 0.02, TABLE.right)
 COLUMN_LEFT, COLUMN_RIGHT = TABLE.right + GAP, FRAME.top - 0.03
-LIST = Box(-0.41, COLUMN_LEFT, 1.16, COLUMN_RIGHT)
+LIST = Box(-0.34, COLUMN_LEFT, 1.23, COLUMN_RIGHT)
 HEAD, ROW = 0.13, 0.143  # m; of the list
 ROWS = 10
-TIP = Box(1.20, COLUMN_LEFT, 1.95, COLUMN_RIGHT)
-TIP_MIDDLE, TIP_RADIUS = (1.60, COLUMN_LEFT + 0.30), 0.25  # the ball; LARGEST_TIP is nearer
-FOOT = Box(TABLE.bottom + 0.02, TABLE.left, 1.95, TABLE.right - 0.40)
+TIP = Box(1.26, COLUMN_LEFT, 1.93, COLUMN_RIGHT)
+TIP_MIDDLE, TIP_RADIUS = (1.62, COLUMN_LEFT + 0.30), 0.25  # the ball; LARGEST_TIP is nearer
+FOOT = Box(TABLE.bottom + 0.02, TABLE.left, 1.93, TABLE.right - 0.40)
 BUTTONS = ("play", "strike", "undo", "next")
 
 
@@ -43,8 +43,8 @@ def row_at(x: float, y: float) -> int:
 
 def button_box(row: int) -> Box:
     """The button of that number, from above, right of the foot."""
-    top = FOOT.top + row * 0.098
-    return Box(top, FOOT.right + 0.04, top + 0.086, TABLE.right)
+    top = FOOT.top + row * 0.094
+    return Box(top, FOOT.right + 0.04, top + 0.082, TABLE.right)
 
 
 def option_box(row: int, count: int) -> Box:

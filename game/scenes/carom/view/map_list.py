@@ -68,10 +68,14 @@ def _draw_row(
     said = f"{round(100.0 * chance)} %" if counted else "…"
     look.text(canvas.surface, said, (rect.x + px(31), rect.y + px(14)), 14, "semibold", "text1", "center")
     room = rect.right - left - px(8)
-    first = look.fonts.fit(words[0], 12, "semibold", room)
-    look.text(canvas.surface, first, (left, rect.y + px(12)), 12, "semibold", "text1")
-    second = look.fonts.fit(words[1], 11, "medium", room)
-    look.text(canvas.surface, second, (left, rect.y + px(28)), 11, "medium", "text2")
+    lines = look.fonts.wrap(words[0], 12, "semibold", room)
+    upper, lower = (rect.centery - px(8), rect.centery + px(8)) if room > 0 else (rect.centery, rect.centery)
+    look.text(canvas.surface, lines[0], (left, upper), 12, "semibold", "text1")
+    if len(lines) > 1:
+        rest = look.fonts.fit(" ".join(lines[1:]), 12, "semibold", room)
+        look.text(canvas.surface, rest, (left, lower), 12, "semibold", "text1")
+    else:
+        look.text(canvas.surface, look.fonts.fit(words[1], 11, "medium", room), (left, lower), 11, "medium", "text2")
 
 
 def draw_tip(canvas: Canvas, look: Look, course: Course, studied: Studied | None) -> None:
@@ -116,14 +120,14 @@ def _figures(course: Course, studied: Studied | None) -> list[tuple[str, str]]:
     stroke = course.stroke
     if studied is None:
         return [
-            ("Speed of the cue", f"{stroke.cue_speed:.2f} m/s"),
+            ("Cue speed", f"{stroke.cue_speed:.2f} m/s"),
             ("Aim", f"{math.degrees(stroke.azimuth):.2f}°"),
             ("Tip", tip_words(stroke).split(",")[0]),
         ]
     aim = [math.degrees(value) for value in studied.tolerance.aim]
     speed, left, up = studied.tolerance.speed, studied.tolerance.left, studied.tolerance.up
     return [
-        ("Aim may be off by", f"−{aim[0]:.2f}°  +{aim[1]:.2f}°"),
+        ("Aim off by", f"−{aim[0]:.2f}°  +{aim[1]:.2f}°"),
         ("Speed", f"−{speed[0]:.2f}  +{speed[1]:.2f} m/s"),
         ("Tip to the left", f"−{left[0]:.2f}  +{left[1]:.2f} R"),
         ("Tip up", f"−{up[0]:.2f}  +{up[1]:.2f} R"),

@@ -19,18 +19,18 @@ from game.ui.painters.ball_picture import ball_chip
 
 BUTTON_WORDS = {"play": "Play it", "strike": "Strike", "undo": "Undo", "next": "New game"}
 CHOICES = 3  # that are put into words
-TITLE = 150  # design px before the cards
+TITLE = 156  # design px before the cards
 
 
 def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
     """Name of the game, and a card for each player."""
     rect = rect_of(canvas, layout.BOARD)
     game, px = course.model.frame.game, look.px
-    look.text(canvas.surface, TITLES[game.kind], (rect.x + px(4), rect.centery - px(10)), 15, "semibold", "text1")
+    look.text(canvas.surface, TITLES[game.kind], (rect.x + px(30), rect.centery - px(10)), 15, "semibold", "text1")
     ends = f"race to {game.target}" if game.target else "no end"
     if game.most_innings:
         ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
-    look.text(canvas.surface, ends, (rect.x + px(4), rect.centery + px(10)), 12, "medium", "text3")
+    look.text(canvas.surface, ends, (rect.x + px(30), rect.centery + px(10)), 12, "medium", "text3")
     count = len(game.players)
     width = (rect.w - px(TITLE) - px(10) * (count - 1)) // count
     for player in range(count):
@@ -86,15 +86,15 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -
 def _draw_choices(canvas: Canvas, look: Look, drawn: Drawn, area: tuple[float, float, float, float]) -> None:
     """The first three groups in sentences, as many lines as there is room for."""
     x, y, right, bottom = area
-    pitch = look.px(15)
+    pitch = look.fonts.line_height(11) - look.px(2)
     for place, group in enumerate(drawn.map.groups[:CHOICES]):
         words = f"{place + 1}. {' '.join(explain(drawn.position, group))}"
         for line in look.fonts.wrap(words, 11, "medium", int(right - x)):
-            if y + 0.5 * pitch > bottom:
+            if y + 0.4 * pitch > bottom:
                 return
             look.text(canvas.surface, line, (x, y), 11, "medium", "text2" if place else "text1")
             y += pitch
-        y += look.px(3)
+        y += look.px(2)
 
 
 def _draw_options(canvas: Canvas, look: Look, course: Course) -> None:
