@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -50,7 +51,7 @@ class Scoring(NamedTuple):
 
 
 def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
-    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for other names."""
+    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for others."""
     numbers = [_number(name) for name in trajectory.shot.ids]
     row = numbers.index(cue)
     start = trajectory.shot.positions
@@ -87,7 +88,7 @@ def _leaves_corner(trajectory: Trajectory, row: int) -> bool:
         return False
     segments = trajectory.segments
     times = [*segments[segments[:, SEG_BALL] == row, SEG_TIME].tolist(), trajectory.end_time]
-    for begin, end in zip(times, times[1:], strict=False):
+    for begin, end in pairwise(times):
         for share in np.linspace(0.0, 1.0, LOOKS).tolist():
             px, py = trajectory.state_at(begin + share * (end - begin)).positions[row].tolist()
             if corner_of((px, py)) != corner:

@@ -1,8 +1,8 @@
 """The map of a carom position: coarse over all strokes, then fine where they score.
 
-`draw_map` goes through aim, speed and tip on a grid, keeps what scores, puts strokes of one order of touches into
-a group, and looks round the best of each: how often a hand makes it, how far it may be off. What it finds depends
-on the position, what is wanted and the seed only.
+`draw_map` goes through aim, speed and tip on a grid, keeps what scores, puts strokes of one order of
+touches into a group, and looks round the best of each: how often a hand makes it, how far it may be off.
+What it finds depends on the position, what is wanted and the seed only.
 """
 
 from __future__ import annotations
@@ -45,7 +45,9 @@ LARGEST_TIP = 0.6  # ball radii
 
 class Search(NamedTuple):
     """How hard a map looks. aims, speeds (every k-th), groups that are looked at closely, candidates of each,
-    draws for a first guess of their chance, moves from the best of them, draws for the chance that is shown."""
+    draws for a first guess of their chance, moves from the best of them, draws for the chance that is
+    shown.
+    """
 
     aims: int = AIMS
     every_speed: int = 1
@@ -63,10 +65,10 @@ GLANCE = Search(aims=72, every_speed=2, groups=5, candidates=3, first_draws=6, m
 class Group(NamedTuple):
     """Strokes whose cue ball touches the same things in the same order.
 
-    code: see `routes`. count: of the grid's strokes. stroke: the best. chance: how often a hand scores with it,
-    by any way. meant: how often by this one. error: standard deviation of the chance. kisses: of the best.
-    rows (count,): of the grid. ends (k, 3, 2) m: where white, yellow and red lie after the hand's strokes that
-    score.
+    code: see `routes`. count: of the grid's strokes. stroke: the best. chance: how often a hand scores with
+    it, by any way. meant: how often by this one. error: standard deviation of the chance. kisses: of the
+    best. rows (count,): of the grid. ends (k, 3, 2) m: where white, yellow and red lie after the hand's
+    strokes that score.
     """
 
     code: int

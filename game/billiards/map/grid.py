@@ -59,7 +59,8 @@ def aims_of(places: Array, radii: Array, cue: int, count: int) -> Array:
 
 
 def neighbours(keys: NDArray[np.int64], shape: tuple[int, int, int, int]) -> NDArray[np.int64]:
-    """How many of the eight strokes next to each (m,), in one variable, have the same key; a key of 0 has none.
+    """How many of the eight strokes next to each (m,), in one variable, have the same key; a key of 0 has
+    none.
 
     keys (m,), of the strokes of a `Grid` of that shape. Aims go round.
     """

@@ -41,8 +41,8 @@ FACTS = 4
 
 
 class Routes(NamedTuple):
-    """Of m strokes: codes (m,), facts (m, 4), times (m,) s of the second object ball's touch, ends (m, 3, 2) m
-    of the balls by row. A route that touched both ends with the second one; its code is 0 else.
+    """Of m strokes: codes (m,), facts (m, 4), times (m,) s of the second object ball's touch, ends (m, 3,
+    2) m of the balls by row. A route that touched both ends with the second one; its code is 0 else.
     """
 
     codes: NDArray[np.int64]

@@ -124,7 +124,9 @@ class Advisor:
         """True while a map is wanted: a person may play, or watches the table rest."""
         course = self.course
         frame = course.model.frame
-        return bool(course.parameters.map) and course.phase == AIMING and frame.playable and course.person_plays
+        return (
+            bool(course.parameters.map) and course.phase == AIMING and frame.playable and course.person_plays
+        )
 
     @property
     def noise(self) -> Noise:
@@ -137,7 +139,14 @@ class Advisor:
     def key(self) -> object:
         """Equal for equal positions, rules, cloths and hands."""
         frame = self.course.model.frame
-        return frame.places, frame.game.cue, frame.game.cushions, frame.game.opening, frame.physics, self.noise
+        return (
+            frame.places,
+            frame.game.cue,
+            frame.game.cushions,
+            frame.game.opening,
+            frame.physics,
+            self.noise,
+        )
 
     def _make(self) -> Callable[[], Position]:
         frame = self.course.model.frame

@@ -24,7 +24,11 @@ def draw_carom(pen: Pen) -> None:
     for k in range(1, 8):
         for y in (5.0, 99.0):
             pen.disc(7.0 + 146.0 * k / 8.0, y, 1.1, FELT_LINE)
-    pen.line(((26.0, 78.0), (78.0, 44.0), (112.0, 13.0), (149.0, 46.0), (116.0, 91.0), (60.0, 63.0)), FELT_WARM, 1.4)
+    pen.line(
+        ((26.0, 78.0), (78.0, 44.0), (112.0, 13.0), (149.0, 46.0), (116.0, 91.0), (60.0, 63.0)),
+        FELT_WARM,
+        1.4,
+    )
     for (x, y), color in zip(((26.0, 78.0), (54.0, 60.0), (84.0, 38.0)), CAROM_COLORS, strict=True):
         pen.disc(x, y, 5.4, color)
 

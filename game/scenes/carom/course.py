@@ -1,4 +1,4 @@
-"""The course of the game: aiming, the cue's swing, balls rolling; undo, choices, and what of the map is chosen."""
+"""The course of the game: aiming, the cue's swing, balls rolling; undo, choices, the chosen stroke."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Course(Part):
     # -- who plays ----------------------------------------------------------------------------------
 
     def grade_of(self, player: int) -> str:
-        """"person", or the grade of a computer player; whoever practises is a person."""
+        """ "person", or the grade of a computer player; whoever practises is a person."""
         if len(self.model.frame.game.players) == 1:
             return PERSON
         return str(self.parameters.first_player if player == 0 else self.parameters.second_player)

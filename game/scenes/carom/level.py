@@ -40,7 +40,11 @@ def game_of(content: CaromContent, target: int, innings: int) -> Carom:
         return read_game(content.saved)
     placed = content.white is not None
     game = Carom(
-        kind=content.game, players=tuple(content.players), target=target, most_innings=innings, opening=not placed
+        kind=content.game,
+        players=tuple(content.players),
+        target=target,
+        most_innings=innings,
+        opening=not placed,
     )
     return game.alone() if content.practice else game
 

@@ -55,7 +55,7 @@ class CaromOpponents:
         return list(thought.decisions) if thought is not None and rested else []
 
     def play_on(self) -> None:
-        """A new game when one is over and no person is there; the table's own strokes while it plays itself."""
+        """A new game when one is over and nobody is there; the table's own strokes while it plays itself."""
         course = self.course
         frame = course.model.frame
         if course.phase != AIMING or not (course.plays_itself or course.plays_alone):
@@ -69,5 +69,3 @@ class CaromOpponents:
                 return
             groups = whole_map(position_of(frame), Noise(), GLANCE).groups
             course.begin_stroke(groups[0].stroke if groups else course.stroke)
-
-

@@ -55,4 +55,6 @@ class CaromParameters(Parameters):
         HEATED, tuple(CLOTHS), labels=tuple(CLOTH_LABELS.values()), group="Table",
         help="friction and cushions of a match table, or of a club's",
     )  # fmt: skip
-    felt = Choice("blue", ("blue", "green"), labels=("Blue", "Green"), group="Table", label="Colour of the cloth")
+    felt = Choice(
+        "blue", ("blue", "green"), labels=("Blue", "Green"), group="Table", label="Colour of the cloth"
+    )

@@ -11,7 +11,8 @@ START = (
     ),
     StartLine(
         "game", "Game", "how many cushions a point needs",
-        (("three-cushion", "Three-cushion"), ("one-cushion", "One-cushion"), ("straight-rail", "Straight rail")),
+        (("three-cushion", "Three-cushion"), ("one-cushion", "One-cushion"),
+         ("straight-rail", "Straight rail")),
         "three-cushion",
     ),
     StartLine("cloth", "Cloth", "of the table", (("heated", "Heated"), ("club", "Club")), "heated"),

@@ -83,9 +83,10 @@ def fit_table(area: pygame.Rect, table: Table) -> TableView:
 
 
 class Dress(NamedTuple):
-    """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the other
-    slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares of width
-    and length; line: share of the length at which a line is drawn across, None for none."""
+    """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the
+    other slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares
+    of width and length; line: share of the length at which a line is drawn across, None for none.
+    """
 
     felt: pygame.Color
     slope_lit: int
@@ -97,9 +98,7 @@ class Dress(NamedTuple):
     line: float | None
 
 
-POOL = Dress(
-    colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.5, 0.25), (0.5, 0.75)), 0.25
-)
+POOL = Dress(colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.5, 0.25), (0.5, 0.75)), 0.25)
 
 
 def carom_dress(felt: pygame.Color, spots: tuple[tuple[float, float], ...]) -> Dress:

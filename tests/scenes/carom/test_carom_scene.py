@@ -165,7 +165,11 @@ def test_a_press_that_does_not_move_a_ball_changes_nothing():
     stage = level_of(PLACED)
     before = stage.scene.model.frame
     click(stage, 0.41, 1.1)
-    assert stage.scene.model.frame is before and stage.scene.course.grip == "" and len(stage.scene.model.frame.game.players) == 2
+    assert (
+        stage.scene.model.frame is before
+        and stage.scene.course.grip == ""
+        and len(stage.scene.model.frame.game.players) == 2
+    )
 
 
 # -- strokes by hand --------------------------------------------------------------------------------
@@ -311,7 +315,9 @@ def test_the_table_plays_by_itself_and_is_taken_over():
 def test_a_match_of_two_machines_begins_again():
     stage = level_of("", first_player="novice", second_player="novice", target=1, innings=1)
     scene = stage.scene
-    scene.model.frame = scene.model.frame.replace(game=msgspec.structs.replace(scene.model.frame.game, ended=True))
+    scene.model.frame = scene.model.frame.replace(
+        game=msgspec.structs.replace(scene.model.frame.game, ended=True)
+    )
     seconds(stage, NEW_GAME_S + 1.0)
     assert not scene.model.frame.game.ended and scene.model.frame.game.turn == 1
 
@@ -400,9 +406,17 @@ def test_boxes_do_not_overlap():
     boxes += [layout.button_box(k) for k in range(len(layout.BUTTONS))]
     frame = layout.FRAME
     for k, box in enumerate(boxes):
-        assert frame.left <= box.top < box.bottom <= frame.right and frame.bottom <= box.left < box.right <= frame.top
+        assert (
+            frame.left <= box.top < box.bottom <= frame.right
+            and frame.bottom <= box.left < box.right <= frame.top
+        )
         for other in boxes[:k]:
-            apart = box.top >= other.bottom or box.bottom <= other.top or box.left >= other.right or box.right <= other.left
+            apart = (
+                box.top >= other.bottom
+                or box.bottom <= other.top
+                or box.left >= other.right
+                or box.right <= other.left
+            )
             assert apart, (box, other)
     last = layout.row_box(layout.ROWS - 1)
     assert last.bottom <= layout.LIST.bottom

@@ -139,7 +139,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         fouls = [
             Foul("off the table", f"The {BALL_NAMES[ball]} ball left the table.") for ball in shot.off_table
         ]
-        fouls += [Foul("touching", f"The cue ball was played into the {BALL_NAMES[ball]} ball that it touched.")
+        fouls += [Foul("touching", f"The cue ball was played into the {BALL_NAMES[ball]} ball it touched.")
                   for ball in shot.into]  # fmt: skip
         if self.opening and shot.path[:1] != ((BALL, RED),):
             fouls.append(
@@ -161,7 +161,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return self.kind == "straight-rail" and self.inside == INSIDE and not shot.left_corner
 
     def _inside_after(self, shot: CaromSummary) -> int:
-        """54: a point that leaves both balls in the corner they lay in; one that came back has entered anew."""
+        """54: a point that leaves both balls in their corner; one that came back has entered anew."""
         entered = _entered(shot.rest, self.cue)
         return INSIDE if entered and self.inside and not shot.left_corner else entered
 
@@ -263,10 +263,11 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     def next_game(self) -> CaromVerdict:
         """The next game of the same players, who begin in turns."""
         breaker = (self.breaker + 1) % len(self.players)
-        zeros = (0, 0)
+        zeros = (0,) * len(self.players)
         game = msgspec.structs.replace(
-            self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1), high_runs=zeros,
-            safeties=zeros, run=0, inside=0, opening=True, options=(), ended=False, winner=None,
+            self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1),
+            high_runs=zeros, safeties=zeros, run=0, inside=0, opening=True, options=(), ended=False,
+            winner=None,
         )  # fmt: skip
         return CaromVerdict(game, game.start(), words=(f"{game.shooter} begins.",))
 

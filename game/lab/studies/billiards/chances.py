@@ -1,8 +1,8 @@
 """How often a hand makes a stroke at carom: what more samples are worth, and what each model says of it.
 
-The stroke is one over three cushions. Its chance is the share of a hand's strokes that score; the hand is that of
-a club player. With the exact table the error falls with the square root of the samples. The other models tell
-another chance however many are drawn: their table is another one.
+The stroke is one over three cushions. Its chance is the share of a hand's strokes that score; the hand is
+that of a club player. With the exact table the error falls with the square root of the samples. The other
+models tell another chance however many are drawn: their table is another one.
 """
 
 from __future__ import annotations
@@ -105,7 +105,8 @@ chances_study = Study(
     present=present_setting,
     workload=Workload("the chance of one stroke from so many samples"),
     reference="60 000 strokes on the exact table.",
-    expectation="With the exact table the error falls with the root of the samples: a hundred tell a chance to "
-    "0.05, ten thousand to 0.005. The stepped table tells nearly the same chance at a thousand times the price. "
+    expectation="With the exact table the error falls with the root of the samples: a hundred tell a "
+    "chance to 0.05, ten thousand to 0.005. The stepped table tells nearly the same at a thousand times the "
+    "price. "
     "The lecture's has no spin, and its balls hardly ever take this way: more samples do not help it.",
 )

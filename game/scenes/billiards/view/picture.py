@@ -15,7 +15,6 @@ from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLIN
 from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, Foresight, Sight
-from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
 from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
@@ -27,6 +26,7 @@ from game.scenes.billiards.view.sight import draw_considered, draw_fan, draw_lab
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables import boxes
+from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look

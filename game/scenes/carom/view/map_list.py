@@ -50,14 +50,12 @@ def _under(course: Course, drawn: Drawn | None, advisor: Advisor) -> str:
     return f"{scoring} of {len(drawn.map.strokes):,} strokes, {len(drawn.map.groups)} ways".replace(",", " ")
 
 
-def _draw_row(
-    canvas: Canvas, look: Look, box: Box, words: tuple[str, str], chance: float, lit: bool
-) -> None:
+def _draw_row(canvas: Canvas, look: Look, box: Box, words: tuple[str, str], chance: float, lit: bool) -> None:
     """One group. chance nan: it is still being counted."""
     rect = rect_of(canvas, box).inflate(-look.px(12), 0)
     theme, px = look.theme, look.px
-    draw_box(canvas.surface, rect, px(6), theme.accent_soft if lit else theme.inset, theme.accent if lit else None,
-             max(1, px(1.5)))  # fmt: skip
+    fill, line = (theme.accent_soft, theme.accent) if lit else (theme.inset, None)
+    draw_box(canvas.surface, rect, px(6), fill, line, max(1, px(1.5)))
     left = rect.x + px(62)
     counted = not math.isnan(chance)
     if counted:
@@ -75,7 +73,9 @@ def _draw_row(
         rest = look.fonts.fit(" ".join(lines[1:]), 12, "semibold", room)
         look.text(canvas.surface, rest, (left, lower), 12, "semibold", "text1")
     else:
-        look.text(canvas.surface, look.fonts.fit(words[1], 11, "medium", room), (left, lower), 11, "medium", "text2")
+        look.text(
+            canvas.surface, look.fonts.fit(words[1], 11, "medium", room), (left, lower), 11, "medium", "text2"
+        )
 
 
 def draw_tip(canvas: Canvas, look: Look, course: Course, studied: Studied | None) -> None:
@@ -92,7 +92,9 @@ def draw_tip(canvas: Canvas, look: Look, course: Course, studied: Studied | None
     draw_disc(canvas.surface, middle, TIP_REACH * radius, None, look.color("line2"), look.border)
     chosen = course.parameters
     place = (middle[0] - chosen.tip_left * radius, middle[1] - chosen.tip_up * radius)
-    draw_disc(canvas.surface, place, max(4.0 * look.k, 3.0), look.color("amber"), look.color("stage"), look.border)
+    draw_disc(
+        canvas.surface, place, max(4.0 * look.k, 3.0), look.color("amber"), look.color("stage"), look.border
+    )
     x, y = rect.x + look.px(186), rect.y + look.px(26)
     for row, (label, value) in enumerate(_figures(course, studied)):
         at = y + row * look.px(37)
@@ -100,7 +102,9 @@ def draw_tip(canvas: Canvas, look: Look, course: Course, studied: Studied | None
         look.text(canvas.surface, value, (x, at + look.px(16)), 13, "semibold", "text1")
 
 
-def _draw_cells(canvas: Canvas, look: Look, studied: Studied, middle: tuple[float, float], radius: float) -> None:
+def _draw_cells(
+    canvas: Canvas, look: Look, studied: Studied, middle: tuple[float, float], radius: float
+) -> None:
     """Green where the stroke scores as meant, blue where otherwise."""
     cells = len(studied.tips)
     size = 2.0 * TIP_REACH * radius / (cells - 1)
@@ -111,7 +115,9 @@ def _draw_cells(canvas: Canvas, look: Look, studied: Studied, middle: tuple[floa
             color = colors.get(int(studied.tips[row, column]))
             if color is not None:
                 x, y = round(left + column * size), round(top + row * size)
-                box = pygame.Rect(x, y, round(left + (column + 1) * size) - x, round(top + (row + 1) * size) - y)
+                box = pygame.Rect(
+                    x, y, round(left + (column + 1) * size) - x, round(top + (row + 1) * size) - y
+                )
                 canvas.surface.fill(color, box)
 
 

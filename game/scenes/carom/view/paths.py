@@ -20,7 +20,7 @@ LEAST_PATH = 0.01  # m; a ball that moves less is not shown to move
 
 
 class Sight(NamedTuple):
-    """What a stroke would do: paths of the balls by row (cue ball first), its order in words, if it scores."""
+    """What a stroke would do: paths of the balls by row (cue ball first), whether it scores."""
 
     paths: tuple[Array, ...]
     scores: bool

@@ -26,7 +26,9 @@ def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
     """Name of the game, and a card for each player."""
     rect = rect_of(canvas, layout.BOARD)
     game, px = course.model.frame.game, look.px
-    look.text(canvas.surface, TITLES[game.kind], (rect.x + px(30), rect.centery - px(10)), 15, "semibold", "text1")
+    look.text(
+        canvas.surface, TITLES[game.kind], (rect.x + px(30), rect.centery - px(10)), 15, "semibold", "text1"
+    )
     ends = f"race to {game.target}" if game.target else "no end"
     if game.most_innings:
         ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
@@ -43,7 +45,9 @@ def _draw_card(canvas: Canvas, look: Look, box: pygame.Rect, course: Course, pla
     game, theme, px = course.model.frame.game, look.theme, look.px
     lit = player == game.turn and not game.ended
     fill = theme.accent_soft if lit else theme.panel
-    draw_box(canvas.surface, box, px(8), fill, theme.accent if lit else theme.line, max(1, px(2 if lit else 1)))
+    draw_box(
+        canvas.surface, box, px(8), fill, theme.accent if lit else theme.line, max(1, px(2 if lit else 1))
+    )
     ball = player if len(game.players) == 2 else game.alone_with
     chip = ball_chip(CAROM_WHITE + ball, max(11.0 * look.k, 3.0), (fill.r, fill.g, fill.b))
     canvas.surface.blit(chip, chip.get_rect(center=(box.x + px(24), box.centery)))
@@ -51,10 +55,19 @@ def _draw_card(canvas: Canvas, look: Look, box: pygame.Rect, course: Course, pla
     name = look.fonts.fit(_name(course, player), 15, "semibold", room)
     look.text(canvas.surface, name, (x, box.centery - px(10)), 15, "semibold", "text1")
     run = f"run {game.run}, " if lit else ""
-    said = f"{run}{game.innings[player]} innings, average {game.average(player):.2f}, high run {game.high_runs[player]}"
+    had = f"{game.innings[player]} innings, average {game.average(player):.2f}"
+    said = f"{run}{had}, high run {game.high_runs[player]}"
     look.text(canvas.surface, look.fonts.fit(said, 12, "medium", box.w - px(46) - px(62)),
               (x, box.centery + px(10)), 12, "medium", "text2")  # fmt: skip
-    look.text(canvas.surface, str(game.points[player]), (box.right - px(16), box.centery), 26, "display", "text1", "right")
+    look.text(
+        canvas.surface,
+        str(game.points[player]),
+        (box.right - px(16), box.centery),
+        26,
+        "display",
+        "text1",
+        "right",
+    )
 
 
 def _name(course: Course, player: int) -> str:

@@ -1,4 +1,4 @@
-"""Boxes round a table, in the world's metres, so that the hand finds them at every size; letters in its measure."""
+"""Boxes round a table, in the world's metres, so that the hand finds them at every size; its letters."""
 
 from __future__ import annotations
 
