@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, IN_X, IN_Y, SEG_BALL, SEG_TIME
 from game.billiards.shot.trajectory import Trajectory
-from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions
+from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions, touching
 
 Array = NDArray[np.float64]
 BALL, CUSHION = "ball", "cushion"
@@ -56,13 +56,16 @@ def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
     row = numbers.index(cue)
     start = trajectory.shot.positions
     against = frozen_cushions((float(start[row, 0]), float(start[row, 1])))
+    places = np.empty((3, 2))
+    places[numbers] = start
+    near = touching(places, cue)
     path: list[tuple[str, int]] = []
     into: tuple[int, ...] = ()
-    for time, event, i, j in trajectory.rows.tolist():
+    for _, event, i, j in trajectory.rows.tolist():
         if event == BALL_BALL and row in (i, j):
             ball = numbers[int(j if i == row else i)]
-            if time == 0.0:
-                into += (ball,)
+            if not path and ball in near:
+                into = (ball,)
             path.append((BALL, ball))
         elif event == BALL_CUSHION and i == row and (path or int(j) not in against):
             path.append((CUSHION, int(j)))

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.map.grid import Grid, aims_of, neighbours
-from game.billiards.map.routes import KISSES, Routes, Wanted, play_routes
+from game.billiards.map.routes import KISSES, RAILS, Routes, Wanted, play_routes
 from game.billiards.search.strokes import (
     AZIMUTH,
     SPEED,
@@ -27,7 +27,7 @@ from game.billiards.search.strokes import (
     with_noise,
 )
 from game.billiards.shot.shot import Physics
-from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions
+from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions, touching
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
@@ -106,7 +106,7 @@ class Position:
         layout = arrange({row: (float(x), float(y)) for row, (x, y) in enumerate(own.tolist())},
                          equal_balls(BALL_RADIUS, BALL_MASS))  # fmt: skip
         self.board = Board(layout, table, physics)
-        self.against = sum(1 << rail for rail in frozen_cushions(tuple(own[0].tolist())))
+        self.against = _against(own)
 
     def moved(self, places: Array) -> Position:
         """The same with its balls elsewhere, for the next stroke. places (3, 2) m, apart and on the bed."""
@@ -114,7 +114,7 @@ class Position:
         other.__dict__.update(self.__dict__)
         other.places = places
         other.board = self.board.moved(places[self.order], np.arange(3))
-        other.against = sum(1 << rail for rail in frozen_cushions(tuple(places[self.cue].tolist())))
+        other.against = _against(places[self.order])
         other.wanted = self.wanted._replace(opening=False)
         return other
 
@@ -127,6 +127,13 @@ class Position:
         ends = np.empty_like(routes.ends)
         ends[:, self.order] = routes.ends
         return ends
+
+
+def _against(own: Array) -> int:
+    """What the cue ball touches, as bits for `read_routes`. own (3, 2) m: places by row."""
+    x, y = own[0].tolist()
+    rails = sum(1 << rail for rail in frozen_cushions((x, y)))
+    return rails + sum(1 << (RAILS + row) for row in touching(own, 0))
 
 
 def grid_for(position: Position, search: Search = THOROUGH) -> Grid:

@@ -31,6 +31,7 @@ OTHER, RED = 1, 2  # rows of the object balls
 # a route is written in digits of base 8, the first touch in the highest: 1 to 4 for the rails left, right,
 # lower, upper, then the balls; a ball that is touched several times with nothing between is written once
 BALL_DIGIT = 4  # of a ball is this and its row
+RAILS = 4  # bits of what the cue ball touches: first the rails, then the balls by row
 DIGITS = 20  # that are kept of a route
 
 # columns of facts (m, 4): cushions before the second object ball (-1: not both touched), row of the ball that
@@ -71,7 +72,7 @@ class Wanted(NamedTuple):
 
 @lean_kernel
 def read_routes(events, ends, final, against, codes, facts, times, places):
-    """Read off the shots whose ends are given, see `Routes`. against: rails the cue ball touches, as bits."""
+    """Read off the shots whose ends are given, see `Routes`. against: what the cue ball touches, as bits."""
     for s in range(ends.shape[0]):
         code = 0
         digits = 0
@@ -94,7 +95,7 @@ def read_routes(events, ends, final, against, codes, facts, times, places):
                     facts[s, FIRST] = j if digits == 0 else -j
                 if touched & (1 << j) != 0:
                     facts[s, KISSES] += 1
-                if events[row, 0] == 0.0:
+                if digits == 0 and against & (1 << (RAILS + j)) != 0:
                     facts[s, INTO] = 1
                 touched |= 1 << j
             elif event == BALL_BALL:
@@ -122,7 +123,7 @@ def read_routes(events, ends, final, against, codes, facts, times, places):
 def play_routes(
     board: Board, strokes: Array, against: int = 0, pool: ThreadPoolExecutor | None = None
 ) -> Routes:
-    """Play strokes (m, 5) at a board of three balls whose cue ball is the first. against: rails that it
+    """Play strokes (m, 5) at a board of three balls whose cue ball is the first. against: what it
     touches, as bits. pool: threads to share them among."""
     routes = Routes.empty(len(strokes))
 

@@ -317,6 +317,16 @@ def test_the_cushion_that_the_cue_ball_lies_against_does_not_count():
     assert free.play(Stroke(2.0, math.pi)).summary.path[0] == ("cushion", 0)
 
 
+@pytest.mark.parametrize("gap", [0.0, 5e-5])
+def test_a_ball_that_touches_is_played_into_or_left_alone(gap):
+    places = ((0.5, 1.0), (1.2, 2.0), (0.5 + D + gap, 1.0))
+    frame = new_carom(Carom(opening=False)).replace(places=places)
+    assert frame.play(Stroke(2.0, 0.0)).summary.into == (RED,)
+    assert frame.play(Stroke(2.0, 2.5)).summary.into == ()
+    apart = frame.replace(places=(*places[:2], (0.5 + D + 1e-3, 1.0)))
+    assert apart.play(Stroke(2.0, 0.0)).summary.into == ()
+
+
 def test_a_ball_seen_outside_its_corner_has_left_it():
     frame = new_carom(Carom(kind="straight-rail", opening=False)).replace(
         places=((0.05, 0.10), (0.05, 0.60), (0.15, 0.10))
