@@ -29,6 +29,7 @@ STROKE = Stroke(4.8, 1.69, 0.0, 0.25, 0.0)
 HAND = Noise().scaled(2.8)
 WANTED = Wanted(3)
 SAMPLES = {"exact": (16, 64, 256, 1024, 4096), "stepped": (16, 64), "lecture": (16, 64)}
+SCENES = {"exact": {"odds": "club"}}  # the scene plays on the exact table only
 TRUTH = 60_000  # samples behind the reference; its own error is 0.002
 SEED = 7
 
@@ -76,7 +77,7 @@ class Chance:
 
 def _settings() -> Sequence[Setting]:
     return [
-        Setting(model, float(count), weight=count * (1.0 if model == "exact" else 300.0))
+        Setting(model, float(count), {}, SCENES.get(model, {}), count * (1.0 if model == "exact" else 300.0))
         for model, counts in SAMPLES.items()
         for count in counts
     ]
