@@ -48,6 +48,8 @@ def test_a_click_shows_a_way_and_a_second_one_plays_it():
     assert course.chosen == group.stroke and course.phase == "aiming"
     assert course.stroke.azimuth == pytest.approx(math.remainder(group.stroke.azimuth, math.tau))
     assert course.stroke.cue_speed == pytest.approx(group.stroke.cue_speed)
+    assert course.stroke.tip_left == pytest.approx(group.stroke.tip_left, abs=1e-6)
+    assert course.stroke.tip_up == pytest.approx(group.stroke.tip_up, abs=1e-6)
     click_row(stage, 0)
     assert course.phase == "striking"
     until_aiming(stage)
@@ -64,6 +66,15 @@ def test_a_recording_plays_the_same_without_drawing_a_map():
     again = replay_scene(recorded(stage), CaromScene)
     assert again.digest() == stage.digest()
     assert again.scene.advisor.maker.latest is None
+
+
+def test_a_click_counts_only_for_the_position_that_was_shown():
+    stage = open_level("practice")
+    stage.listen(at_once=True)
+    click(stage, *layout.row_box(0).middle)
+    drag(stage, (0.71, 2.13), (0.75, 2.0), (0.9, 1.6))
+    stage.listen(at_once=True)
+    assert stage.scene.course.chosen is None
 
 
 def test_what_is_chosen_is_played_by_its_button_and_key():
@@ -238,6 +249,19 @@ def test_undo_goes_back_before_the_stroke():
     assert stage.scene.model.frame.places == places
     stage.post(Action("undo"))
     assert any("Nothing to undo" in words for words in stage.scene.messages())
+
+
+def test_the_second_player_moves_the_yellow_ball():
+    stage = level_of(
+        f"{PLACED}[content.saved]\ngame = 'carom'\nturn = 1\nopening = false\ninnings = [1, 1]\n"
+    )
+    stage.scene.course.begin_stroke(Stroke(2.0, 0.5 * math.pi))
+    while stage.scene.course.phase != "rolling":
+        seconds(stage, 0.05)
+    seconds(stage, 0.3)
+    places = stage.scene.model.places
+    assert places[[WHITE, RED]].tolist() == [[0.9, 0.7], [0.71, 2.13]]
+    assert places[YELLOW, 1] > 1.2
 
 
 # -- matches ----------------------------------------------------------------------------------------
