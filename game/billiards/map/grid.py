@@ -13,7 +13,7 @@ from game.billiards.search.strokes import AZIMUTH, SPEED, TIP_LEFT, TIP_UP
 Array = NDArray[np.float64]
 
 THINNEST = 0.985  # of the sum of radii is the farthest hit beside the middle
-AROUND = 0.26  # share of the aims that go all round, for strokes by a cushion first
+AROUND = 0.45  # share of the aims that go all round, for strokes by a cushion first
 
 
 class Grid(NamedTuple):
