@@ -104,9 +104,14 @@ POOL = Dress(colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.
 def carom_dress(felt: pygame.Color, spots: tuple[tuple[float, float], ...]) -> Dress:
     """A carom table's: the spots of the game, no line; cushions in shades of its cloth."""
     white, black = pygame.Color("#FFFFFF"), pygame.Color("#000000")
-    shades = (colors.mix(felt, black, 0.06), colors.mix(felt, black, 0.18), colors.mix(felt, white, 0.04),
-              colors.mix(felt, white, 0.06), colors.mix(felt, black, 0.48))  # fmt: skip
-    return Dress(felt, *(packed(shade) for shade in shades), spots, None)
+
+    def shade(towards: pygame.Color, share: float) -> int:
+        return packed(colors.mix(felt, towards, share))
+
+    return Dress(
+        felt, shade(black, 0.06), shade(black, 0.18), shade(white, 0.04), shade(white, 0.06), shade(black, 0.48),
+        spots, None,
+    )  # fmt: skip
 
 
 class TablePainter:

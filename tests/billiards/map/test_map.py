@@ -47,7 +47,7 @@ def test_all_strokes_of_the_grid_are_there_once(position):
     coarse = next(draw_map(position, Noise()))
     assert len(coarse.strokes) == len(coarse.codes) == 18_000
     assert len(np.unique(coarse.strokes, axis=0)) == 18_000
-    assert sum(group.count for group in coarse.groups) == (coarse.codes > 0).sum()
+    assert sum(group.found for group in coarse.groups) == (coarse.codes > 0).sum()
 
 
 def test_what_it_leaves_out_does_not_score(position, drawn):
