@@ -65,10 +65,10 @@ GLANCE = Search(aims=72, every_speed=2, groups=5, candidates=3, first_draws=6, m
 class Group(NamedTuple):
     """Strokes whose cue ball touches the same things in the same order.
 
-    code: see `routes`. found: so many of the grid's strokes. stroke: the best. chance: how often a hand scores with
-    it, by any way. meant: how often by this one. error: standard deviation of the chance. kisses: of the
-    best. rows (found,): of the grid. ends (k, 3, 2) m: where white, yellow and red lie after the hand's
-    strokes that score.
+    code: see `routes`. found: so many of the grid's strokes. stroke: the best. chance: how often a hand
+    scores with it, by any way. meant: how often by this one. error: standard deviation of the chance.
+    kisses: of the best. rows (found,): of the grid. ends (k, 3, 2) m: where white, yellow and red lie after
+    the hand's strokes that score.
     """
 
     code: int

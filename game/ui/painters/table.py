@@ -109,8 +109,8 @@ def carom_dress(felt: pygame.Color, spots: tuple[tuple[float, float], ...]) -> D
         return packed(colors.mix(felt, towards, share))
 
     return Dress(
-        felt, shade(black, 0.06), shade(black, 0.18), shade(white, 0.04), shade(white, 0.06), shade(black, 0.48),
-        spots, None,
+        felt, shade(black, 0.06), shade(black, 0.18), shade(white, 0.04), shade(white, 0.06),
+        shade(black, 0.48), spots, None,
     )  # fmt: skip
 
 
