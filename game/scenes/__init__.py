@@ -9,6 +9,7 @@ from game.scenes import (
     billiards,
     bounds,
     boxes,
+    carom,
     convex,
     examples,
     fireworks,
@@ -29,6 +30,7 @@ from game.stage.catalogue import Catalogue
 CATALOGUE = Catalogue(
     (
         *billiards.ENTRIES,
+        *carom.ENTRIES,
         *two_balls.ENTRIES,
         *lecture_table.ENTRIES,
         *three_tables.ENTRIES,

@@ -23,6 +23,7 @@ ELSEWHERE = {
     "three-tables": {"exact"},
     "three-tables-lossless": {"exact"},
     "c08": {"principal"},
+    "carom-chances": {"stepped", "lecture"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points
 NO_PLACE = {"c02-joints", "c01", "c01-uneven", "bounds-gap"}

@@ -20,7 +20,7 @@ def test_no_letters_are_below_eleven_pixels(name: str, monkeypatch: pytest.Monke
     plain = FontBook.font
 
     def font(self: FontBook, size: float, weight: str = "medium"):
-        asked.add((round(size * self.k), weight))
+        asked.add((max(self.least, round(size * self.k)), weight))
         return plain(self, size, weight)
 
     monkeypatch.setattr(FontBook, "font", font)

@@ -1,4 +1,4 @@
-"""A frame of carom: game, balls and cloth together, and what a stroke or a choice makes of them. Immutable."""
+"""A frame of carom: game, balls and cloth together, and what strokes and choices make of them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ MOST_KEPT = 60  # frames that can be gone back to
 
 
 def carom_shot(table: Table, physics: Physics, places: Array, cue: int, stroke: Stroke | None = None) -> Shot:
-    """The shot of a stroke with ball `cue`, which is its first row, then the other cue ball, then the red one.
+    """The shot of a stroke with ball `cue`, which is its first row, then the other cue ball, then the red
+    one.
 
     places (3, 2) m of white, yellow, red. Without a stroke all lie at rest. ShotError if balls overlap.
     """
@@ -105,7 +106,7 @@ class CaromFrame(msgspec.Struct, frozen=True, eq=False):
         return self.strike(stroke, safety).outcome()
 
     def choose(self, name: str) -> CaromFrame:
-        """What follows from the player at turn choosing an option. ValueError if there is none of that name."""
+        """What follows from the player at turn choosing an option. ValueError if there is no such."""
         return self._followed(self.game.choose(name, self.positions))
 
     def next_game(self) -> CaromFrame:

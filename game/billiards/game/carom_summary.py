@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, IN_X, IN_Y, SEG_BALL, SEG_TIME
 from game.billiards.shot.trajectory import Trajectory
-from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions
+from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions, touching
 
 Array = NDArray[np.float64]
 BALL, CUSHION = "ball", "cushion"
@@ -50,18 +51,21 @@ class Scoring(NamedTuple):
 
 
 def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
-    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for other names."""
+    """Summary of a played stroke with ball `cue`, balls named as BALL_NAMES are. ValueError for others."""
     numbers = [_number(name) for name in trajectory.shot.ids]
     row = numbers.index(cue)
     start = trajectory.shot.positions
     against = frozen_cushions((float(start[row, 0]), float(start[row, 1])))
+    places = np.empty((3, 2))
+    places[numbers] = start
+    near = touching(places, cue)
     path: list[tuple[str, int]] = []
     into: tuple[int, ...] = ()
-    for time, event, i, j in trajectory.rows.tolist():
+    for _, event, i, j in trajectory.rows.tolist():
         if event == BALL_BALL and row in (i, j):
             ball = numbers[int(j if i == row else i)]
-            if time == 0.0:
-                into += (ball,)
+            if not path and ball in near:
+                into = (ball,)
             path.append((BALL, ball))
         elif event == BALL_CUSHION and i == row and (path or int(j) not in against):
             path.append((CUSHION, int(j)))
@@ -87,7 +91,7 @@ def _leaves_corner(trajectory: Trajectory, row: int) -> bool:
         return False
     segments = trajectory.segments
     times = [*segments[segments[:, SEG_BALL] == row, SEG_TIME].tolist(), trajectory.end_time]
-    for begin, end in zip(times, times[1:], strict=False):
+    for begin, end in pairwise(times):
         for share in np.linspace(0.0, 1.0, LOOKS).tolist():
             px, py = trajectory.state_at(begin + share * (end - begin)).positions[row].tolist()
             if corner_of((px, py)) != corner:

@@ -1,8 +1,8 @@
 """The map of a carom position: coarse over all strokes, then fine where they score.
 
-`draw_map` goes through aim, speed and tip on a grid, keeps what scores, puts strokes of one order of touches into
-a group, and looks round the best of each: how often a hand makes it, how far it may be off. What it finds depends
-on the position, what is wanted and the seed only.
+`draw_map` goes through aim, speed and tip on a grid, keeps what scores, puts strokes of one order of
+touches into a group, and looks round the best of each: how often a hand makes it, how far it may be off.
+What it finds depends on the position, what is wanted and the seed only.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke, arrange, equal_balls
 from game.billiards.map.grid import Grid, aims_of, neighbours
-from game.billiards.map.routes import KISSES, Routes, Wanted, play_routes
+from game.billiards.map.routes import KISSES, RAILS, Routes, Wanted, play_routes
 from game.billiards.search.strokes import (
     AZIMUTH,
     SPEED,
@@ -27,7 +27,7 @@ from game.billiards.search.strokes import (
     with_noise,
 )
 from game.billiards.shot.shot import Physics
-from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions
+from game.billiards.table.carom import BALL_MASS, BALL_RADIUS, RED, frozen_cushions, touching
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
@@ -45,7 +45,9 @@ LARGEST_TIP = 0.6  # ball radii
 
 class Search(NamedTuple):
     """How hard a map looks. aims, speeds (every k-th), groups that are looked at closely, candidates of each,
-    draws for a first guess of their chance, moves from the best of them, draws for the chance that is shown."""
+    draws for a first guess of their chance, moves from the best of them, draws for the chance that is
+    shown.
+    """
 
     aims: int = AIMS
     every_speed: int = 1
@@ -63,14 +65,14 @@ GLANCE = Search(aims=72, every_speed=2, groups=5, candidates=3, first_draws=6, m
 class Group(NamedTuple):
     """Strokes whose cue ball touches the same things in the same order.
 
-    code: see `routes`. count: of the grid's strokes. stroke: the best. chance: how often a hand scores with it,
-    by any way. meant: how often by this one. error: standard deviation of the chance. kisses: of the best.
-    rows (count,): of the grid. ends (k, 3, 2) m: where white, yellow and red lie after the hand's strokes that
-    score.
+    code: see `routes`. found: so many of the grid's strokes. stroke: the best. chance: how often a hand
+    scores with it, by any way. meant: how often by this one. error: standard deviation of the chance.
+    kisses: of the best. rows (found,): of the grid. ends (k, 3, 2) m: where white, yellow and red lie after
+    the hand's strokes that score.
     """
 
     code: int
-    count: int
+    found: int
     stroke: Stroke
     chance: float
     meant: float
@@ -104,7 +106,7 @@ class Position:
         layout = arrange({row: (float(x), float(y)) for row, (x, y) in enumerate(own.tolist())},
                          equal_balls(BALL_RADIUS, BALL_MASS))  # fmt: skip
         self.board = Board(layout, table, physics)
-        self.against = sum(1 << rail for rail in frozen_cushions(tuple(own[0].tolist())))
+        self.against = _against(own)
 
     def moved(self, places: Array) -> Position:
         """The same with its balls elsewhere, for the next stroke. places (3, 2) m, apart and on the bed."""
@@ -112,7 +114,7 @@ class Position:
         other.__dict__.update(self.__dict__)
         other.places = places
         other.board = self.board.moved(places[self.order], np.arange(3))
-        other.against = sum(1 << rail for rail in frozen_cushions(tuple(places[self.cue].tolist())))
+        other.against = _against(places[self.order])
         other.wanted = self.wanted._replace(opening=False)
         return other
 
@@ -125,6 +127,13 @@ class Position:
         ends = np.empty_like(routes.ends)
         ends[:, self.order] = routes.ends
         return ends
+
+
+def _against(own: Array) -> int:
+    """What the cue ball touches, as bits for `read_routes`. own (3, 2) m: places by row."""
+    x, y = own[0].tolist()
+    rails = sum(1 << rail for rail in frozen_cushions((x, y)))
+    return rails + sum(1 << (RAILS + row) for row in touching(own, 0))
 
 
 def grid_for(position: Position, search: Search = THOROUGH) -> Grid:

@@ -13,7 +13,7 @@ from game.billiards.search.strokes import AZIMUTH, SPEED, TIP_LEFT, TIP_UP
 Array = NDArray[np.float64]
 
 THINNEST = 0.985  # of the sum of radii is the farthest hit beside the middle
-AROUND = 0.26  # share of the aims that go all round, for strokes by a cushion first
+AROUND = 0.45  # share of the aims that go all round, for strokes by a cushion first
 
 
 class Grid(NamedTuple):
@@ -59,7 +59,8 @@ def aims_of(places: Array, radii: Array, cue: int, count: int) -> Array:
 
 
 def neighbours(keys: NDArray[np.int64], shape: tuple[int, int, int, int]) -> NDArray[np.int64]:
-    """How many of the eight strokes next to each (m,), in one variable, have the same key; a key of 0 has none.
+    """How many of the eight strokes next to each (m,), in one variable, have the same key; a key of 0 has
+    none.
 
     keys (m,), of the strokes of a `Grid` of that shape. Aims go round.
     """

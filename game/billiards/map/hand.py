@@ -13,7 +13,8 @@ FEWEST = 5  # strokes, from which a hand can be told
 
 
 def noise_of(pairs: Sequence[tuple[Stroke, Stroke]], radius: float) -> Noise | None:
-    """Standard deviations of the strokes made from those meant, (meant, made) each; None for fewer than FEWEST.
+    """Standard deviations of the strokes made from those meant, (meant, made) each; None for fewer than
+    FEWEST.
 
     A tip has two directions, which count alike. Bias counts as noise: the hand is off either way. radius of
     the cue ball, m.

@@ -31,8 +31,9 @@ def leaving(position: Position, group: Group, noise: Noise, ends: int = 3, seed:
 def heat(
     ends: Array, columns: int, rows: int, width: float = CAROM_WIDTH, length: float = CAROM_LENGTH
 ) -> Array:
-    """Where a ball ends: share of ends (k, 2) m in each cell, (rows, columns); rows along the table from its lower
-    end, columns across it from the left. All 0 without ends."""
+    """Where a ball ends: share of ends (k, 2) m in each cell, (rows, columns); rows along the table from
+    its lower end, columns across it from the left. All 0 without ends.
+    """
     if not len(ends):
         return np.zeros((rows, columns))
     counts, _, _ = np.histogram2d(ends[:, 1], ends[:, 0], (rows, columns), ((0.0, length), (0.0, width)))

@@ -162,11 +162,12 @@ def _pot(
 def cue_ball_heat(
     board: Board, drawn: PoolMap, ball: int, pocket: int, columns: int = 32, rows: int = 64
 ) -> Array:
-    """Where the cue ball may end after some stroke of the map that pots a ball (number) into a pocket (row): share
-    of those strokes in each cell (rows, columns), from the lower end and the left. Its zeros cannot be had."""
+    """Where the cue ball may end after some stroke of the map that pots a ball (number) into a pocket
+    (row): share of those strokes in each cell (rows, columns), from the lower end and the left.
+
+    What is 0 cannot be had.
+    """
     row = board.layout.numbers.index(ball)
-    wanted = 1 + row + 16 * pocket
-    potting = _balls_down(drawn.keys) == wanted
-    return heat(
-        drawn.outcomes.places[potting, board.cue], columns, rows, board.table.width, board.table.length
-    )
+    potting = _balls_down(drawn.keys) == 1 + row + 16 * pocket
+    ends = drawn.outcomes.places[potting, board.cue]
+    return heat(ends, columns, rows, board.table.width, board.table.length)

@@ -31,6 +31,7 @@ OTHER, RED = 1, 2  # rows of the object balls
 # a route is written in digits of base 8, the first touch in the highest: 1 to 4 for the rails left, right,
 # lower, upper, then the balls; a ball that is touched several times with nothing between is written once
 BALL_DIGIT = 4  # of a ball is this and its row
+RAILS = 4  # bits of what the cue ball touches: first the rails, then the balls by row
 DIGITS = 20  # that are kept of a route
 
 # columns of facts (m, 4): cushions before the second object ball (-1: not both touched), row of the ball that
@@ -41,8 +42,8 @@ FACTS = 4
 
 
 class Routes(NamedTuple):
-    """Of m strokes: codes (m,), facts (m, 4), times (m,) s of the second object ball's touch, ends (m, 3, 2) m
-    of the balls by row. A route that touched both ends with the second one; its code is 0 else.
+    """Of m strokes: codes (m,), facts (m, 4), times (m,) s of the second object ball's touch, ends (m, 3,
+    2) m of the balls by row. A route that touched both ends with the second one; its code is 0 else.
     """
 
     codes: NDArray[np.int64]
@@ -70,9 +71,9 @@ class Wanted(NamedTuple):
 
 
 @lean_kernel
-def read_routes(events, ends, final, against, first, last, codes, facts, times, places):
-    """Read off shots `first` to `last` of a log, see `Routes`. against: rails the cue ball touches, as bits."""
-    for s in range(first, last):
+def read_routes(events, ends, final, against, codes, facts, times, places):
+    """Read off the shots whose ends are given, see `Routes`. against: what the cue ball touches, as bits."""
+    for s in range(ends.shape[0]):
         code = 0
         digits = 0
         cushions = 0
@@ -94,7 +95,7 @@ def read_routes(events, ends, final, against, first, last, codes, facts, times, 
                     facts[s, FIRST] = j if digits == 0 else -j
                 if touched & (1 << j) != 0:
                     facts[s, KISSES] += 1
-                if events[row, 0] == 0.0:
+                if digits == 0 and against & (1 << (RAILS + j)) != 0:
                     facts[s, INTO] = 1
                 touched |= 1 << j
             elif event == BALL_BALL:
@@ -122,7 +123,7 @@ def read_routes(events, ends, final, against, first, last, codes, facts, times, 
 def play_routes(
     board: Board, strokes: Array, against: int = 0, pool: ThreadPoolExecutor | None = None
 ) -> Routes:
-    """Play strokes (m, 5) at a board of three balls whose cue ball is the first. against: rails that it
+    """Play strokes (m, 5) at a board of three balls whose cue ball is the first. against: what it
     touches, as bits. pool: threads to share them among."""
     routes = Routes.empty(len(strokes))
 
@@ -130,7 +131,8 @@ def play_routes(
         chunk = strokes[start : start + CHUNK]
         parts = [column[start : start + len(chunk)] for column in routes]
         for log, first, end in board.played(chunk):
-            read_routes(log.events, log.ends, log.final, against, first, end, *parts)
+            rows = (column[first:end] for column in parts)
+            read_routes(log.events, log.ends[first:end], log.final[first:end], against, *rows)
 
     in_threads(pool, play, range(0, len(strokes), CHUNK))
     return routes

@@ -24,8 +24,9 @@ MISSED, OTHERWISE, AS_MEANT = range(3)
 
 
 class Tolerance(NamedTuple):
-    """How far each may be off to either side (less, more) while all between scores: aim rad (clockwise first), speed
-    m/s, tip left and up in ball radii."""
+    """How far each may be off to either side (less, more) while all between scores: aim rad (clockwise
+    first), speed m/s, tip left and up in ball radii.
+    """
 
     aim: tuple[float, float]
     speed: tuple[float, float]
@@ -34,7 +35,7 @@ class Tolerance(NamedTuple):
 
 
 def tolerance_of(position: Position, stroke: Stroke) -> Tolerance:
-    """The tolerance of a stroke, one variable at a time, each tried at 24 distances; all 0 if it does not score."""
+    """The tolerance of a stroke, one variable at a time, at 24 distances each; all 0 if it misses."""
     farthest = (
         (AZIMUTH, FARTHEST_AIM), (SPEED, FARTHEST_SPEED * stroke.cue_speed), (TIP_LEFT, TIP_REACH),
         (TIP_UP, TIP_REACH),
@@ -62,9 +63,9 @@ def tolerance_of(position: Position, stroke: Stroke) -> Tolerance:
 
 
 def tip_map(position: Position, stroke: Stroke, cells: int = TIP_CELLS) -> NDArray[np.int8]:
-    """What comes of the stroke with the tip elsewhere: (cells, cells), rows from the top, columns from the left as
-    the player sees the ball, over TIP_REACH radii to each side. MISSED, OTHERWISE (it scores by another way),
-    AS_MEANT; beyond the circle of that radius -1.
+    """What comes of the stroke with the tip elsewhere: (cells, cells), rows from the top, columns from the
+    left as the player sees the ball, over TIP_REACH radii to each side. MISSED, OTHERWISE (it scores by
+    another way), AS_MEANT; beyond the circle of that radius -1.
     """
     axis = np.linspace(-TIP_REACH, TIP_REACH, cells)
     ups, rights = np.meshgrid(-axis, axis, indexing="ij")

@@ -20,8 +20,9 @@ Array = NDArray[np.float64]
 
 
 class CaromGrade(NamedTuple):
-    """A grade of players. unsteady: times the usual noise of a hand. looks: how hard it looks. planned: so many of
-    the surest strokes are weighed by what they leave, which counts `ahead` times the chance of the next point.
+    """A grade of players. unsteady: times the usual noise of a hand. looks: how hard it looks. planned: so
+    many of the surest strokes are weighed by what they leave, which counts `ahead` times the chance of the
+    next point.
     """
 
     name: str
@@ -53,7 +54,7 @@ CAROM_GRADES = {
 
 
 class Choice(NamedTuple):
-    """A stroke that was considered: the group, what it leaves (chance of the next point), what it is worth."""
+    """A stroke that was considered: the group, what it leaves (chance of the next), what it is worth."""
 
     group: Group
     left: float
@@ -61,8 +62,9 @@ class Choice(NamedTuple):
 
 
 class CaromDecision(NamedTuple):
-    """What a player does. option: that it takes, "" if none was open. stroke: as it is meant. choices: what it
-    considered, the best first."""
+    """What a player does. option: that it takes, "" if none was open. stroke: as it is meant. choices: what
+    it considered, the best first.
+    """
 
     option: str = ""
     stroke: Stroke | None = None

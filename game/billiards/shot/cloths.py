@@ -1,9 +1,10 @@
 """Conditions of carom tables: what cloth and cushions do to the balls.
 
 Numbers lie within the ranges that Alciatore gives for billiard equipment ("Physical properties", billiards.
-colostate.edu): sliding friction 0.15 to 0.4, rolling resistance 0.005 to 0.015, a spin about the vertical that
-falls by 5 to 15 rad/s each second, cushions of restitution 0.6 to 0.9. A heated cloth is dry and fast, at the
-low end of friction; the cloth of a club is slower. The cushion is Han's (2005), who measured carom tables.
+colostate.edu): sliding friction 0.15 to 0.4, rolling resistance 0.005 to 0.015, a spin about the vertical
+that falls by 5 to 15 rad/s each second, cushions of restitution 0.6 to 0.9. A heated cloth is dry and fast,
+at the low end of friction; the cloth of a club is slower. The cushion is Han's (2005), who measured carom
+tables.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ CLUB = "club"
 
 CLOTHS: dict[str, Physics] = {
     HEATED: Physics(sliding=0.16, rolling=0.0055, spinning=0.0088, cushion_friction=0.15),
-    CLUB: Physics(sliding=0.20, rolling=0.0095, spinning=0.0125, cushion_friction=0.20, cushion_restitution=0.82),
+    CLUB: Physics(
+        sliding=0.20, rolling=0.0095, spinning=0.0125, cushion_friction=0.20, cushion_restitution=0.82
+    ),
 }  # fmt: skip
 CLOTH_LABELS = {HEATED: "Heated cloth", CLUB: "Club cloth"}

@@ -64,7 +64,7 @@ def frozen_cushions(place: Point) -> tuple[int, ...]:
 
 
 def corner_of(place: Point) -> int:
-    """The barred corner that (x, y) m lies in: 0 lower left, 1 lower right, 2 upper left, 3 upper right; -1."""
+    """The barred corner at (x, y) m: 0 lower left, 1 lower right, 2 upper left, 3 upper right; -1."""
     x, y = place
     right, upper = x > 0.5 * CAROM_WIDTH, y > 0.5 * CAROM_LENGTH
     across = (CAROM_WIDTH - x if right else x) / CORNER_SHORT
@@ -73,8 +73,9 @@ def corner_of(place: Point) -> int:
 
 
 def respotted(places: Array, balls: tuple[int, ...], cue: int) -> Array:
-    """Places (3, 2) m with some balls put back (article 83): the red ball on the top spot, the player's on the
-    bottom spot, the other one in the centre. A ball whose spot is taken goes to the spot of the ball there.
+    """Places (3, 2) m with some balls put back (article 83): the red ball on the top spot, the player's on
+    the bottom spot, the other one in the centre. A ball whose spot is taken goes to the spot of the ball
+    there.
     """
     own = {RED: TOP_SPOT, cue: BOTTOM_SPOT, 1 - cue: CENTRE_SPOT}
     now = places.copy()
@@ -92,8 +93,9 @@ def respotted(places: Array, balls: tuple[int, ...], cue: int) -> Array:
 
 
 def diamonds() -> Array:
-    """Places (20, 2) m on the noses that the diamonds point to: at the eighths of the long rails, the quarters of
-    the short ones, corners left out."""
+    """Places (20, 2) m on the noses that the diamonds point to: at the eighths of the long rails, the
+    quarters of the short ones, corners left out.
+    """
     long = [(x, CAROM_LENGTH * k / 8.0) for x in (0.0, CAROM_WIDTH) for k in range(1, 8)]
     short = [(CAROM_WIDTH * k / 4.0, y) for y in (0.0, CAROM_LENGTH) for k in range(1, 4)]
     return np.array(long + short)

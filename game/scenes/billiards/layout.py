@@ -8,14 +8,12 @@ window of 16 : 9: the board stands in the row of the window's bar, the foot abov
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
-
-import pygame
 
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH, CUSHION_DEPTH
+from game.scenes.shared.tables.boxes import Box, rect_of
 from game.stage import Frame
-from game.ui.canvas.canvas import Canvas
 
+__all__ = ["Box", "rect_of"]
 PIXELS = 403.0  # design px to a metre: the frame is 1280 by 720 of them
 WOOD = 0.074  # m
 RIM = CUSHION_DEPTH + WOOD
@@ -26,24 +24,6 @@ POCKETS = ("upper left", "lower left", "upper middle", "lower middle", "upper ri
 
 REACH = 1.4  # radii within which a round thing is grasped
 LEAST_PIXELS = 120.0  # px to a metre; a smaller picture shows the table alone
-
-
-class Box(NamedTuple):
-    """A rectangle of the world as it is seen: top and bottom in x, left and right in y, m."""
-
-    top: float
-    left: float
-    bottom: float
-    right: float
-
-    def holds(self, x: float, y: float) -> bool:
-        """True if a point lies in it."""
-        return self.top <= x <= self.bottom and self.left <= y <= self.right
-
-    @property
-    def middle(self) -> tuple[float, float]:
-        """Its middle (x, y), m."""
-        return 0.5 * (self.top + self.bottom), 0.5 * (self.left + self.right)
 
 
 def metres(pixels: float) -> float:
@@ -81,13 +61,6 @@ SCRUBBER = Box(PLAY.top, SPEED.right + metres(20.0), PLAY.bottom, FOOT.right - m
 def pocket_words(row: int) -> str:
     """The name of a pocket for people, as it is seen in game and film, by its row of the table."""
     return f"{POCKETS[row]} pocket"
-
-
-def rect_of(canvas: Canvas, box: Box) -> pygame.Rect:
-    """A box in px of the canvas' surface."""
-    left, top = canvas.camera.to_screen(box.top, box.left)
-    right, bottom = canvas.camera.to_screen(box.bottom, box.right)
-    return pygame.Rect(round(left), round(top), round(right) - round(left), round(bottom) - round(top))
 
 
 def button_box(row: int) -> Box:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.billiards.opponents.thinking import GRADE_LABELS, GRADES
 from game.scenes.billiards.stroke.guide import GUIDE_LABELS, GUIDES
-from game.scenes.billiards.stroke.unsteady import HANDS
 from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.unsteady import HANDS
 from game.stage import Choice, Param, Parameters, Toggle
 
 LEAST_POWER = 0.1  # m/s

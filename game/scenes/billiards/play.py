@@ -13,7 +13,7 @@ from game.scenes.billiards.stroke.aiming import AT_THE_RACK, Aiming
 from game.scenes.billiards.stroke.calling import call_for
 from game.scenes.billiards.stroke.guide import guide_of
 from game.scenes.billiards.stroke.motion import StrokeMotion, stroke_motion
-from game.scenes.billiards.stroke.unsteady import shaken
+from game.scenes.shared.tables.unsteady import shaken
 from game.stage import Part
 from game.stage.messages import Messages
 

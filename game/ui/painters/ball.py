@@ -200,9 +200,9 @@ def _paint_ball(
 class ScreenBalls(NamedTuple):
     """Balls on the screen, later ones on top.
 
-    ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 18 (see `ball_look`; others are left out), ``turns``
-    (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer), ``opacities`` (n,);
-    None: all solid.
+    ``points`` (n, 2) px, ``radii`` (n,) px, ``numbers`` (n,) int64 0 to 18 (see `ball_look`; others are
+    left out), ``turns`` (n, 3, 3) from the ball's frame to the screen's (x right, y up, z to the viewer),
+    ``opacities`` (n,); None: all solid.
     """
 
     points: Any

@@ -83,9 +83,10 @@ def fit_table(area: pygame.Rect, table: Table) -> TableView:
 
 
 class Dress(NamedTuple):
-    """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the other
-    slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares of width
-    and length; line: share of the length at which a line is drawn across, None for none."""
+    """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the
+    other slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares
+    of width and length; line: share of the length at which a line is drawn across, None for none.
+    """
 
     felt: pygame.Color
     slope_lit: int
@@ -97,17 +98,20 @@ class Dress(NamedTuple):
     line: float | None
 
 
-POOL = Dress(
-    colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.5, 0.25), (0.5, 0.75)), 0.25
-)
+POOL = Dress(colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.5, 0.25), (0.5, 0.75)), 0.25)
 
 
 def carom_dress(felt: pygame.Color, spots: tuple[tuple[float, float], ...]) -> Dress:
     """A carom table's: the spots of the game, no line; cushions in shades of its cloth."""
     white, black = pygame.Color("#FFFFFF"), pygame.Color("#000000")
-    shades = (colors.mix(felt, black, 0.06), colors.mix(felt, black, 0.18), colors.mix(felt, white, 0.04),
-              colors.mix(felt, white, 0.06), colors.mix(felt, black, 0.48))  # fmt: skip
-    return Dress(felt, *(packed(shade) for shade in shades), spots, None)
+
+    def shade(towards: pygame.Color, share: float) -> int:
+        return packed(colors.mix(felt, towards, share))
+
+    return Dress(
+        felt, shade(black, 0.06), shade(black, 0.18), shade(white, 0.04), shade(white, 0.06),
+        shade(black, 0.48), spots, None,
+    )  # fmt: skip
 
 
 class TablePainter:

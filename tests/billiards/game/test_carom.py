@@ -228,6 +228,13 @@ def test_one_player_plays_on():
     assert (now.turn, now.points, now.innings, now.run) == (0, (1,), (2,), 0)
 
 
+def test_practice_goes_on_with_the_same_ball():
+    now = game("one-cushion", turn=1, innings=(3, 3), points=(4, 2)).alone()
+    assert (now.cue, now.kind, now.points, now.target) == (YELLOW, "one-cushion", (0,), 0)
+    after = now.judge(did("r<w")).game.judge(did("")).game
+    assert (after.cue, after.points, after.innings, after.ended) == (YELLOW, (1,), (2,), False)
+
+
 # -- safeties ---------------------------------------------------------------------------------------
 
 
@@ -308,6 +315,16 @@ def test_the_cushion_that_the_cue_ball_lies_against_does_not_count():
     assert into.path[0] == ("cushion", 1)
     free = frame.replace(places=((BALL_RADIUS + 1e-3, 1.0), *places[1:]))
     assert free.play(Stroke(2.0, math.pi)).summary.path[0] == ("cushion", 0)
+
+
+@pytest.mark.parametrize("gap", [0.0, 5e-5])
+def test_a_ball_that_touches_is_played_into_or_left_alone(gap):
+    places = ((0.5, 1.0), (1.2, 2.0), (0.5 + D + gap, 1.0))
+    frame = new_carom(Carom(opening=False)).replace(places=places)
+    assert frame.play(Stroke(2.0, 0.0)).summary.into == (RED,)
+    assert frame.play(Stroke(2.0, 2.5)).summary.into == ()
+    apart = frame.replace(places=(*places[:2], (0.5 + D + 1e-3, 1.0)))
+    assert apart.play(Stroke(2.0, 0.0)).summary.into == ()
 
 
 def test_a_ball_seen_outside_its_corner_has_left_it():

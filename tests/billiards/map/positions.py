@@ -12,7 +12,7 @@ from game.billiards.table.table import Table
 
 
 def random_places(random: np.random.Generator) -> np.ndarray:
-    """Places (3, 2) m, one in four with a ball frozen to a rail, one in four with two balls close together."""
+    """Places (3, 2) m, one in four with a ball frozen to a rail, one in four with two balls close."""
     while True:
         places = random.uniform(BALL_RADIUS, (CAROM_WIDTH - BALL_RADIUS, CAROM_LENGTH - BALL_RADIUS), (3, 2))
         ball, kind = int(random.integers(3)), random.random()

@@ -61,7 +61,7 @@ def replay(winners: int, seed: int = 1, most_each: int = 60, search=GLANCE) -> R
 
 
 def order_of(scoring) -> tuple[int, ...]:
-    """A referee's order of touches as the digits of a route; a ball touched again with nothing between once."""
+    """A referee's order of touches as the digits of a route; a ball touched twice in a row counts once."""
     digits: list[int] = []
     for kind, number in scoring.order if scoring is not None else ():
         digit = number + 1 if kind == "cushion" else 6 if number == RED else 5

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.carom_frame import carom_shot
 from game.billiards.game.games.carom import CUSHIONS
 from game.billiards.map.carom import GLANCE, Search, draw_map, whole_map
 from game.billiards.map.grid import Grid, aims_of, neighbours
@@ -16,6 +17,7 @@ from game.billiards.map.routes import FIRST, INTO, touches
 from game.billiards.map.tolerance import AS_MEANT, MISSED, tip_map, tolerance_of
 from game.billiards.map.words import explain, hit_words, route_words, tip_words
 from game.billiards.search.strokes import STEADY, Noise, draw_noise, with_noise
+from game.billiards.simulation import simulate
 from game.billiards.table.carom import BALL_RADIUS, RED, starting_position
 from tests.billiards.map.positions import position_at
 from tests.billiards.map.replays import replay
@@ -45,7 +47,7 @@ def test_all_strokes_of_the_grid_are_there_once(position):
     coarse = next(draw_map(position, Noise()))
     assert len(coarse.strokes) == len(coarse.codes) == 18_000
     assert len(np.unique(coarse.strokes, axis=0)) == 18_000
-    assert sum(group.count for group in coarse.groups) == (coarse.codes > 0).sum()
+    assert sum(group.found for group in coarse.groups) == (coarse.codes > 0).sum()
 
 
 def test_what_it_leaves_out_does_not_score(position, drawn):
@@ -69,14 +71,29 @@ def test_groups_have_one_order_of_touches(cue):
         assert ("yellow" if cue == 0 else "white") in route_words(group.code, cue)
 
 
-def test_chances_are_those_of_other_draws(position, drawn):
-    group = drawn.groups[0]
-    noisy = with_noise(np.array([group.stroke], float), draw_noise(12345, 400), Noise(), BALL_RADIUS)
-    share = float(position.wanted.scores(position.play(noisy)).mean())
-    error = math.hypot(group.error, math.sqrt(share * (1.0 - share) / 400))
-    assert abs(share - group.chance) < 4.0 * error
+def test_chances_are_those_of_other_draws(position):
+    hand = Noise().scaled(2.0)
+    drawn = whole_map(position, hand, QUICK._replace(draws=256))
+    off = []
+    for group in drawn.groups:
+        noisy = with_noise(np.array([group.stroke], float), draw_noise(12345, 400), hand, BALL_RADIUS)
+        share = float(position.wanted.scores(position.play(noisy)).mean())
+        error = math.hypot(group.error, math.sqrt(share * (1.0 - share) / 400))
+        assert abs(share - group.chance) < 4.0 * error
+        off.append((share - group.chance) / error)
+    assert abs(np.mean(off)) < 3.0 / math.sqrt(len(off))
     assert [g.chance for g in drawn.groups] == sorted((g.chance for g in drawn.groups), reverse=True)
     assert all(0.0 <= g.meant <= g.chance <= 1.0 for g in drawn.groups)
+
+
+@pytest.mark.parametrize("cue", [0, 1])
+def test_ends_are_told_by_ball(cue):
+    position = position_at(PLACES, cue=cue)
+    group = whole_map(position, STEADY, QUICK).groups[0]
+    shot = carom_shot(position.board.table, position.board.physics, PLACES, cue, group.stroke)
+    final = simulate(shot).final
+    expected = np.array([final[name] for name in ("white", "yellow", "red")])
+    assert np.abs(group.ends - expected).max() < 1e-6
 
 
 def test_a_steady_hand_never_misses_and_a_shaky_one_misses_more(position):
@@ -125,7 +142,12 @@ def test_a_ball_that_touches_the_cue_ball_is_not_played_into():
     places = PLACES.copy()
     places[RED] = places[0] + (D, 0.0)
     position = position_at(places, 0)
-    routes = position.play(np.array([[2.0, 0.0, 0.0, 0.0, 0.0], [2.0, 2.2, 0.0, 0.0, 0.0]]))
+    for gap in (5e-5, 0.0):
+        near = places.copy()
+        near[RED] = places[0] + (D + gap, 0.0)
+        position = position_at(near, 0)
+        routes = position.play(np.array([[2.0, 0.0, 0.0, 0.0, 0.0], [2.0, 2.2, 0.0, 0.0, 0.0]]))
+        assert routes.facts[:, INTO].tolist() == [1, 0]
     assert routes.facts[:, INTO].tolist() == [1, 0]
     assert routes.facts[0, FIRST] == 2
     drawn = next(draw_map(position, Noise(), QUICK))
@@ -139,7 +161,7 @@ def test_aims_are_at_all_balls_and_all_round():
     aims = aims_of(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]), np.full(3, 0.03), 0, 120)
     assert len(aims) == 120 and (np.diff(aims) >= 0.0).all()
     for direction in (0.0, 0.5 * math.pi):
-        assert (abs(aims - direction) < math.asin(0.06)).sum() >= 40
+        assert (abs(aims - direction) < math.asin(0.06)).sum() >= 33
     assert np.diff(aims).max() < 0.3
     assert len(aims_of(np.array([[0.0, 0.0], [0.06, 0.0]]), np.full(2, 0.03), 0, 50)) == 50
 

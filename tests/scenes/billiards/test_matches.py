@@ -13,9 +13,9 @@ from game.app.stagehand.headless import prepare
 from game.app.stagehand.view import StageView
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards import layout
-from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.scenes.billiards.view.marks import OWN_RING, own_balls
 from game.scenes.billiards.view.words import line_of
+from game.scenes.shared.thinker import Question, Thinker, Thought
 from game.stage import Action, SetParameter
 from game.ui.look.look import Look
 from game.ui.look.theme import THEMES

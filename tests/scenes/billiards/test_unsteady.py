@@ -12,8 +12,8 @@ from game.billiards.shot.cue import strike
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, foresee
-from game.scenes.billiards.stroke.unsteady import HANDS, shaken, spread_of
 from game.scenes.billiards.view.sight import fan_of
+from game.scenes.shared.tables.unsteady import HANDS, shaken, spread_of
 from game.stage import Action, Decision, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,

@@ -7,8 +7,8 @@ import pygame
 import pytest
 
 from game.billiards.table.table import CUSHION_DEPTH, Table
-from game.ui.look.theme import DARK, LIGHT
-from game.ui.painters.table import SURROUND, TablePainter, TableView, fit_table, table_picture
+from game.ui.look.theme import DARK, FELT_BLUE, LIGHT
+from game.ui.painters.table import SURROUND, TablePainter, TableView, carom_dress, fit_table, table_picture
 from game.ui.painters.table_shapes import cushion_shapes
 
 POOL = Table.pool()
@@ -142,3 +142,24 @@ def test_the_painter_keeps_its_picture(monkeypatch):
         painter.draw(surface, POOL, view, theme)
     painter.draw(surface, POOL, view._replace(left=6.0), LIGHT)
     assert len(made) == 3
+
+
+def test_a_carom_table_is_blue_with_its_spots_and_no_line():
+    table = Table.carom()
+    spots = ((0.5, 0.25), (0.5, 0.5), (0.5, 0.75))
+    size = (640, 360)
+    view = fit_table(pygame.Rect(40, 28, 560, 304), table)
+    dressed = table_picture(size, table, view, DARK, carom_dress(FELT_BLUE, spots))
+    bare = table_picture(size, table, view, DARK, carom_dress(FELT_BLUE, ()))
+    plain = table_picture(size, table, view, DARK)
+    at = tuple(round(v) for v in view.to_screen(0.3, 1.0))
+    assert dressed.get_at(at).b > dressed.get_at(at).g > dressed.get_at(at).r
+    assert plain.get_at(at).g > plain.get_at(at).b
+    for across, along in spots:
+        x, y = view.to_screen(across * table.width, along * table.length)
+        assert dressed.get_at((int(x), int(y))).b < bare.get_at((int(x), int(y))).b
+    painter = TablePainter()
+    surface = pygame.Surface(size, 0, 32)
+    painter.draw(surface, table, view, DARK)
+    painter.draw(surface, table, view, DARK, carom_dress(FELT_BLUE, spots))
+    assert surface.get_at(at)[:3] == dressed.get_at(at)[:3]

@@ -53,7 +53,8 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     target: points that end it, 0 for none. most_innings: of each player, 0 for no limit. equalise: who began
     second has as many innings as the first. points, innings (begun), high_runs, safeties (in a row), won
     (games): of each player. run: points of this inning. inside: ENTERED or INSIDE while both object
-    balls lie in one barred corner, else 0. opening: the stroke is made from the starting position. ended: nobody plays any
+    balls lie in one barred corner, else 0. alone_with: the ball that a player without another one
+    plays. opening: the stroke is made from the starting position. ended: nobody plays any
     more; winner: None too if it is drawn.
     """
 
@@ -72,6 +73,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     won: tuple[int, ...] = (0, 0)
     run: int = 0
     inside: int = 0
+    alone_with: int = 0
     opening: bool = True
     options: tuple[Option, ...] = ()
     ended: bool = False
@@ -80,7 +82,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     @property
     def cue(self) -> int:
         """The ball that the player at turn plays: WHITE or YELLOW."""
-        return self.turn
+        return self.turn if len(self.players) == 2 else self.alone_with
 
     @property
     def shooter(self) -> str:
@@ -137,7 +139,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         fouls = [
             Foul("off the table", f"The {BALL_NAMES[ball]} ball left the table.") for ball in shot.off_table
         ]
-        fouls += [Foul("touching", f"The cue ball was played into the {BALL_NAMES[ball]} ball that it touched.")
+        fouls += [Foul("touching", f"The cue ball was played into the {BALL_NAMES[ball]} ball it touched.")
                   for ball in shot.into]  # fmt: skip
         if self.opening and shot.path[:1] != ((BALL, RED),):
             fouls.append(
@@ -159,7 +161,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return self.kind == "straight-rail" and self.inside == INSIDE and not shot.left_corner
 
     def _inside_after(self, shot: CaromSummary) -> int:
-        """54: a point that leaves both balls in the corner they lay in; one that came back has entered anew."""
+        """54: a point that leaves both balls in their corner; one that came back has entered anew."""
         entered = _entered(shot.rest, self.cue)
         return INSIDE if entered and self.inside and not shot.left_corner else entered
 
@@ -182,7 +184,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
             return shot.rest
         if self.kind == "three-cushion":
             return respotted(shot.rest, shot.off_table, self.other if len(self.players) == 2 else self.cue)
-        return starting_position(self.other)
+        return starting_position(self.other if len(self.players) == 2 else self.cue)
 
     # -- what follows -------------------------------------------------------------------------------
 
@@ -193,7 +195,7 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         if self.ended_by_innings(closed):
             return self._end(places, fouls, words)
         game = msgspec.structs.replace(
-            self, turn=turn, run=0, inside=_entered(places, turn),
+            self, turn=turn, run=0, inside=_entered(places, turn if len(self.players) == 2 else self.cue),
             innings=_with(self.innings, turn, self.innings[turn] + 1),
         )  # fmt: skip
         verdict = CaromVerdict(game, places, False, fouls, (*words, f"{game.shooter} plays."))
@@ -233,10 +235,14 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
         return CaromVerdict(game, places, False, fouls, tuple(words))
 
     def _ready(self, verdict: CaromVerdict) -> CaromVerdict:
-        """27: a player whose ball touches another may have the balls put on their spots."""
-        if self.opening or not touching(verdict.places, self.cue):
-            return verdict
-        return verdict._replace(game=msgspec.structs.replace(self, options=(PLAY_AWAY, RESPOT)))
+        """What the player at turn may choose, coming to the table."""
+        return verdict._replace(game=self.facing(verdict.places))
+
+    def facing(self, places: Array) -> Carom:
+        """27: a player whose ball touches another may have the balls put on their spots. places (3, 2) m."""
+        if self.opening or self.ended or not touching(places, self.cue):
+            return self
+        return msgspec.structs.replace(self, options=(PLAY_AWAY, RESPOT))
 
     def choose(self, name: str, places: Array) -> CaromVerdict:
         """What follows from the player at turn choosing an option. places (3, 2) m. ValueError if none is."""
@@ -257,12 +263,21 @@ class Carom(msgspec.Struct, frozen=True, kw_only=True, tag="carom", tag_field="g
     def next_game(self) -> CaromVerdict:
         """The next game of the same players, who begin in turns."""
         breaker = (self.breaker + 1) % len(self.players)
-        zeros = (0, 0)
+        zeros = (0,) * len(self.players)
         game = msgspec.structs.replace(
-            self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1), high_runs=zeros,
-            safeties=zeros, run=0, inside=0, opening=True, options=(), ended=False, winner=None,
+            self, turn=breaker, breaker=breaker, points=zeros, innings=_with(zeros, breaker, 1),
+            high_runs=zeros, safeties=zeros, run=0, inside=0, opening=True, options=(), ended=False,
+            winner=None,
         )  # fmt: skip
         return CaromVerdict(game, game.start(), words=(f"{game.shooter} begins.",))
+
+    def alone(self) -> Carom:
+        """Practice of the player at turn: the same kind of game without an end, with the same ball."""
+        one = (0,)
+        return Carom(
+            kind=self.kind, players=("Practice",), target=0, alone_with=self.cue, opening=False, points=one,
+            innings=(1,), high_runs=one, safeties=one, won=one,
+        )  # fmt: skip
 
     def check_playable(self) -> None:
         """ValueError if no stroke may be played now."""

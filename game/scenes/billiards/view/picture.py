@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,7 +15,6 @@ from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLIN
 from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, Foresight, Sight
-from game.scenes.billiards.stroke.unsteady import SURE, spread_of
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
 from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
@@ -28,15 +25,15 @@ from game.scenes.billiards.view.score_board import draw_board, draw_line, key_ro
 from game.scenes.billiards.view.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
+from game.scenes.shared.tables import boxes
+from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas
-from game.ui.look.fonts import SMALLEST_PX
 from game.ui.look.look import Look
-from game.ui.look.theme import FELT, FELT_WARM, Theme
+from game.ui.look.theme import FELT, FELT_WARM
 
 Array = NDArray[np.float64]
 
-READABLE, ROOM_FOR_READABLE = 11, 0.65  # px of the smallest letters, at scales that have the space for them
 HINT_EVENTS = 200  # to the end of its shot
 
 
@@ -158,12 +155,6 @@ class BilliardsView:
             self._end_card.draw(canvas, look, play)
 
 
-@lru_cache(maxsize=16)
-def _look(theme: Theme, k: float, less_motion: bool) -> Look:
-    return Look(theme, k, less_motion=less_motion, least=READABLE if k >= ROOM_FOR_READABLE else SMALLEST_PX)
-
-
 def look_of(canvas: Canvas) -> Look:
     """Letters and lines in the measure of the table's picture."""
-    k = min(max(round(canvas.pixels_per_unit / layout.PIXELS, 2), 0.5), 6.0)
-    return _look(canvas.theme, k, canvas.look.less_motion)
+    return boxes.look_of(canvas, layout.PIXELS)

@@ -1,0 +1,72 @@
+"""Where table, score board, list of strokes and the picture of the tip lie, in the world's metres.
+
+The picture is turned: x runs down and y to the right. Design px are those of a window of 1280 by 720.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.billiards.table.carom import BALL_RADIUS
+from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH, CUSHION_DEPTH
+from game.scenes.shared.tables.boxes import Box
+from game.stage import Frame
+
+PIXELS = 300.0  # design px to a metre
+LEAST_PIXELS = 100.0  # px to a metre; a smaller picture shows the table alone
+RIM = CUSHION_DEPTH + 0.074  # m; cushion and wood
+GAP = 0.05  # m
+
+TABLE = Box(-RIM, -RIM, CAROM_WIDTH + RIM, CAROM_LENGTH + RIM)
+FRAME = Frame(-0.36, -0.18, 2.04, 4.087)  # the window's hints cover its lowest tenth of a metre
+BOARD = Box(-0.34, TABLE.left, TABLE.top - 0.02, TABLE.right)
+COLUMN_LEFT, COLUMN_RIGHT = TABLE.right + GAP, FRAME.top - 0.03
+LIST = Box(-0.34, COLUMN_LEFT, 1.23, COLUMN_RIGHT)
+HEAD, ROW = 0.13, 0.143  # m; of the list
+ROWS = 10
+TIP = Box(1.26, COLUMN_LEFT, 1.93, COLUMN_RIGHT)
+TIP_MIDDLE, TIP_RADIUS = (1.62, COLUMN_LEFT + 0.30), 0.25  # the ball; LARGEST_TIP is nearer
+FOOT = Box(TABLE.bottom + 0.02, TABLE.left, 1.93, TABLE.right - 0.40)
+BUTTONS = ("play", "strike", "undo", "next")
+
+
+def row_box(row: int) -> Box:
+    """The box of a row of the list."""
+    top = LIST.top + HEAD + row * ROW
+    return Box(top, LIST.left, top + ROW - 0.012, LIST.right)
+
+
+def row_at(x: float, y: float) -> int:
+    """The row of the list at a point, -1 for none."""
+    return next((row for row in range(ROWS) if row_box(row).holds(x, y)), -1)
+
+
+def button_box(row: int) -> Box:
+    """The button of that number, from above, right of the foot."""
+    top = FOOT.top + row * 0.094
+    return Box(top, FOOT.right + 0.04, top + 0.082, TABLE.right)
+
+
+def option_box(row: int, count: int) -> Box:
+    """The box of one of several options, side by side in the foot."""
+    width = (FOOT.right - FOOT.left) / max(count, 1)
+    left = FOOT.left + row * width
+    return Box(FOOT.top + 0.12, left, FOOT.top + 0.24, left + width - 0.03)
+
+
+def tip_at(x: float, y: float, most: float) -> tuple[float, float]:
+    """Offset of the tip (left, up) in radii at a point of its picture, at most `most` off."""
+    up, left = (TIP_MIDDLE[0] - x) / TIP_RADIUS, (TIP_MIDDLE[1] - y) / TIP_RADIUS
+    length = math.hypot(up, left)
+    shrink = min(1.0, most / length) if length > 0.0 else 1.0
+    return left * shrink, up * shrink
+
+
+def on_tip(x: float, y: float) -> bool:
+    """True on the picture of the ball that is struck."""
+    return math.hypot(x - TIP_MIDDLE[0], y - TIP_MIDDLE[1]) <= 1.1 * TIP_RADIUS
+
+
+def near(place: tuple[float, float], x: float, y: float) -> bool:
+    """True on a ball, or close by it."""
+    return math.hypot(x - place[0], y - place[1]) <= 1.3 * BALL_RADIUS

@@ -1,0 +1,201 @@
+"""What lies on the carom table: the frame that is played, where the balls are, how they are turned."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.carom_frame import CaromFrame, CaromPlayed, CaromStruck, points_of, rows_of
+from game.billiards.shot.cloths import CLOTHS
+from game.billiards.shot.shot import Physics
+from game.billiards.shot.trajectory import rotation_matrices
+from game.billiards.shot_effects import physics_of
+from game.billiards.table.carom import BALL_RADIUS, CAROM_LENGTH, CAROM_WIDTH, fits
+from game.billiards.table.table import Table
+from game.physics.effects import EffectSet
+from game.scenes.carom.level import CaromContent, begun
+from game.scenes.carom.parameters import CaromParameters
+from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.stage import Part
+
+Array = NDArray[np.float64]
+
+APART = 2.0 * BALL_RADIUS * (1.0 + 1e-9)  # m; of balls that are put as near as they go
+
+
+class CaromModel(Part):
+    """The frame, and the balls as they move.
+
+    places (3, 2) m of white, yellow, red; turns, turns_before (3, 3, 3): how they are turned, and were before
+    the last stroke. The arrays belong to the state; frames are immutable.
+    """
+
+    def __init__(
+        self, content: CaromContent, parameters: CaromParameters, active: EffectSet, seed: int
+    ) -> None:
+        self.content = content
+        self.parameters = parameters
+        game, places = begun(content, int(parameters.target), int(parameters.innings))
+        self.frame = CaromFrame(game, places, Table.carom(), self._physics(active))
+        self.places = self.frame.positions
+        self.turns = rotation_matrices(scattered_orientations(3, seed))
+        self.turns_before = self.turns.copy()
+        self._outcome = _Outcome()
+
+    def configure(self, active: EffectSet) -> None:
+        """Let the cloth, the ends of the game and the effects act from the next stroke on."""
+        game = self.frame.game
+        if len(game.players) == 2:
+            ends = {"target": int(self.parameters.target), "most_innings": int(self.parameters.innings)}
+            game = msgspec.structs.replace(game, **ends)
+        self.frame = self.frame.replace(physics=self._physics(active), game=game)
+
+    def _physics(self, active: EffectSet) -> Physics:
+        return physics_of(active, CLOTHS[str(self.parameters.cloth)])
+
+    @property
+    def played(self) -> CaromPlayed | None:
+        """What comes, or came, of the last stroke; None before the first."""
+        return self._outcome.played(self.frame)
+
+    @property
+    def word(self) -> str:
+        """A word that stands for the frame, for the digest: equal frames, equal words."""
+        return self._outcome.word(self.frame)
+
+    # -- strokes ------------------------------------------------------------------------------------
+
+    def strike(self, stroke: Stroke, safety: bool) -> None:
+        """Play a stroke. ValueError if it cannot be played; then the frame is what it was."""
+        before = self.frame
+        self.frame = before.strike(stroke, safety)
+        try:
+            self._outcome.played(self.frame)
+        except ValueError:
+            self.frame = before
+            raise
+        self.turns_before[:] = self.turns
+
+    def roll(self, time: float) -> None:
+        """The balls where they are at a time of the shot, s."""
+        played = self.played
+        if played is not None:
+            self.places[self.rows] = played.trajectory.state_at(time).positions
+
+    def turns_at(self, time: float) -> Array:
+        """How white, yellow and red are turned at a time of the last stroke (3, 3, 3)."""
+        turns = self.turns.copy()
+        played = self.played
+        if played is not None:
+            turns[self.rows] = played.trajectory.orientations_at(time, self.turns_before[self.rows])
+        return turns
+
+    @property
+    def rows(self) -> list[int]:
+        """Balls in the order of the last stroke's trajectory."""
+        last = self.frame.last
+        return rows_of(last.frame.game.cue if last is not None else self.frame.game.cue)
+
+    def settle(self) -> None:
+        """The shot is over: its verdict holds."""
+        played = self.played
+        assert played is not None
+        self.turns[:] = self.turns_at(played.trajectory.end_time)
+        self.frame = played.frame.replace(physics=self.frame.physics)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        self.places[:] = self.frame.positions
+
+    # -- choices, and balls moved by hand -----------------------------------------------------------
+
+    def go_back_to(self, frame: CaromFrame) -> None:
+        """A frame before, the balls turned as they were."""
+        self.frame = frame.replace(physics=self.frame.physics)
+        self.turns[:] = self.turns_before
+        self._lay_out()
+
+    def choose(self, row: int) -> None:
+        """The player at turn chooses one of the options, counted from 0."""
+        self.frame = self.frame.choose(self.frame.game.options[row].name)
+        self._lay_out()
+
+    def next_game(self) -> None:
+        """The next game if this one is over; else this level from its beginning."""
+        if self.frame.game.ended:
+            self.frame = self.frame.next_game()
+        else:
+            content = msgspec.structs.replace(self.content, saved={})
+            game, places = begun(content, int(self.parameters.target), int(self.parameters.innings))
+            self.frame = CaromFrame(game, places, self.frame.table, self.frame.physics)
+        self._lay_out()
+
+    def begin_moving(self) -> bool:
+        """Balls are going to be moved by hand: a game between two becomes practice. True if it was one."""
+        game = self.frame.game
+        was = len(game.players) == 2
+        after = game.alone() if was else msgspec.structs.replace(game, opening=False, options=(), run=0)
+        self.frame = self.frame.replace(
+            game=after, last=None, words=(), foul=False, earlier=self.frame.shortened()
+        )
+        return was
+
+    def move_ball(self, ball: int, x: float, y: float) -> None:
+        """Put a ball at (x, y) m, or as near to it as it can lie."""
+        places = self.frame.positions
+        places[ball] = free_place(places, ball, x, y)
+        self.frame = self.frame.replace(places=points_of(places))
+        self._lay_out()
+
+
+def free_place(places: Array, ball: int, x: float, y: float) -> tuple[float, float]:
+    """Where a ball can lie near (x, y) m: on the bed, beside the others. places (3, 2) m."""
+    old = (float(places[ball, 0]), float(places[ball, 1]))
+    now = places.copy()
+    for _ in range(8):
+        x = min(max(x, BALL_RADIUS), CAROM_WIDTH - BALL_RADIUS)
+        y = min(max(y, BALL_RADIUS), CAROM_LENGTH - BALL_RADIUS)
+        now[ball] = x, y
+        if fits(now):
+            return x, y
+        for other in range(3):
+            dx, dy = x - float(places[other, 0]), y - float(places[other, 1])
+            distance = math.hypot(dx, dy)
+            if other != ball and distance < APART:
+                ux, uy = (dx / distance, dy / distance) if distance > 1e-9 else (1.0, 0.0)
+                x, y = float(places[other, 0]) + APART * ux, float(places[other, 1]) + APART * uy
+    return old
+
+
+class _Outcome:
+    """What is computed from a frame and kept while that holds; no part of the state."""
+
+    def __init__(self) -> None:
+        self._word_of: CaromFrame | None = None
+        self._word = ""
+        self._played_of: CaromStruck | None = None
+        self._played: CaromPlayed | None = None
+
+    def word(self, frame: CaromFrame) -> str:
+        """A hash of all that a frame says, but for the frames before it."""
+        if self._word_of is not frame:
+            last = frame.last
+            said = (
+                msgspec.to_builtins(frame.game), frame.places, frame.physics, frame.strokes,
+                None if last is None else (last.frame.places, last.stroke, last.safety, last.frame.physics),
+            )  # fmt: skip
+            self._word_of = frame
+            self._word = hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()
+        return self._word
+
+    def played(self, frame: CaromFrame) -> CaromPlayed | None:
+        """What comes, or came, of a frame's last stroke; None before the first."""
+        if self._played_of is not frame.last:
+            self._played = frame.outcome() if frame.last is not None else None
+            self._played_of = frame.last
+        return self._played

@@ -1,0 +1,209 @@
+"""Carom: three balls, no pockets, and the map of every stroke that scores."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.map.carom import GLANCE, whole_map
+from game.billiards.players.carom import position_of
+from game.billiards.search.strokes import Noise
+from game.billiards.shot.cue import strike
+from game.billiards.shot_effects import CLOTH, RUBBER, SPIN_DECAY, THROW
+from game.lab.studies.billiards.chances import chances_study
+from game.levels import Level
+from game.scenes.carom import CAROM, layout, saving
+from game.scenes.carom.actions import ACTIONS, HINTS
+from game.scenes.carom.advisor import Advisor
+from game.scenes.carom.course import Course
+from game.scenes.carom.figure import draw_three_cushions
+from game.scenes.carom.hand import CaromHand
+from game.scenes.carom.level import CaromContent
+from game.scenes.carom.model import CaromModel
+from game.scenes.carom.opponents import CaromOpponents
+from game.scenes.carom.parameters import CaromParameters
+from game.scenes.carom.readouts import readouts
+from game.scenes.carom.sounds import CaromSounds
+from game.scenes.carom.view.picture import CaromView
+from game.scenes.shared.tables.view import warm_ups as table_warm_ups
+from game.stage import (
+    Action,
+    Decision,
+    Equation,
+    Frame,
+    Hearing,
+    Pointer,
+    Readout,
+    Scene,
+    Stamped,
+    Strip,
+    WarmUp,
+)
+
+Array = NDArray[np.float64]
+
+
+class CaromState(NamedTuple):
+    """What is on the table at this moment.
+
+    clock (1,) s of the phase. places (3, 2) m of white, yellow, red; turns, turns_before (3, 3, 3): how they
+    are turned, and were before the last stroke. cue (7,). word: of the frame.
+    """
+
+    clock: Array
+    places: Array
+    turns: Array
+    turns_before: Array
+    cue: Array
+    word: str
+
+
+class CaromScene(Scene):
+    """A carom table. A point is made when the cue ball touches both other balls; at three-cushion it must
+    touch three cushions before the second of them.
+
+    The list shows every way to score from the position on the table. 18 000 strokes, over aim, speed and the
+    place of the tip, are played to their end by the exact table whenever a ball is moved; those that score
+    are grouped by the order of balls and cushions that the cue ball touches, and each group's best stroke is
+    tried again and again with the noise of a hand. Drag a ball and watch.
+    """
+
+    name, task, title = CAROM.names
+    parameters_type = CaromParameters
+    parameters: CaromParameters
+    effects = CLOTH | SPIN_DECAY | THROW | RUBBER
+    study = chances_study
+    covers = True
+    quarter_turns = 1
+    takes = frozenset(("right",))
+    content_type = CaromContent
+
+    strips = (
+        Strip("Energy", "J", ("energy",)),
+        Strip("Cue ball", "m/s", ("cue ball",)),
+        Strip("Cushions", "", ("cushions",)),
+    )
+    hints = HINTS
+    actions = ACTIONS
+    figure = staticmethod(draw_three_cushions)
+    equations = (
+        Equation(
+            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
+        ),
+        Equation("Chance of a stroke", r"p \approx \frac{k}{n}", "k of n strokes of a hand score"),
+        Equation("Its error", r"\sigma = \sqrt{p (1 - p) / n}", "binomial"),
+        Equation("Average", r"\text{points} / \text{innings}", "UMB"),
+    )
+    try_this = (
+        "Drag the red ball slowly along a cushion, and watch ways come and go.",
+        "Click a way, then again: it is played. U takes it back.",
+        "Choose the hand of a master, then that of a novice: the surest way becomes another one.",
+        "Take the cloth of a club instead of the heated one: the same stroke dies short.",
+    )
+    demo = (Stamped(12, Action("demo")),)  # and it goes on playing
+
+    def build(self, level: Level | None) -> None:
+        given = level.content if level is not None else None
+        content: CaromContent = given or CaromContent()
+        if self.parameters.game not in ("level", content.game):
+            content = CaromContent(game=self.parameters.game, players=content.players)  # type: ignore[arg-type]
+        self.model = CaromModel(content, self.parameters, self.active, self.seed)
+        self.course = Course(self.parameters, self.model, self.seed)
+        self.advisor = Advisor(self.course)
+        self.opponents = CaromOpponents(self.course)
+        self.hand = CaromHand(self.course, self.advisor)
+        self.sounds = CaromSounds(self.course)
+        self.view = CaromView(self.course, self.advisor)
+
+    def state(self) -> CaromState:
+        model, course = self.model, self.course
+        return CaromState(
+            course.clock, model.places, model.turns, model.turns_before, course.cue.data,
+            f"{course.phase} {model.word}",
+        )  # fmt: skip
+
+    def restore(self, state: CaromState) -> None:
+        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
+            mine[...] = then  # the frame comes back with the plain attributes
+
+    def parameter_changed(self, name: str) -> None:
+        if name in ("cloth", "target", "innings"):
+            self.model.configure(self.active)
+
+    def effects_changed(self) -> None:
+        self.model.configure(self.active)
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        return [
+            WarmUp("exact table", lambda: _warm_up(cls())),
+            WarmUp("map", lambda: whole_map(position_of(cls().model.frame), Noise(), GLANCE) and None),
+            *table_warm_ups(),
+        ]  # fmt: skip
+
+    # -- stepping, and what comes in ----------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.course.advance(dt)
+        self.opponents.play_on()
+
+    def pointer(self, event: Pointer) -> None:
+        self.hand.take(event)
+
+    def action(self, name: str) -> None:
+        self.hand.act(name)
+
+    def decisions(self, at_once: bool = False) -> list[Decision]:
+        return [*self.advisor.decisions(at_once), *self.opponents.decisions(at_once)]
+
+    @property
+    def plays_alone(self) -> bool:
+        return self.course.plays_alone
+
+    def decide(self, event: Decision) -> None:
+        values = event.values
+        if event.name == "option" and len(values) == 1:
+            self.course.take_option(int(values[0]))
+        elif event.name in ("show", "play") and len(values) == 5:
+            stroke = Stroke(*values)
+            strike(*stroke)  # refuses what no stroke can be
+            if event.name == "show":
+                self.course.choose(stroke)
+            else:
+                self.course.begin_stroke(stroke)
+        else:
+            raise ValueError(f"{event.name}: expected show, play or option, each with its numbers")
+
+    # -- what is shown, and kept --------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return layout.FRAME
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
+
+    def hearing(self) -> Hearing | None:
+        return self.sounds.hearing()
+
+    def readouts(self) -> tuple[Readout, ...]:
+        return readouts(self.course)
+
+    def messages(self) -> tuple[str, ...]:
+        return self.course.messages.take()
+
+    def worth_keeping(self) -> object:
+        return saving.worth_keeping(self.model, self.course.plays_itself)
+
+    def save_content(self) -> CaromContent:
+        return saving.content_of(self.model)
+
+
+def _warm_up(scene: CaromScene) -> None:
+    """Play one stroke, so that all kernels of the table are compiled."""
+    scene.course.begin_stroke(Stroke(3.0, 0.5 * np.pi))
+    for _ in range(100):
+        scene.advance(0.02)
+    scene.readouts()

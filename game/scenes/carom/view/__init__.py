@@ -1,0 +1,1 @@
+"""How carom is drawn: table, map, score board, the picture of the tip."""

@@ -1,0 +1,110 @@
+"""How carom is drawn: table, balls at any moment, cue, paths, and what stands round the table."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.table.carom import BALL_RADIUS, SPOTS
+from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
+from game.scenes.carom import layout
+from game.scenes.carom.advisor import Advisor, Drawn
+from game.scenes.carom.course import AIMING, ROLLING, STRIKING, Course
+from game.scenes.carom.view.map_list import draw_list, draw_tip
+from game.scenes.carom.view.paths import Foresight, draw_ends, draw_faint, draw_sight
+from game.scenes.carom.view.score_board import draw_board, draw_foot
+from game.scenes.shared.tables.boxes import look_of
+from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.theme import FELT, FELT_BLUE, FELT_WARM
+from game.ui.painters.ball_look import CAROM_WHITE
+from game.ui.painters.table import Dress, carom_dress
+
+Array = NDArray[np.float64]
+
+FELTS = {"blue": FELT_BLUE, "green": FELT}
+SHARES = tuple((x / CAROM_WIDTH, y / CAROM_LENGTH) for x, y in SPOTS)
+DRESSES = {name: carom_dress(felt, SHARES) for name, felt in FELTS.items()}
+FAINT = 3  # choices whose paths are shown
+CUE_WORDS = 22.0  # design px below the ball
+
+
+class CaromView:
+    """The picture of the game."""
+
+    def __init__(self, course: Course, advisor: Advisor) -> None:
+        self.course = course
+        self.advisor = advisor
+        self._aimed = Foresight()
+        self._faint = tuple(Foresight() for _ in range(FAINT))
+
+    @property
+    def dress(self) -> Dress:
+        """What the table wears."""
+        return DRESSES[str(self.course.parameters.felt)]
+
+    def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
+        """The game, ``alpha`` of the step from the clock before to the clock now."""
+        course, frame, dress = self.course, self.course.model.frame, self.dress
+        draw_table(canvas, frame.table, dress=dress)
+        canvas.halo = dress.felt
+        drawn = self.advisor.drawn()
+        if course.phase == AIMING:
+            self._draw_paths(canvas, drawn)
+        draw_balls(canvas, self._balls(alpha, clock_before), frame.table, felt=dress.felt)
+        if course.may_aim or course.phase == STRIKING:
+            ball = np.array(course.cue_ball)
+            if not course.grip.startswith("ball"):
+                draw_cue_behind(canvas, frame.table, ball, BALL_RADIUS, course.cue, CUE_WORDS)
+            canvas.circle(ball, 1.25 * BALL_RADIUS, outline=FELT_WARM, width=1.4, alpha=0.8)
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+            look = look_of(canvas, layout.PIXELS)
+            draw_board(canvas, look, course)
+            draw_list(canvas, look, course, self.advisor, drawn)
+            draw_tip(canvas, look, course, self.advisor.study())
+            draw_foot(canvas, look, course, drawn)
+
+    def _balls(self, alpha: float, clock_before: Array | None) -> Balls:
+        """The balls as they lie, or on their paths."""
+        course, model = self.course, self.course.model
+        numbers = np.arange(CAROM_WHITE, CAROM_WHITE + 3)
+        played = model.played
+        if course.phase != ROLLING or played is None:
+            return Balls(model.places, np.full(3, BALL_RADIUS), numbers, model.turns, np.ones(3))
+        time = float(course.clock[0])
+        before = time if clock_before is None else float(clock_before[0])
+        if before <= time <= before + 0.1:
+            time = before + alpha * (time - before)
+        time = min(time, played.trajectory.end_time)
+        places = model.places.copy()
+        places[model.rows] = played.trajectory.state_at(time).positions
+        return Balls(places, np.full(3, BALL_RADIUS), numbers, model.turns_at(time), np.ones(3))
+
+    def _draw_paths(self, canvas: Canvas, drawn: Drawn | None) -> None:
+        """Of the chosen stroke, or the one that is aimed; faintly those of the first choices."""
+        course, frame = self.course, self.course.model.frame
+        if not course.may_aim:
+            return
+        chosen = course.chosen
+        fresh = drawn is not None and drawn.key == self.advisor.key
+        if chosen is None and drawn is not None and fresh:
+            for foresight, group in zip(self._faint, drawn.map.groups, strict=False):
+                sight = foresight.of(frame, group.stroke)
+                if sight is not None:
+                    draw_faint(canvas, sight)
+        elif chosen is not None and drawn is not None and course.parameters.ends:
+            for group in drawn.map.groups:
+                if group.stroke == chosen and len(group.ends):
+                    draw_ends(canvas, group.ends, frame.game.cue)
+        if not course.grip.startswith("ball") and (chosen is not None or course.parameters.path):
+            stroke = chosen if chosen is not None else course.stroke
+            sight = self._aimed.of(frame, stroke)
+            if sight is not None:
+                draw_sight(canvas, sight, chosen is not None)
+                if sight.scores and chosen is None:
+                    place = np.array(course.cue_ball) + 2.4 * BALL_RADIUS * np.array(
+                        (math.cos(course.cue.aim + 2.2), math.sin(course.cue.aim + 2.2))
+                    )
+                    canvas.label(place, "scores", FELT_WARM, 12, "semibold")

@@ -1,0 +1,135 @@
+"""The score board above the table, words and buttons below it."""
+
+from __future__ import annotations
+
+import pygame
+
+from game.billiards.game.games.carom import TITLES
+from game.billiards.map.words import explain
+from game.scenes.carom import layout
+from game.scenes.carom.advisor import Drawn
+from game.scenes.carom.course import PERSON, Course
+from game.scenes.carom.parameters import GRADE_LABELS, GRADES
+from game.scenes.shared.tables.boxes import rect_of
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.look import Look
+from game.ui.look.shapes import draw_box
+from game.ui.painters.ball_look import CAROM_WHITE
+from game.ui.painters.ball_picture import ball_chip
+
+BUTTON_WORDS = {"play": "Play it", "strike": "Strike", "undo": "Undo", "next": "New game"}
+CHOICES = 3  # that are put into words
+TITLE = 156  # design px before the cards
+
+
+def draw_board(canvas: Canvas, look: Look, course: Course) -> None:
+    """Name of the game, and a card for each player."""
+    rect = rect_of(canvas, layout.BOARD)
+    game, px = course.model.frame.game, look.px
+    look.text(
+        canvas.surface, TITLES[game.kind], (rect.x + px(30), rect.centery - px(10)), 15, "semibold", "text1"
+    )
+    ends = f"race to {game.target}" if game.target else "no end"
+    if game.most_innings:
+        ends = f"{ends}, {game.most_innings} innings" if game.target else f"{game.most_innings} innings"
+    look.text(canvas.surface, ends, (rect.x + px(30), rect.centery + px(10)), 12, "medium", "text3")
+    count = len(game.players)
+    width = (rect.w - px(TITLE) - px(10) * (count - 1)) // count
+    for player in range(count):
+        box = pygame.Rect(rect.x + px(TITLE) + player * (width + px(10)), rect.y, width, rect.h)
+        _draw_card(canvas, look, box, course, player)
+
+
+def _draw_card(canvas: Canvas, look: Look, box: pygame.Rect, course: Course, player: int) -> None:
+    """Ball, name, points; run, average and high run under them."""
+    game, theme, px = course.model.frame.game, look.theme, look.px
+    lit = player == game.turn and not game.ended
+    fill = theme.accent_soft if lit else theme.panel
+    draw_box(
+        canvas.surface, box, px(8), fill, theme.accent if lit else theme.line, max(1, px(2 if lit else 1))
+    )
+    ball = player if len(game.players) == 2 else game.alone_with
+    chip = ball_chip(CAROM_WHITE + ball, max(11.0 * look.k, 3.0), (fill.r, fill.g, fill.b))
+    canvas.surface.blit(chip, chip.get_rect(center=(box.x + px(24), box.centery)))
+    x, room = box.x + px(46), box.w - px(46) - px(70)
+    name = look.fonts.fit(_name(course, player), 15, "semibold", room)
+    look.text(canvas.surface, name, (x, box.centery - px(10)), 15, "semibold", "text1")
+    run = f"run {game.run}, " if lit else ""
+    had = f"{game.innings[player]} innings, average {game.average(player):.2f}"
+    said = f"{run}{had}, high run {game.high_runs[player]}"
+    look.text(canvas.surface, look.fonts.fit(said, 12, "medium", box.w - px(46) - px(62)),
+              (x, box.centery + px(10)), 12, "medium", "text2")  # fmt: skip
+    look.text(
+        canvas.surface,
+        str(game.points[player]),
+        (box.right - px(16), box.centery),
+        26,
+        "display",
+        "text1",
+        "right",
+    )
+
+
+def _name(course: Course, player: int) -> str:
+    """A player's name, and of which grade it is."""
+    grade = course.grade_of(player)
+    name = course.model.frame.game.players[player]
+    return name if grade == PERSON else f"{name}, {GRADE_LABELS[GRADES.index(grade)].lower()}"
+
+
+def draw_foot(canvas: Canvas, look: Look, course: Course, drawn: Drawn | None) -> None:
+    """What was said last; options to choose; else the first choices in words. And the buttons."""
+    rect = rect_of(canvas, layout.FOOT)
+    frame = course.model.frame
+    y = rect.y + look.px(10)
+    said = " ".join(frame.words)
+    if said:
+        words = look.fonts.fit(said, 13, "semibold", rect.w)
+        look.text(canvas.surface, words, (rect.x + look.px(4), y), 13, "semibold",
+                  "vermilion" if frame.foul else "text1")  # fmt: skip
+        y += look.px(20)
+    if frame.game.options:
+        _draw_options(canvas, look, course)
+    elif course.parameters.explain and drawn is not None and drawn.map.fine:
+        _draw_choices(canvas, look, drawn, (rect.x + look.px(4), y, rect.right, rect.bottom))
+    for row, name in enumerate(layout.BUTTONS):
+        _draw_button(canvas, look, course, row, name)
+
+
+def _draw_choices(canvas: Canvas, look: Look, drawn: Drawn, area: tuple[float, float, float, float]) -> None:
+    """The first three groups in sentences, as many lines as there is room for."""
+    x, y, right, bottom = area
+    pitch = look.fonts.line_height(11) - look.px(2)
+    for place, group in enumerate(drawn.map.groups[:CHOICES]):
+        words = f"{place + 1}. {' '.join(explain(drawn.position, group))}"
+        for line in look.fonts.wrap(words, 11, "medium", int(right - x)):
+            if y + 0.4 * pitch > bottom:
+                return
+            look.text(canvas.surface, line, (x, y), 11, "medium", "text2" if place else "text1")
+            y += pitch
+        y += look.px(2)
+
+
+def _draw_options(canvas: Canvas, look: Look, course: Course) -> None:
+    options = course.model.frame.game.options
+    for row, option in enumerate(options):
+        box = rect_of(canvas, layout.option_box(row, len(options)))
+        draw_box(canvas.surface, box, look.px(6), look.theme.accent_soft, look.theme.accent, look.border)
+        words = look.fonts.fit(f"{row + 1}  {option.words}", 12, "semibold", box.w - look.px(16))
+        look.text(canvas.surface, words, box.center, 12, "semibold", "text1", "center")
+
+
+def _draw_button(canvas: Canvas, look: Look, course: Course, row: int, name: str) -> None:
+    box = rect_of(canvas, layout.button_box(row))
+    usable = {
+        "play": course.may_aim and course.chosen is not None,
+        "strike": course.may_aim or course.phase == "rolling",
+        "undo": course.model.frame.earlier is not None,
+        "next": True,
+    }[name]
+    main = name == "play" and usable
+    fill = look.theme.accent if main else look.theme.inset
+    draw_box(canvas.surface, box, look.px(6), fill, None if main else look.theme.line, look.border)
+    words = "To the end" if name == "strike" and course.phase == "rolling" else BUTTON_WORDS[name]
+    color = "on_accent" if main else "text1" if usable else "text3"
+    look.text(canvas.surface, words, box.center, 12, "semibold", color, "center")
