@@ -9,6 +9,7 @@ from game.scenes import (
     bounds,
     boxes,
     convex,
+    domino,
     examples,
     fountain,
     key_frames,
@@ -38,5 +39,6 @@ CATALOGUE = Catalogue(
         *rigid_body.ENTRIES,
         *spheres.ENTRIES,
         *examples.ENTRIES,
+        *domino.ENTRIES,
     )
 )
