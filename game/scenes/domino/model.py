@@ -61,6 +61,7 @@ Floats = NDArray[np.float64]
 STRUCK_ANGLE = 0.03  # rad from where it stood: it has been struck
 PUSH = 1.0  # of sqrt(g / h): spin of one that is pushed
 SETTLED, MEASURED = 12, 12  # dominoes on the level before a wave is measured, and over which it is
+CRAWL = 0.25  # m/s
 QUIET = 1e-3  # m/s, of a block that has come to rest
 
 
@@ -333,6 +334,11 @@ class DominoModel(Part):
         if not self.ball_ids:
             return 0.0
         return float(np.hypot(*self.world.bodies.velocities[self.ball_ids].T).max())
+
+    def moving_balls(self) -> int:
+        """How many balls are faster than a crawl."""
+        speeds = np.hypot(*self.world.bodies.velocities[self.ball_ids].T) if self.ball_ids else np.zeros(0)
+        return int(np.count_nonzero(speeds > CRAWL))
 
     def at_rest(self) -> int:
         """How many blocks have slid and come to rest."""

@@ -30,6 +30,7 @@ def readouts(model: DominoModel) -> list[Readout]:
         Readout("wave error", 100.0 * abs(wave / theory - 1.0) if theory > 0.0 else math.nan, "%"),
         Readout("awake", model.awake()),
         Readout("fastest ball", model.fastest_ball(), "m/s"),
+        Readout("moving balls", model.moving_balls()),
         Readout("at rest", model.at_rest()),
     ]
     return [*rows, *_slides(model), Readout("a step", model.watch.median("step"), "s")]
