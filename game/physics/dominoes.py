@@ -124,7 +124,7 @@ def stopping_distance(
 ) -> float:
     """How far (m) a block slides down a slope (rad) from a speed (m/s) on; infinite where it never stops.
 
-    v² / (2 g (mu cos - sin)). ValueError for a negative speed, friction or gravity, or a slope beyond upright.
+    v² / (2 g (mu cos - sin)). ValueError for a negative speed, friction or gravity, a slope beyond upright.
     """
     if not (speed >= 0.0 and friction >= 0.0 and gravity >= 0.0 and abs(slope) <= 0.5 * math.pi):
         raise ValueError(

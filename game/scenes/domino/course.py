@@ -34,7 +34,9 @@ def floor_points(floor: FloorEntry) -> Floats:
     return np.array(points)
 
 
-def _piece(start: tuple[float, float], heading: float, piece: PieceEntry) -> tuple[list[tuple[float, float]], float]:
+def _piece(
+    start: tuple[float, float], heading: float, piece: PieceEntry
+) -> tuple[list[tuple[float, float]], float]:
     x, y = start
     if piece.radius and piece.turn:
         turn, side = math.radians(piece.turn), math.copysign(1.0, piece.turn)

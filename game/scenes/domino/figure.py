@@ -33,7 +33,7 @@ def draw_leaning(pen: Pen) -> None:
 
 
 def _corners(edge: float, angle: float) -> list[tuple[float, float]]:
-    """Corners of a domino that turns about its lower right edge: left foot, right foot, right and left top."""
+    """Corners of a domino that turns about its lower right edge: both feet, right and left top."""
     c, s = math.cos(angle), math.sin(angle)
     own = ((-THICK, 0.0), (0.0, 0.0), (0.0, HEIGHT), (-THICK, HEIGHT))
     return [(edge + c * x + s * y, FLOOR + s * x - c * y) for x, y in own]

@@ -62,9 +62,7 @@ class DominoHand(Part):
     def ball_at(self, point: Point) -> int:
         """Number of the ball at a point, or NOBODY."""
         places = self.model.world.bodies.positions
-        for k, (body, entry) in enumerate(
-            zip(self.model.ball_ids, self.model.content.balls, strict=True)
-        ):
+        for k, (body, entry) in enumerate(zip(self.model.ball_ids, self.model.content.balls, strict=True)):
             if math.dist(places[body].tolist(), point) <= entry.radius:
                 return k
         return NOBODY

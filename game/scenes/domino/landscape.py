@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from game.physics.kernels.lean import lean_kernel
 from game.ui.canvas.canvas import Canvas
+from game.ui.raster.pixels import blend
 
 Floats = NDArray[np.float64]
 Inks = NDArray[np.uint32]
-SHADES = 64  # of a hill, from its crest downwards
 USUAL_SCALE = 14.0  # px to a m, at which hills are as large as they say
 GROUND = -2.0  # m, of the meadow that all stands on
 
@@ -38,48 +38,48 @@ HILLS = (
     Hill(0.17, 2.6, 21.0, 0.76, 0.55),
     Hill(0.32, 1.6, 33.0, 0.86, 1.0),
 )
+HAZE = (0.5, 0.42, 0.34, 0.2)  # at the foot of each
 # sky above, at the horizon; its light; the hills from the farthest on; earth: grass and below
 DAY = (0x6FA8D6, 0xF6E3C4, 0xFFF6DC, (0xA9BFCB, 0x8FB0A6, 0x719A7B, 0x527F58), 0x7FA05A, 0x5A4632)
 NIGHT = (0x0B1026, 0x3A3560, 0xF3EBD2, (0x2B2D52, 0x23294A, 0x1A2440, 0x121C33), 0x1C3A33, 0x0E1720)
 
 
 @lean_kernel
-def mixed(a, b, share):
-    """Of two colours 0xRRGGBB, ``share`` of the second."""
-    k = int(256.0 * share)
-    red = ((a >> 16 & 255) * (256 - k) + (b >> 16 & 255) * k) >> 8
-    green = ((a >> 8 & 255) * (256 - k) + (b >> 8 & 255) * k) >> 8
-    blue = ((a & 255) * (256 - k) + (b & 255) * k) >> 8
-    return red << 16 | green << 8 | blue
-
-
-@lean_kernel
-def paint_landscape(pixels, clip, sky, crests, shades, fall):
+def paint_landscape(pixels, clip, sky, crests, shades, spans):
     """Lay the sky (h, w) and before it hills, whose crests (l, w) are px down from its upper edge.
 
-    shades (l, SHADES): colours from the crest downwards, one for each ``fall`` px.
+    shades (l, h): the colour of each hill by rows. spans (l + 1, 2): rows in which the sky and then each hill
+    may be seen.
     """
     left, top = clip[0], clip[1]
     width, height = min(clip[2] - left, sky.shape[1]), min(clip[3] - top, sky.shape[0])
-    layers, last = crests.shape[0], shades.shape[1] - 1
-    for y in range(height):
+    for y in range(spans[0, 0], min(spans[0, 1], height)):
         for x in range(width):
-            ink = sky[y, x] & 0xFFFFFF
-            for k in range(layers - 1, -1, -1):  # the nearest that covers all of it
-                if y >= crests[k, x]:
-                    ink = shades[k, min(int((y - crests[k, x]) * fall), last)]
-                    break
-            covered = -1.0
-            for k in range(layers):  # the edge of the nearest one
-                part = y + 1.0 - crests[k, x]
-                if 0.0 < part < 1.0:
-                    covered = part
-                    edge = shades[k, 0]
-                elif part >= 1.0:
-                    covered = -1.0
-            if covered > 0.0:
-                ink = mixed(ink, edge, covered)
-            pixels[top + y, left + x] = 0xFF000000 | ink
+            pixels[top + y, left + x] = sky[y, x]
+    for k in range(crests.shape[0]):
+        for y in range(spans[k + 1, 0], min(spans[k + 1, 1], height)):
+            ink = shades[k, y]
+            for x in range(width):
+                below = pixels[top + y, left + x]
+                pixels[top + y, left + x] = ink if y >= crests[k, x] else below
+        smooth_crest(pixels, left, top, crests[k], shades[k], height)
+
+
+def spans_of(crests: Floats, height: int) -> NDArray[np.int64]:
+    """Rows (l + 1, 2) in which the sky and each hill may be seen: from the first to before the last."""
+    low = np.concatenate([[0.0], np.floor(crests.min(axis=1))])
+    covered = np.ceil(crests.max(axis=1)) + 1.0
+    high = np.concatenate([np.minimum.accumulate(covered[::-1])[::-1], [float(height)]])
+    return np.clip(np.stack([low, high], axis=1), 0.0, float(height)).astype(np.int64)
+
+
+@lean_kernel
+def smooth_crest(pixels, left, top, crest, shades, height):
+    """Lay the part of a hill over the pixels that its crest goes through."""
+    for x in range(crest.shape[0]):
+        y = math.floor(crest[x])
+        if 0 <= y < height:
+            blend(pixels, top + y, left + x, int(shades[y]), int(256.0 * (y + 1.0 - crest[x])))
 
 
 class Landscape:
@@ -88,7 +88,7 @@ class Landscape:
     def __init__(self) -> None:
         self._key: object = None
         self._sky: Inks = np.zeros((1, 1), np.uint32)
-        self._shades: Inks = np.zeros((1, SHADES), np.uint32)
+        self._hues: Floats = np.zeros((1, 2, 3))
 
     def draw(self, canvas: Canvas) -> None:
         """All that is behind the world."""
@@ -100,9 +100,11 @@ class Landscape:
         key = (width, height, dark)
         if key != self._key:
             self._key = key
-            self._sky, self._shades = _sky(width, height, dark), _shades(dark)
+            self._sky, self._hues = _sky(width, height, dark), _hues(dark)
         crests = _crests(canvas, width, height)
-        paint_landscape(pixels, clip, self._sky, crests, self._shades, SHADES / (0.55 * height))
+        paint_landscape(
+            pixels, clip, self._sky, crests, _shades(self._hues, crests, height), spans_of(crests, height)
+        )
 
 
 def is_dark(canvas: Canvas) -> bool:
@@ -115,7 +117,8 @@ def warm_up_landscape() -> None:
     """Compile what paints, on a tiny picture."""
     paint_landscape(
         np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((4, 4), np.uint32),
-        np.full((1, 4), 2.5), np.zeros((1, SHADES), np.uint32), 1.0,
+        np.full((1, 4), 2.5), np.zeros((1, 4), np.uint32),
+        np.array(((0, 4), (2, 4))),
     )  # fmt: skip
 
 
@@ -124,10 +127,10 @@ def _parts(ink: int) -> Floats:
 
 
 def _packed(colors: Any) -> Inks:
-    """Colours (..., 3) 0 to 255 as 0xRRGGBB."""
+    """Colours (..., 3) 0 to 255 as 0xFFRRGGBB."""
     rounded = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
     packed: Inks = rounded[..., 0] << 16 | rounded[..., 1] << 8 | rounded[..., 2]
-    return packed
+    return packed | np.uint32(0xFF000000)
 
 
 def _sky(width: int, height: int, dark: bool) -> Inks:
@@ -152,16 +155,21 @@ def _sky(width: int, height: int, dark: bool) -> Inks:
     return _packed(colors)
 
 
-def _shades(dark: bool) -> Inks:
-    """Colours (l, SHADES) of hills, meadow and earth: haze lies at their feet."""
+def _hues(dark: bool) -> Floats:
+    """Colours (l, 2, 3) at the crest and at the foot of hills and meadow: haze lies at the feet."""
     _, horizon, _, hills, grass, earth = NIGHT if dark else DAY
-    down = np.linspace(0.0, 1.0, SHADES)[:, None]
-    rows = []
-    for k, ink in enumerate(hills):
-        haze = (0.5, 0.42, 0.34, 0.2)[k]
-        rows.append(_packed(_parts(ink) + (_parts(horizon) - _parts(ink)) * haze * np.minimum(1.6 * down, 1)))
-    rows.append(_packed(_parts(grass) + (_parts(earth) - _parts(grass)) * np.minimum(2.2 * down, 1.0) ** 0.6))
-    return np.stack(rows)
+    rows = [
+        (_parts(ink), _parts(ink) + (_parts(horizon) - _parts(ink)) * haze)
+        for ink, haze in zip(hills, HAZE, strict=True)
+    ]
+    return np.array([*rows, (_parts(grass), _parts(earth))])
+
+
+def _shades(hues: Floats, crests: Floats, height: int) -> Inks:
+    """Colours (l, h) of hills by rows, from the mean of their crests downwards."""
+    down = (np.arange(height) - crests.mean(axis=1)[:, None]) / (0.34 * height)
+    share = np.clip(down, 0.0, 1.0)[..., None] ** 0.8
+    return _packed(hues[:, None, 0] + (hues[:, None, 1] - hues[:, None, 0]) * share)
 
 
 def _crests(canvas: Canvas, width: int, height: int) -> Floats:
@@ -177,8 +185,10 @@ def _crests(canvas: Canvas, width: int, height: int) -> Floats:
         crest += 0.15 * np.sin(5.1 * wave * u + 2.0 * k)
         tall = hill.height * crest
         if hill.trees:
-            tall += hill.trees * (np.abs(np.sin(1.9 * u)) + 0.7 * np.abs(np.sin(3.1 * u + 0.7))) * (
-                0.4 + 0.6 * (np.sin(0.37 * u + k) > -0.3)
+            tall += (
+                hill.trees
+                * (np.abs(np.sin(1.9 * u)) + 0.7 * np.abs(np.sin(3.1 * u + 0.7)))
+                * (0.4 + 0.6 * (np.sin(0.37 * u + k) > -0.3))
             )
         found[k] = height * hill.base + hill.near * (y - 9.0) * scale * 0.6 - own * tall
     _, foot = canvas.camera.to_screen(x, GROUND)

@@ -123,9 +123,7 @@ def add_plank(world: SolidWorld, anchor: int, entry: PlankEntry, grip: float) ->
     return body
 
 
-def add_slider(
-    world: SolidWorld, entry: SliderEntry, number: int, floor: Floats, lane: float
-) -> int:
+def add_slider(world: SolidWorld, entry: SliderEntry, number: int, floor: Floats, lane: float) -> int:
     """A block in its lane; its body."""
     y, slope = height_at(floor, entry.x)
     others = sum(2 << k for k in range(12) if k != number)

@@ -107,9 +107,7 @@ class DominoModel(Part):
             for k, entry in enumerate(things):
                 if entry.floor >= len(self.floors):
                     raise ValueError(f"[{k}].floor = {entry.floor}: there are {len(self.floors)}")
-        self.plank_ids = [
-            add_plank(world, self.anchor, entry, self._grip(None)) for entry in content.planks
-        ]
+        self.plank_ids = [add_plank(world, self.anchor, entry, self._grip(None)) for entry in content.planks]
         self.ball_ids = [
             add_ball(world, entry, self.floors[entry.floor], parameters) for entry in content.balls
         ]
@@ -321,7 +319,7 @@ class DominoModel(Part):
         return self.parameters.gravity if GRAVITY in self.active else 0.0
 
     def theory(self) -> float:
-        """Speed (m/s) of a steady wave through the dominoes that were measured last; NaN before, or for none."""
+        """Speed (m/s) of a steady wave through the dominoes that were measured last; NaN before."""
         if self.wave <= 0.0:
             return math.nan
         tall = self.wave_tall

@@ -40,9 +40,7 @@ class DominoParameters(Parameters):
     step_length = Param(
         1.0 / 60.0, 1.0 / 2000.0, 1.0 / 30.0, unit="s", log=True, group="Solver", label="Time step"
     )
-    marks = Toggle(
-        False, group="Shown", label="Contacts and speeds", help="in a story F7 shows them as well"
-    )
+    marks = Toggle(False, group="Shown", label="Contacts and speeds", help="in a story F7 shows them as well")
 
     def substeps_now(self) -> int:
         """By the quality that is chosen."""

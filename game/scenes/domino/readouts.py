@@ -37,7 +37,7 @@ def readouts(model: DominoModel) -> list[Readout]:
 
 
 def _slides(model: DominoModel) -> list[Readout]:
-    """How far each block has slid since the line, what the formula says, and the worst error of those at rest."""
+    """How far each block has slid since the line, what the formula says, the worst error of those at rest."""
     found, worst = [], math.nan
     speeds = model.world.bodies.velocities
     for k, (row, entry) in enumerate(zip(model.sliders, model.content.sliders, strict=True)):

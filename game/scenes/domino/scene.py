@@ -61,6 +61,7 @@ class Domino(Scene):
     content_type = DominoContent
     study = domino_study
     takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    covers = True
     may_be_infinite = frozenset(("world.joints",))
 
     strips = (

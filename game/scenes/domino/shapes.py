@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import colorsys
+from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -14,6 +16,7 @@ from game.scenes.domino.tables import TALL, THICK
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
 BOARD, FRONT = 0.34, 0.09  # m: of a board, of its lit upper edge
+SMOOTH = 0.5  # rad: where a floor turns by more, its board ends
 POST, EVERY = 0.26, 6.9  # m: breadth of a post, between two
 # of a domino, in shares of its half thickness and half height: where the painted band lies, and the grain
 BAND = (-1.0, 0.18, 1.0, 0.56)
@@ -22,28 +25,37 @@ SHADED = (0.66, -1.0, 1.0, 1.0)
 GRAIN = ((-0.3, -0.9, -0.16, 0.1), (0.18, -0.96, 0.3, -0.12))
 
 
-class Quads(NamedTuple):
-    """Corners (4 n, 2) m of n quadrangles."""
+class Shapes(NamedTuple):
+    """Corners (v, 2) m of polygons, and the first corner of each, (m + 1,)."""
 
     corners: Floats
-
-    @property
-    def starts(self) -> Longs:
-        """First corner of each, (n + 1,)."""
-        return np.arange(0, len(self.corners) + 1, 4)
+    starts: Longs
 
 
-def boards_of(points: Floats, thick: float) -> Floats:
-    """Corners (4 n, 2) m of what a floor is made of: below what lies, behind what stands."""
-    a, b = points[:-1], points[1:]
-    along = b - a
-    level = np.abs(along[:, 0]) >= np.abs(along[:, 1]) * 1.2
-    side = np.stack([np.sign(along[:, 1]), np.zeros(len(a))], axis=1)
-    lengths = np.hypot(along[:, 0], along[:, 1])[:, None]
-    normal = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.where(lengths > 0.0, lengths, 1.0)
-    steep = np.where(np.abs(along[:, :1]) < 1e-9, side, normal)
-    push = thick * np.where(level[:, None], np.array([0.0, -1.0]), steep)
-    return np.stack([a, b, b + push, a + push], axis=1).reshape(-1, 2)
+def boards_of(points: Floats, thick: float) -> Shapes:
+    """What a floor is made of, ``thick`` m deep; a polygon for each smooth run."""
+    along = np.diff(points, axis=0)
+    angles = np.arctan2(along[:, 1], along[:, 0])
+    turns = np.abs(np.angle(np.exp(1j * np.diff(angles))))
+    cuts = [0, *(np.flatnonzero(turns > SMOOTH) + 1).tolist(), len(along)]
+    parts = []
+    for first, last in pairwise(cuts):
+        run = points[first : last + 1]
+        normals = np.stack([np.sin(angles[first:last]), -np.cos(angles[first:last])], axis=1)
+        both = np.concatenate([normals[:1], 0.5 * (normals[1:] + normals[:-1]), normals[-1:]])
+        parts.append(np.concatenate([run, (run + thick * both)[::-1]]))
+    return joined(parts)
+
+
+def joined(parts: list[Floats]) -> Shapes:
+    """Polygons one after the other."""
+    starts = np.cumsum([0, *(len(part) for part in parts)])
+    return Shapes(np.concatenate([np.zeros((0, 2)), *parts]), starts.astype(np.int64))
+
+
+def moved(shapes: Shapes, by: Floats) -> Shapes:
+    """The same elsewhere: ``by`` (2,) m."""
+    return Shapes(shapes.corners + by, shapes.starts)
 
 
 def posts_of(floor: FloorEntry, points: Floats, others: list[Floats], ground: float) -> Floats:
@@ -62,6 +74,18 @@ def posts_of(floor: FloorEntry, points: Floats, others: list[Floats], ground: fl
         a, b = x - 0.5 * POST, x + 0.5 * POST
         found.append([(a, foot), (b, foot), (b, top - 0.1), (a, top - 0.1)])
     return np.array(found).reshape(-1, 2)
+
+
+def pools_of(floor: FloorEntry) -> list[tuple[float, float, float, float]]:
+    """Left, bottom, right and top (m) of the gaps of a floor."""
+    (x, y), found, edge = floor.start, [], 0.0
+    for piece in floor.pieces:
+        if piece.look == "gap" and piece.rise < 0.0:
+            edge = y
+        elif piece.look == "gap" and piece.run:
+            found.append((x, y, x + piece.run, y + 0.72 * (edge - y)))
+        x, y = x + piece.run + piece.radius, y + piece.rise
+    return found
 
 
 def _bare(floor: FloorEntry) -> list[tuple[float, float]]:
@@ -110,6 +134,7 @@ def half_sizes(dominoes: Floats) -> Floats:
     return 0.5 * dominoes[:, [THICK, TALL]]
 
 
+@lru_cache(maxsize=8)
 def rainbow(count: int, dark: bool) -> Longs:
     """Colours (n,) 0xRRGGBB along the path, from red over green to violet."""
     hues = np.linspace(0.0, 0.8, max(count, 1))

@@ -1,4 +1,4 @@
-"""How the world of dominoes is drawn: landscape, boards and posts, shadows, dominoes, balls, sliding blocks."""
+"""How the world of dominoes is drawn: landscape, boards, shadows, dominoes, balls, sliding blocks."""
 
 from __future__ import annotations
 
@@ -20,9 +20,12 @@ from game.scenes.domino.shapes import (
     GRAIN,
     LIT,
     SHADED,
+    Shapes,
     boards_of,
     half_sizes,
+    moved,
     placed,
+    pools_of,
     posts_of,
     rainbow,
     spans_of,
@@ -37,7 +40,10 @@ WHOLE = (-1.0, -1.0, 1.0, 1.0)
 GRAIN_PX = 26.0  # px to a m at which grain can be seen
 LANE_STEP = (0.12, 0.17)  # m: how much farther right and up each lane behind the first is seen
 # by day and at night: wood of dominoes, boards, their lit edge, posts, shadow
-WOOD = ((0xD9B076, 0xB07A45, 0xE2B57C, 0x7C5635, 0x2A1D10), (0xB58C5C, 0x6B4A33, 0xA87C52, 0x3A2A22, 0x04060A))
+WOOD = (
+    (0xD9B076, 0xB07A45, 0xE2B57C, 0x7C5635, 0x2A1D10),
+    (0xB58C5C, 0x6B4A33, 0xA87C52, 0x3A2A22, 0x04060A),
+)
 BALLS = {"steel": 0x9AA7B4, "glass": 0x6FC3D8, "wood": 0xC08A4E, "cork": 0xD8B98A}
 BLOCKS = (0xD65F5F, 0xE0A03C, 0x6FA84F, 0x4E8FC9, 0x9A6CC4)
 
@@ -49,15 +55,18 @@ class DominoView:
         self.model, self.hand = model, hand
         self._landscape = Landscape()
         floors, points = model.content.floors, model.floors
-        boards = [boards_of(one, BOARD) for one, floor in zip(points, floors, strict=True) if floor.look == "board"]
-        edges = [boards_of(one, FRONT) for one, floor in zip(points, floors, strict=True) if floor.look == "board"]
+        boards = [one for one, floor in zip(points, floors, strict=True) if floor.look == "board"]
         others = [one for one, floor in zip(points, floors, strict=True) if floor.look != "ground"]
         posts = [posts_of(floor, one, others, GROUND) for one, floor in zip(points, floors, strict=True)]
-        self._boards, self._edges, self._posts = (
-            np.concatenate([np.zeros((0, 2)), *parts]) for parts in (boards, edges, posts)
-        )
+        self._boards, self._edges = ([boards_of(one, thick) for one in boards] for thick in (BOARD, FRONT))
+        self._posts = np.concatenate([np.zeros((0, 2)), *posts])
         self._spans = [span for floor in floors for span in spans_of(floor)]
-        self._lanes = [k for k, floor in enumerate(floors) if floor.look == "lane"]
+        self._pools = [pool for floor in floors for pool in pools_of(floor)]
+        self._lanes = [boards_of(points[k], BOARD) for k, one in enumerate(floors) if one.look == "lane"]
+        self._ways = {
+            entry.floor: (boards_of(points[entry.floor], 3.2 * BOARD), boards_of(points[entry.floor], 0.17))
+            for entry in model.content.sliders
+        }
 
     def legend(self) -> list[tuple[str, str, str]]:
         """What the marks mean."""
@@ -77,10 +86,12 @@ class DominoView:
         self._quads(canvas, self._posts, tones[3], edge=0x000000)
         self._draw_bridges(canvas, tones)
         self._draw_lanes(canvas, places, turned, tones)
-        self._quads(canvas, self._boards, tones[1])
+        for board in self._boards:
+            self._shapes(canvas, board, tones[1])
         self._draw_planks(canvas, places, turned, tones)
         self._draw_dominoes(canvas, places, turned, tones)
-        self._quads(canvas, self._edges, tones[2])
+        for edge in self._edges:
+            self._shapes(canvas, edge, tones[2])
         self._draw_balls(canvas, places, turned)
         if canvas.teaching and self.model.parameters.marks:
             draw_marks(canvas, self.model, places)
@@ -112,7 +123,12 @@ class DominoView:
     # -- painting -------------------------------------------------------------------------------------
 
     def _quads(
-        self, canvas: Canvas, corners: Floats, inks: int | Longs, share: float = 1.0, edge: int | Longs = NO_EDGE
+        self,
+        canvas: Canvas,
+        corners: Floats,
+        inks: int | Longs,
+        share: float = 1.0,
+        edge: int | Longs = NO_EDGE,
     ) -> None:
         """Quadrangles (4 n, 2) m, those in the picture."""
         count = len(corners) // 4
@@ -131,6 +147,12 @@ class DominoView:
         starts = np.arange(0, 4 * number + 1, 4)
         paint(canvas, kept, starts, own, np.full(number, share), edges, np.zeros((4, 2)))
 
+    def _shapes(self, canvas: Canvas, shapes: Shapes, ink: int) -> None:
+        """Polygons of one colour."""
+        count = len(shapes.starts) - 1
+        inks, none = np.full(count, ink, dtype=np.int64), np.full(count, NO_EDGE, dtype=np.int64)
+        paint(canvas, shapes.corners, shapes.starts, inks, np.ones(count), none, np.zeros((4, 2)))
+
     def _shadows(self, canvas: Canvas, corners: Floats, ink: int) -> None:
         """Soft shadows on the floor below boxes (4 n, 2) m, towards the right."""
         if not len(corners):
@@ -147,7 +169,11 @@ class DominoView:
             self._quads(canvas, quads.reshape(-1, 2), ink, share)
 
     def _draw_bridges(self, canvas: Canvas, tones: tuple[int, ...]) -> None:
-        """An arch below each bridge, and struts up to it."""
+        """An arch below each bridge, and struts up to it; water in gaps."""
+        for left, bottom, right, top in self._pools:
+            pool = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+            canvas.polygon(pool, fill="chalk", fill_alpha=0.55)
+            canvas.line((left, top), (right, top), "text1", 1.2, alpha=0.5)
         for left, right, y in self._spans:
             half, middle = 0.5 * (right - left), 0.5 * (left + right)
             t = np.linspace(-1.0, 1.0, 25)
@@ -156,7 +182,7 @@ class DominoView:
             top = np.column_stack([struts[:, 0], np.full(len(struts), y - BOARD)])
             for a, b in zip(struts, top, strict=True):
                 canvas.polygon(_beam(a, b, 0.16), fill=_color(tones[3]))
-            bow = np.concatenate([arch, arch[::-1] - (0.0, 0.34)])
+            bow = np.concatenate([arch, arch[::-1] - np.array((0.0, 0.34))])
             canvas.polygon(bow, fill=_color(tones[3]), outline=_color(tones[4]), width=1.0)
 
     def _draw_planks(self, canvas: Canvas, places: Floats, turned: Floats, tones: tuple[int, ...]) -> None:
@@ -187,7 +213,7 @@ class DominoView:
         colours = rainbow(len(table), dark)[there]
         whole = placed(WHOLE, sizes, at, turn)
         self._shadows(canvas, whole, tones[4])
-        self._quads(canvas, whole, tones[0], edge=tones[4])
+        self._quads(canvas, whole, tones[0], edge=tones[4] if canvas.pixels_per_unit > GRAIN_PX else tones[1])
         if canvas.pixels_per_unit > GRAIN_PX:
             for box in GRAIN:
                 self._quads(canvas, placed(box, sizes, at, turn), tones[1], 0.55)
@@ -198,25 +224,25 @@ class DominoView:
     def _draw_lanes(self, canvas: Canvas, places: Floats, turned: Floats, tones: tuple[int, ...]) -> None:
         """Lanes side by side from the back to the front, each with its block."""
         model = self.model
-        if not self._lanes or not len(model.sliders):
-            for k in self._lanes:
-                self._quads(canvas, boards_of(model.floors[k], BOARD), tones[1])
+        if not len(model.sliders):
+            for board in self._lanes:
+                self._shapes(canvas, board, tones[1])
             return
         bodies = model.sliders[:, SLIDER_BODY].astype(np.int64)
         entries = model.content.sliders
         for lane in range(len(entries) - 1, -1, -1):
             shift = np.array(LANE_STEP) * lane
-            points = model.floors[entries[lane].floor] + shift
             share = 0.08 * lane
-            self._quads(canvas, boards_of(points, 3.2 * BOARD), _darker(tones[1], 0.25 + share))
-            self._quads(canvas, boards_of(points, 0.17), _darker(tones[2], share))
+            side, upper = self._ways[entries[lane].floor]
+            self._shapes(canvas, moved(side, shift), _darker(tones[1], 0.25 + share))
+            self._shapes(canvas, moved(upper, shift), _darker(tones[2], share))
             body = bodies[lane : lane + 1]
             sizes = 0.5 * np.array([entries[lane].size])
             if entries[lane].speed > 0.0:
                 sizes = sizes[:, ::-1]
             at, turn = places[body] + shift, turned[body]
             whole = placed(WHOLE, sizes, at, turn)
-            self._shadows(canvas, whole, tones[4])
+            self._quads(canvas, whole + np.array((0.09, -0.06)), tones[4], 0.35)
             self._quads(canvas, whole, BLOCKS[lane % len(BLOCKS)], edge=tones[4])
             self._quads(canvas, placed(LIT, sizes, at, turn), 0xFFFFFF, 0.25)
 
