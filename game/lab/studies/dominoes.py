@@ -106,8 +106,8 @@ domino_study = Study(
     trial=DominoTrial,
     reference="the speed of van Leeuwen (2010)",
     expectation=(
-        "Impacts are found at the end of a substep, so the error falls about as the substep does, by chance more "
-        "or less; below half a percent the theory itself is not exact: it keeps all dominoes in touch."
+        "Impacts are found at the end of a substep, so the error falls about as the substep does, by chance "
+        "more or less. Below half a percent the theory is not exact: it keeps all dominoes in touch."
     ),
     present=present_domino,
     workload=Workload("34 dominoes"),

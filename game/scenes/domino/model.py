@@ -78,8 +78,8 @@ class DominoModel(Part):
     """Dominoes, balls, planks and blocks of a level.
 
     time: s. last: number of the domino that was struck last, -1 before. wave: m/s of the latest measured
-    wave (0: none yet), gap, thick and tall (m) of its dominoes. pushed: whether the first push is over. changed: by a hand,
-    so that it is no longer as the level says.
+    wave (0: none yet), gap, thick and tall (m) of its dominoes. pushed: whether the first push is over.
+    changed: by a hand, so that it is no longer as the level says.
     """
 
     def __init__(self, content: DominoContent, parameters: DominoParameters, active: EffectSet):

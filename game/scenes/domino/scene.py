@@ -76,7 +76,7 @@ class Domino(Scene):
         Hint(("1", "2", "3", "4"), "push, drag, add, remove"),
     )
     actions = (
-        SceneAction("push", "push the first", "P"),
+        SceneAction("push", "push the first", "U"),
         SceneAction("tool-push", "tool: push", "1"),
         SceneAction("tool-drag", "tool: drag", "2"),
         SceneAction("tool-add", "tool: add", "3"),
