@@ -11,6 +11,7 @@ from game.scenes import (
     boxes,
     carom,
     convex,
+    domino,
     examples,
     fireworks,
     fountain,
@@ -48,5 +49,6 @@ CATALOGUE = Catalogue(
         *solids.ENTRIES,
         *tracks.ENTRIES,
         *beat.ENTRIES,
+        *domino.ENTRIES,
     )
 )

@@ -45,7 +45,8 @@ class _Tone(NamedTuple):
 
 BALL = (_Tone(3100.0, 1.0, 0.0045), _Tone(4900.0, 0.65, 0.0035), _Tone(7300.0, 0.40, 0.0025))
 TIP = (_Tone(700.0, 1.0, 0.008), _Tone(2200.0, 0.55, 0.005))
-KINDS = ("tip", "ball", "cushion", "pocket", "mortar", "burst", "crackle")
+WOOD = (_Tone(1250.0, 1.0, 0.011), _Tone(2680.0, 0.55, 0.007), _Tone(4300.0, 0.3, 0.004))
+KINDS = ("tip", "ball", "cushion", "pocket", "wood", "thud", "mortar", "burst", "crackle")
 
 
 def gain_of(speed: float) -> float:
@@ -70,6 +71,12 @@ def sample_of(kind: str, layer: int) -> Array:
     elif kind == "cushion":
         thump = _tones((_Tone(120.0, 1.0, 0.028),), 0.11, 1.0)
         made = thump + (0.5 + 0.5 * bright) * _noise(0.11, 350.0 + 900.0 * bright, 0.018, 2)
+    elif kind == "wood":
+        made = _tones(WOOD, 0.06, bright) + 0.12 * bright * _noise(0.06, 4000.0, 0.002, 4)
+    elif kind == "thud":
+        made = _tones((_Tone(310.0, 1.0, 0.02), _Tone(160.0, 0.6, 0.03)), 0.12, 1.0) + 0.3 * bright * _noise(
+            0.12, 900.0, 0.01, 5
+        )
     elif kind == "pocket":
         made = _pocket(bright)
     elif kind in ("mortar", "burst", "crackle"):

@@ -219,6 +219,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
+    rare[c, MOST_1] = 0.0  # also where there is no second point: ends of steps ask for both
     fastest = 0.0
     row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):

@@ -90,7 +90,7 @@ def meeting_time(bodies, shapes, pool, scratch, a, b, target):
         gap = gap_at(
             shapes, pool, scratch, a, b, pose_at(bodies, motion, i, t), pose_at(bodies, motion, j, t)
         )
-        if t == 0.0 and gap <= target:
+        if t == 0.0 and gap <= 1.1 * target:
             return 1.0
         if gap <= 1.1 * target:
             return t

@@ -1,0 +1,196 @@
+"""The landscape behind the dominoes: a sky with its light, and hills that lie the farther back the less they
+move with the camera.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.kernels.lean import lean_kernel
+from game.ui.canvas.canvas import Canvas
+from game.ui.raster.pixels import blend
+
+Floats = NDArray[np.float64]
+Inks = NDArray[np.uint32]
+USUAL_SCALE = 14.0  # px to a m, at which hills are as large as they say
+GROUND = -2.0  # m, of the meadow that all stands on
+
+
+class Hill(NamedTuple):
+    """near: part of the camera's motion that it takes over. height: of its crest's waves, m; length m of the
+    longest; base: share of the picture's height at which it lies; trees: height of its crowns, m.
+    """
+
+    near: float
+    height: float
+    length: float
+    base: float
+    trees: float
+
+
+HILLS = (
+    Hill(0.04, 5.5, 38.0, 0.60, 0.0),
+    Hill(0.09, 4.2, 27.0, 0.68, 0.0),
+    Hill(0.17, 2.6, 21.0, 0.76, 0.55),
+    Hill(0.32, 1.6, 33.0, 0.86, 1.0),
+)
+HAZE = (0.5, 0.42, 0.34, 0.2)  # at the foot of each
+# sky above, at the horizon; its light; the hills from the farthest on; earth: grass and below
+DAY = (0x6FA8D6, 0xF6E3C4, 0xFFF6DC, (0xA9BFCB, 0x8FB0A6, 0x719A7B, 0x527F58), 0x7FA05A, 0x5A4632)
+NIGHT = (0x0B1026, 0x3A3560, 0xF3EBD2, (0x2B2D52, 0x23294A, 0x1A2440, 0x121C33), 0x1C3A33, 0x0E1720)
+
+
+@lean_kernel
+def paint_landscape(pixels, clip, sky, crests, shades, spans):
+    """Lay the sky (h, w) and before it hills, whose crests (l, w) are px down from its upper edge.
+
+    shades (l, h): the colour of each hill by rows. spans (l + 1, 2): rows in which the sky and then each hill
+    may be seen.
+    """
+    left, top = clip[0], clip[1]
+    width, height = min(clip[2] - left, sky.shape[1]), min(clip[3] - top, sky.shape[0])
+    for y in range(spans[0, 0], min(spans[0, 1], height)):
+        for x in range(width):
+            pixels[top + y, left + x] = sky[y, x]
+    for k in range(crests.shape[0]):
+        for y in range(spans[k + 1, 0], min(spans[k + 1, 1], height)):
+            ink = shades[k, y]
+            for x in range(width):
+                below = pixels[top + y, left + x]
+                pixels[top + y, left + x] = ink if y >= crests[k, x] else below
+        smooth_crest(pixels, left, top, crests[k], shades[k], height)
+
+
+def spans_of(crests: Floats, height: int) -> NDArray[np.int64]:
+    """Rows (l + 1, 2) in which the sky and each hill may be seen: from the first to before the last."""
+    low = np.concatenate([[0.0], np.floor(crests.min(axis=1))])
+    covered = np.ceil(crests.max(axis=1)) + 1.0
+    high = np.concatenate([np.minimum.accumulate(covered[::-1])[::-1], [float(height)]])
+    return np.clip(np.stack([low, high], axis=1), 0.0, float(height)).astype(np.int64)
+
+
+@lean_kernel
+def smooth_crest(pixels, left, top, crest, shades, height):
+    """Lay the part of a hill over the pixels that its crest goes through."""
+    for x in range(crest.shape[0]):
+        y = math.floor(crest[x])
+        if 0 <= y < height:
+            blend(pixels, top + y, left + x, int(shades[y]), int(256.0 * (y + 1.0 - crest[x])))
+
+
+class Landscape:
+    """Paints the background of a canvas; keeps the sky of its size and theme."""
+
+    def __init__(self) -> None:
+        self._key: object = None
+        self._sky: Inks = np.zeros((1, 1), np.uint32)
+        self._hues: Floats = np.zeros((1, 2, 3))
+
+    def draw(self, canvas: Canvas) -> None:
+        """All that is behind the world."""
+        pixels, clip = canvas.raster_target
+        width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
+        if width <= 0 or height <= 0:
+            return
+        dark = is_dark(canvas)
+        key = (width, height, dark)
+        if key != self._key:
+            self._key = key
+            self._sky, self._hues = _sky(width, height, dark), _hues(dark)
+        crests = _crests(canvas, width, height)
+        paint_landscape(
+            pixels, clip, self._sky, crests, _shades(self._hues, crests, height), spans_of(crests, height)
+        )
+
+
+def is_dark(canvas: Canvas) -> bool:
+    """Whether the theme is dark: then it is night."""
+    color = canvas.color("stage")
+    return int(color.r) + int(color.g) + int(color.b) < 384
+
+
+def warm_up_landscape() -> None:
+    """Compile what paints, on a tiny picture."""
+    paint_landscape(
+        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((4, 4), np.uint32),
+        np.full((1, 4), 2.5), np.zeros((1, 4), np.uint32),
+        np.array(((0, 4), (2, 4))),
+    )  # fmt: skip
+
+
+def _parts(ink: int) -> Floats:
+    return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float64)
+
+
+def _packed(colors: Any) -> Inks:
+    """Colours (..., 3) 0 to 255 as 0xFFRRGGBB."""
+    rounded = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
+    packed: Inks = rounded[..., 0] << 16 | rounded[..., 1] << 8 | rounded[..., 2]
+    return packed | np.uint32(0xFF000000)
+
+
+def _sky(width: int, height: int, dark: bool) -> Inks:
+    """Colours (h, w): a gradient, the sun or the moon with its glow, at night stars."""
+    above, horizon, light = (_parts(ink) for ink in (NIGHT if dark else DAY)[:3])
+    y, x = np.mgrid[0:height, 0:width].astype(np.float64)
+    down = np.clip(y / (0.8 * height), 0.0, 1.0)[..., None] ** 1.3
+    colors = above + (horizon - above) * down
+    away = np.hypot(x - 0.77 * width, y - 0.2 * height) / height
+    radius = 0.045 if dark else 0.05
+    if dark:
+        random = np.random.default_rng(7)
+        for row, column, bright in zip(
+            (random.random(160) ** 1.4 * 0.6 * height).astype(int), (random.random(160) * width).astype(int),
+            random.uniform(0.2, 0.9, 160), strict=True,
+        ):  # fmt: skip
+            colors[row, column] += (light - colors[row, column]) * bright
+    glow = 0.5 * np.exp(-((away / 0.11) ** 2)) + (0.18 if dark else 0.42) * np.exp(-away / 0.28)
+    colors += (light - colors) * np.clip(glow, 0.0, 1.0)[..., None]
+    disc = np.clip((radius - away) * height + 0.5, 0.0, 1.0)
+    colors += (light - colors) * disc[..., None]
+    return _packed(colors)
+
+
+def _hues(dark: bool) -> Floats:
+    """Colours (l, 2, 3) at the crest and at the foot of hills and meadow: haze lies at the feet."""
+    _, horizon, _, hills, grass, earth = NIGHT if dark else DAY
+    rows = [
+        (_parts(ink), _parts(ink) + (_parts(horizon) - _parts(ink)) * haze)
+        for ink, haze in zip(hills, HAZE, strict=True)
+    ]
+    return np.array([*rows, (_parts(grass), _parts(earth))])
+
+
+def _shades(hues: Floats, crests: Floats, height: int) -> Inks:
+    """Colours (l, h) of hills by rows, from the mean of their crests downwards."""
+    down = (np.arange(height) - crests.mean(axis=1)[:, None]) / (0.34 * height)
+    share = np.clip(down, 0.0, 1.0)[..., None] ** 0.8
+    return _packed(hues[:, None, 0] + (hues[:, None, 1] - hues[:, None, 0]) * share)
+
+
+def _crests(canvas: Canvas, width: int, height: int) -> Floats:
+    """Crests (l, w), px down, of all hills and the meadow as the camera stands."""
+    (x, y), scale = canvas.camera.center, canvas.pixels_per_unit
+    across = np.arange(width) - 0.5 * width
+    found = np.empty((len(HILLS) + 1, width))
+    for k, hill in enumerate(HILLS):
+        own = USUAL_SCALE * height / 720.0 * (scale / USUAL_SCALE) ** (0.35 + hill.near)
+        u = across / own + hill.near * x * 1.6 + 17.0 * k
+        wave = math.tau / hill.length
+        crest = 0.55 * np.sin(wave * u) + 0.3 * np.sin(2.3 * wave * u + 1.0 + k)
+        crest += 0.15 * np.sin(5.1 * wave * u + 2.0 * k)
+        tall = hill.height * crest
+        if hill.trees:
+            tall += (
+                hill.trees
+                * (np.abs(np.sin(1.9 * u)) + 0.7 * np.abs(np.sin(3.1 * u + 0.7)))
+                * (0.4 + 0.6 * (np.sin(0.37 * u + k) > -0.3))
+            )
+        found[k] = height * hill.base + hill.near * (y - 9.0) * scale * 0.6 - own * tall
+    _, foot = canvas.camera.to_screen(x, GROUND)
+    found[-1] = foot - canvas.rect.top + 0.02 * scale * np.sin(across / scale * 9.0 + 9.0 * x)
+    return found

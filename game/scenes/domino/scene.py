@@ -1,0 +1,205 @@
+"""The world of dominoes: a story, and a place to play in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from game.lab.studies.dominoes import domino_study
+from game.levels import Level
+from game.physics.fields import GRAVITY
+from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
+from game.scenes.domino import A01
+from game.scenes.domino.figure import draw_leaning
+from game.scenes.domino.hand import DominoHand
+from game.scenes.domino.landscape import warm_up_landscape
+from game.scenes.domino.level import DominoContent, FloorEntry, PieceEntry, RowEntry, View
+from game.scenes.domino.model import DominoModel, ModelState
+from game.scenes.domino.parameters import OF_PICTURE, OF_TOOLS, DominoParameters
+from game.scenes.domino.readouts import readouts
+from game.scenes.domino.saving import content_of
+from game.scenes.domino.sounds import hearing_of
+from game.scenes.domino.targets import story_targets
+from game.scenes.domino.view import DominoView
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.polygons import warm_up_painter
+from game.stage import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    SetParameter,
+    Strip,
+    WarmUp,
+)
+from game.stage.messages import Messages
+
+
+class Domino(Scene):
+    """Each domino turns about the lower edge of its face, strikes the next, and leans on it from then on, so
+    that many of them push the front together. After a dozen the wave runs at a steady speed, which depends
+    on the gap, the thickness and the friction between two dominoes, and goes with the square root of their
+    height.
+
+    All bodies are rigid solids; contacts push and rub, and a step is cut into substeps: with more of them the
+    measured speed comes nearer to the theory, and a step costs more. What rests is asleep until something
+    touches it. The blocks on the incline lie in lanes of their own, each with its friction; the dashed marks
+    show where the formula has them stop.
+
+    In the equations: h height, d thickness, s gap, θ angle of a domino from upright, μ friction, I inertia, T
+    torque of the weight, r weight of a domino in the train, ω its spin, α slope, g gravity, v speed.
+    """
+
+    name, task, title = A01.names
+    parameters_type = DominoParameters
+    parameters: DominoParameters
+    effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
+    content_type = DominoContent
+    study = domino_study
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    covers = True
+    may_be_infinite = frozenset(("world.joints",))
+
+    strips = (
+        Strip("Wave speed", "m/s", ("wave speed", "theory"), ("theory",), sometimes=("wave speed", "theory")),
+        Strip("Struck and awake", "", ("struck", "awake")),
+        Strip("Fastest ball", "m/s", ("fastest ball",)),
+    )
+    hints = (
+        Hint(("Click",), "push a domino"),
+        Hint(("Shift", "Click"), "push it back"),
+        Hint(("Right click",), "take one away"),
+        Hint(("1", "2", "3", "4"), "push, drag, add, remove"),
+    )
+    actions = (
+        SceneAction("push", "push the first", "U"),
+        SceneAction("tool-push", "tool: push", "1"),
+        SceneAction("tool-drag", "tool: drag", "2"),
+        SceneAction("tool-add", "tool: add", "3"),
+        SceneAction("tool-remove", "tool: remove", "4"),
+    )
+    figure = staticmethod(draw_leaning)
+    equations = (
+        Equation(
+            "A domino leans on the next",
+            r"\sin(\theta_i - \theta_{i+1}) = \frac{s+d}{h} \cos \theta_{i+1} - \frac{d}{h}",
+            "van Leeuwen 2010",
+        ),
+        Equation("The train moves", r"\sum r_i (I \ddot{\theta}_i - T_i) = 0", "van Leeuwen 2010"),
+        Equation("An impact keeps", r"\sum r_i I \omega_i", "van Leeuwen 2010"),
+        Equation("Stopping distance", r"\frac{v^2}{2 g (\mu \cos \alpha - \sin \alpha)}", "Coulomb 1785"),
+        Equation("Friction", r"\abs{j_t} \le \mu j_n", "Coulomb 1785"),
+    )
+    try_this = (
+        "Click on any domino: the wave runs both ways if you push it back with Shift.",
+        "Take the friction between dominoes away: the wave is a fifth faster.",
+        "Set the gap to 0.9 m: each strikes the foot of the next.",
+        "Remove three dominoes, and see whether the fourth is still reached.",
+        "Choose Own and one substep, then sixteen: compare the wave speed with the theory.",
+    )
+    default_content: ClassVar[DominoContent] = DominoContent(
+        floors=(FloorEntry(start=(-6.0, 0.0), pieces=(PieceEntry(run=60.0),)),),
+        rows=(RowEntry(x=0.0, count=60),),
+        pushed_at=0.5,
+        view=View(left=-2.0, right=30.0, bottom=-3.0, top=9.0),
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints."""
+        return (
+            WarmUp("step", lambda: cls().advance(cls.dt)),
+            WarmUp("polygons", warm_up_painter),
+            WarmUp("landscape", warm_up_landscape),
+        )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else self.default_content
+        self.model = DominoModel(content, self.parameters, self.active)
+        self.hand = DominoHand(self.model)
+        self.view = DominoView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name in OF_TOOLS:
+            self.hand.let_go()
+        elif name not in OF_PICTURE:
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def why_idle(self, name: str) -> str:
+        if name == "substeps" and self.parameters.tier != "own":
+            return "The quality says how many there are; choose Own."
+        if name == "spacing" and all(row.gap is not None for row in self.model.content.rows):
+            return "This level says how far apart its dominoes stand."
+        return ""
+
+    def takes_long(self, event: Any) -> bool:
+        """Another solver is compiled first."""
+        return isinstance(event, SetParameter) and event.name == "solver"
+
+    def state(self) -> ModelState:
+        return self.model.state()
+
+    def restore(self, state: ModelState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> DominoContent:
+        return content_of(self.model)
+
+    def check(self) -> None:
+        """What must always hold in the world."""
+        self.model.world.check()
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt)
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name.startswith("tool-"):
+            self.parameters.tool = name.removeprefix("tool-")
+            self.hand.let_go()
+        else:
+            self.model.push_first()
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def readouts(self) -> list[Readout]:
+        return readouts(self.model)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return story_targets(self.model)
+
+    def hearing(self) -> Hearing:
+        return hearing_of(self.model)
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        view = self.model.content.view
+        return with_headroom(
+            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
+        )
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        content, frame = self.model.content, self.frame()
+        top = (0.5 * (frame.left + frame.right), frame.top)
+        draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
