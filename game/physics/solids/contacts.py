@@ -209,7 +209,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
-    fastest = 0.0
+    fastest, deepest = 0.0, 0.0
     row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):
         at, to = FIRST_POINT + k * POINT_WIDTH, ROW_POINT + k * ROW_POINT_WIDTH
@@ -234,8 +234,9 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
-        fastest = min(fastest, rare[c, APPROACH_0 + k])
-    row[c, ROW_COLD] = 1.0 if fastest < -COLD * numbers.dt else 0.0
+        fastest, deepest = min(fastest, rare[c, APPROACH_0 + k]), min(deepest, gap)
+    violent = fastest < -COLD * numbers.dt or numbers.contact_rate * deepest < -numbers.push
+    row[c, ROW_COLD] = 1.0 if violent else 0.0
     if points == 2:
         to = ROW_POINT + ROW_POINT_WIDTH
         crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]

@@ -18,6 +18,7 @@ from game.physics.solids.effects import (
 )
 
 MOST_TURNS = 10_000
+USUAL_HERTZ = 0.135  # of soft contacts, as part of the substeps a second
 TIERS = {"play": 4, "teach": 12, "film": 24}  # substeps
 
 
@@ -71,7 +72,7 @@ class SolidSettings:
 
     effects: of `SOLIDS`. solver: a name of `SOLVERS`. substeps: parts of a step. iterations: sweeps of a
     substep. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft contacts, at most a quarter
-    of the substeps a second; 0: an eighth (a pyramid of 100 rows stands at that, at a quarter it does not).
+    of the substeps a second; 0: USUAL_HERTZ of them (a pyramid of 100 rows stands at that, not at a quarter).
     contact_damping: of critical. joint_hertz, joint_damping: of joints without a compliance of their own;
     hertz 0: an eighth of the substeps a second. push: m/s, fastest parting of what overlaps. bounce: m/s,
     slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of it, how far two may
@@ -130,7 +131,7 @@ class SolidSettings:
         """For the kernels of a step of dt (s)."""
         mask = SOLIDS.mask(self.effects)
         h = dt / self.substeps
-        hertz = min(self.contact_hertz or 0.125 / h, 0.25 / h)
+        hertz = min(self.contact_hertz or USUAL_HERTZ / h, 0.25 / h)
         x, y = (float(part) if mask & GRAVITY_BIT else 0.0 for part in self.gravity)
         dragging = bool(mask & DRAG_BIT)
         return Numbers(

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies
+from game.physics.solids.energy import Energy, energy_of
 from game.physics.solids.joints.layout import (
     ANGLE,
     BREAK_FORCE,
@@ -233,6 +234,10 @@ class SolidWorld(SolidBodies):
         self._fitting = True
 
     # ------------------------------------------------------------------ events, measures, state
+
+    def energy(self) -> Energy:
+        """Of motion and of height, J."""
+        return energy_of(self.bodies, self._settings.numbers(1.0))
 
     def contacts_begun(self) -> tuple[NDArray[np.int32], Floats]:
         """Contacts that began in the last step: shapes (e, 2); x, y m, impulse N s, speed m/s, s from

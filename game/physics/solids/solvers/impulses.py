@@ -2,8 +2,10 @@
 
 Catto 2005, "Iterative Dynamics with Temporal Coherence": what accumulates is clamped, not the single impulse.
 The two normal impulses of a manifold are solved together, as a linear complementarity problem of two rows
-(Catto 2006), so that neither comes first: a column has no reason to lean. The gap is followed through the
-substeps by what both bodies have moved since the step began.
+(Catto 2006), so that neither comes first: a column has no reason to lean. A face is soft as a whole: it sinks
+by what both points carry, and hardly tilts. With softness by each point for itself a column of n unit boxes
+buckles like any slender one where n³ g exceeds 0.78 w² (Greenhill 1881), at 30 Hz from 15 boxes on. The gap
+is followed through the substeps by what both bodies have moved since the step began.
 """
 
 from __future__ import annotations
@@ -53,6 +55,7 @@ from game.physics.solids.state import (
 
 FIRST = ROW_POINT
 SECOND = ROW_POINT + ROW_POINT_WIDTH
+TILT = 0.25  # how much softer a face is where it tilts than where it sinks evenly
 
 
 @inner_kernel
@@ -111,12 +114,9 @@ def soft_springs(numbers):
 
 
 @inner_kernel
-def point_law(gap, spring, push, over_h):
-    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by
-    its spring.
-    """
-    bias = max(gap, 0.0) * over_h + max(spring[0] * min(gap, 0.0), -push)
-    return bias, 0.0 if gap > 0.0 else spring[2]
+def point_law(gap, rate, push, over_h):
+    """Speed that a point asks for: it may close its gap; overlap parts at a rate, but no faster than push."""
+    return max(gap, 0.0) * over_h + max(rate * min(gap, 0.0), -push)
 
 
 @inner_kernel
@@ -157,11 +157,11 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
         ca1, cb1, k1 = row[c, FIRST + CROSS_A], row[c, FIRST + CROSS_B], row[c, FIRST + STIFF_N]
         da1, db1, n1 = row[c, FIRST + DOT_A], row[c, FIRST + DOT_B], row[c, FIRST + JN]
         gap = gone + row[c, FIRST + SEP] + cb * db1 + sb * cb1 - ca * da1 - sa * ca1
-        bias, soft1 = point_law(gap, spring, push, over_h)
+        bias = point_law(gap, spring[0], push, over_h)
         v1 = un + wb * cb1 - wa * ca1 + bias
         mu = row[c, ROW_MU]
         if ends[c, END_POINTS] == 1:
-            j1 = max((k1 * n1 - v1) / (k1 + k1 * soft1), 0.0)
+            j1 = max((k1 * n1 - v1) / (k1 + (k1 * spring[2] if gap <= 0.0 else 0.0)), 0.0)
             row[c, FIRST + JN] = j1
             if noting:
                 rare[c, MOST_0] = max(rare[c, MOST_0], j1)
@@ -176,13 +176,16 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
         else:
             ca2, cb2, k2 = row[c, SECOND + CROSS_A], row[c, SECOND + CROSS_B], row[c, SECOND + STIFF_N]
             da2, db2, n2 = row[c, SECOND + DOT_A], row[c, SECOND + DOT_B], row[c, SECOND + JN]
-            gap = gone + row[c, SECOND + SEP] + cb * db2 + sb * cb2 - ca * da2 - sa * ca2
-            bias, soft2 = point_law(gap, spring, push, over_h)
+            gap2 = gone + row[c, SECOND + SEP] + cb * db2 + sb * cb2 - ca * da2 - sa * ca2
+            bias = point_law(gap2, spring[0], push, over_h)
             v2 = un + wb * cb2 - wa * ca2 + bias
             k12 = row[c, COUPLING]
+            give = 0.25 * spring[2] * (k1 + k2) if min(gap, gap2) <= 0.0 else 0.0
+            tilt = TILT * give
             j1, j2 = solve_two(
-                k1 + k1 * soft1, k12, k2 + k2 * soft2, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2
-            )
+                k1 + give + tilt, k12 + give - tilt, k2 + give + tilt,
+                v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2,
+            )  # fmt: skip
             row[c, FIRST + JN], row[c, SECOND + JN] = j1, j2
             if noting:
                 rare[c, MOST_0], rare[c, MOST_1] = max(rare[c, MOST_0], j1), max(rare[c, MOST_1], j2)
@@ -214,8 +217,11 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
 
 @inner_kernel
 def bounce_contacts(rows, motion, numbers):
-    """At the end of a step: what came in fast and was stopped leaves by its restitution, with friction."""
-    row, ends, rare = rows.rows, rows.ends, rows.rare
+    """At the end of a step: what came in fast and was stopped leaves by its restitution, with friction.
+
+    True if there was any.
+    """
+    row, ends, rare, bounced = rows.rows, rows.ends, rows.rare, False
     for c in range(rows.count[0]):
         e = rare[c, RESTITUTION]
         if e == 0.0:
@@ -225,6 +231,7 @@ def bounce_contacts(rows, motion, numbers):
         for k in range(ends[c, END_POINTS]):
             if rare[c, APPROACH_0 + k] > -numbers.bounce or rare[c, MOST_0 + k] == 0.0:
                 continue
+            bounced = True
             at = ROW_POINT + k * ROW_POINT_WIDTH
             vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
             vn = vx * nx + vy * ny + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
@@ -239,6 +246,7 @@ def bounce_contacts(rows, motion, numbers):
             jt = max(-most, min(most, before - row[c, at + MASS_T] * vt))
             row[c, at + JT] = jt
             push_point(row, c, at, motion, a, b, 0.0, jt - before)
+    return bounced
 
 
 @inner_kernel

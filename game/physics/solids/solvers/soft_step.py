@@ -12,6 +12,14 @@ from game.physics.kernels.lean import lean_kernel
 from game.physics.solids.joints.sweeps import prepare_joints, start_joints_warm, sweep_joints
 from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs, start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
+from game.physics.solids.solvers.passive import (
+    FREE,
+    PUSHED,
+    excuse,
+    hold_energy,
+    hold_push,
+    note_speeds,
+)
 
 
 @lean_kernel
@@ -20,15 +28,25 @@ def solve_soft_step(bodies, rows, joints, scratch, numbers):
     motion, springs = scratch.motion, soft_springs(numbers)
     soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
     prepare_joints(bodies, joints, soft, numbers.h)
+    violent = excuse(bodies, rows, joints, scratch, numbers.dt)
     for _ in range(numbers.substeps):
         accelerate(scratch, numbers)
+        if violent:
+            note_speeds(motion, scratch.speeds, FREE)
         start_joints_warm(joints, motion)
         start_warm(rows, motion)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, True)
             sweep_contacts(rows, motion, springs, True, False)
+        if violent:
+            note_speeds(motion, scratch.speeds, PUSHED)
         move(motion, numbers.h)
         for _ in range(numbers.iterations):
             sweep_joints(joints, motion, False)
             sweep_contacts(rows, motion, springs, False, True)
-    bounce_contacts(rows, motion, numbers)
+        if violent:
+            hold_energy(bodies, rows, scratch, numbers, False)
+            hold_push(bodies, scratch, numbers)
+    note_speeds(motion, scratch.speeds, FREE)
+    if bounce_contacts(rows, motion, numbers) and violent:
+        hold_energy(bodies, rows, scratch, numbers, True)
