@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from game.physics.solids import memory
 from game.physics.solids.bodies import FASTEST, SolidBodies
+from game.physics.solids.effects import WIND_BIT
 from game.physics.solids.energy import Energy, energy_of
 from game.physics.solids.joints.layout import (
     ANGLE,
@@ -58,6 +59,14 @@ from game.physics.solids.store import arrays_of
 Floats = NDArray[np.float64]
 
 
+class Air(Protocol):
+    """A field of velocities of the air, such as those of physics.surfaces."""
+
+    def sample(self, points: ArrayLike, time: float = 0.0) -> Floats:
+        """Velocities (n, 2) m/s at points (n, 2) m."""
+        ...
+
+
 class NotFiniteError(ArithmeticError):
     """A step made a number that is not finite; the message names the body, the quantity and the step."""
 
@@ -72,6 +81,7 @@ class SolidWorld(SolidBodies):
 
     def __init__(self, settings: SolidSettings | None = None):
         super().__init__()
+        self._air: Air | None = None
         self.settings = settings or SolidSettings()
 
     # ------------------------------------------------------------------ what there is
@@ -92,6 +102,12 @@ class SolidWorld(SolidBodies):
     def set(self, **changes: Any) -> None:
         """Change some of the settings. ValueError, naming the field, for nonsense."""
         self.settings = dataclasses.replace(self._settings, **changes)
+
+    def set_air(self, air: Air | None) -> None:
+        """How the air moves, felt by way of drag while the effect of wind is on; None: it is still."""
+        self._air = air
+        for body in self.ids().tolist():
+            self.wake(body)
 
     # ------------------------------------------------------------------ joints
 
@@ -192,7 +208,7 @@ class SolidWorld(SolidBodies):
     # ------------------------------------------------------------------ steps
 
     def step(self, dt: float) -> None:
-        """One step of dt (s). ValueError for dt; NotFiniteError if the state is no longer finite."""
+        """One step of dt (s). ValueError for dt or the air; NotFiniteError if the state is no longer finite."""
         if self._numbers is None or self._numbers.dt != dt:
             self._numbers = self._settings.numbers(checked_number("dt", dt, 0.0, 1e3, above=True))
         if not self._fitting:
@@ -202,6 +218,8 @@ class SolidWorld(SolidBodies):
         if self._stale or not begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers):
             self._renew()
             begin_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
+        if numbers.drag > 0.0 or numbers.spin_drag > 0.0:
+            self._feel_air(numbers.mask)
         SOLVERS[self._settings.solver](self._bodies.rows, self._rows, joints, self._scratch, numbers)
         finish_step(*parts, self._contacts, self._rows, joints, self._scratch, numbers)
         self.time += dt
@@ -209,7 +227,27 @@ class SolidWorld(SolidBodies):
         if self._scratch.events[SNAPPED]:
             self._exclude()
         if self._scratch.events[WRONG] != NOTHING_WRONG:
-            raise NotFiniteError(f"body {self._scratch.events[WRONG]}: not finite after step {self.steps}")
+            body = int(self._scratch.events[WRONG])
+            raise NotFiniteError(f"body {body}: {self._wrong(body)} not finite after step {self.steps}")
+
+    def _wrong(self, body: int) -> str:
+        """The first quantity of a body that is not finite."""
+        rows = self.bodies
+        for name in ("positions", "angles", "velocities", "spins"):
+            if not np.isfinite(getattr(rows, name)[body]).all():
+                return name
+        return "pose and motion"
+
+    def _feel_air(self, mask: int) -> None:
+        """Velocities of the air about all bodies, as they are when a step begins."""
+        self._scratch.air[:, :2] = 0.0
+        if self._air is None or not mask & WIND_BIT:
+            return
+        rows = self.ids()
+        speeds = np.asarray(self._air.sample(self.bodies.positions[rows], self.time), dtype=np.float64)
+        if speeds.shape != (len(rows), 2) or not np.isfinite(speeds).all():
+            raise ValueError(f"air: expected finite velocities ({len(rows)}, 2)")
+        self._scratch.air[rows, :2] = speeds
 
     def _renew(self) -> None:
         """Find pairs again; room for them doubles where it is too small."""
