@@ -110,7 +110,6 @@ def scratch_of(bodies: int, shapes: int, pairs: int) -> Scratch:
         parents=np.zeros(bodies, dtype=_INT),
         speeds=np.zeros((bodies, 6)),
         works=np.zeros((bodies, 3)),
-        lost=np.zeros(bodies),
         excused=np.zeros(bodies, dtype=_INT),
         fractions=np.ones(bodies),
         begun=np.zeros((EVENTS, 2), dtype=_INT),

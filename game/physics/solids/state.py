@@ -158,7 +158,6 @@ class Scratch(NamedTuple):
     parents: Ints  # (n,)
     speeds: Floats  # (n, 6) m/s, m/s, rad/s: in a substep, after the forces; and with the push of overlap
     works: Floats  # (n, 3) J, of groups of bodies that touch
-    lost: Floats  # (n,) J, that contacts have done on a body in this step
     excused: Ints  # (n,) 1: something else than contacts may give it energy
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     begun: Ints  # (e, 2) shapes of contacts that began in the last step

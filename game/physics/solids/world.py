@@ -208,7 +208,7 @@ class SolidWorld(SolidBodies):
     # ------------------------------------------------------------------ steps
 
     def step(self, dt: float) -> None:
-        """One step of dt (s). ValueError for dt or the air; NotFiniteError if the state is no longer finite."""
+        """One step of dt (s). ValueError for dt or the air; NotFiniteError if a body is no longer finite."""
         if self._numbers is None or self._numbers.dt != dt:
             self._numbers = self._settings.numbers(checked_number("dt", dt, 0.0, 1e3, above=True))
         if not self._fitting:

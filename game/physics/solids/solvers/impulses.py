@@ -15,6 +15,7 @@ import numpy as np
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import (
     APPROACH_0,
+    APPROACH_1,
     COUPLING,
     CROSS_A,
     CROSS_B,
@@ -226,27 +227,51 @@ def bounce_contacts(rows, motion, numbers):
         e = rare[c, RESTITUTION]
         if e == 0.0:
             continue
+        first = rare[c, APPROACH_0] < -numbers.bounce and rare[c, MOST_0] > 0.0
+        second = ends[c, END_POINTS] == 2 and rare[c, APPROACH_1] < -numbers.bounce and rare[c, MOST_1] > 0.0
+        if not (first or second):
+            continue
+        bounced = True
         a, b = ends[c, END_A], ends[c, END_B]
-        nx, ny = row[c, ROW_NX], row[c, ROW_NY]
+        n1, n2 = row[c, FIRST + JN], row[c, SECOND + JN] if ends[c, END_POINTS] == 2 else 0.0
+        k1, k2, k12 = row[c, FIRST + STIFF_N], row[c, SECOND + STIFF_N], row[c, COUPLING]
+        r1 = gap_speed(row, c, FIRST, motion, a, b) + e * rare[c, APPROACH_0] - k1 * n1
+        j1, j2 = n1, n2
+        if first and second:
+            r2 = gap_speed(row, c, SECOND, motion, a, b) + e * rare[c, APPROACH_1] - k2 * n2
+            j1, j2 = solve_two(k1, k12, k2, r1 - k12 * n2, r2 - k12 * n1)
+        elif first:
+            j1 = max(-r1 / k1, 0.0)
+        else:
+            j2 = max(n2 - (gap_speed(row, c, SECOND, motion, a, b) + e * rare[c, APPROACH_1]) / k2, 0.0)
+        push_point(row, c, FIRST, motion, a, b, j1 - n1, 0.0)
+        row[c, FIRST + JN], rare[c, MOST_0] = j1, max(rare[c, MOST_0], j1)
+        if ends[c, END_POINTS] == 2:
+            push_point(row, c, SECOND, motion, a, b, j2 - n2, 0.0)
+            row[c, SECOND + JN], rare[c, MOST_1] = j2, max(rare[c, MOST_1], j2)
         for k in range(ends[c, END_POINTS]):
-            if rare[c, APPROACH_0 + k] > -numbers.bounce or rare[c, MOST_0 + k] == 0.0:
-                continue
-            bounced = True
-            at = ROW_POINT + k * ROW_POINT_WIDTH
-            vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-            vn = vx * nx + vy * ny + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
-            before = row[c, at + JN]
-            jn = max(before - (vn + e * rare[c, APPROACH_0 + k]) / row[c, at + STIFF_N], 0.0)
-            row[c, at + JN] = jn
-            rare[c, MOST_0 + k] = max(rare[c, MOST_0 + k], jn)
-            push_point(row, c, at, motion, a, b, jn - before, 0.0)
-            vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-            vt = vx * ny - vy * nx - motion[b, W] * row[c, at + DOT_B] + motion[a, W] * row[c, at + DOT_A]
-            before, most = row[c, at + JT], row[c, ROW_MU] * jn
-            jt = max(-most, min(most, before - row[c, at + MASS_T] * vt))
-            row[c, at + JT] = jt
-            push_point(row, c, at, motion, a, b, 0.0, jt - before)
+            rub_point(row, c, FIRST + k * ROW_POINT_WIDTH, motion, a, b)
     return bounced
+
+
+@inner_kernel
+def gap_speed(row, c, at, motion, a, b):
+    """Speed at which the gap of one point of a row opens, m/s."""
+    vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
+    speed = vx * row[c, ROW_NX] + vy * row[c, ROW_NY]
+    return speed + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
+
+
+@inner_kernel
+def rub_point(row, c, at, motion, a, b):
+    """Friction at one point of a row, within the cone of its normal impulse."""
+    vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
+    vt = vx * row[c, ROW_NY] - vy * row[c, ROW_NX]
+    vt += motion[a, W] * row[c, at + DOT_A] - motion[b, W] * row[c, at + DOT_B]
+    before, most = row[c, at + JT], row[c, ROW_MU] * row[c, at + JN]
+    jt = max(-most, min(most, before - row[c, at + MASS_T] * vt))
+    row[c, at + JT] = jt
+    push_point(row, c, at, motion, a, b, 0.0, jt - before)
 
 
 @inner_kernel

@@ -54,13 +54,12 @@ def is_violent(rows, c, dt):
 
 @inner_kernel
 def excuse(bodies, rows, joints, scratch, dt):
-    """Mark bodies that joints or moving key-framed bodies may give energy to; nothing is lost yet.
+    """Mark bodies that joints or moving key-framed bodies may give energy to.
 
     True if any two move against each other: in piles at rest there is nothing to watch, and what settles
     there by overlap alone is let be.
     """
     excused, violent = scratch.excused, False
-    scratch.lost[:] = 0.0
     excused[:] = 0
     for k in range(joints.kinds.shape[0]):
         if joints.rows[k, SUBSTEP] >= 0.0:
@@ -92,11 +91,17 @@ def work_on(bodies, motion, speeds, i):
 
 @inner_kernel
 def credit(bodies, scratch, h, i, spending):
-    """What contacts may give a body, J. spending: what it has lost in this step."""
-    if spending:
-        return -scratch.lost[i]
-    x, y = scratch.accelerations[i, 0], scratch.accelerations[i, 1]
-    return 0.5 * h * h * (x * x + y * y) / bodies.inverse_masses[i]
+    """What contacts may give a body, J. spending: what it has lost in this step, with its height."""
+    m, x, y = 1.0 / bodies.inverse_masses[i], scratch.accelerations[i, 0], scratch.accelerations[i, 1]
+    if not spending:
+        return 0.5 * m * h * h * (x * x + y * y)
+    motion, speeds, inertia = scratch.motion, scratch.speeds, 1.0 / bodies.inverse_inertias[i]
+    vx, vy, w = bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i]
+    lost = m * (vx * vx + vy * vy) + inertia * w * w
+    vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
+    lost -= m * (vx * vx + vy * vy) + inertia * w * w
+    turned = inertia * scratch.accelerations[i, 2] * motion[i, DA]
+    return 0.5 * lost + m * (x * motion[i, DX] + y * motion[i, DY]) + turned
 
 
 @inner_kernel
@@ -127,8 +132,6 @@ def hold_energy(bodies, rows, scratch, numbers, spending):
         if bodies.inverse_masses[i] > 0.0:
             a, b = work_on(bodies, motion, speeds, i)
             total += a + b - credit(bodies, scratch, numbers.h, i, spending)
-            if not spending:
-                scratch.lost[i] += a + b
     if not total > 0.0:
         return
     group_by_touch(bodies, rows, scratch, numbers.dt)
@@ -150,8 +153,6 @@ def hold_energy(bodies, rows, scratch, numbers, spending):
     for i in range(motion.shape[0]):
         keep = works[root_of(parents, i), 0]
         if bodies.inverse_masses[i] > 0.0 and keep < 1.0:
-            a, b = work_on(bodies, motion, speeds, i)
-            scratch.lost[i] -= (1.0 - keep) * (a + (1.0 + keep) * b)
             vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
             motion[i, VX] = vx + keep * (motion[i, VX] - vx)
             motion[i, VY] = vy + keep * (motion[i, VY] - vy)
