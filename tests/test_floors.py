@@ -33,7 +33,7 @@ FOLDERS = {
         "kernels",
         "effects integrators",
         "fields proximity_effects",
-        "animation bounds broadphase constraints narrowphase particles rigid solids",
+        "animation bounds broadphase constraints dominoes narrowphase particles rigid solids",
         "spheres generations oscillators",
         "surfaces",
     ),

@@ -5,7 +5,8 @@ contacts.
 from game.physics.solids.settings import TIERS, SolidSettings
 from game.physics.solids.shapes import Capsule, Chain, Disc, Material, Polygon, box
 from game.physics.solids.solvers import SOLVERS, SUGGESTED
-from game.physics.solids.world import NotFiniteError, SolidState, SolidWorld
+from game.physics.solids.store import SolidState
+from game.physics.solids.world import NotFiniteError, SolidWorld
 
 __all__ = [
     "SOLVERS",

@@ -9,8 +9,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import collide_polygon_disc, touch_points
+from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import collide_polygons
 from game.physics.solids.collide.segments import collide_segment_disc, collide_segment_polygon
 from game.physics.solids.islands import is_moving
@@ -75,51 +78,38 @@ MOST_COUPLING = 0.98  # of two points, as part of their own entries of K
 
 
 @inner_kernel
+def bring_shape(shapes, pool, scratch, b, place):
+    """Corners and normals of shape b to scratch, its body at place (x, y, cosine, sine)."""
+    x, y, c, s = place
+    start, corners, normals = shapes.starts[b], scratch.corners, scratch.normals
+    for k in range(shapes.counts[b]):
+        px, py = pool.corners[start + k, 0], pool.corners[start + k, 1]
+        corners[k, 0], corners[k, 1] = x + c * px - s * py, y + s * px + c * py
+        px, py = pool.normals[start + k, 0], pool.normals[start + k, 1]
+        normals[k, 0], normals[k, 1] = c * px - s * py, s * px + c * py
+
+
+@inner_kernel
 def find_manifold(shapes, pool, scratch, a, b, place, near, reach):
     """Points of two shapes, b's body at place (x, y, cosine, sine) in the frame of a's; see collide."""
-    x, y, c, s = place
-    start_a, start_b = shapes.starts[a], shapes.starts[b]
-    count_a, count_b = shapes.counts[a], shapes.counts[b]
+    bring_shape(shapes, pool, scratch, b, place)
+    start_a, kind = np.int64(shapes.starts[a]), shapes.kinds[a]
     ra, rb = shapes.radii[a], shapes.radii[b]
-    corners, normals = scratch.corners, scratch.normals
-    for k in range(count_b):
-        px, py = pool.corners[start_b + k, 0], pool.corners[start_b + k, 1]
-        corners[k, 0], corners[k, 1] = x + c * px - s * py, y + s * px + c * py
+    first = Hull(pool.corners, pool.normals, start_a, np.int64(shapes.counts[a]), ra)
+    second = Hull(scratch.corners, scratch.normals, np.int64(0), np.int64(shapes.counts[b]), rb)
+    manifold, features = scratch.manifold, scratch.features
     if shapes.kinds[b] == DISC:
-        px, py = corners[0, 0], corners[0, 1]
-        scratch.features[0] = 0
-        if shapes.kinds[a] == DISC:
-            return touch_points(
-                pool.corners[start_a, 0], pool.corners[start_a, 1], ra, px, py, rb, near, scratch.manifold
-            )
-        if shapes.kinds[a] == SEGMENT:
-            return collide_segment_disc(
-                pool.corners, start_a, px, py, rb, reach, scratch.manifold, scratch.features
-            )
-        return collide_polygon_disc(
-            pool.corners,
-            pool.normals,
-            start_a,
-            count_a,
-            ra,
-            px,
-            py,
-            rb,
-            reach,
-            scratch.manifold,
-            scratch.features,
-        )
-    for k in range(count_b):
-        px, py = pool.normals[start_b + k, 0], pool.normals[start_b + k, 1]
-        normals[k, 0], normals[k, 1] = c * px - s * py, s * px + c * py
-    if shapes.kinds[a] == SEGMENT:
-        return collide_segment_polygon(
-            pool.corners, start_a, corners, normals, count_b, rb, reach, scratch.manifold, scratch.features
-        )
-    return collide_polygons(
-        pool.corners, pool.normals, start_a, count_a, ra, corners, normals, 0, count_b, rb,
-        reach, scratch.manifold, scratch.features,
-    )  # fmt: skip
+        x, y = scratch.corners[0, 0], scratch.corners[0, 1]
+        features[0] = 0
+        if kind == DISC:
+            cx, cy = pool.corners[start_a, 0], pool.corners[start_a, 1]
+            return touch_points(cx, cy, ra, x, y, rb, near, manifold)
+        if kind == SEGMENT:
+            return collide_segment_disc(pool.corners, start_a, x, y, rb, reach, manifold, features)
+        return collide_polygon_disc(first, x, y, rb, reach, manifold, features)
+    if kind == SEGMENT:
+        return collide_segment_polygon(pool.corners, start_a, second, reach, manifold, features)
+    return collide_polygons(first, second, reach, manifold, features)
 
 
 @inner_kernel
@@ -220,7 +210,7 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
     rare[c, MOST_1] = 0.0  # also where there is no second point: ends of steps ask for both
-    fastest = 0.0
+    fastest, deepest = 0.0, 0.0
     row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):
         at, to = FIRST_POINT + k * POINT_WIDTH, ROW_POINT + k * ROW_POINT_WIDTH
@@ -245,8 +235,9 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
-        fastest = min(fastest, rare[c, APPROACH_0 + k])
-    row[c, ROW_COLD] = 1.0 if fastest < -COLD * numbers.dt else 0.0
+        fastest, deepest = min(fastest, rare[c, APPROACH_0 + k]), min(deepest, gap)
+    violent = fastest < -COLD * numbers.dt or numbers.contact_rate * deepest < -numbers.push
+    row[c, ROW_COLD] = 1.0 if violent else 0.0
     if points == 2:
         to = ROW_POINT + ROW_POINT_WIDTH
         crosses = iia * row[c, ROW_POINT + CROSS_A] * row[c, to + CROSS_A]

@@ -12,6 +12,9 @@ from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.joints.layout import BROKEN, MOUSE, NO_JOINT
 from game.physics.solids.state import (
     ASLEEP,
+    DA,
+    DX,
+    DY,
     DYNAMIC,
     END_A,
     END_B,
@@ -112,14 +115,19 @@ def mark_touched(bodies, rows):
 
 
 @inner_kernel
-def count_quiet(bodies, rows, numbers):
-    """Count for how long each body has been slow; true if some have been so for long enough."""
-    flags, quiet = bodies.flags, bodies.quiet
+def count_quiet(bodies, rows, motion, numbers):
+    """Count for how long each body has been slow; true if some have been so for long enough.
+
+    What overlap drives apart moves without a velocity.
+    """
+    flags, quiet, over = bodies.flags, bodies.quiet, 1.0 / numbers.dt
     for i in range(flags.shape[0]):
         if flags[i] & (DYNAMIC | ASLEEP) != DYNAMIC:
             continue
         vx, vy = bodies.velocities[i, 0], bodies.velocities[i, 1]
         speed = math.sqrt(vx * vx + vy * vy) + abs(bodies.spins[i]) * bodies.reaches[i]
+        gone = abs(motion[i, DX]) + abs(motion[i, DY]) + abs(motion[i, DA]) * bodies.reaches[i]
+        speed = max(speed, over * gone)
         quiet[i] = 0.0 if speed > numbers.calm or flags[i] & RESTLESS else quiet[i] + numbers.dt
     for c in range(rows.count[0]):  # what lies on something that moves does not sleep
         a, b = rows.ends[c, END_A], rows.ends[c, END_B]
@@ -136,7 +144,7 @@ def count_quiet(bodies, rows, numbers):
 @inner_kernel
 def send_to_sleep(bodies, rows, contacts, joints, scratch, numbers):
     """Put islands to sleep of which every body has been slow for long enough."""
-    if not count_quiet(bodies, rows, numbers):
+    if not count_quiet(bodies, rows, scratch.motion, numbers):
         return
     flags, parents, quiet = bodies.flags, scratch.parents, bodies.quiet
     find_islands(bodies, contacts, joints, parents)

@@ -20,6 +20,7 @@ from game.physics.solids.effects import (
 MOST_TURNS = 10_000
 JOINT_SOLVERS = ("direct", "sweeps")
 JOINT_RATE = 0.4  # part of a stiff joint's gap that a substep restores
+USUAL_HERTZ = 0.135  # of soft contacts, as part of the substeps a second
 TIERS = {"play": 4, "teach": 12, "film": 24}  # substeps
 
 
@@ -74,8 +75,8 @@ class SolidSettings:
 
     effects: of `SOLIDS`. solver: a name of `SOLVERS`. substeps: parts of a step. iterations: sweeps of a
     substep, by solvers that have them. gravity: (x, y) m/s². drag, spin_drag: 1/s. contact_hertz: of soft
-    contacts, at most a quarter of the substeps a second; 0: an eighth (a pyramid of 100 rows stands at that,
-    at a quarter it does not); contact_damping: of critical. joint_hertz, joint_damping: of joints without a
+    contacts, at most a quarter of the substeps a second; 0: USUAL_HERTZ of them (a pyramid of 100 rows stands
+    at that, not at a quarter); contact_damping: of critical. joint_hertz, joint_damping: of joints without a
     compliance of their own; 0: half as many as substeps a second for sweeps, stiff for the direct solve.
     joint_solver: direct (all joints at once) or sweeps. push: m/s, fastest parting of what overlaps. bounce:
     m/s, slower impacts do not bounce. near: m, gap of a contact that is prepared; recycle: of it, how far two
@@ -139,7 +140,7 @@ class SolidSettings:
         """For the kernels of a step of dt (s)."""
         mask = SOLIDS.mask(self.effects)
         h = dt / self.substeps
-        hertz = min(self.contact_hertz or 0.125 / h, 0.25 / h)
+        hertz = min(self.contact_hertz or USUAL_HERTZ / h, 0.25 / h)
         x, y = (float(part) if mask & GRAVITY_BIT else 0.0 for part in self.gravity)
         dragging = bool(mask & DRAG_BIT)
         return Numbers(

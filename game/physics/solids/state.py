@@ -116,9 +116,9 @@ ROW_POINT = 11
 # accumulated impulses
 CROSS_A, CROSS_B, DOT_A, DOT_B, SEP, STIFF_N, MASS_T, JN, JT = range(9)
 ROW_POINT_WIDTH = 9
-ROW_COLD = (
-    29  # 1: two that hit each other in this step; impulses of an impact are no guess for the next substep
-)
+# 1: two that hit each other in this step, or overlap so deeply that they part at the fastest push; the
+# impulses of such a substep are no guess for the next
+ROW_COLD = 29
 ROW_WIDTH = 30
 # columns of Rows.rare: what only the end of a step asks for
 # restitution, gap speeds before the step (negative: closing), largest impulses of any substep
@@ -161,6 +161,9 @@ class Scratch(NamedTuple):
     colours: Longs  # (n,) bits of colours in which a body has a pair
     colour_of: Ints  # (p,)
     parents: Ints  # (n,)
+    speeds: Floats  # (n, 6) m/s, m/s, rad/s: in a substep, after the forces; and with the push of overlap
+    works: Floats  # (n, 3) J, of groups of bodies that touch
+    excused: Ints  # (n,) 1: something else than contacts may give it energy
     fractions: Floats  # (n,) of the step's motion that continuous collision leaves
     plan: JointPlan  # of the direct solve of joints
     stiffness: Floats  # (n,) inverse inertias that joints see, 1/(kg m²)

@@ -10,8 +10,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.physics.kernels.lean import inner_kernel
+from game.physics.solids.collide.hull import Hull
 from game.physics.solids.collide.polygons import widest_gap
+from game.physics.solids.contacts import bring_shape
 from game.physics.solids.state import DA, DISC, DX, DY, DYNAMIC, SEGMENT, VX, VY, W
 
 MOST_ADVANCES = 64
@@ -40,27 +44,27 @@ def gap_at(shapes, pool, scratch, a, b, place_a, place_b):
         ca * cb + sa * sb,
         ca * sb - sa * cb,
     )
-    start_a, start_b = shapes.starts[a], shapes.starts[b]
-    count_a, count_b = shapes.counts[a], shapes.counts[b]
-    corners, normals = scratch.corners, scratch.normals
-    for k in range(count_b):
-        px, py = pool.corners[start_b + k, 0], pool.corners[start_b + k, 1]
-        corners[k, 0], corners[k, 1] = x + c * px - s * py, y + s * px + c * py
-        px, py = pool.normals[start_b + k, 0], pool.normals[start_b + k, 1]
-        normals[k, 0], normals[k, 1] = c * px - s * py, s * px + c * py
-    rounding = shapes.radii[a] + shapes.radii[b]
-    if shapes.kinds[a] == DISC:
-        px, py = corners[0, 0] - pool.corners[start_a, 0], corners[0, 1] - pool.corners[start_a, 1]
+    bring_shape(shapes, pool, scratch, b, (x, y, c, s))
+    start, kind, rounding = np.int64(shapes.starts[a]), shapes.kinds[a], shapes.radii[a] + shapes.radii[b]
+    if kind == DISC:
+        px, py = (
+            scratch.corners[0, 0] - pool.corners[start, 0],
+            scratch.corners[0, 1] - pool.corners[start, 1],
+        )
         return math.sqrt(px * px + py * py) - rounding
-    if shapes.kinds[a] == SEGMENT:
-        start_a, count_a = start_a + 1, 1
-    best, _ = widest_gap(pool.corners, pool.normals, start_a, count_a, corners, 0, count_b)
-    if shapes.kinds[a] == SEGMENT:
-        best = max(best, beyond_ends(pool.corners, start_a, corners, count_b))
-        count_a = 2
+    count_a, count_b = np.int64(shapes.counts[a]), np.int64(shapes.counts[b])
+    second = Hull(scratch.corners, scratch.normals, np.int64(0), count_b, shapes.radii[b])
+    if kind == SEGMENT:
+        face = Hull(pool.corners, pool.normals, start + 1, np.int64(1), 0.0)
+        core = Hull(pool.corners, pool.normals, start + 1, np.int64(2), 0.0)
+        best, _ = widest_gap(face, second)
+        best = max(best, beyond_ends(pool.corners, start + 1, scratch.corners, count_b))
+    else:
+        core = Hull(pool.corners, pool.normals, start, count_a, shapes.radii[a])
+        best, _ = widest_gap(core, second)
     if shapes.kinds[b] == DISC:
         return best - rounding
-    other, _ = widest_gap(corners, normals, 0, count_b, pool.corners, start_a, count_a)
+    other, _ = widest_gap(second, core)
     return max(best, other) - rounding
 
 

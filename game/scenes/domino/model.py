@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from game.physics.solids.effects import FRICTION
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.domino.course import Standing, floor_points
 from game.scenes.domino.hearing import heard_now
-from game.scenes.domino.level import MOST_DOMINOES, DominoContent
+from game.scenes.domino.level import MOST_DOMINOES, BallEntry, DominoContent, RowEntry, SliderEntry
 from game.scenes.domino.making import (
     LEAST_FRICTION,
     add_ball,
@@ -103,7 +104,9 @@ class DominoModel(Part):
             world.add_body(chain_of(points, self._grip(k)), kind="fixed")
             for k, points in enumerate(self.floors)
         ]
-        for things in (content.rows, content.balls, content.sliders):
+        grounded: tuple[Sequence[RowEntry | BallEntry | SliderEntry], ...]
+        grounded = (content.rows, content.balls, content.sliders)
+        for things in grounded:
             for k, entry in enumerate(things):
                 if entry.floor >= len(self.floors):
                     raise ValueError(f"[{k}].floor = {entry.floor}: there are {len(self.floors)}")

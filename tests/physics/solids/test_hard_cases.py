@@ -6,44 +6,21 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
 
-from game.physics.solids import Capsule, Disc, Material, Polygon, SolidSettings, SolidWorld, box
+from game.physics.solids import (
+    Disc,
+    Material,
+    NotFiniteError,
+    Polygon,
+    SolidSettings,
+    SolidWorld,
+    box,
+)
 from game.physics.solids.effects import SLEEP, USUAL
 from tests.physics.solids.setups import G, column, energy, floor_world, run
 
-SPRINGS = 1e-2  # of all energy: what one relaxing sweep may leave of the push of many impacts at once
 AWAKE = USUAL.without(SLEEP)
-
-
-@pytest.mark.parametrize("solver", ["soft-step", "sequential-impulses"])
-def test_random_scenes_stay_finite_and_gain_no_energy(solver):
-    """Mixed shapes fall on a floor. Overlap at the start stores energy, so there is none."""
-    for seed in range(12):
-        rng = np.random.default_rng(seed)
-        world, _ = floor_world(Material(friction=0.5), solver=solver, iterations=2)
-        for k in range(24):
-            size = 10.0 ** rng.uniform(-0.6, 0.0)
-            angles = np.sort(rng.uniform(0, 2 * np.pi, 7))
-            shapes = [
-                box(size, size * rng.uniform(0.2, 1.0)),
-                Disc(0.5 * size),
-                Capsule((-0.3 * size, 0.0), (0.3 * size, 0.0), 0.2 * size),
-                Polygon(0.5 * size * np.stack([np.cos(angles), np.sin(angles)], axis=1)),
-            ]
-            place = (1.6 * (k % 6) + rng.uniform(-0.1, 0.1), 1.0 + 1.6 * (k // 6))
-            velocity = rng.uniform(-3.0, 3.0, 2)
-            world.add_body(shapes[k % 4], place, rng.uniform(0, 6), velocity, rng.uniform(-5, 5))
-        highest = before = energy(world)
-        for _ in range(240):
-            world.step(1.0 / 60.0)
-            now = energy(world)
-            if solver == "soft-step":  # Baumgarte's push stays in the velocities of the other one
-                assert now <= before + SPRINGS * highest, (seed, world.steps)
-            before = now
-        assert before < highest
-        world.check()
 
 
 def test_a_pyramid_keeps_its_shape_and_sinks_with_the_square_of_the_frequency():
@@ -60,13 +37,6 @@ def test_a_pyramid_keeps_its_shape_and_sinks_with_the_square_of_the_frequency():
     assert sinks[0] / sinks[1] == pytest.approx(9.0, rel=0.05)
 
 
-def test_a_column_of_forty_stands_for_a_minute():
-    world, _ = floor_world()
-    top = column(world, 40)[-1]
-    run(world, 60.0)
-    assert abs(world.bodies.positions[top, 0]) < 0.05
-
-
 @pytest.mark.parametrize(("substeps", "most"), [(8, 0.5), (32, 0.1)])
 def test_a_thousand_times_heavier_box_on_ten_sinks_less_with_more_substeps(substeps, most):
     world, _ = floor_world(substeps=substeps, contact_hertz=15.0 * substeps)
@@ -75,18 +45,6 @@ def test_a_thousand_times_heavier_box_on_ten_sinks_less_with_more_substeps(subst
     run(world, 5.0)
     assert abs(world.bodies.positions[heavy, 0]) < 0.5
     assert 10.5 - world.bodies.positions[heavy, 1] < most
-
-
-def test_boxes_that_overlap_by_half_part():
-    world = SolidWorld(SolidSettings(gravity=(0.0, 0.0)))
-    for k in range(100):
-        world.add_body(box(1.0, 1.0), (0.5 * (k % 10), 0.5 * (k // 10)))
-    fastest = 0.0
-    for _ in range(120):
-        world.step(1.0 / 60.0)
-        fastest = max(fastest, float(np.hypot(*world.bodies.velocities.T).max()))
-    assert fastest < 15.0  # five in a row, each pushed away from the next by 3 m/s
-    world.check()
 
 
 @pytest.mark.parametrize(("part", "slides"), [(0.98, True), (1.02, False)])
@@ -191,3 +149,13 @@ def test_nonsense_is_answered_by_one_line_that_names_the_field(build, message):
     with pytest.raises(ValueError, match=message) as caught:
         build(world)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("quantity", ["positions", "angles", "velocities", "spins"])
+def test_a_number_that_is_none_is_found_in_that_step_and_named(quantity):
+    world, _ = floor_world()
+    bodies = column(world, 3)
+    run(world, 0.1)
+    getattr(world.bodies, quantity)[bodies[1]] = math.nan
+    with pytest.raises(NotFiniteError, match=rf"body {bodies[1]}: \w+ not finite after step 7"):
+        world.step(1.0 / 60.0)

@@ -29,10 +29,9 @@ def touch_points(ax, ay, ra, bx, by, rb, reach, manifold):
 
 
 @inner_kernel
-def collide_polygon_disc(corners, normals, start, count, ra, x, y, rb, reach, manifold, features):
-    """Polygon or capsule (corners start to start + count, rounded by ra) and a disc at (x, y) of radius
-    rb.
-    """
+def collide_polygon_disc(hull, x, y, rb, reach, manifold, features):
+    """Polygon or capsule and a disc at (x, y) of radius rb."""
+    corners, normals, start, count, ra = hull
     best, edge = -math.inf, 0
     for i in range(count):
         k = start + i

@@ -16,8 +16,10 @@ SLIVER = 0.005  # of the shorter of two faces: what overlaps by less along them 
 
 
 @inner_kernel
-def widest_gap(c1, n1, start1, count1, c2, start2, count2):
-    """The face of the first polygon that the second is farthest out of: (distance, face)."""
+def widest_gap(first, second):
+    """The face of the first hull that the second's core is farthest out of: (distance, face)."""
+    c1, n1, start1, count1, _ = first
+    c2, _, start2, count2, _ = second
     best, face = -math.inf, 0
     for i in range(count1):
         k = start1 + i
@@ -33,8 +35,9 @@ def widest_gap(c1, n1, start1, count1, c2, start2, count2):
 
 
 @inner_kernel
-def facing(normals, start, count, nx, ny):
+def facing(hull, nx, ny):
     """The face whose normal looks most against (nx, ny)."""
+    normals, start, count = hull.normals, hull.start, hull.size
     least, face = math.inf, 0
     for i in range(count):
         dot = normals[start + i, 0] * nx + normals[start + i, 1] * ny
@@ -106,23 +109,42 @@ def keep_points(bits, lower_feature, upper_feature, manifold, features):
 
 
 @inner_kernel
-def clip_chosen(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, choice, reach, manifold, features):
-    """Clip with the face that was chosen: (of the second polygon?, face). Returns points and their spread."""
-    flip, face = choice
+def next_corner(hull, i):
+    """The corner at which the face i ends."""
+    return i + 1 if i + 1 < hull.size else i + 1 - hull.size
+
+
+@inner_kernel
+def ends_of(hull, i):
+    """Both ends of the face i."""
+    k, m = hull.start + i, hull.start + next_corner(hull, i)
+    return (hull.corners[k, 0], hull.corners[k, 1]), (hull.corners[m, 0], hull.corners[m, 1])
+
+
+@inner_kernel
+def normal_of(hull, i):
+    """Outward normal of the face i."""
+    return hull.normals[hull.start + i, 0], hull.normals[hull.start + i, 1]
+
+
+@inner_kernel
+def clip_chosen(first, second, faces, flip, reach, manifold, features):
+    """Clip the faces (i, j) that look at each other; flip: the second's is the one that clips.
+
+    Returns points and how far they spread, as part of the shorter face.
+    """
+    i, j = faces
+    i_next, j_next = next_corner(first, i), next_corner(second, j)
+    p1, q1 = ends_of(first, i)
+    p2, q2 = ends_of(second, j)
+    ra, rb = first.radius, second.radius
     if flip:
-        i, j = facing(n1, start1, count1, n2[start2 + face, 0], n2[start2 + face, 1]), face
-    else:
-        i, j = face, facing(n2, start2, count2, n1[start1 + face, 0], n1[start1 + face, 1])
-    i_next, j_next = i + 1 if i + 1 < count1 else 0, j + 1 if j + 1 < count2 else 0
-    p1, q1 = (c1[start1 + i, 0], c1[start1 + i, 1]), (c1[start1 + i_next, 0], c1[start1 + i_next, 1])
-    p2, q2 = (c2[start2 + j, 0], c2[start2 + j, 1]), (c2[start2 + j_next, 0], c2[start2 + j_next, 1])
-    if flip:
-        nx, ny = n2[start2 + j, 0], n2[start2 + j, 1]
+        nx, ny = normal_of(second, j)
         manifold[0], manifold[1] = -nx, -ny
         bits = clip_faces(p2, q2, p1, q1, (nx, ny), (rb, ra), reach, manifold)
         lower, upper = i_next << 8 | j, i << 8 | j_next
     else:
-        nx, ny = n1[start1 + i, 0], n1[start1 + i, 1]
+        nx, ny = normal_of(first, i)
         manifold[0], manifold[1] = nx, ny
         bits = clip_faces(p1, q1, p2, q2, (nx, ny), (ra, rb), reach, manifold)
         lower, upper = i << 8 | j_next, i_next << 8 | j
@@ -132,50 +154,48 @@ def clip_chosen(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, choice, 
 
 
 @inner_kernel
-def meets_at_corners(c1, start1, count1, ra, c2, start2, count2, rb, faces, reach, manifold, features):
+def meets_at_corners(first, second, faces, reach, manifold, features):
     """Cores that are apart: points (0 or 1) if they are nearest at two corners, else -1. faces: i, j."""
     i, j = faces
-    i_next, j_next = i + 1 if i + 1 < count1 else 0, j + 1 if j + 1 < count2 else 0
-    p1, q1 = (c1[start1 + i, 0], c1[start1 + i, 1]), (c1[start1 + i_next, 0], c1[start1 + i_next, 1])
-    p2, q2 = (c2[start2 + j, 0], c2[start2 + j, 1]), (c2[start2 + j_next, 0], c2[start2 + j_next, 1])
+    i_next, j_next = next_corner(first, i), next_corner(second, j)
+    p1, q1 = ends_of(first, i)
+    p2, q2 = ends_of(second, j)
     f1, f2, _ = nearest_on_segments(p1, q1, p2, q2)
     if not ((f1 == 0.0 or f1 == 1.0) and (f2 == 0.0 or f2 == 1.0)):
         return -1
     a, b = (p1 if f1 == 0.0 else q1), (p2 if f2 == 0.0 else q2)
     features[0] = (i if f1 == 0.0 else i_next) << 8 | (j if f2 == 0.0 else j_next)
-    return touch_points(a[0], a[1], ra, b[0], b[1], rb, reach, manifold)
+    return touch_points(a[0], a[1], first.radius, b[0], b[1], second.radius, reach, manifold)
 
 
 @inner_kernel
-def collide_polygons(c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, reach, manifold, features):
-    """Manifold of two polygons whose corners and normals are in one frame. See the package for the rest.
+def collide_polygons(first, second, reach, manifold, features):
+    """Manifold of two hulls whose corners and normals are in one frame. See the package for the rest.
 
     Where they meet in a sliver, corner beside corner, there is no telling which face it is, and none answers
     until they overlap by more: so boxes pass over the gaps of tiles of equal height.
     """
-    gap1, i = widest_gap(c1, n1, start1, count1, c2, start2, count2)
-    manifold[8] = gap1 - ra - rb
-    if gap1 > reach + ra + rb:
+    rounding = first.radius + second.radius
+    gap1, i = widest_gap(first, second)
+    manifold[8] = gap1 - rounding
+    if gap1 > reach + rounding:
         return 0
-    gap2, j = widest_gap(c2, n2, start2, count2, c1, start1, count1)
-    manifold[8] = max(gap1, gap2) - ra - rb
-    if gap2 > reach + ra + rb:
+    gap2, j = widest_gap(second, first)
+    manifold[8] = max(gap1, gap2) - rounding
+    if gap2 > reach + rounding:
         return 0
     flip = gap2 > gap1 + 0.02 * reach  # the first one's face is kept where both are nearly as good
-    face = j if flip else i
+    if flip:
+        nx, ny = normal_of(second, j)
+        i = facing(first, nx, ny)
+    else:
+        nx, ny = normal_of(first, i)
+        j = facing(second, nx, ny)
     if max(gap1, gap2) > 0.02 * reach:
-        if flip:
-            i = facing(n1, start1, count1, n2[start2 + j, 0], n2[start2 + j, 1])
-        else:
-            j = facing(n2, start2, count2, n1[start1 + i, 0], n1[start1 + i, 1])
-        points = meets_at_corners(
-            c1, start1, count1, ra, c2, start2, count2, rb, (i, j), reach, manifold, features
-        )
+        points = meets_at_corners(first, second, (i, j), reach, manifold, features)
         if points >= 0:
             return points
-    points, spread = clip_chosen(
-        c1, n1, start1, count1, ra, c2, n2, start2, count2, rb, (flip, face), reach, manifold, features
-    )
+    points, spread = clip_chosen(first, second, (i, j), flip, reach, manifold, features)
     if points < 2 or spread > SLIVER:
         return points
     manifold[8] = -1.0  # nothing yet, but look again in the next step

@@ -121,8 +121,9 @@ def direction_verdict(corners, start, ex, ey, mx, my):
 
 
 @inner_kernel
-def collide_segment_polygon(corners, start, c2, n2, count2, rb, reach, manifold, features):
-    """Segment and polygon (corners and normals c2, n2 in the same frame, rounded by rb): up to two points."""
+def collide_segment_polygon(corners, start, hull, reach, manifold, features):
+    """Segment and polygon in the same frame (its hull begins at corner 0): up to two points."""
+    c2, n2, count2, rb = hull.corners, hull.normals, hull.size, hull.radius
     px, py, qx, qy, ex, ey, length = segment_at(corners, start)
     nx, ny, p, q = -ey, ex, (px, py), (qx, qy)
     low, middle = lowest(c2, count2, px, py, nx, ny)
@@ -132,7 +133,7 @@ def collide_segment_polygon(corners, start, c2, n2, count2, rb, reach, manifold,
         return 0
     by_face = best > low + 0.02 * reach
     if max(low, best) > 0.02 * reach:
-        j = face if by_face else facing(n2, 0, count2, nx, ny)
+        j = face if by_face else facing(hull, nx, ny)
         k = j + 1 if j + 1 < count2 else 0
         f1, f2, _ = nearest_on_segments(p, q, (c2[j, 0], c2[j, 1]), (c2[k, 0], c2[k, 1]))
         if f1 == 0.0 or f1 == 1.0:
@@ -158,7 +159,7 @@ def collide_segment_polygon(corners, start, c2, n2, count2, rb, reach, manifold,
         manifold[0], manifold[1] = -mx, -my
         bits = clip_faces(p2, q2, q, p, (mx, my), (rb, 0.0), reach, manifold)
         return keep_points(bits, 2 << 16 | face, 2 << 16 | 1 << 8 | face, manifold, features)
-    j = facing(n2, 0, count2, nx, ny)
+    j = facing(hull, nx, ny)
     k = j + 1 if j + 1 < count2 else 0
     first = (c2[j, 0] - px) * ex + (c2[j, 1] - py) * ey
     second = (c2[k, 0] - px) * ex + (c2[k, 1] - py) * ey

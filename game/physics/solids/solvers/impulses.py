@@ -2,8 +2,10 @@
 
 Catto 2005, "Iterative Dynamics with Temporal Coherence": what accumulates is clamped, not the single impulse.
 The two normal impulses of a manifold are solved together, as a linear complementarity problem of two rows
-(Catto 2006), so that neither comes first: a column has no reason to lean. The gap is followed through the
-substeps by what both bodies have moved since the step began.
+(Catto 2006), so that neither comes first: a column has no reason to lean. A face is soft as a whole: it sinks
+by what both points carry, and hardly tilts. With softness by each point for itself a column of n unit boxes
+buckles like any slender one where n³ g exceeds 0.78 w² (Greenhill 1881), at 30 Hz from 15 boxes on. The gap
+is followed through the substeps by what both bodies have moved since the step began.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ import numpy as np
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.state import (
     APPROACH_0,
+    APPROACH_1,
     COUPLING,
     CROSS_A,
     CROSS_B,
@@ -53,6 +56,7 @@ from game.physics.solids.state import (
 
 FIRST = ROW_POINT
 SECOND = ROW_POINT + ROW_POINT_WIDTH
+TILT = 0.25  # how much softer a face is where it tilts than where it sinks evenly
 
 
 @inner_kernel
@@ -111,12 +115,9 @@ def soft_springs(numbers):
 
 
 @inner_kernel
-def point_law(gap, spring, push, over_h):
-    """What a point asks for: speed, and softness as part of K. It may close its gap; overlap parts by
-    its spring.
-    """
-    bias = max(gap, 0.0) * over_h + max(spring[0] * min(gap, 0.0), -push)
-    return bias, 0.0 if gap > 0.0 else spring[2]
+def point_law(gap, rate, push, over_h):
+    """Speed that a point asks for: it may close its gap; overlap parts at a rate, but no faster than push."""
+    return max(gap, 0.0) * over_h + max(rate * min(gap, 0.0), -push)
 
 
 @inner_kernel
@@ -157,11 +158,11 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
         ca1, cb1, k1 = row[c, FIRST + CROSS_A], row[c, FIRST + CROSS_B], row[c, FIRST + STIFF_N]
         da1, db1, n1 = row[c, FIRST + DOT_A], row[c, FIRST + DOT_B], row[c, FIRST + JN]
         gap = gone + row[c, FIRST + SEP] + cb * db1 + sb * cb1 - ca * da1 - sa * ca1
-        bias, soft1 = point_law(gap, spring, push, over_h)
+        bias = point_law(gap, spring[0], push, over_h)
         v1 = un + wb * cb1 - wa * ca1 + bias
         mu = row[c, ROW_MU]
         if ends[c, END_POINTS] == 1:
-            j1 = max((k1 * n1 - v1) / (k1 + k1 * soft1), 0.0)
+            j1 = max((k1 * n1 - v1) / (k1 + (k1 * spring[2] if gap <= 0.0 else 0.0)), 0.0)
             row[c, FIRST + JN] = j1
             if noting:
                 rare[c, MOST_0] = max(rare[c, MOST_0], j1)
@@ -176,13 +177,16 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
         else:
             ca2, cb2, k2 = row[c, SECOND + CROSS_A], row[c, SECOND + CROSS_B], row[c, SECOND + STIFF_N]
             da2, db2, n2 = row[c, SECOND + DOT_A], row[c, SECOND + DOT_B], row[c, SECOND + JN]
-            gap = gone + row[c, SECOND + SEP] + cb * db2 + sb * cb2 - ca * da2 - sa * ca2
-            bias, soft2 = point_law(gap, spring, push, over_h)
+            gap2 = gone + row[c, SECOND + SEP] + cb * db2 + sb * cb2 - ca * da2 - sa * ca2
+            bias = point_law(gap2, spring[0], push, over_h)
             v2 = un + wb * cb2 - wa * ca2 + bias
             k12 = row[c, COUPLING]
+            give = 0.25 * spring[2] * (k1 + k2) if min(gap, gap2) <= 0.0 else 0.0
+            tilt = TILT * give
             j1, j2 = solve_two(
-                k1 + k1 * soft1, k12, k2 + k2 * soft2, v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2
-            )
+                k1 + give + tilt, k12 + give - tilt, k2 + give + tilt,
+                v1 - k1 * n1 - k12 * n2, v2 - k12 * n1 - k2 * n2,
+            )  # fmt: skip
             row[c, FIRST + JN], row[c, SECOND + JN] = j1, j2
             if noting:
                 rare[c, MOST_0], rare[c, MOST_1] = max(rare[c, MOST_0], j1), max(rare[c, MOST_1], j2)
@@ -214,31 +218,60 @@ def sweep_contacts(rows, motion, springs, pushing, noting):
 
 @inner_kernel
 def bounce_contacts(rows, motion, numbers):
-    """At the end of a step: what came in fast and was stopped leaves by its restitution, with friction."""
-    row, ends, rare = rows.rows, rows.ends, rows.rare
+    """At the end of a step: what came in fast and was stopped leaves by its restitution, with friction.
+
+    True if there was any.
+    """
+    row, ends, rare, bounced = rows.rows, rows.ends, rows.rare, False
     for c in range(rows.count[0]):
         e = rare[c, RESTITUTION]
         if e == 0.0:
             continue
+        first = rare[c, APPROACH_0] < -numbers.bounce and rare[c, MOST_0] > 0.0
+        second = ends[c, END_POINTS] == 2 and rare[c, APPROACH_1] < -numbers.bounce and rare[c, MOST_1] > 0.0
+        if not (first or second):
+            continue
+        bounced = True
         a, b = ends[c, END_A], ends[c, END_B]
-        nx, ny = row[c, ROW_NX], row[c, ROW_NY]
+        n1, n2 = row[c, FIRST + JN], row[c, SECOND + JN] if ends[c, END_POINTS] == 2 else 0.0
+        k1, k2, k12 = row[c, FIRST + STIFF_N], row[c, SECOND + STIFF_N], row[c, COUPLING]
+        r1 = gap_speed(row, c, FIRST, motion, a, b) + e * rare[c, APPROACH_0] - k1 * n1
+        j1, j2 = n1, n2
+        if first and second:
+            r2 = gap_speed(row, c, SECOND, motion, a, b) + e * rare[c, APPROACH_1] - k2 * n2
+            j1, j2 = solve_two(k1, k12, k2, r1 - k12 * n2, r2 - k12 * n1)
+        elif first:
+            j1 = max(-r1 / k1, 0.0)
+        else:
+            j2 = max(n2 - (gap_speed(row, c, SECOND, motion, a, b) + e * rare[c, APPROACH_1]) / k2, 0.0)
+        push_point(row, c, FIRST, motion, a, b, j1 - n1, 0.0)
+        row[c, FIRST + JN], rare[c, MOST_0] = j1, max(rare[c, MOST_0], j1)
+        if ends[c, END_POINTS] == 2:
+            push_point(row, c, SECOND, motion, a, b, j2 - n2, 0.0)
+            row[c, SECOND + JN], rare[c, MOST_1] = j2, max(rare[c, MOST_1], j2)
         for k in range(ends[c, END_POINTS]):
-            if rare[c, APPROACH_0 + k] > -numbers.bounce or rare[c, MOST_0 + k] == 0.0:
-                continue
-            at = ROW_POINT + k * ROW_POINT_WIDTH
-            vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-            vn = vx * nx + vy * ny + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
-            before = row[c, at + JN]
-            jn = max(before - (vn + e * rare[c, APPROACH_0 + k]) / row[c, at + STIFF_N], 0.0)
-            row[c, at + JN] = jn
-            rare[c, MOST_0 + k] = max(rare[c, MOST_0 + k], jn)
-            push_point(row, c, at, motion, a, b, jn - before, 0.0)
-            vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
-            vt = vx * ny - vy * nx - motion[b, W] * row[c, at + DOT_B] + motion[a, W] * row[c, at + DOT_A]
-            before, most = row[c, at + JT], row[c, ROW_MU] * jn
-            jt = max(-most, min(most, before - row[c, at + MASS_T] * vt))
-            row[c, at + JT] = jt
-            push_point(row, c, at, motion, a, b, 0.0, jt - before)
+            rub_point(row, c, FIRST + k * ROW_POINT_WIDTH, motion, a, b)
+    return bounced
+
+
+@inner_kernel
+def gap_speed(row, c, at, motion, a, b):
+    """Speed at which the gap of one point of a row opens, m/s."""
+    vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
+    speed = vx * row[c, ROW_NX] + vy * row[c, ROW_NY]
+    return speed + motion[b, W] * row[c, at + CROSS_B] - motion[a, W] * row[c, at + CROSS_A]
+
+
+@inner_kernel
+def rub_point(row, c, at, motion, a, b):
+    """Friction at one point of a row, within the cone of its normal impulse."""
+    vx, vy = motion[b, VX] - motion[a, VX], motion[b, VY] - motion[a, VY]
+    vt = vx * row[c, ROW_NY] - vy * row[c, ROW_NX]
+    vt += motion[a, W] * row[c, at + DOT_A] - motion[b, W] * row[c, at + DOT_B]
+    before, most = row[c, at + JT], row[c, ROW_MU] * row[c, at + JN]
+    jt = max(-most, min(most, before - row[c, at + MASS_T] * vt))
+    row[c, at + JT] = jt
+    push_point(row, c, at, motion, a, b, 0.0, jt - before)
 
 
 @inner_kernel

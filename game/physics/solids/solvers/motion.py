@@ -25,6 +25,7 @@ def start_motion(bodies, scratch, numbers):
         motion[i, DX], motion[i, DY], motion[i, DA] = 0.0, 0.0, 0.0
         motion[i, DC], motion[i, DS] = 1.0, 0.0
         pulls[i, 0], pulls[i, 1], pulls[i, 2] = 0.0, 0.0, 0.0
+        scratch.air[i, 2] = 1.0 if awake and flags & DYNAMIC else 0.0
         if awake and flags & DYNAMIC:
             scale, weight = bodies.gravity_scales[i], bodies.inverse_masses[i]
             pulls[i, 0] = scale * numbers.gravity_x + weight * bodies.forces[i, 0]

@@ -14,6 +14,14 @@ from game.physics.solids.joints.geometric import steady_turns
 from game.physics.solids.joints.lines import prepare_joints, start_joints_warm
 from game.physics.solids.solvers.impulses import bounce_contacts, soft_springs, start_warm, sweep_contacts
 from game.physics.solids.solvers.motion import accelerate, move
+from game.physics.solids.solvers.passive import (
+    FREE,
+    PUSHED,
+    excuse,
+    hold_energy,
+    hold_push,
+    note_speeds,
+)
 
 
 @lean_kernel
@@ -22,16 +30,26 @@ def solve_soft_step(bodies, contacts, rows, joints, scratch, numbers):
     motion, springs = scratch.motion, soft_springs(numbers)
     soft = (numbers.joint_rate, numbers.joint_mass, numbers.joint_give)
     prepare_joints(bodies, joints, soft, numbers)
+    violent = excuse(bodies, rows, joints, scratch, numbers.dt)
     for _ in range(numbers.substeps):
         accelerate(scratch, numbers)
+        if violent:
+            note_speeds(motion, scratch.speeds, FREE)
         start_joints_warm(joints, motion)
         steady_turns(bodies, joints, scratch, numbers.h)
         start_warm(rows, motion)
         for _ in range(numbers.iterations):
             solve_joints(joints, scratch.plan, motion, True)
             sweep_contacts(rows, motion, springs, True, False)
+        if violent:
+            note_speeds(motion, scratch.speeds, PUSHED)
         move(motion, numbers.h)
         for _ in range(numbers.iterations):
             solve_joints(joints, scratch.plan, motion, False)
             sweep_contacts(rows, motion, springs, False, True)
-    bounce_contacts(rows, motion, numbers)
+        if violent:
+            hold_energy(bodies, rows, scratch, numbers, False)
+            hold_push(bodies, scratch, numbers)
+    note_speeds(motion, scratch.speeds, FREE)
+    if bounce_contacts(rows, motion, numbers) and violent:
+        hold_energy(bodies, rows, scratch, numbers, True)

@@ -1,0 +1,35 @@
+"""Energy of a world of solids, as a ledger needs it.
+
+What soft contacts store is not counted: overlap comes mostly from impacts, which took the energy of motion.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from game.physics.solids.settings import Numbers
+from game.physics.solids.state import DYNAMIC, Bodies
+
+
+class Energy(NamedTuple):
+    """J, of all dynamic bodies."""
+
+    kinetic: float
+    potential: float  # in gravity, 0 at the origin
+
+    @property
+    def total(self) -> float:
+        """Both."""
+        return self.kinetic + self.potential
+
+
+def energy_of(bodies: Bodies, numbers: Numbers) -> Energy:
+    """What there is now. numbers: of the steps."""
+    rows = np.flatnonzero(bodies.flags & DYNAMIC)
+    mass, inertia = 1.0 / bodies.inverse_masses[rows], 1.0 / bodies.inverse_inertias[rows]
+    kinetic = 0.5 * (mass * (bodies.velocities[rows] ** 2).sum(axis=1) + inertia * bodies.spins[rows] ** 2)
+    pull = np.array([numbers.gravity_x, numbers.gravity_y])
+    height = -(bodies.gravity_scales[rows] * mass * (bodies.positions[rows] @ pull))
+    return Energy(float(kinetic.sum()), float(height.sum()))

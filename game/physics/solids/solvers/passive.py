@@ -1,0 +1,197 @@
+"""Impacts are passive: in no substep do contacts give bodies more kinetic energy than they take.
+
+Impulses that were known before (warm start) and overlap that is driven apart are guesses of one sweep; where
+many bodies hit each other at once, a relaxing sweep does not take all of it back, and energy rises. With v
+the velocities after the forces and d what all impulses of a substep added, the work is a + b with a = v·M d
+and b = d·M d/2. Where it is above a credit c, d is made shorter, to s d with s a + s² b = c; group by group
+of bodies that touch. The credit of a substep is m (h g)²/2, which leaves piles the little that their settling
+takes; what bounces at the end of a step may give back what its group has lost in the step.
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.physics.kernels.lean import inner_kernel
+from game.physics.solids.islands import is_moving, root_of, unite
+from game.physics.solids.joints.layout import SUBSTEP
+from game.physics.solids.solvers.motion import cosine_sine
+from game.physics.solids.state import (
+    APPROACH_0,
+    APPROACH_1,
+    DA,
+    DC,
+    DS,
+    DX,
+    DY,
+    END_A,
+    END_B,
+    END_POINTS,
+    JN,
+    JT,
+    ROW_COLD,
+    ROW_POINT,
+    ROW_POINT_WIDTH,
+    VX,
+    VY,
+    W,
+)
+
+FIRST, SECOND = ROW_POINT, ROW_POINT + ROW_POINT_WIDTH
+RESTLESS = 10.0  # m/s², what parts or closes faster than that in a step is not at rest
+EXCUSED, HIT = 1, 2  # marks of a body; shifted by two, of its group
+FREE, PUSHED = 0, 3  # columns of Scratch.speeds: velocities and spin after the forces, and with the push
+
+
+@inner_kernel
+def is_violent(rows, c, dt):
+    """True if the two of a row overlap deeply, or closed or parted fast when the step began."""
+    speed = abs(rows.rare[c, APPROACH_0])
+    if rows.ends[c, END_POINTS] == 2:
+        speed = max(speed, abs(rows.rare[c, APPROACH_1]))
+    return rows.rows[c, ROW_COLD] > 0.0 or speed > RESTLESS * dt
+
+
+@inner_kernel
+def excuse(bodies, rows, joints, scratch, dt):
+    """Mark bodies that joints or moving key-framed bodies may give energy to.
+
+    True if any two move against each other: in piles at rest there is nothing to watch, and what settles
+    there by overlap alone is let be.
+    """
+    excused, violent = scratch.excused, False
+    excused[:] = 0
+    for k in range(joints.kinds.shape[0]):
+        if joints.rows[k, SUBSTEP] >= 0.0:
+            excused[joints.bodies[k, 0]] = EXCUSED
+            excused[joints.bodies[k, 1]] = EXCUSED
+    for c in range(rows.count[0]):
+        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        violent = violent or is_violent(rows, c, dt)
+        if is_moving(bodies, a) or is_moving(bodies, b):
+            excused[a], excused[b] = EXCUSED, EXCUSED
+    return violent
+
+
+@inner_kernel
+def note_speeds(motion, speeds, at):
+    """Keep velocities and spins in three columns of speeds."""
+    for i in range(motion.shape[0]):
+        speeds[i, at], speeds[i, at + 1], speeds[i, at + 2] = motion[i, VX], motion[i, VY], motion[i, W]
+
+
+@inner_kernel
+def work_on(bodies, motion, speeds, i):
+    """a and b of a body: see the module."""
+    m, inertia = 1.0 / bodies.inverse_masses[i], 1.0 / bodies.inverse_inertias[i]
+    vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
+    x, y, t = motion[i, VX] - vx, motion[i, VY] - vy, motion[i, W] - w
+    return m * (vx * x + vy * y) + inertia * w * t, 0.5 * (m * (x * x + y * y) + inertia * t * t)
+
+
+@inner_kernel
+def credit(bodies, scratch, h, i, spending):
+    """What contacts may give a body, J. spending: what it has lost in this step, with its height."""
+    m, x, y = 1.0 / bodies.inverse_masses[i], scratch.accelerations[i, 0], scratch.accelerations[i, 1]
+    if not spending:
+        return 0.5 * m * h * h * (x * x + y * y)
+    motion, speeds, inertia = scratch.motion, scratch.speeds, 1.0 / bodies.inverse_inertias[i]
+    vx, vy, w = bodies.velocities[i, 0], bodies.velocities[i, 1], bodies.spins[i]
+    lost = m * (vx * vx + vy * vy) + inertia * w * w
+    vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
+    lost -= m * (vx * vx + vy * vy) + inertia * w * w
+    turned = inertia * scratch.accelerations[i, 2] * motion[i, DA]
+    return 0.5 * lost + m * (x * motion[i, DX] + y * motion[i, DY]) + turned
+
+
+@inner_kernel
+def group_by_touch(bodies, rows, scratch, dt):
+    """Representatives of bodies that push each other in this substep, marked where one is excused or hit."""
+    parents, row = scratch.parents, rows.rows
+    for i in range(parents.shape[0]):
+        parents[i] = i
+    for c in range(rows.count[0]):
+        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        pushing = row[c, FIRST + JN] > 0.0 or (rows.ends[c, END_POINTS] == 2 and row[c, SECOND + JN] > 0.0)
+        if pushing and bodies.inverse_masses[a] > 0.0 and bodies.inverse_masses[b] > 0.0:
+            unite(parents, a, b)
+        if is_violent(rows, c, dt):
+            scratch.excused[a] |= HIT
+            scratch.excused[b] |= HIT
+    for i in range(parents.shape[0]):
+        if bodies.inverse_masses[i] > 0.0:
+            scratch.excused[root_of(parents, i)] |= (scratch.excused[i] & (EXCUSED | HIT)) << 2
+
+
+@inner_kernel
+def hold_energy(bodies, rows, scratch, numbers, spending):
+    """Shorten what contacts did where it is more than they may. spending: what was lost may be given back."""
+    motion, speeds, works, parents = scratch.motion, scratch.speeds, scratch.works, scratch.parents
+    total = 0.0
+    for i in range(motion.shape[0]):
+        if bodies.inverse_masses[i] > 0.0:
+            a, b = work_on(bodies, motion, speeds, i)
+            total += a + b - credit(bodies, scratch, numbers.h, i, spending)
+    if not total > 0.0:
+        return
+    group_by_touch(bodies, rows, scratch, numbers.dt)
+    works[:] = 0.0
+    for i in range(motion.shape[0]):
+        if bodies.inverse_masses[i] > 0.0:
+            a, b = work_on(bodies, motion, speeds, i)
+            r = root_of(parents, i)
+            works[r, 0] += a
+            works[r, 1] += b
+            works[r, 2] += credit(bodies, scratch, numbers.h, i, spending)
+    for i in range(motion.shape[0]):
+        a, b, c = works[i, 0], works[i, 1], max(works[i, 2], 0.0)
+        keep = 1.0
+        if a + b > c and b > 0.0 and scratch.excused[i] >> 2 == HIT:
+            keep = max(0.0, min(1.0, (math.sqrt(a * a + 4.0 * b * c) - a) / (2.0 * b)))
+        works[i, 0] = keep
+        scratch.excused[i] &= EXCUSED
+    for i in range(motion.shape[0]):
+        keep = works[root_of(parents, i), 0]
+        if bodies.inverse_masses[i] > 0.0 and keep < 1.0:
+            vx, vy, w = speeds[i, FREE], speeds[i, FREE + 1], speeds[i, FREE + 2]
+            motion[i, VX] = vx + keep * (motion[i, VX] - vx)
+            motion[i, VY] = vy + keep * (motion[i, VY] - vy)
+            motion[i, W] = w + keep * (motion[i, W] - w)
+    scale_impulses(bodies, rows, works, parents)
+
+
+@inner_kernel
+def scale_impulses(bodies, rows, works, parents):
+    """The impulses of groups that were held, likewise."""
+    row = rows.rows
+    for c in range(rows.count[0]):
+        a, b = rows.ends[c, END_A], rows.ends[c, END_B]
+        keep = works[root_of(parents, a if bodies.inverse_masses[a] > 0.0 else b), 0]
+        if keep < 1.0:
+            for at in (FIRST, SECOND):
+                row[c, at + JN] *= keep
+                row[c, at + JT] *= keep
+
+
+@inner_kernel
+def hold_push(bodies, scratch, numbers):
+    """No body is driven out of overlap faster than ``push``, however many drive it."""
+    motion, speeds = scratch.motion, scratch.speeds
+    for i in range(motion.shape[0]):
+        if bodies.inverse_masses[i] == 0.0 or scratch.excused[i]:
+            continue
+        reach = bodies.reaches[i]
+        vx, vy, w = speeds[i, PUSHED], speeds[i, PUSHED + 1], speeds[i, PUSHED + 2]
+        pushed = math.sqrt(vx * vx + vy * vy) + abs(w) * reach
+        if pushed <= numbers.push:
+            continue
+        fx, fy = speeds[i, FREE], speeds[i, FREE + 1]
+        fastest = math.sqrt(fx * fx + fy * fy) + abs(speeds[i, FREE + 2]) * reach
+        after = math.sqrt(motion[i, VX] ** 2 + motion[i, VY] ** 2) + abs(motion[i, W]) * reach
+        excess = pushed - numbers.push - max(fastest, after)
+        if excess > 0.0:
+            part = numbers.h * excess / pushed
+            motion[i, DX] -= part * vx
+            motion[i, DY] -= part * vy
+            motion[i, DA] -= part * w
+            motion[i, DC], motion[i, DS] = cosine_sine(motion[i, DA])
