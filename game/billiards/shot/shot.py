@@ -46,6 +46,8 @@ class ShotError(ValueError):
 class Physics(NamedTuple):
     """Cloth, balls and cushions of a table. Frictions and restitutions have no unit; gravity is in m/s^2.
 
+    cushion_restitution_fall: by how much the restitution of cushions falls with the closing speed, s/m.
+    cushion_compliance: tangential over normal, of `stronge-2000`; for rubber (2 - nu)/(2 - 2 nu) = 1.5.
     Defaults are those of a pool table in play. A friction of 0 takes the effect away.
     """
 
@@ -59,6 +61,8 @@ class Physics(NamedTuple):
     cushion_friction: float = 0.2
     ball_restitution: float = 0.95
     cushion_restitution: float = 0.85
+    cushion_restitution_fall: float = 0.0
+    cushion_compliance: float = 1.5
 
 
 FRICTIONLESS = Physics(
@@ -90,7 +94,7 @@ class Shot:
 
     @cached_property
     def constants(self) -> Array:
-        """physics (18,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
+        """physics (20,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
         p = self.physics
         model = BALL_MODELS[p.ball_ball]
         restitution = 1.0 if model.elastic else p.ball_restitution
@@ -104,6 +108,7 @@ class Shot:
                 CUSHION_MODELS[p.cushion], 1.0 if p.cushion == "mirror" else p.cushion_restitution,
                 p.cushion_friction, self.table.cushion_height, *self.layout.free,
                 *self.layout.middle,
+                0.0 if p.cushion == "mirror" else p.cushion_restitution_fall, p.cushion_compliance,
             ]
         )  # fmt: skip
         assert row.shape == (PHYSICS_COLUMNS,)
@@ -243,6 +248,12 @@ def check_physics(physics: Physics) -> None:
         value = getattr(physics, field)
         if not (math.isfinite(value) and (value == 0.0 or 1e-9 <= value <= 1e3)):
             raise ShotError(f"{name}: must be 0, or between 1e-9 and 1e3, got {value!r}")
+    for field, name, least, most in (
+        ("cushion_restitution_fall", "restitution.cushion_fall", 0.0, 10.0),
+        ("cushion_compliance", "compliance.cushion", 0.01, 100.0),
+    ):
+        if not least <= getattr(physics, field) <= most:
+            raise ShotError(f"{name}: must be between {least:g} and {most:g}, got {getattr(physics, field)!r}")
     for field in ("ball_restitution", "cushion_restitution"):
         value = getattr(physics, field)
         if not 0.0 <= value <= 1.0:
