@@ -44,6 +44,7 @@ FOLDERS = {
         "shot_effects",
         "simulation",
         "many growing",
+        "fitting",
         "game",
         "search",
         "players",

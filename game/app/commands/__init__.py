@@ -13,14 +13,28 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from game import __version__
-from game.app.commands import accuracy, bench, fit, fuzz, listing, match, play, record, replay, run, selftest, shot
+from game.app.commands import (
+    accuracy,
+    bench,
+    fit,
+    fuzz,
+    listing,
+    match,
+    play,
+    record,
+    replay,
+    run,
+    selftest,
+    shot,
+    tracks,
+)
 from game.app.window.deadline import say_stopped
 from game.app.window.ending import status_of
 from game.app.window.mistake import MistakeError
 from game.app.window.words import printable, speak_what_is_understood
 from game.definition import DefinitionError
 
-COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, fit, match, record, fuzz, bench)
+COMMANDS = (play, run, listing, replay, selftest, accuracy, shot, fit, tracks, match, record, fuzz, bench)
 
 
 class _Parser(argparse.ArgumentParser):

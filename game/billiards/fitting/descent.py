@@ -1,7 +1,7 @@
 """Downhill from many strokes at once: the simplex method of Nelder and Mead 1965, in one kernel.
 
-A shot is no smooth function of its stroke: a contact more or less is a jump. The method asks for values only, so a
-jump costs it a step and no more.
+A shot is no smooth function of its stroke: a contact more or less is a jump. The method asks for values only,
+so a jump costs it a step and no more.
 """
 
 from __future__ import annotations

@@ -64,7 +64,10 @@ def split(shots: Sequence[TrackedShot]) -> tuple[list[TrackedShot], list[Tracked
 
 
 def fit_table(
-    train: Iterable[TrackedShot], start: FittedTable, fixed: Iterable[str] = (), progress: Progress | None = None
+    train: Iterable[TrackedShot],
+    start: FittedTable,
+    fixed: Iterable[str] = (),
+    progress: Progress | None = None,
 ) -> FittedTable:
     """The table that explains the training shots best. fixed: numbers of its physics that stay."""
     return TableSearch(train, start, fixed, progress or (lambda words: None)).run()
@@ -83,7 +86,10 @@ def fit_shot(shot: TrackedShot, table: FittedTable, held_out: bool = False) -> F
 
 
 def fit_shots(
-    shots: Sequence[TrackedShot], table: FittedTable, trained: Iterable[str] = (), progress: Progress | None = None
+    shots: Sequence[TrackedShot],
+    table: FittedTable,
+    trained: Iterable[str] = (),
+    progress: Progress | None = None,
 ) -> list[FittedShot]:
     """`fit_shot` of each. trained: ids of those that the table was found with."""
     known = set(trained)

@@ -1,8 +1,8 @@
 """The table that explains many tracks: friction, cushions and balls, found together with the strokes.
 
-In turn: the strokes on the table as it is known, from the beginning; then the table, each candidate with the strokes
-let downhill from the best known. What is made least is the mean over the shots of the logarithm of how far off they
-are, so that one shot that goes wrong early does not outweigh those that can be explained.
+In turn: the strokes on the table as it is known, from the beginning; then the table, each candidate with the
+strokes let downhill from the best known. What is made least is the mean over the shots of the logarithm of how
+far off they are, so that one shot that goes wrong early does not outweigh those that can be explained.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def target_of(shot: TrackedShot, table: FittedTable) -> Target:
 
 
 def resting_places(places: Array, table: FittedTable) -> Array:
-    """Places (n, 2) m moved by no more than the noise asks for: off the cushions, and balls off each other."""
+    """Places (n, 2) m moved no more than needed: off the cushions, and balls off each other."""
     radius = table.radius
     low = np.full(2, radius)
     high = np.array([table.size.width, table.size.length]) - radius
@@ -155,8 +155,9 @@ class TableSearch:
         self.strokes: list[Array] = []
         self._last: list[Array] = []
 
-    def run(self, rounds: tuple[tuple[int, float], ...] = ROUNDS) -> FittedTable:
-        """The table after so many rounds: each a number of generations, and a share of the first steps."""
+    def run(self, rounds: tuple[tuple[int, float], ...] | None = None) -> FittedTable:
+        """The table after some rounds (ROUNDS), each so many generations and a share of the first steps."""
+        rounds = ROUNDS if rounds is None else rounds
         low = np.array([spread.least for spread in self.ranges.values()])
         high = np.array([spread.most for spread in self.ranges.values()])
         steps = np.array([spread.step for spread in self.ranges.values()])

@@ -1,19 +1,18 @@
 """Track files: where the balls of filmed shots were, and when. JSON, SI units.
 
-    format "tracks", version 1, what, note (texts)       all optional
-    table.width, .length, .ball_diameter                 optional as a whole: a match table for carom
-    shots[].id                                           a text or a whole number, each once
-    shots[].balls                                        by number, "0" to "15"; ball 0 is the one struck
-    shots[].balls.N.t, .x, .y                            as many numbers each: time (s), place of the centre (m)
+    format "tracks", version 1, what, note (texts)  all optional
+    table.width, .length, .ball_diameter            optional as a whole: a match table for carom
+    shots[].id                                      a text or a whole number, each once
+    shots[].balls                                   by number, "0" to "15"; ball 0 is the one struck
+    shots[].balls.N.t, .x, .y                       as many numbers each: time (s), place of the centre (m)
 
 x runs along the table's width, y along its length, from a corner between the noses of the cushions. Times
-begin at or after 0 and never fall. What else stands in a file is refused, and so is what no table can hold; the
-complaint names file, field and reason in one line.
+begin at or after 0 and never fall. What else stands in a file is refused, and so is what no table can hold;
+the complaint names file, field and reason in one line.
 """
 
 from __future__ import annotations
 
-import math
 import re
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple, NoReturn
@@ -154,9 +153,7 @@ def _read_track(raw: msgspec.Raw, place: str, table: TableSize) -> Track:
     places = np.column_stack([ball.x, ball.y])
     wrong = np.flatnonzero(~((times >= 0.0) & (times <= MAX_SECONDS)))
     if wrong.size:
-        raise TrackError(
-            f"{place}.t[{wrong[0]}]: must be 0 to {MAX_SECONDS:g} s, got {times[wrong[0]]:.6g}"
-        )
+        raise TrackError(f"{place}.t[{wrong[0]}]: must be 0 to {MAX_SECONDS:g} s, got {times[wrong[0]]:.6g}")
     falls = np.flatnonzero(np.diff(times) < 0.0)
     if falls.size:
         k = int(falls[0]) + 1
@@ -225,9 +222,3 @@ def write_tracks(table: TableSize, shots: tuple[TrackedShot, ...], what: str = "
         ],
     }
     return msgspec.json.encode(content).decode() + "\n"
-
-
-def is_moving(track: Track, beyond: float = 0.004) -> bool:
-    """Whether a ball was seen further than that (m) from where it began."""
-    distance = np.hypot(*(track.places - track.places[0]).T)
-    return bool(math.isfinite(beyond) and float(distance.max()) > beyond)

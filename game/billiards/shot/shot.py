@@ -253,7 +253,9 @@ def check_physics(physics: Physics) -> None:
         ("cushion_compliance", "compliance.cushion", 0.01, 100.0),
     ):
         if not least <= getattr(physics, field) <= most:
-            raise ShotError(f"{name}: must be between {least:g} and {most:g}, got {getattr(physics, field)!r}")
+            raise ShotError(
+                f"{name}: must be between {least:g} and {most:g}, got {getattr(physics, field)!r}"
+            )
     for field in ("ball_restitution", "cushion_restitution"):
         value = getattr(physics, field)
         if not 0.0 <= value <= 1.0:
