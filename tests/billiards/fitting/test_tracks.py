@@ -115,7 +115,7 @@ def test_what_is_wrong_is_named_by_field_and_reason(data: Any, words: str) -> No
 
 def test_the_file_is_named(tmp_path: Path) -> None:
     path = tmp_path / "some tracks.json"
-    with pytest.raises(TrackError, match="some tracks.json: no such file"):
+    with pytest.raises(TrackError, match=r"some tracks\.json: no such file"):
         load_tracks(path)
     path.write_text(json.dumps(content(_1=ball(t=[0, 2, 1]))))
     with pytest.raises(TrackError, match=r"some tracks.json: shots\[0\].balls.1.t\[2\]: "):

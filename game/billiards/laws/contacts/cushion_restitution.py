@@ -1,7 +1,7 @@
 """Ball on cushion, normal speed only: `mirror` (e = 1) and `restitution`; the spin does not change.
 
-And for all models, how the restitution falls with the closing speed v: e = e0 - alpha v, at least 0. (Hunt and
-Crossley 1975, Coefficient of restitution interpreted as damping in vibroimpact, J. Appl. Mech. 42, 440.)
+And for all models, how the restitution falls with the closing speed v: e = e0 - alpha v, at least 0. (Hunt
+and Crossley 1975, Coefficient of restitution interpreted as damping in vibroimpact, J. Appl. Mech. 42, 440.)
 """
 
 from __future__ import annotations

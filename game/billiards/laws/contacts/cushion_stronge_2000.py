@@ -4,13 +4,13 @@ As in `cushion_han_2005`, the nose meets the ball at the angle th = asin(h/R - 1
 impulse is found in the frame tilted by th, where the normal and the tangential motion of a sphere do not mix.
 Stronge puts two springs between the bodies, one along the normal and one across it, softer by eta^2. The
 normal one is stiffer in restitution than in compression by 1/e^2, so that it gives e^2 of its work back (the
-energetic restitution). The tangential one holds the surface while its force is below mu times the normal force,
-and follows the slip at that limit else. So a ball that comes in with spin may leave with its surface moving
+energetic restitution). The tangential one holds the surface while its force is below mu times the normal
+force, and follows the slip at that limit else. So a ball that comes in with spin may leave with its surface moving
 the other way, which no rigid law gives.
 
 Stronge follows one direction of slip; here the deflection is a vector (both slide together), and its
-motion is stepped: STEPS in compression, as many in restitution, along the normal's own sine. The last place of a
-step's error falls as 1/STEPS^2; with STEPS = 64 the velocities are right to 1e-3 of the ball's speed.
+motion is stepped: STEPS in compression, as many in restitution, along the normal's own sine. With
+STEPS = 64 the velocities are right to 1e-3 of the ball's speed.
 """
 
 from __future__ import annotations
