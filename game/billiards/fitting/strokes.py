@@ -1,8 +1,8 @@
 """The stroke that explains a track, on a table that is known.
 
 The first samples give direction and speed. A grid about them, over side and height of the tip as well, is played
-for the first seconds; the best go downhill while the horizon grows, since the later a contact the more it depends
-on all before it; last, steps at random about what was found, of several sizes, lead out of wrong valleys.
+for the first seconds; the best go downhill while the horizon grows, since the later a contact the more it
+depends on all before it; last, steps at random about what was found lead out of wrong valleys.
 """
 
 from __future__ import annotations

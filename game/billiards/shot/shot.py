@@ -39,6 +39,9 @@ LARGEST = {"position": 1e4, "velocity": 1e4, "spin": 1e6, "radius": 1e2, "mass":
 SMALLEST = {"radius": 1e-5, "mass": 1e-9}  # SI
 
 
+OPTIONAL = ("cushion_restitution_fall", "cushion_compliance")
+
+
 class ShotError(ValueError):
     """A shot that cannot be played; the message names the field and the reason."""
 
@@ -63,6 +66,15 @@ class Physics(NamedTuple):
     cushion_restitution: float = 0.85
     cushion_restitution_fall: float = 0.0
     cushion_compliance: float = 1.5
+
+    def __repr__(self) -> str:
+        """All numbers; those that not every table has only where they are not the default.
+
+        Words that stand for a table stay what they were before it could have these numbers.
+        """
+        said = [f"{name}={value!r}" for name, value in self._asdict().items()
+                if name not in OPTIONAL or value != self._field_defaults[name]]  # fmt: skip
+        return f"Physics({', '.join(said)})"
 
 
 FRICTIONLESS = Physics(

@@ -5,8 +5,8 @@ impulse is found in the frame tilted by th, where the normal and the tangential 
 Stronge puts two springs between the bodies, one along the normal and one across it, softer by eta^2. The
 normal one is stiffer in restitution than in compression by 1/e^2, so that it gives e^2 of its work back (the
 energetic restitution). The tangential one holds the surface while its force is below mu times the normal
-force, and follows the slip at that limit else. So a ball that comes in with spin may leave with its surface moving
-the other way, which no rigid law gives.
+force, and follows the slip at that limit else. So a ball that comes in with spin may leave with its surface
+moving the other way, which no rigid law gives.
 
 Stronge follows one direction of slip; here the deflection is a vector (both slide together), and its
 motion is stepped: STEPS in compression, as many in restitution, along the normal's own sine. With
