@@ -1,7 +1,7 @@
 """How far a computed shot is from its track: the kernel that the fit asks.
 
 A stroke is five numbers: the direction in which the ball leaves (rad from the x axis), its speed (m/s), where
-the tip meets it, to the left and up (ball radii, cue level), and when it leaves on the clock of the track (s).
+the tip meets it, to the left and up (ball radii, cue level), and when it leaves on the track's clock (s).
 Velocity and spin are those of `game.billiards.shot.cue.strike` without squirt.
 """
 

@@ -1,6 +1,6 @@
 """The stroke that explains a track, on a table that is known.
 
-The first samples give direction and speed. A grid about them, over side and height of the tip as well, is played
+The first samples give direction and speed. A grid about them, over side and height of the tip too, is played
 for the first seconds; the best go downhill while the horizon grows, since the later a contact the more it
 depends on all before it; last, steps at random about what was found lead out of wrong valleys.
 """

@@ -4,7 +4,7 @@ from game.stage.catalogue import Entry
 
 REAL_TABLE = Entry(
     name="real-table",
-    task="C01",
+    task="T01",
     title="The real table",
     fact="tracks and five models",
     category="Carom",

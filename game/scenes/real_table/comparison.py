@@ -1,7 +1,7 @@
 """One tracked shot and what each model computes for it: the path, how far it is off its track, what it cost.
 
-A model of the cushions gets the stroke that suits it best: that of Han's cushions, found anew, and let downhill
-under the others. The table that steps, and the lecture's, play the stroke of the first.
+A model of the cushions gets the stroke that suits it best: that of Han's cushions, found anew, and let
+downhill under the others. The table that steps, and the lecture's, play the stroke of the first.
 """
 
 from __future__ import annotations
@@ -40,10 +40,12 @@ PRICED = 5  # times that a shot is played to know what it costs
 class Played:
     """A shot under one model. errors: for each ball, how far off it is at each of its samples, m."""
 
-    def __init__(self, shot: TrackedShot, stroke: FittedStroke, table: FittedTable, model: str) -> None:
+    def __init__(
+        self, shot: TrackedShot, stroke: FittedStroke, table: FittedTable, model: str, **options: float
+    ) -> None:
         self.stroke = stroke
         way = model if model in ("stepped", "lecture") else "exact"
-        self.trajectory, self.price_s = _timed(shot, stroke, table, way)
+        self.trajectory, self.price_s = _timed(shot, stroke, table, way, options)
         self.errors = [
             np.hypot(*(self.places(track.times)[:, ball] - track.places).T)
             for ball, track in enumerate(shot.tracks)
@@ -66,14 +68,14 @@ class Played:
 
 
 def _timed(
-    shot: TrackedShot, stroke: FittedStroke, table: FittedTable, way: str
+    shot: TrackedShot, stroke: FittedStroke, table: FittedTable, way: str, options: dict[str, float]
 ) -> tuple[Trajectory, float]:
     """The shot as it is played, and the least time that took, s."""
     ready = computed_shot(shot, FittedShot(shot.id, stroke, 0.0, 0.0, held_out=True), table)
     least = math.inf
     for _ in range(PRICED if way == "exact" else 1):
         began = perf_counter()
-        played = simulate(ready, way, until=max(shot.end_time, 0.1))
+        played = simulate(ready, way, until=max(shot.end_time, 0.1), **options)
         least = min(least, perf_counter() - began)
     return played, least
 
@@ -81,8 +83,11 @@ def _timed(
 class Comparison:
     """A tracked shot under all models; one that cannot play it is left out."""
 
-    def __init__(self, shot: TrackedShot, tables: Mapping[str, FittedTable], base: FittedTable) -> None:
-        """tables: for each model of the cushions. base: on it the first stroke is found."""
+    def __init__(
+        self, shot: TrackedShot, tables: Mapping[str, FittedTable], base: FittedTable, dt: float
+    ) -> None:
+        """tables: for each model of the cushions. base: on it the first stroke is found. dt: of
+        the table that steps, s."""
         self.shot = shot
         self.models: dict[str, Played] = {}
         bench = Bench(target_of(shot, base))
@@ -93,12 +98,12 @@ class Comparison:
             self._play(model, found, table)
             if model == "han":
                 stroke = fit.stroke
-                for other in ("stepped", "lecture"):
-                    self._play(other, found, table)
+                self._play("stepped", found, table, dt=dt)
+                self._play("lecture", found, table)
 
-    def _play(self, model: str, stroke: FittedStroke, table: FittedTable) -> None:
+    def _play(self, model: str, stroke: FittedStroke, table: FittedTable, **options: float) -> None:
         try:
-            self.models[model] = Played(self.shot, stroke, table, model)
+            self.models[model] = Played(self.shot, stroke, table, model, **options)
         except (ShotError, RuntimeError):
             return
 

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from game.billiards.fitting.fitting import FittedStroke
 from game.billiards.fitting.made import make_tracks
 from game.billiards.fitting.tables import START_OF_CAROM, FittedTable
-from game.billiards.fitting.tracks import TableSize, TrackedShot, TrackFile, load_tracks
+from game.billiards.fitting.tracks import MAX_BALLS, TableSize, TrackedShot, TrackFile, load_tracks
 from game.folders import user_folder
 from game.scenes.real_table.comparison import Comparison
 from game.scenes.real_table.level import MadeTracks, RealTableContent
@@ -56,6 +57,7 @@ class RealTableModel(Part):
         self.content = content
         self.parameters = parameters
         self.source = ""
+        self.further = 0  # shots beyond the one that the parameter names
         self.time = 0.0
         self._shelf = _Shelf()
 
@@ -70,7 +72,8 @@ class RealTableModel(Part):
     def shot(self) -> TrackedShot:
         """The one that is shown."""
         shots = self.tracks.shots
-        return shots[min(int(self.parameters.shot), len(shots)) - 1]
+        first = min(int(self.parameters.shot), len(shots)) - 1
+        return shots[(first + self.further) % len(shots)]
 
     @property
     def size(self) -> TableSize:
@@ -82,7 +85,18 @@ class RealTableModel(Part):
         """The shot under all models, on the table as its numbers are now."""
         size = self.size
         tables = {name: self.parameters.table(size, name) for name in CUSHIONS}
-        return self._shelf.get(self.shot, tables, FittedTable(size, START_OF_CAROM))
+        base = FittedTable(size, START_OF_CAROM)
+        return self._shelf.get(self.shot, tables, base, self.parameters.stepped_step)
+
+    @property
+    def computed(self) -> tuple[Array, Array]:
+        """The stroke (5,) on Han's table, and where its balls are now: places (16, 2) m, 0 for none."""
+        places = np.zeros((MAX_BALLS, 2))
+        played = self.compared.models.get("han")
+        if played is None:
+            return np.zeros(len(FittedStroke._fields)), places
+        places[: len(self.shot.tracks)] = played.places(np.array([self.time]))[0]
+        return np.array(played.stroke), places
 
     def open_next(self) -> None:
         """The next track file of one's own, or the made ones after the last. TrackError if it is wrong."""
@@ -92,6 +106,11 @@ class RealTableModel(Part):
         if name:
             _loaded(name, Path(name).stat().st_mtime_ns)
         self.source = name
+        self.time = 0.0
+
+    def next_shot(self) -> None:
+        """Go on to the next shot, after the last to the first."""
+        self.further += 1
         self.time = 0.0
 
     def advance(self, dt: float) -> None:
@@ -108,12 +127,11 @@ class _Shelf:
         self._key: object = None
         self._kept: Comparison | None = None
 
-    def get(self, shot: TrackedShot, tables: dict[str, FittedTable], base: FittedTable) -> Comparison:
+    def get(
+        self, shot: TrackedShot, tables: dict[str, FittedTable], base: FittedTable, dt: float
+    ) -> Comparison:
         """The comparison of a shot on tables, computed if it is not the latest."""
-        key = (id(shot), *tables.values(), base)
+        key = (*tables.values(), base, dt)
         if self._kept is None or self._kept.shot is not shot or key != self._key:
-            self._key, self._kept = key, Comparison(shot, tables, base)
+            self._key, self._kept = key, Comparison(shot, tables, base, dt)
         return self._kept
-
-    def __deepcopy__(self, memo: dict[int, object]) -> _Shelf:
-        return self

@@ -5,6 +5,7 @@ from __future__ import annotations
 from game.billiards.fitting.tables import START_OF_CAROM as TRUE
 from game.billiards.fitting.tables import FittedTable
 from game.billiards.fitting.tracks import TableSize
+from game.billiards.stepped.play import STEP as STEPPED_STEP
 from game.stage import Param, Parameters, Toggle
 
 CUSHIONS = {"han": "han-2005", "mathavan": "mathavan-2010", "stronge": "stronge-2000"}
@@ -15,6 +16,9 @@ class RealTableParameters(Parameters):
 
     shot = Param(1, 1, 50, whole=True, help="the last one is shown for more than there are")
     tail = Toggle(True, group="Shown", label="Tracks", help="all samples, not only those up to now")
+    stepped_step = Param(
+        STEPPED_STEP, 1 / 20000, 1 / 50, unit="s", log=True, group="Shown", label="Stepped table's step"
+    )
     sliding = Param(TRUE.sliding, 0.05, 0.6, group="Cloth")
     rolling = Param(TRUE.rolling, 0.001, 0.03, group="Cloth", log=True)
     spinning = Param(TRUE.spinning, 0.0003, 0.1, group="Cloth", log=True)
