@@ -30,9 +30,9 @@ class RealTableParameters(Parameters):
     han_friction = Param(TRUE.cushion_friction, 0.02, 0.8, group="Cushions", label="Han: friction")
     mathavan_restitution = Param(0.93, 0.4, 1.0, group="Cushions", label="Mathavan: restitution")
     mathavan_friction = Param(0.24, 0.02, 0.8, group="Cushions", label="Mathavan: friction")
-    stronge_restitution = Param(0.86, 0.4, 1.0, group="Cushions", label="Stronge: restitution")
-    stronge_friction = Param(0.25, 0.02, 0.8, group="Cushions", label="Stronge: friction")
-    stronge_compliance = Param(1.5, 0.1, 10.0, group="Cushions", label="Stronge: compliance", log=True)
+    stronge_restitution = Param(0.835, 0.4, 1.0, group="Cushions", label="Stronge: restitution")
+    stronge_friction = Param(0.256, 0.02, 0.8, group="Cushions", label="Stronge: friction")
+    stronge_compliance = Param(0.12, 0.05, 10.0, group="Cushions", label="Stronge: compliance", log=True)
 
     def table(self, size: TableSize, model: str) -> FittedTable:
         """The table with the cushions of a model of CUSHIONS."""

@@ -22,7 +22,7 @@ def readouts_of(model: RealTableModel) -> tuple[Readout, ...]:
     """All that is shown and charted."""
     best = model.compared.models.get("han")
     return (
-        Readout("time", min(model.time, model.shot.end_time), "s"),
+        Readout("track", min(model.time, model.shot.end_time), "s"),
         *(Readout(name, off_now(model, name), "m") for name in MODELS),
         Readout("rmse cue ball", 0.0 if best is None else best.rmse_cue, "m"),
         Readout("rmse all balls", 0.0 if best is None else best.rmse_all, "m"),

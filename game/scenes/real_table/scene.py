@@ -49,6 +49,7 @@ class RealTable(Scene):
     parameters_type = RealTableParameters
     parameters: RealTableParameters
     content_type = RealTableContent
+    quarter_turns = 1
     study = real_table_study
     strips = (Strip("Cue ball off its track", "m", MODELS, colors=tuple(view.COLORS[m] for m in MODELS)),)
     hints = (Hint(("N",), "next shot"), Hint(("O",), "open tracks"))

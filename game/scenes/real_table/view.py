@@ -20,17 +20,18 @@ Array = NDArray[np.float64]
 
 COLORS = {"han": "chalk", "mathavan": "green", "stronge": "violet", "stepped": "yellow", "lecture": "pink"}
 NUMBERS = (0, 1, 3)  # a white, a yellow and a red ball
-GAP, BREADTH = 0.16, 2.1  # m, between the table and what stands beside it; of that
-CHART_LOW, CHART_HIGH = 0.35, 1.35  # m; the chart's lower and upper edge
+GAP, BREADTH = 0.12, 2.3  # m, between the table and the list beside it; of the list
+BELOW, CHART = 0.48, 0.75  # m, from the cushion down to the chart; its height
 LEAST, MOST = 1e-4, 1.0  # m; of the chart's logarithmic axis
-ROW = 0.17  # m, of the list
+ROW = 0.15  # m, of the list
 PATH_STEP = 0.01  # s
 
 
 def frame_of(model: RealTableModel) -> Frame:
-    """The table, and room beside it."""
+    """The table, which lies turned by a quarter, with room beside and below it."""
     size = model.size
-    return Frame(-SURROUND, -SURROUND, size.width + SURROUND + GAP + BREADTH, size.length + SURROUND)
+    wide = size.length + SURROUND + GAP + BREADTH
+    return Frame(-SURROUND, -SURROUND, size.width + BELOW + CHART + 0.15, wide + 0.15)
 
 
 def draw(canvas: Canvas, model: RealTableModel, time: float) -> None:
@@ -42,12 +43,12 @@ def draw(canvas: Canvas, model: RealTableModel, time: float) -> None:
     han = model.compared.models.get("han")
     if han is not None:
         _draw_paths(canvas, model, han, time)
-        _draw_balls(canvas, model, han, time, bed)
     _draw_tracks(canvas, model, time)
+    if han is not None:
+        _draw_balls(canvas, model, han, time, bed)
     canvas.halo = canvas.theme.bg
-    left = model.size.width + SURROUND + GAP
-    _draw_list(canvas, model, left)
-    _draw_chart(canvas, model, left, time)
+    _draw_list(canvas, model)
+    _draw_chart(canvas, model, time)
 
 
 def _draw_paths(canvas: Canvas, model: RealTableModel, played: Played, time: float) -> None:
@@ -86,59 +87,59 @@ def _draw_balls(canvas: Canvas, model: RealTableModel, played: Played, time: flo
         canvas.circle((x, y), radius, outline=FELT_WARM, width=1.5)
 
 
-def _draw_list(canvas: Canvas, model: RealTableModel, left: float) -> None:
+def _draw_list(canvas: Canvas, model: RealTableModel) -> None:
     """Each model: how far off it is, and what a shot costs."""
-    top = model.size.length - 0.05
+    left = model.size.length + SURROUND + GAP
     source = model.source.replace("\\", "/").rsplit("/", 1)[-1]
     made = model.content.made
     words = source or f"made by the program, {made.noise_mm:g} mm of noise"
-    canvas.label((left, top), f"Shot {model.shot.id}: {words}", "text1", 14, "semibold", anchor="left")
-    columns = (left + 1.42, left + 1.76, left + 2.1)
-    for x, title in zip(columns, ("cue ball", "all balls", "a shot"), strict=True):
-        canvas.label((x, top - 1.3 * ROW), title, "text3", 11, anchor="right")
+    canvas.label((0.0, left), f"Shot {model.shot.id}: {words}", "text1", 14, "semibold", anchor="left")
+    columns = (left + 1.5, left + 1.9, left + BREADTH)
+    for across, title in zip(columns, ("cue ball", "all balls", "a shot"), strict=True):
+        canvas.label((1.3 * ROW, across), title, "text3", 11, anchor="right")
     for row, name in enumerate(MODELS):
-        y = top - (2.3 + row) * ROW
-        canvas.line((left, y), (left + 0.09, y), COLORS[name], 3.0)
-        canvas.label((left + 0.14, y), LABELS[name], "text1", 12, anchor="left")
+        down = (2.3 + row) * ROW
+        canvas.line((down, left), (down, left + 0.09), COLORS[name], 3.0)
+        canvas.label((down, left + 0.13), LABELS[name], "text1", 12, anchor="left")
         played = model.compared.models.get(name)
-        cells = ("cannot be played",)
+        cells: tuple[str, ...] = ("cannot be played",)
         if played is not None:
             cells = (_length(played.rmse_cue), _length(played.rmse_all), _duration(played.price_s))
-        for x, cell in zip(columns[-len(cells) :], cells, strict=True):
-            canvas.label((x, y), cell, "text2", 12, anchor="right")
-    y = top - (2.4 + len(MODELS)) * ROW
+        for across, cell in zip(columns[-len(cells) :], cells, strict=True):
+            canvas.label((down, across), cell, "text2", 12, anchor="right")
     words = "root mean square over all samples; processor time"
-    canvas.label((left, y), words, "text3", 11, anchor="left")
+    canvas.label(((2.4 + len(MODELS)) * ROW, left), words, "text3", 11, anchor="left")
 
 
-def _draw_chart(canvas: Canvas, model: RealTableModel, left: float, time: float) -> None:
+def _draw_chart(canvas: Canvas, model: RealTableModel, time: float) -> None:
     """Distance of the cue ball from its track over time, up to now."""
-    right = left + BREADTH
+    width = model.size.length + SURROUND + GAP + BREADTH
+    top = model.size.width + BELOW
     seconds = max(model.shot.end_time, 1.0)
-    canvas.label((left, CHART_HIGH + 0.1), "Cue ball off its track", "text2", 12, "semibold", anchor="left")
+    canvas.label((top - 0.1, 0.0), "Cue ball off its track", "text2", 12, "semibold", anchor="left")
     for power in range(round(math.log10(LEAST)), round(math.log10(MOST)) + 1):
-        y = float(_height(np.array([10.0**power]))[0])
-        canvas.line((left, y), (right, y), "grid", 1.0)
-        canvas.label((right, y), _length(10.0**power), "text3", 10, anchor="right", offset=(0.0, -7.0))
+        down = top + float(_depth(np.array([10.0**power]))[0])
+        canvas.line((down, 0.0), (down, width), "grid", 1.0)
+        canvas.label((down, width), _length(10.0**power), "text3", 10, anchor="right", offset=(0.0, -7.0))
     track = model.shot.tracks[0]
     now = int(np.searchsorted(track.times, time, side="right"))
     for name in reversed(MODELS):
         played = model.compared.models.get(name)
         if played is not None and now > 1:
-            across = left + track.times[:now] / seconds * BREADTH
-            points = np.column_stack([across, _height(played.errors[0][:now])])
+            along = track.times[:now] / seconds * width
+            points = np.column_stack([top + _depth(played.errors[0][:now]), along])
             canvas.polyline(points, COLORS[name], 1.6)
-    x = left + min(time, seconds) / seconds * BREADTH
-    canvas.line((x, CHART_LOW), (x, CHART_HIGH), "amber", 1.2)
+    along_now = min(time, seconds) / seconds * width
+    canvas.line((top, along_now), (top + CHART, along_now), "amber", 1.2)
     for second in range(0, math.floor(seconds) + 1, 2):
-        at = (left + second / seconds * BREADTH, CHART_LOW - 0.07)
-        canvas.label(at, f"{second} s" if second == 0 else str(second), "text3", 10)
+        at = (top + CHART + 0.07, second / seconds * width)
+        canvas.label(at, "0 s" if second == 0 else str(second), "text3", 10)
 
 
-def _height(errors: Array) -> Array:
-    """Where distances (m) stand in the chart, on a logarithmic axis."""
+def _depth(errors: Array) -> Array:
+    """How far below the chart's upper edge distances (m) stand, on a logarithmic axis."""
     share = np.log10(np.clip(errors, LEAST, MOST) / LEAST) / math.log10(MOST / LEAST)
-    return CHART_LOW + share * (CHART_HIGH - CHART_LOW)
+    return (1.0 - share) * CHART
 
 
 def _length(metres: float) -> str:
