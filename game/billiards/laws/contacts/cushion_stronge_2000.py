@@ -10,7 +10,7 @@ moving the other way, which no rigid law gives.
 
 Stronge follows one direction of slip; here the deflection is a vector (both slide together), and its
 motion is stepped: STEPS in compression, as many in restitution, along the normal's own sine. With
-STEPS = 64 the velocities are right to 1e-3 of the ball's speed.
+STEPS = 64 the velocities are right to 2e-3 of the ball's speed.
 """
 
 from __future__ import annotations
