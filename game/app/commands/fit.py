@@ -79,7 +79,7 @@ def _read_start(options: argparse.Namespace, size: Any) -> tuple[FittedTable, li
             raise MistakeError(f"--{option} {printable(name)}: expected one of {', '.join(known)}")
     physics = START_OF_CAROM._replace(cushion=options.cushion, ball_ball=options.balls)
     names = (*free_names(physics), "ball_friction")
-    fixed = {}
+    fixed: dict[str, Any] = {}
     for word in options.fix:
         name, _, text = word.partition("=")
         if name not in names:

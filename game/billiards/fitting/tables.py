@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -176,7 +176,9 @@ class TableSearch:
         return self.table
 
     def _with(self, values: Array) -> FittedTable:
-        numbers = {name: float(value) for name, value in zip(self.ranges, values, strict=True)}
+        numbers: dict[str, Any] = {
+            name: float(value) for name, value in zip(self.ranges, values, strict=True)
+        }
         return self.table._replace(physics=self.table.physics._replace(**numbers))
 
     def _find_strokes(self, words: str) -> None:

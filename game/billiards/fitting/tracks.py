@@ -159,13 +159,13 @@ def _read_track(raw: msgspec.Raw, place: str, table: TableSize) -> Track:
         k = int(falls[0]) + 1
         raise TrackError(f"{place}.t[{k}]: times must not fall, got {times[k]:.6g} after {times[k - 1]:.6g}")
     radius = 0.5 * table.ball_diameter
-    for axis, extent in enumerate((table.width, table.length)):
+    for column, extent in enumerate((table.width, table.length)):
         low, high = radius - OUTSIDE, extent - radius + OUTSIDE
-        wrong = np.flatnonzero(~((places[:, axis] >= low) & (places[:, axis] <= high)))
+        wrong = np.flatnonzero(~((places[:, column] >= low) & (places[:, column] <= high)))
         if wrong.size:
-            value = places[wrong[0], axis]
+            value = places[wrong[0], column]
             raise TrackError(
-                f"{place}.{'xy'[axis]}[{wrong[0]}]: the ball is off the table,"
+                f"{place}.{'xy'[column]}[{wrong[0]}]: the ball is off the table,"
                 f" {value:.6g} is not within {low:.4g} to {high:.4g} m"
             )
     times.setflags(write=False)

@@ -58,6 +58,26 @@ def test_a_wrong_cushion_is_seen_at_once_and_taken_back() -> None:
     assert stage.scene.model.compared.models["han"].rmse_cue == before
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "changed"),
+    [
+        ("mathavan_restitution", 0.8, {"mathavan"}),
+        ("mathavan_friction", 0.1, {"mathavan"}),
+        ("stronge_restitution", 0.7, {"stronge"}),
+        ("stronge_friction", 0.1, {"stronge"}),
+        ("stronge_compliance", 3.0, {"stronge"}),
+        ("stepped_step", 0.002, {"stepped"}),
+        ("han_friction", 0.1, {"han", "mathavan", "stronge", "stepped", "lecture"}),
+        ("rolling", 0.01, {"han", "mathavan", "stronge", "stepped", "lecture"}),
+    ],
+)
+def test_each_number_is_that_of_its_model(stage: Stage, name: str, value: float, changed: set[str]) -> None:
+    other = Stage(RealTable, parameters={name: value})
+    before, after = stage.scene.model.compared.models, other.scene.model.compared.models
+    different = {model for model in before if before[model].rmse_all != after[model].rmse_all}
+    assert different == changed
+
+
 def test_time_goes_along_the_track_and_begins_again() -> None:
     stage = Stage(RealTable)
     end = stage.scene.model.shot.end_time
