@@ -12,7 +12,7 @@ CUSHIONS = {"han": "han-2005", "mathavan": "mathavan-2010", "stronge": "stronge-
 
 
 class RealTableParameters(Parameters):
-    """What can be chosen. The cushions' numbers of each model are those found with the shipped tracks."""
+    """What can be chosen. Han's numbers made the shipped tracks, and Stronge's were fitted to them."""
 
     shot = Param(1, 1, 50, whole=True, help="the last one is shown for more than there are")
     tail = Toggle(True, group="Shown", label="Tracks", help="all samples, not only those up to now")

@@ -64,7 +64,7 @@ class RealTable(Scene):
         Equation("Friction of balls", r"P_t \le \mu P_n", "Wallace, Schroeder 1988"),
     )
     try_this = (
-        "Lower Han's restitution by 0.02: the balls keep to the track for three seconds, then they part.",
+        "Lower Han's restitution by 0.02 and watch its curve: the residual grows with each cushion.",
         "Set the fall of the restitution to 0 and watch the fast first cushions.",
         "Compare what a shot costs: the model that follows the impact step by step is the dearest exact one.",
     )
