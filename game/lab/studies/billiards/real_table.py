@@ -100,6 +100,6 @@ real_table_study = Study(
     present=present_setting,
     workload=Workload("one made shot with three balls"),
     floor=1e-9,
-    expectation="The model that made the shot is right to rounding. Other cushions leave a residual though the "
-    "stroke is their own best one; a stepped table comes nearer with shorter steps, the lecture's does not.",
+    expectation="The model that made the shot is right to rounding. Other cushions leave a residual though "
+    "the stroke is their own best one; a stepped table comes nearer with shorter steps, the lecture's not.",
 )
