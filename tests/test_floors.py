@@ -26,7 +26,7 @@ MOST_PARAMETERS = 9  # of a function, self not counted
 # Functions that take more: at most so many, and that may only shrink. What is left: kernels called from
 # Python for every shot or step, as tuples would cost more to pass than a short one to play; kernels of
 # solids and of the raster, all numbers; and declarations of which callers name what they need.
-MANY_PARAMETERS = 20
+MANY_PARAMETERS = 17
 # The folders of a floor, from the ground up; those of one row are strangers to one another.
 FOLDERS = {
     "physics": (
@@ -45,6 +45,7 @@ FOLDERS = {
         "shot_effects",
         "simulation",
         "many growing",
+        "fitting",
         "game",
         "search",
         "map rhythm",

@@ -20,6 +20,7 @@ from game.stage.validation import checked_event
 ELSEWHERE = {
     "lecture-table": {"events"},
     "lecture-two-balls": {"events"},
+    "real-table": {"lecture"},
     "three-tables": {"exact"},
     "three-tables-lossless": {"exact"},
     "c08": {"principal"},

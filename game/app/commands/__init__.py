@@ -16,6 +16,7 @@ from game import __version__
 from game.app.commands import (
     accuracy,
     bench,
+    fit,
     fuzz,
     listing,
     match,
@@ -26,6 +27,7 @@ from game.app.commands import (
     selftest,
     shot,
     stories,
+    tracks,
 )
 from game.app.window.deadline import say_stopped
 from game.app.window.ending import status_of
@@ -33,7 +35,9 @@ from game.app.window.mistake import MistakeError
 from game.app.window.words import printable, speak_what_is_understood
 from game.definition import DefinitionError
 
-COMMANDS = (play, run, listing, stories, replay, selftest, accuracy, shot, match, record, fuzz, bench)
+COMMANDS = (
+    play, run, listing, stories, replay, selftest, accuracy, shot, fit, tracks, match, record, fuzz, bench,
+)  # fmt: skip
 
 
 class _Parser(argparse.ArgumentParser):

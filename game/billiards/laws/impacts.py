@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from game.billiards.laws.contacts import HAN_2005, MATHAVAN_2010, NO_FRICTION
+from game.billiards.laws.contacts import HAN_2005, MATHAVAN_2010, NO_FRICTION, STRONGE_2000
 from game.billiards.laws.contacts.ball_ball_friction import rub_in_contact
 from game.billiards.laws.contacts.ball_ball_normal import collide_along_normal
 from game.billiards.laws.contacts.chatter import (
@@ -16,14 +16,14 @@ from game.billiards.laws.contacts.chatter import (
 )
 from game.billiards.laws.contacts.cushion_han_2005 import bounce_han_2005
 from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2010
-from game.billiards.laws.contacts.cushion_restitution import bounce
+from game.billiards.laws.contacts.cushion_restitution import bounce, restitution_at
+from game.billiards.laws.contacts.cushion_stronge_2000 import bounce_stronge_2000
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     BALL_JAW,
     BALL_LAW,
     BALL_RESTITUTION,
     CUSHION_LAW,
-    CUSHION_RESTITUTION,
     MET,
     NORMAL_X,
     NORMAL_Y,
@@ -31,6 +31,8 @@ from game.billiards.laws.state import (
     RAIL_TIME,
     REPEATS,
     TIME,
+    VX,
+    VY,
     X,
     Y,
 )
@@ -43,8 +45,11 @@ def bounce_off(state, i, nx, ny, physics):
         bounce_han_2005(state, i, nx, ny, physics)
     elif physics[CUSHION_LAW] == MATHAVAN_2010:
         bounce_mathavan_2010(state, i, nx, ny, physics)
+    elif physics[CUSHION_LAW] == STRONGE_2000:
+        bounce_stronge_2000(state, i, nx, ny, physics)
     else:
-        bounce(state, i, nx, ny, physics[CUSHION_RESTITUTION])
+        closing = -(state[VX, i] * nx + state[VY, i] * ny)
+        bounce(state, i, nx, ny, restitution_at(closing, physics))
 
 
 @inner_kernel

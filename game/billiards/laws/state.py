@@ -30,7 +30,7 @@ IN_X, IN_Y, IN_VX, IN_VY, IN_WX, IN_WY, IN_WZ, IN_RADIUS, IN_MASS, IN_MOTION = r
 IN_CLEAR = 10  # 1: within the free rectangle, inset by its radius, only the rails can be reached; 0: not so
 IN_COLUMNS = 11
 
-# what holds for the whole shot: physics (18,)
+# what holds for the whole shot: physics (20,)
 GRAVITY, SLIDING_FRICTION, ROLLING_FRICTION, SPINNING_FRICTION = range(4)
 BALL_RESTITUTION, BALL_LAW, BALL_FRICTION, BALL_LIMIT = range(
     4, 8
@@ -40,7 +40,8 @@ FREE_LEFT, FREE_RIGHT, FREE_LOWER, FREE_UPPER = range(12, 16)  # m; the straight
 MIDDLE_X, MIDDLE_Y = range(
     16, 18
 )  # m; the table's middle, which is the kernels' origin, in the table's frame
-PHYSICS_COLUMNS = 18
+RESTITUTION_FALL, CUSHION_COMPLIANCE = range(18, 20)  # s/m; share, see `cushion_stronge_2000`
+PHYSICS_COLUMNS = 20
 
 # cushions as kernels see them (c, 7): the table's six columns, and which free edge the nose lies on
 FROM_X, FROM_Y, TO_X, TO_Y, NORMAL_X, NORMAL_Y, EDGE = range(7)

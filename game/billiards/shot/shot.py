@@ -39,6 +39,9 @@ LARGEST = {"position": 1e4, "velocity": 1e4, "spin": 1e6, "radius": 1e2, "mass":
 SMALLEST = {"radius": 1e-5, "mass": 1e-9}  # SI
 
 
+OPTIONAL = ("cushion_restitution_fall", "cushion_compliance")
+
+
 class ShotError(ValueError):
     """A shot that cannot be played; the message names the field and the reason."""
 
@@ -46,6 +49,8 @@ class ShotError(ValueError):
 class Physics(NamedTuple):
     """Cloth, balls and cushions of a table. Frictions and restitutions have no unit; gravity is in m/s^2.
 
+    cushion_restitution_fall: by how much the restitution of cushions falls with the closing speed, s/m.
+    cushion_compliance: tangential over normal, of `stronge-2000`; for rubber (2 - nu)/(2 - 2 nu) = 1.5.
     Defaults are those of a pool table in play. A friction of 0 takes the effect away.
     """
 
@@ -59,6 +64,17 @@ class Physics(NamedTuple):
     cushion_friction: float = 0.2
     ball_restitution: float = 0.95
     cushion_restitution: float = 0.85
+    cushion_restitution_fall: float = 0.0
+    cushion_compliance: float = 1.5
+
+    def __repr__(self) -> str:
+        """All numbers; those that not every table has only where they are not the default.
+
+        Words that stand for a table stay what they were before it could have these numbers.
+        """
+        said = [f"{name}={value!r}" for name, value in self._asdict().items()
+                if name not in OPTIONAL or value != self._field_defaults[name]]  # fmt: skip
+        return f"Physics({', '.join(said)})"
 
 
 FRICTIONLESS = Physics(
@@ -90,7 +106,7 @@ class Shot:
 
     @cached_property
     def constants(self) -> Array:
-        """physics (18,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
+        """physics (20,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
         p = self.physics
         model = BALL_MODELS[p.ball_ball]
         restitution = 1.0 if model.elastic else p.ball_restitution
@@ -104,6 +120,7 @@ class Shot:
                 CUSHION_MODELS[p.cushion], 1.0 if p.cushion == "mirror" else p.cushion_restitution,
                 p.cushion_friction, self.table.cushion_height, *self.layout.free,
                 *self.layout.middle,
+                0.0 if p.cushion == "mirror" else p.cushion_restitution_fall, p.cushion_compliance,
             ]
         )  # fmt: skip
         assert row.shape == (PHYSICS_COLUMNS,)
@@ -243,6 +260,14 @@ def check_physics(physics: Physics) -> None:
         value = getattr(physics, field)
         if not (math.isfinite(value) and (value == 0.0 or 1e-9 <= value <= 1e3)):
             raise ShotError(f"{name}: must be 0, or between 1e-9 and 1e3, got {value!r}")
+    for field, name, least, most in (
+        ("cushion_restitution_fall", "restitution.cushion_fall", 0.0, 10.0),
+        ("cushion_compliance", "compliance.cushion", 0.01, 100.0),
+    ):
+        if not least <= getattr(physics, field) <= most:
+            raise ShotError(
+                f"{name}: must be between {least:g} and {most:g}, got {getattr(physics, field)!r}"
+            )
     for field in ("ball_restitution", "cushion_restitution"):
         value = getattr(physics, field)
         if not 0.0 <= value <= 1.0:

@@ -3,7 +3,7 @@
     format "shot", version 1, gravity
     models.ball_ball, models.cushion
     friction.sliding, .rolling, .spinning, .ball_ball, .cushion
-    restitution.ball_ball, .cushion
+    restitution.ball_ball, .cushion; optional: restitution.cushion_fall, compliance.cushion
     table.cushion_height, table.cushions[] (from, to, normal)
     table.jaws[] and table.pockets[] (center, radius)
     balls[] (id, radius, mass, position, velocity, spin, motion)
@@ -38,6 +38,10 @@ PHYSICS_FIELDS = {  # place in the file: field of Physics
     "friction.cushion": "cushion_friction",
     "restitution.ball_ball": "ball_restitution",
     "restitution.cushion": "cushion_restitution",
+}
+OPTIONAL_FIELDS = {  # as above; left out of files where it is as `Physics` has it
+    "restitution.cushion_fall": "cushion_restitution_fall",
+    "compliance.cushion": "cushion_compliance",
 }
 
 
@@ -81,6 +85,11 @@ def _read_physics(root: dict[str, Any]) -> Physics:
     for place, field in PHYSICS_FIELDS.items():
         group, name = place.split(".")
         values[field] = _number(_member(_member_object(_member(root, group), group), name, group), place)
+    for place, field in OPTIONAL_FIELDS.items():
+        group, name = place.split(".")
+        members = _member_object(root.get(group, {}), group)
+        if name in members:
+            values[field] = _number(members[name], place)
     return Physics(
         names["ball_ball"], names["cushion"], _number(_member(root, "gravity"), "gravity"), **values
     )

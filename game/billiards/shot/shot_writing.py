@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from game.billiards.laws.state import MOTIONS
-from game.billiards.shot.shot import Shot
-from game.billiards.shot.shot_file import PHYSICS_FIELDS
+from game.billiards.shot.shot import Physics, Shot
+from game.billiards.shot.shot_file import OPTIONAL_FIELDS, PHYSICS_FIELDS
 
 
 def shot_data(shot: Shot) -> dict[str, Any]:
@@ -16,6 +16,10 @@ def shot_data(shot: Shot) -> dict[str, Any]:
     for place, field in PHYSICS_FIELDS.items():
         group, name = place.split(".")
         groups.setdefault(group, {})[name] = getattr(physics, field)
+    for place, field in OPTIONAL_FIELDS.items():
+        group, name = place.split(".")
+        if getattr(physics, field) != getattr(Physics(), field):
+            groups.setdefault(group, {})[name] = getattr(physics, field)
     return {
         "format": "shot",
         "version": 1,

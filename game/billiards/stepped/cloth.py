@@ -8,7 +8,7 @@ Physics of Pocket Billiards, ch. 4.)
 Needs steps that are short against the time in which a phase ends, a few tenths of a second for a slide. Any
 step is stable, for friction never does more than stop.
 
-Arrays: state (FLOAT_ROWS, n), modes (INTEGER_ROWS, n) and physics (18,), see `state`.
+Arrays: state (FLOAT_ROWS, n), modes (INTEGER_ROWS, n) and physics (20,), see `state`.
 """
 
 from __future__ import annotations

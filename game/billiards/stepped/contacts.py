@@ -10,7 +10,7 @@ The table itself is not to be passed: a ball whose centre has crossed a cushion'
 caught, however far it went, and a pocket takes a ball whose path has led over it.
 
 Arrays: state, modes, pairs and the elements (cushions, jaws, pockets) as in `state`; old (2, n) m, places
-when the step began; physics (18,); events (e, 4); counters (6,).
+when the step began; physics (20,); events (e, 4); counters (6,).
 """
 
 from __future__ import annotations

@@ -104,8 +104,8 @@ class DominoModel(Part):
             world.add_body(chain_of(points, self._grip(k)), kind="fixed")
             for k, points in enumerate(self.floors)
         ]
-        grounded: tuple[Sequence[RowEntry | BallEntry | SliderEntry], ...]
-        grounded = (content.rows, content.balls, content.sliders)
+        grounded: list[Sequence[RowEntry | BallEntry | SliderEntry]]
+        grounded = [content.rows, content.balls, content.sliders]
         for things in grounded:
             for k, entry in enumerate(things):
                 if entry.floor >= len(self.floors):

@@ -13,6 +13,7 @@ from game.billiards.laws.contacts.cushion_han_2005 import bounce_han_2005 as inn
 from game.billiards.laws.contacts.cushion_mathavan_2010 import STEPS, Impact, Motion, follow_impact
 from game.billiards.laws.contacts.cushion_mathavan_2010 import bounce_mathavan_2010 as inner_mathavan
 from game.billiards.laws.contacts.cushion_mathavan_2010 import follow_to_the_limit as inner_limit
+from game.billiards.laws.contacts.cushion_stronge_2000 import bounce_stronge_2000 as inner_stronge
 from game.billiards.laws.impacts import collide_pair, normal_between
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.state import FLOAT_ROWS, MASS, RADIUS, VX, VY, WX, WY, WZ, X
@@ -29,6 +30,12 @@ shares = st.floats(0.0, 1.0)
 def bounce_han_2005(state, i, nx, ny, physics):
     """The inner kernel, with an entrance."""
     inner_han(state, i, nx, ny, physics)
+
+
+@lean_kernel
+def bounce_stronge_2000(state, i, nx, ny, physics):
+    """The inner kernel, with an entrance."""
+    inner_stronge(state, i, nx, ny, physics)
 
 
 @lean_kernel
@@ -217,6 +224,13 @@ def test_unequal_balls_touch_at_twice_the_geometric_mean_of_their_radii():
     assert state.velocities[:, 0] == pytest.approx([before * -0.7 / 0.9, before * 0.2 / 0.9], rel=1e-12)
 
 
+BOUNCES = {
+    "han-2005": bounce_han_2005,
+    "mathavan-2010": bounce_mathavan_2010,
+    "stronge-2000": bounce_stronge_2000,
+}
+
+
 def _bounce(model, velocity, spin, normal_angle=0.3, **physics):
     shot = make_shot(RAIL, [[0.6, 0.6]], [velocity], [spin], physics=Physics("elastic", model, **physics))
     state = np.zeros((FLOAT_ROWS, 1))
@@ -224,13 +238,11 @@ def _bounce(model, velocity, spin, normal_angle=0.3, **physics):
     state[RADIUS], state[MASS] = BALL_RADIUS, BALL_MASS
     nx, ny = math.cos(normal_angle), math.sin(normal_angle)
     before = state.copy()
-    {"han-2005": bounce_han_2005, "mathavan-2010": bounce_mathavan_2010}[model](
-        state, 0, nx, ny, shot.constants
-    )
+    BOUNCES[model](state, 0, nx, ny, shot.constants)
     return before, state, np.array([nx, ny])
 
 
-@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010"])
+@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010", "stronge-2000"])
 @settings(max_examples=150)
 @given(st.tuples(speeds, speeds), st.tuples(spins, spins, spins), st.floats(0.0, 0.98), st.floats(0.001, 0.6))
 def test_a_cushion_turns_the_ball_round_and_never_gives_energy(model, velocity, spin, e, mu):
@@ -241,7 +253,7 @@ def test_a_cushion_turns_the_ball_round_and_never_gives_energy(model, velocity, 
     assert _energy(after) <= _energy(before) * (1.0 + 1e-13)
 
 
-@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010"])
+@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010", "stronge-2000"])
 @given(st.floats(0.1, 8.0), st.floats(-1.2, 1.2), spins, spins, spins)
 def test_cushion_models_are_mirror_symmetric(model, speed, angle, wx, wy, wz):
     v = (-speed * math.cos(angle), speed * math.sin(angle))
@@ -327,7 +339,7 @@ def test_mathavan_is_as_near_to_its_limit_as_it_says():
     assert max(errors) < 2e-3 and np.median(errors) < 1e-5
 
 
-@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010"])
+@pytest.mark.parametrize("model", ["han-2005", "mathavan-2010", "stronge-2000"])
 def test_running_side_quickens_the_ball_along_the_rail(model):
     """Mathavan's eq. 12: the surface slips along the rail at vx - wz R cos(th) at the nose, and friction
     opposes that. Moving along +y by the left rail, a ball that turns with wz > vy/R is dragged on:

@@ -37,10 +37,11 @@ BALL_MODELS = {
 }
 
 # ball on cushion or jaw, as the kernels number it; a mirror is restitution with e = 1
-RESTITUTION, HAN_2005, MATHAVAN_2010 = range(3)
+RESTITUTION, HAN_2005, MATHAVAN_2010, STRONGE_2000 = range(4)
 CUSHION_MODELS = {
     "mirror": RESTITUTION,
     "restitution": RESTITUTION,
     "han-2005": HAN_2005,
     "mathavan-2010": MATHAVAN_2010,
+    "stronge-2000": STRONGE_2000,
 }

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 
+from game.billiards.laws.contacts.cushion_restitution import restitution_at
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     CUSHION_FRICTION,
     CUSHION_HEIGHT,
-    CUSHION_RESTITUTION,
     MASS,
     RADIUS,
     VX,
@@ -41,12 +41,12 @@ def bounce_han_2005(state, i, nx, ny, physics):
     """Bounce of ball i; n is the unit vector from the cushion to the ball. Needs |h/R - 1| < 1."""
     radius = state[RADIUS, i]
     mass = state[MASS, i]
-    restitution = physics[CUSHION_RESTITUTION]
     sine = physics[CUSHION_HEIGHT] / radius - 1.0
     cosine = math.sqrt((1.0 - sine) * (1.0 + sine))
     x0 = -nx
     x1 = -ny
     speed = state[VX, i] * x0 + state[VY, i] * x1
+    restitution = restitution_at(speed, physics)
     along = state[VY, i] * x0 - state[VX, i] * x1
     spin_x = state[WX, i] * x0 + state[WY, i] * x1
     spin_y = state[WY, i] * x0 - state[WX, i] * x1

@@ -19,11 +19,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from game.billiards.laws.contacts.cushion_restitution import restitution_at
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     CUSHION_FRICTION,
     CUSHION_HEIGHT,
-    CUSHION_RESTITUTION,
     MASS,
     RADIUS,
     SLIDING_FRICTION,
@@ -185,7 +185,7 @@ def bounce_mathavan_2010(state, i, nx, ny, physics):
         radius,
         state[MASS, i],
         physics[CUSHION_HEIGHT] / radius - 1.0,
-        physics[CUSHION_RESTITUTION],
+        restitution_at(before.vy, physics),
         physics[CUSHION_FRICTION],
         physics[SLIDING_FRICTION],
     )

@@ -1,9 +1,19 @@
-"""Ball on cushion, normal speed only: `mirror` (e = 1) and `restitution`; the spin does not change."""
+"""Ball on cushion, normal speed only: `mirror` (e = 1) and `restitution`; the spin does not change.
+
+And for all models, how the restitution falls with the closing speed v: e = e0 - alpha v, at least 0. (Hunt
+and Crossley 1975, Coefficient of restitution interpreted as damping in vibroimpact, J. Appl. Mech. 42, 440.)
+"""
 
 from __future__ import annotations
 
 from game.billiards.laws.lean import inner_kernel
-from game.billiards.laws.state import VX, VY
+from game.billiards.laws.state import CUSHION_RESTITUTION, RESTITUTION_FALL, VX, VY
+
+
+@inner_kernel(inline="always")
+def restitution_at(closing, physics):
+    """Restitution of the cushion for a ball that closes on it at so many m/s along the bed."""
+    return max(physics[CUSHION_RESTITUTION] - physics[RESTITUTION_FALL] * closing, 0.0)
 
 
 @inner_kernel(inline="always")
