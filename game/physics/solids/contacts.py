@@ -134,7 +134,8 @@ def keep_manifold(contacts, p, points, place, angle, scratch):
     if before > 1:
         second = FIRST_POINT + POINT_WIDTH
         n1, t1 = kept[p, second + NORMAL_IMPULSE], kept[p, second + TANGENT_IMPULSE]
-    kept[p, NORMAL_X], kept[p, NORMAL_Y] = manifold[0], manifold[1]
+    kept[p, NORMAL_X] = manifold[0] if points > 0 else 0.0  # else the memory holds that of another pair
+    kept[p, NORMAL_Y] = manifold[1] if points > 0 else 0.0
     for k in range(points):
         at = FIRST_POINT + k * POINT_WIDTH
         px, py = manifold[2 + 3 * k], manifold[3 + 3 * k]
@@ -213,12 +214,12 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
     row[c, ROW_MU] = numbers.friction * math.sqrt(shapes.frictions[a] * shapes.frictions[b])
     row[c, ROW_HARD] = 1.0 if ima == 0.0 or imb == 0.0 else 0.0
     row[c, ROW_IMA], row[c, ROW_IIA], row[c, ROW_IMB], row[c, ROW_IIB] = ima, iia, imb, iib
+    rare[c, MOST_0], rare[c, MOST_1] = 0.0, 0.0  # also of a point that is not there: both are read
     rare[c, RESTITUTION] = max(shapes.restitutions[a], shapes.restitutions[b])
     dx, dy = bodies.positions[j, 0] - bodies.positions[i, 0], bodies.positions[j, 1] - bodies.positions[i, 1]
     vx = bodies.velocities[j, 0] - bodies.velocities[i, 0]
     vy = bodies.velocities[j, 1] - bodies.velocities[i, 1]
     wa, wb = bodies.spins[i], bodies.spins[j]
-    rare[c, MOST_1] = 0.0  # also where there is no second point: ends of steps ask for both
     fastest = 0.0
     row[c, ROUND_A], row[c, ROUND_B] = -shapes.radii[a], shapes.radii[b]
     for k in range(points):
@@ -244,7 +245,6 @@ def write_row(bodies, shapes, contacts, p, rows, c, numbers):
         row[c, to + MASS_T] = 1.0 / (ima + imb + iia * dot_a * dot_a + iib * dot_b * dot_b)
         row[c, to + JN], row[c, to + JT] = kept[p, at + NORMAL_IMPULSE], kept[p, at + TANGENT_IMPULSE]
         rare[c, APPROACH_0 + k] = vx * nx + vy * ny + wb * cross_b - wa * cross_a
-        rare[c, MOST_0 + k] = 0.0
         fastest = min(fastest, rare[c, APPROACH_0 + k])
     row[c, ROW_COLD] = 1.0 if fastest < -COLD * numbers.dt else 0.0
     if points == 2:

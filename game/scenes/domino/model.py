@@ -103,10 +103,9 @@ class DominoModel(Part):
             world.add_body(chain_of(points, self._grip(k)), kind="fixed")
             for k, points in enumerate(self.floors)
         ]
-        for things in (content.rows, content.balls, content.sliders):
-            for k, entry in enumerate(things):
-                if entry.floor >= len(self.floors):
-                    raise ValueError(f"[{k}].floor = {entry.floor}: there are {len(self.floors)}")
+        for floor in [entry.floor for entry in (*content.rows, *content.balls, *content.sliders)]:
+            if floor >= len(self.floors):
+                raise ValueError(f"floor = {floor}: there are {len(self.floors)}")
         self.plank_ids = [add_plank(world, self.anchor, entry, self._grip(None)) for entry in content.planks]
         self.ball_ids = [
             add_ball(world, entry, self.floors[entry.floor], parameters) for entry in content.balls
