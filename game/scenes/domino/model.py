@@ -103,7 +103,9 @@ class DominoModel(Part):
             world.add_body(chain_of(points, self._grip(k)), kind="fixed")
             for k, points in enumerate(self.floors)
         ]
-        for floor in [entry.floor for entry in (*content.rows, *content.balls, *content.sliders)]:
+        asked = [row.floor for row in content.rows]
+        asked += [ball.floor for ball in content.balls] + [slider.floor for slider in content.sliders]
+        for floor in asked:
             if floor >= len(self.floors):
                 raise ValueError(f"floor = {floor}: there are {len(self.floors)}")
         self.plank_ids = [add_plank(world, self.anchor, entry, self._grip(None)) for entry in content.planks]
