@@ -32,7 +32,7 @@ FOLDERS = {
     "physics": (
         "kernels",
         "effects integrators",
-        "fields proximity_effects",
+        "fields proximity_effects dominoes",
         "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators",
         "surfaces",
