@@ -32,8 +32,8 @@ FOLDERS = {
     "physics": (
         "kernels",
         "effects integrators",
-        "fields proximity_effects",
-        "animation bounds broadphase constraints dominoes narrowphase particles rigid solids",
+        "fields proximity_effects dominoes",
+        "animation bounds broadphase constraints narrowphase particles rigid solids",
         "spheres generations oscillators",
         "surfaces",
     ),

@@ -124,7 +124,8 @@ def keep_manifold(contacts, p, points, place, angle, scratch):
     if before > 1:
         second = FIRST_POINT + POINT_WIDTH
         n1, t1 = kept[p, second + NORMAL_IMPULSE], kept[p, second + TANGENT_IMPULSE]
-    kept[p, NORMAL_X], kept[p, NORMAL_Y] = manifold[0], manifold[1]
+    kept[p, NORMAL_X] = manifold[0] if points > 0 else 0.0  # else the memory holds that of another pair
+    kept[p, NORMAL_Y] = manifold[1] if points > 0 else 0.0
     for k in range(points):
         at = FIRST_POINT + k * POINT_WIDTH
         px, py = manifold[2 + 3 * k], manifold[3 + 3 * k]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +16,7 @@ from game.physics.solids.effects import FRICTION
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.domino.course import Standing, floor_points
 from game.scenes.domino.hearing import heard_now
-from game.scenes.domino.level import MOST_DOMINOES, BallEntry, DominoContent, RowEntry, SliderEntry
+from game.scenes.domino.level import MOST_DOMINOES, DominoContent
 from game.scenes.domino.making import (
     LEAST_FRICTION,
     add_ball,
@@ -104,12 +103,11 @@ class DominoModel(Part):
             world.add_body(chain_of(points, self._grip(k)), kind="fixed")
             for k, points in enumerate(self.floors)
         ]
-        grounded: list[Sequence[RowEntry | BallEntry | SliderEntry]]
-        grounded = [content.rows, content.balls, content.sliders]
-        for things in grounded:
-            for k, entry in enumerate(things):
-                if entry.floor >= len(self.floors):
-                    raise ValueError(f"[{k}].floor = {entry.floor}: there are {len(self.floors)}")
+        asked = [row.floor for row in content.rows]
+        asked += [ball.floor for ball in content.balls] + [slider.floor for slider in content.sliders]
+        for floor in asked:
+            if floor >= len(self.floors):
+                raise ValueError(f"floor = {floor}: there are {len(self.floors)}")
         self.plank_ids = [add_plank(world, self.anchor, entry, self._grip(None)) for entry in content.planks]
         self.ball_ids = [
             add_ball(world, entry, self.floors[entry.floor], parameters) for entry in content.balls

@@ -179,8 +179,8 @@ class DominoView:
             t = np.linspace(-1.0, 1.0, 25)
             arch = np.stack([middle + half * t, y - BOARD - 2.0 * t**2 - 0.1], axis=1)
             struts = arch[2:-2:3]
-            feet = np.column_stack([struts[:, 0], np.full(len(struts), y - BOARD)])
-            for a, b in zip(struts, feet, strict=True):
+            heads = np.column_stack([struts[:, 0], np.full(len(struts), y - BOARD)])
+            for a, b in zip(struts, heads, strict=True):
                 canvas.polygon(_beam(a, b, 0.16), fill=_color(tones[3]))
             bow = np.concatenate([arch, arch[::-1] - np.array((0.0, 0.34))])
             canvas.polygon(bow, fill=_color(tones[3]), outline=_color(tones[4]), width=1.0)
