@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 
 
 class Hull(NamedTuple):
-    """Corners start to start + count, anticlockwise, grown by a radius; a capsule has two, a disc one.
+    """Corners start to start + size, anticlockwise, grown by a radius; a capsule has two, a disc one.
 
-    start and count are int64 wherever a hull is made, so that each kernel is compiled once.
+    start and size are int64 wherever a hull is made, so that each kernel is compiled once.
     """
 
     corners: NDArray[np.float64]  # (v, 2) m
     normals: NDArray[np.float64]  # (v, 2) outward normal of the edge that begins at the corner
-    start: int
-    count: int
+    start: np.int64
+    size: np.int64
     radius: float  # m

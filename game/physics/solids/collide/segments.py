@@ -123,7 +123,7 @@ def direction_verdict(corners, start, ex, ey, mx, my):
 @inner_kernel
 def collide_segment_polygon(corners, start, hull, reach, manifold, features):
     """Segment and polygon in the same frame (its hull begins at corner 0): up to two points."""
-    c2, n2, count2, rb = hull.corners, hull.normals, hull.count, hull.radius
+    c2, n2, count2, rb = hull.corners, hull.normals, hull.size, hull.radius
     px, py, qx, qy, ex, ey, length = segment_at(corners, start)
     nx, ny, p, q = -ey, ex, (px, py), (qx, qy)
     low, middle = lowest(c2, count2, px, py, nx, ny)
