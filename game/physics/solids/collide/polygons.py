@@ -165,9 +165,8 @@ def faces_graze(first, second, faces, normal):
     a, b = p1[1] * nx - p1[0] * ny, q1[1] * nx - q1[0] * ny
     c, d = p2[1] * nx - p2[0] * ny, q2[1] * nx - q2[0] * ny
     shared = min(max(a, b), max(c, d)) - max(min(a, b), min(c, d))
-    return abs(shared) < SLIVER * min(
-        math.hypot(q1[0] - p1[0], q1[1] - p1[1]), math.hypot(q2[0] - p2[0], q2[1] - p2[1])
-    )
+    lengths = math.hypot(q1[0] - p1[0], q1[1] - p1[1]), math.hypot(q2[0] - p2[0], q2[1] - p2[1])
+    return abs(shared) < SLIVER * min(lengths[0], lengths[1])
 
 
 @inner_kernel
