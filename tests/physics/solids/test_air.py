@@ -65,5 +65,5 @@ def test_wind_is_sampled_where_each_body_is():
 
 def test_air_that_is_not_finite_is_refused():
     world, _ = falling(air=FunctionField(lambda points, time: np.full(points.shape, np.nan)), drag=1.0)
-    with pytest.raises(ValueError, match=r"air|field"):
+    with pytest.raises(ValueError, match="finite"):
         world.step(1.0 / 60.0)

@@ -108,7 +108,7 @@ def test_dominoes_fall_at_the_speed_of_theory(mu, gap, speed):
 
 
 def test_a_light_disc_is_thrown_up_by_a_heavy_one():
-    """1,000 : 1, both fall at v: the light one leaves at (3 m - M... )/(m + M) v, nearly 3 v."""
+    """1,000 : 1, both fall at v: the light one leaves at (3 M - m)/(M + m) v."""
     world = SolidWorld(SolidSettings(gravity=(0.0, 0.0), substeps=12))
     bouncy = Material(restitution=1.0, friction=0.0)
     world.add_body(box(40.0, 1.0, material=bouncy), (0.0, -0.5), kind="fixed")

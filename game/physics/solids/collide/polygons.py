@@ -12,6 +12,7 @@ import math
 from game.physics.kernels.lean import inner_kernel
 from game.physics.solids.collide.discs import touch_points
 
+SQUARE = -0.998  # cosine of the angle between normals of faces that look at each other squarely
 SLIVER = 0.005  # of the shorter of two faces: what overlaps by less along them has not met face to face
 
 
@@ -154,6 +155,21 @@ def clip_chosen(first, second, faces, flip, reach, manifold, features):
 
 
 @inner_kernel
+def faces_graze(first, second, faces, normal):
+    """True if two faces that look at each other squarely pass or overlap only by a sliver of the shorter."""
+    (nx, ny), (ax, ay), (bx, by) = normal, normal_of(first, faces[0]), normal_of(second, faces[1])
+    if ax * bx + ay * by > SQUARE:
+        return False
+    p1, q1 = ends_of(first, faces[0])
+    p2, q2 = ends_of(second, faces[1])
+    a, b = p1[1] * nx - p1[0] * ny, q1[1] * nx - q1[0] * ny
+    c, d = p2[1] * nx - p2[0] * ny, q2[1] * nx - q2[0] * ny
+    shared = min(max(a, b), max(c, d)) - max(min(a, b), min(c, d))
+    lengths = math.hypot(q1[0] - p1[0], q1[1] - p1[1]), math.hypot(q2[0] - p2[0], q2[1] - p2[1])
+    return abs(shared) < SLIVER * min(lengths[0], lengths[1])
+
+
+@inner_kernel
 def meets_at_corners(first, second, faces, reach, manifold, features):
     """Cores that are apart: points (0 or 1) if they are nearest at two corners, else -1. faces: i, j."""
     i, j = faces
@@ -173,7 +189,7 @@ def collide_polygons(first, second, reach, manifold, features):
     """Manifold of two hulls whose corners and normals are in one frame. See the package for the rest.
 
     Where they meet in a sliver, corner beside corner, there is no telling which face it is, and none answers
-    until they overlap by more: so boxes pass over the gaps of tiles of equal height.
+    until they overlap by more: so boxes pass over the gaps of tiles of equal height, though they sag.
     """
     rounding = first.radius + second.radius
     gap1, i = widest_gap(first, second)
@@ -191,6 +207,9 @@ def collide_polygons(first, second, reach, manifold, features):
     else:
         nx, ny = normal_of(first, i)
         j = facing(second, nx, ny)
+    if faces_graze(first, second, (i, j), (nx, ny)):
+        manifold[8] = -1.0  # nothing yet, but look again in the next step
+        return 0
     if max(gap1, gap2) > 0.02 * reach:
         points = meets_at_corners(first, second, (i, j), reach, manifold, features)
         if points >= 0:

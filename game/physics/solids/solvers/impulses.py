@@ -227,8 +227,8 @@ def bounce_contacts(rows, motion, numbers):
         e = rare[c, RESTITUTION]
         if e == 0.0:
             continue
-        first = rare[c, APPROACH_0] < -numbers.bounce and rare[c, MOST_0] > 0.0
-        second = ends[c, END_POINTS] == 2 and rare[c, APPROACH_1] < -numbers.bounce and rare[c, MOST_1] > 0.0
+        first = rare[c, APPROACH_0] <= -numbers.bounce and rare[c, MOST_0] > 0.0
+        second = ends[c, END_POINTS] == 2 and rare[c, APPROACH_1] <= -numbers.bounce and rare[c, MOST_1] > 0.0
         if not (first or second):
             continue
         bounced = True
