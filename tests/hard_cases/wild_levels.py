@@ -99,6 +99,8 @@ class Writer:
         if isinstance(info, inspect.StrType):
             word = hand.choice(WORDS[1:] if info.min_length else WORDS)
             return word[: info.max_length] if info.max_length is not None else word
+        if isinstance(info, inspect.NamedTupleType):
+            return [self.value(field.type) for field in info.fields]
         if isinstance(info, inspect.TupleType):
             return [self.value(part) for part in info.item_types]
         if isinstance(info, (inspect.VarTupleType, inspect.ListType)):

@@ -9,7 +9,7 @@ CONTACTS = declare_effect("solid-contacts", "Contacts", "Solids hit and carry ea
 FRICTION = declare_effect("solid-friction", "Friction", "Contacts resist sliding (Coulomb).")
 RESTITUTION = declare_effect("restitution", "Restitution", "What hits fast enough bounces.")
 CONTINUOUS = declare_effect(
-    "continuous", "Continuous collision", "What is fast or thin is stopped where it meets something."
+    "continuous", "Continuous", "What is fast or thin is stopped where it meets something."
 )
 SLEEP = declare_effect("sleep", "Sleep", "Groups of solids that have come to rest are not computed.")
 JOINTS = declare_effect("solid-joints", "Joints", "Pins, rods, ropes and motors hold solids together.")

@@ -19,6 +19,8 @@ from game.physics.solids.contacts import bring_shape
 from game.physics.solids.state import DA, DISC, DX, DY, DYNAMIC, SEGMENT, VX, VY, W
 
 MOST_ADVANCES = 64
+LOOKS = 16  # at the way of two that touch
+FAST = 4.0  # times what is deep: slower motion of two that touch is left to the contacts
 THIN = 0.5  # of both cores together: how far two may approach in a step and be left to the contacts
 
 
@@ -81,10 +83,13 @@ def beyond_ends(corners, start, others, count):
 
 
 @inner_kernel
-def meeting_time(bodies, shapes, pool, scratch, a, b, target):
-    """Fraction of the step after which two shapes are ``target`` (m) apart; 1 if they do not meet, or
-    touch.
+def meeting_time(bodies, shapes, pool, scratch, pair, target, deep):
+    """Fraction of the step after which two shapes (pair) are ``target`` (m) apart; 1 if they do not meet.
+
+    Two that are as near as that to begin with touch, and contacts hold them: they are only stopped where they
+    would get deeper into each other than ``deep`` (m) on their way, as an end of something that turns fast.
     """
+    a, b = pair
     motion, i, j = scratch.motion, shapes.bodies[a], shapes.bodies[b]
     x, y = motion[j, DX] - motion[i, DX], motion[j, DY] - motion[i, DY]
     fastest = math.sqrt(x * x + y * y)
@@ -95,13 +100,28 @@ def meeting_time(bodies, shapes, pool, scratch, a, b, target):
             shapes, pool, scratch, a, b, pose_at(bodies, motion, i, t), pose_at(bodies, motion, j, t)
         )
         if t == 0.0 and gap <= 1.1 * target:
-            return 1.0
+            return first_deep(bodies, shapes, pool, scratch, pair, deep) if fastest > FAST * deep else 1.0
         if gap <= 1.1 * target:
             return t
         t += (gap - target) / fastest
         if t >= 1.0:
             return 1.0
     return t
+
+
+@inner_kernel
+def first_deep(bodies, shapes, pool, scratch, pair, deep):
+    """Fraction of the step before two are deeper in each other than ``deep`` (m)."""
+    a, b = pair
+    motion, i, j = scratch.motion, shapes.bodies[a], shapes.bodies[b]
+    for k in range(1, LOOKS + 1):
+        t = k / LOOKS
+        gap = gap_at(
+            shapes, pool, scratch, a, b, pose_at(bodies, motion, i, t), pose_at(bodies, motion, j, t)
+        )
+        if gap < -deep:
+            return (k - 1) / LOOKS
+    return 1.0
 
 
 @inner_kernel
@@ -121,7 +141,7 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
         a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
         size = min(shapes.sizes[a], shapes.sizes[b])
         target = min(0.1 * min(numbers.near, 0.25 * size), 0.25 * cores)
-        t = meeting_time(bodies, shapes, pool, scratch, a, b, target)
+        t = meeting_time(bodies, shapes, pool, scratch, (a, b), target, cores)
         if t < 1.0:
             for k in (i, j):
                 if bodies.flags[k] & DYNAMIC:

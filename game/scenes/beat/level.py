@@ -26,13 +26,14 @@ class BeatContent(LevelEntry, frozen=True, kw_only=True):
     layout: Annotated[tuple[Number, ...], msgspec.Meta(max_length=MOST_NUMBERS)] = ()
     expected: Expectations = ()
 
-    def __post_init__(self) -> None:
-        """ValueError for beats that make no sense, or another number of balls than of beats."""
-        if self.beats:
-            check_beats(self.beats)
-        if self.layout and len(self.layout) != STROKE + 2 * len(self.beats):
-            numbers = STROKE + 2 * len(self.beats)
-            raise ValueError(f"layout: expected {numbers} numbers for {len(self.beats)} beats")
+
+def check_content(content: BeatContent) -> None:
+    """ValueError for beats that make no sense, or another number of balls than of beats."""
+    if content.beats:
+        check_beats(content.beats)
+    numbers = STROKE + 2 * len(content.beats)
+    if content.layout and len(content.layout) != numbers:
+        raise ValueError(f"layout: expected {numbers} numbers for {len(content.beats)} beats")
 
 
 DEFAULT = BeatContent(beats=(0.0, 0.5, 1.0, 1.25, 1.5, 2.0))

@@ -11,7 +11,7 @@ from game.billiards.shot.shot import Physics
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
 from game.billiards.table.table import Table
-from game.scenes.beat.level import MOST_NUMBERS, BeatContent
+from game.scenes.beat.level import MOST_NUMBERS, BeatContent, check_content
 from game.scenes.beat.parameters import BeatParameters
 from game.scenes.beat.state import CLOCK, COUNT, PHASE, PLAYING, SEARCHING, SILENT, SIZE, TAPPING, BeatState
 from game.scenes.shared.tables.sounds import sounds_of
@@ -26,6 +26,7 @@ class BeatModel(Part):
     """The beat and its shot."""
 
     def __init__(self, content: BeatContent, parameters: BeatParameters, seed: int) -> None:
+        check_content(content)
         self.parameters, self.seed = parameters, seed
         self.table, self.physics = Table.pool(), Physics()
         self.messages = Messages()

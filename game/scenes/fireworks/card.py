@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 import random
 
+from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
+
+CLOSE_UPS = {"a09": CloseUp(shown_s=9.0, zoom=1.25, across=0.5, down=0.42)}
 
 BURSTS = ((56.0, 36.0, 27.0, "amber", 110), (112.0, 27.0, 20.0, "chalk", 80), (92.0, 58.0, 13.0, "pink", 46))
 SHORE = 86.0

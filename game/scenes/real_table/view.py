@@ -120,7 +120,7 @@ def _draw_chart(canvas: Canvas, model: RealTableModel, time: float) -> None:
     for power in range(round(math.log10(LEAST)), round(math.log10(MOST)) + 1):
         down = top + float(_depth(np.array([10.0**power]))[0])
         canvas.line((down, 0.0), (down, width), "grid", 1.0)
-        canvas.label((down, width), _length(10.0**power), "text3", 10, anchor="right", offset=(0.0, -7.0))
+        canvas.label((down, width), _length(10.0**power), "text3", 11, anchor="right", offset=(0.0, -7.0))
     track = model.shot.tracks[0]
     now = int(np.searchsorted(track.times, time, side="right"))
     for name in reversed(MODELS):
@@ -133,7 +133,7 @@ def _draw_chart(canvas: Canvas, model: RealTableModel, time: float) -> None:
     canvas.line((top, along_now), (top + CHART, along_now), "amber", 1.2)
     for second in range(0, math.floor(seconds) + 1, 2):
         at = (top + CHART + 0.07, second / seconds * width)
-        canvas.label(at, "0 s" if second == 0 else str(second), "text3", 10)
+        canvas.label(at, "0 s" if second == 0 else str(second), "text3", 11)
 
 
 def _depth(errors: Array) -> Array:

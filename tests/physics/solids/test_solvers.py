@@ -37,6 +37,12 @@ BOUNDS = {
 }
 
 
+def fails(request, name, known):
+    """Say what is known not to hold yet, and what was measured; if it comes to hold, this must go."""
+    if name in known:
+        request.applymarker(pytest.mark.xfail(reason=known[name], strict=True))
+
+
 def test_every_solver_is_held_to_something():
     assert set(BOUNDS) == set(SOLVERS)
 
@@ -60,7 +66,8 @@ def test_a_box_slides_as_coulomb_says(name):
     assert found == pytest.approx(1.1781436183311982, rel=BOUNDS[name].slide)
 
 
-def test_a_box_stands_below_its_angle_of_friction(name):
+def test_a_box_stands_below_its_angle_of_friction(name, request):
+    fails(request, name, {"shock-propagation": "creeps 24 mm in 2 s on 20 degrees"})
     world, _ = world_of(name, Material(friction=0.4), 20.0)
     body = world.add_body(box(1.0, 1.0, material=Material(friction=0.4)), (0.0, 0.5))
     run(world, 2.0)
@@ -75,7 +82,8 @@ def test_a_disc_rolls_without_slip(name):
     assert world.bodies.velocities[body, 0] == pytest.approx(-0.3 * world.bodies.spins[body], rel=0.02)
 
 
-def test_a_column_of_ten_stands(name):
+def test_a_column_of_ten_stands(name, request):
+    fails(request, name, {"sequential-impulses": "the top leans by 77 mm in 5 s"})
     world, _ = world_of(name)
     ids = column(world, 10)
     run(world, 5.0)
@@ -107,7 +115,8 @@ def test_a_disc_bounces_by_its_restitution(name):
     assert world.bodies.velocities[body] == pytest.approx((0.3, 2.4), rel=1e-6)
 
 
-def test_a_pile_never_gains_energy(name):
+def test_a_pile_never_gains_energy(name, request):
+    fails(request, name, {"xpbd": "a step gains 1.9 %", "shock-propagation": "a step gains 0.015 %"})
     world, _ = world_of(name)
     rng = np.random.default_rng(5)
     for k in range(12):

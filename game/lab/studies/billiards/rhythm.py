@@ -15,7 +15,7 @@ from game.billiards.table.table import Table
 from game.lab.study import Knob, Method, Outcome, Setting, Study, Trial, Workload
 
 BEATS = (0.0, 0.4, 0.8, 1.2, 1.4, 1.6, 2.0, 2.4)
-ROUNDS = (0, 2, 8, 24)
+ROUNDS = (1, 3, 9, 25)  # the first lays the balls
 RANDOM_A_ROUND = 6144  # layouts: what a round of varying plays
 LEAST = 1e-12  # s; a smaller error is rounding
 
@@ -72,7 +72,10 @@ class RandomTrial:
 def _settings() -> list[Setting]:
     return [
         Setting(
-            method, float(rounds), scene={"rounds": rounds} if method == "laying" else {}, weight=1.0 + rounds
+            method,
+            float(rounds),
+            scene={"rounds": rounds - 1} if method == "laying" else {},
+            weight=float(rounds),
         )
         for rounds in ROUNDS
         for method in ("laying", "random")
@@ -81,11 +84,11 @@ def _settings() -> list[Setting]:
 
 def _trial(setting: Setting) -> Trial:
     rounds = int(setting.knob)
-    return LayingTrial(rounds) if setting.method == "laying" else RandomTrial((1 + rounds) * RANDOM_A_ROUND)
+    return LayingTrial(rounds - 1) if setting.method == "laying" else RandomTrial(rounds * RANDOM_A_ROUND)
 
 
 def _present(parameters: Mapping[str, Any]) -> Setting:
-    return Setting("laying", float(parameters["rounds"]))
+    return Setting("laying", 1.0 + float(parameters["rounds"]))
 
 
 RHYTHM_STUDY = Study(
