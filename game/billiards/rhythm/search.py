@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.rhythm.candidates import EXTRA, FARTHEST_MISS, STROKE, Candidates
-from game.billiards.rhythm.hearing import heard_impacts
+from game.billiards.rhythm.hearing import TOGETHER, clicks_of
 from game.billiards.shot.shot import Physics, Shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import simulate_exact
@@ -76,7 +76,7 @@ class Rhythm(NamedTuple):
 
 def rhythm_of(trajectory: Trajectory, beats: tuple[float, ...], candidate: Array) -> Rhythm:
     """How a candidate that was played meets some beats (s)."""
-    times = heard_impacts(trajectory, beats[-1])
+    times = tuple(time for time in clicks_of(trajectory) if time <= beats[-1] + TOGETHER)
     misses = tuple(min((time - beat for time in times), key=abs) for beat in beats)
     speed = float(np.max(np.hypot(*trajectory.state_at(beats[-1]).velocities.T)))
     return Rhythm(trajectory.shot, beats, times, misses, tuple(candidate.tolist()), speed)

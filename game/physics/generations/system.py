@@ -143,14 +143,18 @@ class StarSystem:
         ValueError for no such kind, or what is not finite. Without a place it is dropped and counted.
         """
         number = self._number(kind)
+        place, speed, layer = (
+            _pair("position", position),
+            _pair("velocity", velocity),
+            _finite("depth", depth),
+        )
         pool, row = self._pool, self.table.kinds[number]
         by_hand = int(self._clock[3])
         identity = int(child_identity(self.seed, MAX_ROW, by_hand))
         self._clock[3] += 1.0
         life = float(life_of(row[LIFE], row[LIFE_SPREAD], self.seed, identity))
-        pool.queue[1, :2] = _pair("position", position)
-        pool.queue[1, 2:4] = _pair("velocity", velocity)
-        pool.queue[1, 4:] = self.time_s, self.time_s + life, row[BURNS] / life, _finite("depth", depth)
+        pool.queue[1, :2], pool.queue[1, 2:4] = place, speed
+        pool.queue[1, 4:] = self.time_s, self.time_s + life, row[BURNS] / life, layer
         pool.queued[1] = identity, number
         raise_children(self._rules(), self.table, self._air, pool, 2, (self.time_s, self.time_s))
 

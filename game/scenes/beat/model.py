@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from game.billiards.rhythm.candidates import FARTHEST_MISS, STROKE, Candidates
-from game.billiards.rhythm.hearing import heard_impacts
+from game.billiards.rhythm.hearing import clicks_of
 from game.billiards.rhythm.search import LEAST_GAP, MOST_BEATS, MOST_SECONDS, Rhythm, rhythm_of
 from game.billiards.shot.shot import Physics
 from game.billiards.shot.trajectory import Trajectory
@@ -22,6 +24,15 @@ PAUSE_S = 1.5  # between one playing and the next
 SHOWN_S = 0.8  # that balls go on after the last beat
 
 
+class Shown(NamedTuple):
+    """A shot as it is played: how it meets the beat, the times of its clicks (s), its sounds."""
+
+    trajectory: Trajectory
+    rhythm: Rhythm
+    clicks: tuple[float, ...]
+    sounds: tuple[Sound, ...]
+
+
 class BeatModel(Part):
     """The beat and its shot."""
 
@@ -32,7 +43,7 @@ class BeatModel(Part):
         self.messages = Messages()
         self.data = BeatState(np.zeros(MOST_BEATS), np.zeros(MOST_NUMBERS), np.zeros(4))
         self._known = b""
-        self._shown: tuple[Trajectory, Rhythm, tuple[Sound, ...]] | None = None
+        self._shown: Shown | None = None
         self.data.taps[: len(content.beats)] = content.beats
         self.data.numbers[COUNT] = len(content.beats)
         self.data.numbers[PHASE] = SEARCHING if content.beats else SILENT
@@ -100,8 +111,8 @@ class BeatModel(Part):
         self.messages.say("No shot was found for this beat: tap another, or change the seed.")
 
     @property
-    def shown(self) -> tuple[Trajectory, Rhythm, tuple[Sound, ...]] | None:
-        """The shot played, how it meets the beat, and its sounds; None while there is none."""
+    def shown(self) -> Shown | None:
+        """The shot that is played; None while there is none."""
         size = int(self.data.numbers[SIZE])
         if not size:
             return None
@@ -111,11 +122,6 @@ class BeatModel(Part):
             shot = Candidates(self.table, self.physics, len(self.beats)).shot(layout)
             trajectory = simulate_exact(shot, until=self.beats[-1] + max(SHOWN_S, FARTHEST_MISS))
             found = rhythm_of(trajectory, self.beats, layout)
-            sounds = tuple(one for one in sounds_of(trajectory, float(layout[0])))
-            self._known, self._shown = key, (trajectory, found, sounds)
+            sounds = sounds_of(trajectory, float(layout[0]))
+            self._known, self._shown = key, Shown(trajectory, found, clicks_of(trajectory), sounds)
         return self._shown
-
-    def heard(self) -> tuple[float, ...]:
-        """Times of all impacts that are heard while the shot is shown, s."""
-        shown = self.shown
-        return () if shown is None else heard_impacts(shown[0], shown[0].end_time)

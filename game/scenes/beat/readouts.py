@@ -15,7 +15,7 @@ def readouts_of(model: BeatModel) -> tuple[Readout, ...]:
     if shown is None:
         return (count, Readout("error", math.nan, "s"), Readout("largest error", math.nan, "s"),
                 Readout("impacts", math.nan), Readout("off the beat", math.nan))  # fmt: skip
-    found = shown[1]
+    found = shown.rhythm
     return (
         count,
         Readout("error", found.error_s, "s"),

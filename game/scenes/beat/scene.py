@@ -103,7 +103,7 @@ class Beat(Scene):
     def hearing(self) -> Hearing:
         model = self.model
         shown = model.shown if model.phase == PLAYING else None
-        return Hearing((model.phase, model.beats), model.clock, () if shown is None else shown[2])
+        return Hearing((model.phase, model.beats), model.clock, () if shown is None else shown.sounds)
 
     def messages(self) -> tuple[str, ...]:
         return self.model.messages.take()

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from game.billiards.laws.state import BALL_POCKET, IN_RADIUS
+from game.billiards.rhythm.hearing import TOGETHER
 from game.billiards.shot.trajectory import Trajectory
-from game.scenes.beat.model import SHOWN_S, BeatModel
+from game.scenes.beat.model import SHOWN_S, BeatModel, Shown
 from game.scenes.beat.state import CLOCK, PLAYING, SEARCHING, SILENT, TAPPING, BeatState
 from game.scenes.shared.expectations import Caption, draw_captions
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_stick, draw_table
@@ -52,9 +53,8 @@ def draw(
     shown = model.shown
     canvas.halo = FELT
     if shown is not None:
-        trajectory = shown[0]
-        draw_balls(canvas, balls_at(trajectory, time), model.table)
-        _draw_rings(canvas, trajectory, model.heard(), time)
+        draw_balls(canvas, balls_at(shown.trajectory, time), model.table)
+        _draw_rings(canvas, shown, time)
         if -CUE_S < time < 0.06:
             _draw_cue(canvas, model, time)
     canvas.halo = canvas.theme.bg
@@ -74,11 +74,12 @@ def balls_at(trajectory: Trajectory, time: float) -> Balls:
     return Balls(state.positions, radii, np.arange(count), turns, np.where(gone, 0.0, 1.0))
 
 
-def _draw_rings(canvas: Canvas, trajectory: Trajectory, heard: tuple[float, ...], time: float) -> None:
+def _draw_rings(canvas: Canvas, shown: Shown, time: float) -> None:
     """A ring that spreads from where an impact was just heard."""
+    trajectory = shown.trajectory
     for row in trajectory.rows[trajectory.rows[:, 1] <= BALL_POCKET].tolist():
         since = time - row[0]
-        if 0.0 <= since < 0.35 and any(abs(row[0] - one) < 1e-9 for one in heard):
+        if 0.0 <= since < 0.35 and any(abs(row[0] - one) < 1e-9 for one in shown.clicks):
             place = trajectory.state_at(row[0]).positions[int(row[2])]
             canvas.circle(place, 0.04 + 0.25 * since, outline=FELT_LINE, width=1.6, alpha=1.0 - since / 0.35)
 
@@ -110,15 +111,15 @@ def _draw_bar(canvas: Canvas, model: BeatModel, time: float) -> None:
         canvas.circle((BEATS, at(beat)), 0.016, "amber")
     shown = model.shown
     if shown is not None:
-        for moment in model.heard():
-            on = any(abs(moment - beat) < 0.012 for beat in model.beats)
+        for moment in shown.clicks:
+            on = any(abs(moment - beat) < TOGETHER for beat in model.beats)
             canvas.line(
                 (IMPACTS - 0.022, at(moment)),
                 (IMPACTS + 0.022, at(moment)),
                 "text1" if on else "vermilion",
                 2.2,
             )
-        for beat, miss in zip(model.beats, shown[1].misses, strict=True):
+        for beat, miss in zip(model.beats, shown.rhythm.misses, strict=True):
             canvas.line((BEATS + 0.02, at(beat)), (IMPACTS - 0.025, at(beat + miss)), "text3", 1.0)
             if beat > 0.0:
                 words = format_si(miss, "s") if abs(miss) > 1e-12 else "0 s"
@@ -127,7 +128,7 @@ def _draw_bar(canvas: Canvas, model: BeatModel, time: float) -> None:
         canvas.line((PAD.left + 0.03, at(time)), (PAD.right - 0.03, at(time)), "amber", 1.4, alpha=0.8)
     words = WORDS.get(model.phase, "")
     if not words and shown is not None:
-        found = shown[1]
+        found = shown.rhythm
         off = f", {found.extras} off the beat" if found.extras else ""
         words = f"{len(found.impacts)} impacts for {len(found.beats)} beats{off}"
     canvas.label((PAD.left + 0.035, left), words, "text1", 13, "semibold", anchor="left")

@@ -17,7 +17,7 @@ from game.billiards.laws.state import (
     BALL_JAW,
     BALL_POCKET,
 )
-from game.scenes.shared.tables.paths import Paths
+from game.billiards.shot.paths import Paths
 
 Array = NDArray[np.float64]
 

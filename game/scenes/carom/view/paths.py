@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.carom_frame import CaromFrame, carom_trajectory, rows_of
 from game.billiards.game.carom_summary import summarize_carom
+from game.billiards.shot.paths import Paths
 from game.billiards.table.carom import BALL_RADIUS
-from game.scenes.shared.tables.paths import Paths
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
 

@@ -1,0 +1,45 @@
+"""The impacts of a played shot, and how fast the two close in on each other: what is heard of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, BALL_POCKET
+from game.billiards.shot.paths import Paths
+from game.billiards.shot.trajectory import Trajectory
+
+QUIETEST = 0.05  # m/s; what meets more slowly is not heard
+FALL = 0.5  # m/s; a ball falls into a pocket with at least this, however slowly it came
+
+
+class Impact(NamedTuple):
+    """A ball against another, a cushion, a jaw or a pocket; code: of the event, as `state` has it."""
+
+    time: float  # s
+    code: int
+    ball: int  # row
+    speed: float  # m/s at which the two close in; at a jaw the ball's own
+    place: tuple[float, float]  # m, of the ball
+
+
+def heard_impacts(trajectory: Trajectory) -> Iterator[Impact]:
+    """All impacts of a shot that are heard, in order of time."""
+    paths = Paths(trajectory)
+    for time, code, i, j in trajectory.rows.tolist():
+        if code > BALL_POCKET:
+            continue
+        (x, y), (vx, vy) = paths.arriving(int(i), time)
+        if code == BALL_BALL:
+            (ox, oy), (wx, wy) = paths.arriving(int(j), time)
+            dx, dy = ox - x, oy - y
+            speed = ((vx - wx) * dx + (vy - wy) * dy) / max((dx * dx + dy * dy) ** 0.5, 1e-9)
+        elif code == BALL_CUSHION:
+            nx, ny = trajectory.shot.table.cushions[int(j), 4:6].tolist()
+            speed = -(vx * nx + vy * ny)
+        else:
+            speed = (vx * vx + vy * vy) ** 0.5
+        if code == BALL_POCKET:
+            speed = max(speed, FALL)
+        if speed > QUIETEST:
+            yield Impact(time, int(code), int(i), speed, (x, y))
