@@ -58,16 +58,24 @@ def fill_disc(pixels: Any, clip: Any, x: float, y: float, radius: float, color: 
 
 
 @inner_kernel
-def _arc_distance(forward: float, aside: float, radius: float, end_x: float, end_y: float) -> float:
-    """Distance from an arc that runs from straight forward to the direction (end_x, end_y) on both sides.
+def _arc_coverage(
+    forward: float, aside: float, radius: float, end_x: float, end_y: float, half: float
+) -> float:
+    """Share of a pixel that an arc covers which runs from straight forward to (end_x, end_y) on both sides.
 
-    ``aside`` >= 0; ``end_x`` below -1 closes the ring.
+    ``aside`` >= 0; ``end_x`` below -1 closes the ring. Beyond the ends both round ends count: where they
+    lie on opposite sides of the pixel what they cover adds up, on the same side it is the same.
     """
     distance = math.sqrt(forward * forward + aside * aside)
     if forward >= distance * end_x:
-        return distance - radius
-    dx, dy = forward - radius * end_x, aside - radius * end_y
-    return math.sqrt(dx * dx + dy * dy)
+        return strip_coverage(distance - radius, half)
+    dx, near_y, far_y = forward - radius * end_x, aside - radius * end_y, aside + radius * end_y
+    near, far = math.sqrt(dx * dx + near_y * near_y), math.sqrt(dx * dx + far_y * far_y)
+    larger, smaller = strip_coverage(near, half), strip_coverage(far, half)
+    if smaller <= 0.0 or larger >= 1.0 or near <= 0.0:
+        return larger
+    opposite = 0.5 - 0.5 * (dx * dx + near_y * far_y) / (near * far)
+    return min(larger + opposite * smaller, 1.0)
 
 
 @lean_kernel
@@ -115,10 +123,8 @@ def stroke_arc(
                 column = max(column + 1, int(min(x + hole - 0.5, 1.0 * last)))
                 continue
             # in a frame whose axes run along and across the middle of the arc, it is symmetric
-            away = _arc_distance(
-                dx * across + dy * along, abs(dy * across - dx * along), radius, end_x, end_y
-            )
-            weight = weight_of(strip_coverage(away, half), alpha)
+            forward, aside = dx * across + dy * along, abs(dy * across - dx * along)
+            weight = weight_of(_arc_coverage(forward, aside, radius, end_x, end_y, half), alpha)
             if weight > 0:
                 blend(pixels, row, column, color, weight)
             column += 1

@@ -215,7 +215,7 @@ def test_why_a_test_fails():
 
 
 @pytest.mark.parametrize("scene_type", SCENES[:3], ids=level_id)
-def test_boxes_without_end_and_large_scenes_can_be_looked_into(scene_type):
+def test_boxes_without_end_and_large_scenes_can_be_looked_into(scene_type, monkeypatch):
     prepare()
     for level in ("hard-04-larger-than-the-grid", "hard-02-beyond-all-levels", "hard-09-floor-without-end"):
         try:
@@ -224,8 +224,9 @@ def test_boxes_without_end_and_large_scenes_can_be_looked_into(scene_type):
             continue
         for box in stage.scene.model.boxes.ids.tolist():
             stage.scene.model.chosen = box
-            picture_of_stage(stage, (320, 180), "light")
+            told = written(stage, monkeypatch, (320, 180))
+            assert any(name_of(stage.scene.model.boxes, box) in words for words, _ in told)
     stage = Stage(scene_type, parameters={"count": 2000})
     stage.scene.model.chosen = 1999
     stage.run(1)
-    picture_of_stage(stage, (320, 180), "light")
+    assert any("#1999" in words for words, _ in written(stage, monkeypatch, (320, 180)))

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pygame
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game.ui import raster
@@ -69,13 +69,11 @@ def test_ring(x, y, radius, width):
     assert abs(paper.coverage.sum() - truth.sum()) < 0.03 * truth.sum() + 0.6
 
 
-@given(st.floats(-7.0, 7.0), st.floats(-6.0, 6.0))
-@settings(max_examples=40, deadline=None)
+@given(st.floats(-7.0, 7.0), st.one_of(st.floats(-6.3, 6.3), st.floats(5.8, 6.29)))  # ends meet above 5.98
+@settings(max_examples=80, deadline=None)
 def test_arc_with_round_ends(start, sweep):
     paper = Paper()
     x, y, radius, width = 20.3, 14.8, 10.0, 3.0
-    # round ends that meet leave a notch narrower than a pixel, of which a distance does not know
-    assume(abs(sweep) < 2.0 * math.pi - (width + 1.0) / radius)
     stroke_arc(paper.pixels, paper.clip, x, y, radius, width, start, sweep, INK, 1.0)
 
     def inside(u, v):
