@@ -16,6 +16,8 @@ from game.app.screens.choices import ChoiceCard
 from game.app.screens.composition import Composition
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.level_card import LevelCard
+from game.app.screens.paper_card import PaperCard
+from game.app.screens.papers_card import PapersCard
 from game.app.screens.screen import Screen
 from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
@@ -43,6 +45,7 @@ if TYPE_CHECKING:
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
     from game.stage.catalogue import Entry
+    from game.ui.widgets.paper import PaperRow
 
 
 class App:
@@ -143,6 +146,7 @@ class App:
             "theme": self.toggle_theme,
             "screenshot": self.screenshot,
             "settings": self.open_settings,
+            "papers": self.open_papers,
             "quit": self.quit,
         }
 
@@ -223,6 +227,15 @@ class App:
         """The card of the settings; not over itself."""
         if not isinstance(self.screens.top, SettingsCard):
             self._open_card(SettingsCard.called, lambda: SettingsCard(self))
+
+    def open_papers(self) -> None:
+        """The list of the course's papers; not over itself."""
+        if not isinstance(self.screens.top, PapersCard):
+            self._open_card(PapersCard.called, lambda: PapersCard(self))
+
+    def open_paper(self, row: PaperRow) -> None:
+        """The page of a paper, which is measured while it is open."""
+        self._open_card(PaperCard.called, lambda: PaperCard(self, row))
 
     def open_choices(
         self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None

@@ -1,4 +1,4 @@
-"""The menu's header: mark and name, the search field, theme, settings and help."""
+"""The menu's header: mark and name, the search field, theme, settings, help and papers."""
 
 from __future__ import annotations
 
@@ -12,11 +12,16 @@ from game.ui.widgets.hotspots import Hotspot, Hotspots
 
 FIELD_WIDTH, FIELD_HEIGHT = 352, 40  # design px
 BLINK_S = 1.06
-BUTTONS = (("help", "help"), ("settings", "gear"), ("theme", "contrast"))  # from the right
+BUTTONS = (
+    ("help", "help"),
+    ("settings", "gear"),
+    ("theme", "contrast"),
+    ("papers", "page"),
+)  # from the right
 
 
 class Header:
-    """Draws itself; ``handle`` names what was pressed: theme, settings, help or clear."""
+    """Draws itself; ``handle`` names what was pressed: theme, settings, help, papers or clear."""
 
     def __init__(self, host: Host):
         self.host = host
@@ -37,7 +42,7 @@ class Header:
             place = pygame.Rect(0, 0, px(32), px(32))
             place.center = (rect.right - px(48) - i * px(40), middle)
             spots.append(Hotspot(name, place, True, name.capitalize()))
-        left, right = px(196), rect.right - px(164)
+        left, right = px(196), rect.right - px(204)
         self.field = pygame.Rect(0, 0, max(1, min(px(FIELD_WIDTH), right - left)), px(FIELD_HEIGHT))
         self.field.center = (
             max(left + self.field.w // 2, min(rect.centerx, right - self.field.w // 2)),

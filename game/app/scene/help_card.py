@@ -7,8 +7,10 @@ from typing import ClassVar
 from game.app.screens.host import Host
 from game.app.screens.page_screen import PageScreen
 from game.app.window.commands import COMMANDS, Actions
+from game.scenes.papers import papers_of
 from game.stage import Scene
 from game.ui.widgets.helppage import HelpPage
+from game.ui.widgets.wishes import Wish
 
 
 class HelpCard(PageScreen):
@@ -25,7 +27,13 @@ class HelpCard(PageScreen):
         ]
         if "wheel" not in scene_type.takes:
             rows.append((("Wheel",), "zoom"))
-        super().__init__(host, HelpPage(host.look, scene_type, rows, level))
+        papers = {row.number: row for row in papers_of(scene_type.name)}
+        links = [(number, f"Paper {number}") for number in reversed(papers)]
+        super().__init__(host, HelpPage(host.look, scene_type, rows, level, links))
+        self._papers = papers
+
+    def fulfil(self, wish: Wish) -> None:
+        self.host.open_paper(self._papers[wish.name])
 
     @property
     def actions(self) -> Actions:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from game.lab import Study
     from game.stage import Scene, Stage, StageEvent
     from game.stage.catalogue import Entry
+    from game.ui.widgets.paper import PaperRow
 
 
 class Host(Protocol):
@@ -113,6 +114,14 @@ class Host(Protocol):
 
     def open_settings(self) -> None:
         """The card of the settings."""
+        ...
+
+    def open_papers(self) -> None:
+        """The list of the course's papers."""
+        ...
+
+    def open_paper(self, row: PaperRow) -> None:
+        """The page of a paper."""
         ...
 
     def open_choices(

@@ -1,0 +1,73 @@
+"""The list of papers, and the page of each that is done: it loads, draws and measures."""
+
+from __future__ import annotations
+
+import pygame
+import pytest
+
+from game.levels import level_files
+from game.scenes import CATALOGUE
+from game.scenes.papers import PAPERS, papers_of
+from game.ui.canvas.pen import FIGURE, Pen
+from game.ui.look.look import Look
+from game.ui.look.theme import DARK, LIGHT
+from game.ui.text.formula import render_formula
+from game.ui.widgets.paper import Comparison
+from game.ui.widgets.paperpage import PaperPage
+
+DONE = [row for row in PAPERS if row.done]
+
+
+def test_all_48_rows_stand_in_their_order():
+    assert [row.number for row in PAPERS] == [f"P{number:02}" for number in range(1, 49)]
+    assert all(row.title and row.authors and 1990 <= row.year <= 2015 for row in PAPERS)
+    assert all(bool(row.scene) == bool(row.page) for row in PAPERS)
+
+
+@pytest.mark.parametrize("row", DONE, ids=lambda row: row.number)
+def test_a_paper_that_is_done_has_its_scene_its_level_and_its_page(row):
+    entry = CATALOGUE[row.scene]
+    assert row in papers_of(entry.name)
+    assert not row.level or row.level in [path.stem for path in level_files(entry.name)]
+    paper = row.load()
+    for part in (paper.problem, paper.idea, paper.steps, paper.showed, paper.limits, paper.after):
+        assert part
+    assert sum(step.figure is not None for step in paper.steps) >= 2
+
+
+@pytest.mark.parametrize("row", DONE, ids=lambda row: row.number)
+def test_its_figures_lie_in_their_frame_and_its_formulas_can_be_read(row):
+    for look in (Look(DARK, 1.0), Look(LIGHT, 1.5)):
+        for step in row.load().steps:
+            if step.formula:
+                assert render_formula(look.fonts, step.formula, look.theme.text1, 14.0).get_width() > 0
+            if step.figure is None:
+                continue
+            pen = Pen((round(FIGURE[0] * look.k), round(FIGURE[1] * look.k)), look, FIGURE)
+            pen.fill("stage")
+            step.figure(pen)
+            frame = pygame.Rect((0, 0), pen.size)
+            assert all(frame.contains(place) for place in pen.word_places()), step.words
+            shown = pygame.transform.average_color(pen.finished())
+            assert tuple(shown)[:3] != tuple(look.color("stage"))[:3]
+
+
+@pytest.mark.parametrize("row", DONE, ids=lambda row: row.number)
+def test_what_its_page_compares_is_measured(row):
+    found = list(row.load().measure())
+    assert found and all(isinstance(one, Comparison) and one.what and one.ours for one in found)
+    assert not any(word in one.ours for one in found for word in ("nan", "inf", "none"))
+
+
+def test_the_page_shows_what_has_been_measured_so_far():
+    look, row = Look(DARK, 1.0), DONE[0]
+    page = PaperPage(look, row, row.load(), [("open", "Open")])
+    page.place(pygame.Rect(0, 0, 1280, 720), look)
+    page.update(1.0)
+    pictures = []
+    for count in (0, 1, 2):
+        page.show([Comparison("a", "1", "2")] * count, "" if count == 2 else "measuring ...")
+        surface = pygame.Surface((1280, 720), 0, 32)
+        page.draw(surface)
+        pictures.append(pygame.image.tobytes(surface, "RGB"))
+    assert len(set(pictures)) == 3
