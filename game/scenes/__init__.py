@@ -17,6 +17,7 @@ from game.scenes import (
     fountain,
     key_frames,
     lecture_table,
+    levitation,
     real_table,
     rigid_body,
     skeletons,
@@ -51,6 +52,7 @@ CATALOGUE = Catalogue(
         *solids.ENTRIES,
         *tracks.ENTRIES,
         *beat.ENTRIES,
+        *levitation.ENTRIES,
         *domino.ENTRIES,
     )
 )

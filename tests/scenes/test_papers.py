@@ -5,6 +5,7 @@ from __future__ import annotations
 import pygame
 import pytest
 
+from game.app.stagehand.headless import prepare
 from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.scenes.papers import PAPERS, papers_of
@@ -60,6 +61,7 @@ def test_what_its_page_compares_is_measured(row):
 
 
 def test_the_page_shows_what_has_been_measured_so_far():
+    prepare()
     look, row = Look(DARK, 1.0), DONE[0]
     page = PaperPage(look, row, row.load(), [("open", "Open")])
     page.place(pygame.Rect(0, 0, 1280, 720), look)

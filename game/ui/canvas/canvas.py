@@ -15,8 +15,8 @@ import pygame
 
 from game.ui import raster
 from game.ui.canvas.base import Dash, Point, Token
+from game.ui.canvas.fields import FieldCanvas
 from game.ui.canvas.grid import draw_grid
-from game.ui.canvas.lights import LightCanvas
 from game.ui.raster.projection import as_points, map_points
 from game.ui.text.formula import render_formula
 from game.ui.text.vector_label import vector_label
@@ -29,7 +29,7 @@ _ANCHORS = {
 }  # fmt: skip
 
 
-class Canvas(LightCanvas):
+class Canvas(FieldCanvas):
     """Draws the shapes, marks, words and things of the physics."""
 
     # -- lines and areas ----------------------------------------------------------------------------

@@ -1,0 +1,45 @@
+"""A verb for fields: an array of numbers as a smooth picture, over colours of the theme."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.ui.canvas.base import Point, Token
+from game.ui.canvas.lights import LightCanvas
+from game.ui.look.look import Look
+from game.ui.raster.field import paint_field, shade_table
+
+Stop = tuple[float, Token]
+
+
+class FieldCanvas(LightCanvas):
+    """What is given on a grid."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__(look)
+        self._tables: dict[tuple[tuple[float, int], ...], NDArray[np.uint32]] = {}
+        self._row = np.empty(0, np.float32)
+
+    def field(
+        self, values: Any, corner: Point, opposite: Point, stops: Sequence[Stop], alpha: float = 1.0
+    ) -> None:
+        """Values (rows, columns) between a lower left and an upper right corner in the world, cell by cell.
+
+        stops: colours from (0, colour) to (1, colour); values outside take the nearest. The first row is the
+        lowest. Linear between the middles of cells.
+        """
+        grid = np.ascontiguousarray(values, dtype=np.float32)
+        key = tuple((place, self.ink(color)) for place, color in stops)  # a theme has colours of its own
+        table = self._tables.get(key)
+        if table is None:
+            self._tables[key] = table = shade_table([(place, self.color(color)) for place, color in stops])
+        if len(self._row) < grid.shape[1]:
+            self._row = np.empty(grid.shape[1], np.float32)
+        left, bottom = self._place(corner)
+        right, top = self._place(opposite)
+        box = np.array((left, top, right, bottom))
+        paint_field(self._pixels, self._clip, grid, box, table, self._row, float(alpha))
