@@ -5,7 +5,6 @@ from __future__ import annotations
 import pygame
 import pytest
 
-from game.app.stagehand.headless import prepare
 from game.levels import level_files
 from game.scenes import CATALOGUE
 from game.scenes.papers import PAPERS, papers_of
@@ -14,7 +13,6 @@ from game.ui.look.look import Look
 from game.ui.look.theme import DARK, LIGHT
 from game.ui.text.formula import render_formula
 from game.ui.widgets.paper import Comparison
-from game.ui.widgets.paperpage import PaperPage
 
 DONE = [row for row in PAPERS if row.done]
 
@@ -58,18 +56,3 @@ def test_what_its_page_compares_is_measured(row):
     found = list(row.load().measure())
     assert found and all(isinstance(one, Comparison) and one.what and one.ours for one in found)
     assert not any(word in one.ours for one in found for word in ("nan", "inf", "none"))
-
-
-def test_the_page_shows_what_has_been_measured_so_far():
-    prepare()
-    look, row = Look(DARK, 1.0), DONE[0]
-    page = PaperPage(look, row, row.load(), [("open", "Open")])
-    page.place(pygame.Rect(0, 0, 1280, 720), look)
-    page.update(1.0)
-    pictures = []
-    for count in (0, 1, 2):
-        page.show([Comparison("a", "1", "2")] * count, "" if count == 2 else "measuring ...")
-        surface = pygame.Surface((1280, 720), 0, 32)
-        page.draw(surface)
-        pictures.append(pygame.image.tobytes(surface, "RGB"))
-    assert len(set(pictures)) == 3
