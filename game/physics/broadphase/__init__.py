@@ -8,12 +8,14 @@ All broad phases take the same calls and give the same answers; closed boxes, so
 ``CoveringGrid``       the same, each box in all cells it covers                       to compare with
 ``HierarchicalGrid``   hash tables, a grid for every size                              boxes of any size
 ``SweepAndPrune``      end points kept sorted on two axes                              slow motion
+``BspTree``            cuts that follow the boxes                                      unlike sizes, heaps
 =====================  ==============================================================  ==================
 
 ``MatrixPairs`` and ``HashedPairs`` keep pairs from step to step and tell which began and which ended.
 """
 
 from game.physics.broadphase.boxes import BroadPhase
+from game.physics.broadphase.bsp_tree import BspTree
 from game.physics.broadphase.covering_grid import CoveringGrid
 from game.physics.broadphase.hierarchical_grid import HierarchicalGrid
 from game.physics.broadphase.naive import NaiveBroadPhase
@@ -23,6 +25,7 @@ from game.physics.broadphase.uniform_grid import UniformGrid
 
 __all__ = [
     "BroadPhase",
+    "BspTree",
     "CoveringGrid",
     "HashedPairs",
     "HierarchicalGrid",

@@ -6,6 +6,7 @@ import numpy as np
 
 from game.physics.broadphase import (
     BroadPhase,
+    BspTree,
     CoveringGrid,
     HierarchicalGrid,
     MatrixPairs,
@@ -21,6 +22,7 @@ PHASES = {
     "covering": lambda: CoveringGrid((0.0, 0.0), (8.0, 8.0), 1.0),
     "hierarchical": HierarchicalGrid,
     "hierarchical-8": lambda: HierarchicalGrid(8),
+    "bsp": BspTree,
     "sweep": SweepAndPrune,
     "sweep-matrix": lambda: SweepAndPrune(MatrixPairs(400), resort=False),
 }

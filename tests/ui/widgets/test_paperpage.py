@@ -11,7 +11,8 @@ from tests.ui.pointing import click
 
 ROW = PaperRow("P99", "On a method", "Somebody", 2001, "c01", "", "nowhere:PAGE")
 PAPER = Paper(
-    ("A problem.",), ("An idea.",), (Step("A step.", lambda pen: pen.disc(60.0, 60.0, 20.0, "amber"), "x = 1"),),
+    ("A problem.",), ("An idea.",),
+    (Step("A step.", lambda pen: pen.disc(60.0, 60.0, 20.0, "amber"), "x = 1"),),
     ("They showed it.",), lambda: iter(()), ("A limit.",), ("Later.",),
 )  # fmt: skip
 

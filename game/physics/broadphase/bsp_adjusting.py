@@ -1,0 +1,210 @@
+"""How a BSP tree adjusts itself: leaves are split and merged, and what leans is cut anew once that pays.
+
+A subtree that has become uneven costs a little more in every step. That is written down as its debt; only
+when the debt exceeds what cutting the subtree anew would cost is that done, so a tree in unrest is not torn
+up all the time, and most of it stays as it is.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from game.physics.broadphase.bsp_nodes import (
+    AXIS,
+    BOX,
+    COUNT,
+    CUT,
+    DEBT,
+    HEAD,
+    LEAF,
+    LEFT,
+    MERGES,
+    MOVED,
+    NEXT,
+    NODES,
+    REFS,
+    RIGHT,
+    SPLITS,
+    STUBBORN,
+    TOTAL,
+    collapse,
+    split,
+)
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
+
+FULL_LEAF = 12  # references; a leaf with more is split
+FEW = 5  # references of two leaves that are merged
+EVEN = 0.65  # the share of the larger side up to which a node owes nothing
+REBUILD = 2.0  # what cutting anew costs, for each reference and level, in references that are too many
+USEFUL = 0.8  # of a leaf's references the larger side of a cut has at most, or the cut is not made
+GROWN = 1.5  # a leaf that could not be cut is tried again when it has grown by that
+
+
+@inner_kernel
+def middle_of(low, high):
+    """The middle of an extent, of which either end may be infinite."""
+    if low == -np.inf:
+        return high if high < np.inf else 0.0
+    return low + 0.5 * (high - low) if high < np.inf else low
+
+
+@inner_kernel
+def select(values, count, rank):
+    """The value with ``rank`` values before it in order; values (>= count,) are reordered (Hoare 1961)."""
+    low, high = 0, count - 1
+    while low < high:
+        pivot = values[(low + high) // 2]
+        i, j = low, high
+        while i <= j:
+            while values[i] < pivot:
+                i += 1
+            while values[j] > pivot:
+                j -= 1
+            if i <= j:
+                values[i], values[j] = values[j], values[i]
+                i += 1
+                j -= 1
+        if rank <= j:
+            high = j
+        elif rank >= i:
+            low = i
+        else:
+            break
+    return values[rank]
+
+
+@inner_kernel
+def best_cut(tree, boxes, leaf, scratch):
+    """Axis and place of the cut through the middle box that leaves least; LEAF if none is worth it."""
+    count = tree.nodes[leaf, COUNT]
+    best, best_axis, best_cut = np.inf, LEAF, 0.0
+    for axis in range(2):
+        size, ref = 0, tree.nodes[leaf, HEAD]
+        while ref >= 0:
+            box = tree.refs[ref, BOX]
+            scratch[size] = middle_of(boxes[box, axis], boxes[box, axis + 2])
+            size += 1
+            ref = tree.refs[ref, NEXT]
+        cut = select(scratch, size, size // 2)
+        left, right, ref = 0, 0, tree.nodes[leaf, HEAD]
+        while ref >= 0:
+            box = tree.refs[ref, BOX]
+            left += boxes[box, axis] < cut
+            right += boxes[box, axis + 2] >= cut
+            ref = tree.refs[ref, NEXT]
+        cost = 1.0 * (left + right) + abs(left - right)
+        if cost < best and max(left, right) <= USEFUL * count:
+            best, best_axis, best_cut = cost, axis, cut
+    return best_axis, best_cut
+
+
+@inner_kernel
+def split_below(tree, boxes, node, stack, scratch):
+    """Split a leaf, and the parts it falls into, as long as they are too full; False if room ran out."""
+    height = 1
+    stack[0] = node
+    while height > 0:
+        height -= 1
+        leaf = stack[height]
+        count = tree.nodes[leaf, COUNT]
+        if count <= FULL_LEAF or count <= GROWN * tree.nodes[leaf, STUBBORN]:
+            continue
+        axis, cut = best_cut(tree, boxes, leaf, scratch)
+        if axis == LEAF:
+            tree.nodes[leaf, STUBBORN] = count
+            continue
+        if len(tree.refs) - tree.numbers[REFS] < count or len(tree.nodes) - tree.numbers[NODES] < 2:
+            return False
+        split(tree, boxes, leaf, axis, cut)
+        tree.numbers[SPLITS] += 1
+        stack[height], stack[height + 1] = tree.nodes[leaf, LEFT], tree.nodes[leaf, RIGHT]
+        height += 2
+    return True
+
+
+@inner_kernel
+def _owes(tree, node, total, larger):
+    """Add to a node's debt; whether it has become larger than what cutting anew costs."""
+    too_many = larger - EVEN * total
+    if total <= 2 * FULL_LEAF or too_many <= 0.0:
+        tree.cuts[node, DEBT] = 0.0
+        return False
+    tree.cuts[node, DEBT] += too_many
+    return tree.cuts[node, DEBT] > REBUILD * total * np.log2(1.0 * total)
+
+
+@kernel(_nrt=False)
+def adjust(tree: Any, boxes, stack, scratch):
+    """Split what is too full, merge what is nearly empty, cut anew what has owed too much.
+
+    ``stack``: (3, DEEPEST) and ``scratch``: (capacity,) to work in. False if room ran out: with more of it,
+    calling again goes on.
+    """
+    way, begun = stack[0], stack[1]
+    height = 1
+    way[0], begun[0] = 0, 0
+    while height > 0:
+        node = way[height - 1]
+        if tree.nodes[node, AXIS] == LEAF:
+            height -= 1
+            if not split_below(tree, boxes, node, stack[2], scratch):
+                return False
+            tree.nodes[node, TOTAL] = tree.nodes[node, COUNT]
+            if tree.nodes[node, AXIS] != LEAF:
+                tree.nodes[node, TOTAL] = (
+                    tree.nodes[tree.nodes[node, LEFT], COUNT] + tree.nodes[tree.nodes[node, RIGHT], COUNT]
+                )
+            continue
+        if begun[height - 1] == 0:
+            begun[height - 1] = 1
+            for side in (LEFT, RIGHT):
+                way[height], begun[height] = tree.nodes[node, side], 0
+                height += 1
+            continue
+        height -= 1
+        left, right = tree.nodes[node, LEFT], tree.nodes[node, RIGHT]
+        total = tree.nodes[left, TOTAL] + tree.nodes[right, TOTAL]
+        tree.nodes[node, TOTAL] = total
+        leaves = tree.nodes[left, AXIS] == LEAF and tree.nodes[right, AXIS] == LEAF
+        if leaves and total <= FEW:
+            collapse(tree, node, stack[2])
+            tree.numbers[MERGES] += 1
+            tree.nodes[node, TOTAL] = tree.nodes[node, COUNT]
+        elif _owes(tree, node, total, max(tree.nodes[left, TOTAL], tree.nodes[right, TOTAL])):
+            collapse(tree, node, stack[2])
+            tree.numbers[MOVED] += tree.nodes[node, COUNT]
+            if not split_below(tree, boxes, node, stack[2], scratch):
+                return False
+    return True
+
+
+@kernel(_nrt=False)
+def note_cuts(tree: Any, boxes, ids, stack):
+    """Find anew between which cuts the corners of boxes lie, which may be farther apart than was noted."""
+    for box in ids:
+        for place in range(4):
+            tree.safe[box, 2 * place], tree.safe[box, 2 * place + 1] = -np.inf, np.inf
+        height = 1
+        stack[0] = 0
+        while height > 0:
+            height -= 1
+            node = stack[height]
+            axis = tree.nodes[node, AXIS]
+            if axis == LEAF:
+                continue
+            cut = tree.cuts[node, CUT]
+            for end in range(2):
+                place = axis + 2 * end
+                if cut <= boxes[box, place]:
+                    tree.safe[box, 2 * place] = max(tree.safe[box, 2 * place], cut)
+                else:
+                    tree.safe[box, 2 * place + 1] = min(tree.safe[box, 2 * place + 1], cut)
+            if boxes[box, axis] < cut:
+                stack[height] = tree.nodes[node, LEFT]
+                height += 1
+            if boxes[box, axis + 2] >= cut:
+                stack[height] = tree.nodes[node, RIGHT]
+                height += 1

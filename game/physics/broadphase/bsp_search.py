@@ -1,0 +1,140 @@
+"""What a BSP tree is asked: all overlapping pairs, and the boxes that overlap a box."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from game.physics.broadphase.bsp_nodes import (
+    AXIS,
+    BOX,
+    CUT,
+    HEAD,
+    LEAF,
+    LEFT,
+    NEXT,
+    RIGHT,
+    STAMP,
+    TESTS,
+)
+from game.physics.kernels.jit import kernel
+from game.physics.kernels.lean import inner_kernel
+
+SORTED = 24  # boxes of a leaf from which on they are sorted by x before they are compared
+
+
+@inner_kernel
+def _gather(tree, boxes, leaf, ids, near):
+    """The boxes of a leaf side by side: ids (>= count,), corners (4, >= count); sorted by x0 if many."""
+    count, ref = 0, tree.nodes[leaf, HEAD]
+    while ref >= 0:
+        ids[count] = tree.refs[ref, BOX]
+        count += 1
+        ref = tree.refs[ref, NEXT]
+    if count > SORTED:
+        _sort_by_left(boxes, ids, count)
+    for i in range(count):
+        for place in range(4):
+            near[place, i] = boxes[ids[i], place]
+    return count
+
+
+@inner_kernel
+def _sort_by_left(boxes, ids, count):
+    """Heap sort of ids by the left end of their boxes (Williams 1964)."""
+    for end in range(2 * count - 1, 0, -1):
+        # the first half of the turns makes the heap, the second takes its top away
+        root = end - count if end >= count else 0
+        size = count if end >= count else end
+        if end < count:
+            ids[0], ids[end] = ids[end], ids[0]
+        while True:
+            child = 2 * root + 1
+            if child >= size:
+                break
+            if child + 1 < size and boxes[ids[child], 0] < boxes[ids[child + 1], 0]:
+                child += 1
+            if boxes[ids[root], 0] >= boxes[ids[child], 0]:
+                break
+            ids[root], ids[child] = ids[child], ids[root]
+            root = child
+
+
+@kernel(_nrt=False)
+def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
+    """Write a key a << 32 | b (a < b) for each pair; returns their number, or -1 if ``keys`` is too short.
+
+    A pair that meets in several leaves counts in the one that holds the lower corner of what both cover.
+    ``stack``: (DEEPEST,), ``parts``: (DEEPEST, 4), ``ids``: (capacity,), ``near``: (4, capacity), to work in.
+    """
+    found, tests, height = 0, 0, 1
+    stack[0] = 0
+    parts[0, 0], parts[0, 1], parts[0, 2], parts[0, 3] = -np.inf, -np.inf, np.inf, np.inf
+    while height > 0:
+        height -= 1
+        node = stack[height]
+        x0, y0, x1, y1 = parts[height, 0], parts[height, 1], parts[height, 2], parts[height, 3]
+        axis = tree.nodes[node, AXIS]
+        if axis != LEAF:
+            cut = tree.cuts[node, CUT]
+            for side in range(2):
+                stack[height] = tree.nodes[node, LEFT if side == 0 else RIGHT]
+                parts[height, 0], parts[height, 1] = x0, y0
+                parts[height, 2], parts[height, 3] = x1, y1
+                parts[height, axis + 2 if side == 0 else axis] = cut
+                height += 1
+            continue
+        count = _gather(tree, boxes, node, ids, near)
+        for i in range(count):
+            if found + count > len(keys):
+                return -1
+            left, low, right, high = near[0, i], near[1, i], near[2, i], near[3, i]
+            for j in range(i + 1, count):
+                if count > SORTED and near[0, j] > right:
+                    break
+                tests += 1
+                if (near[0, j] <= right) & (left <= near[2, j]) & (near[1, j] <= high) & (low <= near[3, j]):
+                    x, y = max(left, near[0, j]), max(low, near[1, j])
+                    if (x0 <= x) & (x < x1) & (y0 <= y) & (y < y1):
+                        a, b = ids[i], ids[j]
+                        keys[found] = (min(a, b) << 32) | max(a, b)
+                        found += 1
+    tree.numbers[TESTS] = tests
+    return found
+
+
+@kernel(_nrt=False)
+def find_in_box(tree: Any, boxes, wanted, stack, ids):
+    """Find the boxes that overlap a box (x0, y0, x1, y1); returns their number. ``ids``: written."""
+    tree.numbers[STAMP] += 1
+    stamp = tree.numbers[STAMP]
+    found, height = 0, 1
+    stack[0] = 0
+    while height > 0:
+        height -= 1
+        node = stack[height]
+        axis = tree.nodes[node, AXIS]
+        if axis != LEAF:
+            if wanted[axis] < tree.cuts[node, CUT]:
+                stack[height] = tree.nodes[node, LEFT]
+                height += 1
+            if wanted[axis + 2] >= tree.cuts[node, CUT]:
+                stack[height] = tree.nodes[node, RIGHT]
+                height += 1
+            continue
+        ref = tree.nodes[node, HEAD]
+        while ref >= 0:
+            box = tree.refs[ref, BOX]
+            if (
+                tree.stamps[box] != stamp
+                and boxes[box, 0] <= wanted[2]
+                and wanted[0] <= boxes[box, 2]
+                and boxes[box, 1] <= wanted[3]
+                and wanted[1] <= boxes[box, 3]
+            ):
+                tree.stamps[box] = stamp
+                ids[found] = box
+                found += 1
+            ref = tree.refs[ref, NEXT]
+    return found
