@@ -111,7 +111,9 @@ def test_swaps_follow_speed_as_the_formula_says():
     assert slope(speed_study, "swaps", [0.02, 0.05, 0.1, 0.2, 0.4]) == pytest.approx(1.0, abs=0.1)
 
 
-@pytest.mark.parametrize(("method", "exponent"), [("naive", 2.0), ("uniform", 1.0), ("sweep", 1.5)])
+@pytest.mark.parametrize(
+    ("method", "exponent"), [("naive", 2.0), ("uniform", 1.0), ("sweep", 1.5), ("bsp", 1.0)]
+)
 def test_work_grows_with_the_number_of_boxes_as_expected(method, exponent):
     counts = [100.0, 300.0, 1000.0, 3000.0]
     assert slope(work_study, method, counts) == pytest.approx(exponent, abs=0.15)

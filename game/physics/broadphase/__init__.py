@@ -15,7 +15,7 @@ All broad phases take the same calls and give the same answers; closed boxes, so
 """
 
 from game.physics.broadphase.boxes import BroadPhase
-from game.physics.broadphase.bsp_tree import BspTree
+from game.physics.broadphase.bsp.tree import BspTree
 from game.physics.broadphase.covering_grid import CoveringGrid
 from game.physics.broadphase.hierarchical_grid import HierarchicalGrid
 from game.physics.broadphase.naive import NaiveBroadPhase

@@ -12,7 +12,7 @@ RATIO, SHARE = 20.0, 0.01  # of large boxes, in scenes without parameters for th
 MAKING = ("workload", "fill", "ratio", "share")  # parameters by which random boxes are made
 COUNT_HELP = "boxes are added or removed while the others go on; their density stays"
 FILL_HELP = "area of equal boxes over that of the world; a box overlaps four times as many"
-CONTESTANTS = ("naive", "uniform", "covering", "hierarchical", "sweep")  # of the race
+CONTESTANTS = ("naive", "uniform", "covering", "hierarchical", "sweep", "bsp")  # of the race
 
 
 def _ratio() -> Param:
@@ -142,6 +142,8 @@ class RaceParameters(BoxesParameters):
     covering = Toggle(True, group="Contestants", label="Grid, all cells covered")
     hierarchical = Toggle(True, group="Contestants", label="Hierarchical grids")
     sweep = Toggle(True, group="Contestants", label="Sweep and prune")
+    bsp = Toggle(True, group="Contestants", label="BSP tree")
+    cuts = Toggle(False, group="Shown", label="Cuts of the BSP tree")
 
     def chosen(self) -> tuple[str, ...]:
         """The contestants that are switched on."""

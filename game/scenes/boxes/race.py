@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from game.lab.studies.broadphase.count import METHOD_COLORS, count_study
 from game.physics.broadphase import (
+    BspTree,
     CoveringGrid,
     HierarchicalGrid,
     NaiveBroadPhase,
@@ -51,13 +52,14 @@ class BroadPhaseRace(BoxesScene):
         ("covered cells", lambda: CoveringGrid((0.0, 0.0), (1.0, 1.0), 0.5)),
         ("hierarchical grids", HierarchicalGrid),
         ("sweep and prune", SweepAndPrune),
+        ("BSP tree", BspTree),
     )
     strips = (
         Strip(
             "Update and all pairs",
             "s",
-            ("uniform", "hierarchical", "sweep"),
-            colors=(METHOD_COLORS["uniform"], METHOD_COLORS["hierarchical"], METHOD_COLORS["sweep"]),
+            ("uniform", "hierarchical", "sweep", "bsp"),
+            colors=tuple(METHOD_COLORS[name] for name in ("uniform", "hierarchical", "sweep", "bsp")),
         ),
         Strip("Pair managers", "s", ("matrix", "hash")),
         Strip("Pairs", "", ("pairs",)),

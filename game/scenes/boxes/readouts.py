@@ -76,6 +76,8 @@ def race_readouts(model: RaceModel) -> list[Readout]:
         *_begun_and_ended(model),
         *(Readout(name, model.watch.median(name), "s") for name in (*CONTESTANTS, "matrix", "hash")),
         Readout("swaps", model.swaps),
+        Readout("put anew", model.tree_work.repairs),
+        Readout("cut anew", model.tree_work.moved / max(len(model.boxes), 1)),
         Readout("answers differ", float(sum(not same for same in model.agree.values()))),
         *_expected_alone(model),
     ]

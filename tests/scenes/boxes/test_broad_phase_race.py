@@ -19,7 +19,7 @@ def test_all_find_the_same_on_every_workload(workload):
         BroadPhaseRace, parameters={"count": 200, "workload": workload, "ratio": 8.0, "share": 0.05}
     )
     scene = stage.scene
-    assert list(scene.model.phases) == ["naive", "uniform", "covering", "hierarchical", "sweep"]
+    assert list(scene.model.phases) == ["naive", "uniform", "covering", "hierarchical", "sweep", "bsp"]
     before = scene.model.boxes.lowers.copy()
     for _ in range(10):
         stage.run(1)
@@ -36,7 +36,7 @@ def test_all_find_the_same_on_every_workload(workload):
 def test_contestants_are_switched_off_and_one_always_stays():
     stage = Stage(BroadPhaseRace, parameters={"count": 100})
     stage.run(2)
-    for name in ("naive", "uniform", "covering", "sweep", "hierarchical"):
+    for name in ("naive", "uniform", "covering", "sweep", "bsp", "hierarchical"):
         stage.post(SetParameter(name, False))
         stage.run(1)
         assert bool(stage.scene.messages()) == (name == "hierarchical")  # all switches are off, one stays

@@ -14,6 +14,7 @@ from game.lab.studies.broadphase.steps import EXTENT, PER_STEP, SEED, Steps, box
 from game.lab.study import Axes, Knob, Method, Outcome, Setting, Study
 from game.physics.broadphase import (
     BroadPhase,
+    BspTree,
     HierarchicalGrid,
     NaiveBroadPhase,
     SweepAndPrune,
@@ -25,12 +26,14 @@ MOST_NAIVE = 10_000
 COUNT_PARAMETERS = {"workload": "equal", "fill": 0.375}
 METHOD_COLORS = {  # of the theme: in studies, tables, bars, strips and curves alike
     "naive": "vermilion", "uniform": "chalk", "covering": "violet", "hierarchical": "green", "sweep": "pink",
+    "bsp": "yellow",
 }  # fmt: skip
 COUNT_METHODS: dict[str, Callable[[float], BroadPhase]] = {
     "naive": lambda size: NaiveBroadPhase(),
     "uniform": lambda size: UniformGrid((0.0, 0.0), EXTENT, 1.25 * size),
     "hierarchical": lambda size: HierarchicalGrid(),
     "sweep": lambda size: SweepAndPrune(),
+    "bsp": lambda size: BspTree(),
 }
 
 
@@ -65,6 +68,7 @@ work_study = Study(
         Method("uniform", "uniform grid", 1.0, color=METHOD_COLORS["uniform"]),
         Method("hierarchical", "hierarchical grids", 1.0, color=METHOD_COLORS["hierarchical"]),
         Method("sweep", "sweep and prune", 1.5, color=METHOD_COLORS["sweep"]),
+        Method("bsp", "BSP tree", 1.0, color=METHOD_COLORS["bsp"]),
     ),
     settings=_count_settings,
     trial=_count_trial,
@@ -90,6 +94,7 @@ count_study = replace(
             "between 1 and 1.5: sorting and listing are in proportion",
             color=METHOD_COLORS["sweep"],
         ),
+        work_study.methods[4],
     ),
     axes=Axes("knob", "cpu"),
     short="Number",

@@ -8,6 +8,7 @@ import numpy as np
 
 from game.physics.broadphase import (
     BroadPhase,
+    BspTree,
     CoveringGrid,
     HashedPairs,
     HierarchicalGrid,
@@ -17,6 +18,7 @@ from game.physics.broadphase import (
     SweepAndPrune,
     UniformGrid,
 )
+from game.physics.broadphase.bsp.tree import TreeWork
 from game.physics.broadphase.workloads import make_boxes
 from game.physics.effects import EffectSet
 from game.scenes.boxes.level import HEIGHT, WIDTH
@@ -27,14 +29,15 @@ from game.scenes.boxes.model.managers import matrix_for
 from game.scenes.boxes.parameters import CONTESTANTS, RaceParameters
 
 MOST_CELLS = 1 << 22
+NO_WORK = TreeWork(0, 0, 0, 0)
 
 
 class RaceModel(BoxesModel):
     """The model of the race.
 
     phases: the broad phases that take part, by name; agree: whether each finds the pairs of the first;
-    managers: both pair managers, None for a matrix that would be too large; swaps: of the last step. curves:
-    what steps have cost at other numbers of boxes.
+    managers: both pair managers, None for a matrix that would be too large; swaps, tree_work: of the last
+    step. curves: what steps have cost at other numbers of boxes.
     """
 
     parameters: RaceParameters
@@ -60,6 +63,7 @@ class RaceModel(BoxesModel):
         self.agree = dict.fromkeys(self.phases, True)
         self.answers: list[PairEvents] = []  # of the managers, in the last step
         self.swaps = 0
+        self.tree_work = NO_WORK
 
     def structures(self) -> tuple[BroadPhase, ...]:
         return tuple(self.phases.values())
@@ -68,12 +72,15 @@ class RaceModel(BoxesModel):
         first = None
         for name, phase in self.phases.items():
             before = phase.swaps if isinstance(phase, SweepAndPrune) else 0
+            worked = phase.work if isinstance(phase, BspTree) else NO_WORK
             with self.watch.time(name):
                 self.update(phase)
                 pairs = phase.pairs()
             if isinstance(phase, SweepAndPrune):
                 self.swaps = phase.swaps - before
                 phase.manager.take_events()
+            if isinstance(phase, BspTree):
+                self.tree_work = TreeWork(*(b - a for a, b in zip(worked, phase.work, strict=True)))
             if first is None:
                 first = self.pairs = pairs
             self.agree[name] = bool(np.array_equal(pairs, first))
@@ -144,6 +151,8 @@ def _phase(name: str, cell: float) -> BroadPhase:
         return NaiveBroadPhase()
     if name == "sweep":
         return SweepAndPrune()
+    if name == "bsp":
+        return BspTree()
     if name == "hierarchical":
         return HierarchicalGrid()
     return (UniformGrid if name == "uniform" else CoveringGrid)((0.0, 0.0), (WIDTH, HEIGHT), cell)

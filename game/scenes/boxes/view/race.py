@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from game.lab.studies.broadphase.count import METHOD_COLORS
-from game.physics.broadphase import SweepAndPrune
+from game.physics.broadphase import BspTree, SweepAndPrune
+from game.scenes.boxes.level import HEIGHT, WIDTH
 from game.scenes.boxes.model.arrays import BoxesState
 from game.scenes.boxes.model.race import RaceModel
 from game.scenes.boxes.numbers import bytes_text, grouped, short
@@ -21,6 +24,7 @@ PHASES = (
     Contestant("covering", "Grid, all cells covered", METHOD_COLORS["covering"], "tests"),
     Contestant("hierarchical", "Hierarchical grids", METHOD_COLORS["hierarchical"], "tests"),
     Contestant("sweep", "Sweep and prune", METHOD_COLORS["sweep"], "swaps"),
+    Contestant("bsp", "BSP tree", METHOD_COLORS["bsp"], "tests"),
 )
 MANAGERS = (
     Contestant("matrix", "Full matrix", "chalk", "begun"),
@@ -38,6 +42,8 @@ class RaceView(BoxesView):
 
     def draw(self, canvas: Canvas, before: BoxesState | None, alpha: float) -> None:
         draw_ground(canvas)
+        if self.model.parameters.cuts:
+            self._draw_cuts(canvas)
         self.draw_boxes(canvas, before, alpha)
         table = RaceTable(canvas)
         self._write_phases(table)
@@ -47,6 +53,16 @@ class RaceView(BoxesView):
         table.space(26)
         table.words(crossover_words(self.model.curves))
         draw_plot(canvas, self.model, area_below(table.y))
+
+    def _draw_cuts(self, canvas: Canvas) -> None:
+        """The parts into which the BSP tree cuts the world."""
+        tree = self.model.phases.get("bsp")
+        if not isinstance(tree, BspTree):
+            return
+        world = np.array((0.0, 0.0, WIDTH, HEIGHT))
+        parts = np.clip(tree.leaves()[:, :4], np.tile(world[:2], 2), np.tile(world[2:], 2))
+        canvas.segments(parts[:, [0, 1]], parts[:, [2, 1]], "violet", 1.0)
+        canvas.segments(parts[:, [2, 1]], parts[:, [2, 3]], "violet", 1.0)
 
     def _write_phases(self, table: RaceTable) -> None:
         """A row for each broad phase."""
@@ -60,8 +76,11 @@ class RaceView(BoxesView):
                 continue
             seconds = model.watch.median(contestant.name)
             work = model.swaps if isinstance(phase, SweepAndPrune) else phase.tests
+            words = f"{short(work)} {contestant.work}"
+            if isinstance(phase, BspTree):
+                words += f", {short(model.tree_work.repairs)} anew"
             table.row(
-                contestant, seconds, f"{short(work)} {contestant.work}", bytes_text(phase.memory()),
+                contestant, seconds, words, bytes_text(phase.memory()),
                 model.agree[contestant.name] if len(model.phases) > 1 else None, fastest,
             )  # fmt: skip
 

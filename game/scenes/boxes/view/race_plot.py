@@ -16,7 +16,9 @@ from game.ui.canvas.canvas import Canvas
 
 FEWEST, MOST = 5.0, 1e5  # boxes
 LEAST_S, MOST_S = 1e-6, 1.0
-SHORT = {"uniform": "grid", "covering": "covered", "hierarchical": "hierarchy", "sweep": "sweep"}
+SHORT = {
+    "uniform": "grid", "covering": "covered", "hierarchical": "hierarchy", "sweep": "sweep", "bsp": "tree",
+}  # fmt: skip
 
 
 class Area(NamedTuple):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.broadphase.bsp_nodes import (
+from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
     CUT,
@@ -61,6 +61,21 @@ def _sort_by_left(boxes, ids, count):
             root = child
 
 
+@inner_kernel
+def _end_of_row(lefts, right, begin, count):
+    """Where the boxes end that begin left of ``right``; all of them where there are too few to be sorted."""
+    if count <= SORTED:
+        return count
+    low, high = begin, count
+    while low < high:
+        middle = (low + high) // 2
+        if lefts[middle] <= right:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
 @kernel(_nrt=False)
 def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
     """Write a key a << 32 | b (a < b) for each pair; returns their number, or -1 if ``keys`` is too short.
@@ -69,6 +84,7 @@ def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
     ``stack``: (DEEPEST,), ``parts``: (DEEPEST, 4), ``ids``: (capacity,), ``near``: (4, capacity), to work in.
     """
     found, tests, height = 0, 0, 1
+    lefts, lows, rights, highs = near[0], near[1], near[2], near[3]
     stack[0] = 0
     parts[0, 0], parts[0, 1], parts[0, 2], parts[0, 3] = -np.inf, -np.inf, np.inf, np.inf
     while height > 0:
@@ -89,13 +105,12 @@ def find_pairs(tree: Any, boxes, keys, stack, parts, ids, near):
         for i in range(count):
             if found + count > len(keys):
                 return -1
-            left, low, right, high = near[0, i], near[1, i], near[2, i], near[3, i]
-            for j in range(i + 1, count):
-                if count > SORTED and near[0, j] > right:
-                    break
-                tests += 1
-                if (near[0, j] <= right) & (left <= near[2, j]) & (near[1, j] <= high) & (low <= near[3, j]):
-                    x, y = max(left, near[0, j]), max(low, near[1, j])
+            end = _end_of_row(lefts, rights[i], i + 1, count)
+            tests += end - i - 1
+            left, low, right, high = lefts[i], lows[i], rights[i], highs[i]
+            for j in range(i + 1, end):
+                if (lefts[j] <= right) & (left <= rights[j]) & (lows[j] <= high) & (low <= highs[j]):
+                    x, y = max(left, lefts[j]), max(low, lows[j])
                     if (x0 <= x) & (x < x1) & (y0 <= y) & (y < y1):
                         a, b = ids[i], ids[j]
                         keys[found] = (min(a, b) << 32) | max(a, b)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from game.physics.broadphase.bsp_nodes import (
+from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
     COUNT,
@@ -35,7 +35,7 @@ from game.physics.broadphase.bsp_nodes import (
 from game.physics.kernels.jit import kernel
 from game.physics.kernels.lean import inner_kernel
 
-FULL_LEAF = 12  # references; a leaf with more is split
+FULL_LEAF = 10  # references; a leaf with more is split
 FEW = 5  # references of two leaves that are merged
 EVEN = 0.65  # the share of the larger side up to which a node owes nothing
 REBUILD = 2.0  # what cutting anew costs, for each reference and level, in references that are too many

@@ -2,7 +2,7 @@
 
 The tree is kept from step to step. A box that stays between the cuts about it costs a comparison; one that
 crosses a cut is put in anew. Leaves are split and merged as they fill and empty, and a part that leans is cut
-anew once it has cost more than that would (see bsp_adjusting). The authors leave to the user by what measure
+anew once it has cost more than that would (see adjusting). The authors leave to the user by what measure
 a part leans and when it pays; ours are the constants there.
 """
 
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.broadphase.boxes import BroadPhase
-from game.physics.broadphase.bsp_adjusting import adjust, note_cuts
-from game.physics.broadphase.bsp_nodes import (
+from game.physics.broadphase.bsp.adjusting import adjust, note_cuts
+from game.physics.broadphase.bsp.nodes import (
     AXIS,
     BOX,
     COUNT,
@@ -41,10 +41,13 @@ from game.physics.broadphase.bsp_nodes import (
     TESTS,
     Tree,
     put_boxes,
+    put_in_order,
     take_boxes,
 )
-from game.physics.broadphase.bsp_search import find_in_box, find_pairs
+from game.physics.broadphase.bsp.search import find_in_box, find_pairs
 from game.physics.broadphase.validation import Ids, Pairs, grown
+
+ORDERED_EVERY = 0.1  # changes for each box after which references are put in order again
 
 
 class TreeWork(NamedTuple):
@@ -75,6 +78,7 @@ class BspTree(BroadPhase):
         self._ids: NDArray[np.int64] = np.empty(self.capacity, np.int64)
         self._near = np.empty((4, self.capacity))
         self._changed = False  # since it was adjusted
+        self._ordered_at = 0  # changes that had been made when references were last put in order
 
     # -- what it has done ---------------------------------------------------------------------------
 
@@ -88,7 +92,7 @@ class BspTree(BroadPhase):
         """(k, 5) lower and upper corners of the parts of all leaves, infinite at the rim, and their boxes."""
         nodes, cuts = self._tree.nodes, self._tree.cuts
         rows: list[tuple[float, ...]] = []
-        pending = [(0, (-np.inf, -np.inf, np.inf, np.inf))]
+        pending: list[tuple[int, tuple[float, ...]]] = [(0, (-np.inf, -np.inf, np.inf, np.inf))]
         while pending:
             node, part = pending.pop()
             axis = int(nodes[node, AXIS])
@@ -158,6 +162,16 @@ class BspTree(BroadPhase):
         if self._tree.numbers[MOVED] > before:
             note_cuts(self._tree, self.boxes, self.ids(), self._stack[0])
         self._changed = False
+        done = int(self._tree.numbers[[REPAIRS, SPLITS, MOVED]].sum())
+        if done - self._ordered_at > ORDERED_EVERY * len(self):
+            self._order()
+            self._ordered_at = done
+
+    def _order(self) -> None:
+        """Let the references of each leaf lie side by side, as they did not after many changes."""
+        refs = np.zeros_like(self._tree.refs)
+        put_in_order(self._tree, refs, self._stack[0])
+        self._tree = self._tree._replace(refs=refs)
 
     def _find_pairs(self) -> Pairs:
         self._adjust()
@@ -186,7 +200,7 @@ class BspTree(BroadPhase):
         ids = self.ids()
         held = self.boxes[ids]
         seen = 0
-        pending = [(0, (-np.inf, -np.inf, np.inf, np.inf))]
+        pending: list[tuple[int, tuple[float, ...]]] = [(0, (-np.inf, -np.inf, np.inf, np.inf))]
         while pending:
             node, part = pending.pop()
             axis = int(nodes[node, AXIS])

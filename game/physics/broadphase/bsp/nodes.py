@@ -201,6 +201,34 @@ def put_boxes(tree: Any, boxes, ids, done, stack, moved):
 
 
 @kernel(_nrt=False)
+def put_in_order(tree: Any, refs, stack):
+    """Copy all references to ``refs`` (r, 5), leaf by leaf, so that each leaf's lie side by side."""
+    placed, height = 0, 1
+    stack[0] = 0
+    for box in range(len(tree.first)):
+        tree.first[box] = NOBODY
+    while height > 0:
+        height -= 1
+        node = stack[height]
+        if tree.nodes[node, AXIS] != LEAF:
+            stack[height], stack[height + 1] = tree.nodes[node, RIGHT], tree.nodes[node, LEFT]
+            height += 2
+            continue
+        ref, before = tree.nodes[node, HEAD], NOBODY
+        if ref >= 0:
+            tree.nodes[node, HEAD] = placed
+        while ref >= 0:
+            box, after = tree.refs[ref, BOX], tree.refs[ref, NEXT]
+            refs[placed, BOX], refs[placed, OWNER], refs[placed, BEFORE] = box, node, before
+            refs[placed, NEXT] = placed + 1 if after >= 0 else NOBODY
+            refs[placed, ALSO] = tree.first[box]
+            tree.first[box] = placed
+            ref, before = after, placed
+            placed += 1
+    tree.numbers[REFS], tree.numbers[FREE_REF] = placed, NOBODY
+
+
+@kernel(_nrt=False)
 def take_boxes(tree: Any, ids):
     """Take boxes out."""
     for box in ids:

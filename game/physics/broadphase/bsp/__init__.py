@@ -1,0 +1,1 @@
+"""A semi-adjusting BSP tree."""
