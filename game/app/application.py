@@ -16,6 +16,8 @@ from game.app.screens.choices import ChoiceCard
 from game.app.screens.composition import Composition
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.level_card import LevelCard
+from game.app.screens.name_card import NameCard
+from game.app.screens.question import Question
 from game.app.screens.screen import Screen
 from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
@@ -223,6 +225,10 @@ class App:
         """The card of the settings; not over itself."""
         if not isinstance(self.screens.top, SettingsCard):
             self._open_card(SettingsCard.called, lambda: SettingsCard(self))
+
+    def open_name(self, question: Question, taken: Callable[[str], object]) -> None:
+        """A card that asks for a name; ``taken`` is called with what was typed."""
+        self._open_card(NameCard.called, lambda: NameCard(self, question, taken))
 
     def open_choices(
         self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None

@@ -3,10 +3,12 @@
 One of ten thousand particles is no hold on a cloth: it comes out as a spike, and its own links tear first. So
 whoever is nearer than R to the particle that is taken, at a distance d, is led along by the weight
 w = (1 - d²/R²)² (the biweight of Beaton and Tukey 1974): 1 at the held one, falling off smoothly to 0 at R.
-Where a substep leads it is that share of where the hand goes, and links move it by (1 - w) of its inverse mass.
+Where a substep leads it is that share of where the hand goes, and links move it by (1 - w) of its inverse
+mass.
 
-The hand of a system is one array: particle held or NOBODY, its own inverse mass (1/kg), target x, y (m), substep
-prepared for and its length in compliance (s), and then (index, own inverse mass, weight) for each of the patch.
+The hand of a system is one array: particle held or NOBODY, its own inverse mass (1/kg), target x, y (m),
+substep prepared for and its length in compliance (s), and then (index, own inverse mass, weight) for each of
+the patch.
 """
 
 from __future__ import annotations

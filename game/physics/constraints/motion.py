@@ -191,8 +191,8 @@ def project(motion, net, px, py, inverse_mass):
 def advance(fields, count, motion, net, held, target, patch):
     """One step of all substeps. fields (FIELD_ROWS, >= count) is written.
 
-    held: index of the particle that the hand holds, or -1; target (2,) m: where it is to be; patch (k, 3): who is
-    led along with it.
+    held: index of the particle that the hand holds, or -1; target (2,) m: where it is to be; patch (k, 3):
+    who is led along with it.
     """
     x = fields[X][:count]
     y = fields[Y][:count]

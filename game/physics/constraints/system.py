@@ -13,7 +13,15 @@ from game.physics.constraints.areas import AREA, INTACT, measure_areas
 from game.physics.constraints.attachments import nearest_pins
 from game.physics.constraints.effects import ATTACHMENTS, LINKED, TEARING
 from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked, checked_pairs
-from game.physics.constraints.grip import empty_hand, give_mass, hand_on, let_go, own_masses, patch_of, take_hold
+from game.physics.constraints.grip import (
+    empty_hand,
+    give_mass,
+    hand_on,
+    let_go,
+    own_masses,
+    patch_of,
+    take_hold,
+)
 from game.physics.constraints.links import MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
 from game.physics.constraints.motion import (
@@ -135,7 +143,15 @@ class PositionBasedDynamics:
         )  # fmt: skip
         if ATTACHMENTS in settings.effects:
             arms = arms_of(net.links, self.count)
-            nearest_pins(self.own_inverse_masses(), *arms, net.link_rows[REST], net.order, self.torn, net.pins, net.reaches)
+            nearest_pins(
+                self.own_inverse_masses(),
+                *arms,
+                net.link_rows[REST],
+                net.order,
+                self.torn,
+                net.pins,
+                net.reaches,
+            )
         self.hand[4:6] = h, soft_step
 
     # -- a step -------------------------------------------------------------------------------------
@@ -187,7 +203,7 @@ class PositionBasedDynamics:
         return int(self.hand[0])
 
     def grab(self, index: int, radius: float = 0.0) -> None:
-        """Hold a particle: it is fixed, but follows `drag`; those within ``radius`` (m) are led along, see `grip`.
+        """Hold a particle: it is fixed, but follows `drag`; those within ``radius`` (m) are led along.
 
         ValueError for a number that no particle has, or a radius that is no number of at least 0.
         """

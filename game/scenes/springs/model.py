@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from game.physics.constraints import PositionBasedDynamics
 from game.physics.constraints.areas import AREA
 from game.physics.constraints.editing import Topology, assemble, topology_of
-from game.physics.constraints.motion import VX
 from game.physics.constraints.settings import LARGEST
 from game.physics.constraints.system import PositionState
 from game.physics.effects import EffectSet
