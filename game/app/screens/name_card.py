@@ -50,7 +50,6 @@ class NameCard(CardScreen):
     def handle(self, event: pygame.Event) -> None:
         if self.leaving:
             return
-        key = event.type == pygame.KEYDOWN
         if self.field.handle(event):
             self.pressed(LEAVE if self.spots.focused == LEAVE else TAKE)
         elif event.type != pygame.TEXTINPUT and not (
