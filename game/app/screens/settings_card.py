@@ -1,4 +1,4 @@
-"""The card of the settings: name, theme, size of the interface, sound, motion, full screen, keys."""
+"""The card of the settings: theme, size of the interface, sound, motion, full screen, name, keys."""
 
 from __future__ import annotations
 
@@ -28,7 +28,6 @@ class _Line(NamedTuple):
 LONGEST_NAME = 40  # letters, as the settings have it
 NOBODY = "No name yet"
 LINES = (
-    _Line("Name", "of the player, in titles of stories", (("name-asked", NOBODY),)),
     _Line("Theme", "colours of the interface", (("theme-dark", "Dark"), ("theme-light", "Light"))),
     _Line("Size", "of letters and controls", tuple((f"scale-{s:g}", f"{s * 100:.0f} %") for s in SCALES)),
     _Line("Sound", "of balls and cushions", tuple((f"volume-{v:g}", w) for v, w in VOLUMES)),
@@ -38,6 +37,7 @@ LINES = (
         "as it is, or the whole screen",
         (("screen-window", "Window"), ("screen-full", "Full screen")),
     ),
+    _Line("Name", "of the player, in titles of stories", (("name-asked", NOBODY),)),
     _Line("Keys", "each by its place", (("keys-shown", "See and change keys"),)),
 )
 
