@@ -30,7 +30,7 @@ def _told(best: BestStroke) -> BestPlayed:
     """A stroke as a level tells of it."""
     frame, stroke, call = best.struck
     return BestPlayed(
-        balls=_placed(frame.layout), game=msgspec.to_builtins(frame.game), stroke=tuple(stroke),
+        balls=_placed(frame.layout), game=msgspec.to_builtins(frame.game), stroke=(*stroke,),
         **call._asdict(),
     )  # fmt: skip
 
