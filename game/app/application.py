@@ -16,8 +16,10 @@ from game.app.screens.choices import ChoiceCard
 from game.app.screens.composition import Composition
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.level_card import LevelCard
+from game.app.screens.name_card import NameCard
 from game.app.screens.paper_card import PaperCard
 from game.app.screens.papers_card import PapersCard
+from game.app.screens.question import Question
 from game.app.screens.screen import Screen
 from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
@@ -236,6 +238,10 @@ class App:
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper, which is measured while it is open."""
         self._open_card(PaperCard.called, lambda: PaperCard(self, row))
+
+    def open_name(self, question: Question, taken: Callable[[str], object]) -> None:
+        """A card that asks for a name; ``taken`` is called with what was typed."""
+        self._open_card(NameCard.called, lambda: NameCard(self, question, taken))
 
     def open_choices(
         self, heading: str, rows: Sequence[ListRow], chosen: Callable[[Any], object], present: Any = None

@@ -11,10 +11,9 @@ from game.ui.look.fonts import FontBook
 
 LEAST_PX = 11
 SIZE = (1280, 720)
-WITH_MINIATURES = {"billiards"}  # figures on balls and marks of gauges a few pixels wide
 
 
-@pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE if entry.name not in WITH_MINIATURES])
+@pytest.mark.parametrize("name", [entry.name for entry in CATALOGUE])
 def test_no_letters_are_below_eleven_pixels(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: set[tuple[int, str]] = set()
     plain = FontBook.font

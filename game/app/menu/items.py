@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain, islice
 from typing import NamedTuple
 
 from game.app.menu.flow import Group
-from game.app.menu.search import Field, rank
+from game.app.menu.search import Field, rank, words_of
 from game.app.stagehand.level_index import LevelHead, level_heads
 from game.stage.catalogue import Catalogue, Entry
 
@@ -32,6 +33,13 @@ class Offer:
         self.wide = next((name for name in WIDE if name in names), "")
         self._scene_fields = [(entry, _fields_of_entry(entry)) for entry in catalogue]
         self._level_fields = [(head, self._fields_of_level(head)) for head in self.levels]
+        fields = chain.from_iterable(some for _, some in chain(self._scene_fields, self._level_fields))
+        self._unprepared = (field.text for field in fields)
+
+    def prepare(self, most: int) -> None:
+        """Get some of the texts ready to be searched; the first letter typed is to find all ready."""
+        for text in islice(self._unprepared, most):
+            words_of(text)
 
     def groups(self, favourites: Sequence[str] = (), recent: Sequence[str] = ()) -> list[Group]:
         """Favourites and what was opened last, then all scenes by category and topic, the wide card first."""

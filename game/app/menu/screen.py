@@ -23,6 +23,7 @@ from game.ui.look.motion import LIFT_S, Fade
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 PAGES = {pygame.K_PAGEUP: -1, pygame.K_PAGEDOWN: 1}
 WHEEL = 100  # design px for a notch
+TEXTS = 60  # got ready to be searched in a frame that has nothing else to do
 SIGNS = {FAVOURITES: "star-full"}
 
 
@@ -323,7 +324,9 @@ class MenuScreen(Screen):
         changed |= self._update_pictures(elapsed_s)
         if changed or self.painter.unfinished:
             self.painter.forget()
-        elif self.host.welcome_due and self.painter.painted:  # over a menu whose cards have their pictures
+            return
+        self.offer.prepare(TEXTS)
+        if self.host.welcome_due and self.painter.painted:  # over a menu whose cards have their pictures
             self.host.open_welcome()
 
     def _update_pictures(self, elapsed_s: float) -> bool:

@@ -80,7 +80,7 @@ class ScenePlay:
             "slower": lambda: self.change_speed(-1),
             "faster": lambda: self.change_speed(1),
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
-            "save": self.shelf.save,
+            "save": self.shelf.ask_and_save,
             **(self.story.actions if self.story is not None else {}),
         }
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from game.app.scene.in_play import InPlay
 from game.app.scene.variants import Variants
 from game.app.screens.host import Host
+from game.app.screens.question import Question
 from game.app.stagehand import files
 from game.app.stagehand.opening import Opening
 from game.levels import Level, LevelError, load_level
@@ -20,6 +21,7 @@ from game.ui.widgets.list_row import ListRow
 
 Act = Callable[[], object]
 STORY_PREFIX = "story-"
+MOST_LETTERS = 60  # of a title; a card of levels cuts longer ones
 PROBLEMS = (LevelError, RecordingError, ParameterError)
 
 
@@ -54,9 +56,15 @@ class Shelf:
             return
         self._record.errands.work(lambda: self._read(Path(path)))
 
-    def save(self) -> None:
-        """Keep the present content as a level, and the session as a recording."""
-        self._record.errands.work(self._write, kept=True)
+    def ask_and_save(self) -> None:
+        """Ask for a title, and save under it."""
+        about = f"As a level and a recording; {self._host.keys.label('open')} opens them again"
+        question = Question("Save", about, "Save", "", files.date_title(), MOST_LETTERS)
+        self._host.open_name(question, self.save)
+
+    def save(self, title: str = "") -> None:
+        """Keep the present content as a level, and the session as a recording; "": titled by the date."""
+        self._record.errands.work(lambda: self._write(title), kept=True)
 
     def _read(self, path: Path) -> Act:
         """Read and build what is in a file; what is then to be done with it."""
@@ -99,17 +107,19 @@ class Shelf:
         self._record.begin_level()
         self._opened()
 
-    def _write(self) -> Act:
+    def _write(self, title: str) -> Act:
         """Write the scene as it stands; what is then to be said."""
         try:
-            path = files.save_all(self._record.stage)
+            path = files.save_all(self._record.stage, title)
         except PROBLEMS as error:
             return self._refusal("Not saved.", str(error))
-        return lambda: self._have_saved(path)
+        return lambda: self._have_saved(path, title)
 
-    def _have_saved(self, path: Path) -> None:
+    def _have_saved(self, path: Path, title: str) -> None:
         self._saved()
-        self._host.tell("Saved", f"{path.stem} in {path.parent}")
+        self._host.tell(
+            "Saved", f"{title}: {path.stem} in {path.parent}" if title else f"{path.stem} in {path.parent}"
+        )
 
     def _refusal(self, cause: str, why: str) -> Act:
         return lambda: self._host.tell(cause, why, "warning")

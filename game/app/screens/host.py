@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from game.app.compile.canvas_warming import CanvasWarming
+from game.app.screens.question import Question
 from game.app.stagehand.opening import Opening
 from game.app.window.frames import FrameMeter
 from game.app.window.guard import Failure, Guard
@@ -122,6 +123,10 @@ class Host(Protocol):
 
     def open_paper(self, row: PaperRow) -> None:
         """The page of a paper."""
+        ...
+
+    def open_name(self, question: Question, taken: Callable[[str], object]) -> None:
+        """A card that asks for a name; ``taken`` is called with what was typed."""
         ...
 
     def open_choices(

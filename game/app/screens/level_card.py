@@ -124,9 +124,9 @@ class LevelCard(CardScreen):
         if event.type == pygame.KEYDOWN and event.key in (pygame.K_RETURN, pygame.K_KP_ENTER):
             self.pressed(f"level-{self.focus}")
         elif event.type == pygame.KEYDOWN and event.key in STEPS:
-            self.focus = self._beside(*STEPS[event.key])
-            self._show_focus()
-            self.refresh()
+            self._go_to(self._beside(*STEPS[event.key]))
+        elif event.type == pygame.KEYDOWN and event.key in (pygame.K_HOME, pygame.K_END):
+            self._go_to(0 if event.key == pygame.K_HOME else len(self.tiles) - 1)
         elif event.type == pygame.MOUSEWHEEL:
             self._scroll -= event.y * self.tiles[0].rect.h // 2
             self.refresh()
@@ -134,6 +134,12 @@ class LevelCard(CardScreen):
             super().handle(event)
             if event.type == pygame.MOUSEMOTION and (self.spots.hovered or "").startswith("level-"):
                 self.focus = int(str(self.spots.hovered)[6:])
+
+    def _go_to(self, focus: int) -> None:
+        """Choose a level, and show it."""
+        self.focus = focus
+        self._show_focus()
+        self.refresh()
 
     def _beside(self, right: int, down: int) -> int:
         """The level beside the chosen one, or the nearest in the next row; itself where there is none."""

@@ -1,4 +1,4 @@
-"""The card of the settings: theme, size of the interface, sound, motion, full screen, keys."""
+"""The card of the settings: theme, size of the interface, sound, motion, full screen, name, keys."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import pygame
 
 from game.app.screens.card import HEAD, CardScreen
 from game.app.screens.host import Host
+from game.app.screens.question import Question
 from game.app.window.settings import settings_path
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
@@ -24,6 +25,8 @@ class _Line(NamedTuple):
     options: tuple[tuple[str, str], ...]  # name of the place, words
 
 
+LONGEST_NAME = 40  # letters, as the settings have it
+NOBODY = "No name yet"
 LINES = (
     _Line("Theme", "colours of the interface", (("theme-dark", "Dark"), ("theme-light", "Light"))),
     _Line("Size", "of letters and controls", tuple((f"scale-{s:g}", f"{s * 100:.0f} %") for s in SCALES)),
@@ -34,6 +37,7 @@ LINES = (
         "as it is, or the whole screen",
         (("screen-window", "Window"), ("screen-full", "Full screen")),
     ),
+    _Line("Name", "of the player, in titles of stories", (("name-asked", NOBODY),)),
     _Line("Keys", "each by its place", (("keys-shown", "See and change keys"),)),
 )
 
@@ -75,7 +79,7 @@ class SettingsCard(CardScreen):
         }
 
     def state(self) -> object:
-        return tuple(sorted(self._chosen()))
+        return self.host.settings.name, *sorted(self._chosen())
 
     def places(self) -> list[Hotspot]:
         px, card = self.host.look.px, self.veil.card
@@ -95,6 +99,9 @@ class SettingsCard(CardScreen):
         if kind == "keys":
             self.host.open_keys()
             return
+        if kind == "name":
+            self._ask_name()
+            return
         if kind == "theme":
             settings.theme = "light" if value == "light" else "dark"
         elif kind == "scale":
@@ -109,6 +116,16 @@ class SettingsCard(CardScreen):
         self.host.save_settings()
         self.host.restyle()
 
+    def _ask_name(self) -> None:
+        about = "Titles of stories and films name it; it stays on this machine"
+        question = Question("Your name", about, "Keep", self.host.settings.name, NOBODY, LONGEST_NAME)
+        self.host.open_name(question, self._take_name)
+
+    def _take_name(self, name: str) -> None:
+        self.host.settings.name = name
+        self.host.save_settings()
+        self.refresh()
+
     def paint(self, picture: pygame.Surface) -> None:
         look, px = self.host.look, self.host.look.px
         chosen = self._chosen()
@@ -121,6 +138,7 @@ class SettingsCard(CardScreen):
             rects = [self.inner(spot.rect) for name, _ in line.options if (spot := self.spots.find(name))]
             draw_box(picture, rects[0].unionall(rects[1:]), px(8), look.theme.inset)
             for (name, words), rect in zip(line.options, rects, strict=True):
+                words = self.host.settings.name or words if name == "name-asked" else words
                 self._paint_segment(picture, rect, words, name in chosen, self.spots.hover(name))
                 if self.spots.focused == name:
                     draw_box(

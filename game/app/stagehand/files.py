@@ -38,7 +38,12 @@ def present_level(stage: Stage, title: str) -> Level:
     )
 
 
-def save_all(stage: Stage) -> Path:
+def date_title() -> str:
+    """The title of what is saved now without one."""
+    return f"Saved {datetime.now():%d %b %Y, %H:%M}"
+
+
+def save_all(stage: Stage, title: str = "") -> Path:
     """Write level and recording; the level's path. Raises LevelError or RecordingError with one line."""
     now = datetime.now()
     name = f"saved-{now:%Y-%m-%d-%H%M%S}"
@@ -46,7 +51,7 @@ def save_all(stage: Stage) -> Path:
     path, number = folder / f"{name}.toml", 2
     while path.exists():
         path, number = folder / f"{name}-{number}.toml", number + 1
-    save_level(present_level(stage, f"Saved {now:%d %b %Y, %H:%M}"), path)
+    save_level(present_level(stage, title or date_title()), path)
     stage.recording.save(recordings_folder() / f"{stage.scene.name}-{path.stem}.json")
     return path
 
@@ -74,13 +79,17 @@ def story_rows(scene_type: type[Scene]) -> list[ListRow]:
 
 def saved_rows(scene_name: str) -> list[ListRow]:
     """What the user has saved of a scene, the newest first: levels and recordings."""
-    levels = [
-        ListRow(head.title, head.path.name, "level", False, head.path)
-        for head in level_heads(scene_name)
-        if user_folder() in head.path.parents
-    ]
+    heads = [head for head in level_heads(scene_name) if user_folder() in head.path.parents]
+    levels = [ListRow(head.title, head.path.name, "level", False, head.path) for head in heads]
+    titles = {f"{scene_name}-{head.path.stem}": head.title for head in heads}
     recordings = [
-        ListRow(path.stem.removeprefix(f"{scene_name}-"), path.name, "recording", False, path)
+        ListRow(
+            titles.get(path.stem, path.stem.removeprefix(f"{scene_name}-")),
+            path.name,
+            "recording",
+            False,
+            path,
+        )
         for path in recordings_folder().glob(f"{scene_name}-*.json")
     ]
     return sorted(levels + recordings, key=lambda row: row.value.name.rpartition("saved-")[2], reverse=True)

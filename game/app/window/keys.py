@@ -8,6 +8,7 @@ letter that the layout has there. Settings write the place by its name on a US k
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import pygame
@@ -110,7 +111,7 @@ def chord_of(event: pygame.Event) -> Chord:
 
 def chord_label(chord: Chord) -> str:
     """The key's name in the present keyboard layout, e.g. "Ctrl+S", "Esc", "."."""
-    name = pygame.key.name(_keycodes().get(chord.scancode, 0)) or _place_name(chord.scancode) or "?"
+    name = pygame.key.name(_keycodes(_layout()).get(chord.scancode, 0)) or _place_name(chord.scancode) or "?"
     shown = CAPS.get(name) or name.capitalize()
     return f"Ctrl+{shown}" if chord.control else shown
 
@@ -120,13 +121,25 @@ def _place_name(scancode: int) -> str:
     return next((name for name, place in _PLACES.items() if place == scancode), "")
 
 
-def _keycodes() -> dict[int, int]:
-    """Key codes of the present layout by scancode.
+def _places_by_code() -> Any:
+    """A table that gives each key code's place in the present layout.
 
-    pygame only looks the other way round (its pressed-keys table takes a code and finds the place), so
-    each code is asked for its place in a table that holds the places' own numbers.
+    pygame only looks this way round: its pressed-keys table takes a code and finds the place, here in a
+    table that holds the places' own numbers.
     """
     places: tuple[Any, ...] = tuple(range(512))
-    table = pygame.key.ScancodeWrapper(places)
+    return pygame.key.ScancodeWrapper(places)
+
+
+def _layout() -> tuple[int, ...]:
+    """What tells the present layout from others: the places of what can be printed in ASCII."""
+    table = _places_by_code()
+    return tuple(int(table[code]) for code in range(0x21, 0x7F))
+
+
+@lru_cache(maxsize=4)
+def _keycodes(layout: tuple[int, ...]) -> dict[int, int]:
+    """Key codes by scancode; asking for all of them takes milliseconds, so each layout's are kept."""
+    table = _places_by_code()
     named = [getattr(pygame, name) for name in dir(pygame) if name.startswith("K_")]
     return {int(table[code]): code for code in (*named, *range(0x21, 0x250))}

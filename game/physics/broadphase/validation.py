@@ -48,6 +48,24 @@ def first_bad_box(lowers, uppers):
 
 
 @kernel(_nrt=False)
+def all_alive(alive, ids):
+    """Whether all ids (n,) are in use, quickly if they are in a row. ``alive``: (capacity,) 1 in use."""
+    apart = 0
+    for i in range(len(ids)):
+        apart |= ids[i] - ids[0] - i
+    if apart == 0 and len(ids) > 0 and ids[0] >= 0 and ids[0] + len(ids) <= len(alive):
+        dead = 0
+        row = alive[ids[0] : ids[0] + len(ids)]
+        for i in range(len(row)):
+            dead |= row[i] == 0
+        return dead == 0
+    unknown = 0
+    for i in range(len(ids)):
+        unknown += ids[i] < 0 or ids[i] >= len(alive) or alive[ids[i]] == 0
+    return unknown == 0
+
+
+@kernel(_nrt=False)
 def store_boxes(boxes, alive, ids, lowers, uppers):
     """Check all boxes and ids, then write the boxes; nothing is written if one of them is bad.
 
@@ -55,12 +73,10 @@ def store_boxes(boxes, alive, ids, lowers, uppers):
     ``ids``: (n,). ``lowers``, ``uppers``: (n, 2) m. Returns the index of the first bad one, or -1.
     """
     bad = 0
-    for i in range(len(ids)):
-        box = ids[i]
-        bad += box < 0 or box >= len(alive) or alive[box] == 0
-        x0, y0, x1, y1 = lowers[i, 0], lowers[i, 1], uppers[i, 0], uppers[i, 1]
-        bad += not ((x0 <= x1) & (y0 <= y1) & (max(x0, y0) < np.inf) & (min(x1, y1) > -np.inf))
-    if bad > 0:
+    low, high = lowers.reshape(-1), uppers.reshape(-1)  # as one row, compared in vectors
+    for i in range(len(low)):
+        bad += not ((low[i] <= high[i]) & (low[i] < np.inf) & (high[i] > -np.inf))
+    if bad > 0 or not all_alive(alive, ids):
         for i in range(len(ids)):
             box = ids[i]
             if box < 0 or box >= len(alive) or alive[box] == 0:

@@ -134,6 +134,23 @@ def carry_held(px, py, held, target, left, furthest):
 
 
 @lean_kernel
+def carry_patch(now, aim, patch, held):
+    """Lead the patch around the held particle along, each by its weight w of where the hand goes.
+
+    p ← (1 - w) p + w (x + d), with d the held one's way in this substep. patch (k, 3): see `grip`.
+    """
+    x, y, _, _ = now
+    px, py = aim
+    dx = px[held] - x[held]
+    dy = py[held] - y[held]
+    for k in range(patch.shape[0]):
+        i = int(patch[k, 0])
+        weight = patch[k, 2]
+        px[i] += weight * (x[i] + dx - px[i])
+        py[i] += weight * (y[i] + dy - py[i])
+
+
+@lean_kernel
 def project(motion, net, px, py, inverse_mass):
     """All sweeps of a substep. px, py (n,) m are written."""
     if motion.model == XPBD:
@@ -171,10 +188,11 @@ def project(motion, net, px, py, inverse_mass):
 
 
 @lean_kernel
-def advance(fields, count, motion, net, held, target):
+def advance(fields, count, motion, net, held, target, patch):
     """One step of all substeps. fields (FIELD_ROWS, >= count) is written.
 
-    held: index of the particle that the hand holds, or -1; target (2,) m: where it is to be.
+    held: index of the particle that the hand holds, or -1; target (2,) m: where it is to be; patch (k, 3):
+    who is led along with it.
     """
     x = fields[X][:count]
     y = fields[Y][:count]
@@ -201,6 +219,7 @@ def advance(fields, count, motion, net, held, target):
             predict_bdf2(now, before, w, fresh, aim, h, fall, damping)
         if held >= 0:
             carry_held(px, py, held, target, motion.substeps - turn + motion.ahead, motion.speed_limit * h)
+            carry_patch(now, aim, patch, held)
         project(motion, net, px, py, w)
         if motion.scheme == EULER:
             settle_euler(now, aim, h)

@@ -13,6 +13,15 @@ from game.physics.constraints.areas import AREA, INTACT, measure_areas
 from game.physics.constraints.attachments import nearest_pins
 from game.physics.constraints.effects import ATTACHMENTS, LINKED, TEARING
 from game.physics.constraints.graph import Floats, Ints, Links, Outlines, arms_of, checked, checked_pairs
+from game.physics.constraints.grip import (
+    empty_hand,
+    give_mass,
+    hand_on,
+    let_go,
+    own_masses,
+    patch_of,
+    take_hold,
+)
 from game.physics.constraints.links import MODELS, REST, prepare_links
 from game.physics.constraints.measures import measure_energy, measure_links, measure_momentum
 from game.physics.constraints.motion import (
@@ -38,7 +47,7 @@ class PositionState(NamedTuple):
     fields: Floats  # (12, n + padding): see motion
     torn: Ints  # (m,)
     intact: Floats  # (k,) outlines
-    hand: Floats  # (5,): particle held or -1, its inverse mass, target x, y, substep prepared for
+    hand: Floats  # (6 + 3 k,): who is held and who is led along, see grip
 
 
 class LinkMeasures(NamedTuple):
@@ -95,7 +104,7 @@ class PositionBasedDynamics:
         self.links = Links.between(places, links, rest_lengths, stiffness, compliances)
         self.outlines = Outlines.around(places, areas, None, area_stiffness, area_compliance)
         self.torn = np.zeros(len(self.links.pairs), dtype=np.int64)
-        self.hand = np.array([NOBODY, 0.0, 0.0, 0.0, 0.0, 0.0])
+        self.hand = empty_hand()
         self.tears = 0
         self.contacts = Links.between(places, contacts, distances)
         self._arrange()
@@ -134,8 +143,15 @@ class PositionBasedDynamics:
         )  # fmt: skip
         if ATTACHMENTS in settings.effects:
             arms = arms_of(net.links, self.count)
-            pinned = np.where(np.arange(self.count) == self.held, self.hand[1], self.inverse_masses)
-            nearest_pins(pinned, *arms, net.link_rows[REST], net.order, self.torn, net.pins, net.reaches)
+            nearest_pins(
+                self.own_inverse_masses(),
+                *arms,
+                net.link_rows[REST],
+                net.order,
+                self.torn,
+                net.pins,
+                net.reaches,
+            )
         self.hand[4:6] = h, soft_step
 
     # -- a step -------------------------------------------------------------------------------------
@@ -177,7 +193,7 @@ class PositionBasedDynamics:
             float(settings.left), float(settings.right), float(settings.body_distance),
             float(settings.speed_limit), float(settings.restitution),
         )  # fmt: skip
-        advance(self.fields, self.count, motion, self._net, self.held, self.hand[2:4])
+        advance(self.fields, self.count, motion, self._net, self.held, self.hand[2:4], patch_of(self.hand))
 
     # -- the hand -----------------------------------------------------------------------------------
 
@@ -186,13 +202,18 @@ class PositionBasedDynamics:
         """The particle that the hand holds, or -1."""
         return int(self.hand[0])
 
-    def grab(self, index: int) -> None:
-        """Hold a particle: it is fixed, but follows `drag`. ValueError for a number that no particle has."""
+    def grab(self, index: int, radius: float = 0.0) -> None:
+        """Hold a particle: it is fixed, but follows `drag`; those within ``radius`` (m) are led along.
+
+        ValueError for a number that no particle has, or a radius that is no number of at least 0.
+        """
+        if not 0.0 <= radius < math.inf:
+            raise ValueError(f"radius = {radius!r}: expected a finite number of at least 0 m")
         if not 0 <= index < self.count:
             raise ValueError(f"particle {index}: there are 0 to {self.count - 1}")
         self.release()
-        self.hand[:] = index, self.fields[INVERSE_MASS, index], *self.fields[X : Y + 1, index], 0.0, 0.0
-        self.fields[INVERSE_MASS, index] = 0.0
+        self.hand = hand_on(index, self.fields[X : Y + 1, : self.count].T, self.inverse_masses, radius)
+        take_hold(self.hand, self.inverse_masses)
 
     def drag(self, target: ArrayLike) -> None:
         """Where the held particle is to be after the next step, (2,) m; no faster than the speed limit.
@@ -203,13 +224,18 @@ class PositionBasedDynamics:
 
     def release(self) -> None:
         """Let go: the particle has its mass again, and goes on as fast as it was led."""
-        held = self.held
-        if held != NOBODY:
-            self.fields[INVERSE_MASS, held] = self.hand[1]
-            self.fields[FRESH, held] = 1.0
-            self.hand[0], self.hand[4] = NOBODY, 0.0
-            if self.hand[1] == 0.0:
-                self.fields[VX : VX + 2, held] = 0.0
+        if self.held != NOBODY:
+            let_go(self.hand, self.fields)
+            self.hand = empty_hand(self.hand)
+
+    def own_inverse_masses(self) -> Floats:
+        """(n,) 1/kg, a copy: as they are when the hand lets go."""
+        return own_masses(self.hand, self.inverse_masses)
+
+    def give_inverse_mass(self, index: int, inverse_mass: float) -> None:
+        """Give a particle another inverse mass, 1/kg, also in the hand; with 0 it stands still."""
+        give_mass(self.hand, self.fields, index, inverse_mass)
+        self.masses_changed()
 
     def cut(self, link: int) -> None:
         """Break a link (of the order given). ValueError for a number that no link has."""
@@ -290,7 +316,7 @@ class PositionBasedDynamics:
         np.copyto(self.fields, state.fields)
         np.copyto(self.torn, state.torn)
         self.outlines.rows[INTACT] = state.intact
-        np.copyto(self.hand, state.hand)
+        self.hand = state.hand.copy()
         self.tears = int(np.count_nonzero(self.torn))
         if self.hand[4] > 0.0:
             self._prepare(*self.hand[4:6].tolist())

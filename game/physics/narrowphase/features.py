@@ -31,7 +31,8 @@ class Feature:
         return cls("edge" if code & 1 else "vertex", int(code) >> 1)
 
     def __str__(self) -> str:
-        return f"{self.kind} {self.index}"
+        """For people: counted from 1."""
+        return f"{self.kind} {self.index + 1}"
 
 
 class Polygon(NamedTuple):

@@ -9,10 +9,10 @@ import msgspec
 import numpy as np
 
 from game.billiards.game.arrangement import Arrangement, BallSet, Stroke
-from game.billiards.game.frame import rack_for
+from game.billiards.game.frame import BestStroke, Frame, rack_for
 from game.billiards.game.games import GAMES, AnyGame, Drill
 from game.billiards.game.goals import Goal
-from game.billiards.game.rules import CUE_BALL, Game
+from game.billiards.game.rules import CUE_BALL, Call, Game
 from game.billiards.game.tally import Tally
 from game.billiards.shot.shot import OVERLAP
 from game.billiards.table.rack import BALL_MASS, BALL_RADIUS
@@ -52,12 +52,25 @@ class Solution(LevelEntry, frozen=True, kw_only=True):
         )  # fmt: skip
 
 
+class BestPlayed(LevelEntry, frozen=True, kw_only=True):
+    """The best stroke of a rack so far, as it can be played again: where the balls lay, the game then as
+    msgspec writes it, the stroke (m/s, rad, rad, radii, radii) and what was called."""
+
+    balls: Annotated[list[PlacedBall], msgspec.Meta(min_length=1, max_length=16)]
+    game: dict[str, Any]
+    stroke: tuple[float, float, float, float, float]
+    ball: Annotated[int, msgspec.Meta(ge=1, le=15)] | None = None
+    pocket: Annotated[int, msgspec.Meta(ge=0, le=5)] | None = None
+    safety: bool = False
+    push_out: bool = False
+
+
 class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a billiards level.
 
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
     the second and third star. in_hand: the cue ball may be moved before each try. saved: a game under way,
-    as msgspec writes it; tallies: what has been counted of its players.
+    as msgspec writes it; tallies: what has been counted of its players; best: the best stroke of the rack.
     """
 
     game: Literal["eight-ball", "nine-ball", "combination", "practice", "drill"] = "eight-ball"
@@ -70,6 +83,7 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     in_hand: Literal["", "behind the line", "anywhere"] = ""
     saved: dict[str, Any] = {}
     tallies: tuple[Tally, Tally] = (Tally(), Tally())
+    best: BestPlayed | None = None
 
 
 def ball_set(radius_spread: float, mass_spread: float, seed: int) -> BallSet:
@@ -119,6 +133,25 @@ def read_game(saved: dict[str, Any]) -> AnyGame:
         raise ValueError(f"saved: {str(error).replace('`', '')}") from None
     check_game(game)
     return game
+
+
+def best_of(content: BilliardsContent, now: Frame, seed: int) -> BestStroke | None:
+    """The best stroke that a level tells of, played again on the table of the frame ``now``.
+
+    None if there is none, or if it scores no more as the table is now. ValueError if it cannot be played.
+    """
+    entry = content.best
+    if entry is None:
+        return None
+    try:
+        game = read_game(entry.game)
+        told = msgspec.structs.replace(content, balls=entry.balls)
+        layout = layout_for(told, game, now.table, now.layout.balls, seed)
+        before = Frame(game, layout, now.table, now.physics)
+        call = Call(entry.ball, entry.pocket, entry.safety, entry.push_out)
+        return before.strike(Stroke(*entry.stroke), call).outcome().frame.best
+    except ValueError as error:
+        raise ValueError(f"best: {error}") from None
 
 
 def check_game(game: Game) -> None:

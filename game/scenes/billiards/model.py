@@ -22,7 +22,7 @@ from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
-from game.scenes.billiards.level import BilliardsContent, ball_set, game_of, layout_for
+from game.scenes.billiards.level import BilliardsContent, ball_set, best_of, game_of, layout_for
 from game.scenes.billiards.parameters import BilliardsParameters
 from game.scenes.shared.tables.demo_shots import scattered_orientations
 from game.stage import Part
@@ -30,6 +30,7 @@ from game.stage import Part
 Array = NDArray[np.float64]
 
 
+NO_TALLIES = (Tally(), Tally())
 LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")
 
 
@@ -53,6 +54,7 @@ class BilliardsModel(Part):
         self.frame = Frame(
             game, layout_for(content, game, table, balls, seed), table, physics, tallies=content.tallies
         ).with_cue_ball()
+        self.frame = self.frame.replace(best=best_of(content, self.frame, seed))
         self.places = np.zeros((16, 2))
         self.turns = rotation_matrices(scattered_orientations(16, seed))
         self.turns_before = self.turns.copy()
@@ -158,7 +160,7 @@ class BilliardsModel(Part):
         else:
             content = self.content
             if not drill:
-                content = msgspec.structs.replace(content, balls=[], saved={}, tallies=(Tally(), Tally()))
+                content = msgspec.structs.replace(content, balls=[], saved={}, tallies=NO_TALLIES, best=None)
             game = game_of(content)
             layout = layout_for(content, game, frame.table, frame.layout.balls, seed)
             self.frame = Frame(game, layout, frame.table, frame.physics).with_cue_ball()

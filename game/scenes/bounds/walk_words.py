@@ -49,7 +49,7 @@ def _query_caption(walk: Walk, total: int) -> str:
         return "There is no query: it needs two outlines"
     k = min(walk.cursor, query.row_count) - 1
     a, b, verdict = query.rows[k, :3].tolist()
-    words = f"Pair {k + 1} of {total}, A{a} and B{b}: "
+    words = f"Pair {k + 1} of {total}, A{a + 1} and B{b + 1}: "
     if verdict == traversal.APART:
         return words + f"apart by {query.gaps[k, 0]:.3g} m, this branch ends"
     if verdict == traversal.MET:

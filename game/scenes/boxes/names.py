@@ -1,4 +1,4 @@
-"""What boxes are called: letters where there are few, else their ids; and where two of them are apart."""
+"""What boxes are called, a letter or their id counted from 1, and where two of them are apart."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ def named(boxes: BoxArrays) -> bool:
 
 
 def name_of(boxes: BoxArrays, box: int) -> str:
-    """A letter where there are few boxes, else the id."""
-    return LETTERS[box] if named(boxes) else f"#{box}"
+    """A letter where there are few boxes, else the id, counted from 1."""
+    return LETTERS[box] if named(boxes) else f"#{box + 1}"
 
 
 def listed_names(boxes: BoxArrays, some: Sequence[int], most: int = 4) -> str:

@@ -60,7 +60,7 @@ class Hand(Part):
         for k in range(len(board.outlines)):
             refused = model.refusal(k)
             if refused is not None and not board.held:
-                words = f"{'AB'[k]} is not convex at corner {refused.vertex}. Press H to take its hull."
+                words = f"{'AB'[k]} is not convex at corner {refused.vertex + 1}. Press H to take its hull."
                 if words not in model.messages.unread:
                     model.messages.say(words)
         model.query()

@@ -110,12 +110,12 @@ class InverseKinematics(FigureScene):
     )
     default_content: ClassVar[FigureContent] = FigureContent(
         bones=tuple(
-            BoneEntry(name=f"bone {i}", parent=f"bone {i - 1}" if i else "", length=0.3, angle=20.0)
+            BoneEntry(name=f"bone {i + 1}", parent=f"bone {i}" if i else "", length=0.3, angle=20.0)
             for i in range(6)
         ),
         chain=ChainEntry(
-            start="bone 0",
-            end="bone 5",
+            start="bone 1",
+            end="bone 6",
             target=(0.6, 0.8),
             path=PathEntry(centre=(0.6, 0.8), reach=(0.6, 0.4)),
         ),

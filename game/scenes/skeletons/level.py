@@ -120,7 +120,7 @@ def bone_named(figure: FigureContent, name: str) -> int:
 def fresh_name(figure: FigureContent) -> str:
     """A name that no bone has yet."""
     names = {bone.name for bone in figure.bones}
-    number = len(names)
+    number = max(len(names), 1)  # beside a root the first is the first
     while f"bone {number}" in names:
         number += 1
     return f"bone {number}"

@@ -64,7 +64,7 @@ def _figures(model: CollisionModel, entry: Array) -> tuple[str, ...]:
     """One entry of the ledger in words."""
     other = int(entry[ledger.OTHER])
     return (
-        f"{int(entry[ledger.ONE])}, {other if other >= 0 else 'wall'}",
+        f"{int(entry[ledger.ONE]) + 1}, {other + 1 if other >= 0 else 'wall'}",
         format_number(_size(entry)),
         format_number(float(entry[ledger.BEFORE])),
         format_number(float(entry[ledger.AFTER])),

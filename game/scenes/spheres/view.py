@@ -88,7 +88,7 @@ class CollisionView:
         radii = self.model.world.bodies.composition.radii
         for s in np.flatnonzero(radii > canvas.px(NUMBERED)).tolist():
             at = places[s] - 0.45 * (tips[s] - places[s])
-            canvas.label((float(at[0]), float(at[1])), str(s), "text2", 11, "medium", halo=False)
+            canvas.label((float(at[0]), float(at[1])), str(s + 1), "text2", 11, "medium", halo=False)
 
     def _light_collision(self, canvas: Canvas, places: Array) -> None:
         """The spheres of the collision that is pointed at in the ledger, and where they met."""

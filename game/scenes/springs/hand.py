@@ -113,7 +113,7 @@ class SpringHand(Part):
             self._choose(index)
             if index != NOBODY:
                 system = self.model.system
-                system.grab(index)
+                system.grab(index, self.parameters.grip)
                 system.drag(system.positions[index])
         return ""
 

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from game.physics.constraints import PositionBasedDynamics
 from game.physics.constraints.areas import AREA
 from game.physics.constraints.editing import Topology, assemble, topology_of
-from game.physics.constraints.motion import VX
 from game.physics.constraints.settings import LARGEST
 from game.physics.constraints.system import PositionState
 from game.physics.effects import EffectSet
@@ -193,19 +192,12 @@ class SpringModel(Part):
 
     def inverse_mass(self, particle: int) -> float:
         """1/kg, also while the hand holds it."""
-        system = self.system
-        return float(system.hand[1]) if system.held == particle else float(system.inverse_masses[particle])
+        return float(self.system.own_inverse_masses()[particle])
 
     def give_inverse_mass(self, particle: int, inverse_mass: float) -> None:
         """Give a particle another mass, 1/kg; with 0 it stands still."""
-        system, self.undisturbed = self.system, False
-        if system.held == particle:
-            system.hand[1] = inverse_mass
-        else:
-            system.inverse_masses[particle] = inverse_mass
-            if inverse_mass == 0.0:
-                system.fields[VX : VX + 2, particle] = 0.0
-        system.masses_changed()
+        self.undisturbed = False
+        self.system.give_inverse_mass(particle, inverse_mass)
 
     def take_system(self, system: PositionBasedDynamics, own: Array) -> None:
         """Go on with an edited system."""

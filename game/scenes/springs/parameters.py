@@ -56,6 +56,10 @@ class MassSpringParameters(Parameters):
         "hand", TOOLS, labels=("Move", "New particle", "Link two", "Pin", "Cut"), group="Tools",
         help="what the left button does",
     )  # fmt: skip
+    grip = Param(
+        0.0, 0.0, 2.0, unit="m", group="Tools", label="Grip radius",
+        help="who is nearer to the particle that is taken is led along, the nearer the more; 0: it alone",
+    )  # fmt: skip
     mass = Param(
         1.0, 1e-6, 1e6, unit="kg", log=True, group="Tools", help="of the chosen particle, and of new ones"
     )

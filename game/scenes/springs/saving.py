@@ -17,7 +17,7 @@ def content_of(model: SpringModel) -> SpringContent:
     if system.count > MOST_WRITTEN or len(system.torn) > 4 * MOST_WRITTEN:
         return model.content
     topology = topology_of(system)
-    weights = [model.inverse_mass(i) for i in range(system.count)]
+    weights = system.own_inverse_masses().tolist()
     rows = zip(system.positions.tolist(), system.velocities.tolist(), weights, strict=True)
     whole = topology.torn == 0
     links = zip(

@@ -71,8 +71,8 @@ class SpringView:
         if self.model.parameters.strains:
             rows.append(("line:vermilion", "stretched by 5 %", ""))
             rows.append(("line:chalk", "compressed by 5 %", ""))
-        fixed = int(np.count_nonzero(system.inverse_masses == 0.0)) - int(system.held >= 0)
-        rows.append(("square:text1", "fixed in space", str(max(fixed, 0))))
+        fixed = int(np.count_nonzero(system.own_inverse_masses() == 0.0))
+        rows.append(("square:text1", "fixed in space", str(fixed)))
         if system.held >= 0:
             rows.append(("ring:amber", "in your hand", ""))
         if len(self.model.content.reference):
@@ -196,7 +196,7 @@ class SpringView:
     def _draw_particles(self, canvas: Canvas, places: Array, radii: Array) -> None:
         count = self.model.system.count
         size = 3.6 if count <= 60 else 2.4 if count <= 250 else 1.6
-        weights = self.model.system.inverse_masses
+        weights = self.model.system.own_inverse_masses()
         for i in np.flatnonzero(radii).tolist():
             canvas.circle(tuple(places[i].tolist()), float(radii[i]), "body", 1.0, "text1", 2.0)
         dots = (radii == 0.0) & (weights > 0.0)
@@ -204,7 +204,7 @@ class SpringView:
         canvas.discs(places[dots], canvas.px(1.0) * sizes, "text1")
 
     def _draw_fixed(self, canvas: Canvas, places: Array) -> None:
-        fixed = np.flatnonzero(self.model.system.inverse_masses == 0.0)
+        fixed = np.flatnonzero(self.model.system.own_inverse_masses() == 0.0)
         side = canvas.px(3.6 if len(fixed) < 40 else 2.4)
         for i in fixed.tolist():
             if i != self.model.system.held:
@@ -233,6 +233,8 @@ class SpringView:
             target = tuple(system.hand[2:4].tolist())
             if math.dist(place, target) > canvas.px(12.0):
                 canvas.line(place, target, "amber", 1.4, dash=(8.0, 6.0))
+            if self.model.parameters.grip > 0.0:
+                canvas.circle(place, self.model.parameters.grip, outline="amber", width=1.2, dash=(4.0, 4.0))
             canvas.dot(place, 4.5, "amber")
         if self.hand.knife is not None:
             canvas.ring(self.hand.knife, 6.0, "vermilion", 1.8)

@@ -19,6 +19,7 @@ _PREFIXES = (
     (1e-9, "n"),
     (1e-12, "p"),
 )
+SMALLEST = 1e-13  # rounding; a prefix that nobody knows, or noughts after the point, would say less
 _PREFIXED = frozenset({"m", "s", "g", "N", "J", "W", "Hz", "Pa", "B", "V", "A"})
 _RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _SUPERSCRIPT = str.maketrans("-0123456789", _RAISED)
@@ -61,7 +62,8 @@ def quantity(value: float, unit: str, digits: int = 3) -> Quantity:
 
     Only plain units and rates of them take a prefix ("m", "m/s", "N s"); squares, angles, "1/s" and
     per cent do not. Less than a kilogram counts from the gram; nobody weighs
-    in megagrams. A count (an integer without unit) is shown whole.
+    in megagrams. Below a tenth of a pico there is no prefix but a power of ten. A count (an integer without
+    unit) is shown whole.
     """
     if isinstance(value, Integral) and not unit:
         return Quantity(format_number(value), unit)
@@ -75,6 +77,8 @@ def quantity(value: float, unit: str, digits: int = 3) -> Quantity:
     if symbol not in _PREFIXED or size == 0.0 or not math.isfinite(size):
         return Quantity(format_number(value, digits), unit)
     rounded = float(f"{size:.{digits - 1}e}")
+    if rounded < SMALLEST:
+        return Quantity(format_number(value, digits), unit)
     factor, prefix = next((row for row in _PREFIXES if rounded >= row[0] * (1.0 - 1e-12)), _PREFIXES[-1])
     return Quantity(format_number(value / factor, digits), prefix + unit)
 

@@ -1,7 +1,7 @@
 """Messages that come, stay four seconds and go: what happened in bold, what follows in plain words.
 
-They stand at the right end of the hint row, the newest shown and the rest waiting their turn, so that no
-message ever covers the play.
+They stand at the right end of the hint row and no higher than it, the newest shown and the rest waiting
+their turn, so that no message ever covers the play.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from game.ui.look.icons import icon
 from game.ui.look.look import Look
 from game.ui.look.shapes import box, draw_box
 
-HEIGHT, USUAL_WIDTH, WAITING = 40, 496, 4
+HEIGHT, LEAST_HEIGHT, USUAL_WIDTH, WAITING = 40, 24, 496, 4
+EDGE = 2  # design px of the row above and below it
 BESIDE_WORDS = 44 + 7 + 14  # design px: sign, gap, and the end
 KINDS = {"info": ("accent", "check"), "warning": ("vermilion", "warning"), "marker": ("amber", "warning")}
 
@@ -92,16 +93,18 @@ class Toasts:
         return min(space, max(px(USUAL_WIDTH), px(BESIDE_WORDS) + words))
 
     def draw(self, surface: pygame.Surface, row: pygame.Rect) -> None:
-        """Show the message at the right end of a row, its foot 4 design px above the row's."""
-        if not self._queue or row.w < self.look.px(80):
+        """Show the message at the right end of a row and, unless that is lower than letters, inside it."""
+        px = self.look.px
+        if not self._queue or row.w < px(80):
             return
-        width = self.width(row.w - 2 * self.look.px(8))
-        if self._picture is None or self._picture.get_width() != width:
-            self._picture = self._paint(self._queue[0], width)
+        width = self.width(row.w - 2 * px(8))
+        height = max(min(px(HEIGHT), row.h - 2 * px(EDGE)), px(LEAST_HEIGHT))
+        if self._picture is None or self._picture.get_size() != (width, height):
+            self._picture = self._paint(self._queue[0], width, height)
         amount, rise = self._presence()
         self._picture.set_alpha(round(255 * amount))
-        x = row.right - self.look.px(8) - width
-        y = row.bottom - self.look.px(4) - self._picture.get_height() + round(rise * self.look.k)
+        x = row.right - px(8) - width
+        y = row.bottom - px(EDGE) - height + round(rise * self.look.k)
         surface.blit(self._picture, (x, max(0, y)))
 
     def _presence(self) -> tuple[float, float]:
@@ -115,13 +118,13 @@ class Toasts:
         leaving = (self._age_s - motion.TOAST_IN_S - stay) / motion.TOAST_OUT_S
         return 1.0 - motion.ease_in(leaving), 0.0
 
-    def _paint(self, toast: Toast, width: int) -> pygame.Surface:
+    def _paint(self, toast: Toast, width: int, height: int) -> pygame.Surface:
         look, px = self.look, self.look.px
         color, sign = KINDS[toast.kind]
-        picture = pygame.Surface((max(width, 1), px(HEIGHT)), pygame.SRCALPHA, 32)
+        picture = pygame.Surface((max(width, 1), max(height, 1)), pygame.SRCALPHA, 32)
         rect = picture.get_rect()
-        draw_box(picture, rect, px(10), look.theme.panel, look.theme.line, look.border)
-        bar = box(rect.size, px(10), look.color(color))
+        draw_box(picture, rect, px(8), look.theme.panel, look.theme.line, look.border)
+        bar = box(rect.size, px(8), look.color(color))
         picture.blit(bar, (0, 0), (0, 0, px(3), rect.h))
         mark = icon(sign, px(20), look.color(color))
         picture.blit(mark, mark.get_rect(center=(px(25), rect.h // 2)))

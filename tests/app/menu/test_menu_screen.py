@@ -6,6 +6,7 @@ import pytest
 from game.app.menu.flow import NARROWEST
 from game.app.menu.items import WIDE
 from game.app.menu.screen import MenuScreen
+from game.app.menu.search import words_of
 from game.app.scene.screen import SceneScreen
 from game.app.screens.keys_card import KeysCard
 from game.app.screens.settings_card import SettingsCard
@@ -180,3 +181,13 @@ def test_no_words_on_a_card_are_cut_off():
 def test_every_scene_has_a_drawing_for_its_card():
     painters = [entry.card_painter() for entry in CATALOGUE]
     assert None not in painters and len(set(painters)) == len(painters)
+
+
+def test_the_first_letter_finds_all_texts_ready(start):
+    """They are got ready while the menu stands, a few in a frame."""
+    words_of.cache_clear()
+    driver = start(catalogue=CATALOGUE)
+    driver.frames(120)
+    before = words_of.cache_info().misses
+    driver.type("b")
+    assert driver.top.query == "b" and words_of.cache_info().misses == before

@@ -288,6 +288,13 @@ def test_levels_are_opened_from_the_gallery(scene: Driver, tmp_path: Path, monke
     assert messages == [] or "Not opened." in messages
 
 
+def save(scene: Driver) -> None:
+    """Save, by the title that is offered."""
+    scene.key(pygame.K_s, pygame.KMOD_LCTRL)
+    scene.key(pygame.K_RETURN)
+    scene.frames(20)
+
+
 def level_in_panel(scene: Driver) -> str:
     """The level that the panel's list shows."""
     scene.frames(2)
@@ -295,7 +302,7 @@ def level_in_panel(scene: Driver) -> str:
 
 
 def test_the_panel_shows_the_saved_level_that_was_opened(scene: Driver):
-    scene.key(pygame.K_s, pygame.KMOD_LCTRL)
+    save(scene)
     (saved,) = (row for row in scene.top.play.shelf.saved() if row.chip == "level")
     assert level_in_panel(scene) != saved.title
     scene.key(pygame.K_o, pygame.KMOD_LCTRL)
@@ -307,7 +314,7 @@ def test_the_panel_shows_the_saved_level_that_was_opened(scene: Driver):
 
 def test_the_panel_shows_the_level_of_a_file_from_elsewhere(scene: Driver, tmp_path: Path):
     save_level(Level(scene="example", title="High up"), tmp_path / "high.toml")
-    scene.key(pygame.K_s, pygame.KMOD_LCTRL)  # without any level there is no list of them
+    save(scene)  # without any level there is no list of them
     scene.top.play.open_file(tmp_path / "high.toml")
     assert level_in_panel(scene) == "High up"
 
@@ -326,7 +333,7 @@ def test_saved_session_is_found_and_replayed(scene: Driver):
     scene.button(True, *world(scene, 0.5, 1.0))
     scene.button(False, *world(scene, 0.6, 1.2))
     scene.frames(30)
-    scene.key(pygame.K_s, pygame.KMOD_LCTRL)
+    save(scene)
     assert scene.app.toasts.shown.cause == "Saved"
     recording = scene.stage.recording
     scene.key(pygame.K_o, pygame.KMOD_LCTRL)

@@ -171,6 +171,10 @@ def test_the_levels_stand_in_groups_with_pictures_and_stars(begin: Callable[...,
     driver.frames(len(card.tiles) + 20)
     shown = {bytes(pygame.image.tobytes(card.shown(tile.head.path), "RGB")) for tile in card.tiles}
     assert len(shown) > 25  # racked games look alike
+    driver.key(pygame.K_END)
+    assert card.focus == len(card.tiles) - 1
+    driver.key(pygame.K_HOME)
+    assert card.focus == 0
     for _ in range(2):
         driver.key(pygame.K_DOWN)
     chosen = card.tiles[card.focus].head.path

@@ -1,5 +1,6 @@
 """Key caps: a key has one name, wherever it is printed."""
 
+import pygame
 import pytest
 
 from game.app.window.keys import chord_label, parse_chord
@@ -40,3 +41,24 @@ def test_nor_do_those_of_a_tool(tool):
 @pytest.mark.parametrize("key", ("return", "escape", "left", "pageup", "backspace", "space", "f1"))
 def test_the_card_of_keys_prints_the_same(key):
     assert chord_label(parse_chord(key)) == key_name(key)
+
+
+def test_a_layout_is_asked_for_its_keys_once_and_another_one_again(monkeypatch):
+    """Asking for all of them takes milliseconds, and hints name keys whenever the menu is painted."""
+    asked, moved = [], {}
+    plain = pygame.key.ScancodeWrapper
+
+    class Table:
+        def __init__(self, places):
+            self.places = plain(places)
+
+        def __getitem__(self, code):
+            asked.append(code)
+            return self.places[moved.get(code, code)]
+
+    monkeypatch.setattr(pygame.key, "ScancodeWrapper", Table)
+    assert chord_label(parse_chord("q")) == "Q"
+    asked.clear()
+    assert chord_label(parse_chord("a")) == "A" and len(asked) < 100
+    moved.update({pygame.K_q: pygame.K_a, pygame.K_a: pygame.K_q})
+    assert chord_label(parse_chord("q")) == "A"

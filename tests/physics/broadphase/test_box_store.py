@@ -68,6 +68,24 @@ def test_ids_that_are_none_are_refused(phase, ids):
     assert phase.box(0)[1].tolist() == [1.0, 1.0]
 
 
+@pytest.mark.parametrize("ids", [[0, 9, 2], [1, 2, 3], [2, 3, 4], [-1, 0, 1]])
+def test_an_unknown_id_among_known_ones_is_refused_and_nothing_is_written(phase, ids):
+    """Ids in a row are checked in one go: also where only the first and the last look like a row."""
+    before = phase.boxes.copy()
+    with pytest.raises(ValueError, match="there is no box of that id"):
+        phase.update_boxes(ids, np.full((3, 2), 7.0), np.full((3, 2), 8.0))
+    assert np.array_equal(phase.boxes, before)
+
+
+def test_a_row_of_ids_ends_where_the_boxes_do(phase):
+    """Full to the last place: the row that begins one later has an id that there is no place for."""
+    more = phase.capacity - len(phase)
+    phase.add_boxes(np.zeros((more, 2)), np.ones((more, 2)))
+    ids = np.arange(1, phase.capacity + 1)
+    with pytest.raises(ValueError, match=f"id = .*{phase.capacity}.*: there is no box"):
+        phase.update_boxes(ids, np.zeros((len(ids), 2)), np.ones((len(ids), 2)))
+
+
 def test_lists_of_unlike_length_are_refused(phase):
     with pytest.raises(ValueError, match="2 ids for 1 boxes"):
         phase.update_boxes([0, 1], [(0, 0)], [(1, 1)])

@@ -21,6 +21,7 @@ from game.scenes.billiards.stroke.odds import (
     measure,
 )
 from game.scenes.billiards.view.instruments import odds_numbers
+from game.scenes.billiards.view.words import aim_words
 from tests.billiards.search.search_tables import POOL
 from tests.scenes.billiards.billiards_stages import AT_THE_CORNER, level_of, straight_pot
 
@@ -62,16 +63,19 @@ def all_of(frame, stroke: Stroke, ball: int) -> Odds:
 def test_within_the_margin_the_ball_goes_down_and_a_little_beyond_it_on_one_side_no_more(off):
     frame = level_of(FAR).scene.model.frame
     middle = aimed_at_pot(frame, 3)
-    whole = all_of(frame, middle, 3).margin
+    whole = min(all_of(frame, middle, 3).margin)
     stroke = middle._replace(azimuth=middle.azimuth + off * whole)
-    margin = all_of(frame, stroke, 3).margin
-    assert margin is not None and margin == pytest.approx((1.0 - abs(off)) * whole, rel=0.15)
+    sides = all_of(frame, stroke, 3).margin
+    assert sides == pytest.approx(((1.0 - off) * whole, (1.0 + off) * whole), rel=0.15)
+    margin = min(sides)
 
     def turned(angle: float) -> bool:
         return potted(frame, stroke._replace(azimuth=stroke.azimuth + angle), 3)
 
     assert all(turned(share * margin) for share in (-1.0, -0.5, 0.5, 1.0))
     assert not (turned(1.05 * margin) and turned(-1.05 * margin))
+    assert turned(0.95 * sides[0]) and not turned(1.05 * sides[0])
+    assert turned(-0.95 * sides[1]) and not turned(-1.05 * sides[1])
 
 
 def test_the_chance_is_the_share_of_the_hands_strokes_that_pot():
@@ -126,9 +130,18 @@ def test_a_picture_waits_for_a_slice_of_time_alone_and_what_is_known_is_kept():
 
 def test_the_figures_beside_the_aim():
     assert odds_numbers(None) == ()
-    margin, pot = odds_numbers(Odds(10, margin=math.radians(0.31), chance=0.84))
+    margin, pot = odds_numbers(Odds(10, margin=(math.radians(0.312), math.radians(0.309)), chance=0.84))
     assert (margin.title, margin.words) == ("Margin", "±0.31°")
     assert (pot.title, pot.words, pot.under) == ("Pot 10", "84 %", "hand ±0.24°")
     assert odds_numbers(Odds(10))[0].words == odds_numbers(Odds(10))[1].words == "…"
     assert odds_numbers(Odds(10, missed=True, chance=0.02))[0].words == "\N{EN DASH}"
-    assert odds_numbers(Odds(1, margin=float(OFFSETS[-1])))[0].words.startswith("≥")
+    most = float(OFFSETS[-1])
+    assert odds_numbers(Odds(1, margin=(most, most)))[0].words.startswith("≥")
+
+
+def test_a_margin_that_differs_says_both_sides():
+    """The greater side of the azimuth is the greater figure of the aim."""
+    margin, _ = odds_numbers(Odds(10, margin=(math.radians(0.31), math.radians(0.12))))
+    assert (margin.words, margin.short) == ("+0.31 −0.12°", "±0.12°")
+    assert float(aim_words(1.0 + 0.01)[:-1].replace("−", "-")) > float(aim_words(1.0)[:-1].replace("−", "-"))
+    assert odds_numbers(Odds(1, margin=(float(OFFSETS[-1]), 0.001)))[0].words.startswith("≥2.99 −0.06")

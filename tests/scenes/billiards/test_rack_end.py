@@ -11,14 +11,14 @@ from game.app.stagehand.files import present_level
 from game.billiards.game.rules import Pocketing, ShotSummary
 from game.billiards.game.tally import Tally
 from game.billiards.table.table import Table
-from game.levels import format_level, parse_level
+from game.levels import LevelError, format_level, parse_level
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import SLOW
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.view import close_up, end_card
 from game.scenes.shared.tables.view import Balls, draw_table
-from game.stage import Action, Decision, Stage
+from game.stage import Action, Decision, ParameterError, Stage
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
@@ -143,6 +143,30 @@ def test_what_was_counted_is_saved_and_goes_with_undo():
     stage.post(Action("undo"))
     seconds(stage, 0.1)
     assert stage.scene.model.frame.tallies == (Tally(), Tally())
+
+
+def test_the_best_stroke_of_a_rack_is_there_in_the_next_session():
+    stage = until_aiming(until_rolling(level_of(LAST_POT)))
+    best = stage.scene.model.frame.best
+    text = format_level(present_level(stage, "kept"))
+    again = Stage(Billiards, level=parse_level(text, "billiards", Billiards.content_type))
+    found = again.scene.model.frame.best
+    assert found.merit == best.merit and found.summary == best.summary
+    assert found.struck.stroke == best.struck.stroke and found.struck.call == best.struck.call
+    assert np.array_equal(found.struck.frame.layout.positions, best.struck.frame.layout.positions)
+    assert format_level(present_level(again, "kept")) == text
+
+
+def test_a_best_stroke_that_cannot_be_is_refused_in_a_line():
+    stage = until_aiming(until_rolling(level_of(LAST_POT)))
+    text = format_level(present_level(stage, "kept"))
+    head, _, rest = text.partition("[content.best")
+    for bad in (rest.replace("turn = 0", "turn = 7"), rest.replace("number = 9", "number = 8", 1)):
+        assert bad != rest
+        with pytest.raises((LevelError, ParameterError), match="best"):
+            Stage(
+                Billiards, level=parse_level(f"{head}[content.best{bad}", "billiards", Billiards.content_type)
+            )
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])

@@ -211,7 +211,7 @@ def test_why_a_test_fails():
     assert outcomes(boxes, 1, [3, 0, 3]) == ([0], [3]) and result_of([0], [3]) == "1 pair, 1 rejected"
     assert name_of(boxes, 2) == "C" and listed_names(boxes, [0, 1, 2, 3, 4, 5]) == "A, B, C, D and 2 more"
     many = Stage(UniformGridScene, parameters={"count": 40}).scene
-    assert name_of(many.model.boxes, 2) == "#2" and len(many.model.boxes.ids) == 40
+    assert name_of(many.model.boxes, 2) == "#3" and len(many.model.boxes.ids) == 40
 
 
 @pytest.mark.parametrize("scene_type", SCENES[:3], ids=level_id)

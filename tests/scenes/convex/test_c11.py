@@ -90,9 +90,9 @@ def test_corners_are_named_and_the_bounds_are_circles_about_the_origin(monkeypat
         drawn.clear()
         words.clear()
         picture_of_stage(stage, (640, 360))
-        assert {f"a{i} − b{j}" for i, j in step.corners} <= set(words)
+        assert {f"a{i + 1} − b{j + 1}" for i, j in step.corners} <= set(words)
         if step.support not in step.corners:
-            assert f"w = a{step.support[0]} − b{step.support[1]}" in words
+            assert f"w = a{step.support[0] + 1} − b{step.support[1] + 1}" in words
         radii = [
             float(lengths[0]) for points in drawn if len(points) == 181
             if np.ptp(lengths := np.hypot(*(points - (inset.x, inset.y)).T)) < 1e-9

@@ -140,10 +140,10 @@ def test_the_ledger_says_what_a_wall_takes():
         pair, impulse, *_, lost = row
         assert len(row) == len(table.columns)
         if entry[ledger.OTHER] < 0.0:
-            assert pair == f"{entry[ledger.ONE]:.0f}, wall"
+            assert pair == f"{entry[ledger.ONE] + 1:.0f}, wall"
             assert lost == impulse
         else:
-            assert pair == f"{entry[ledger.ONE]:.0f}, {entry[ledger.OTHER]:.0f}"
+            assert pair == f"{entry[ledger.ONE] + 1:.0f}, {entry[ledger.OTHER] + 1:.0f}"
             assert lost == "0"
         assert np.array_equal(entry_of(stage.scene.model, key), entry)
     assert entry_of(stage.scene.model, 0) is None or stage.scene.model.world.collisions <= len(
@@ -194,7 +194,7 @@ def test_pointing_at_a_row_lights_its_pair(monkeypatch):
     monkeypatch.setattr(Canvas, "circle", lambda _, centre, *rest, **more: rings.append(tuple(centre)))
     monkeypatch.setattr(Canvas, "label", lambda _, at, text, *rest, **more: words.append(text))
     stage.scene.draw(canvas, 1.0)
-    assert words == [str(s) for s in range(16)]
+    assert words == [str(s) for s in range(1, 17)]
     assert not rings
     digest = stage.digest()
     table = stage.scene.panel_table()
@@ -202,7 +202,7 @@ def test_pointing_at_a_row_lights_its_pair(monkeypatch):
         rings.clear()
         stage.scene.point_at(key)
         stage.scene.draw(canvas, 1.0)
-        named = [int(word) for word in row[0].split(", ") if word != "wall"]
+        named = [int(word) - 1 for word in row[0].split(", ") if word != "wall"]
         assert rings == [tuple(place[:2]) for place in bodies_of(stage).places()[named].tolist()]
     assert stage.digest() == digest
     stage.post(SetParameter("ledger", False))

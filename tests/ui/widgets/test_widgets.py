@@ -277,6 +277,18 @@ def test_a_message_comes_stays_and_goes(look):
     assert toasts.shown is None
 
 
+@pytest.mark.parametrize("height", [28, 32, 40, 80])
+def test_a_message_stays_inside_its_row(look, height):
+    """What is drawn above the hints, a line below a table say, is not covered."""
+    toasts, surface = Toasts(look), pygame.Surface((960, 120), 0, 32)
+    row = pygame.Rect(0, 120 - height, 960, height)
+    toasts.add("Saved.", "Picture in the pictures folder.")
+    toasts.update(0.5)
+    toasts.draw(surface, row)
+    drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(0, 2)))
+    assert drawn[0] >= row.top and drawn[-1] < row.bottom and len(drawn) >= 24
+
+
 def test_messages_wait_their_turn_and_never_pile_up(look):
     toasts = Toasts(look)
     for i in range(50):

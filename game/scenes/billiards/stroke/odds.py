@@ -36,13 +36,13 @@ class Odds(NamedTuple):
     """What is known of a stroke so far; None: not yet, or there is none.
 
     ball: number of the ball that is met first. missed: the stroke as it is set does not pot it. margin: rad
-    that the azimuth may be off to either side; at most the last of OFFSETS is tried. chance: share of the
-    hand's strokes that pot it.
+    that the azimuth may be more, and less; at most the last of OFFSETS is tried. chance: share of the hand's
+    strokes that pot it.
     """
 
     ball: int
     missed: bool = False
-    margin: float | None = None
+    margin: tuple[float, float] | None = None
     chance: float | None = None
 
 
@@ -66,7 +66,7 @@ def measure(board: Board, stroke: Stroke, ball: int) -> Iterator[Odds]:
             for reach in _reach(lambda turned: pocket_of(turned) == pocket, meant, sign):
                 sides[-1] = reach
                 yield odds
-        odds = odds._replace(margin=min(sides))
+        odds = odds._replace(margin=(sides[0], sides[1]))
         yield odds
     noisy = with_noise(meant, draw_noise(SEED, SAMPLES), HAND, board.radius)
     down = 0

@@ -83,28 +83,40 @@ def _draw_offsets(
 
 
 class Number(NamedTuple):
-    """A figure right of the table: its title, what it says; lit: the title stands out; under: a caption."""
+    """A figure right of the table: its title, what it says; lit: the title stands out; under: a caption;
+    short: what it says where there is less room."""
 
     title: str
     words: str
     lit: bool = False
     under: str = ""
+    short: str = ""
 
 
 def odds_numbers(odds: Odds | None) -> tuple[Number, ...]:
     """How far the aim may be off, and how often a hand pots with it."""
     if odds is None:
         return ()
-    if odds.missed:
-        margin = NOTHING
-    elif odds.margin is None:
-        margin = UNKNOWN
+    if odds.missed or odds.margin is None:
+        margin = Number("Margin", NOTHING if odds.missed else UNKNOWN)
     else:
-        more = "≥" if odds.margin >= OFFSETS[-1] else "±"
-        margin = f"{more}{math.degrees(odds.margin):.2f}°"
+        margin = margin_number(*odds.margin)
     chance = UNKNOWN if odds.chance is None else f"{100.0 * odds.chance:.0f} %"
     hand = f"hand ±{math.degrees(HAND.azimuth):.2f}°"
-    return Number("Margin", margin), Number(f"Pot {odds.ball}", chance, under=hand)
+    return margin, Number(f"Pot {odds.ball}", chance, under=hand)
+
+
+def margin_number(more: float, less: float) -> Number:
+    """How far (rad) the aim's figure may be more and less: one figure where both look the same."""
+    nearer, farther = (f"{math.degrees(side):.2f}°" for side in sorted((more, less)))
+    sign = "≥" if min(more, less) >= OFFSETS[-1] else "±"
+    if nearer == farther:
+        return Number("Margin", sign + nearer)
+    above, below = (
+        ("≥" if side >= OFFSETS[-1] else sign) + f"{math.degrees(side):.2f}"
+        for sign, side in (("+", more), ("\N{MINUS SIGN}", less))
+    )
+    return Number("Margin", f"{above} {below}°", short=sign + nearer)
 
 
 def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> None:
@@ -114,8 +126,11 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
     for row, number in enumerate(numbers):
         y, color = top + row * pitch, "accent" if number.lit else "text2"
         look.text(canvas.surface, number.title, (x, y), 13, "medium", color, "center")
-        look.text(canvas.surface, number.words, (x, y + look.px(19)), 13, "semibold", "text1", "center")
-        if number.under and look.k >= ROOM_FOR_CAPTIONS:
+        roomy = look.k >= ROOM_FOR_CAPTIONS
+        words = number.short if number.short and not roomy else number.words
+        letters = 11 if number.short and roomy else 13
+        look.text(canvas.surface, words, (x, y + look.px(19)), letters, "semibold", "text1", "center")
+        if number.under and roomy:
             look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
 
 

@@ -173,6 +173,11 @@ def draw_difference(
     )  # fmt: skip
 
 
+def corner_name(pair: tuple[int, int]) -> str:
+    """What a corner of the difference is called: its vertices, counted from 1 as they are at the polygons."""
+    return f"a{pair[0] + 1} − b{pair[1] + 1}"
+
+
 def label_corners(canvas: Canvas, shapes: list[Array], inset: Inset, pairs: list[tuple[int, int]]) -> None:
     """The names of corners of the difference, a_i - b_j, on the side away from their middle."""
     points = np.array([corner_of(shapes, inset, pair) for pair in pairs])
@@ -181,7 +186,7 @@ def label_corners(canvas: Canvas, shapes: list[Array], inset: Inset, pairs: list
         x, y = (point - middle).tolist()
         side = "left" if x >= 0.0 else "right"
         canvas.label(
-            point, f"a{i} − b{j}", "amber", 12, "semibold", side,
+            point, corner_name((i, j)), "amber", 12, "semibold", side,
             offset=(9.0 if x >= 0.0 else -9.0, -11.0 if y >= 0.0 else 11.0), clear=True,
         )  # fmt: skip
 
@@ -231,7 +236,7 @@ def draw_polytope(canvas: Canvas, shapes: list[Array], inset: Inset, step: Polyt
     if step.grows:
         new = corner_of(shapes, inset, step.support)
         canvas.ring(new, 7.0, "pink", 2.0)
-        name = f"w = a{step.support[0]} − b{step.support[1]}"
+        name = f"w = {corner_name(step.support)}"
         canvas.label(new, name, "pink", 12, "semibold", offset=(0.0, -19.0), clear=True)
 
 
@@ -264,7 +269,7 @@ def draw_simplexes(
     canvas.ring(new, 7.0, "pink", 2.0)
     below = float(new[1]) <= float(tip[1])
     if last.support not in last.corners:
-        name = f"w = a{last.support[0]} − b{last.support[1]}"
+        name = f"w = {corner_name(last.support)}"
         canvas.label(new, name, "pink", 12, "semibold", offset=(0.0, 19.0 if below else -19.0), clear=True)
     if last.kept == "done" and model.answer[0] > 0.0 and math.dist(tip, origin) > canvas.px(110.0):
         words = f"|v| = {format_si(float(model.answer[0]), 'm')}"

@@ -90,12 +90,12 @@ def draw_names(model: PairModel, canvas: Canvas, shapes: list[Array]) -> None:
 
 
 def number_corners(canvas: Canvas, corners: Array) -> None:
-    """The numbers of the vertices, inside of them."""
+    """The numbers of the vertices, from 1, inside of them."""
     inner = corners.mean(axis=0)
     for i, corner in enumerate(corners):
         inward = inner - corner
         length = math.sqrt(float(inward @ inward)) or 1.0
-        canvas.label(corner + inward / length * canvas.px(13.0), str(i), "text3", 11, halo=False)
+        canvas.label(corner + inward / length * canvas.px(13.0), str(i + 1), "text3", 11, halo=False)
 
 
 def draw_hulls(model: PairModel, canvas: Canvas) -> None:
