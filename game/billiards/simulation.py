@@ -12,12 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.exact.play import play_shots
+from game.billiards.flight.play import play_flying_shots
 from game.billiards.laws.batch import Log, Workspace, workspace
 from game.billiards.laws.state import (
     END_TIME,
     EVENT_LIMIT,
     EVENTS_END,
     EVENTS_START,
+    FLIGHT_IN_COLUMNS,
+    FLIGHT_SEGMENT_COLUMNS,
     IN_COLUMNS,
     NOT_FINITE,
     SEGMENT_COLUMNS,
@@ -51,21 +54,32 @@ def workspace_for(n: int) -> Workspace:
     return workspaces[n]
 
 
-def log_for(shots: int, n: int, capacity: int, paths: bool = True) -> Log:
-    """An empty log for so many shots and events; without `paths`, none for segments."""
+def log_for(shots: int, n: int, capacity: int, paths: bool = True, flies: bool = False) -> Log:
+    """An empty log for so many shots and events; without `paths`, none for segments. flies: of balls that
+    leave the slate."""
     return Log(
         np.empty((capacity, 4)),
-        np.empty((2 * capacity + shots * n if paths else 0, SEGMENT_COLUMNS)),
+        np.empty(
+            (
+                2 * capacity + shots * n if paths else 0,
+                FLIGHT_SEGMENT_COLUMNS if flies else SEGMENT_COLUMNS,
+            )
+        ),
         np.empty((shots, 6)),
-        np.empty((shots, n, IN_COLUMNS)),
+        np.empty((shots, n, FLIGHT_IN_COLUMNS if flies else IN_COLUMNS)),
     )
 
 
-def _log_of_one(n: int, capacity: int) -> Log:
+def kernel_for(flies: bool) -> Callable[..., int]:
+    """The kernel that plays a batch: with balls that leave the slate, or without."""
+    return play_flying_shots if flies else play_shots
+
+
+def _log_of_one(n: int, capacity: int, flies: bool) -> Log:
     """This thread's log for single shots of n balls."""
-    logs = _own.__dict__.setdefault("logs", {})
+    logs = _own.__dict__.setdefault("flight_logs" if flies else "logs", {})
     if n not in logs or len(logs[n].events) < capacity:
-        logs[n] = log_for(1, n, capacity)
+        logs[n] = log_for(1, n, capacity, flies=flies)
     return logs[n]
 
 
@@ -86,9 +100,10 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
     """
     n = len(shot.balls)
     capacity = max(FIRST_CAPACITY, 4 * n * n)
-    log = _log_of_one(n, capacity)
-    while play_shots(*workspace_for(n), *shot.batch, *log, 0, until, max_events) == 0:
-        log = _log_of_one(n, 4 * len(log.events))
+    log = _log_of_one(n, capacity, shot.flies)
+    play = kernel_for(shot.flies)
+    while play(*workspace_for(n), *shot.batch, *log, 0, until, max_events) == 0:
+        log = _log_of_one(n, 4 * len(log.events), shot.flies)
     check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)
 
