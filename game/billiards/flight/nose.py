@@ -78,7 +78,7 @@ def _tilt(state, i, gap, physics):
 
 @inner_kernel
 def _nose_impulse(state, i, normal, physics):
-    """Impulse over mass (3 numbers, m/s) that ball i gets along and across `normal`, and the closing speed."""
+    """Impulse over mass (3 numbers, m/s) that ball i gets where N is `normal`, and the closing speed."""
     nx, ny, nz = normal
     closing = -(state[VX, i] * nx + state[VY, i] * ny + state[VZ, i] * nz)
     if closing <= 0.0:

@@ -87,9 +87,9 @@ def _nose_time(state, i, k, horizon, cushions, physics):
     speed = state[VX, i] * nx + state[VY, i] * ny
     above = state[Z, i] + radius - physics[CUSHION_HEIGHT]
     t = first_crossing(gap - radius, speed, 0.0, horizon)
-    if t < AT_REST and height_after(state, i, t, physics) + radius < physics[CUSHION_HEIGHT]:
-        if faces_cushion(state[X, i] + t * state[VX, i], state[Y, i] + t * state[VY, i], cushions, k):
-            return t
+    low = t < AT_REST and height_after(state, i, t, physics) + radius < physics[CUSHION_HEIGHT]
+    if low and faces_cushion(state[X, i] + t * state[VX, i], state[Y, i] + t * state[VY, i], cushions, k):
+        return t
     t = first_contact_time(gap, above, speed, state[VZ, i], 0.0, -0.5 * physics[GRAVITY], radius, horizon)
     if t >= AT_REST or gap + t * speed < 0.0:
         return NEVER

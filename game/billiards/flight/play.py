@@ -141,10 +141,10 @@ def _happen(state, modes, i, elements, physics):
         return end_phase(state, modes, i, physics), False
     flies = modes[MOTION, i] == AIRBORNE
     advance_anywhere(state, modes, i, state[OWN_TIME, i], physics)
-    if event == BALL_POCKET or event == BALL_OFF:
+    if event in (BALL_POCKET, BALL_OFF):
         _take_away(state, modes, i, event, physics)
         return event, False
-    if event == BALL_SLATE or event == BALL_RAIL_TOP:
+    if event in (BALL_SLATE, BALL_RAIL_TOP):
         return _come_down(state, modes, i, event, physics), False
     element = modes[OWN_ELEMENT, i]
     if flies:
@@ -191,7 +191,7 @@ def _meet(arrays, i, j, now, physics):
 
 @inner_kernel
 def _remove_wedged(state, modes, changed, now, events, row, physics):
-    """Of the first balls of row MEMBER, take those away that come to no end. Returns the next row of events."""
+    """Take those of the first balls of row MEMBER away that find no end. Returns the next row of events."""
     for q in range(changed):
         i = modes[MEMBER, q]
         if modes[AIR_COUNT, i] > MOST_CONTACTS:

@@ -76,8 +76,8 @@ STEADY = Noise(0.0, 0.0, 0.0, 0.0)
 
 @inner_kernel(inline="always")
 def strike_ball(stroke, ball, end_mass, cue_mass):
-    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays. A row of 13 gets the speed
-    into the slate, too."""
+    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays; and in a row of 13 its speed
+    into the slate."""
     a = stroke[TIP_LEFT]
     b = stroke[TIP_UP]
     radius = ball[IN_RADIUS]

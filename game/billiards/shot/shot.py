@@ -83,8 +83,8 @@ class Physics(NamedTuple):
         Words that stand for a table stay what they were before it could have these numbers. Whether balls may
         leave the slate is not said: it changes nothing about the table.
         """
-        said = [f"{name}={value!r}" for name, value in self._asdict().items()
-                if name != "airborne" and (name not in OPTIONAL or value != self._field_defaults[name])]  # fmt: skip
+        said = [f"{name}={value!r}" for name, value in self._asdict().items() if name != "airborne"
+                and (name not in OPTIONAL or value != self._field_defaults[name])]  # fmt: skip
         return f"Physics({', '.join(said)})"
 
 
@@ -176,10 +176,8 @@ class Shot:
         """
         if not (0.0 < height <= HIGHEST and self.physics.airborne):
             raise ShotError(f"in_air: height above 0, at most {HIGHEST:g} m, on a table with airborne balls")
-        struck = self.struck(ball, velocity, spin)
-        return struck._with_balls(
-            struck.balls[:, :IN_COLUMNS].copy(), ball, height, float(np.asarray(velocity)[2])
-        )
+        level = self.struck(ball, np.asarray(velocity)[:2], spin)
+        return level._with_balls(level.balls.copy(), ball, height, float(np.asarray(velocity)[2]))
 
     def _with_balls(self, balls: Array, ball: int, height: float, vertical: float) -> Shot:
         """The shot with other balls, and columns for their heights if one leaves the slate."""
@@ -188,14 +186,22 @@ class Shot:
         lifted = physics.airborne and (height > 0.0 or rise > LANDING_SPEED)
         flies = lifted or self.flies or (physics.airborne and physics.cushion_hop > 0.0)
         if flies and balls.shape[1] == IN_COLUMNS:
-            balls = np.concatenate([balls, np.zeros((len(balls), FLIGHT_IN_COLUMNS - IN_COLUMNS))], axis=1)
-        if lifted:
-            balls[ball, IN_Z:] = height, vertical
+            balls = with_heights(balls).copy()
+        if flies:
+            balls[ball, IN_Z:] = (height, vertical) if lifted else 0.0
         balls.setflags(write=False)
         return Shot(
             self.table, self.physics, balls, self.ids, self.cushion_ids, self.jaw_ids, self.pocket_ids,
             self.layout, flies,
         )  # fmt: skip
+
+
+def with_heights(balls: Array) -> Array:
+    """Balls (n, 11) with columns for height and vertical speed, all 0: (n, 13), frozen."""
+    lifted = np.zeros((len(balls), FLIGHT_IN_COLUMNS))
+    lifted[:, :IN_COLUMNS] = balls
+    lifted.setflags(write=False)
+    return lifted
 
 
 def batch_of(shots: list[Shot]) -> Batch:
@@ -257,7 +263,11 @@ def make_shot(
     cushion_ids, jaw_ids, pocket_ids = (
         tuple(str(k) for k in range(len(rows))) for rows in (table.cushions, table.jaws, table.pockets)
     )
-    return Shot(table, physics, balls, names, cushion_ids, jaw_ids, pocket_ids, layout)
+    flies = physics.airborne and physics.cushion_hop > 0.0
+    if flies:
+        balls = with_heights(balls)
+    balls.setflags(write=False)
+    return Shot(table, physics, balls, names, cushion_ids, jaw_ids, pocket_ids, layout, flies)
 
 
 def _fill(name: str, value: ArrayLike, columns: Array) -> None:

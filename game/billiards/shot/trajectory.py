@@ -112,7 +112,8 @@ class Trajectory:
     """A played shot.
 
     rows (e, 4): the events as numbers: time (s), type, ball, ball or element. segments (s, 12): the stretches
-    of the balls' paths, see `state`, in the table's frame (14 columns if a ball flies). end (n, 11): the balls at end_time (s).
+    of the balls' paths, see `state`, in the table's frame. end (n, 11): the balls at end_time (s). If balls
+    fly, both have two more columns, for heights and vertical speeds.
     """
 
     def __init__(self, shot: Shot, rows: Array, segments: Array, end: Array, end_time: float) -> None:

@@ -1,11 +1,14 @@
 """Shots with balls in the air, and what must hold of each, looked at through its segments."""
 
 import math
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from game.billiards import Physics, Table, make_shot, simulate
+from game.billiards.laws.lean import lean_kernel
+from game.billiards.laws.orientation import spin_in_segment as _spin_in_segment
 from game.billiards.laws.state import (
     AIRBORNE,
     BALL_BALL,
@@ -21,7 +24,6 @@ from game.billiards.laws.state import (
     SEG_VX,
     SEG_VY,
     SEG_VZ,
-    SEG_WX,
     SEG_X,
     SEG_Y,
     SEG_Z,
@@ -31,14 +33,28 @@ G = 9.81
 R = 0.028575
 POOL = Table.pool()
 OPEN = Table.open()
+TABLE = Physics()
 SMOOTH = Physics("elastic", "restitution", sliding=0.0, rolling=0.0, spinning=0.0, ball_friction=0.0)
 
 
-def thrown(
-    velocity, height, spin=(0.0, 0.0, 0.0), *, table=OPEN, physics=Physics(), others=(), at=(0.6, 0.6)
-):
+def thrown(velocity, height, spin=(0.0, 0.0, 0.0), *, table=OPEN, physics=TABLE, others=(), at=(0.6, 0.6)):
     """A shot with ball 0 in the air."""
     return make_shot(table, [at, *others], physics=physics).in_air(0, velocity, height, spin)
+
+
+def put(shot, ball, place):
+    """The shot with a ball elsewhere, (x, y) m; over another too, where none could lie on the slate."""
+    balls = shot.balls.copy()
+    balls[ball, :2] = np.asarray(place) - shot.layout.middle
+    return replace(shot, balls=balls)
+
+
+def with_flight_kernel(shot):
+    """The shot as the kernel for flights plays it, though nothing flies."""
+    balls = shot.balls
+    if balls.shape[1] < 13:
+        balls = np.concatenate([balls, np.zeros((len(balls), 2))], axis=1)
+    return replace(shot, balls=balls, flies=True)
 
 
 def events(trajectory):
@@ -55,14 +71,18 @@ def kinds(trajectory):
     return [kind for _, kind, _, _ in events(trajectory)]
 
 
+@lean_kernel
+def spin_in_segment(segment, elapsed, radius, physics):
+    """`orientation.spin_in_segment`, called from Python."""
+    return _spin_in_segment(segment, elapsed, radius, physics)
+
+
 class Audit(NamedTuple):
-    """Deepest overlap of two balls, m; largest rise of energy at an event and within a phase, J; how far a
-    path jumps, m; largest change of momentum (three parts) at contacts of balls in the air, kg m/s."""
+    """Deepest overlap of two balls, m; largest rise of energy at an event, J; how far a path jumps, m."""
 
     overlap: float
     rise: float
     jump: float
-    kick: float
 
 
 def _state(segment, time, gravity):
@@ -86,28 +106,25 @@ def _state(segment, time, gravity):
 
 
 def audit(trajectory, looks=4):
-    """Go through a trajectory; energies are those of the beginnings of phases, friction only lowers them."""
+    """Go through a trajectory, looking so many times between each two events."""
     shot = trajectory.shot
     gravity = shot.physics.gravity
     radii, masses = shot.balls[:, 7], shot.balls[:, 8]
     n = len(radii)
-    current = dict(enumerate(trajectory.segments[:n]))
+    rows = trajectory.segments
+    if rows.shape[1] < 14:
+        rows = np.concatenate([rows, np.zeros((len(rows), 2))], axis=1)
+    current = dict(enumerate(rows[:n]))
     overlap, jump = -1.0, 0.0
 
-    def energy(segment):
+    def energy(segment, time):
         ball = int(segment[SEG_BALL])
         if segment[SEG_MOTION] in (POCKETED, OFF_TABLE):
             return 0.0
-        v = segment[SEG_VX : SEG_VY + 1]
-        w = segment[SEG_WX : SEG_WX + 3]
-        return float(
-            masses[ball]
-            * (
-                0.5 * (v @ v + segment[SEG_VZ] ** 2)
-                + 0.2 * radii[ball] ** 2 * (w @ w)
-                + gravity * segment[SEG_Z]
-            )
-        )
+        place, v = _state(segment, time, gravity)
+        w = np.array(spin_in_segment(segment, time - segment[SEG_TIME], radii[ball], shot.constants))
+        spin = 0.2 * radii[ball] ** 2 * (w @ w)
+        return float(masses[ball] * (0.5 * (v @ v) + spin + gravity * place[2]))
 
     def deepest(time):
         worst = -1.0
@@ -122,7 +139,6 @@ def audit(trajectory, looks=4):
 
     rise, last = 0.0, 0.0
     k = n
-    rows = trajectory.segments
     while k < len(rows):
         now = rows[k, SEG_TIME]
         for look in range(1, looks + 1):
@@ -132,7 +148,7 @@ def audit(trajectory, looks=4):
             group.append(rows[k])
             k += 1
         changed = {int(row[SEG_BALL]) for row in group}
-        before = sum(energy(current[ball]) for ball in changed)
+        before = sum(energy(current[ball], now) for ball in changed)
         for row in group:
             ball = int(row[SEG_BALL])
             if row[SEG_MOTION] not in (POCKETED, OFF_TABLE):
@@ -140,9 +156,9 @@ def audit(trajectory, looks=4):
                 there = np.array([row[SEG_X], row[SEG_Y], row[SEG_Z]])
                 jump = max(jump, float(np.linalg.norm(place - there)))
             current[ball] = row
-        rise = max(rise, sum(energy(current[ball]) for ball in changed) - before)
+        rise = max(rise, sum(energy(current[ball], now) for ball in changed) - before)
         last = now
-    return Audit(overlap, rise, jump, 0.0)
+    return Audit(overlap, rise, jump)
 
 
 def play(shot, until=math.inf):
