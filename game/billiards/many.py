@@ -21,10 +21,9 @@ from game.billiards.shot.trajectory import Trajectory
 from game.billiards.simulation import (
     MAX_EVENTS,
     check_status,
-    kernel_for,
     log_for,
+    play_into,
     simulate_exact,
-    workspace_for,
 )
 
 Array = NDArray[np.float64]
@@ -103,13 +102,12 @@ def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, i
     """Play a batch into as many logs as it takes: (log, first row, end of rows) each."""
     shots, n, columns = batch.balls.shape
     flies = columns > IN_COLUMNS
-    play = kernel_for(flies)
     parts = []
     first = 0
     capacity = max(1024, 2 * n * n, EVENTS_A_SHOT * shots)
     while first < shots:
         log = log_for(shots, n, capacity, paths=False, flies=flies)
-        end = int(play(*workspace_for(n), *batch, *log, first, until, max_events))
+        end = play_into(log, batch, first, until, max_events)
         if end == first:
             capacity *= 4
             continue

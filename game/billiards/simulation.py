@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from game.billiards.exact.play import play_shots
 from game.billiards.flight.play import play_flying_shots
-from game.billiards.laws.batch import Log, Workspace, workspace
+from game.billiards.laws.batch import Batch, Log, Workspace, workspace
 from game.billiards.laws.state import (
     END_TIME,
     EVENT_LIMIT,
@@ -70,9 +70,15 @@ def log_for(shots: int, n: int, capacity: int, paths: bool = True, flies: bool =
     )
 
 
-def kernel_for(flies: bool) -> Callable[..., int]:
-    """The kernel that plays a batch: with balls that leave the slate, or without."""
-    return play_flying_shots if flies else play_shots
+def play_into(log: Log, batch: Batch, first: int, until: float, max_events: int) -> int:
+    """Play a batch from shot `first` on until the log is full; the number of the first that was not played.
+
+    The door to the two kernels: balls (m, n, 13) may leave the slate, balls (m, n, 11) do not.
+    """
+    work = workspace_for(batch.balls.shape[1])
+    if batch.balls.shape[2] > IN_COLUMNS:
+        return int(play_flying_shots(work, batch, log, first, until, max_events))
+    return int(play_shots(*work, *batch, *log, first, until, max_events))
 
 
 def _log_of_one(n: int, capacity: int, flies: bool) -> Log:
@@ -101,8 +107,7 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
     n = len(shot.balls)
     capacity = max(FIRST_CAPACITY, 4 * n * n)
     log = _log_of_one(n, capacity, shot.flies)
-    play = kernel_for(shot.flies)
-    while play(*workspace_for(n), *shot.batch, *log, 0, until, max_events) == 0:
+    while play_into(log, shot.batch, 0, until, max_events) == 0:
         log = _log_of_one(n, 4 * len(log.events), shot.flies)
     check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)

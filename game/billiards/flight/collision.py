@@ -1,12 +1,16 @@
 """Two balls meet, one at least of them in the air: the laws of ball on ball along any line of centres.
 
-n points from the centre of i to that of j. The normal impulse is (1 + e) m1 m2/(m1 + m2) times the closing
-speed, the tangential one as in `contacts.ball_ball_friction`, in three dimensions. A ball that lies on the
-slate and is pressed onto it bounces off it at the same moment (`slate`).
+n points from the centre of i to that of j. The normal impulse is (1 + e) times the closing speed over the sum
+of the inverse masses, the tangential one as in `contacts.ball_ball_friction`, in three dimensions.
 
-Closing speeds up to LANDING_SPEED against a ball that lies are elastic, without friction, and the slate bears
-the lower ball: else a ball that comes down on another would bounce without end in finite time. It slides off
-in small hops instead; energy does not rise.
+A ball that lies and is pressed down is held by the slate while the two collide: its inverse mass counts along
+the bed only, 1/m (n_x^2 + n_y^2), and the slate rubs on it (`slate`) without giving anything back. Taken one
+after the other instead, ball on ball, ball on slate, ball on ball again, ..., the impacts of one moment would
+not end.
+
+No ball comes off such a contact more slowly than at LANDING_SPEED, unless it came more slowly; then the
+contact is elastic and smooth. Else a ball that comes down on another would bounce without end in finite time.
+It slides off in small hops instead, and energy does not rise.
 """
 
 from __future__ import annotations
@@ -14,10 +18,9 @@ from __future__ import annotations
 import math
 
 from game.billiards.flight.air import advance_anywhere, enter_air_or_slate
-from game.billiards.flight.slate import bounce_on_level
+from game.billiards.flight.slate import press_on_level
 from game.billiards.laws.contacts import NO_FRICTION
 from game.billiards.laws.contacts.ball_ball_friction import friction_limit, sticking_impulse
-from game.billiards.laws.contacts.ball_ball_normal import reduced_mass
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
     AIR_COUNT,
@@ -94,24 +97,27 @@ def collide_in_space(state, i, j, physics):
     nz /= distance
     closing = (state[VX, i] - state[VX, j]) * nx + (state[VY, i] - state[VY, j]) * ny
     closing += (state[VZ, i] - state[VZ, j]) * nz
-    i_lies = state[Z, i] <= 0.0
-    j_lies = state[Z, j] <= 0.0
-    if closing <= LANDING_SPEED and (i_lies or j_lies):
-        flat = nx * nx + ny * ny
-        give_i = (flat if i_lies else 1.0) / state[MASS, i]
-        give_j = (flat if j_lies else 1.0) / state[MASS, j]
-        impulse = 2.0 * max(closing, 0.0) / (give_i + give_j)
-        _push(state, i, -impulse * nx, -impulse * ny, 0.0 if i_lies else -impulse * nz)
-        _push(state, j, impulse * nx, impulse * ny, 0.0 if j_lies else impulse * nz)
+    if closing <= 0.0:
         return
-    impulse = (1.0 + physics[BALL_RESTITUTION]) * reduced_mass(state, i, j) * closing
+    flat = nx * nx + ny * ny
+    holds_i = state[Z, i] <= 0.0 and nz > 0.0
+    holds_j = state[Z, j] <= 0.0 and nz < 0.0
+    give = (flat if holds_i else 1.0) / state[MASS, i] + (flat if holds_j else 1.0) / state[MASS, j]
+    restitution = physics[BALL_RESTITUTION]
+    if holds_i or holds_j:
+        restitution = max(restitution, min(LANDING_SPEED / closing, 1.0))
+    impulse = (1.0 + restitution) * closing / give
     _push(state, i, -impulse * nx, -impulse * ny, -impulse * nz)
     _push(state, j, impulse * nx, impulse * ny, impulse * nz)
-    if physics[BALL_LAW] != NO_FRICTION:
+    smooth = closing <= LANDING_SPEED and (holds_i or holds_j)
+    if physics[BALL_LAW] != NO_FRICTION and not smooth:
         _rub(state, i, j, nx, ny, nz, impulse, physics)
     for ball in (i, j):
         if state[Z, ball] <= 0.0 and state[VZ, ball] < 0.0:
-            bounce_on_level(state, ball, physics)
+            if smooth:
+                state[VZ, ball] = 0.0
+            else:
+                press_on_level(state, ball, 0.0, physics)
 
 
 @inner_kernel

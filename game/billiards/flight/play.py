@@ -292,27 +292,15 @@ def _write_final(state, modes, end_time, final, physics):
 
 
 @lean_kernel
-def play_flying_shots(
-    floats,
-    integers,
-    balls,
-    constants,
-    elements,
-    ranges,
-    events,
-    segments,
-    ends,
-    final,
-    first,
-    until,
-    max_events,
-):
+def play_flying_shots(workspace, batch, log, first, until, max_events):
     """`exact.play.play_shots` for balls that leave the slate: balls and final (m, n, 13), segments (s, 14).
 
-    The number of the first shot that was not played.
+    Returns the number of the first shot that was not played.
     """
+    balls, constants, elements, ranges = batch
+    events, segments, ends, final = log
     shots = constants.shape[0]
-    arrays = view_workspace(floats, integers, balls.shape[1])
+    arrays = view_workspace(workspace.floats, workspace.integers, balls.shape[1])
     row = 0
     segment = 0
     for s in range(first, shots):

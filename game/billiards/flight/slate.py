@@ -33,8 +33,13 @@ from game.billiards.laws.state import (
 @inner_kernel
 def bounce_on_level(state, i, physics):
     """Ball i meets a level from above, v_z < 0. It stays down if it would rise at LANDING_SPEED or less."""
+    press_on_level(state, i, physics[SLATE_RESTITUTION], physics)
+
+
+@inner_kernel
+def press_on_level(state, i, restitution, physics):
+    """`bounce_on_level` with another restitution."""
     closing = -state[VZ, i]
-    restitution = physics[SLATE_RESTITUTION]
     if restitution * closing <= LANDING_SPEED:
         restitution = 0.0
     state[VZ, i] = restitution * closing

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Arrangement
 from game.billiards.game.rules import CUE_BALL
-from game.billiards.laws.batch import Log
+from game.billiards.laws.batch import Batch, Log
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.state import (
     FLIGHT_IN_COLUMNS,
@@ -39,7 +39,7 @@ from game.billiards.laws.state import (
 from game.billiards.search.outcomes import Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
 from game.billiards.shot.shot import Physics
-from game.billiards.simulation import kernel_for, log_for, workspace_for
+from game.billiards.simulation import log_for, play_into
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
@@ -76,8 +76,8 @@ STEADY = Noise(0.0, 0.0, 0.0, 0.0)
 
 @inner_kernel(inline="always")
 def strike_ball(stroke, ball, end_mass, cue_mass):
-    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays; and in a row of 13 its speed
-    into the slate."""
+    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays; in a row of 13 also its
+    speed into the slate."""
     a = stroke[TIP_LEFT]
     b = stroke[TIP_UP]
     radius = ball[IN_RADIUS]
@@ -240,15 +240,10 @@ class Board:
         if flies:
             rise = -self.physics.slate_restitution * balls[:, self.cue, IN_VZ]
             balls[rise <= LANDING_SPEED, self.cue, IN_VZ] = 0.0
-        play = kernel_for(flies)
+        batch = Batch(balls, constants, self._elements, ranges)
         first = 0
         while first < m:
-            end = int(
-                play(
-                    *workspace_for(self.count), balls, constants, self._elements, ranges, *rows,
-                    first, math.inf, MAX_EVENTS,
-                )
-            )  # fmt: skip
+            end = play_into(rows, batch, first, math.inf, MAX_EVENTS)
             yield rows, first, end
             first = end
 

@@ -12,7 +12,7 @@ from game.billiards.map.carom import GLANCE, whole_map
 from game.billiards.players.carom import position_of
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
-from game.billiards.shot_effects import CLOTH, RUBBER, SPIN_DECAY, THROW
+from game.billiards.shot_effects import AIRBORNE, CLOTH, RUBBER, SPIN_DECAY, THROW
 from game.lab.studies.billiards.chances import chances_study
 from game.levels import Level
 from game.scenes.carom import CAROM, layout, saving
@@ -74,7 +74,7 @@ class CaromScene(Scene):
     name, task, title = CAROM.names
     parameters_type = CaromParameters
     parameters: CaromParameters
-    effects = CLOTH | SPIN_DECAY | THROW | RUBBER
+    effects = CLOTH | SPIN_DECAY | THROW | RUBBER | AIRBORNE
     study = chances_study
     covers = True
     quarter_turns = 1

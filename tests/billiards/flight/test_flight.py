@@ -139,6 +139,8 @@ def test_two_balls_in_the_air_keep_momentum_spin_and_the_law_of_restitution(velo
     a, b = trajectory.segments[2], trajectory.segments[3]
     a, b = (a, b) if a[10] == 0 else (b, a)
     t = a[0]
+    n = b[[1, 2, 12]] - a[[1, 2, 12]] + np.array([0.0, 0.0, radii[1] - radii[0]])
+    n /= np.linalg.norm(n)
     old = (v - (0, 0, G * t), np.array([0.0, 0.0, -G * t]))
     new = (np.array([a[3], a[4], a[13]]), np.array([b[3], b[4], b[13]]))
     assert sum(m * u for m, u in zip(masses, new, strict=True)) == pytest.approx(
