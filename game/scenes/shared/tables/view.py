@@ -112,13 +112,18 @@ def draw_balls(
     if balls.heights is not None and balls.heights.any():
         flies = balls.heights > 0.0
         draw_balls(canvas, balls.some(~flies), table, origin, felt)
-        _draw_flying(canvas, balls, flies, table, origin)
+        _draw_flying(canvas, balls, flies, table, origin, felt)
         return
     _paint_balls(canvas, balls, table, origin, felt)
 
 
 def _draw_flying(
-    canvas: Canvas, balls: Balls, flies: NDArray[np.bool_], table: Table, origin: tuple[float, float]
+    canvas: Canvas,
+    balls: Balls,
+    flies: NDArray[np.bool_],
+    table: Table,
+    origin: tuple[float, float],
+    felt: pygame.Color,
 ) -> None:
     """The balls in the air over their shadows."""
     assert balls.heights is not None
@@ -133,7 +138,7 @@ def _draw_flying(
         for share in (1.0, 0.8, 0.6):  # a soft edge
             canvas.circle(below, spread * radius * share, fill=SHADOW, fill_alpha=0.5 * alpha)
     larger = flying._replace(radii=flying.radii * EYE / np.maximum(EYE - heights, 0.25 * EYE))
-    _paint_balls(canvas, larger, table, origin, FELT, shadows=False)
+    _paint_balls(canvas, larger, table, origin, felt, shadows=False)
 
 
 def _paint_balls(
