@@ -171,13 +171,28 @@ class Shot:
     ) -> Shot:
         """The same shot with a ball in the air, `height` m above where it would lie, at velocity (3,) m/s.
 
-        ShotError for a height that is not positive or above 10 m, if the physics has no airborne balls, and
-        as `struck`.
+        ShotError for a height that is not positive, and as `struck` and `lifted`.
         """
-        if not (0.0 < height <= HIGHEST and self.physics.airborne):
-            raise ShotError(f"in_air: height above 0, at most {HIGHEST:g} m, on a table with airborne balls")
         level = self.struck(ball, np.asarray(velocity)[:2], spin)
-        return level._with_balls(level.balls.copy(), ball, height, float(np.asarray(velocity)[2]))
+        if not height > 0.0:
+            raise ShotError(f"in_air: height must be above 0, got {height!r}")
+        return level.lifted(ball, height, float(np.asarray(velocity)[2]))
+
+    def lifted(self, ball: int, height: float, rise: float) -> Shot:
+        """The same shot with a ball `height` m above where it would lie, rising at `rise` m/s.
+
+        At height 0 it is pressed onto the slate, or jumps. ShotError for absurd numbers, or on a table without
+        airborne balls.
+        """
+        if not (0.0 <= height <= HIGHEST and abs(rise) <= LARGEST["velocity"]):
+            raise ShotError(
+                f"balls[{ball}].height: must be 0 to {HIGHEST:g} m, rise finite; got {height!r}, {rise!r}"
+            )
+        if not self.physics.airborne:
+            raise ShotError(
+                f"balls[{ball}].height: on this table all balls stay down, it has no airborne ones"
+            )
+        return self._with_balls(self.balls.copy(), ball, height, rise)
 
     def _with_balls(self, balls: Array, ball: int, height: float, vertical: float) -> Shot:
         """The shot with other balls, and columns for their heights if one leaves the slate."""

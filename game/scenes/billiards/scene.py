@@ -11,7 +11,7 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
 from game.billiards.game.rules import Call
 from game.billiards.shot_effects import GAME_EFFECTS
-from game.lab.studies.billiards.effects import effects_study
+from game.lab.studies.billiards.flights import game_study
 from game.levels import Level
 from game.scenes.billiards import BILLIARDS, saving
 from game.scenes.billiards.actions import ACTIONS, HINTS
@@ -84,7 +84,7 @@ class Billiards(Scene):
     former_parameters = {"prediction": "guide"}
     parameters: BilliardsParameters
     effects = GAME_EFFECTS
-    study = effects_study
+    study = game_study
     covers = True
     quarter_turns = 1
     takes = frozenset(("wheel", "middle", "right"))

@@ -1,5 +1,7 @@
 """Balls in the air: parabola, bounces, what they meet, and the end of it, against closed forms."""
 
+import itertools
+import json
 import math
 
 import numpy as np
@@ -14,6 +16,10 @@ from game.billiards.laws.state import (
     LANDING_SPEED,
     SLIDING_ROLLING,
 )
+from game.billiards.shot.impacts import heard_impacts
+from game.billiards.shot.paths import Paths
+from game.billiards.shot.shot_file import parse_shot
+from game.billiards.shot.shot_writing import shot_data
 from game.billiards.table.table import checked_table
 from game.lab.benchmarks.billiards import break_shot, random_shots
 from tests.billiards.flight.flights import (
@@ -347,7 +353,7 @@ def test_vertical_speed_is_left_out_where_balls_do_not_fly_or_hardly_would():
     assert not on.struck(0, (0.0, 2.0, -1.99 * LANDING_SPEED)).flies
     assert on.struck(0, (0.0, 2.0, -2.01 * LANDING_SPEED)).flies
     assert simulate(on.struck(0, (0.0, 2.0))).digest == simulate(off.struck(0, (0.0, 2.0))).digest
-    with pytest.raises(ShotError, match="airborne"):
+    with pytest.raises(ShotError, match="all balls stay down"):
         off.in_air(0, (0.0, 0.0, 0.0), 0.1)
     with pytest.raises(ShotError, match="height"):
         on.in_air(0, (0.0, 0.0, 0.0), -0.1)
@@ -392,3 +398,44 @@ def test_wild_flights_end_with_all_balls_somewhere(seed):
     assert np.isfinite(trajectory.end).all() and not trajectory.heights_at(trajectory.end_time).any()
     for x, y in (place for place in trajectory.final.values() if not isinstance(place, str)):
         assert -0.12 < x < POOL.width + 0.12 and -0.12 < y < POOL.length + 0.12
+
+
+def test_a_shot_file_keeps_heights_and_restitutions_to_the_last_bit():
+    physics = Physics(slate_restitution=0.6, cushion_hop=0.25)
+    shot = make_shot(POOL, [(0.6, 0.6), (0.3, 1.0), (0.9, 1.5)], physics=physics)
+    shot = shot.struck(0, (0.1, 2.0, -2.0)).in_air(1, (1.0, 0.5, 0.3), 0.2, (1.0, 2.0, 3.0))
+    again = parse_shot(json.loads(json.dumps(shot_data(shot))))
+    assert again.physics == physics and again.flies
+    # places are kept from the table's corner, and come back to it within a last place
+    assert again.balls == pytest.approx(shot.balls, rel=0.0, abs=1e-15)
+    assert simulate(again).events[0] == simulate(shot).events[0]
+    data = shot_data(shot)
+    data["balls"][1]["height"] = -0.1
+    with pytest.raises(ShotError, match=r"balls\[1\].height"):
+        parse_shot(data)
+    data["balls"][1] = {**data["balls"][1], "height": 0.1, "motion": "airborne"}
+    with pytest.raises(ShotError, match=r"balls\[1\].motion"):
+        parse_shot(data)
+
+
+def test_landings_are_heard_as_hard_as_the_ball_falls():
+    shot = make_shot(POOL, [(0.6, 0.6)]).struck(0, (0.0, 0.8, -2.0))
+    heard = list(heard_impacts(simulate(shot)))
+    expected = [2.0 * 0.5**k for k in range(6)]
+    assert [one.code for one in heard] == [BALL_SLATE] * 6
+    assert [one.speed for one in heard] == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_path_is_cut_into_flights_and_what_lies_between():
+    shot = make_shot(POOL, [(0.6, 0.6)]).struck(0, (0.3, 0.8, -2.0))
+    trajectory = simulate(shot)
+    paths = Paths(trajectory)
+    end = trajectory.end_time
+    flights, rolls = paths.in_air(0, 0.0, end, G), paths.on_cloth(0, 0.0, end)
+    assert len(flights) == len(hits(trajectory, BALL_SLATE)) - 1 and len(rolls) == 1
+    assert flights[0][:, 2].max() == pytest.approx(1.0 / (2.0 * G), rel=1e-9)
+    for one, other in itertools.pairwise(flights):
+        assert one[-1] == pytest.approx(other[0], abs=1e-12)
+    assert rolls[0][0] == pytest.approx(flights[-1][-1, :2], abs=1e-12)
+    assert rolls[0][-1] == pytest.approx(trajectory.end[0, :2], abs=1e-12)
+    assert paths.in_air(0, 0.05, 0.1, G)[0][0, 2] == pytest.approx(0.05 - 0.5 * G * 0.05**2, rel=1e-9)

@@ -58,7 +58,10 @@ class Balls(NamedTuple):
 
     def some(self, chosen: NDArray[np.bool_]) -> Balls:
         """Some of the balls, by (n,) bools, as if they lay."""
-        return Balls(*(column[chosen] for column in self[:5]))
+        return Balls(
+            self.positions[chosen], self.radii[chosen], self.numbers[chosen], self.turns[chosen],
+            self.opacities[chosen],
+        )  # fmt: skip
 
 
 def warm_ups() -> list[WarmUp]:
