@@ -181,8 +181,8 @@ class Shot:
     def lifted(self, ball: int, height: float, rise: float) -> Shot:
         """The same shot with a ball `height` m above where it would lie, rising at `rise` m/s.
 
-        At height 0 it is pressed onto the slate, or jumps. ShotError for absurd numbers, or on a table without
-        airborne balls.
+        At height 0 it is pressed onto the slate, or jumps. ShotError for absurd numbers, or on a table
+        without airborne balls.
         """
         if not (0.0 <= height <= HIGHEST and abs(rise) <= LARGEST["velocity"]):
             raise ShotError(

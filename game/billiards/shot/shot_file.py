@@ -83,7 +83,7 @@ def _read_physics(root: dict[str, Any]) -> Physics:
     names = {}
     for field, known in (("ball_ball", BALL_MODELS), ("cushion", CUSHION_MODELS)):
         names[field] = _choice(_member(models, field, "models"), f"models.{field}", tuple(known))
-    values = {}
+    values: dict[str, Any] = {}
     for place, field in PHYSICS_FIELDS.items():
         group, name = place.split(".")
         values[field] = _number(_member(_member_object(_member(root, group), group), name, group), place)
