@@ -29,10 +29,11 @@ from game.billiards.laws.state import (
     STATUS,
 )
 from game.billiards.lecture.shot import simulate_lecture
-from game.billiards.shot.shot import Shot
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.shot_file import load_shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.stepped.play import simulate_stepped
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 
@@ -111,6 +112,11 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
         log = _log_of_one(n, 4 * len(log.events), shot.flies)
     check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)
+
+
+def warm_up_flights() -> None:
+    """Compile what plays balls in the air."""
+    simulate_exact(make_shot(Table.pool(), [(0.6, 0.6)]).struck(0, (0.0, 1.0, -1.0)))
 
 
 def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:

@@ -11,6 +11,7 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
 from game.billiards.game.rules import Call
 from game.billiards.shot_effects import GAME_EFFECTS
+from game.billiards.simulation import warm_up_flights
 from game.lab.studies.billiards.flights import game_study
 from game.levels import Level
 from game.scenes.billiards import BILLIARDS, saving
@@ -159,7 +160,8 @@ class Billiards(Scene):
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
         return [
-            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("odds of a stroke", warm_up_odds),
+            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("balls in the air", warm_up_flights),
+            WarmUp("odds of a stroke", warm_up_odds),
             *cue_warm_ups(), *table_warm_ups(),
         ]  # fmt: skip
 

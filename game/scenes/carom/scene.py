@@ -13,6 +13,7 @@ from game.billiards.players.carom import position_of
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
 from game.billiards.shot_effects import AIRBORNE, CLOTH, RUBBER, SPIN_DECAY, THROW
+from game.billiards.simulation import warm_up_flights
 from game.lab.studies.billiards.chances import chances_study
 from game.levels import Level
 from game.scenes.carom import CAROM, layout, saving
@@ -139,7 +140,7 @@ class CaromScene(Scene):
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
         return [
-            WarmUp("exact table", lambda: _warm_up(cls())),
+            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("balls in the air", warm_up_flights),
             WarmUp("map", lambda: whole_map(position_of(cls().model.frame), Noise(), GLANCE) and None),
             *table_warm_ups(),
         ]  # fmt: skip
