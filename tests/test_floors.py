@@ -42,6 +42,7 @@ FOLDERS = {
         "laws",
         "shot",
         "exact stepped lecture",
+        "flight",
         "shot_effects",
         "simulation",
         "many growing",

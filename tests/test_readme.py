@@ -10,7 +10,7 @@ TEXT = README.read_text(encoding="utf-8")
 PROGRAMS = [
     block for block in re.findall(r"```python\n(.*?)```", TEXT, re.S) if not block.startswith("class ")
 ]
-PRINTED = ("events in", "into pocket", "pairs, near a corner", "Verlet order 2")
+PRINTED = ("events in", "cm high", "into pocket", "pairs, near a corner", "Verlet order 2")
 
 
 @pytest.mark.parametrize(("program", "printed"), list(zip(PROGRAMS, PRINTED, strict=True)))

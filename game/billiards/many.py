@@ -14,12 +14,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.exact.play import play_shots
 from game.billiards.laws.batch import Batch, Log
-from game.billiards.laws.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, STATUS
+from game.billiards.laws.state import END_TIME, EVENTS_END, EVENTS_START, FINISHED, IN_COLUMNS, STATUS
 from game.billiards.shot.shot import Shot, batch_of
 from game.billiards.shot.trajectory import Trajectory
-from game.billiards.simulation import MAX_EVENTS, check_status, log_for, simulate_exact, workspace_for
+from game.billiards.simulation import (
+    MAX_EVENTS,
+    check_status,
+    log_for,
+    play_into,
+    simulate_exact,
+)
 
 Array = NDArray[np.float64]
 
@@ -68,9 +73,9 @@ def simulate_many(
     """
     if threads is not None and threads < 1:
         raise ValueError(f"simulate_many threads: must be at least 1, got {threads!r}")
-    groups: dict[int, list[int]] = {}
+    groups: dict[tuple[int, bool], list[int]] = {}
     for i, shot in enumerate(shots):
-        groups.setdefault(len(shot.balls), []).append(i)
+        groups.setdefault((len(shot.balls), shot.flies), []).append(i)
     chunks = [group[k : k + CHUNK] for group in groups.values() for k in range(0, len(group), CHUNK)]
     batches = [batch_of([shots[i] for i in chunk]) for chunk in chunks]
     workers = min(threads or os.cpu_count() or 1, len(chunks))
@@ -95,13 +100,14 @@ def simulate_many(
 
 def play_batch(batch: Batch, until: float, max_events: int) -> list[tuple[Log, int, int]]:
     """Play a batch into as many logs as it takes: (log, first row, end of rows) each."""
-    shots, n = batch.balls.shape[:2]
+    shots, n, columns = batch.balls.shape
+    flies = columns > IN_COLUMNS
     parts = []
     first = 0
     capacity = max(1024, 2 * n * n, EVENTS_A_SHOT * shots)
     while first < shots:
-        log = log_for(shots, n, capacity, paths=False)
-        end = int(play_shots(*workspace_for(n), *batch, *log, first, until, max_events))
+        log = log_for(shots, n, capacity, paths=False, flies=flies)
+        end = play_into(log, batch, first, until, max_events)
         if end == first:
             capacity *= 4
             continue

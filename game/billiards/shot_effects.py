@@ -11,7 +11,11 @@ CLOTH = declare_effect("cloth", "Cloth", "Balls slide, roll and come to rest; wi
 SPIN_DECAY = declare_effect("spin-decay", "Spin decay", "Spin about the vertical wears off.")
 THROW = declare_effect("throw", "Throw", "Balls rub on each other: cut and spin throw them.")
 RUBBER = declare_effect("rubber", "Cushion friction", "Spin and cushion act on each other.")
+AIRBORNE = declare_effect(
+    "airborne", "Airborne balls", "A raised cue makes a ball jump; it flies, bounces, may leave the table."
+)
 EXACT_EFFECTS = POCKETS | CLOTH | SPIN_DECAY | THROW | RUBBER
+GAME_EFFECTS = EXACT_EFFECTS | AIRBORNE
 
 
 def physics_of(active: EffectSet, full: Physics | None = None) -> Physics:
@@ -25,6 +29,7 @@ def physics_of(active: EffectSet, full: Physics | None = None) -> Physics:
         ball_ball=full.ball_ball if THROW in active else "wallace-1988",
         ball_friction=full.ball_friction if THROW in active else 0.0,
         cushion=full.cushion if RUBBER in active else "restitution",
+        airborne=full.airborne and AIRBORNE in active,
     )
 
 

@@ -12,12 +12,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.exact.play import play_shots
-from game.billiards.laws.batch import Log, Workspace, workspace
+from game.billiards.flight.play import play_flying_shots
+from game.billiards.laws.batch import Batch, Log, Workspace, workspace
 from game.billiards.laws.state import (
     END_TIME,
     EVENT_LIMIT,
     EVENTS_END,
     EVENTS_START,
+    FLIGHT_IN_COLUMNS,
+    FLIGHT_SEGMENT_COLUMNS,
     IN_COLUMNS,
     NOT_FINITE,
     SEGMENT_COLUMNS,
@@ -26,10 +29,11 @@ from game.billiards.laws.state import (
     STATUS,
 )
 from game.billiards.lecture.shot import simulate_lecture
-from game.billiards.shot.shot import Shot
+from game.billiards.shot.shot import Shot, make_shot
 from game.billiards.shot.shot_file import load_shot
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.stepped.play import simulate_stepped
+from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
 
@@ -51,21 +55,38 @@ def workspace_for(n: int) -> Workspace:
     return workspaces[n]
 
 
-def log_for(shots: int, n: int, capacity: int, paths: bool = True) -> Log:
-    """An empty log for so many shots and events; without `paths`, none for segments."""
+def log_for(shots: int, n: int, capacity: int, paths: bool = True, flies: bool = False) -> Log:
+    """An empty log for so many shots and events; without `paths`, none for segments. flies: of balls that
+    leave the slate."""
     return Log(
         np.empty((capacity, 4)),
-        np.empty((2 * capacity + shots * n if paths else 0, SEGMENT_COLUMNS)),
+        np.empty(
+            (
+                2 * capacity + shots * n if paths else 0,
+                FLIGHT_SEGMENT_COLUMNS if flies else SEGMENT_COLUMNS,
+            )
+        ),
         np.empty((shots, 6)),
-        np.empty((shots, n, IN_COLUMNS)),
+        np.empty((shots, n, FLIGHT_IN_COLUMNS if flies else IN_COLUMNS)),
     )
 
 
-def _log_of_one(n: int, capacity: int) -> Log:
+def play_into(log: Log, batch: Batch, first: int, until: float, max_events: int) -> int:
+    """Play a batch from shot `first` on until the log is full; the number of the first that was not played.
+
+    The door to the two kernels: balls (m, n, 13) may leave the slate, balls (m, n, 11) do not.
+    """
+    work = workspace_for(batch.balls.shape[1])
+    if batch.balls.shape[2] > IN_COLUMNS:
+        return int(play_flying_shots(work, batch, log, first, until, max_events))
+    return int(play_shots(*work, *batch, *log, first, until, max_events))
+
+
+def _log_of_one(n: int, capacity: int, flies: bool) -> Log:
     """This thread's log for single shots of n balls."""
-    logs = _own.__dict__.setdefault("logs", {})
+    logs = _own.__dict__.setdefault("flight_logs" if flies else "logs", {})
     if n not in logs or len(logs[n].events) < capacity:
-        logs[n] = log_for(1, n, capacity)
+        logs[n] = log_for(1, n, capacity, flies=flies)
     return logs[n]
 
 
@@ -86,11 +107,16 @@ def simulate_exact(shot: Shot, until: float = math.inf, max_events: int = MAX_EV
     """
     n = len(shot.balls)
     capacity = max(FIRST_CAPACITY, 4 * n * n)
-    log = _log_of_one(n, capacity)
-    while play_shots(*workspace_for(n), *shot.batch, *log, 0, until, max_events) == 0:
-        log = _log_of_one(n, 4 * len(log.events))
+    log = _log_of_one(n, capacity, shot.flies)
+    while play_into(log, shot.batch, 0, until, max_events) == 0:
+        log = _log_of_one(n, 4 * len(log.events), shot.flies)
     check_status(log.ends[0], max_events)
     return cut_from_log(shot, log, 0)
+
+
+def warm_up_flights() -> None:
+    """Compile what plays balls in the air."""
+    simulate_exact(make_shot(Table.pool(), [(0.6, 0.6)]).struck(0, (0.0, 1.0, -1.0)))
 
 
 def cut_from_log(shot: Shot, log: Log, number: int) -> Trajectory:

@@ -12,6 +12,7 @@ from game.billiards.shot.shot import batch_of
 from game.billiards.simulation import MAX_EVENTS, log_for, workspace_for
 from game.billiards.table.rack import BALL_RADIUS
 from game.lab.benchmarks.billiards import BATCH, break_shot, cut_shot, random_shots
+from game.lab.studies.billiards.flights import stroke_at
 
 R = BALL_RADIUS
 
@@ -60,6 +61,14 @@ def test_random_shots_in_a_batch(benchmark, n):
     benchmark.extra_info["events"] = _events(simulate_many(shots, threads=1))
     parts = benchmark(play_batch, batch, math.inf, MAX_EVENTS)
     assert sum(end - first for _, first, end in parts) == BATCH
+
+
+@pytest.mark.parametrize("elevation", [0.1, 40.0], ids=["level", "raised"])
+def test_jump_shot(benchmark, elevation):
+    """A raised cue pays for some eight bounces; one that makes no ball hop must cost what it did."""
+    trajectory = benchmark(simulate, stroke_at(elevation, True))
+    benchmark.extra_info["events"] = len(trajectory.rows)
+    assert trajectory.shot.flies == (elevation > 1.0)
 
 
 @pytest.mark.parametrize("balls", [4, 5])

@@ -14,8 +14,10 @@ from game.billiards.laws.state import BALL_FRICTION, BALL_LAW
 from game.billiards.lecture.state import POCKETS
 from game.billiards.shot.shot_writing import shot_data
 from game.billiards.shot_effects import (
+    AIRBORNE,
     CLOTH,
     EXACT_EFFECTS,
+    GAME_EFFECTS,
     RUBBER,
     SPIN_DECAY,
     THROW,
@@ -29,7 +31,8 @@ R = 0.028575
 
 
 def test_all_effects_leave_all():
-    assert physics_of(EXACT_EFFECTS) == Physics()
+    assert physics_of(GAME_EFFECTS) == Physics()
+    assert physics_of(EXACT_EFFECTS) == Physics(airborne=False)
     assert table_of(EXACT_EFFECTS, POOL) is POOL
 
 
@@ -41,11 +44,12 @@ def test_all_effects_leave_all():
         (THROW, {"ball_ball": "wallace-1988", "ball_friction": 0.0}),
         (RUBBER, {"cushion": "restitution"}),
         (POCKETS, {}),
+        (AIRBORNE, {"airborne": False}),
     ],
 )
 def test_an_effect_takes_away_its_own(effect, changed):
     full = Physics(sliding=0.3, rolling=0.02, cushion="mathavan-2010")
-    assert physics_of(EXACT_EFFECTS.without(effect), full) == full._replace(**changed)
+    assert physics_of(GAME_EFFECTS.without(effect), full) == full._replace(**changed)
 
 
 def test_without_pockets_the_bed_is_the_same():

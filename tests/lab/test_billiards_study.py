@@ -8,6 +8,7 @@ import pytest
 from game.lab.analysis import fit_order, summarise
 from game.lab.runner import measure, run_study
 from game.lab.studies.billiards.effects import EFFECTS, effects_study
+from game.lab.studies.billiards.flights import LEVEL, flights_study, stroke_at
 from game.lab.studies.billiards.hits import missed_hits_study, overlap_study
 from game.lab.studies.billiards.missed_hits import HIT_SHOTS
 from game.lab.studies.billiards.tables import billiards_study, lossless_study
@@ -93,3 +94,14 @@ def test_the_scenes_setting_is_placed():
     setting = billiards_study.present({"stepped_step": 1 / 240, "passes": 4.0, "lecture_step": 1 / 60})
     assert setting.key == ("stepped", 1 / 240, ("passes", 4))
     assert math.isfinite(measure(billiards_study, setting, repeats=1).error)
+
+
+def test_a_level_cue_costs_no_flight_and_a_raised_one_its_bounces():
+    """The same events with and without the effect where nothing leaves the slate; then the landings more."""
+    for airborne in (True, False):
+        level = measure(flights_study, Setting("air" if airborne else "slate", LEVEL), repeats=1)
+        assert level.error == 0.0 and level.counter > 0
+    assert not stroke_at(LEVEL, True).flies and stroke_at(30.0, True).flies
+    raised = measure(flights_study, Setting("air", 30.0), repeats=1)
+    grounded = measure(flights_study, Setting("slate", 30.0), repeats=1)
+    assert raised.error == 0.0 and grounded.error > 0.1 and raised.counter != grounded.counter

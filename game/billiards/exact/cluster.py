@@ -28,6 +28,7 @@ from game.billiards.laws.contacts.ball_ball_normal import reach_of
 from game.billiards.laws.joint import ContactGraph, solve_joint_impulses
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.state import (
+    AIRBORNE,
     AT_REST,
     AX,
     AY,
@@ -41,6 +42,7 @@ from game.billiards.laws.state import (
     MARK,
     MEET,
     MEMBER,
+    MOTION,
     PUSH_X,
     PUSH_Y,
     PX,
@@ -101,6 +103,7 @@ def gap_at(state, i, j, now):
 def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
     """All contacts of this moment that hang together with the one of i and j, nearest first.
 
+    Balls in the air are left out: each of their contacts is one of two, see `flight`.
     Writes ends, normals, and row MEMBER of modes: the balls, in the order found. Returns the numbers of
     contacts and of balls.
     """
@@ -122,7 +125,7 @@ def gather_contacts(state, modes, pairs, i, j, now, ends, normals):
         for k in range(n):
             struck = head == 1 and k == j
             near = struck or pairs[MEET, a, k] <= soon or pairs[MEET, a, k] == AT_REST
-            if not near or modes[MARK, k] == DONE:
+            if not near or modes[MARK, k] == DONE or modes[MOTION, k] == AIRBORNE:
                 continue
             gap, nx, ny = gap_at(state, a, k, now)
             if gap > CONTACT_GAP and not struck:

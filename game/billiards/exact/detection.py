@@ -43,21 +43,12 @@ def _step_in_contact(slope, curvature, threshold):
     return max((slope + threshold) / (-curvature), 1e-12)
 
 
-@inner_kernel
-def first_contact_time(x, y, vx, vy, ax, ay, reach, horizon):
-    """Time until two points on parabolic paths come within `reach` of each other while approaching, s.
+@inner_kernel(forceinline=True)
+def first_closing(c0, c1, c2, c3, c4, threshold, missed, horizon):
+    """First root within `horizon`, s, of c0 + c1 t + ... + c4 t^4 with a slope of at most -threshold.
 
-    x + vx t + ax t^2 (and y): position of one seen from the other, m. At most `horizon` s ahead. NEVER if
-    they do not; AT_REST if they do not, but are in contact now and do not separate.
+    c4 must not be negative. `missed` if there is none.
     """
-    distance = math.sqrt(x * x + y * y)
-    c0 = (distance - reach) * (distance + reach)  # keeps all digits of a tiny gap
-    c1 = 2.0 * (x * vx + y * vy)
-    c2 = vx * vx + vy * vy + 2.0 * (x * ax + y * ay)
-    c3 = 2.0 * (vx * ax + vy * ay)
-    c4 = ax * ax + ay * ay
-    threshold = 2.0 * reach * CLOSING_SPEED
-    missed = AT_REST if distance - reach <= CONTACT_GAP and c1 <= threshold else NEVER
     t = 0.0
     for _ in range(MAX_STEPS):
         gap = c0 + t * (c1 + t * (c2 + t * (c3 + t * c4)))
@@ -91,6 +82,24 @@ def first_contact_time(x, y, vx, vy, ax, ay, reach, horizon):
             return missed
         t += step
     return missed
+
+
+@inner_kernel
+def first_contact_time(x, y, vx, vy, ax, ay, reach, horizon):
+    """Time until two points on parabolic paths come within `reach` of each other while approaching, s.
+
+    x + vx t + ax t^2 (and y): position of one seen from the other, m. At most `horizon` s ahead. NEVER if
+    they do not; AT_REST if they do not, but are in contact now and do not separate.
+    """
+    distance = math.sqrt(x * x + y * y)
+    c0 = (distance - reach) * (distance + reach)  # keeps all digits of a tiny gap
+    c1 = 2.0 * (x * vx + y * vy)
+    c2 = vx * vx + vy * vy + 2.0 * (x * ax + y * ay)
+    c3 = 2.0 * (vx * ax + vy * ay)
+    c4 = ax * ax + ay * ay
+    threshold = 2.0 * reach * CLOSING_SPEED
+    missed = AT_REST if distance - reach <= CONTACT_GAP and c1 <= threshold else NEVER
+    return first_closing(c0, c1, c2, c3, c4, threshold, missed, horizon)
 
 
 @inner_kernel

@@ -102,7 +102,7 @@ def may_meet(state, modes, pairs, i, start, count):
 
 
 @inner_kernel(inline="always")
-def _contact_time(state, i, j, now):
+def contact_time(state, i, j, now):
     """Time of the next contact of balls i and j, where i stands at `now`, s."""
     elapsed = now - state[TIME, j]
     ax = state[AX, j]
@@ -122,7 +122,7 @@ def _contact_time(state, i, j, now):
 
 
 @inner_kernel(inline="always")
-def _rescan(state, modes, pairs, j):
+def rescan(state, modes, pairs, j):
     """Find the least of row j again."""
     best = NEVER
     partner = -1
@@ -153,7 +153,7 @@ def refresh_pairs(state, modes, pairs, i):
                 continue
             t = NEVER
             if (bits >> (j - start)) & 1:
-                t = _contact_time(state, i, j, now)
+                t = contact_time(state, i, j, now)
             pairs[MEET, i, j] = t
             pairs[MEET, j, i] = t
             if t < best:
@@ -164,7 +164,7 @@ def refresh_pairs(state, modes, pairs, i):
                 modes[PARTNER, j] = i
                 state[NEXT_TIME, j] = min(t, state[OWN_TIME, j])
             elif modes[PARTNER, j] == i:
-                _rescan(state, modes, pairs, j)
+                rescan(state, modes, pairs, j)
     state[PAIR_TIME, i] = best
     modes[PARTNER, i] = partner
     state[NEXT_TIME, i] = min(best, state[OWN_TIME, i])

@@ -18,6 +18,7 @@ from game.billiards.exact.cluster import gap_at
 from game.billiards.laws.lean import inner_kernel
 from game.billiards.laws.motion import advance, enter_phase
 from game.billiards.laws.state import (
+    AIRBORNE,
     FROM_X,
     FROM_Y,
     MARK,
@@ -56,7 +57,7 @@ def _gather_group(state, modes, i, now, physics):
         a = modes[MEMBER, head]
         head += 1
         for k in range(n):
-            if modes[MARK, k] == 0 and modes[MOTION, k] != POCKETED:
+            if modes[MARK, k] == 0 and modes[MOTION, k] != POCKETED and modes[MOTION, k] != AIRBORNE:
                 gap, _, _ = gap_at(state, a, k, now)
                 if gap <= JOINED:
                     modes[MARK, k] = 1

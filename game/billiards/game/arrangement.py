@@ -108,7 +108,7 @@ class Arrangement(NamedTuple):
             ball_mass=float(self.balls.masses[CUE_BALL]),
             ball_radius=float(self.balls.radii[CUE_BALL]),
         )
-        return shot.struck(self.numbers.index(CUE_BALL), made.velocity, made.spin)
+        return shot.struck(self.numbers.index(CUE_BALL), made.pressed(stroke.elevation), made.spin)
 
 
 def arrange(places: dict[int, tuple[float, float]], balls: BallSet | None = None) -> Arrangement:

@@ -40,7 +40,7 @@ def carom_shot(table: Table, physics: Physics, places: Array, cue: int, stroke: 
     if stroke is None:
         return shot
     made = strike(*stroke, ball_mass=BALL_MASS, ball_radius=BALL_RADIUS)
-    return shot.struck(0, made.velocity, made.spin)
+    return shot.struck(0, made.pressed(stroke.elevation), made.spin)
 
 
 def rows_of(cue: int) -> list[int]:

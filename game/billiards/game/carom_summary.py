@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, IN_X, IN_Y, SEG_BALL, SEG_TIME
+from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, BALL_OFF, IN_X, IN_Y, SEG_BALL, SEG_TIME
 from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.carom import BALL_NAMES, RED, corner_of, frozen_cushions, touching
 
@@ -74,7 +74,8 @@ def summarize_carom(trajectory: Trajectory, cue: int) -> CaromSummary:
     rest = np.empty((3, 2))
     rest[numbers] = trajectory.end[:, [IN_X, IN_Y]]
     left = tuple(ball for ball in (1 - cue, RED) if _leaves_corner(trajectory, numbers.index(ball)))
-    return CaromSummary(tuple(path), rest, into, left_corner=left)
+    off = tuple(numbers[int(i)] for _, event, i, _ in trajectory.rows.tolist() if event == BALL_OFF)
+    return CaromSummary(tuple(path), rest, into, off, left)
 
 
 def _number(name: str) -> int:

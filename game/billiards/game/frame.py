@@ -236,7 +236,7 @@ def trajectory_of(struck: Struck) -> Trajectory:
             ball_mass=float(balls.masses[CUE_BALL]), ball_radius=float(balls.radii[CUE_BALL]),
         )  # fmt: skip
         row = frame.layout.numbers.index(CUE_BALL)
-        return simulate(shot.struck(row, made.velocity, made.spin), until=LONGEST_S)
+        return simulate(shot.struck(row, made.pressed(struck.stroke.elevation), made.spin), until=LONGEST_S)
     except (ShotError, SimulationError) as error:
         raise ValueError(f"stroke: {error}") from None
 

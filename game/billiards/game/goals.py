@@ -59,6 +59,7 @@ def missed(goal: Goal, shot: ShotSummary) -> tuple[str, ...]:
     lacking = []
     if shot.cue_pocketed != goal.scratch:
         lacking.append("The cue ball went down." if shot.cue_pocketed else "The cue ball did not go down.")
+    lacking += [f"The {named(ball)} left the table." for ball in shot.off_table]
     lacking += [text for pot in goal.pots if (text := _pot_missed(pot, shot))]
     if len(shot.pocketed) < goal.down:
         lacking.append(f"{len(shot.pocketed)} of {goal.down} balls went down.")

@@ -40,10 +40,10 @@ class ShotSummary(NamedTuple):
 
     first: the balls that the cue ball touched first, several if at one moment. pocketed: numbered balls in
     order. cue_pocketed: the cue ball went down. cushioned: balls that were driven to a cushion after the
-    first contact, each once, in order. off_table: balls that left the table. cue_path: what the cue ball
-    touched, ("ball" or "cushion", number), in order. touched: numbered balls that any ball touched, in
-    order. rest: (ball, x, y) m of what lies on the table in the end. short: the first ball lay behind the
-    head string, and the cue ball had not crossed it before.
+    first contact, each once, in order. off_table: balls that left the table, the cue ball among them.
+    cue_path: what the cue ball touched, ("ball" or "cushion", number), in order. touched: numbered balls that
+    any ball touched, in order. rest: (ball, x, y) m of what lies on the table in the end. short: the first
+    ball lay behind the head string, and the cue ball had not crossed it before.
     """
 
     first: tuple[int, ...] = ()
@@ -55,6 +55,16 @@ class ShotSummary(NamedTuple):
     touched: tuple[int, ...] = ()
     rest: tuple[tuple[int, float, float], ...] = ()
     short: bool = False
+
+    @property
+    def cue_lost(self) -> bool:
+        """True if the cue ball is not on the table any more: it went down, or left it."""
+        return self.cue_pocketed or CUE_BALL in self.off_table
+
+    @property
+    def numbered_off(self) -> tuple[int, ...]:
+        """Numbered balls that left the table."""
+        return tuple(ball for ball in self.off_table if ball != CUE_BALL)
 
     @property
     def balls_down(self) -> tuple[int, ...]:

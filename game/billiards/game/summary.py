@@ -14,10 +14,12 @@ from game.billiards.laws.state import (
     BALL_BALL,
     BALL_CUSHION,
     BALL_JAW,
+    BALL_OFF,
     BALL_POCKET,
     IN_MOTION,
     IN_RADIUS,
     IN_X,
+    OFF_TABLE,
     POCKETED,
     ROLLING_SPINNING,
     ROLLING_STATIONARY,
@@ -53,7 +55,7 @@ def summarize(trajectory: Trajectory) -> ShotSummary:
     end = trajectory.end
     rest = tuple(
         (number, *row[IN_X : IN_X + 2]) for number, row in zip(numbers, end.tolist(), strict=True)
-        if int(row[IN_MOTION]) != POCKETED
+        if int(row[IN_MOTION]) not in (POCKETED, OFF_TABLE)
     )  # fmt: skip
     touched = [k for _, e, i, j in rows if e == BALL_BALL for k in (i, j)]
     return ShotSummary(
@@ -61,7 +63,7 @@ def summarize(trajectory: Trajectory) -> ShotSummary:
         _pocketings(trajectory, rows, numbers, cue),
         any(e == BALL_POCKET and i == cue for _, e, i, _ in rows),
         tuple(numbers[k] for k in _cushioned(trajectory, rows, first_time)),
-        (),
+        tuple(numbers[i] for _, e, i, _ in rows if e == BALL_OFF),
         _cue_path(rows, numbers, cue),
         tuple(numbers[k] for k in dict.fromkeys(touched) if k != cue),
         rest,
@@ -95,7 +97,7 @@ def _pocketings(
                 at += 1
             pass_on(contacts, moving, chains)
             continue
-        if event in STOPS:
+        if event in STOPS or event == BALL_OFF:
             moving[i] = False
         elif event in (BALL_CUSHION, BALL_JAW):
             cushions[i] += 1

@@ -35,7 +35,7 @@ def workspace(n: int) -> Workspace:
 class Batch(NamedTuple):
     """m shots of n balls each, as the kernel reads them.
 
-    balls (m, n, 11), constants (m, 20), a row of physics each: see `state`. elements (e, 7): rows of all
+    balls (m, n, 11), constants (m, 22), a row of physics each: see `state`. elements (e, 7): rows of all
     tables in use, of each the cushions, then the jaws, then the pockets. ranges (m, 4): where those of each
     shot's table start, and end.
     """

@@ -13,6 +13,7 @@ import math
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.motion import spin_after
 from game.billiards.laws.state import (
+    AIRBORNE,
     ROLLING,
     SEG_AX,
     SEG_AY,
@@ -42,6 +43,8 @@ def spin_in_segment(segment, elapsed, radius, physics):
     elif motion == SLIDING:
         wx += 5.0 * elapsed * segment[SEG_AY] / radius
         wy -= 5.0 * elapsed * segment[SEG_AX] / radius
+    elif motion == AIRBORNE:
+        return wx, wy, segment[SEG_WZ]
     return wx, wy, spin_after(segment[SEG_WZ], elapsed, radius, physics)
 
 

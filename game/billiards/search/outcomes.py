@@ -16,6 +16,7 @@ from game.billiards.laws.state import (
     BALL_BALL,
     BALL_CUSHION,
     BALL_JAW,
+    BALL_OFF,
     BALL_POCKET,
     EVENTS_END,
     EVENTS_START,
@@ -23,6 +24,7 @@ from game.billiards.laws.state import (
     IN_MOTION,
     IN_X,
     IN_Y,
+    OFF_TABLE,
     POCKETED,
     ROLLING_SPINNING,
     ROLLING_STATIONARY,
@@ -146,6 +148,9 @@ def _follow_shot(events, start, end, cue, facts, histories):
                 facts[SCRATCH] = 1
             else:
                 facts[DOWN] |= 1 << i
+        elif event == BALL_OFF:
+            moving &= ~(1 << i)
+            facts[SCRATCH] = 1  # as bad: the cue ball in hand for the other
         elif event in (ROLLING_STATIONARY, ROLLING_SPINNING, SPINNING_STATIONARY):
             moving &= ~(1 << i)
         row += 1
@@ -173,6 +178,6 @@ def sum_up(events, ends, final, cue, first, last, facts, histories, places):
             events, int(ends[s, EVENTS_START]), int(ends[s, EVENTS_END]), cue, facts[s], histories[s]
         )
         for i in range(n):
-            down = final[s, i, IN_MOTION] == POCKETED
+            down = final[s, i, IN_MOTION] == POCKETED or final[s, i, IN_MOTION] == OFF_TABLE
             places[s, i, 0] = NOWHERE if down else final[s, i, IN_X]
             places[s, i, 1] = NOWHERE if down else final[s, i, IN_Y]

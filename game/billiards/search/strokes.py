@@ -15,28 +15,31 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.exact.play import play_shots
 from game.billiards.game.arrangement import Arrangement
 from game.billiards.game.rules import CUE_BALL
-from game.billiards.laws.batch import Log
+from game.billiards.laws.batch import Batch, Log
 from game.billiards.laws.lean import inner_kernel, lean_kernel
 from game.billiards.laws.state import (
+    FLIGHT_IN_COLUMNS,
     IN_COLUMNS,
     IN_MASS,
     IN_MOTION,
     IN_RADIUS,
     IN_VX,
     IN_VY,
+    IN_VZ,
     IN_WX,
     IN_WY,
     IN_WZ,
+    IN_Z,
+    LANDING_SPEED,
     PHYSICS_COLUMNS,
     SLIDING,
 )
 from game.billiards.search.outcomes import Outcomes, sum_up
 from game.billiards.shot.cue import CUE_END_MASS, CUE_MASS
 from game.billiards.shot.shot import Physics
-from game.billiards.simulation import log_for, workspace_for
+from game.billiards.simulation import log_for, play_into
 from game.billiards.table.table import Table
 
 Array = NDArray[np.float64]
@@ -49,6 +52,7 @@ MAX_EVENTS = 3000  # of a stroke; the few that need more are given up
 SPEED, AZIMUTH, ELEVATION, TIP_LEFT, TIP_UP = range(5)
 LARGEST_TIP = 0.7  # ball radii; noise does not carry the tip farther out
 LEAST_SPEED = 0.02  # m/s
+SLATE_PUSH = 2.0  # a ball never gets more than twice the speed of the cue
 STEEPEST = 1.5  # rad
 
 _local = threading.local()
@@ -72,7 +76,8 @@ STEADY = Noise(0.0, 0.0, 0.0, 0.0)
 
 @inner_kernel(inline="always")
 def strike_ball(stroke, ball, end_mass, cue_mass):
-    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays."""
+    """Velocity and spin of a struck ball to its row (11,): `cue.strike`, on arrays; in a row of 13 also its
+    speed into the slate."""
     a = stroke[TIP_LEFT]
     b = stroke[TIP_UP]
     radius = ball[IN_RADIUS]
@@ -95,11 +100,14 @@ def strike_ball(stroke, ball, end_mass, cue_mass):
     ball[IN_WY] = math.sin(turn) * roll + math.cos(turn) * swerve
     ball[IN_WZ] = -speed / k * side * cosine
     ball[IN_MOTION] = SLIDING
+    if ball.shape[0] > IN_VZ:
+        ball[IN_Z] = 0.0
+        ball[IN_VZ] = -speed * sine
 
 
 @lean_kernel
 def strike_all(strokes, base, cue, end_mass, cue_mass, balls):
-    """The balls of each stroke (m, n, 11): those of `base` (n, 11) with ball `cue` struck."""
+    """The balls of each stroke (m, n, 11 or 13): those of `base` (n, 11) with ball `cue` struck."""
     for s in range(strokes.shape[0]):
         for i in range(base.shape[0]):
             for column in range(base.shape[1]):
@@ -137,16 +145,16 @@ class _Buffers(NamedTuple):
     log: Log
 
 
-def _buffers_for(n: int) -> _Buffers:
-    kept: dict[int, _Buffers] = _local.__dict__.setdefault("buffers", {})
-    if n not in kept:
-        kept[n] = _Buffers(
-            np.empty((CHUNK, n, IN_COLUMNS)),
+def _buffers_for(n: int, flies: bool) -> _Buffers:
+    kept: dict[tuple[int, bool], _Buffers] = _local.__dict__.setdefault("buffers", {})
+    if (n, flies) not in kept:
+        kept[n, flies] = _Buffers(
+            np.zeros((CHUNK, n, FLIGHT_IN_COLUMNS if flies else IN_COLUMNS)),
             np.empty((CHUNK, PHYSICS_COLUMNS)),
             np.empty((CHUNK, 4), np.int64),
-            log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), paths=False),
+            log_for(CHUNK, n, max(EVENTS_A_STROKE * CHUNK, 4 * n * n + 2 * MAX_EVENTS), False, flies),
         )
-    return kept[n]
+    return kept[n, flies]
 
 
 class Board:
@@ -207,27 +215,35 @@ class Board:
                 *(column[start : start + len(chunk)] for column in outcomes),
             )  # fmt: skip
 
+    def _flies(self, strokes: Array) -> bool:
+        """True if one of strokes (m, 5) may take a ball off the slate."""
+        physics = self.physics
+        if not physics.airborne:
+            return False
+        down = SLATE_PUSH * strokes[:, SPEED] * np.sin(strokes[:, ELEVATION])
+        return physics.cushion_hop > 0.0 or bool((physics.slate_restitution * down > LANDING_SPEED).any())
+
     def played(self, strokes: Array) -> Iterator[tuple[Log, int, int]]:
         """Play at most CHUNK strokes (m, 5): a log, and from which to which row it holds them, part by part.
 
         The log is this thread's own, and is written over by the next part.
         """
         m = len(strokes)
-        buffers = _buffers_for(self.count)
+        flies = self._flies(strokes)
+        buffers = _buffers_for(self.count, flies)
         balls, constants, ranges = buffers.balls[:m], buffers.constants[:m], buffers.ranges[:m]
         constants[:] = self._constants
         ranges[:] = self._ranges
         strike_all(strokes, self.base, self.cue, CUE_END_MASS, CUE_MASS, balls)
         log = buffers.log
         rows = Log(log.events, log.segments, log.ends[:m], log.final[:m])
+        if flies:
+            rise = -self.physics.slate_restitution * balls[:, self.cue, IN_VZ]
+            balls[rise <= LANDING_SPEED, self.cue, IN_VZ] = 0.0
+        batch = Batch(balls, constants, self._elements, ranges)
         first = 0
         while first < m:
-            end = int(
-                play_shots(
-                    *workspace_for(self.count), balls, constants, self._elements, ranges, *rows,
-                    first, math.inf, MAX_EVENTS,
-                )
-            )  # fmt: skip
+            end = play_into(rows, batch, first, math.inf, MAX_EVENTS)
             yield rows, first, end
             first = end
 

@@ -3,7 +3,10 @@
 An instant, point-like, elastic impact of the cue, which does not rub off its tip. (Alciatore, technical proof
 A.30, The effects of elevation and tip offset on cue ball motion; Leckie and Greenspan 2006.) A tip beside the
 centre also pushes the cue's end aside, and the ball the other way: squirt, after Alciatore, technical proof
-A.31, with the effective mass of the cue's end. Neglected: that a raised cue makes the ball hop.
+A.31, with the effective mass of the cue's end.
+
+A raised cue pushes the ball into the slate as well, `Strike.pressed`: cue first, then slate (`flight.slate`),
+though the two impacts overlap.
 """
 
 from __future__ import annotations
@@ -22,6 +25,11 @@ class Strike(NamedTuple):
 
     velocity: tuple[float, float, float]
     spin: tuple[float, float, float]
+
+    def pressed(self, elevation: float) -> tuple[float, float, float]:
+        """The velocity with its part into the slate: the ball is pushed along the cue, raised by rad."""
+        x, y, _ = self.velocity
+        return x, y, -math.sqrt(x * x + y * y) * math.tan(elevation)
 
 
 def strike(

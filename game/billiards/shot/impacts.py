@@ -5,16 +5,26 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, BALL_POCKET
+from game.billiards.laws.state import (
+    BALL_BALL,
+    BALL_CUSHION,
+    BALL_POCKET,
+    BALL_RAIL_TOP,
+    BALL_SLATE,
+    IN_VZ,
+    SEG_TIME,
+    SEG_VZ,
+)
 from game.billiards.shot.paths import Paths
 from game.billiards.shot.trajectory import Trajectory
 
 QUIETEST = 0.05  # m/s; what meets more slowly is not heard
+LANDINGS = (BALL_SLATE, BALL_RAIL_TOP)
 FALL = 0.5  # m/s; a ball falls into a pocket with at least this, however slowly it came
 
 
 class Impact(NamedTuple):
-    """A ball against another, a cushion, a jaw or a pocket; code: of the event, as `state` has it."""
+    """A ball against another, a cushion, a jaw, a pocket, or the slate; code: of the event, as in `state`."""
 
     time: float  # s
     code: int
@@ -23,11 +33,19 @@ class Impact(NamedTuple):
     place: tuple[float, float]  # m, of the ball
 
 
+def arriving_falls(trajectory: Trajectory, paths: Paths, ball: int, time: float) -> float:
+    """Vertical speed, m/s, upwards, of a ball on the stretch that ends at a time; at time 0 of the stroke."""
+    if time == 0.0:
+        return float(trajectory.shot.balls[ball, IN_VZ])
+    row = paths.stretch(ball, time)
+    return float(row[SEG_VZ]) - trajectory.shot.physics.gravity * (time - float(row[SEG_TIME]))
+
+
 def heard_impacts(trajectory: Trajectory) -> Iterator[Impact]:
     """All impacts of a shot that are heard, in order of time."""
     paths = Paths(trajectory)
     for time, code, i, j in trajectory.rows.tolist():
-        if code > BALL_POCKET:
+        if code > BALL_POCKET and code not in LANDINGS:
             continue
         (x, y), (vx, vy) = paths.arriving(int(i), time)
         if code == BALL_BALL:
@@ -37,6 +55,8 @@ def heard_impacts(trajectory: Trajectory) -> Iterator[Impact]:
         elif code == BALL_CUSHION:
             nx, ny = trajectory.shot.table.cushions[int(j), 4:6].tolist()
             speed = -(vx * nx + vy * ny)
+        elif code in LANDINGS:
+            speed = -arriving_falls(trajectory, paths, int(i), time)
         else:
             speed = (vx * vx + vy * vy) ** 0.5
         if code == BALL_POCKET:

@@ -6,12 +6,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.laws.lean import lean_kernel
-from game.billiards.laws.state import SEG_AX, SEG_AY, SEG_BALL, SEG_TIME, SEG_VX, SEG_VY, SEG_X, SEG_Y
+from game.billiards.laws.state import (
+    AIRBORNE,
+    SEG_AX,
+    SEG_AY,
+    SEG_BALL,
+    SEG_MOTION,
+    SEG_TIME,
+    SEG_VX,
+    SEG_VY,
+    SEG_VZ,
+    SEG_X,
+    SEG_Y,
+    SEG_Z,
+)
 from game.billiards.shot.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 
 CURVED = 12  # points on a stretch that bends
+FLIGHT = 17  # points on a flight
 STRAIGHT = 1e-9  # m^2/s^3; velocity times acceleration across it, below which a stretch is straight
 
 
@@ -66,11 +80,43 @@ class Paths:
         count = trace_path(self.segments, self.order, first, last, start, end, self._points)
         return self._points[:count].copy()
 
-    def arriving(self, ball: int, time: float) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Place m and velocity m/s of a ball on the stretch that ends at a time."""
+    def stretch(self, ball: int, time: float) -> Array:
+        """The row of segments of a ball that ends at a time, or is not over then."""
         first, last = self.starts[ball], self.starts[ball + 1]
         k = max(int(np.searchsorted(self._times[first:last], time, side="left")) - 1, 0)
-        row = self.segments[self.order[first + k]]
+        return self.segments[self.order[first + k]]
+
+    def in_air(self, ball: int, start: float, end: float, gravity: float) -> list[Array]:
+        """The flights of a ball between two times: points (FLIGHT, 3) m of each, with the height."""
+        first, last = self.starts[ball], self.starts[ball + 1]
+        times = [*self._times[first:last].tolist(), end]
+        flights = []
+        for k, row in enumerate(self.segments[self.order[first:last]]):
+            begins, ends = max(times[k], start), min(times[k + 1], end)
+            if row[SEG_MOTION] != AIRBORNE or begins >= ends:
+                continue
+            t = np.linspace(begins, ends, FLIGHT) - times[k]
+            along = row[SEG_X : SEG_Y + 1] + t[:, None] * row[SEG_VX : SEG_VY + 1]
+            flights.append(np.column_stack((along, row[SEG_Z] + t * (row[SEG_VZ] - 0.5 * gravity * t))))
+        return flights
+
+    def on_cloth(self, ball: int, start: float, end: float) -> list[Array]:
+        """The parts of a ball's path between two times that it does not fly: points (n, 2) m of each."""
+        first, last = self.starts[ball], self.starts[ball + 1]
+        times = [*self._times[first:last].tolist(), end]
+        flies = (self.segments[self.order[first:last], SEG_MOTION] == AIRBORNE).tolist()
+        parts, begins = [], start
+        for k, flying in enumerate([*flies, True]):
+            at = min(max(times[k], start), end)
+            if flying and begins < at:
+                parts.append(self.path(ball, begins, at))
+            if flying:
+                begins = min(max(times[min(k + 1, len(flies))], start), end)
+        return parts
+
+    def arriving(self, ball: int, time: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Place m and velocity m/s of a ball on the stretch that ends at a time."""
+        row = self.stretch(ball, time)
         t = max(time - float(row[SEG_TIME]), 0.0)
         x, y, vx, vy, ax, ay = (float(row[c]) for c in (SEG_X, SEG_Y, SEG_VX, SEG_VY, SEG_AX, SEG_AY))
         return (x + t * (vx + t * ax), y + t * (vy + t * ay)), (vx + 2.0 * t * ax, vy + 2.0 * t * ay)

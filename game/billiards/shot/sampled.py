@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.orientation import turn
-from game.billiards.laws.state import IN_MOTION, IN_WZ, SEGMENT_COLUMNS
+from game.billiards.laws.state import IN_COLUMNS, IN_MOTION, IN_WZ, SEGMENT_COLUMNS
 from game.billiards.shot.shot import Shot, ShotError
 from game.billiards.shot.trajectory import TableState, Trajectory, rotation_matrices
 
@@ -128,7 +128,7 @@ def sampled_trajectory(
     """
     if not np.isfinite(samples[-1]).all():
         raise ShotError("a number of the shot's end state is not finite")
-    end = shot.balls.copy()
+    end = shot.balls[:, :IN_COLUMNS].copy()
     end[:, : IN_WZ + 1] = samples[-1, :, :SAMPLE_MOTION]
     end[:, IN_MOTION] = samples[-1, :, SAMPLE_MOTION]
     return SampledTrajectory(shot, rows, end, times, samples, counts)

@@ -20,7 +20,10 @@ from game.billiards.laws.contacts import (
 )
 from game.billiards.laws.layout import Layout, is_clear, layout_of
 from game.billiards.laws.state import (
+    FLIGHT_IN_COLUMNS,
     IN_COLUMNS,
+    IN_Z,
+    LANDING_SPEED,
     MOTIONS,
     PHYSICS_COLUMNS,
     POCKETED,
@@ -36,10 +39,11 @@ Array = NDArray[np.float64]
 
 OVERLAP = 1e-6  # m; balls that overlap more than this are refused
 LARGEST = {"position": 1e4, "velocity": 1e4, "spin": 1e6, "radius": 1e2, "mass": 1e6}  # SI
+HIGHEST = 10.0  # m
 SMALLEST = {"radius": 1e-5, "mass": 1e-9}  # SI
 
 
-OPTIONAL = ("cushion_restitution_fall", "cushion_compliance")
+OPTIONAL = ("cushion_restitution_fall", "cushion_compliance", "slate_restitution", "cushion_hop")
 
 
 class ShotError(ValueError):
@@ -51,6 +55,9 @@ class Physics(NamedTuple):
 
     cushion_restitution_fall: by how much the restitution of cushions falls with the closing speed, s/m.
     cushion_compliance: tangential over normal, of `stronge-2000`; for rubber (2 - nu)/(2 - 2 nu) = 1.5.
+    slate_restitution: of a ball that falls on the bed (Alciatore, physical properties of pool balls and
+    tables: 0.5). cushion_hop: share of it that is left when a cushion presses a ball down, 0 to 1, see
+    `flight.nose`. airborne: balls may leave the slate; else vertical speed is left out.
     Defaults are those of a pool table in play. A friction of 0 takes the effect away.
     """
 
@@ -66,14 +73,18 @@ class Physics(NamedTuple):
     cushion_restitution: float = 0.85
     cushion_restitution_fall: float = 0.0
     cushion_compliance: float = 1.5
+    slate_restitution: float = 0.5
+    cushion_hop: float = 0.0
+    airborne: bool = True
 
     def __repr__(self) -> str:
         """All numbers; those that not every table has only where they are not the default.
 
-        Words that stand for a table stay what they were before it could have these numbers.
+        Words that stand for a table stay what they were before it could have these numbers. Whether balls may
+        leave the slate is not said: it changes nothing about the table.
         """
-        said = [f"{name}={value!r}" for name, value in self._asdict().items()
-                if name not in OPTIONAL or value != self._field_defaults[name]]  # fmt: skip
+        said = [f"{name}={value!r}" for name, value in self._asdict().items() if name != "airborne"
+                and (name not in OPTIONAL or value != self._field_defaults[name])]  # fmt: skip
         return f"Physics({', '.join(said)})"
 
 
@@ -87,7 +98,8 @@ FRICTIONLESS = Physics(
 class Shot:
     """One shot, checked. Build it with `make_shot`, `load_shot`, or from another with `struck`.
 
-    balls (n, 11): see `state`, about the table's middle. ids, element names: as events name them.
+    balls (n, 11): see `state`, about the table's middle. ids, element names: as events name them. flies: a
+    ball leaves the slate, or might; balls are then (n, 13).
     """
 
     table: Table
@@ -98,6 +110,7 @@ class Shot:
     jaw_ids: tuple[str, ...]
     pocket_ids: tuple[str, ...]
     layout: Layout
+    flies: bool = False
 
     @property
     def positions(self) -> Array:
@@ -106,7 +119,7 @@ class Shot:
 
     @cached_property
     def constants(self) -> Array:
-        """physics (20,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
+        """physics (22,) as the kernels read it: the columns of `state` that are named after GRAVITY."""
         p = self.physics
         model = BALL_MODELS[p.ball_ball]
         restitution = 1.0 if model.elastic else p.ball_restitution
@@ -121,6 +134,7 @@ class Shot:
                 p.cushion_friction, self.table.cushion_height, *self.layout.free,
                 *self.layout.middle,
                 0.0 if p.cushion == "mirror" else p.cushion_restitution_fall, p.cushion_compliance,
+                p.slate_restitution, p.cushion_hop,
             ]
         )  # fmt: skip
         assert row.shape == (PHYSICS_COLUMNS,)
@@ -134,7 +148,9 @@ class Shot:
     def struck(self, ball: int, velocity: ArrayLike, spin: ArrayLike = (0.0, 0.0, 0.0)) -> Shot:
         """The same shot with the ball in row `ball` sliding at velocity (2 or 3,) m/s, spin (3,) rad/s.
 
-        Vertical velocity is left out. ShotError for a row that there is not, or other shapes.
+        A vertical velocity downwards presses the ball onto the slate, upwards lifts it; it is left out if the
+        physics has no airborne balls, or if the ball would rise at no more than `state.LANDING_SPEED`.
+        ShotError for a row that there is not, or other shapes.
         """
         if not 0 <= ball < len(self.balls):
             raise ShotError(f"struck: there are balls 0 to {len(self.balls) - 1}, not {ball!r}")
@@ -142,16 +158,65 @@ class Shot:
         if motion.shape not in ((2,), (3,)) or turn.shape != (3,):
             raise ShotError(f"struck: velocity 2 or 3, spin 3 numbers, not {motion.shape} and {turn.shape}")
         columns = np.concatenate([motion[:2], turn])
-        if not np.isfinite(columns).all():
+        vertical = float(motion[2]) if len(motion) == 3 else 0.0
+        if not (np.isfinite(columns).all() and math.isfinite(vertical)):
             raise ShotError("struck: velocity and spin must be finite")
         balls = self.balls.copy()
         balls[ball, 2:7] = columns
         balls[ball, 9] = SLIDING
+        return self._with_balls(balls, ball, 0.0, vertical)
+
+    def in_air(
+        self, ball: int, velocity: ArrayLike, height: float, spin: ArrayLike = (0.0, 0.0, 0.0)
+    ) -> Shot:
+        """The same shot with a ball in the air, `height` m above where it would lie, at velocity (3,) m/s.
+
+        ShotError for a height that is not positive, and as `struck` and `lifted`.
+        """
+        level = self.struck(ball, np.asarray(velocity)[:2], spin)
+        if not height > 0.0:
+            raise ShotError(f"in_air: height must be above 0, got {height!r}")
+        return level.lifted(ball, height, float(np.asarray(velocity)[2]))
+
+    def lifted(self, ball: int, height: float, rise: float) -> Shot:
+        """The same shot with a ball `height` m above where it would lie, rising at `rise` m/s.
+
+        At height 0 it is pressed onto the slate, or jumps. ShotError for absurd numbers, or on a table
+        without airborne balls.
+        """
+        if not (0.0 <= height <= HIGHEST and abs(rise) <= LARGEST["velocity"]):
+            raise ShotError(
+                f"balls[{ball}].height: must be 0 to {HIGHEST:g} m, rise finite; got {height!r}, {rise!r}"
+            )
+        if not self.physics.airborne:
+            raise ShotError(
+                f"balls[{ball}].height: on this table all balls stay down, it has no airborne ones"
+            )
+        return self._with_balls(self.balls.copy(), ball, height, rise)
+
+    def _with_balls(self, balls: Array, ball: int, height: float, vertical: float) -> Shot:
+        """The shot with other balls, and columns for their heights if one leaves the slate."""
+        physics = self.physics
+        rise = vertical if vertical > 0.0 else -physics.slate_restitution * vertical
+        lifted = physics.airborne and (height > 0.0 or rise > LANDING_SPEED)
+        flies = lifted or self.flies or (physics.airborne and physics.cushion_hop > 0.0)
+        if flies and balls.shape[1] == IN_COLUMNS:
+            balls = with_heights(balls).copy()
+        if flies:
+            balls[ball, IN_Z:] = (height, vertical) if lifted else 0.0
         balls.setflags(write=False)
         return Shot(
             self.table, self.physics, balls, self.ids, self.cushion_ids, self.jaw_ids, self.pocket_ids,
-            self.layout,
+            self.layout, flies,
         )  # fmt: skip
+
+
+def with_heights(balls: Array) -> Array:
+    """Balls (n, 11) with columns for height and vertical speed, all 0: (n, 13), frozen."""
+    lifted = np.zeros((len(balls), FLIGHT_IN_COLUMNS))
+    lifted[:, :IN_COLUMNS] = balls
+    lifted.setflags(write=False)
+    return lifted
 
 
 def batch_of(shots: list[Shot]) -> Batch:
@@ -213,7 +278,11 @@ def make_shot(
     cushion_ids, jaw_ids, pocket_ids = (
         tuple(str(k) for k in range(len(rows))) for rows in (table.cushions, table.jaws, table.pockets)
     )
-    return Shot(table, physics, balls, names, cushion_ids, jaw_ids, pocket_ids, layout)
+    flies = physics.airborne and physics.cushion_hop > 0.0
+    if flies:
+        balls = with_heights(balls)
+    balls.setflags(write=False)
+    return Shot(table, physics, balls, names, cushion_ids, jaw_ids, pocket_ids, layout, flies)
 
 
 def _fill(name: str, value: ArrayLike, columns: Array) -> None:
@@ -263,12 +332,13 @@ def check_physics(physics: Physics) -> None:
     for field, name, least, most in (
         ("cushion_restitution_fall", "restitution.cushion_fall", 0.0, 10.0),
         ("cushion_compliance", "compliance.cushion", 0.01, 100.0),
+        ("cushion_hop", "restitution.cushion_hop", 0.0, 1.0),
     ):
         if not least <= getattr(physics, field) <= most:
             raise ShotError(
                 f"{name}: must be between {least:g} and {most:g}, got {getattr(physics, field)!r}"
             )
-    for field in ("ball_restitution", "cushion_restitution"):
+    for field in ("ball_restitution", "cushion_restitution", "slate_restitution"):
         value = getattr(physics, field)
         if not 0.0 <= value <= 1.0:
             raise ShotError(f"restitution.{field.split('_')[0]}: must be between 0 and 1, got {value!r}")

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.laws.contacts import BALL_MODELS, CUSHION_MODELS
-from game.billiards.laws.state import MOTIONS
+from game.billiards.laws.state import MOTIONS, POCKETED
 from game.billiards.shot.shot import Physics, Shot, ShotError, make_shot
 from game.billiards.table.table import Table, checked_table
 
@@ -42,6 +42,8 @@ PHYSICS_FIELDS = {  # place in the file: field of Physics
 OPTIONAL_FIELDS = {  # as above; left out of files where it is as `Physics` has it
     "restitution.cushion_fall": "cushion_restitution_fall",
     "compliance.cushion": "cushion_compliance",
+    "restitution.slate": "slate_restitution",
+    "restitution.cushion_hop": "cushion_hop",
 }
 
 
@@ -81,7 +83,7 @@ def _read_physics(root: dict[str, Any]) -> Physics:
     names = {}
     for field, known in (("ball_ball", BALL_MODELS), ("cushion", CUSHION_MODELS)):
         names[field] = _choice(_member(models, field, "models"), f"models.{field}", tuple(known))
-    values = {}
+    values: dict[str, Any] = {}
     for place, field in PHYSICS_FIELDS.items():
         group, name = place.split(".")
         values[field] = _number(_member(_member_object(_member(root, group), group), name, group), place)
@@ -90,9 +92,8 @@ def _read_physics(root: dict[str, Any]) -> Physics:
         members = _member_object(root.get(group, {}), group)
         if name in members:
             values[field] = _number(members[name], place)
-    return Physics(
-        names["ball_ball"], names["cushion"], _number(_member(root, "gravity"), "gravity"), **values
-    )
+    gravity = _number(_member(root, "gravity"), "gravity")
+    return Physics(names["ball_ball"], names["cushion"], gravity)._replace(**values)
 
 
 def _read_table(
@@ -138,7 +139,7 @@ def _read_balls(
         raise ShotError("balls: there must be at least one")
     fields = {"position": 2, "velocity": 2, "spin": 3, "radius": 1, "mass": 1}
     columns: dict[str, list[list[float]]] = {field: [] for field in fields}
-    ids, motions = [], []
+    ids, motions, lifts = [], [], []
     for i, item in enumerate(items):
         here = f"balls[{i}]"
         ball = _member_object(item, here)
@@ -147,7 +148,8 @@ def _read_balls(
             raise ShotError(f"{here}.id: {ids[-1]!r} is there twice")
         for field, count in fields.items():
             columns[field].append(_numbers(_member(ball, field, here), f"{here}.{field}", count))
-        motions.append(_choice(_member(ball, "motion", here), f"{here}.motion", MOTIONS))
+        motions.append(_choice(_member(ball, "motion", here), f"{here}.motion", MOTIONS[: POCKETED + 1]))
+        lifts.append([_number(ball.get(name, 0.0), f"{here}.{name}") for name in ("height", "rise")])
     shot = make_shot(
         table,
         columns["position"],
@@ -159,6 +161,9 @@ def _read_balls(
         physics=physics,
         ids=tuple(ids),
     )
+    for i, (height, rise) in enumerate(lifts):
+        if height or rise:
+            shot = shot.lifted(i, height, rise)
     cushion_ids, jaw_ids, pocket_ids = element_ids
     return replace(shot, cushion_ids=cushion_ids, jaw_ids=jaw_ids, pocket_ids=pocket_ids)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from game.billiards.laws.state import MOTIONS
+from game.billiards.laws.state import IN_VZ, IN_Z, MOTIONS
 from game.billiards.shot.shot import Physics, Shot
 from game.billiards.shot.shot_file import OPTIONAL_FIELDS, PHYSICS_FIELDS
 
@@ -54,6 +54,7 @@ def _table_data(shot: Shot) -> dict[str, Any]:
 def _ball_data(shot: Shot, i: int) -> dict[str, Any]:
     """One ball."""
     row = shot.balls[i].tolist()
+    lift = {"height": row[IN_Z], "rise": row[IN_VZ]} if shot.flies and (row[IN_Z] or row[IN_VZ]) else {}
     return {
         "id": shot.ids[i],
         "radius": row[7],
@@ -62,4 +63,5 @@ def _ball_data(shot: Shot, i: int) -> dict[str, Any]:
         "velocity": row[2:4],
         "spin": row[4:7],
         "motion": MOTIONS[int(row[9])],
+        **lift,
     }

@@ -13,13 +13,17 @@ from numpy.typing import ArrayLike, NDArray
 from game.billiards.laws.lean import lean_kernel
 from game.billiards.laws.orientation import spin_in_segment, turn_in_segment, turns_at_starts
 from game.billiards.laws.state import (
+    AIRBORNE,
     BALL_BALL,
     BALL_CUSHION,
     BALL_JAW,
     BALL_POCKET,
     EVENTS,
+    IN_COLUMNS,
     IN_MOTION,
     IN_RADIUS,
+    MOTIONS,
+    OFF_TABLE,
     POCKETED,
     SEG_AX,
     SEG_AY,
@@ -28,8 +32,10 @@ from game.billiards.laws.state import (
     SEG_TIME,
     SEG_VX,
     SEG_VY,
+    SEG_VZ,
     SEG_X,
     SEG_Y,
+    SEG_Z,
 )
 from game.billiards.shot.shot import Shot
 
@@ -106,7 +112,8 @@ class Trajectory:
     """A played shot.
 
     rows (e, 4): the events as numbers: time (s), type, ball, ball or element. segments (s, 12): the stretches
-    of the balls' paths, see `state`, in the table's frame. end (n, 11): the balls at end_time (s).
+    of the balls' paths, see `state`, in the table's frame. end (n, 11): the balls at end_time (s). If balls
+    fly, both have two more columns, for heights and vertical speeds.
     """
 
     def __init__(self, shot: Shot, rows: Array, segments: Array, end: Array, end_time: float) -> None:
@@ -139,17 +146,18 @@ class Trajectory:
 
     @cached_property
     def final(self) -> dict[str, tuple[float, float] | str]:
-        """Where each ball ended, by id: (x, y) m, or "pocketed"."""
+        """Where each ball ended, by id: (x, y) m, or "pocketed", or "off the table"."""
         places: dict[str, tuple[float, float] | str] = {}
         for name, row in zip(self.shot.ids, self.end.tolist(), strict=True):
-            places[name] = "pocketed" if int(row[IN_MOTION]) == POCKETED else (row[0], row[1])
+            motion = int(row[IN_MOTION])
+            places[name] = MOTIONS[motion] if motion in (POCKETED, OFF_TABLE) else (row[0], row[1])
         return places
 
     @cached_property
     def digest(self) -> str:
         """Hash of all events and the end: equal for equal bits."""
         hasher = hashlib.blake2b(digest_size=16)
-        for array in (self.rows, self.end):
+        for array in (self.rows, self.end[:, :IN_COLUMNS]):
             hasher.update(np.ascontiguousarray(array).tobytes())
         return hasher.hexdigest()
 
@@ -161,6 +169,20 @@ class Trajectory:
         states_at(self.segments, rows, time, self._radii, self.shot.constants, out)
         motions = self.segments[rows, SEG_MOTION].astype(np.int64)
         return TableState(time, out[:, 0:2], out[:, 2:4], out[:, 4:7], motions)
+
+    def heights_at(self, time: float) -> Array:
+        """How high each ball is above where it lies on the slate (n,), m; time as in `state_at`."""
+        return self.rises_at(time)[0]
+
+    def rises_at(self, time: float) -> tuple[Array, Array]:
+        """Heights (n,) m and vertical speeds (n,) m/s; time as in `state_at`."""
+        n = len(self.end)
+        if not self.shot.flies or not len(self.segments):
+            return np.zeros(n), np.zeros(n)
+        rows = self.segments[self._rows_at(self._within(time))]
+        t = np.where(rows[:, SEG_MOTION] == AIRBORNE, self._within(time) - rows[:, SEG_TIME], 0.0)
+        gravity = self.shot.physics.gravity
+        return rows[:, SEG_Z] + t * (rows[:, SEG_VZ] - 0.5 * gravity * t), rows[:, SEG_VZ] - gravity * t
 
     def orientations_at(self, time: float, starting: ArrayLike | None = None) -> Array:
         """Rotation matrices (n, 3, 3), ball to table, at a time (s); `starting` (n, 3, 3): at time 0."""

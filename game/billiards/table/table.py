@@ -20,6 +20,7 @@ BED_WIDTH = 1.27  # m; nine-foot bed, WPA equipment specification 1
 BED_LENGTH = 2.54  # m
 CUSHION_HEIGHT = 0.0362902  # m; nose above the cloth, 63.5 % of a ball's diameter (WPA 6: 62.5 to 64.5 %)
 CUSHION_DEPTH = 0.045  # m; from the nose to the wood
+RAIL_WIDTH = 0.119  # m; from the nose to the outer edge of the wood (WPA: 102 to 191 mm)
 
 CORNER_RADIUS = 0.0585  # m; hole, and capture circle
 CORNER_SET_OUT = 0.016  # m; the hole's centre lies so far outside both rails

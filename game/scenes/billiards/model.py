@@ -71,6 +71,7 @@ class BilliardsModel(Part):
         physics = Physics(
             sliding=chosen.sliding, rolling=chosen.rolling,
             ball_restitution=chosen.ball_restitution, cushion_restitution=chosen.cushion_restitution,
+            slate_restitution=chosen.slate_restitution, cushion_hop=chosen.cushion_hop,
         )  # fmt: skip
         return _tables()[0 if POCKETS in active else 1], physics_of(active, physics)
 

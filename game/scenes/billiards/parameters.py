@@ -12,6 +12,9 @@ from game.stage import Choice, Param, Parameters, Toggle
 LEAST_POWER = 0.1  # m/s
 LARGEST_TIP = 0.6  # ball radii
 STEEPEST_DEG = 80.0
+TABLE_PARAMETERS = (
+    "sliding", "rolling", "ball_restitution", "cushion_restitution", "slate_restitution", "cushion_hop",
+)  # fmt: skip
 
 
 class BilliardsParameters(Parameters):
@@ -62,6 +65,13 @@ class BilliardsParameters(Parameters):
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")
     ball_restitution = Param(0.95, 0.5, 1.0, group="Table", label="Ball restitution")
     cushion_restitution = Param(0.85, 0.3, 1.0, group="Table", label="Cushion restitution")
+    slate_restitution = Param(
+        0.5, 0.0, 0.9, group="Table", label="Slate restitution", help="of a ball that falls on the bed"
+    )
+    cushion_hop = Param(
+        0.0, 0.0, 1.0, group="Table", label="Hop off cushions",
+        help="share of the slate's restitution that is left when a cushion presses a ball down",
+    )  # fmt: skip
     radius_spread = Param(
         0.0, 0.0, MOST_RADIUS_SPREAD, group="Balls", rebuild=True, help="how much smaller some balls are"
     )

@@ -12,7 +12,7 @@ from game.stage import Readout
 
 
 def readouts(play: Play) -> tuple[Readout, ...]:
-    """Balls, energy (of motion along the cloth), speed of the cue ball, events so far, strokes, time."""
+    """Balls, energy (of motion, without spin), speed of the cue ball, events so far, strokes, time."""
     frame = play.model.frame
     energy, speed, count = _measured(play)
     return (
@@ -35,7 +35,8 @@ def _measured(play: Play) -> tuple[float, float, int]:
     moving = trajectory.state_at(time).velocities
     numbers = list(last.frame.layout.numbers)
     masses = last.frame.layout.balls.masses[numbers]
-    energy = float((0.5 * masses * (moving * moving).sum(axis=1)).sum())
+    up = trajectory.rises_at(time)[1]
+    energy = float((0.5 * masses * ((moving * moving).sum(axis=1) + up * up)).sum())
     cue_ball = moving[numbers.index(CUE_BALL)]
     count = int(np.searchsorted(trajectory.times, time, side="right"))
     return energy, math.sqrt(float(cue_ball @ cue_ball)), count

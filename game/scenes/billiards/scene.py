@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.games import Drill
 from game.billiards.game.rules import Call
-from game.billiards.shot_effects import EXACT_EFFECTS
-from game.lab.studies.billiards.effects import effects_study
+from game.billiards.shot_effects import GAME_EFFECTS
+from game.billiards.simulation import warm_up_flights
+from game.lab.studies.billiards.flights import game_study
 from game.levels import Level
 from game.scenes.billiards import BILLIARDS, saving
 from game.scenes.billiards.actions import ACTIONS, HINTS
@@ -23,7 +24,7 @@ from game.scenes.billiards.level import BilliardsContent
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.modes import Replay, SetUp
 from game.scenes.billiards.opponents.deciding import Opponents
-from game.scenes.billiards.parameters import BilliardsParameters
+from game.scenes.billiards.parameters import TABLE_PARAMETERS, BilliardsParameters
 from game.scenes.billiards.play import REPLAY, SET_UP, Play
 from game.scenes.billiards.readouts import readouts
 from game.scenes.billiards.sounds import StrokeSounds
@@ -71,6 +72,9 @@ class Billiards(Scene):
     see afterwards is that computation looked at in its time, and so is the line before you strike: it is no
     guess, but the stroke itself.
 
+    A raised cue presses the ball onto the slate, and it jumps: over a ball, against a nose, off the table.
+    The line of aim is dashed wide where the ball is in the air; beside it stands how high it gets.
+
     Eight-ball and nine-ball follow the rules of the World Pool-Billiard Association. In the combination match
     a ball counts only if it goes down by way of another one. Puzzles and drills have goals, and up to three
     stars.
@@ -80,8 +84,8 @@ class Billiards(Scene):
     parameters_type = BilliardsParameters
     former_parameters = {"prediction": "guide"}
     parameters: BilliardsParameters
-    effects = EXACT_EFFECTS
-    study = effects_study
+    effects = GAME_EFFECTS
+    study = game_study
     covers = True
     quarter_turns = 1
     takes = frozenset(("wheel", "middle", "right"))
@@ -101,11 +105,13 @@ class Billiards(Scene):
         ),
         Equation("Next contact of two balls", r"|\v{r}_2(t) - \v{r}_1(t)|^2 = 4 R^2", "a quartic in t"),
         Equation("Cue and ball", r"v = \frac{2 V}{1 + m/M + \frac{5}{2} (a^2 + b^2)}", "Alciatore, TP A-30"),
+        Equation("Bounce on the slate", r"v_z' = -e v_z, \quad \Delta v \le \mu (1 + e) |v_z|", "Cross 2002"),
         Equation("Throw", r"\mu = a + b e^{-c v}", "Alciatore 2006"),
     )
     try_this = (
         "Lock the aim by a click, drag down with the right button, and see the line bend back.",
         "Raise the cue to 60 degrees, the tip to the side, strike gently: the ball turns round another.",
+        "Raise the cue to 40 degrees and strike hard at a ball behind another: yours jumps over it.",
         "Choose a computer player as second player, and let it show its thoughts.",
         "Press E, lay out a position of your own, save it, and play it again and again.",
     )
@@ -145,7 +151,7 @@ class Billiards(Scene):
             mine[...] = then  # the frame comes back with the plain attributes
 
     def parameter_changed(self, name: str) -> None:
-        if name in ("sliding", "rolling", "ball_restitution", "cushion_restitution"):
+        if name in TABLE_PARAMETERS:
             self.model.configure(self.active)
 
     def effects_changed(self) -> None:
@@ -154,7 +160,8 @@ class Billiards(Scene):
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
         return [
-            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("odds of a stroke", warm_up_odds),
+            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("balls in the air", warm_up_flights),
+            WarmUp("odds of a stroke", warm_up_odds),
             *cue_warm_ups(), *table_warm_ups(),
         ]  # fmt: skip
 

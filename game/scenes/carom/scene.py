@@ -12,7 +12,8 @@ from game.billiards.map.carom import GLANCE, whole_map
 from game.billiards.players.carom import position_of
 from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
-from game.billiards.shot_effects import CLOTH, RUBBER, SPIN_DECAY, THROW
+from game.billiards.shot_effects import AIRBORNE, CLOTH, RUBBER, SPIN_DECAY, THROW
+from game.billiards.simulation import warm_up_flights
 from game.lab.studies.billiards.chances import chances_study
 from game.levels import Level
 from game.scenes.carom import CAROM, layout, saving
@@ -74,7 +75,7 @@ class CaromScene(Scene):
     name, task, title = CAROM.names
     parameters_type = CaromParameters
     parameters: CaromParameters
-    effects = CLOTH | SPIN_DECAY | THROW | RUBBER
+    effects = CLOTH | SPIN_DECAY | THROW | RUBBER | AIRBORNE
     study = chances_study
     covers = True
     quarter_turns = 1
@@ -139,7 +140,7 @@ class CaromScene(Scene):
     @classmethod
     def warm_ups(cls) -> list[WarmUp]:
         return [
-            WarmUp("exact table", lambda: _warm_up(cls())),
+            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("balls in the air", warm_up_flights),
             WarmUp("map", lambda: whole_map(position_of(cls().model.frame), Noise(), GLANCE) and None),
             *table_warm_ups(),
         ]  # fmt: skip

@@ -171,7 +171,7 @@ def test_prices_of_every_effect():
 def test_tables_played_by_events_are_priced_by_a_break():
     active = EXACT_EFFECTS.without("cloth")
     assert prices._break(active, active)() > 0.0
-    assert all(CATALOGUE[name].load().effects.names == EXACT_EFFECTS.names for name in prices.BY_EVENTS)
+    assert all(EXACT_EFFECTS & CATALOGUE[name].load().effects == EXACT_EFFECTS for name in prices.BY_EVENTS)
 
 
 def test_a_copy_without_an_effect_does_not_declare_it():

@@ -7,6 +7,7 @@ import pytest
 
 from game.billiards.game.frame import Frame
 from game.billiards.game.goals import described, missed
+from game.billiards.shot.shot import Physics
 from game.billiards.table.table import POCKET_NAMES, Table
 from game.levels import level_files, load_level
 from game.scenes.billiards.level import BilliardsContent, ball_set, game_of, layout_for
@@ -19,7 +20,8 @@ def opened(path):
     """Level, and the frame that it begins with."""
     level = load_level(path, "billiards", BilliardsContent)
     game = game_of(level.content)
-    return level, Frame(game, layout_for(level.content, game, TABLE, ball_set(0.0, 0.0, 0), 0), TABLE)
+    layout = layout_for(level.content, game, TABLE, ball_set(0.0, 0.0, 0), 0)
+    return level, Frame(game, layout, TABLE, Physics(airborne="airborne" not in level.effects_off))
 
 
 def test_there_are_enough():

@@ -44,7 +44,7 @@ class CombinationMatch(Game, frozen=True, kw_only=True, tag="combination"):
         words = [foul.words for foul in fouls]
         scores = not fouls and any(self.counts(fallen) for fallen in shot.pocketed)
         scored = shot.balls_down if scores else ()
-        back = tuple(sorted({*shot.off_table, *(() if scores else shot.balls_down)}))
+        back = tuple(sorted({*shot.numbered_off, *(() if scores else shot.balls_down)}))
         after = msgspec.structs.replace(
             self,
             on_table=tuple(sorted({*remaining(self, shot), *back})),

@@ -107,7 +107,7 @@ class EightBall(Game, frozen=True, kw_only=True, tag="eight-ball"):
                 " a cushion."
             )
         if fouls or not lawful:
-            options = [] if shot.cue_pocketed else [ACCEPT]
+            options = [] if shot.cue_lost else [ACCEPT]
             options += [IN_HAND] if fouls else []
             options += [] if lawful else [RACK_AND_BREAK, RACK_FOR_OTHER]
             return self._ask(after, self.other, tuple(options), fouls, words, back)

@@ -6,7 +6,7 @@ from typing import Literal
 
 import msgspec
 
-from game.billiards.game.rules import Call, Foul, Game, Hand, ShotSummary, Verdict, remaining
+from game.billiards.game.rules import CUE_BALL, Call, Foul, Game, Hand, ShotSummary, Verdict, remaining
 
 RACKS = {"eight-ball": tuple(range(1, 16)), "nine-ball": tuple(range(1, 10)), "": ()}
 
@@ -33,7 +33,9 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
         self.check_playable()
         down = shot.balls_down
         fouls = (Foul("scratch", "The cue ball went down; put it anywhere."),) if shot.cue_pocketed else ()
-        left = tuple(sorted({*remaining(self, shot), *shot.off_table}))
+        if CUE_BALL in shot.off_table:
+            fouls = (Foul("off the table", "The cue ball left the table; put it anywhere."),)
+        left = tuple(sorted({*remaining(self, shot), *shot.numbered_off}))
         after = msgspec.structs.replace(
             self,
             on_table=left,
@@ -44,8 +46,9 @@ class Practice(Game, frozen=True, kw_only=True, tag="practice"):
             run=self.run + len(down) if down and not fouls else 0,
         )
         words = [foul.words for foul in fouls]
+        words += [f"The {ball} left the table and is put back." for ball in shot.numbered_off]
         if left:
-            return Verdict(after, fouls, down, tuple(words), shot.off_table)
+            return Verdict(after, fouls, down, tuple(words), shot.numbered_off)
         if self.rack:
             return self._racked(after, fouls, down, (*words, "The table is empty: racked again."))
         after = msgspec.structs.replace(after, winner=0, won=(self.won[0] + 1,))

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 FIRST_BALL = 0  # in place of a number of events: up to the first ball, and where that sets off
 SET_OFF = 0.12  # m, so far
 MOST_CUSHIONS = 30  # that are shown on the way to a first ball
+LEAST_HOP = 0.001  # m; a ball that rises less is not shown to fly
 LEAST_PATH = 0.004  # m; a ball that moves less is not shown to move
 
 
@@ -40,7 +41,8 @@ class Sight(NamedTuple):
 
     ghost: where the cue ball then is; target: the ball it meets, None if none; cut: rad. others: paths of
     the balls that move. bounces: where the cue ball meets cushions. last: where it comes to rest, None if
-    that is later than is shown, or in a pocket.
+    that is later than is shown, or in a pocket. flights: of the cue ball, points (n, 3) m with the height;
+    rolls: the parts of its path between them, (n, 2) m; both empty if it does not fly.
     """
 
     approach: Array
@@ -52,6 +54,8 @@ class Sight(NamedTuple):
     others: tuple[BallPath, ...]
     bounces: tuple[tuple[float, float], ...]
     last: tuple[float, float] | None
+    flights: tuple[Array, ...] = ()
+    rolls: tuple[Array, ...] = ()
 
 
 def foresee(struck: Struck, events: int) -> Sight:
@@ -77,7 +81,7 @@ def foresee(struck: Struck, events: int) -> Sight:
         if only_first:
             begun = BallPath(target, _beginning(paths.path(other, meets, trajectory.end_time)), False)
             return Sight(paths.path(cue, 0.0, meets), np.empty((0, 2)), ghost, target, place, cut, (begun,),
-                         _bounces(paths, seen, cue), None)  # fmt: skip
+                         _bounces(paths, seen, cue), None, *_flown(struck, paths, cue, meets))  # fmt: skip
     sunk = {int(i): t for t, e, i, _ in seen.tolist() if e == BALL_POCKET}
     others = tuple(
         BallPath(numbers[ball], points, ball in sunk)
@@ -95,7 +99,18 @@ def foresee(struck: Struck, events: int) -> Sight:
         others,
         _bounces(paths, seen, cue),
         last,
+        *_flown(struck, paths, cue, until),
     )
+
+
+def _flown(
+    struck: Struck, paths: Paths, cue: int, until: float
+) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+    """Flights of the cue ball, and its path between them; hops that nobody sees are rolled."""
+    flights = paths.in_air(cue, 0.0, until, struck.frame.physics.gravity)
+    if not any(float(flight[:, 2].max()) > LEAST_HOP for flight in flights):
+        return (), ()
+    return tuple(flights), tuple(paths.on_cloth(cue, 0.0, until))
 
 
 def _until_first_ball(contacts: Array, cue: int) -> int:

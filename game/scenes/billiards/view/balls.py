@@ -1,4 +1,4 @@
-"""The balls as they are drawn: at rest, on their paths at a moment of the shot, falling into pockets."""
+"""The balls as they are drawn: at rest, on their paths at a moment of the shot, in the air, falling."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.game.frame import Frame
-from game.billiards.laws.state import BALL_POCKET
+from game.billiards.laws.state import BALL_OFF, BALL_POCKET
 from game.billiards.shot.trajectory import Trajectory
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.shared.tables.view import Balls
@@ -32,11 +32,13 @@ def balls_at(before: Frame, trajectory: Trajectory, turns_before: Array, time: f
     radii = before.layout.radii.copy()
     pockets = before.table.pockets
     for at, code, ball, hole in trajectory.rows.tolist():
-        if int(code) != BALL_POCKET or at > time:
+        if int(code) not in (BALL_POCKET, BALL_OFF) or at > time:
             continue
         fallen = min((time - at) / FALL_S, 1.0)
         row = int(ball)
         opacities[row] = 1.0 - fallen
         radii[row] *= 1.0 - 0.2 * fallen
+        if int(code) == BALL_OFF:
+            continue
         positions[row] += min(2.0 * fallen, 1.0) * (pockets[int(hole), :2] - positions[row])
-    return Balls(positions, radii, numbers, turns, opacities)
+    return Balls(positions, radii, numbers, turns, opacities, trajectory.heights_at(time))

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+FLIGHT_DASH = (3.0, 7.0)  # design px
+SEEN_HEIGHT = 0.005  # m; a lower flight has no side view
 DASH = (8.0, 6.0)  # design px
 ON_PATH = 1e-6  # m; a bounce so near to a path is on it
 
@@ -33,9 +35,12 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         canvas.polyline(path.points, FELT_COOL, 2.0 if own else 1.5, dash=DASH, alpha=0.9 if own else 0.55)
         if path.potted:
             canvas.ring(path.points[-1], 5.0, FELT_COOL, 1.5)
-    if len(sight.after) > 1:
-        canvas.polyline(sight.after, FELT_LINE, 1.5, dash=DASH, alpha=0.9)
-    canvas.polyline(sight.approach, FELT_LINE, 1.5)
+    if sight.flights:
+        _draw_flown(canvas, sight)
+    else:
+        if len(sight.after) > 1:
+            canvas.polyline(sight.after, FELT_LINE, 1.5, dash=DASH, alpha=0.9)
+        canvas.polyline(sight.approach, FELT_LINE, 1.5)
     for place in sight.bounces:
         canvas.dot(place, 3.0, FELT)
         canvas.ring(place, 3.0, FELT_LINE, 1.25)
@@ -47,6 +52,35 @@ def draw_sight(canvas: Canvas, sight: Sight, radius: float, target_radius: float
         canvas.circle(
             sight.last, radius, fill=FELT_LINE, fill_alpha=0.16, outline=FELT_LINE, width=1.0, alpha=0.7
         )
+
+
+def _draw_flown(canvas: Canvas, sight: Sight) -> None:
+    """The cue ball's path where it jumps: dashed wide in the air, with the side view of each flight folded
+    down beside it in the same measure, and how high the highest goes."""
+    for points in sight.rolls:
+        canvas.polyline(points, FELT_LINE, 1.5)
+    highest = max(sight.flights, key=lambda flight: float(flight[:, 2].max()))
+    for flight in sight.flights:
+        canvas.polyline(flight[:, :2], FELT_WARM, 1.75, dash=FLIGHT_DASH)
+        side = side_view(flight)
+        if float(flight[:, 2].max()) > SEEN_HEIGHT:
+            canvas.polygon(side, FELT_WARM, 0.14)
+            canvas.polyline(side, FELT_WARM, 1.0, alpha=0.8)
+    top = int(np.argmax(highest[:, 2]))
+    height = float(highest[top, 2])
+    if height > SEEN_HEIGHT:
+        words = f"{100.0 * height:.1f} cm high"
+        canvas.label(side_view(highest)[top], words, FELT_WARM, 12, "semibold", offset=(0.0, -12.0))
+
+
+def side_view(flight: Array) -> Array:
+    """A flight (n, 3) m seen from its side, folded down onto the cloth beside its path: points (n, 2) m."""
+    along = flight[-1, :2] - flight[0, :2]
+    length = float(np.hypot(*along))
+    across = np.array((-along[1], along[0])) / length if length > 1e-6 else np.array((-1.0, 0.0))
+    if across[0] > 0.0:
+        across = -across  # upwards on the screen
+    return flight[:, :2] + flight[:, 2:] * across
 
 
 def fan_of(sight: Sight, aside: float) -> Array:

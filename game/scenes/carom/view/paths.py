@@ -13,17 +13,21 @@ from game.billiards.game.carom_summary import summarize_carom
 from game.billiards.shot.paths import Paths
 from game.billiards.table.carom import BALL_RADIUS
 from game.ui.canvas.canvas import Canvas
-from game.ui.look.theme import FELT_COOL, FELT_LINE, FELT_WARM
+from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM
 
 Array = NDArray[np.float64]
 LEAST_PATH = 0.01  # m; a ball that moves less is not shown to move
 
 
 class Sight(NamedTuple):
-    """What a stroke would do: paths of the balls by row (cue ball first), whether it scores."""
+    """What a stroke would do: paths of the balls by row (cue ball first), whether it scores.
+
+    flights: those of the cue ball, points (n, 3) m with the height.
+    """
 
     paths: tuple[Array, ...]
     scores: bool
+    flights: tuple[Array, ...] = ()
 
 
 class Foresight:
@@ -49,7 +53,9 @@ def _foresee(frame: CaromFrame, stroke: Stroke) -> Sight | None:
     paths = Paths(trajectory)
     summary = summarize_carom(trajectory, frame.game.cue)
     scores = frame.playable and frame.game.judge(summary).scored
-    return Sight(tuple(paths.path(row, 0.0, trajectory.end_time) for row in range(3)), scores)
+    end = trajectory.end_time
+    flights = tuple(paths.in_air(0, 0.0, end, frame.physics.gravity))
+    return Sight(tuple(paths.path(row, 0.0, end) for row in range(3)), scores, flights)
 
 
 def draw_sight(canvas: Canvas, sight: Sight, chosen: bool) -> None:
@@ -60,6 +66,8 @@ def draw_sight(canvas: Canvas, sight: Sight, chosen: bool) -> None:
         color = FELT_COOL if row else FELT_WARM if chosen else FELT_LINE
         canvas.polyline(points, color, 1.4 if row else 2.0, alpha=0.75 if row else 0.95)
         canvas.circle(points[-1], BALL_RADIUS, outline=color, width=1.2, alpha=0.8)
+    for flight in sight.flights:
+        canvas.polyline(flight[:, :2], FELT, 2.4, dash=(4.0, 7.0))  # gaps in the line: it flies
 
 
 def draw_faint(canvas: Canvas, sight: Sight) -> None:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from game.billiards.laws.state import OFF_TABLE
 from game.billiards.table.carom import BALL_RADIUS, SPOTS
 from game.billiards.table.table import CAROM_LENGTH, CAROM_WIDTH
 from game.scenes.carom import layout
@@ -80,7 +81,11 @@ class CaromView:
         time = min(time, played.trajectory.end_time)
         places = model.places.copy()
         places[model.rows] = played.trajectory.state_at(time).positions
-        return Balls(places, np.full(3, BALL_RADIUS), numbers, model.turns_at(time), np.ones(3))
+        heights = np.zeros(3)
+        heights[model.rows] = played.trajectory.heights_at(time)
+        there = np.ones(3)
+        there[model.rows] = played.trajectory.state_at(time).motions != OFF_TABLE
+        return Balls(places, np.full(3, BALL_RADIUS), numbers, model.turns_at(time), there, heights)
 
     def _draw_paths(self, canvas: Canvas, drawn: Drawn | None) -> None:
         """Of the chosen stroke, or the one that is aimed; faintly those of the first choices."""

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from game.billiards.laws.state import BALL_BALL, BALL_CUSHION, BALL_JAW, BALL_POCKET
+from game.billiards.laws.state import (
+    BALL_BALL,
+    BALL_CUSHION,
+    BALL_JAW,
+    BALL_POCKET,
+    BALL_RAIL_TOP,
+    BALL_SLATE,
+)
 from game.billiards.shot.impacts import heard_impacts
 from game.billiards.shot.trajectory import Trajectory
 from game.stage import Sound
@@ -15,7 +22,8 @@ def pan_of(y: float, length: float) -> float:
     return max(-1.0, min(1.0, 1.6 * (y / length - 0.5)))
 
 
-KINDS = {BALL_BALL: "ball", BALL_CUSHION: "cushion", BALL_JAW: "cushion", BALL_POCKET: "pocket"}
+KINDS = {BALL_BALL: "ball", BALL_CUSHION: "cushion", BALL_JAW: "cushion", BALL_POCKET: "pocket",
+         BALL_SLATE: "thud", BALL_RAIL_TOP: "wood"}  # fmt: skip
 
 
 def sounds_of(trajectory: Trajectory, cue_speed: float, cue: str = "0") -> tuple[Sound, ...]:

@@ -28,6 +28,10 @@ Array = NDArray[np.float64]
 CUE_LENGTH = 1.47  # m
 WOOD = 0.074  # m, breadth of the frame outside the cushions
 SURROUND = 0.175  # m of floor and frame shown around the bed
+EYE = 0.8  # m above the cloth, from which a ball in the air looks larger
+SHADOW_SHIFT = (0.75, 0.5)  # m of the shadow along x (down) and y (right) for each m of height
+SHADOW_FADE = 0.15  # m of height at which a shadow is twice as wide, and half as dark
+SHADOW = pygame.Color(0, 0, 0)
 QUARTER_TURN = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # table frame to screen frame
 
 _table_painter = TablePainter()
@@ -40,13 +44,24 @@ def _ball_painter(red: int, green: int, blue: int) -> BallPainter:
 
 
 class Balls(NamedTuple):
-    """What is drawn of balls: positions (n, 2) m, radii (n,) m, numbers, turns (n, 3, 3), opacities (n,)."""
+    """What is drawn of balls: positions (n, 2) m, radii (n,) m, numbers, turns (n, 3, 3), opacities (n,).
+
+    heights (n,) m above where they would lie; None: all lie.
+    """
 
     positions: Array
     radii: Array
     numbers: NDArray[np.int64]
     turns: Array
     opacities: Array
+    heights: Array | None = None
+
+    def some(self, chosen: NDArray[np.bool_]) -> Balls:
+        """Some of the balls, by (n,) bools, as if they lay."""
+        return Balls(
+            self.positions[chosen], self.radii[chosen], self.numbers[chosen], self.turns[chosen],
+            self.opacities[chosen],
+        )  # fmt: skip
 
 
 def warm_ups() -> list[WarmUp]:
@@ -93,7 +108,51 @@ def draw_balls(
     origin: tuple[float, float] = (0.0, 0.0),
     felt: pygame.Color = FELT,
 ) -> None:
-    """Shaded balls with their shadows, numbers and stripes turned as they have rolled."""
+    """Shaded balls with their shadows, numbers and stripes turned as they have rolled.
+
+    Those in the air come last: larger, as they are nearer to the eye, with their shadow apart on the cloth.
+    """
+    if balls.heights is not None and balls.heights.any():
+        flies = balls.heights > 0.0
+        draw_balls(canvas, balls.some(~flies), table, origin, felt)
+        _draw_flying(canvas, balls, flies, table, origin, felt)
+        return
+    _paint_balls(canvas, balls, table, origin, felt)
+
+
+def _draw_flying(
+    canvas: Canvas,
+    balls: Balls,
+    flies: NDArray[np.bool_],
+    table: Table,
+    origin: tuple[float, float],
+    felt: pygame.Color,
+) -> None:
+    """The balls in the air over their shadows."""
+    assert balls.heights is not None
+    heights = balls.heights[flies]
+    flying = balls.some(flies)
+    for place, radius, height, opacity in zip(
+        flying.positions, flying.radii.tolist(), heights.tolist(), flying.opacities.tolist(), strict=True
+    ):
+        below = np.array((SHADOW_SHIFT[0] * height, SHADOW_SHIFT[1] * height)) + place + origin
+        spread = 1.0 + height / SHADOW_FADE
+        alpha = 0.45 * opacity / spread
+        for share in (1.0, 0.8, 0.6):  # a soft edge
+            canvas.circle(below, spread * radius * share, fill=SHADOW, fill_alpha=0.5 * alpha)
+    larger = flying._replace(radii=flying.radii * EYE / np.maximum(EYE - heights, 0.25 * EYE))
+    _paint_balls(canvas, larger, table, origin, felt, shadows=False)
+
+
+def _paint_balls(
+    canvas: Canvas,
+    balls: Balls,
+    table: Table,
+    origin: tuple[float, float],
+    felt: pygame.Color,
+    shadows: bool = True,
+) -> None:
+    """Balls where they are, each with the shadow of one that lies."""
     pixels, clip = canvas.raster_target
     points = np.array([canvas.place(point) for point in balls.positions + origin]).reshape(-1, 2)
     turns = QUARTER_TURN @ balls.turns
@@ -102,7 +161,7 @@ def draw_balls(
     drawn = ScreenBalls(
         points, balls.radii * scale, balls.numbers, np.ascontiguousarray(turns), balls.opacities
     )
-    _ball_painter(felt.r, felt.g, felt.b).draw(pixels, clip, drawn, middle, scale)
+    _ball_painter(felt.r, felt.g, felt.b).draw(pixels, clip, drawn, middle, scale, shadows)
 
 
 def draw_aim(canvas: Canvas, first: FirstContact, start: Array, radius: float, cue: CueControl) -> None:

@@ -1,0 +1,80 @@
+"""A ball in the air: a parabola, its spin kept. And whether it is one.
+
+z is the height of a ball above where it lies on the slate, so that its lowest point is at z and its centre at
+z + R. There is no drag: at 5 m/s it would be a hundredth of the weight of a billiard ball (c_d = 0.47).
+"""
+
+from __future__ import annotations
+
+import math
+
+from game.billiards.laws.lean import inner_kernel
+from game.billiards.laws.motion import advance, enter_phase
+from game.billiards.laws.state import (
+    AIR_COUNT,
+    AIRBORNE,
+    AX,
+    AY,
+    GRAVITY,
+    LANDING_SPEED,
+    MOTION,
+    NEVER,
+    PHASE_END,
+    SLIDING,
+    TIME,
+    VX,
+    VY,
+    VZ,
+    X,
+    Y,
+    Z,
+)
+
+
+@inner_kernel
+def advance_anywhere(state, modes, i, now, physics):
+    """Bring the state of ball i to `now` (s), on the slate or in the air."""
+    if modes[MOTION, i] != AIRBORNE:
+        advance(state, modes, i, now, physics)
+        return
+    t = now - state[TIME, i]
+    state[TIME, i] = now
+    state[X, i] += t * state[VX, i]
+    state[Y, i] += t * state[VY, i]
+    state[Z, i] += t * (state[VZ, i] - 0.5 * physics[GRAVITY] * t)
+    state[VZ, i] -= physics[GRAVITY] * t
+
+
+@inner_kernel
+def enter_air_or_slate(state, modes, i, physics):
+    """Start the phase that follows from height and vertical speed of ball i: in the air, or sliding."""
+    if state[Z, i] <= 0.0 and state[VZ, i] <= LANDING_SPEED:
+        state[Z, i] = 0.0
+        state[VZ, i] = 0.0
+        modes[AIR_COUNT, i] = 0
+        enter_phase(state, modes, i, SLIDING, physics)
+        return
+    modes[MOTION, i] = AIRBORNE
+    state[AX, i] = 0.0
+    state[AY, i] = 0.0
+    state[PHASE_END, i] = NEVER
+
+
+@inner_kernel(inline="always")
+def height_after(state, i, t, physics):
+    """Height z of ball i t s from now if it is in the air, m."""
+    return state[Z, i] + t * (state[VZ, i] - 0.5 * physics[GRAVITY] * t)
+
+
+@inner_kernel
+def falls_to(z, vz, level, gravity):
+    """Time until a ball at z with vertical speed vz falls through a level, s; NEVER if it does not rise to
+    it."""
+    above = z - level
+    square = vz * vz + 2.0 * gravity * above
+    if square < 0.0:
+        return NEVER
+    root = math.sqrt(square)
+    if vz >= 0.0:
+        return (vz + root) / gravity
+    return 2.0 * above / (root - vz) if above > 0.0 else NEVER
