@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from game.billiards import Physics, Table, make_shot, simulate
@@ -245,6 +245,7 @@ def _bounce(model, velocity, spin, normal_angle=0.3, **physics):
 @pytest.mark.parametrize("model", ["han-2005", "mathavan-2010", "stronge-2000"])
 @settings(max_examples=150)
 @given(st.tuples(speeds, speeds), st.tuples(spins, spins, spins), st.floats(0.0, 0.98), st.floats(0.001, 0.6))
+@example((0.0, -1.0), (0.0, 15.0, 0.0), 0.125, 0.5)  # the spin's friction outweighs so weak a push
 def test_a_cushion_turns_the_ball_round_and_never_gives_energy(model, velocity, spin, e, mu):
     before, after, n = _bounce(model, velocity, spin, cushion_restitution=e, cushion_friction=mu)
     approach = -(before[VX, 0] * n[0] + before[VY, 0] * n[1])

@@ -100,8 +100,8 @@ def bounce_stronge_2000(state, i, nx, ny, physics):
     lever = 2.5 / (mass * radius)
     speed += px / mass
     along += py / mass
-    if (1.0 + restitution) * cosine * cosine <= 1.0:
-        speed = min(speed, 0.0)  # so steep a contact does not turn the ball round by the formula
+    # so steep a contact, or so much spin, does not turn the ball round by the formula: the rail holds it
+    speed = min(speed, 0.0)
     spin_x -= lever * py * sine
     spin_y += lever * (px * sine - pz * cosine)
     state[VX, i] = speed * x0 - along * x1
