@@ -17,6 +17,7 @@ from game.scenes import (
     fountain,
     key_frames,
     lecture_table,
+    metal,
     real_table,
     rigid_body,
     skeletons,
@@ -52,5 +53,6 @@ CATALOGUE = Catalogue(
         *tracks.ENTRIES,
         *beat.ENTRIES,
         *domino.ENTRIES,
+        *metal.ENTRIES,
     )
 )

@@ -7,8 +7,12 @@ without friction. gravity m/s². ValueError where nothing would move or the curv
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
 
 NODES = 64  # of the quadrature, whose integrand is smooth
 
@@ -49,7 +53,7 @@ def arc_time(width: float, depth: float, gravity: float, share: float = 0.0) -> 
     _check(width, depth, gravity, share)
     radius = arc_radius(width, depth)
     end = math.sqrt(math.atan2(depth, radius - width))
-    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    nodes, weights = _quadrature()
     u = 0.5 * end * (nodes + 1.0)
     total = 0.5 * end * float((weights * 2.0 * u / np.sqrt(np.sin(u * u))).sum())
     return math.sqrt(0.5 * (1.0 + share) * radius / gravity) * total
@@ -65,6 +69,28 @@ def loop_drop(radius: float, ball: float, share: float) -> float:
     at the top its weight alone keeps it on the circle (Huygens 1673).
     """
     return 0.5 * (5.0 + share) * (radius - ball)
+
+
+def crossing_share(x0: float, x1: float, way0: float, way1: float, level: float) -> float:
+    """Part of a step (0 to 1) after which a motion from x0 to x1 passes a level: on the cubic that begins and
+    ends at its speeds (way0, way1: m in a step).
+    """
+    s = (level - x0) / (x1 - x0)
+    for _ in range(4):
+        a, b = way0 + way1 - 2.0 * (x1 - x0), 3.0 * (x1 - x0) - 2.0 * way0 - way1
+        off = x0 + s * (way0 + s * (b + s * a)) - level
+        slope = way0 + s * (2.0 * b + 3.0 * s * a)
+        if slope * (x1 - x0) <= 0.0:
+            break
+        s = min(max(s - off / slope, 0.0), 1.0)
+    return s
+
+
+@lru_cache(maxsize=1)
+def _quadrature() -> tuple[Floats, Floats]:
+    """Nodes and weights of Gauss and Legendre."""
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return nodes, weights
 
 
 def _check(width: float, depth: float, gravity: float, share: float) -> None:

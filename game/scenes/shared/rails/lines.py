@@ -18,9 +18,7 @@ def lines_of(pieces: Pieces, curves: list[Curve], parts: int = PARTS) -> list[Fl
     for number, curve in enumerate(curves):
         own = pieces.rows[(pieces.rows[:, TRACK] == number) & (pieces.rows[:, KIND] != VERTEX)]
         own = own[: len(own) // 2]  # the left side; the right one is the same curve
-        axes = [
-            own[:, c] + t * (own[:, c + 1] + t * (own[:, c + 2] + t * own[:, c + 3])) for c in (CX, CY)
-        ]
+        axes = [own[:, c] + t * (own[:, c + 1] + t * (own[:, c + 2] + t * own[:, c + 3])) for c in (CX, CY)]
         line = np.stack([axis.T.ravel() for axis in axes], axis=1)
         end = [[own[-1, c : c + 4].sum() for c in (CX, CY)]]
         found.append(np.concatenate([line, line[:1] if curve.closed else end]))

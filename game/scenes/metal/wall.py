@@ -1,0 +1,132 @@
+"""The workshop's wall behind the run: boards, in the light of three lamps; it lies a little farther back."""
+
+from __future__ import annotations
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.physics.kernels.lean import lean_kernel
+from game.ui.canvas.canvas import Canvas
+
+Floats = NDArray[np.float64]
+Inks = NDArray[np.uint32]
+BACK = 0.93  # as large as a thing on the wall is seen, over one on a track
+CELL = 1.0 / 16.0  # m of the wall to a cell of its picture
+LEFT, BOTTOM, RIGHT, TOP = -30.0, -16.0, 60.0, 36.0  # m of the wall that is painted
+BOARD = 1.25  # m
+LAMPS = ((4.6, 14.8), (14.2, 14.8), (24.0, 14.8))  # m
+FOOT = 0.1  # m: where the wall meets the bench
+# of the wall by day and by night: paint, in the light, in the shade below, seams, bench and its edge
+DAY = (0xCFC7B6, 0xFBF4E2, 0x9C9384, 0x8E8474, 0x8A6444, 0xB98B5E)
+NIGHT = (0x1D2833, 0x93744F, 0x0D1319, 0x0A0F15, 0x33251C, 0x6B4E38)
+
+
+@lean_kernel
+def paint_wall(pixels, clip, picture, rows, columns):
+    """Lay a picture over what is clipped: cell (rows[y], columns[x]) at each pixel."""
+    left, top = clip[0], clip[1]
+    for y in range(rows.shape[0]):
+        row = rows[y]
+        for x in range(columns.shape[0]):
+            pixels[top + y, left + x] = picture[row, columns[x]]
+
+
+class Wall:
+    """Paints the background of a canvas; keeps the picture of its theme."""
+
+    def __init__(self) -> None:
+        self._dark: bool | None = None
+        self._picture: Inks = np.zeros((1, 1), np.uint32)
+
+    def draw(self, canvas: Canvas, dark: bool) -> None:
+        """All that is behind the run."""
+        if dark != self._dark:
+            self._dark, self._picture = dark, wall_picture(dark)
+        pixels, clip = canvas.raster_target
+        width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
+        if width <= 0 or height <= 0:
+            return
+        (cx, cy), scale = canvas.camera.center, canvas.pixels_per_unit * BACK
+        mid_x, mid_y = canvas.place((cx, cy))
+        x = cx + (np.arange(width) + 0.5 + int(clip[0]) - mid_x) / scale
+        y = cy - (np.arange(height) + 0.5 + int(clip[1]) - mid_y) / scale
+        tall, wide = self._picture.shape
+        columns = np.clip(((x - LEFT) / CELL).astype(np.int64), 0, wide - 1)
+        rows = np.clip(((TOP - y) / CELL).astype(np.int64), 0, tall - 1)
+        paint_wall(pixels, clip, self._picture, rows, columns)
+        self._draw_seams(canvas, (cx, cy), dark)
+
+    def _draw_seams(self, canvas: Canvas, centre: tuple[float, float], dark: bool) -> None:
+        """Where boards meet, drawn sharp; and the lamps' rails."""
+        seen = canvas.camera.visible()
+        tones = NIGHT if dark else DAY
+        low = centre[0] + (seen.left - centre[0]) / BACK
+        high = centre[0] + (seen.right - centre[0]) / BACK
+        xs = np.arange(np.floor(low / BOARD), np.ceil(high / BOARD) + 1) * BOARD
+        at = centre[0] + (xs - centre[0]) * BACK
+        foot = centre[1] + (FOOT - centre[1]) * BACK
+        if foot < seen.top:
+            a = np.stack([at, np.full(len(at), max(foot, seen.bottom))], axis=1)
+            b = np.stack([at, np.full(len(at), seen.top)], axis=1)
+            width = canvas.pixels_per_unit * 0.02 / canvas.k
+            canvas.segments(a, b, _ink(tones[3]), max(width, 1.0), 0.55)
+            light = np.array((max(0.022, 1.0 / canvas.pixels_per_unit), 0.0))
+            canvas.segments(a + light, b + light, _ink(tones[1]), max(0.5 * width, 0.8), 0.22)
+
+
+def _ink(ink: int) -> pygame.Color:
+    return pygame.Color(ink >> 16 & 255, ink >> 8 & 255, ink & 255)
+
+
+def _parts(ink: int) -> Floats:
+    return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float64)
+
+
+def wall_picture(dark: bool) -> Inks:
+    """Colours (h, w) 0xFFRRGGBB of the wall and the bench below it, lit."""
+    paint, lit, shade, _, bench, edge = (_parts(ink) for ink in (NIGHT if dark else DAY))
+    x = np.arange(LEFT, RIGHT, CELL) + 0.5 * CELL
+    y = (np.arange(TOP, BOTTOM, -CELL) - 0.5 * CELL)[:, None]
+    random = np.random.default_rng(22)
+    tints = random.uniform(-1.0, 1.0, int((RIGHT - LEFT) / BOARD) + 2)
+    board = tints[((x - LEFT) / BOARD).astype(int)]
+    light = np.zeros((len(y), len(x)))
+    for lamp_x, lamp_y in LAMPS:
+        down = np.clip((lamp_y - y) / 9.0, -1.0, 3.0)
+        reach = 2.2 + 2.6 * np.clip(down, 0.0, None)
+        cone = np.exp(-(((x - lamp_x) / reach) ** 2)) * np.exp(-((down / 0.85) ** 2))
+        light += np.where(y > lamp_y, cone * np.exp(-(((y - lamp_y) / 0.9) ** 2)), cone)
+    strength = np.clip(light * (0.72 if dark else 0.85), 0.0, 1.0)[..., None]
+    dusk = np.clip((7.0 - y) / 18.0, 0.0, 0.75)[..., None] * np.ones((1, len(x), 1))
+    colors = paint * (1.0 + 0.035 * board[None, :, None])
+    colors = colors + (shade - colors) * dusk
+    colors = colors + (lit - colors) * strength
+    colors *= (
+        1.0 + 0.012 * random.normal(size=(len(y), len(x), 1)) * np.linspace(0.6, 1.0, len(x))[None, :, None]
+    )
+    depth = np.clip((FOOT - y) / 5.0, 0.0, 1.0)[..., None]
+    wood = edge + (bench - edge) * depth**0.35
+    wood = wood * (1.0 + 0.05 * np.sin(9.0 * y[..., None] + 0.4 * np.sin(0.5 * x)[None, :, None]))
+    colors = np.where(y[..., None] < FOOT, wood * (0.75 + 0.4 * strength), colors)
+    near = np.exp(-np.clip((y - FOOT) / 0.7, 0.0, None))[..., None]
+    colors = np.where(y[..., None] >= FOOT, colors * (1.0 - 0.35 * near), colors)
+    # a little noise, so that no bands are seen where light fades
+    colors += random.uniform(-0.5, 0.5, colors.shape[:2])[..., None]
+    packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
+    found: Inks = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
+    return np.ascontiguousarray(found)
+
+
+def is_dark(canvas: Canvas) -> bool:
+    """Whether the theme is dark: then only the lamps give light."""
+    color = canvas.color("stage")
+    return int(color.r) + int(color.g) + int(color.b) < 384
+
+
+def warm_up_wall() -> None:
+    """Compile what paints, on a tiny picture."""
+    paint_wall(
+        np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((2, 2), np.uint32),
+        np.zeros(4, np.int64), np.zeros(4, np.int64),
+    )  # fmt: skip
