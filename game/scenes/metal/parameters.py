@@ -22,7 +22,7 @@ class MetalParameters(Parameters):
     bending = Param(
         0.6, 0.05, 5.0, unit="m", log=True, group="Tools", help="how far along a track a bend reaches"
     )
-    friction = Param(0.6, 0.0, 2.0, group="Balls", help="Coulomb's coefficient of steel on all it meets")
+    friction = Param(0.3, 0.0, 2.0, group="Balls", help="Coulomb's coefficient of steel on all it meets")
     restitution = Param(
         0.3, 0.0, 1.0, group="Balls", help="part of the speed of an impact that comes back, off the tracks"
     )

@@ -34,7 +34,11 @@ def readouts(model: MetalModel) -> list[Readout]:
             continue
         track = tracks[gauge.track] if gauge.track < len(tracks) else None
         exact = exact_of(gauge, noted, track, table[ball], rows[ball], model.gravity())
+        if gauge.measure == "arrives" and math.isnan(exact):
+            continue
         found.append(Readout(f"{gauge.name} exact", exact, UNITS[gauge.measure]))
+        if gauge.measure == "drop":
+            found.append(Readout(f"{gauge.name} margin", 100.0 * (value / exact - 1.0), "%"))
         if gauge.measure in COMPARED and value != NOT_YET and exact > 0.0:
             error = 100.0 * abs(value / exact - 1.0)
             worst = error if math.isnan(worst) else max(worst, error)

@@ -15,7 +15,10 @@ BACK = 0.93  # as large as a thing on the wall is seen, over one on a track
 CELL = 1.0 / 16.0  # m of the wall to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -30.0, -16.0, 60.0, 36.0  # m of the wall that is painted
 BOARD = 1.25  # m
-LAMPS = ((4.6, 14.8), (14.2, 14.8), (24.0, 14.8))  # m
+LAMPS = ((4.6, 15.0), (14.2, 15.0), (24.0, 15.0))  # m
+SHADE = np.array([(-0.52, 0.0), (0.52, 0.0), (0.2, 0.34), (0.12, 0.46), (-0.12, 0.46), (-0.2, 0.34)])  # m
+BULB = np.array([(-0.34, 0.0), (0.34, 0.0), (0.26, -0.07), (-0.26, -0.07)])
+SHADES = {False: (0x5E7F78, 0x3C544F, 0xFFFBEF), True: (0x2E4A47, 0x16211F, 0xFFE9B8)}  # shade, edge, light
 FOOT = 0.1  # m: where the wall meets the bench
 # of the wall by day and by night: paint, in the light, in the shade below, seams, bench and its edge
 DAY = (0xCFC7B6, 0xFBF4E2, 0x9C9384, 0x8E8474, 0x8A6444, 0xB98B5E)
@@ -56,6 +59,15 @@ class Wall:
         rows = np.clip(((TOP - y) / CELL).astype(np.int64), 0, tall - 1)
         paint_wall(pixels, clip, self._picture, rows, columns)
         self._draw_seams(canvas, (cx, cy), dark)
+        self._draw_lamps(canvas, (cx, cy), dark)
+
+    def _draw_lamps(self, canvas: Canvas, centre: tuple[float, float], dark: bool) -> None:
+        """Shades on cords, and what shines below them."""
+        for x, y in LAMPS:
+            at = np.array([(x - centre[0]) * BACK + centre[0], (y - centre[1]) * BACK + centre[1]])
+            canvas.line(at + (0.0, 0.4), at + (0.0, 4.0), _ink(SHADES[dark][1]), max(1.4, 0.02 * canvas.pixels_per_unit))
+            canvas.polygon(at + BULB, fill=_ink(SHADES[dark][2]))
+            canvas.polygon(at + SHADE, fill=_ink(SHADES[dark][0]), outline=_ink(SHADES[dark][1]), width=1.0)
 
     def _draw_seams(self, canvas: Canvas, centre: tuple[float, float], dark: bool) -> None:
         """Where boards meet, drawn sharp; and the lamps' rails."""
