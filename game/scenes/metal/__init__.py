@@ -10,7 +10,7 @@ A22 = Entry(
     category="Stories",
     module="game.scenes.metal.scene",
     class_name="MetalBalls",
-    keywords="marble run steel loop spiral brachistochrone race seesaw funnel newton cradle blocks basin tracks",
+    keywords="marble run steel loop spiral brachistochrone race seesaw funnel newton cradle basin tracks",
     roomy=True,
     card="draw_balls",
 )

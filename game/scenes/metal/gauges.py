@@ -14,6 +14,7 @@ from game.physics.solids.tracks.descent import (
     arc_time,
     crossing_share,
     cycloid_time,
+    leaving_angle,
     line_time,
     loop_drop,
     rolling_acceleration,
@@ -45,6 +46,7 @@ class Moment(NamedTuple):
     own: Floats
     time: float
     dt: float
+    gravity: float
 
     def crossing(self, level: float) -> tuple[float, float] | None:
         """When (s) and how high (m) it passed x = level in this step, to the right or the left."""
@@ -95,9 +97,20 @@ def measure(gauge: GaugeEntry, noted: Floats, track: TrackEntry | None, now: Mom
 
 
 def _note_leaving(noted: Floats, track: TrackEntry, now: Moment) -> None:
-    x, y = float(now.row[X]) - track.at[0], float(now.row[Y]) - track.at[1] - track.size[0]
-    if noted[VALUE] == NOT_YET and now.rolled and not now.rolls and math.hypot(x, y) < track.size[0]:
-        noted[VALUE] = math.degrees(math.atan2(abs(x), y))
+    """The angle at which the push of the loop became zero, between the step's beginning and its end."""
+    if noted[VALUE] != NOT_YET or not now.rolled or now.rolls:
+        return
+    places = []
+    for row in (now.before, now.row):
+        x, y = float(row[X]) - track.at[0], float(row[Y]) - track.at[1] - track.size[0]
+        if math.hypot(x, y) >= track.size[0]:
+            return
+        speed = float(row[VX]) ** 2 + float(row[VY]) ** 2
+        push = speed / (track.size[0] - float(row[RADIUS])) - now.gravity * y / math.hypot(x, y)
+        places.append((math.atan2(x, y), push))
+    (angle, push), (after, pull) = places
+    share = push / (push - pull) if push > 0.0 > pull else 1.0
+    noted[VALUE] = abs(math.degrees(angle + share * (after - angle)))
 
 
 def _note_crossing(gauge: GaugeEntry, noted: Floats, now: Moment) -> None:
@@ -126,6 +139,9 @@ def exact_of(
         return rolling_acceleration(float(noted[NOTE]), gravity, DISC)
     if track is None or gravity <= 0.0:
         return math.nan
+    if gauge.measure == "leaves":
+        drop = drop_of(track, own, row)
+        return math.degrees(leaving_angle(drop, track.size[0], float(row[RADIUS]), DISC))
     if gauge.measure == "drop":
         return loop_drop(track.size[0], float(row[RADIUS]), DISC)
     if gauge.measure == "arrives" and track.form in DESCENTS:

@@ -1,4 +1,4 @@
-"""The hand in the marble run: moves, makes and sizes balls, bends, draws and takes away tracks, while it runs."""
+"""The hand in the marble run: moves, makes and sizes balls, bends and draws tracks, while it runs."""
 
 from __future__ import annotations
 

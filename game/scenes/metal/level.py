@@ -1,4 +1,4 @@
-"""What a level of the marble run may say: tracks, balls and the gates that hold them, what stands and hangs."""
+"""What a level of the marble run may say: tracks, balls, gates that hold them, what stands and hangs."""
 
 from __future__ import annotations
 

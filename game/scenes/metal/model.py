@@ -389,7 +389,7 @@ class MetalModel(Part):
             elif ball >= 0:
                 now = Moment(
                     rows[ball], before[ball], bool(rolls[ball]), bool(rolled[ball]), self.table[ball],
-                    self.time, dt,
+                    self.time, dt, self.gravity(),
                 )  # fmt: skip
                 measure(gauge, noted, track, now)
             else:

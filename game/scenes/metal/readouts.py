@@ -18,7 +18,7 @@ UNITS = {
 }  # fmt: skip
 COUNTED = ("rode", "inside", "fallen")
 COMPARED = ("speeds up", "arrives")  # with a formula, so that there is an error
-WITH_EXACT = (*COMPARED, "drop")
+WITH_EXACT = (*COMPARED, "drop", "leaves")
 
 
 def readouts(model: MetalModel) -> list[Readout]:

@@ -42,16 +42,16 @@ from game.ui.painters.steel import warm_up_steel
 
 
 class MetalBalls(Scene):
-    """Steel balls on tracks, and among blocks, a seesaw, a funnel and a cradle; all that falls ends in a basin.
+    """Steel balls on tracks, among blocks, a seesaw, a funnel and a cradle; all that falls ends in a basin.
 
-    On a track a ball has one coordinate, the way of its centre: it rolls while friction holds, slips where the
-    track presses too little for that, and leaves it where the track would have to pull. In a yard (where
+    On a track a ball has one coordinate, the way of its centre: it rolls while friction holds, slips where
+    the track presses too little for that, and leaves it where the track would have to pull. In a yard (where
     things stand, hang or pile up) it is a rigid body among others: contacts push and rub, rods hold. It goes
     from one to the other with its place, speed and spin unchanged. On tracks and in flight outside the yards
-    balls do not touch one another.
+    balls do not touch one another. The balls of the loop and of the race never slip: so the formulas want it.
 
-    A step is cut into substeps: with more of them the measured times come nearer to the exact ones, and a step
-    costs more. All balls are discs of a plane, so a third of what they gain in falling goes into their spin.
+    A step is cut into substeps: with more of them the measured times come nearer to the exact ones, and a
+    step costs more. All balls are discs of a plane: a third of what they gain in rolling down is spin.
 
     In the equations: g gravity, α slope, s way of the centre, R radius of the loop, r of a ball, a of the
     wheel that draws a cycloid, φ its angle, v speed, N force of the track, κ curvature, θ angle from upright.

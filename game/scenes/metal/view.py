@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pygame
 from numpy.typing import NDArray
@@ -13,7 +15,7 @@ from game.scenes.metal.hand import NOBODY, MetalHand
 from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
 from game.scenes.metal.model import MetalModel, ModelState
-from game.scenes.metal.tables import NONE, ROD
+from game.scenes.metal.tables import FREED, GATE, NONE, NOT_YET, ROD
 from game.scenes.metal.wall import Wall, is_dark
 from game.scenes.shared.boards import Shapes, boards_of, placed
 from game.scenes.shared.polygons import NO_EDGE, paint
@@ -27,6 +29,8 @@ WHOLE = (-1.0, -1.0, 1.0, 1.0)
 TOP_EDGE, LOW_EDGE = (-1.0, 0.72, 1.0, 1.0), (-1.0, -1.0, 1.0, -0.78)
 CAST = np.array((0.11, -0.15))  # m: where the shadow on the wall lies
 SHADOW, BLACK = 0x000000, pygame.Color(0, 0, 0)
+GATES = 0xD0763C
+CUP = (math.radians(-160.0), math.radians(-20.0))  # rad: what a holder covers of a ball
 BLOCKS = (0xC7703F, 0xD9A24B, 0x7E9B58, 0x4F86A6, 0xA86A7F)
 # by day and at night: wood, its lit edge, dark wood, felt, steel of floors and its edge
 MADE = {
@@ -34,7 +38,7 @@ MADE = {
     True: (0x7E5839, 0xAE8358, 0x46301F, 0x2F5444, 0x59646E, 0xA9B6C0),
 }
 WHAT_NEXT = {
-    "hand": "drag a ball", "bend": "drag a track", "draw": "draw a track", "ball": "click, drag, let go: a ball",
+    "hand": "drag a ball", "bend": "drag a track", "draw": "draw a track", "ball": "click, drag, let go",
     "size": "drag from a ball's middle outwards", "delete": "click a ball or a track",
 }  # fmt: skip
 
@@ -84,6 +88,7 @@ class MetalView:
         self._draw_blocks(canvas, bodies, turned, dark)
         self._draw_seesaws(canvas, bodies, turned, dark)
         self._draw_plugs(canvas, dark)
+        self._draw_holders(canvas, places)
         draw_steel(canvas, places[there], radii[there], angles[there], dark)
         self._draw_floors(canvas, dark, glass=True)
         if canvas.teaching and self.model.parameters.marks:
@@ -199,12 +204,21 @@ class MetalView:
                 self._quads(canvas, ledge, tones[2])
             canvas.circle(entry.at, 0.07, _color(tones[5]), outline=_color(tones[2]), width=1.2)
 
+    def _draw_holders(self, canvas: Canvas, places: Floats) -> None:
+        """A cup below each ball that a gate still holds."""
+        table, rows = self.model.table, self.model.riders.balls.rows
+        held = (table[:, FREED] == NOT_YET) & (table[:, GATE] != NONE) & (table[:, ROD] == NONE)
+        for ball in np.flatnonzero(held).tolist():
+            radius = 1.12 * float(rows[ball, RADIUS])
+            width = max(0.035 * canvas.pixels_per_unit / canvas.k, 1.4)
+            canvas.arc(places[ball].tolist(), radius, *CUP, _color(GATES), width)
+
     def _draw_plugs(self, canvas: Canvas, dark: bool) -> None:
         for entry, body in zip(self.model.content.plugs, self.model.plugs.tolist(), strict=True):
             if body >= 0:
                 width = canvas.pixels_per_unit * entry.thick / canvas.k
                 canvas.line(entry.start, entry.end, _color(_shaded(MADE[dark][2], 0.7)), width + 1.6)
-                canvas.line(entry.start, entry.end, _color(0xD0763C), width)
+                canvas.line(entry.start, entry.end, _color(GATES), width)
 
     def _draw_cradles(self, canvas: Canvas, places: Floats, dark: bool) -> None:
         """A beam, and a rod to each ball that still hangs."""

@@ -14,25 +14,38 @@ Inks = NDArray[np.uint32]
 BACK = 0.93  # as large as a thing on the wall is seen, over one on a track
 CELL = 1.0 / 16.0  # m of the wall to a cell of its picture
 LEFT, BOTTOM, RIGHT, TOP = -30.0, -16.0, 60.0, 36.0  # m of the wall that is painted
-BOARD = 1.25  # m
+BOARD, SEAM = 1.25, 0.022  # m: breadth of a board, of the groove between two
 LAMPS = ((4.6, 15.0), (14.2, 15.0), (24.0, 15.0))  # m
 SHADE = np.array([(-0.52, 0.0), (0.52, 0.0), (0.2, 0.34), (0.12, 0.46), (-0.12, 0.46), (-0.2, 0.34)])  # m
 BULB = np.array([(-0.34, 0.0), (0.34, 0.0), (0.26, -0.07), (-0.26, -0.07)])
 SHADES = {False: (0x5E7F78, 0x3C544F, 0xFFFBEF), True: (0x2E4A47, 0x16211F, 0xFFE9B8)}  # shade, edge, light
 FOOT = 0.1  # m: where the wall meets the bench
-# of the wall by day and by night: paint, in the light, in the shade below, seams, bench and its edge
-DAY = (0xCFC7B6, 0xFBF4E2, 0x9C9384, 0x8E8474, 0x8A6444, 0xB98B5E)
-NIGHT = (0x1D2833, 0x93744F, 0x0D1319, 0x0A0F15, 0x33251C, 0x6B4E38)
+# of the wall by day and by night: paint, in the light, in the shade below, bench and its edge
+DAY = (0xCFC7B6, 0xFBF4E2, 0x9C9384, 0x8A6444, 0xB98B5E)
+NIGHT = (0x24323F, 0xA5845C, 0x10171F, 0x33251C, 0x6B4E38)
 
 
 @lean_kernel
-def paint_wall(pixels, clip, picture, rows, columns):
-    """Lay a picture over what is clipped: cell (rows[y], columns[x]) at each pixel."""
-    left, top = clip[0], clip[1]
+def paint_wall(pixels, clip, picture, rows, columns, light, foot):
+    """Lay a picture over what is clipped: cell (rows[y], columns[x]) at each pixel, above row ``foot`` of the
+    picture lit by light[x] (256: as it is). Rows of pixels in one row of cells are alike.
+    """
+    left, top, width = clip[0], clip[1], columns.shape[0]
     for y in range(rows.shape[0]):
         row = rows[y]
-        for x in range(columns.shape[0]):
-            pixels[top + y, left + x] = picture[row, columns[x]]
+        if y > 0 and rows[y - 1] == row:
+            for x in range(width):
+                pixels[top + y, left + x] = pixels[top + y - 1, left + x]
+            continue
+        for x in range(width):
+            ink = picture[row, columns[x]]
+            share = light[x]
+            if share != 256 and row < foot:
+                red = min((ink >> 16 & 255) * share >> 8, 255)
+                green = min((ink >> 8 & 255) * share >> 8, 255)
+                blue = min((ink & 255) * share >> 8, 255)
+                ink = 0xFF000000 | red << 16 | green << 8 | blue
+            pixels[top + y, left + x] = ink
 
 
 class Wall:
@@ -57,34 +70,32 @@ class Wall:
         tall, wide = self._picture.shape
         columns = np.clip(((x - LEFT) / CELL).astype(np.int64), 0, wide - 1)
         rows = np.clip(((TOP - y) / CELL).astype(np.int64), 0, tall - 1)
-        paint_wall(pixels, clip, self._picture, rows, columns)
-        self._draw_seams(canvas, (cx, cy), dark)
+        light = seam_light(x, 1.0 / scale, dark)
+        paint_wall(pixels, clip, self._picture, rows, columns, light, int((TOP - FOOT) / CELL))
         self._draw_lamps(canvas, (cx, cy), dark)
 
     def _draw_lamps(self, canvas: Canvas, centre: tuple[float, float], dark: bool) -> None:
         """Shades on cords, and what shines below them."""
         for x, y in LAMPS:
             at = np.array([(x - centre[0]) * BACK + centre[0], (y - centre[1]) * BACK + centre[1]])
-            canvas.line(at + (0.0, 0.4), at + (0.0, 4.0), _ink(SHADES[dark][1]), max(1.4, 0.02 * canvas.pixels_per_unit))
+            canvas.line(
+                at + (0.0, 0.4),
+                at + (0.0, 4.0),
+                _ink(SHADES[dark][1]),
+                max(1.4, 0.02 * canvas.pixels_per_unit),
+            )
             canvas.polygon(at + BULB, fill=_ink(SHADES[dark][2]))
             canvas.polygon(at + SHADE, fill=_ink(SHADES[dark][0]), outline=_ink(SHADES[dark][1]), width=1.0)
 
-    def _draw_seams(self, canvas: Canvas, centre: tuple[float, float], dark: bool) -> None:
-        """Where boards meet, drawn sharp; and the lamps' rails."""
-        seen = canvas.camera.visible()
-        tones = NIGHT if dark else DAY
-        low = centre[0] + (seen.left - centre[0]) / BACK
-        high = centre[0] + (seen.right - centre[0]) / BACK
-        xs = np.arange(np.floor(low / BOARD), np.ceil(high / BOARD) + 1) * BOARD
-        at = centre[0] + (xs - centre[0]) * BACK
-        foot = centre[1] + (FOOT - centre[1]) * BACK
-        if foot < seen.top:
-            a = np.stack([at, np.full(len(at), max(foot, seen.bottom))], axis=1)
-            b = np.stack([at, np.full(len(at), seen.top)], axis=1)
-            width = canvas.pixels_per_unit * 0.02 / canvas.k
-            canvas.segments(a, b, _ink(tones[3]), max(width, 1.0), 0.55)
-            light = np.array((max(0.022, 1.0 / canvas.pixels_per_unit), 0.0))
-            canvas.segments(a + light, b + light, _ink(tones[1]), max(0.5 * width, 0.8), 0.22)
+
+def seam_light(x: Floats, pixel: float, dark: bool) -> NDArray[np.int64]:
+    """How light columns of pixels (``pixel`` m wide, at x m) are where boards meet: 256 is no difference."""
+    away = x - np.round(x / BOARD) * BOARD
+    cover = np.clip((0.5 * (SEAM + pixel) - np.abs(away)) / pixel, 0.0, 1.0)
+    edge = np.clip((0.5 * (SEAM + pixel) - np.abs(away - SEAM)) / pixel, 0.0, 1.0)
+    shares = 256.0 * (1.0 - (0.55 if dark else 0.38) * cover * min(1.0, SEAM / pixel + 0.4) + 0.12 * edge)
+    found: NDArray[np.int64] = shares.astype(np.int64)
+    return found
 
 
 def _ink(ink: int) -> pygame.Color:
@@ -97,7 +108,7 @@ def _parts(ink: int) -> Floats:
 
 def wall_picture(dark: bool) -> Inks:
     """Colours (h, w) 0xFFRRGGBB of the wall and the bench below it, lit."""
-    paint, lit, shade, _, bench, edge = (_parts(ink) for ink in (NIGHT if dark else DAY))
+    paint, lit, shade, bench, edge = (_parts(ink) for ink in (NIGHT if dark else DAY))
     x = np.arange(LEFT, RIGHT, CELL) + 0.5 * CELL
     y = (np.arange(TOP, BOTTOM, -CELL) - 0.5 * CELL)[:, None]
     random = np.random.default_rng(22)
@@ -106,11 +117,11 @@ def wall_picture(dark: bool) -> Inks:
     light = np.zeros((len(y), len(x)))
     for lamp_x, lamp_y in LAMPS:
         down = np.clip((lamp_y - y) / 9.0, -1.0, 3.0)
-        reach = 2.2 + 2.6 * np.clip(down, 0.0, None)
-        cone = np.exp(-(((x - lamp_x) / reach) ** 2)) * np.exp(-((down / 0.85) ** 2))
+        reach = 2.4 + 3.0 * np.clip(down, 0.0, None)
+        cone = np.exp(-(((x - lamp_x) / reach) ** 2)) * np.exp(-((down / 1.15) ** 2))
         light += np.where(y > lamp_y, cone * np.exp(-(((y - lamp_y) / 0.9) ** 2)), cone)
     strength = np.clip(light * (0.72 if dark else 0.85), 0.0, 1.0)[..., None]
-    dusk = np.clip((7.0 - y) / 18.0, 0.0, 0.75)[..., None] * np.ones((1, len(x), 1))
+    dusk = np.clip((6.0 - y) / 20.0, 0.0, 0.7)[..., None] * np.ones((1, len(x), 1))
     colors = paint * (1.0 + 0.035 * board[None, :, None])
     colors = colors + (shade - colors) * dusk
     colors = colors + (lit - colors) * strength
@@ -140,5 +151,5 @@ def warm_up_wall() -> None:
     """Compile what paints, on a tiny picture."""
     paint_wall(
         np.zeros((4, 4), np.uint32), np.array((0, 0, 4, 4), np.int64), np.zeros((2, 2), np.uint32),
-        np.zeros(4, np.int64), np.zeros(4, np.int64),
+        np.zeros(4, np.int64), np.zeros(4, np.int64), np.full(4, 256, np.int64), 1,
     )  # fmt: skip

@@ -71,6 +71,15 @@ def loop_drop(radius: float, ball: float, share: float) -> float:
     return 0.5 * (5.0 + share) * (radius - ball)
 
 
+def leaving_angle(drop: float, radius: float, ball: float, share: float) -> float:
+    """Angle (rad from upright) at which a ball that does not slip leaves a loop of ``radius`` m, ``drop`` m of
+    its centre above its foot: where the push of the track becomes zero. NaN: it goes round, or never gets above
+    the middle.
+    """
+    cosine = (2.0 * drop / (radius - ball) - 2.0) / (3.0 + share)
+    return math.acos(cosine) if 0.0 <= cosine < 1.0 else math.nan
+
+
 def crossing_share(x0: float, x1: float, way0: float, way1: float, level: float) -> float:
     """Part of a step (0 to 1) after which a motion from x0 to x1 passes a level: on the cubic that begins and
     ends at its speeds (way0, way1: m in a step).

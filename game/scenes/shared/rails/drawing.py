@@ -14,9 +14,10 @@ from game.scenes.shared.rails.lines import lines_of
 from game.ui.canvas.canvas import Canvas
 
 Floats = NDArray[np.float64]
-BREADTH = 0.05  # m, of a rail
-PEG, EVERY = 0.035, 1.3  # m: radius of a peg, between two
-FINE = 0.012  # m: so far a drawn line may be off
+BREADTH = 0.06  # m, of a rail
+PEG, EVERY = 0.05, 1.3  # m: radius of a peg, between two
+FINE = 0.0012  # m: so far a drawn line may be off
+LIGHT_AT = np.array((-0.006, 0.014))  # m: where the light lies on a rail
 # by day and at night: dark edge, steel, light
 TONES = {False: (0x4B555D, 0x9AA5AD, 0xF4F7F8), True: (0x10151A, 0x77838E, 0xDDE6EC)}
 
@@ -74,7 +75,7 @@ def draw_rails(canvas: Canvas, rails: list[Rail], dark: bool) -> None:
             canvas.discs(rail.pegs, PEG * 1.25, edge)
         canvas.polyline(rail.line, edge, width + 1.4)
         canvas.polyline(rail.line, steel, width)
-        canvas.polyline(rail.line + (-0.006, 0.012), light, max(0.3 * width, 0.7), alpha=0.8)
+        canvas.polyline(rail.line + LIGHT_AT, light, max(0.3 * width, 0.7), alpha=0.8)
 
 
 def _seen(canvas: Canvas, rails: list[Rail]) -> list[Rail]:
