@@ -117,7 +117,7 @@ def _pocket(bright: float) -> Array:
 
 
 def _rumble(bright: float) -> Array:
-    """A grain of the sound of a ball that rolls on steel: noise that swells and fades, higher as it is faster."""
+    """A grain of the sound of rolling on steel: noise that swells and fades, higher as it is faster."""
     t = np.linspace(0.0, 1.0, int(0.12 * RATE))
     raw = np.random.default_rng(9).normal(size=len(t))
     keep = math.exp(-2.0 * math.pi * (260.0 + 700.0 * bright) / RATE)

@@ -144,13 +144,13 @@ marble_study = Study(
         Method(INCLINE, "incline", None),
         Method(RACE, "cycloid", 2.0),
         Method(ROUND, "loop", None),
-    ),  # fmt: skip
+    ),
     settings=marble_settings,
     trial=MarbleTrial,
     reference="2/3 g sin, the cycloid's time (Bernoulli 1696), 11/4 (R - r) (Huygens 1673)",
     expectation=(
-        "Along a straight track each step is exact, and the speed follows from the energy everywhere; what is "
-        "left is when it is where: second order in the substep."
+        "Along a straight track each step is exact, and the speed follows from the energy everywhere; what "
+        "is left is when it is where: second order in the substep."
     ),
     present=present_marbles,
     workload=Workload("one ball"),

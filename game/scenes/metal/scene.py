@@ -20,7 +20,6 @@ from game.scenes.metal.saving import content_of
 from game.scenes.metal.sounds import hearing_of
 from game.scenes.metal.targets import story_targets
 from game.scenes.metal.view import WHAT_NEXT, MetalView
-from game.scenes.metal.wall import warm_up_wall
 from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.shared.rails.level import TrackEntry
@@ -39,6 +38,7 @@ from game.stage import (
 )
 from game.stage.messages import Messages
 from game.ui.painters.steel import warm_up_steel
+from game.ui.painters.wall import warm_up_wall
 
 
 class MetalBalls(Scene):

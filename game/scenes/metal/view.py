@@ -16,12 +16,12 @@ from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
 from game.scenes.metal.model import MetalModel, ModelState
 from game.scenes.metal.tables import FREED, GATE, NONE, NOT_YET, ROD
-from game.scenes.metal.wall import Wall, is_dark
 from game.scenes.shared.boards import Shapes, boards_of, placed
 from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.shared.rails.drawing import Rail, draw_rail_shadows, draw_rails, rails_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.painters.steel import draw_steel
+from game.ui.painters.wall import Wall, is_dark
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]

@@ -20,7 +20,7 @@ FULL = 256
 
 
 class Room(NamedTuple):
-    """What is mirrored, 0 to 255: red, green and blue of the ceiling, of the horizon and of the floor; and how
+    """What is mirrored, 0 to 255: red, green and blue of the ceiling, the horizon and the floor; and how
     bright the window is.
     """
 

@@ -72,9 +72,9 @@ def loop_drop(radius: float, ball: float, share: float) -> float:
 
 
 def leaving_angle(drop: float, radius: float, ball: float, share: float) -> float:
-    """Angle (rad from upright) at which a ball that does not slip leaves a loop of ``radius`` m, ``drop`` m of
-    its centre above its foot: where the push of the track becomes zero. NaN: it goes round, or never gets above
-    the middle.
+    """Angle (rad from upright) at which a ball that does not slip leaves a loop of ``radius`` m, its centre
+    having begun ``drop`` m above the foot: where the push of the track becomes zero. NaN: it goes round, or
+    never comes above the middle.
     """
     cosine = (2.0 * drop / (radius - ball) - 2.0) / (3.0 + share)
     return math.acos(cosine) if 0.0 <= cosine < 1.0 else math.nan

@@ -17,6 +17,7 @@ LEFT, BOTTOM, RIGHT, TOP = -30.0, -16.0, 60.0, 36.0  # m of the wall that is pai
 BOARD, SEAM = 1.25, 0.022  # m: breadth of a board, of the groove between two
 LAMPS = ((4.6, 15.0), (14.2, 15.0), (24.0, 15.0))  # m
 SHADE = np.array([(-0.52, 0.0), (0.52, 0.0), (0.2, 0.34), (0.12, 0.46), (-0.12, 0.46), (-0.2, 0.34)])  # m
+CORD = np.array([(0.0, 0.4), (0.0, 4.0)])  # m
 BULB = np.array([(-0.34, 0.0), (0.34, 0.0), (0.26, -0.07), (-0.26, -0.07)])
 SHADES = {False: (0x5E7F78, 0x3C544F, 0xFFFBEF), True: (0x2E4A47, 0x16211F, 0xFFE9B8)}  # shade, edge, light
 FOOT = 0.1  # m: where the wall meets the bench
@@ -78,12 +79,8 @@ class Wall:
         """Shades on cords, and what shines below them."""
         for x, y in LAMPS:
             at = np.array([(x - centre[0]) * BACK + centre[0], (y - centre[1]) * BACK + centre[1]])
-            canvas.line(
-                at + (0.0, 0.4),
-                at + (0.0, 4.0),
-                _ink(SHADES[dark][1]),
-                max(1.4, 0.02 * canvas.pixels_per_unit),
-            )
+            width = max(1.4, 0.02 * canvas.pixels_per_unit)
+            canvas.line(at + CORD[0], at + CORD[1], _ink(SHADES[dark][1]), width)
             canvas.polygon(at + BULB, fill=_ink(SHADES[dark][2]))
             canvas.polygon(at + SHADE, fill=_ink(SHADES[dark][0]), outline=_ink(SHADES[dark][1]), width=1.0)
 
