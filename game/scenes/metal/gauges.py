@@ -54,7 +54,7 @@ class Moment(NamedTuple):
         if x0 == x1 or not min(x0, x1) < level <= max(x0, x1):
             return None
         share = crossing_share(x0, x1, float(self.before[VX]) * self.dt, float(self.row[VX]) * self.dt, level)
-        y = float(self.before[Y]) + share * float(self.row[Y] - self.before[Y])
+        y = float(self.before[Y]) + (level - x0) / (x1 - x0) * float(self.row[Y] - self.before[Y])
         return self.time - (1.0 - share) * self.dt, y
 
 

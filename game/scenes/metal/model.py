@@ -132,6 +132,8 @@ class MetalModel(MetalMachine):
             riders.step(dt)
             self.world.step(dt)
         self.time += dt
+        if 0 <= held < len(table):
+            self.hold(held, (float(rows[held, X]), float(rows[held, Y])))
         riders.balls.rows[still], riders.balls.pieces[still] = rows[still], pieces[still]
         loose = np.flatnonzero((table[:, BODY] != RIDES) & ~still)
         if len(loose):
