@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import math
 
+import pygame
+
 from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
 
 CLOSE_UPS = {"a22": CloseUp(shown_s=0.5, zoom=2.6, across=0.22, down=0.5)}
 
 
+STEEL = tuple(pygame.Color(one) for one in ("#4d5760", "#76828d", "#a3aeb8", "#f3f6f8"))
+
+
 def _ball(pen: Pen, x: float, y: float, r: float) -> None:
     """Steel, lit from the upper left."""
-    pen.disc(x, y, r, "body")
-    pen.disc(x - 0.16 * r, y - 0.18 * r, 0.72 * r, "ghost")
-    pen.disc(x - 0.3 * r, y - 0.36 * r, 0.24 * r, "text1")
-    pen.disc(x, y, r, "text2", ring=1.2)
+    rim, dark, steel, light = STEEL
+    pen.disc(x, y, r, rim)
+    pen.disc(x - 0.03 * r, y - 0.04 * r, 0.92 * r, dark)
+    pen.disc(x - 0.12 * r, y - 0.16 * r, 0.74 * r, steel)
+    pen.disc(x - 0.3 * r, y - 0.38 * r, 0.26 * r, light)
 
 
 def draw_balls(pen: Pen) -> None:

@@ -10,9 +10,9 @@ from game.ui.canvas.pen import Pen
 
 def draw_forces(pen: Pen) -> None:
     """A disc in the upper right of a loop: weight, push of the track, speed; the ramp that it came from."""
-    centre, loop, radius, at = (196.0, 104.0), 78.0, 17.0, 52.0
+    centre, loop, radius, at = (196.0, 112.0), 72.0, 16.0, 52.0
     foot = centre[1] + loop
-    ramp = [(6.0 + 190.0 * t, foot - 168.0 * (1.0 - t) ** 2) for t in (k / 40.0 for k in range(41))]
+    ramp = [(6.0 + 190.0 * t, foot - 146.0 * (1.0 - t) ** 2) for t in (k / 40.0 for k in range(41))]
     turns = [-90.0 + 3.6 * k for k in range(101)]
     pen.line((*ramp, *[ahead(centre, a, loop) for a in turns], (290.0, foot)), "text2", 2.6)
     pen.line([ahead(centre, a, loop - radius) for a in turns], "text3", 1.0, dash=4.0)
@@ -23,13 +23,12 @@ def draw_forces(pen: Pen) -> None:
     pen.arrow(touch, ahead(touch, at + 180.0, 40.0), "text1", 2.0)
     pen.arrow(ball, ahead(ball, at + 90.0, 56.0), "green", 2.2)
     dot(pen, ball, "text1", 3.0)
-    start = ahead((6.0, foot - 168.0), math.degrees(math.atan2(1.0, 1.77)), 13.0)
+    start = ahead((15.0, foot - 134.0), math.degrees(math.atan2(1.0, 1.4)), 13.0)
     pen.disc(*start, 13.0, pen.veiled("text2", 0.2))
     pen.disc(*start, 13.0, "text2", ring=1.2)
-    pen.line(((252.0, foot - radius), (288.0, foot - radius)), "text3", 1.0)
-    pen.formula(r"m \v{g}", ball[0] + 20.0, ball[1] + 50.0, "amber")
+    pen.formula(r"m \v{g}", ball[0] - 2.0, ball[1] + 58.0, "amber")
     pen.formula("N", *ahead(ahead(touch, at + 180.0, 46.0), at - 90.0, 8.0))
     pen.formula(r"\v{v}", *ahead(ahead(ball, at + 90.0, 58.0), 140.0, 12.0), "green")
-    pen.formula("R", centre[0] - 30.0, centre[1] + 12.0, "text2")
+    pen.formula("R", centre[0] - 36.0, centre[1] + 2.0, "text2")
     pen.line((centre, ahead(centre, 200.0, loop)), "text3", 1.0, dash=3.0)
     dot(pen, centre, "text2", 2.4)

@@ -112,7 +112,8 @@ class MetalMachine(Part):
 
     def _hang(self, number: int) -> list[int]:
         """The balls of a cradle; their numbers."""
-        entry, found = self.content.cradles[number], []
+        entry = self.content.cradles[number]
+        found: list[int] = []
         gate = self._gate(entry.gate)
         for hung, place in cradle_places(entry):
             ball = self._add_row(BallEntry(at=place, radius=entry.radius))

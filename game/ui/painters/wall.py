@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pygame
 from numpy.typing import NDArray
@@ -85,7 +87,7 @@ class Wall:
             canvas.polygon(at + SHADE, fill=_ink(SHADES[dark][0]), outline=_ink(SHADES[dark][1]), width=1.0)
 
 
-def seam_light(x: Floats, pixel: float, dark: bool) -> NDArray[np.int64]:
+def seam_light(x: NDArray[Any], pixel: float, dark: bool) -> NDArray[np.int64]:
     """How light columns of pixels (``pixel`` m wide, at x m) are where boards meet: 256 is no difference."""
     away = x - np.round(x / BOARD) * BOARD
     cover = np.clip((0.5 * (SEAM + pixel) - np.abs(away)) / pixel, 0.0, 1.0)
@@ -134,8 +136,8 @@ def wall_picture(dark: bool) -> Inks:
     # a little noise, so that no bands are seen where light fades
     colors += random.uniform(-0.5, 0.5, colors.shape[:2])[..., None]
     packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)
-    found: Inks = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
-    return np.ascontiguousarray(found)
+    found = packed[..., 0] << 16 | packed[..., 1] << 8 | packed[..., 2] | np.uint32(0xFF000000)
+    return np.ascontiguousarray(found, dtype=np.uint32)
 
 
 def is_dark(canvas: Canvas) -> bool:
