@@ -42,9 +42,11 @@ def draw_marks(canvas: Canvas, model: MetalModel, places: Floats) -> None:
 
 def _draw_limits(canvas: Canvas, model: MetalModel) -> None:
     """From where a ball without slip would just come round each loop."""
+    shown: set[int] = set()
     for gauge, ball in zip(model.content.gauges, model.measured, strict=True):
-        if gauge.measure != "drop" or gauge.track >= len(model.content.tracks):
+        if gauge.measure != "drop" or gauge.track >= len(model.content.tracks) or gauge.track in shown:
             continue
+        shown.add(gauge.track)
         track = model.content.tracks[gauge.track]
         radius = float(model.riders.balls.rows[ball, RADIUS])
         drop = loop_drop(track.size[0], radius, DISC)

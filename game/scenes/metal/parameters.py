@@ -36,7 +36,7 @@ class MetalParameters(Parameters):
     step_length = Param(
         1.0 / 120.0, 1.0 / 2000.0, 1.0 / 60.0, unit="s", log=True, group="Solver", label="Time step"
     )
-    marks = Toggle(False, group="Shown", label="Forces and speeds", help="in a story F7 shows them as well")
+    marks = Toggle(False, group="Shown", label="Contacts and speeds", help="in a story F7 shows them as well")
 
     def substeps_now(self) -> int:
         """By the quality that is chosen."""

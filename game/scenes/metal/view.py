@@ -12,6 +12,7 @@ from game.physics.solids.state import DYNAMIC
 from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import ANGLE, RADIUS, X, Y
 from game.scenes.metal.hand import NOBODY, MetalHand
+from game.scenes.metal.level import MetalContent
 from game.scenes.metal.making import LEDGE, cradle_places
 from game.scenes.metal.marks import draw_marks
 from game.scenes.metal.model import MetalModel, ModelState
@@ -19,6 +20,7 @@ from game.scenes.metal.tables import FREED, GATE, NONE, NOT_YET, ROD
 from game.scenes.shared.boards import Shapes, boards_of, placed
 from game.scenes.shared.polygons import NO_EDGE, paint
 from game.scenes.shared.rails.drawing import Rail, draw_rail_shadows, draw_rails, rails_of
+from game.scenes.shared.rails.shapes import curve_of
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
 from game.ui.painters.steel import draw_steel
 from game.ui.painters.wall import Wall, is_dark
@@ -30,6 +32,7 @@ TOP_EDGE, LOW_EDGE = (-1.0, 0.72, 1.0, 1.0), (-1.0, -1.0, 1.0, -0.78)
 CAST = np.array((0.11, -0.15))  # m: where the shadow on the wall lies
 SHADOW, BLACK = 0x000000, pygame.Color(0, 0, 0)
 GATES = 0xD0763C
+BELOW = 0.3  # m: the bench is so far below a track
 CUP = (math.radians(-160.0), math.radians(-20.0))  # rad: what a holder covers of a ball
 BLOCKS = (0xC7703F, 0xD9A24B, 0x7E9B58, 0x4F86A6, 0xA86A7F)
 # by day and at night: wood, its lit edge, dark wood, felt, steel of floors and its edge
@@ -48,7 +51,7 @@ class MetalView:
 
     def __init__(self, model: MetalModel, hand: MetalHand):
         self.model, self.hand = model, hand
-        self._wall = Wall()
+        self._wall = Wall(bench_of(model.content))
         self._of: Pieces | None = None
         self._rails: list[Rail] = []
         floors = model.content.floors
@@ -265,6 +268,13 @@ class MetalView:
             canvas.circle(
                 hand.point, self.model.parameters.bending, outline="amber", width=1.2, dash=PREDICTION_DASH
             )
+
+
+def bench_of(content: MetalContent) -> float:
+    """Height (m) of the bench: below all floors and tracks; without any, where the view ends."""
+    floors = [y for one in content.floors for _, y in one.points]
+    tracks = [float(np.min(np.asarray(curve_of(one).points)[:, 1])) - BELOW for one in content.tracks]
+    return min([*floors, *tracks], default=content.view.bottom)
 
 
 def _upper(beam: Floats, y: float) -> Floats:

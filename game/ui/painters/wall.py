@@ -22,7 +22,6 @@ SHADE = np.array([(-0.52, 0.0), (0.52, 0.0), (0.2, 0.34), (0.12, 0.46), (-0.12, 
 CORD = np.array([(0.0, 0.4), (0.0, 4.0)])  # m
 BULB = np.array([(-0.34, 0.0), (0.34, 0.0), (0.26, -0.07), (-0.26, -0.07)])
 SHADES = {False: (0x5E7F78, 0x3C544F, 0xFFFBEF), True: (0x2E4A47, 0x16211F, 0xFFE9B8)}  # shade, edge, light
-FOOT = 0.1  # m: where the wall meets the bench
 # of the wall by day and by night: paint, in the light, in the shade below, bench and its edge
 DAY = (0xCFC7B6, 0xFBF4E2, 0x9C9384, 0x8A6444, 0xB98B5E)
 NIGHT = (0x24323F, 0xA5845C, 0x10171F, 0x33251C, 0x6B4E38)
@@ -52,16 +51,17 @@ def paint_wall(pixels, clip, picture, rows, columns, light, foot):
 
 
 class Wall:
-    """Paints the background of a canvas; keeps the picture of its theme."""
+    """Paints the background of a canvas; keeps the picture of its theme. foot: m, where the bench begins."""
 
-    def __init__(self) -> None:
+    def __init__(self, foot: float) -> None:
+        self._foot = min(max(foot, BOTTOM), TOP)
         self._dark: bool | None = None
         self._picture: Inks = np.zeros((1, 1), np.uint32)
 
     def draw(self, canvas: Canvas, dark: bool) -> None:
         """All that is behind the run."""
         if dark != self._dark:
-            self._dark, self._picture = dark, wall_picture(dark)
+            self._dark, self._picture = dark, wall_picture(dark, self._foot)
         pixels, clip = canvas.raster_target
         width, height = int(clip[2] - clip[0]), int(clip[3] - clip[1])
         if width <= 0 or height <= 0:
@@ -74,7 +74,7 @@ class Wall:
         columns = np.clip(((x - LEFT) / CELL).astype(np.int64), 0, wide - 1)
         rows = np.clip(((TOP - y) / CELL).astype(np.int64), 0, tall - 1)
         light = seam_light(x, 1.0 / scale, dark)
-        paint_wall(pixels, clip, self._picture, rows, columns, light, int((TOP - FOOT) / CELL))
+        paint_wall(pixels, clip, self._picture, rows, columns, light, int((TOP - self._foot) / CELL))
         self._draw_lamps(canvas, (cx, cy), dark)
 
     def _draw_lamps(self, canvas: Canvas, centre: tuple[float, float], dark: bool) -> None:
@@ -105,8 +105,8 @@ def _parts(ink: int) -> Floats:
     return np.array([ink >> 16 & 255, ink >> 8 & 255, ink & 255], dtype=np.float64)
 
 
-def wall_picture(dark: bool) -> Inks:
-    """Colours (h, w) 0xFFRRGGBB of the wall and the bench below it, lit."""
+def wall_picture(dark: bool, foot: float) -> Inks:
+    """Colours (h, w) 0xFFRRGGBB of the wall and of the bench below ``foot`` m, lit."""
     paint, lit, shade, bench, edge = (_parts(ink) for ink in (NIGHT if dark else DAY))
     x = np.arange(LEFT, RIGHT, CELL) + 0.5 * CELL
     y = (np.arange(TOP, BOTTOM, -CELL) - 0.5 * CELL)[:, None]
@@ -125,14 +125,14 @@ def wall_picture(dark: bool) -> Inks:
     colors = colors + (shade - colors) * dusk
     colors = colors + (lit - colors) * strength
     colors *= (
-        1.0 + 0.012 * random.normal(size=(len(y), len(x), 1)) * np.linspace(0.6, 1.0, len(x))[None, :, None]
+        1.0 + 0.003 * random.normal(size=(len(y), len(x), 1)) * np.linspace(0.6, 1.0, len(x))[None, :, None]
     )
-    depth = np.clip((FOOT - y) / 5.0, 0.0, 1.0)[..., None]
+    depth = np.clip((foot - y) / 5.0, 0.0, 1.0)[..., None]
     wood = edge + (bench - edge) * depth**0.35
     wood = wood * (1.0 + 0.05 * np.sin(9.0 * y[..., None] + 0.4 * np.sin(0.5 * x)[None, :, None]))
-    colors = np.where(y[..., None] < FOOT, wood * (0.75 + 0.4 * strength), colors)
-    near = np.exp(-np.clip((y - FOOT) / 0.7, 0.0, None))[..., None]
-    colors = np.where(y[..., None] >= FOOT, colors * (1.0 - 0.35 * near), colors)
+    colors = np.where(y[..., None] < foot, wood * (0.75 + 0.4 * strength), colors)
+    near = np.exp(-np.clip((y - foot) / 0.7, 0.0, None))[..., None]
+    colors = np.where(y[..., None] > foot, colors * (1.0 - 0.35 * near), colors)
     # a little noise, so that no bands are seen where light fades
     colors += random.uniform(-0.5, 0.5, colors.shape[:2])[..., None]
     packed = np.clip(colors + 0.5, 0.0, 255.0).astype(np.uint32)

@@ -60,7 +60,7 @@ def test_what_lies_beyond_the_clip_is_left() -> None:
 
 @pytest.mark.parametrize("dark", [False, True])
 def test_the_wall_is_lighter_below_a_lamp(dark: bool) -> None:
-    picture = bright(wall_picture(dark))
+    picture = bright(wall_picture(dark, 0.0))
     row = int((36.0 - 13.0) * 16)
     below, between = int((14.2 + 30.0) * 16), int((9.4 + 30.0) * 16)
     assert picture[row, below - 3 : below + 3].mean() > 1.1 * picture[row, between - 3 : between + 3].mean()
