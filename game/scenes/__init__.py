@@ -18,6 +18,7 @@ from game.scenes import (
     key_frames,
     lecture_table,
     levitation,
+    metal,
     real_table,
     rigid_body,
     skeletons,
@@ -54,5 +55,6 @@ CATALOGUE = Catalogue(
         *beat.ENTRIES,
         *levitation.ENTRIES,
         *domino.ENTRIES,
+        *metal.ENTRIES,
     )
 )

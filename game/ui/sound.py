@@ -46,7 +46,16 @@ class _Tone(NamedTuple):
 BALL = (_Tone(3100.0, 1.0, 0.0045), _Tone(4900.0, 0.65, 0.0035), _Tone(7300.0, 0.40, 0.0025))
 TIP = (_Tone(700.0, 1.0, 0.008), _Tone(2200.0, 0.55, 0.005))
 WOOD = (_Tone(1250.0, 1.0, 0.011), _Tone(2680.0, 0.55, 0.007), _Tone(4300.0, 0.3, 0.004))
-KINDS = ("tip", "ball", "cushion", "pocket", "wood", "thud", "mortar", "burst", "crackle")
+STEEL = (_Tone(4150.0, 1.0, 0.02), _Tone(6870.0, 0.6, 0.014), _Tone(9300.0, 0.35, 0.009))
+RAIL = (
+    _Tone(1480.0, 1.0, 0.05),
+    _Tone(2310.0, 0.7, 0.04),
+    _Tone(3920.0, 0.5, 0.025),
+    _Tone(5400.0, 0.3, 0.015),
+)
+KINDS = (
+    "tip", "ball", "cushion", "pocket", "wood", "thud", "mortar", "burst", "crackle", "steel", "rail", "roll",
+)  # fmt: skip
 
 
 def gain_of(speed: float) -> float:
@@ -79,6 +88,12 @@ def sample_of(kind: str, layer: int) -> Array:
         )
     elif kind == "pocket":
         made = _pocket(bright)
+    elif kind == "steel":
+        made = _tones(STEEL, 0.11, bright)
+    elif kind == "rail":
+        made = _tones(RAIL, 0.24, bright) + 0.1 * bright * _noise(0.24, 3000.0, 0.003, 8)
+    elif kind == "roll":
+        made = _rumble(bright)
     elif kind in ("mortar", "burst", "crackle"):
         made = _explosion(kind, bright)
     else:
@@ -98,6 +113,17 @@ def _pocket(bright: float) -> Array:
     click = 0.22 * _tones(BALL, 0.03, 0.4)
     start = int(0.19 * RATE)
     made[start : start + len(click)] += click
+    return made
+
+
+def _rumble(bright: float) -> Array:
+    """A grain of the sound of rolling on steel: noise that swells and fades, higher as it is faster."""
+    t = np.linspace(0.0, 1.0, int(0.12 * RATE))
+    raw = np.random.default_rng(9).normal(size=len(t))
+    keep = math.exp(-2.0 * math.pi * (260.0 + 700.0 * bright) / RATE)
+    low = np.convolve(raw, (1.0 - keep) * keep ** np.arange(600))[: len(t)]
+    high = low - np.convolve(low, np.full(220, 1.0 / 220.0), "same")
+    made: Array = high * np.sin(math.pi * t) ** 2
     return made
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import colorsys
 from functools import lru_cache
-from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,46 +14,12 @@ from game.scenes.domino.tables import TALL, THICK
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
 BOARD, FRONT = 0.34, 0.09  # m: of a board, of its lit upper edge
-SMOOTH = 0.5  # rad: where a floor turns by more, its board ends
 POST, EVERY = 0.26, 6.9  # m: breadth of a post, between two
 # of a domino, in shares of its half thickness and half height: where the painted band lies, and the grain
 BAND = (-1.0, 0.18, 1.0, 0.56)
 LIT = (-1.0, -1.0, -0.62, 1.0)
 SHADED = (0.66, -1.0, 1.0, 1.0)
 GRAIN = ((-0.3, -0.9, -0.16, 0.1), (0.18, -0.96, 0.3, -0.12))
-
-
-class Shapes(NamedTuple):
-    """Corners (v, 2) m of polygons, and the first corner of each, (m + 1,)."""
-
-    corners: Floats
-    starts: Longs
-
-
-def boards_of(points: Floats, thick: float) -> Shapes:
-    """What a floor is made of, ``thick`` m deep; a polygon for each smooth run."""
-    along = np.diff(points, axis=0)
-    angles = np.arctan2(along[:, 1], along[:, 0])
-    turns = np.abs(np.angle(np.exp(1j * np.diff(angles))))
-    cuts = [0, *(np.flatnonzero(turns > SMOOTH) + 1).tolist(), len(along)]
-    parts = []
-    for first, last in pairwise(cuts):
-        run = points[first : last + 1]
-        normals = np.stack([np.sin(angles[first:last]), -np.cos(angles[first:last])], axis=1)
-        both = np.concatenate([normals[:1], 0.5 * (normals[1:] + normals[:-1]), normals[-1:]])
-        parts.append(np.concatenate([run, (run + thick * both)[::-1]]))
-    return joined(parts)
-
-
-def joined(parts: list[Floats]) -> Shapes:
-    """Polygons one after the other."""
-    starts = np.cumsum([0, *(len(part) for part in parts)])
-    return Shapes(np.concatenate([np.zeros((0, 2)), *parts]), starts.astype(np.int64))
-
-
-def moved(shapes: Shapes, by: Floats) -> Shapes:
-    """The same elsewhere: ``by`` (2,) m."""
-    return Shapes(shapes.corners + by, shapes.starts)
 
 
 def posts_of(floor: FloorEntry, points: Floats, others: list[Floats], ground: float) -> Floats:
@@ -115,18 +79,6 @@ def _height(points: Floats, x: float) -> float:
         return float(points[:, 1].min())
     (x0, y0), (x1, y1) = points[k[0]], points[k[0] + 1]
     return float(y0 + (y1 - y0) * (x - x0) / (x1 - x0))
-
-
-def placed(box: tuple[float, float, float, float], sizes: Floats, places: Floats, turned: Floats) -> Floats:
-    """Corners (4 n, 2) m of a part of n boxes: ``box`` in shares of half sizes (n, 2), at places and cosine
-    and sine (n, 2)."""
-    x0, y0, x1, y1 = box
-    unit = np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
-    own = sizes[:, None, :] * unit[None]
-    c, s = turned[:, 0, None], turned[:, 1, None]
-    x, y = own[..., 0], own[..., 1]
-    corners = np.stack([c * x - s * y, s * x + c * y], axis=2) + places[:, None, :]
-    return corners.reshape(-1, 2)
 
 
 def half_sizes(dominoes: Floats) -> Floats:

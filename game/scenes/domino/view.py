@@ -20,17 +20,14 @@ from game.scenes.domino.shapes import (
     GRAIN,
     LIT,
     SHADED,
-    Shapes,
-    boards_of,
     half_sizes,
-    moved,
-    placed,
     pools_of,
     posts_of,
     rainbow,
     spans_of,
 )
 from game.scenes.domino.tables import BODY, SLIDER_BODY
+from game.scenes.shared.boards import Shapes, boards_of, moved, placed
 from game.scenes.shared.polygons import NO_EDGE, paint
 from game.ui.canvas.canvas import Canvas
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from game.physics.solids.tracks import Curve
 from game.physics.solids.tracks.motion import RADIUS, X, Y
+from game.scenes.shared.rails.level import Point
 from game.scenes.shared.simplify import simplified
-from game.scenes.tracks.level import BallEntry, Point
+from game.scenes.tracks.level import BallEntry
 from game.scenes.tracks.model import COLOURS, REACH, TracksModel
 from game.stage import Part, Pointer
 

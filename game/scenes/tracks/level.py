@@ -8,32 +8,10 @@ import msgspec
 
 from game.scenes.shared.entry import LevelEntry
 from game.scenes.shared.expectations import Expectations
+from game.scenes.shared.rails.level import Length, Metre, Point, TrackEntry
 
-Metre = Annotated[float, msgspec.Meta(ge=-1e5, le=1e5)]
-Length = Annotated[float, msgspec.Meta(gt=0.0, le=1e4)]
-Point = tuple[Metre, Metre]
 Colour = Literal["chalk", "green", "vermilion", "pink", "violet", "yellow", "amber"]
 Few = msgspec.Meta(max_length=40)
-
-
-class TrackEntry(LevelEntry, frozen=True, kw_only=True):
-    """A track through points, or a formula: see `shapes`. at: m, its reference point; size: m.
-
-    carries: radius (m) of the ball whose centre is to follow the formula; corner: degrees, see `Curve`;
-    count: of points.
-    """
-
-    form: Literal[
-        "points", "line", "parabola", "cycloid", "loop", "circle", "spiral", "waves", "bowl"
-    ] = "points"  # fmt: skip
-    points: Annotated[tuple[Point, ...], msgspec.Meta(max_length=5_000)] = ()
-    at: Point = (0.0, 0.0)
-    size: tuple[Length, Length] = (1.0, 1.0)
-    carries: Annotated[float, msgspec.Meta(ge=0.0, le=100.0)] = 0.0
-    mirrored: bool = False
-    closed: bool = False
-    corner: Annotated[float, msgspec.Meta(ge=0.0, le=180.0)] = 35.0
-    count: Annotated[int, msgspec.Meta(ge=2, le=5_000)] = 200
 
 
 class BallEntry(LevelEntry, frozen=True, kw_only=True):

@@ -26,10 +26,11 @@ from game.physics.solids.tracks.motion import (
     X,
     Y,
 )
+from game.scenes.shared.rails.level import Point
+from game.scenes.shared.rails.shapes import curve_of
 from game.scenes.shared.stopwatch import Stopwatch
-from game.scenes.tracks.level import BallEntry, GaugeEntry, Point, TrackContent
+from game.scenes.tracks.level import BallEntry, GaugeEntry, TrackContent
 from game.scenes.tracks.parameters import TrackParameters
-from game.scenes.tracks.shapes import curve_of
 from game.stage import Part
 
 Floats = NDArray[np.float64]

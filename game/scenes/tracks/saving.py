@@ -20,7 +20,8 @@ from game.physics.solids.tracks.motion import (
     X,
     Y,
 )
-from game.scenes.tracks.level import BallEntry, TrackContent, TrackEntry
+from game.scenes.shared.rails.level import TrackEntry
+from game.scenes.tracks.level import BallEntry, TrackContent
 from game.scenes.tracks.model import COLOURS, OWN_FRICTION, OWN_RESTITUTION, TracksModel
 
 

@@ -10,10 +10,11 @@ from game.levels import Level
 from game.physics.effects import EffectSet
 from game.physics.fields import GRAVITY
 from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.rails.level import TrackEntry
 from game.scenes.tracks import TRACKS
 from game.scenes.tracks.figure import draw_rolling
 from game.scenes.tracks.hand import NOBODY, TrackHand
-from game.scenes.tracks.level import BallEntry, TrackContent, TrackEntry
+from game.scenes.tracks.level import BallEntry, TrackContent
 from game.scenes.tracks.model import TracksModel, TracksState
 from game.scenes.tracks.parameters import OF_PICTURE, OF_TOOLS, TOOLS, TrackParameters
 from game.scenes.tracks.readouts import readouts

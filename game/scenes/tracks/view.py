@@ -7,8 +7,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.physics.solids.tracks.curves import CX, CY, KIND, TRACK, VERTEX, Pieces
+from game.physics.solids.tracks.curves import Pieces
 from game.physics.solids.tracks.motion import ANGLE, RADIUS, VX, VY, X, Y
+from game.scenes.shared.rails.lines import lines_of
 from game.scenes.tracks.hand import NOBODY, TrackHand
 from game.scenes.tracks.model import COLOURS, SHOWN_BALLS, TRAIL, TracksModel, TracksState
 from game.ui.canvas.canvas import PREDICTION_DASH, Canvas
@@ -18,7 +19,6 @@ WHAT_NEXT = {
     "ball": "click, drag and let go: a new ball", "draw": "draw a track", "bend": "drag a track",
     "delete": "click a ball or a track",
 }  # fmt: skip
-PARTS = 4  # chords that a piece is drawn by
 
 
 class TrackView:
@@ -59,18 +59,7 @@ class TrackView:
         """Each track as points along its smooth curve."""
         pieces = self.model.world.pieces
         if self._of is not pieces:
-            self._of, self._lines = pieces, []
-            t = np.linspace(0.0, 1.0, PARTS, endpoint=False)[:, None]
-            for number, curve in enumerate(self.model.world.curves):
-                own = pieces.rows[(pieces.rows[:, TRACK] == number) & (pieces.rows[:, KIND] != VERTEX)]
-                own = own[: len(own) // 2]  # the left side; the right one is the same curve
-                axes = [
-                    own[:, c] + t * (own[:, c + 1] + t * (own[:, c + 2] + t * own[:, c + 3]))
-                    for c in (CX, CY)
-                ]
-                line = np.stack([axis.T.ravel() for axis in axes], axis=1)
-                end = [[own[-1, c : c + 4].sum() for c in (CX, CY)]]
-                self._lines.append(np.concatenate([line, line[:1] if curve.closed else end]))
+            self._of, self._lines = pieces, lines_of(pieces, self.model.world.curves)
         return self._lines
 
     def _draw_trails(self, canvas: Canvas, places: Floats) -> None:

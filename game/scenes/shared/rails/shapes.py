@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.solids.tracks import Curve, moved_aside
-from game.scenes.tracks.level import TrackEntry
+from game.physics.solids.tracks.descent import arc_radius, cycloid_through
+from game.scenes.shared.rails.level import TrackEntry
 
 Floats = NDArray[np.float64]
 RAMP = 1.6  # length of a loop's ramp over its height
@@ -23,6 +24,8 @@ def curve_of(entry: TrackEntry, chords: int = 0) -> Curve:
     closed = entry.form in ("circle", "bowl") and entry.size[0] == entry.size[1]
     if entry.carries and not closed:
         points = moved_aside(points, -entry.carries)
+    if entry.tail and not closed:
+        points = np.concatenate([points, points[-1] + np.array(entry.tail)])
     if entry.mirrored:
         points = points * (-1.0, 1.0)
     return Curve(points + entry.at, closed, entry.corner)
@@ -42,17 +45,26 @@ def _parabola(width: float, depth: float, count: int) -> Floats:
 
 def _cycloid(width: float, depth: float, count: int) -> Floats:
     """From its cusp at (0, 0) through (width, -depth)."""
-    low, high = 1e-9, 2.0 * math.pi - 1e-9
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        if (middle - math.sin(middle)) * depth < width * (1.0 - math.cos(middle)):
-            low = middle
-        else:
-            high = middle
-    end = 0.5 * (low + high)
-    a = depth / (1.0 - math.cos(end))
+    wheel, end = cycloid_through(width, depth)
     turn = np.linspace(0.0, end, count)
-    return a * np.stack([turn - np.sin(turn), np.cos(turn) - 1.0], axis=1)
+    return wheel * np.stack([turn - np.sin(turn), np.cos(turn) - 1.0], axis=1)
+
+
+def _arc(width: float, depth: float, count: int) -> Floats:
+    """Of a circle, from (0, 0), upright at first, through (width, -depth)."""
+    radius = arc_radius(width, depth)
+    turn = np.linspace(0.0, math.atan2(depth, radius - width), count)
+    return radius * np.stack([1.0 - np.cos(turn), -np.sin(turn)], axis=1)
+
+
+def _whirl(outer: float, inner: float, count: int) -> Floats:
+    """Two turns of a spiral, inwards and anticlockwise: from (0, 0), its lowest point, level at first; both
+    are its radii.
+    """
+    turn = np.linspace(0.0, 4.0 * math.pi, count)
+    share = turn / (4.0 * math.pi)
+    reach = outer + (inner - outer) * share * share * (3.0 - 2.0 * share)
+    return np.stack([reach * np.sin(turn), outer - reach * np.cos(turn)], axis=1)
 
 
 def _loop(radius: float, height: float, count: int) -> Floats:
@@ -86,6 +98,7 @@ def _waves(length: float, height: float, count: int) -> Floats:
 
 
 _FORMS = {
-    "line": _line, "parabola": _parabola, "cycloid": _cycloid, "loop": _loop, "circle": _circle,
+    "line": _line, "parabola": _parabola, "cycloid": _cycloid, "arc": _arc, "loop": _loop,
+    "whirl": _whirl, "circle": _circle,
     "bowl": _circle, "spiral": _spiral, "waves": _waves,
 }  # fmt: skip

@@ -1,0 +1,69 @@
+"""What is heard of steel balls: on steel, on wood, on rails; and how they roll."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.physics.solids import SolidWorld
+from game.physics.solids.state import DISC, SEGMENT
+from game.scenes.metal.tables import HEARD_TIME
+from game.scenes.shared.tables.sounds import REMEMBERED_S
+
+Floats = NDArray[np.float64]
+STEEL, WOOD, RAIL, ROLL = range(4)
+LEAST = 0.15  # m/s of approach; what leans is silent
+MOST = 32  # sounds that are remembered: the latest
+REFERENCE = 0.25  # kg of a ball of 0.1 m; a heavier one sounds as this one that is faster
+ROLL_EVERY = 0.06  # s between two grains of the sound of rolling
+ROLLING = 3  # most balls that are heard to roll: the fastest
+SOFTER = 0.12  # of a ball's speed, as loud as that grain is
+SLOW = 0.4  # m/s, slower rolling is silent
+
+
+def remembered(heard: Floats, added: list[Floats], began: float) -> Floats:
+    """Sounds of the last moments and new ones, in order, those of a step that began at ``began`` (s)."""
+    if len(heard):
+        heard = heard[heard[:, HEARD_TIME] > began - REMEMBERED_S]
+    rows = np.concatenate(added) if added else np.zeros((0, 4))
+    if not len(rows):
+        return heard
+    return np.concatenate([heard, rows[np.lexsort((rows[:, 3], rows[:, 0]))]])[-MOST:]
+
+
+def impacts(world: SolidWorld, began: float, wooden: list[int]) -> Floats:
+    """Contacts of solids that began in a step: (k, 4). wooden: bodies of wood."""
+    shapes, places = world.contacts_begun()
+    loud = np.flatnonzero(places[:, 3] > LEAST) if len(places) else np.zeros(0, dtype=np.int64)
+    if not len(loud):
+        return np.zeros((0, 4))
+    rows, kinds = places[loud], world.shapes.kinds[shapes[loud]]
+    of_wood = np.isin(world.shapes.bodies[shapes[loud]], wooden).any(axis=1)
+    found = np.where((kinds == DISC).all(axis=1), STEEL, RAIL)
+    found = np.where(of_wood | ((kinds != DISC) & (kinds != SEGMENT)).any(axis=1), WOOD, found)
+    # by impulse: a heavy one sounds as a light one that is faster
+    speeds = rows[:, 3] * np.clip(rows[:, 2] / (REFERENCE * rows[:, 3]), 0.3, 1.6)
+    return np.stack([began + rows[:, 4], found.astype(np.float64), speeds, rows[:, 0]], axis=1)
+
+
+def landings(before: Floats, rows: Floats, flew: NDArray[np.bool_], fall: float, began: float) -> Floats:
+    """Balls (x, y, vx, vy in four columns, before and after) that met a track in flight.
+
+    fall: m/s that gravity has given them in the step.
+    """
+    jump = rows[:, 2:4] - before[:, 2:4]
+    jump[:, 1] += fall
+    loud = np.hypot(jump[:, 0], jump[:, 1])
+    met = np.flatnonzero(flew & (loud > LEAST))
+    kinds = np.full(len(met), float(RAIL))
+    return np.stack([np.full(len(met), began), kinds, loud[met], rows[met, 0]], axis=1)
+
+
+def rolling(speeds: Floats, xs: Floats, time: float, dt: float) -> Floats:
+    """A grain of the sound of rolling, now and then, for the fastest that roll (speeds m/s, at x m)."""
+    if int(time / ROLL_EVERY) == int((time - dt) / ROLL_EVERY):
+        return np.zeros((0, 4))
+    order = np.argsort(-speeds, kind="stable")[:ROLLING]
+    heard = order[speeds[order] > SLOW]
+    kinds = np.full(len(heard), float(ROLL))
+    return np.stack([np.full(len(heard), time), kinds, SOFTER * speeds[heard], xs[heard]], axis=1)

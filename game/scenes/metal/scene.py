@@ -1,0 +1,218 @@
+"""The marble run: a story, and a place to build tracks of one's own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+from game.lab.studies.marbles import marble_study
+from game.levels import Level
+from game.physics.fields import GRAVITY
+from game.physics.solids.effects import CONTACTS, CONTINUOUS, FRICTION, JOINTS, RESTITUTION, SLEEP
+from game.scenes.metal import A22
+from game.scenes.metal.figure import draw_forces
+from game.scenes.metal.hand import MetalHand
+from game.scenes.metal.level import BallEntry, Box, FloorEntry, MetalContent
+from game.scenes.metal.model import MetalModel, ModelState
+from game.scenes.metal.parameters import OF_PICTURE, OF_TOOLS, TOOLS, MetalParameters
+from game.scenes.metal.readouts import readouts
+from game.scenes.metal.saving import content_of
+from game.scenes.metal.sounds import hearing_of
+from game.scenes.metal.targets import story_targets
+from game.scenes.metal.view import WHAT_NEXT, MetalView
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
+from game.scenes.shared.polygons import warm_up_painter
+from game.scenes.shared.rails.level import TrackEntry
+from game.stage import (
+    Equation,
+    Frame,
+    Hearing,
+    Hint,
+    Pointer,
+    Readout,
+    Scene,
+    SceneAction,
+    SetParameter,
+    Strip,
+    WarmUp,
+)
+from game.stage.messages import Messages
+from game.ui.painters.steel import warm_up_steel
+from game.ui.painters.wall import warm_up_wall
+
+
+class MetalBalls(Scene):
+    """Steel balls on tracks, among blocks, a seesaw, a funnel and a cradle; all that falls ends in a basin.
+
+    On a track a ball has one coordinate, the way of its centre: it rolls while friction holds, slips where
+    the track presses too little for that, and leaves it where the track would have to pull. In a yard (where
+    things stand, hang or pile up) it is a rigid body among others: contacts push and rub, rods hold. It goes
+    from one to the other with its place, speed and spin unchanged. On tracks and in flight outside the yards
+    balls do not touch one another. The balls of the loop and of the race never slip: so the formulas want it.
+
+    A step is cut into substeps: with more of them the measured times come nearer to the exact ones, and a
+    step costs more. All balls are discs of a plane: a third of what they gain in rolling down is spin.
+
+    In the equations: g gravity, α slope, s way of the centre, R radius of the loop, r of a ball, a of the
+    wheel that draws a cycloid, φ its angle, v speed, N force of the track, κ curvature, θ angle from upright.
+    """
+
+    name, task, title = A22.names
+    parameters_type = MetalParameters
+    parameters: MetalParameters
+    effects = GRAVITY | CONTACTS | FRICTION | RESTITUTION | CONTINUOUS | SLEEP | JOINTS
+    content_type = MetalContent
+    study = marble_study
+    takes: ClassVar[frozenset[str]] = frozenset(("right",))
+    covers = True
+    may_be_infinite = frozenset(("world.joints",))
+
+    strips = (
+        Strip("Fastest ball", "m/s", ("fastest",)),
+        Strip("Solids computed", "", ("awake", "loose")),
+        Strip("Riding on tracks", "", ("riding",)),
+    )
+    hints = (
+        Hint(("N",), "open the next gate"),
+        Hint(("Drag",), "move a ball"),
+        Hint(("Right click",), "take away"),
+        Hint(("2", "3", "4", "5"), "bend, draw, new ball, size"),
+    )
+    actions = (
+        SceneAction("next", "open the next gate", "N"),
+        *(
+            SceneAction(tool, words, str(k + 1))
+            for k, (tool, words) in enumerate(
+                zip(
+                    TOOLS,
+                    ("move a ball", "bend a track", "draw a track", "new ball", "size of a ball", "delete"),
+                    strict=True,
+                )
+            )
+        ),
+    )
+    figure = staticmethod(draw_forces)
+    equations = (
+        Equation("Rolling down an incline", r"\ddot{s} = \frac{2}{3} g \sin \alpha", "a disc, no slip"),
+        Equation("A loop is passed from", r"\frac{11}{4} (R - r)", "drop of the centre: Huygens 1673"),
+        Equation("It stays on while", r"N = m (\kappa v^2 + g \cos\theta) \ge 0", "Huygens 1673"),
+        Equation("Quickest way", r"x = a (\phi - \sin\phi),  y = a (\cos\phi - 1)", "Johann Bernoulli 1696"),
+        Equation("Its time", r"t = \phi \sqrt{\frac{3 a}{2 g}}", "from rest, a rolling disc"),
+        Equation("Two equal balls swap", r"v_1' = v_2,  v_2' = v_1", "Huygens 1669, elastic and head-on"),
+    )
+    try_this = (
+        "Move the ball of the loop a hand's breadth up or down before its gate opens.",
+        "Bend the cycloid of the race: any other form is slower.",
+        "Make the big ball over the seesaw smaller, and see how high the small one still goes.",
+        "Draw a track under the funnel that leads somewhere else.",
+        "Choose Own and one substep, then sixteen: compare the times with the exact ones.",
+    )
+    default_content: ClassVar[MetalContent] = MetalContent(
+        tracks=(
+            TrackEntry(points=((0.0, 3.0), (0.6, 2.2), (1.6, 1.6), (2.8, 1.4), (3.6, 1.5))),
+            TrackEntry(points=((6.4, 1.6), (5.6, 0.9), (4.6, 0.6), (3.6, 0.6))),
+        ),
+        balls=(BallEntry(at=(0.12, 3.1)), BallEntry(at=(6.2, 2.2))),
+        floors=(FloorEntry(points=((-2.0, 1.0), (-2.0, 0.0), (9.0, 0.0), (9.0, 1.0))),),
+        yards=(Box(left=-4.0, bottom=-2.0, right=11.0, top=0.5),),
+    )
+
+    @classmethod
+    def warm_ups(cls) -> Sequence[WarmUp]:
+        """A step, and what paints."""
+        return (
+            WarmUp("step", lambda: cls().advance(cls.dt)),
+            WarmUp("polygons", warm_up_painter),
+            WarmUp("wall", warm_up_wall),
+            WarmUp("steel", warm_up_steel),
+        )
+
+    # -- building -----------------------------------------------------------------------------------
+
+    def build(self, level: Level | None) -> None:
+        content = level.content if level is not None and level.content is not None else self.default_content
+        self.model = MetalModel(content, self.parameters, self.active)
+        self.hand = MetalHand(self.model)
+        self.view = MetalView(self.model, self.hand)
+        self.said = Messages()
+        captions_of(content.expected, self.readouts())  # refuses an unknown readout
+
+    def parameter_changed(self, name: str) -> None:
+        if name == "tool":
+            self.hand.let_go()
+        elif name not in OF_PICTURE and name not in OF_TOOLS:
+            self.model.change_parameter(name)
+
+    def effects_changed(self) -> None:
+        self.model.change_effects(self.active)
+
+    def why_idle(self, name: str) -> str:
+        if name == "substeps" and self.parameters.tier != "own":
+            return "The quality says how many there are; choose Own."
+        return ""
+
+    def takes_long(self, event: Any) -> bool:
+        """Another solver is compiled first."""
+        return isinstance(event, SetParameter) and event.name == "solver"
+
+    def state(self) -> ModelState:
+        return self.model.state()
+
+    def restore(self, state: ModelState) -> None:
+        self.model.restore(state)
+
+    def save_content(self) -> MetalContent:
+        return content_of(self.model)
+
+    def check(self) -> None:
+        """What must always hold in the world."""
+        self.model.world.check()
+
+    # -- a step, and what comes in ------------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.model.advance(dt, self.hand.held)
+
+    def pointer(self, event: Pointer) -> None:
+        self.said.say(self.hand.take(event))
+
+    def action(self, name: str) -> None:
+        if name == "next":
+            self.said.say("" if self.model.open_next() else "All gates are open.")
+        else:
+            self.parameters.tool = name
+            self.hand.let_go()
+
+    def messages(self) -> Sequence[str]:
+        return self.said.take()
+
+    # -- what there is to see -----------------------------------------------------------------------
+
+    def hints_now(self) -> Sequence[Hint]:
+        """What the tool in the hand does."""
+        tool = self.parameters.tool
+        return (self.hints[0], Hint(("Mouse",), WHAT_NEXT[tool]), *self.hints[2:])
+
+    def readouts(self) -> list[Readout]:
+        return readouts(self.model)
+
+    def story_targets(self) -> dict[str, tuple[float, float]]:
+        return story_targets(self.model)
+
+    def hearing(self) -> Hearing:
+        return hearing_of(self.model)
+
+    def legend(self) -> Sequence[tuple[str, str, str]]:
+        return self.view.legend()
+
+    def frame(self) -> Frame:
+        view = self.model.content.view
+        return with_headroom(
+            Frame(view.left, view.bottom, view.right, view.top), len(self.model.content.expected)
+        )
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, self.previous, alpha)
+        content, frame = self.model.content, self.frame()
+        top = (0.5 * (frame.left + frame.right), frame.top)
+        draw_captions(canvas, top, captions_of(content.expected, self.readouts()))

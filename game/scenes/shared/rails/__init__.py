@@ -1,0 +1,1 @@
+"""Tracks as levels write them and views draw them."""
