@@ -10,7 +10,7 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.summary import summarize
 from game.billiards.search.strokes import Board, draw_noise, with_noise
 from game.billiards.table.rack import BALL_RADIUS
-from game.scenes.billiards.stroke.odds import (
+from game.scenes.shared.tables.odds import (
     FIRST_SAMPLES,
     HAND,
     OFFSETS,
