@@ -206,7 +206,7 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
         if found:
             return after._fouled(self, target, found, shot, seen, rest, spot)
         verdict = after._scored(points, scored) if points else after._passed()
-        return after._drilled(verdict, bool(points))._replace(spot=spot)
+        return after._drilled(verdict, bool(points))._replace(spot=verdict.spot or spot)
 
     def _hidden(self, was: Snooker, target: Target, rest: Places, seen: Seen) -> list[Penalty]:
         """3.12(c)(ii): snookered behind the free ball; six-red rule 3: behind the nominated colour."""

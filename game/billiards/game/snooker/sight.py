@@ -85,11 +85,13 @@ def obstructions(
     """
     start = places[0]
     found: list[tuple[float, int]] = []
+    wall = math.inf
     for aside in (-1.0, 1.0):
         end = _ghost(start, places[ball], aside)
-        blocked = _blocking(places, start, end, (0, *on))
-        wall = _curve_distance(start, end, curves)
-        found += [one for one in blocked[:1] if one[0] < wall]
+        found += _blocking(places, start, end, (0, *on))[:1]
+        wall = min(wall, _curve_distance(start, end, curves))
+    if found and wall < min(found)[0]:
+        return ()
     return tuple(dict.fromkeys(number for _, number in sorted(found)))
 
 
