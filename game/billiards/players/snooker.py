@@ -32,6 +32,7 @@ from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE, v
 Array = NDArray[np.float64]
 
 FOUL_POINTS = 4.0  # that a foul costs at least
+AFTER_FOUL = 0.4  # chance of the next pot that it leaves: a free ball, or the balls put back
 IN_HAND = 0.6  # chance of the next pot with the cue ball in the D
 SAFE_BELOW = 0.9  # chance of the best pot, below which a player looks for safety too
 GOOD, POOR = 0.5, 0.2  # chances of the best pot: worth playing for, and better left to the other
@@ -40,7 +41,7 @@ HOPELESS = 5  # fouls that a player would need; it concedes once all reds are go
 SAFE_SPEEDS = (0.5, 0.9, 1.4, 2.0, 2.8)  # m/s of the cue
 SAFE_OFFSETS = np.linspace(-0.96, 0.96, 9)  # where a ball is hit, as a share of what can be
 SAFE_BALLS, SAFE_LEFTS = 6, (-0.3, 0.0, 0.3)
-ROUND = 240  # directions all around, for escapes
+ROUND = 360  # directions all around, for escapes
 BREAK_SPEEDS = (1.8, 2.2, 2.6, 3.0)  # m/s of the cue
 SHOWN = 6
 
@@ -177,7 +178,10 @@ class _Mind:
         playable = np.where(scored, idea.following, idea.others).astype(np.int64)
         best_chances(outcomes.places, view.geometry, playable, chances)
         chances = np.where(outcomes.facts[:, SCRATCH] != 0, IN_HAND, chances)
+        chances = np.where(foul, np.maximum(chances, AFTER_FOUL), chances)
         later = self.grade.building * chances
+        if idea.aims.solo:
+            later = np.where(scored, later, 0.0)
         values = np.where(scored, idea.points + later, -later) - FOUL_POINTS * foul
         return values, kinds
 

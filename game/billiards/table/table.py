@@ -62,13 +62,12 @@ POOL_CUTS = (
     PocketCut(CORNER_MOUTH, CORNER_FACING, CORNER_JAW_RADIUS, CORNER_RADIUS, CORNER_SET_OUT),
     PocketCut(SIDE_MOUTH, SIDE_FACING, SIDE_JAW_RADIUS, SIDE_RADIUS, SIDE_SET_OUT),
 )
-# The WPBSA's templates (1.1(c)) are not published. A corner's facings run parallel, 3 1/2 inches apart (a usual
-# opening, from memory); a middle pocket's nearly so, 4 1/8 inches. The curves, and where the slate falls, are
-# chosen so that the pockets take a straight ball and reject one that brushes the near jaw hard; the fall of
-# a middle pocket lies a little within the line of the noses (Broadfoot 1896, Billiards, fig. 11).
+# The WPBSA's templates (1.1(c)) are not published. The openings, 3 3/8 and 3 7/8 inches, are usual ones, from memory;
+# the curves, and where the slate falls, are chosen so that a slow straight ball may brush the jaws and one that
+# comes fast or aslant may not: tests/billiards/table/test_snooker_pockets.py measures by how much.
 SNOOKER_CUTS = (
-    PocketCut(0.0889, math.radians(135.0), 0.080, 0.0445, 0.008),
-    PocketCut(0.1048, math.radians(100.0), 0.040, 0.0500, 0.038),
+    PocketCut(0.0857, math.radians(137.0), 0.060, 0.0425, 0.025),
+    PocketCut(0.0984, math.radians(100.0), 0.040, 0.0500, 0.050),
 )
 
 
