@@ -27,7 +27,7 @@ from game.billiards.search.outcomes import DOWN, FIRST_BALLS, GIVEN_UP, SCRATCH,
 from game.billiards.search.rating import FOULED, MISSED, SCORED, Aims
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE, value_of
+from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE, touching, value_of
 
 Array = NDArray[np.float64]
 
@@ -99,7 +99,8 @@ SNOOKER_GRADES = {
 
 class Idea(NamedTuple):
     """Something to play for: the aims of the search, what is nominated, the points of a pot; what is on after
-    it, and for the other after a miss (bits of rows).
+    it, and for the other after a miss; the balls that the cue ball touches, which it must not be played into
+    (bits of rows).
     """
 
     aims: Aims
@@ -107,10 +108,13 @@ class Idea(NamedTuple):
     points: int
     following: int
     others: int
+    touched: int = 0
 
 
-def ideas_of(game: Snooker, numbers: tuple[int, ...]) -> list[Idea]:
-    """What the striker may play for. numbers: of the balls on the table, by row."""
+def ideas_of(frame: SnookerFrame) -> list[Idea]:
+    """What the striker may play for."""
+    game, numbers = frame.snooker, frame.layout.numbers
+    touched = bits_of(numbers, touching(frame.places_by_number))
 
     def bits(*balls: int) -> int:
         return bits_of(numbers, balls)
@@ -122,11 +126,11 @@ def ideas_of(game: Snooker, numbers: tuple[int, ...]) -> list[Idea]:
     def idea(first: tuple[int, ...], needed: int, call: Call, points: int) -> Idea:
         score = bits(*first)
         aims = Aims(
-            score, score, needed, lose=every & ~score, other=needed or after, called=False,
+            score & ~touched, score, needed, lose=every & ~score, other=needed or after, called=False,
             rotation=game.stage == "order", solo=solo,
         )  # fmt: skip
         following = needed if game.stage != "order" else needed & -needed
-        return Idea(aims, call, points, following, after if reds else score)
+        return Idea(aims, call, points, following, after if reds else score, touched)
 
     if game.free_ball:
         value = 1 if game.stage == "red" else value_of(on[0])
@@ -140,12 +144,14 @@ def ideas_of(game: Snooker, numbers: tuple[int, ...]) -> list[Idea]:
     return [idea(on, colours & ~bits(*on), Call(), value_of(on[0]))]
 
 
-def classes_of(outcomes: Outcomes, aims: Aims) -> NDArray[np.int64]:
+def classes_of(outcomes: Outcomes, idea: Idea) -> NDArray[np.int64]:
     """What each stroke led to (m,): SCORED, MISSED or FOULED, as snooker has it."""
-    facts = outcomes.facts
+    facts, aims = outcomes.facts, idea.aims
     first, down = facts[:, FIRST_BALLS], facts[:, DOWN]
-    foul = (facts[:, GIVEN_UP] != 0) | (facts[:, SCRATCH] != 0) | (first & aims.first == 0)
-    foul |= (first & ~np.int64(aims.first) != 0) | (down & ~np.int64(aims.score) != 0)
+    foul = (facts[:, GIVEN_UP] != 0) | (facts[:, SCRATCH] != 0) | (first & idea.touched != 0)
+    if not idea.touched & aims.score:  # else a ball on is hit already
+        foul |= (first & aims.first == 0) | (first & ~np.int64(aims.first) != 0)
+    foul |= down & ~np.int64(aims.score) != 0
     return np.where(foul, FOULED, np.where(down & aims.score != 0, SCORED, MISSED)).astype(np.int64)
 
 
@@ -172,7 +178,7 @@ class _Mind:
 
     def values(self, view: View, idea: Idea, outcomes: Outcomes) -> tuple[Array, NDArray[np.int64]]:
         """Value in points (m,) of what strokes led to, and their classes."""
-        kinds = classes_of(outcomes, idea.aims)
+        kinds = classes_of(outcomes, idea)
         scored, foul = kinds == SCORED, kinds == FOULED
         chances = np.empty(len(kinds))
         playable = np.where(scored, idea.following, idea.others).astype(np.int64)
@@ -215,7 +221,7 @@ class _Mind:
 
     def _likely(self, frame: SnookerFrame, view: View) -> list[Idea]:
         """What to play for: of many colours those whose pots look best by geometry, points weighed."""
-        ideas = ideas_of(frame.snooker, frame.layout.numbers)
+        ideas = ideas_of(frame)
         if len(ideas) <= COLOURS_TRIED:
             return ideas
 
@@ -273,7 +279,7 @@ class _Mind:
         """The likeliest pot by geometry alone, points weighed."""
         view = self.view(frame)
         best = 0.0
-        for idea in ideas_of(frame.snooker, frame.layout.numbers):
+        for idea in ideas_of(frame):
             found = view.candidates(idea.aims, ("direct",), 1)
             if len(found):
                 best = max(best, float(found[0, CHANCE]) * (1.0 + 0.05 * idea.points))
@@ -284,7 +290,7 @@ class _Mind:
         x, y = frame.nearest_place(MIDDLE + 0.6 * D_RADIUS, BAULK - 0.01)
         placed = _moved(frame, x, y)
         view = self.view(placed)
-        idea = ideas_of(placed.snooker, placed.layout.numbers)[0]
+        idea = ideas_of(placed)[0]
         safe = self.safe_stroke(view, idea, BREAK_SPEEDS)
         return Decision("", (x, y), Stroke(*safe.stroke.tolist()), idea.call, (), safe.worth)
 
@@ -355,7 +361,7 @@ def _places(frame: SnookerFrame) -> list[tuple[tuple[float, float], SnookerFrame
 
 def _cheapest(frame: SnookerFrame, view: View) -> Idea:
     """What a safe stroke is played at: what is on; of colours the one that is nearest."""
-    ideas = ideas_of(frame.snooker, frame.layout.numbers)
+    ideas = ideas_of(frame)
     if frame.snooker.stage != "colour":
         return ideas[0]
     cue = view.places[view.board.cue]

@@ -16,6 +16,7 @@ from game.ui.canvas.canvas import Canvas
 from game.ui.look.icons import icon
 from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box, draw_disc
+from game.ui.look.theme import FELT_GREEN, FELT_LINE
 from game.ui.painters.ball_look import CAROM_WHITE, SNOOKER_RED
 from game.ui.painters.ball_picture import ball_chip
 
@@ -54,9 +55,9 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
         look.text(picture, words, (middle - px(70), 0.5 * height + px(15)), 11, "medium", "text3", "center")
         middle += px(58)
     if standing.chip is not None:
-        paper = look.theme.bg
-        chip = ball_chip(look_number(standing.chip), max(10.0 * look.k, 2.0), (paper.r, paper.g, paper.b))
-        picture.blit(chip, chip.get_rect(center=(round(middle - px(42)), height // 2)))
+        place = (round(middle - px(42)), height // 2)
+        draw_disc(picture, place, px(15), FELT_GREEN)
+        picture.blit(_chip(look, standing.chip), _chip(look, standing.chip).get_rect(center=place))
     at = middle - px(24)
     look.text(picture, standing.on, (at, 0.5 * height - px(9)), 13, "semibold", "text1")
     look.text(picture, standing.left, (at, 0.5 * height + px(10)), 12, "medium", "text2")
@@ -108,21 +109,27 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, line: Line) -> None:
 
 def _draw_colours(canvas: Canvas, look: Look, course: Course) -> int:
     """The colours that can be nominated, the nominated one in a ring; the px where they begin."""
-    chosen, paper = course.call.ball, look.theme.bg
-    allowed = course.model.game.legal_first()
-    left = 0
+    chosen, allowed = course.call.ball, course.model.game.legal_first()
+    (x, y), (right, _) = (canvas.camera.to_screen(*layout.chip_place(colour)) for colour in (COLOURS[0], COLOURS[-1]))
+    cloth = pygame.Rect(0, 0, round(right - x) + look.px(34), look.px(28))
+    cloth.center = (round(0.5 * (x + right)), round(y))
+    draw_box(canvas.surface, cloth, look.px(14), FELT_GREEN)
     for colour in COLOURS:
         x, y = (round(value) for value in canvas.camera.to_screen(*layout.chip_place(colour)))
-        left = left or x - look.px(16)
-        if colour not in allowed:
-            continue
-        chip = ball_chip(look_number(colour), max(10.0 * look.k, 2.0), (paper.r, paper.g, paper.b))
-        canvas.surface.blit(chip, chip.get_rect(center=(x, y)))
+        if colour in allowed:
+            chip = _chip(look, colour)
+            canvas.surface.blit(chip, chip.get_rect(center=(x, y)))
         if colour == chosen:
-            draw_disc(canvas.surface, (x, y), look.px(13), None, look.theme.accent, max(2, look.px(2)))
+            draw_disc(canvas.surface, (x, y), look.px(12), None, FELT_LINE, max(2, look.px(2)))
+    left = cloth.left
     words = "Nominate" if not course.model.game.free_ball else "Free ball"
     look.text(canvas.surface, words, (left - look.px(8), y), 12, "semibold", "text2", "right")
     return left - look.px(8) - look.fonts.size(words, 12, "semibold")[0]
+
+
+def _chip(look: Look, ball: int) -> pygame.Surface:
+    """A ball on the cloth."""
+    return ball_chip(look_number(ball), max(9.5 * look.k, 2.0), (FELT_GREEN.r, FELT_GREEN.g, FELT_GREEN.b))
 
 
 def _draw_options(canvas: Canvas, look: Look, course: Course, line: Line) -> None:
