@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.rules import CUE_BALL, Call
+from game.billiards.game.rules import Call
 from game.billiards.game.snooker.frame import SnookerFrame
-from game.billiards.game.snooker.rules import AGAIN, ANYWHERE, GO_SECOND, PLAY, REPLAY, Snooker
+from game.billiards.game.snooker.rules import AGAIN, ANYWHERE, GO_SECOND, PLAY, REPLAY
 from game.billiards.players.opponents import Decision
 from game.billiards.search.aims import bits_of
 from game.billiards.search.candidates import CHANCE
@@ -251,11 +251,11 @@ class _Mind:
         """The best stroke from where the cue ball lies."""
         view = self.view(frame)
         pot, chance = self.best_pot(frame, view)
-        if pot is not None and (chance >= SAFE_BELOW or len(frame.game.players) == 1 and chance > 0.0):
+        if pot is not None and (chance >= SAFE_BELOW or (len(frame.game.players) == 1 and chance > 0.0)):
             return pot
         idea = _cheapest(frame, view)
         safe = self.safe_stroke(view, idea)
-        if pot is not None and (not self.grade.careful and chance > POOR or pot.worth > safe.worth):
+        if pot is not None and ((not self.grade.careful and chance > POOR) or pot.worth > safe.worth):
             return pot
         considered = pot.considered if pot is not None else ()
         return Decision("", None, Stroke(*safe.stroke.tolist()), idea.call, considered, safe.worth)
@@ -335,7 +335,9 @@ def decide_snooker(
 def hand_of(stroke: Stroke, grade: SnookerGrade, seed: int) -> Stroke:
     """What the player's hand makes of a stroke, the same for the same seed."""
     draw = np.random.default_rng(seed).standard_normal((1, 5))
-    return Stroke(*with_noise(np.array([stroke], dtype=np.float64), draw, grade.noise, BALL_RADIUS)[0].tolist())
+    return Stroke(
+        *with_noise(np.array([stroke], dtype=np.float64), draw, grade.noise, BALL_RADIUS)[0].tolist()
+    )
 
 
 def _moved(frame: SnookerFrame, x: float, y: float) -> SnookerFrame:
@@ -388,5 +390,3 @@ def _strokes_at(view: View, first: int, speeds: tuple[float, ...]) -> Array:
     around = np.linspace(0.0, 2.0 * math.pi, ROUND, endpoint=False).tolist()
     strokes = [(v, a, 0.0, left, 0.0) for a in thin for v in speeds for left in SAFE_LEFTS]
     return np.array(strokes + [(v, a, 0.0, 0.0, 0.0) for a in around for v in speeds])
-
-

@@ -3,10 +3,8 @@
 Balls by number: 0 the cue ball, 1 to 15 the reds, 16 to 21 yellow, green, brown, blue, pink, black. Numbers such
 as 1.1(e) are those of the WPBSA's Official Rules of the Games of Snooker and Billiards (2019).
 
-The balls' mass and the restitution and friction of cushions are those that Mathavan, Jackson and Parkin (2010, A
-theoretical analysis of billiard ball dynamics under cushion impacts) used and found for snooker; friction of
-cloth and of balls, and the balls' restitution are those of their Numerical simulations of the frictional
-collisions of solid balls on a rough surface (2014), quoted from memory.
+The balls' mass is that of Mathavan, Jackson and Parkin (2010, A theoretical analysis of billiard ball dynamics
+under cushion impacts).
 """
 
 from __future__ import annotations
@@ -16,7 +14,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from game.billiards.shot.shot import Physics
 from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
 
 Array = NDArray[np.float64]
@@ -44,11 +41,6 @@ SPOTS: dict[int, Point] = {
 }
 FROZEN = 1e-4  # m; balls that are so near touch
 APART = 5e-4  # m; between balls that are put as near as they go without touching
-
-SNOOKER_CLOTH = Physics(
-    cushion="mathavan-2010", sliding=0.21, rolling=0.01, ball_restitution=0.89,
-    cushion_friction=0.14, cushion_restitution=0.98,
-)  # fmt: skip
 
 
 def value_of(ball: int) -> int:

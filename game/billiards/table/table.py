@@ -211,9 +211,7 @@ def _mirror(rows: list[list[float]], axis: int, extent: float, vectors: bool) ->
     return mirrored
 
 
-def _pocketed_table(
-    w: float, h: float, cushion_height: float, corner: PocketCut, side: PocketCut
-) -> Table:
+def _pocketed_table(w: float, h: float, cushion_height: float, corner: PocketCut, side: PocketCut) -> Table:
     """One quarter built, the others its mirror images, so that the table is exactly symmetric. w, h m."""
     corner_tip = corner.mouth / math.sqrt(2.0)
     side_tip = 0.5 * (h - side.mouth)

@@ -111,7 +111,9 @@ class Course(Part):
         if CUE_BALL not in layout.numbers:
             return None
         row, every = layout.numbers.index(CUE_BALL), np.ones(len(layout.numbers), dtype=np.bool_)
-        first = first_contact(row, self.cue.aim, layout.positions, layout.radii, every, self.model.frame.table)
+        first = first_contact(
+            row, self.cue.aim, layout.positions, layout.radii, every, self.model.frame.table
+        )
         return layout.numbers[first.target] if first.kind == "ball" else None
 
     @property

@@ -98,7 +98,9 @@ def read_game(saved: dict[str, Any]) -> Snooker:
         raise ValueError(f"saved.winner: {game.winner} is no player")
     if game.reds not in (15, 10, 6):
         raise ValueError(f"saved.reds: expected 15, 10 or 6, got {game.reds}")
-    if any(not 1 <= ball <= COLOURS[-1] for ball in game.on_table) or len(set(game.on_table)) != len(game.on_table):
+    if any(not 1 <= ball <= COLOURS[-1] for ball in game.on_table) or len(set(game.on_table)) != len(
+        game.on_table
+    ):
         raise ValueError(f"saved.on_table: expected different numbers from 1 to {COLOURS[-1]}")
     if not game.over and not game.balls_on():
         raise ValueError(f"saved.stage: no ball is on in the stage {game.stage!r}")

@@ -13,10 +13,11 @@ from game.billiards.game.frame import Frame, Played, Struck
 from game.billiards.game.rules import Call, Verdict
 from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame
 from game.billiards.game.snooker.rules import Snooker
+from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.billiards.shot.shot import Physics
 from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.shot_effects import physics_of, table_of
-from game.billiards.table.snooker import BALLS, SNOOKER_CLOTH
+from game.billiards.table.snooker import BALLS
 from game.billiards.table.table import Table
 from game.physics.effects import EffectSet
 from game.scenes.shared.tables.demo_shots import scattered_orientations
@@ -59,7 +60,9 @@ class SnookerModel(Part):
     def configure(self, active: EffectSet) -> None:
         """Let parameters and effects act from the next stroke on."""
         table, physics = self._table_and_physics(active)
-        self.frame = self._as_snooker(self.frame.replace(table=table, physics=physics, game=self._set(self.game)))
+        self.frame = self._as_snooker(
+            self.frame.replace(table=table, physics=physics, game=self._set(self.game))
+        )
 
     def _table_and_physics(self, active: EffectSet) -> tuple[Table, Physics]:
         chosen = self.parameters

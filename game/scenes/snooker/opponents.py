@@ -67,7 +67,9 @@ def simple_stroke(frame: SnookerFrame, seed: int) -> tuple[Stroke, Call]:
     offset = layout.positions - layout.positions[0]
     along = offset @ (np.cos(chosen.aim), np.sin(chosen.aim))
     across = np.abs(offset @ (-np.sin(chosen.aim), np.cos(chosen.aim)))
-    rows = [k for k in range(1, len(along)) if along[k] > 0.0 and across[k] < 2.0 * layout.radii[k] and in_play[k]]
+    rows = [
+        k for k in range(1, len(along)) if along[k] > 0.0 and across[k] < 2.0 * layout.radii[k] and in_play[k]
+    ]
     ball = layout.numbers[min(rows, key=lambda k: float(along[k]))] if rows else None
     call = Call(ball) if frame.snooker.needs_call() and ball in COLOURS else Call()
     return Stroke(chosen.speed / BALL_PER_CUE, chosen.aim), call
@@ -139,7 +141,9 @@ class SnookerOpponents:
         elif event.name == "concede" and not values:
             course.concede(at_once=True)
         else:
-            raise ValueError(f"{event.name}: expected stroke, white, option or concede, each with its numbers")
+            raise ValueError(
+                f"{event.name}: expected stroke, white, option or concede, each with its numbers"
+            )
 
     def play_on(self) -> None:
         """A new frame when one is over and nobody is there; the table's own strokes while it plays itself."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.billiards.table.snooker import SNOOKER_CLOTH
+from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.unsteady import HANDS
 from game.stage import Choice, Param, Parameters, Toggle

@@ -102,7 +102,9 @@ def test_aimed_at_a_cushion_a_colour_must_be_nominated_by_hand():
 
 
 def test_a_foul_is_foretold_and_what_follows_is_said_first():
-    stage = level_of(COLOURS + "balls = [{ number = 0, position = [0.4, 2.3] }, { number = 1, position = [1.5, 1.2] }]\n")
+    stage = level_of(
+        COLOURS + "balls = [{ number = 0, position = [0.4, 2.3] }, { number = 1, position = [1.5, 1.2] }]\n"
+    )
     course = stage.scene.course
     assert foul_to_come(course, BLUE) == "foul: a red is on" and foul_to_come(course, 1) == ""
     strike(stage, aim_at(stage, BLUE), 1.5)
@@ -111,7 +113,9 @@ def test_a_foul_is_foretold_and_what_follows_is_said_first():
 
 
 def test_options_after_a_miss_by_buttons_and_put_back_exactly():
-    stage = level_of(COLOURS + "balls = [{ number = 0, position = [0.4, 2.3] }, { number = 1, position = [1.5, 1.2] }]\n")
+    stage = level_of(
+        COLOURS + "balls = [{ number = 0, position = [0.4, 2.3] }, { number = 1, position = [1.5, 1.2] }]\n"
+    )
     before = stage.scene.model.frame.layout.places
     strike(stage, aim_at(stage, BLUE), 1.5)
     options = stage.scene.model.game.options

@@ -13,6 +13,7 @@ from game.billiards.game.snooker.rules import REPLAY, Snooker
 from game.billiards.game.snooker.sight import Discs, Places
 from game.billiards.game.snooker.stroke import Seen
 from game.billiards.laws.state import BALL_BALL
+from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.billiards.shot.paths import Paths
 from game.billiards.shot.shot import Physics
 from game.billiards.shot.trajectory import Trajectory
@@ -23,7 +24,6 @@ from game.billiards.table.snooker import (
     BALLS,
     BAULK,
     MIDDLE,
-    SNOOKER_CLOTH,
     Point,
     nearest_in_the_d,
     opening_places,
@@ -69,7 +69,10 @@ class SnookerFrame(Frame, frozen=True, eq=False):
         for ring in range(400):
             for spoke in range(max(1, 6 * ring)):
                 angle = 2.0 * math.pi * spoke / max(1, 6 * ring)
-                at = (x + 0.1 * BALL_RADIUS * ring * math.cos(angle), y + 0.1 * BALL_RADIUS * ring * math.sin(angle))
+                at = (
+                    x + 0.1 * BALL_RADIUS * ring * math.cos(angle),
+                    y + 0.1 * BALL_RADIUS * ring * math.sin(angle),
+                )
                 if self._hand() == "in the D":
                     at = nearest_in_the_d(*at)
                 if self._allowed(*at):

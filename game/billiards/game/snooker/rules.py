@@ -44,7 +44,9 @@ Stage = Literal["red", "colour", "order"]
 Drill = Literal["", "break", "pot", "escape"]
 SIX = 6
 SUM_OF_COLOURS = sum(value_of(colour) for colour in COLOURS)  # 27
-QUIET = 12  # strokes without a point, from which on a restart can be agreed upon (3.16 leaves it to the referee)
+QUIET = (
+    12  # strokes without a point, from which on a restart can be agreed upon (3.16 leaves it to the referee)
+)
 
 PLAY = Option("play", "Play from here.")
 FREE = Option("play", "Play from here, with a free ball.")
@@ -182,7 +184,10 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
     # -- a stroke -----------------------------------------------------------------------------------
 
     def judge(
-        self, shot: ShotSummary, call: Call = Call(), seen: Seen = Seen()  # noqa: B008  (immutable)
+        self,
+        shot: ShotSummary,
+        call: Call = Call(),
+        seen: Seen = Seen(),  # noqa: B008  (immutable)
     ) -> Verdict:
         """What follows from a stroke. seen: what else the referee saw. ValueError if none may be played."""
         self.check_playable()
@@ -193,7 +198,9 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
         points, scored = scored_points(target, shot) if not found else (0, ())
         kept = scored if self.stage == "order" and not found else ()
         kept = tuple(ball for ball in kept if ball != target.free)
-        spot = tuple(ball for ball in (*shot.balls_down, *shot.off_table) if ball in COLOURS and ball not in kept)
+        spot = tuple(
+            ball for ball in (*shot.balls_down, *shot.off_table) if ball in COLOURS and ball not in kept
+        )
         gone = {*shot.balls_down, *shot.off_table} - set(spot)
         rest = respotted({ball: (x, y) for ball, x, y in shot.rest}, spot)
         hand: Hand = "in the D" if shot.cue_pocketed or CUE_BALL in shot.off_table else ""
@@ -239,7 +246,11 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
     def _drilled(self, verdict: Verdict, scored: bool) -> Verdict:
         """A drill's attempt is over: with a miss, with a single stroke, or with the table cleared."""
         after = verdict.game
-        if not self.drill or not isinstance(after, Snooker) or (self.drill == "break" and scored and not after.over):
+        if (
+            not self.drill
+            or not isinstance(after, Snooker)
+            or (self.drill == "break" and scored and not after.over)
+        ):
             return verdict
         made = verdict.legal and (scored or self.drill == "escape")
         after = msgspec.structs.replace(
@@ -322,7 +333,9 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
                 chosen, turn=self.other, stage=then.stage, free_ball=then.free_ball, on_table=then.on_table,
                 in_hand=then.in_hand,
             )  # fmt: skip
-            return Verdict(chosen, words=(f"{chosen.shooter} plays again from where the balls lay.",), reset=True)
+            return Verdict(
+                chosen, words=(f"{chosen.shooter} plays again from where the balls lay.",), reset=True
+            )
         chosen = msgspec.structs.replace(chosen, misses=0, full_misses=0)
         if name in (AGAIN.name, GO_SECOND.name):
             chosen = msgspec.structs.replace(chosen, turn=self.other, free_ball=False)
@@ -338,7 +351,11 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
             return "A free ball: nominate any ball."
         if self.stage == "red":
             return "A red is on."
-        return "A colour is on: nominate it." if self.stage == "colour" else f"The {name_of(self.balls_on()[0])} is on."
+        return (
+            "A colour is on: nominate it."
+            if self.stage == "colour"
+            else f"The {name_of(self.balls_on()[0])} is on."
+        )
 
     # -- how frames end -----------------------------------------------------------------------------
 
@@ -359,7 +376,9 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
             options=(GO_FIRST, GO_SECOND), free_ball=False,
         )  # fmt: skip
         lead = f"Level at {mine}: the black goes back on its spot."
-        return Verdict(after, fouls, scored, (lead, f"{after.shooter} wins the draw and chooses.", *words), (BLACK,))
+        return Verdict(
+            after, fouls, scored, (lead, f"{after.shooter} wins the draw and chooses.", *words), (BLACK,)
+        )
 
     def _won_by(self, winner: int) -> Snooker:
         won = _with(self.won, winner, self.won[winner] + 1)
@@ -391,7 +410,9 @@ class Snooker(Game, frozen=True, kw_only=True, tag="snooker"):
         if self.over or len(self.players) == 1:
             raise ValueError("game: there is nothing to concede")
         after = self._won_by(self.other)
-        return Verdict(after, words=(f"{self.players[self.other]} wins the frame.", f"{self.shooter} concedes."))
+        return Verdict(
+            after, words=(f"{self.players[self.other]} wins the frame.", f"{self.shooter} concedes.")
+        )
 
     @property
     def may_restart(self) -> bool:

@@ -77,9 +77,7 @@ def _reachable(places: Places, on: tuple[int, ...], asides: tuple[float, ...]) -
     )  # fmt: skip
 
 
-def obstructions(
-    places: Places, on: tuple[int, ...], ball: int, curves: Discs = ()
-) -> tuple[int, ...]:
+def obstructions(places: Places, on: tuple[int, ...], ball: int, curves: Discs = ()) -> tuple[int, ...]:
     """Balls not on that hide part of a ball on from the cue ball, the nearest first; () if both extreme edges
     can be hit. Where a curved cushion is nearer than the ball, it does not count (2.17(e)).
     """

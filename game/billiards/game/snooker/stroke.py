@@ -23,7 +23,7 @@ class Seen(NamedTuple):
     cue ball when that met another (2.19).
     """
 
-    places: Places = {}  # noqa: RUF012  (never written to)
+    places: Places = {}
     curves: Discs = ()
     near: float = math.inf
     pushed: bool = False

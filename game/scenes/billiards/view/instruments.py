@@ -14,10 +14,10 @@ from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
-from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
 from game.scenes.billiards.view.words import aim_words
-from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.buttons import draw_button
+from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING

@@ -50,7 +50,9 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
     right = boxes[1].left if len(standing.cards) == 2 else size[0]
     middle = 0.5 * (boxes[0].right + right)
     if standing.score:
-        look.text(picture, standing.score, (middle - px(70), 0.5 * height - px(8)), 22, "display", "text1", "center")
+        look.text(
+            picture, standing.score, (middle - px(70), 0.5 * height - px(8)), 22, "display", "text1", "center"
+        )
         words = look.fonts.fit(standing.caption, 11, "medium", px(120))
         look.text(picture, words, (middle - px(70), 0.5 * height + px(15)), 11, "medium", "text3", "center")
         middle += px(58)
@@ -110,7 +112,9 @@ def draw_foot(canvas: Canvas, look: Look, course: Course, line: Line) -> None:
 def _draw_colours(canvas: Canvas, look: Look, course: Course) -> int:
     """The colours that can be nominated, the nominated one in a ring; the px where they begin."""
     chosen, allowed = course.call.ball, course.model.game.legal_first()
-    (x, y), (right, _) = (canvas.camera.to_screen(*layout.chip_place(colour)) for colour in (COLOURS[0], COLOURS[-1]))
+    (x, y), (right, _) = (
+        canvas.camera.to_screen(*layout.chip_place(colour)) for colour in (COLOURS[0], COLOURS[-1])
+    )
     cloth = pygame.Rect(0, 0, round(right - x) + look.px(34), look.px(28))
     cloth.center = (round(0.5 * (x + right)), round(y))
     draw_box(canvas.surface, cloth, look.px(14), FELT_GREEN)

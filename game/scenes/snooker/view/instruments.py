@@ -22,7 +22,9 @@ UNKNOWN = "…"
 ROOM_FOR_CAPTIONS = 0.85  # scale
 
 
-def draw_instruments(canvas: Canvas, look: Look, course: Course, hand: SnookerHand, odds: Odds | None) -> None:
+def draw_instruments(
+    canvas: Canvas, look: Look, course: Course, hand: SnookerHand, odds: Odds | None
+) -> None:
     """All of them. odds: of the stroke that is aimed."""
     swings = course.phase == STRIKING and course.pending is not None
     _draw_stroke(canvas, look, course.pending if swings and course.pending else course.stroke)

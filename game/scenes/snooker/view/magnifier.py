@@ -27,7 +27,9 @@ def magnifies(chosen: str, canvas: Canvas) -> bool:
     return chosen == "on" or (chosen == "auto" and BALL_RADIUS * canvas.pixels_per_unit < SMALL)
 
 
-def box_beside(cue_ball: tuple[float, float], ghost: tuple[float, float], places: list[tuple[float, float]]) -> Box:
+def box_beside(
+    cue_ball: tuple[float, float], ghost: tuple[float, float], places: list[tuple[float, float]]
+) -> Box:
     """Where the magnifier lies: in the corner of the bed nearest to the cue ball that hides neither it nor the
     contact, and few balls.
     """
@@ -36,7 +38,11 @@ def box_beside(cue_ball: tuple[float, float], ghost: tuple[float, float], places
         for left in (EDGE, 0.5 * (SNOOKER_LENGTH - SIDE), SNOOKER_LENGTH - SIDE - EDGE):
             box = Box(top, left, top + SIDE, left + SIDE)
             hides = sum(_near(box, place) for place in places)
-            mark = -4.0 * (_near(box, cue_ball) + _near(box, ghost)) - hides - 0.2 * math.dist(box.middle, cue_ball)
+            mark = (
+                -4.0 * (_near(box, cue_ball) + _near(box, ghost))
+                - hides
+                - 0.2 * math.dist(box.middle, cue_ball)
+            )
             if mark > worth:
                 best, worth = box, mark
     assert best is not None

@@ -113,7 +113,9 @@ class SnookerView:
         if course.phase not in (ROLLING, REPLAY) or played is None or model.frame.last is None:
             placed = model.frame.layout
             numbers = np.array(placed.numbers, dtype=np.int64)
-            return Balls(placed.positions, placed.radii, LOOKS[numbers], model.turns[numbers], np.ones(len(numbers)))
+            return Balls(
+                placed.positions, placed.radii, LOOKS[numbers], model.turns[numbers], np.ones(len(numbers))
+            )
         time = float(course.clock[0])
         before = time if clock_before is None else float(clock_before[0])
         if before <= time <= before + 0.1:

@@ -60,7 +60,9 @@ def standing_of(course: Course, thinker: Thinker, title: str) -> Standing:
 
 def _frame_words(game: Snooker) -> str:
     if len(game.players) == 1:
-        return {"break": "a miss ends it", "pot": "one pot", "escape": "hit the ball on", "": "practice"}[game.drill]
+        return {"break": "a miss ends it", "pot": "one pot", "escape": "hit the ball on", "": "practice"}[
+            game.drill
+        ]
     if game.black_again:
         return "black put back"
     return f"frame {sum(game.won) + 1}"

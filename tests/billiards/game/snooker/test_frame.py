@@ -93,7 +93,9 @@ def test_a_straight_ball_falls_into_each_pocket_and_the_jaws_reject_a_wide_one()
         table = new_snooker_frame(new_snooker()).table
         px, py, _ = table.pockets[pocket]
         inward = np.array([MIDDLE - px, (0.5 * 3.569 - py) or 0.0])
-        inward[1] = np.sign(inward[1]) * abs(inward[0]) if abs(inward[1]) > 0.1 else 0.0  # 45 degrees at a corner
+        inward[1] = (
+            np.sign(inward[1]) * abs(inward[0]) if abs(inward[1]) > 0.1 else 0.0
+        )  # 45 degrees at a corner
         inward /= np.hypot(*inward)
         ball, cue = np.array((px, py)) + 0.35 * inward, np.array((px, py)) + 0.75 * inward
         frame = lying(order(BLACK), c=tuple(cue), b21=tuple(ball))

@@ -317,14 +317,20 @@ def test_level_scores_put_the_black_back_and_lots_are_drawn():
     first = state.choose("first").game
     lost = first.judge(shot())
     assert lost.game.winner == 1 - state.turn
-    turns = {order(BLACK, points=(40, 47), lot=k).judge(shot(BLACK, down=(BLACK,))).game.turn for k in range(12)}
+    turns = {
+        order(BLACK, points=(40, 47), lot=k).judge(shot(BLACK, down=(BLACK,))).game.turn for k in range(12)
+    }
     assert turns == {0, 1}
 
 
 def test_claim_and_concession():
     ahead = order(BLACK, points=(60, 50))
     assert ahead.may_claim and ahead.claim().game.winner == 0
-    for not_yet in (order(BLACK, points=(57, 50)), order(PINK, BLACK, points=(90, 0)), order(BLACK, points=(0, 50))):
+    for not_yet in (
+        order(BLACK, points=(57, 50)),
+        order(PINK, BLACK, points=(90, 0)),
+        order(BLACK, points=(0, 50)),
+    ):
         assert not not_yet.may_claim
         with pytest.raises(ValueError, match="claimed"):
             not_yet.claim()
@@ -372,7 +378,9 @@ def test_six_red_nobody_is_snookered_behind_a_nominated_colour():
     state = game(on_table=(1, *ALL), stage="colour")
     assert state.judge(shot(YELLOW, rest=rest), Call(YELLOW)).legal
     six = msgspec.structs.replace(state, reds=6)
-    assert [foul.kind for foul in six.judge(shot(YELLOW, rest=rest), Call(YELLOW)).fouls] == ["behind the ball"]
+    assert [foul.kind for foul in six.judge(shot(YELLOW, rest=rest), Call(YELLOW)).fouls] == [
+        "behind the ball"
+    ]
 
 
 def test_six_red_a_fifth_miss_brings_the_cue_ball_anywhere():

@@ -63,7 +63,11 @@ def test_in_hand_the_whole_d_counts():
     places = {1: (MIDDLE, BAULK + 0.5), BLUE: (MIDDLE, BAULK + 0.2)}
     assert snookered({**places, 0: (MIDDLE, BAULK - 0.1)}, (1,))
     assert not snookered(places, (1,))  # from the end of the D the red is seen
-    near = {1: (MIDDLE, 3.0), BLUE: (MIDDLE - 1.02 * R, 3.0 - 1.9 * R), PINK: (MIDDLE + 1.02 * R, 3.0 - 1.9 * R)}
+    near = {
+        1: (MIDDLE, 3.0),
+        BLUE: (MIDDLE - 1.02 * R, 3.0 - 1.9 * R),
+        PINK: (MIDDLE + 1.02 * R, 3.0 - 1.9 * R),
+    }
     assert snookered(near, (1,))
 
 
