@@ -14,20 +14,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.rules import Call
 from game.billiards.game.snooker.frame import SnookerFrame
 from game.billiards.game.snooker.rules import AGAIN, ANYWHERE, GO_SECOND, PLAY, REPLAY
 from game.billiards.players.opponents import Decision
-from game.billiards.search.aims import bits_of
+from game.billiards.players.snooker_ideas import (
+    Idea,
+    classes_of,
+    idea_for_safety,
+    ideas_of,
+    moved,
+    places_in_hand,
+    safe_strokes,
+)
 from game.billiards.search.candidates import CHANCE
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, thread_pool
 from game.billiards.search.looking import Effort, look
 from game.billiards.search.next_pot import best_chances
-from game.billiards.search.outcomes import DOWN, FIRST_BALLS, GIVEN_UP, SCRATCH, Outcomes
-from game.billiards.search.rating import FOULED, MISSED, SCORED, Aims
+from game.billiards.search.outcomes import SCRATCH, Outcomes
+from game.billiards.search.rating import FOULED, SCORED
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
-from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE, touching, value_of
+from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE
 
 Array = NDArray[np.float64]
 
@@ -39,17 +46,14 @@ GOOD, POOR = 0.5, 0.2  # chances of the best pot: worth playing for, and better 
 COLOURS_TRIED = 3  # of those that can be nominated, the likeliest
 HOPELESS = 5  # fouls that a player would need; it concedes once all reds are gone
 SAFE_SPEEDS = (0.5, 0.9, 1.4, 2.0, 2.8)  # m/s of the cue
-SAFE_OFFSETS = np.linspace(-0.96, 0.96, 9)  # where a ball is hit, as a share of what can be
-SAFE_BALLS, SAFE_LEFTS = 6, (-0.3, 0.0, 0.3)
-ROUND = 360  # directions all around, for escapes
 BREAK_SPEEDS = (1.8, 2.2, 2.6, 3.0)  # m/s of the cue
 SHOWN = 6
 
 
 class SnookerGrade(NamedTuple):
-    """A grade of players. unsteady: times the usual noise of a hand. effort: how hard it looks for pots; safe:
-    safe strokes that it samples. careful: it weighs what is left. building: points that it counts a good
-    chance at the next ball as, its own or the other's.
+    """A grade of players. unsteady: times the usual noise of a hand. effort: how hard it looks for pots;
+    safe: safe strokes that it samples. careful: it weighs what is left. building: points that it counts a
+    good chance at the next ball as, its own or the other's.
     """
 
     name: str
@@ -77,8 +81,8 @@ SNOOKER_GRADES = {
         ),
         SnookerGrade(
             "club", "Club player", "Thinks of the next ball, and plays safe when nothing is on.", 1.3,
-            Effort(("direct",), (0.9, 1.5, 2.4), (-0.3, 0.0, 0.3), (0.0,), candidates=5, rays=13, finalists=10,
-                   samples=16),
+            Effort(("direct",), (0.9, 1.5, 2.4), (-0.3, 0.0, 0.3), (0.0,), candidates=5, rays=13,
+                   finalists=10, samples=16),
             safe=8, building=9.0,
         ),
         SnookerGrade(
@@ -95,64 +99,6 @@ SNOOKER_GRADES = {
         ),
     )
 }  # fmt: skip
-
-
-class Idea(NamedTuple):
-    """Something to play for: the aims of the search, what is nominated, the points of a pot; what is on after
-    it, and for the other after a miss; the balls that the cue ball touches, which it must not be played into
-    (bits of rows).
-    """
-
-    aims: Aims
-    call: Call
-    points: int
-    following: int
-    others: int
-    touched: int = 0
-
-
-def ideas_of(frame: SnookerFrame) -> list[Idea]:
-    """What the striker may play for."""
-    game, numbers = frame.snooker, frame.layout.numbers
-    touched = bits_of(numbers, touching(frame.places_by_number))
-
-    def bits(*balls: int) -> int:
-        return bits_of(numbers, balls)
-
-    every, reds, colours = bits(*game.on_table), bits(*game.reds_left), bits(*game.colours_left)
-    on, solo = game.balls_on(), len(game.players) == 1
-    after = reds or colours  # what the other will be on
-
-    def idea(first: tuple[int, ...], needed: int, call: Call, points: int) -> Idea:
-        score = bits(*first)
-        aims = Aims(
-            score & ~touched, score, needed, lose=every & ~score, other=needed or after, called=False,
-            rotation=game.stage == "order", solo=solo,
-        )  # fmt: skip
-        following = needed if game.stage != "order" else needed & -needed
-        return Idea(aims, call, points, following, after if reds else score, touched)
-
-    if game.free_ball:
-        value = 1 if game.stage == "red" else value_of(on[0])
-        free = [idea((ball,), colours if value == 1 else after, Call(ball), value) for ball in game.colours_left
-                if ball not in on]  # fmt: skip
-        return [idea(on, colours if value == 1 else after, Call(), value), *free]
-    if game.stage == "red":
-        return [idea(on, colours, Call(), 1)]
-    if game.stage == "colour":
-        return [idea((ball,), after, Call(ball), value_of(ball)) for ball in on]
-    return [idea(on, colours & ~bits(*on), Call(), value_of(on[0]))]
-
-
-def classes_of(outcomes: Outcomes, idea: Idea) -> NDArray[np.int64]:
-    """What each stroke led to (m,): SCORED, MISSED or FOULED, as snooker has it."""
-    facts, aims = outcomes.facts, idea.aims
-    first, down = facts[:, FIRST_BALLS], facts[:, DOWN]
-    foul = (facts[:, GIVEN_UP] != 0) | (facts[:, SCRATCH] != 0) | (first & idea.touched != 0)
-    if not idea.touched & aims.score:  # else a ball on is hit already
-        foul |= (first & aims.first == 0) | (first & ~np.int64(aims.first) != 0)
-    foul |= down & ~np.int64(aims.score) != 0
-    return np.where(foul, FOULED, np.where(down & aims.score != 0, SCORED, MISSED)).astype(np.int64)
 
 
 class Safe(NamedTuple):
@@ -236,7 +182,7 @@ class _Mind:
 
     def safe_stroke(self, view: View, idea: Idea, speeds: tuple[float, ...] = SAFE_SPEEDS) -> Safe:
         """The stroke at a ball on after which the other has least, under noise; an escape if none is open."""
-        strokes = _strokes_at(view, idea.aims.first, speeds)
+        strokes = safe_strokes(view, idea.aims.first, speeds)
         outcomes = view.board.play(strokes, self.pool)
         best = np.argsort(-self.values(view, idea, outcomes)[0], kind="stable")[: self.grade.safe]
         draws = self.draws[: max(self.grade.effort.samples, 8)]
@@ -253,7 +199,7 @@ class _Mind:
         pot, chance = self.best_pot(frame, view)
         if pot is not None and (chance >= SAFE_BELOW or (len(frame.game.players) == 1 and chance > 0.0)):
             return pot
-        idea = _cheapest(frame, view)
+        idea = idea_for_safety(frame, view)
         safe = self.safe_stroke(view, idea)
         if pot is not None and ((not self.grade.careful and chance > POOR) or pot.worth > safe.worth):
             return pot
@@ -265,7 +211,7 @@ class _Mind:
     def from_hand(self, frame: SnookerFrame) -> Decision:
         """Where to put the cue ball in hand, and what to play from there."""
         best: Decision | None = None
-        ranked = sorted(_places(frame), key=lambda pair: -self._glance(pair[1]))
+        ranked = sorted(places_in_hand(frame), key=lambda pair: -self._glance(pair[1]))
         for place, placed in ranked[:2]:
             if best is not None and self.clock.is_out():
                 break
@@ -288,7 +234,7 @@ class _Mind:
     def break_off(self, frame: SnookerFrame) -> Decision:
         """The break-off: a safe stroke at the pack from beside the yellow."""
         x, y = frame.nearest_place(MIDDLE + 0.6 * D_RADIUS, BAULK - 0.01)
-        placed = _moved(frame, x, y)
+        placed = moved(frame, x, y)
         view = self.view(placed)
         idea = ideas_of(placed)[0]
         safe = self.safe_stroke(view, idea, BREAK_SPEEDS)
@@ -338,55 +284,3 @@ def hand_of(stroke: Stroke, grade: SnookerGrade, seed: int) -> Stroke:
     return Stroke(
         *with_noise(np.array([stroke], dtype=np.float64), draw, grade.noise, BALL_RADIUS)[0].tolist()
     )
-
-
-def _moved(frame: SnookerFrame, x: float, y: float) -> SnookerFrame:
-    placed = frame.move_cue_ball(x, y)
-    assert isinstance(placed, SnookerFrame)
-    return placed
-
-
-def _places(frame: SnookerFrame) -> list[tuple[tuple[float, float], SnookerFrame]]:
-    """Places for the cue ball in hand: over the D, or over the table if it may go anywhere."""
-    if frame.game.in_hand == "anywhere":
-        asked = [(x * frame.table.width, y * frame.table.length)
-                 for x in (0.2, 0.35, 0.5, 0.65, 0.8) for y in (0.3, 0.5, 0.62, 0.7, 0.8, 0.88)]  # fmt: skip
-    else:
-        asked = [(MIDDLE + D_RADIUS * r * math.cos(a), BAULK + D_RADIUS * r * math.sin(a))
-                 for r in (0.35, 0.75, 1.0) for a in np.linspace(math.pi, 2.0 * math.pi, 7).tolist()]  # fmt: skip
-    found = []
-    for x, y in asked:
-        place = frame.nearest_place(x, y)
-        found.append((place, _moved(frame, *place)))
-    return found
-
-
-def _cheapest(frame: SnookerFrame, view: View) -> Idea:
-    """What a safe stroke is played at: what is on; of colours the one that is nearest."""
-    ideas = ideas_of(frame)
-    if frame.snooker.stage != "colour":
-        return ideas[0]
-    cue = view.places[view.board.cue]
-    numbers = frame.layout.numbers
-
-    def far(idea: Idea) -> float:
-        ball = idea.call.ball
-        return math.inf if ball is None else float(np.hypot(*(view.places[numbers.index(ball)] - cue)))
-
-    return min(ideas, key=far)
-
-
-def _strokes_at(view: View, first: int, speeds: tuple[float, ...]) -> Array:
-    """Strokes (m, 5) at the nearest balls on, thick and thin, and all around for what is hidden."""
-    cue_ball = view.places[view.board.cue]
-    rows = [ball for ball in range(view.board.count) if first >> ball & 1]
-    rows.sort(key=lambda ball: float(np.hypot(*(view.places[ball] - cue_ball))))
-    edges = rows[:SAFE_BALLS] + rows[SAFE_BALLS:][-2:]
-    thin: list[float] = []
-    for ball in edges:
-        dx, dy = view.places[ball] - cue_ball
-        half = math.asin(min(1.0, 2.0 * BALL_RADIUS / math.hypot(dx, dy)))
-        thin += (math.atan2(dy, dx) + half * SAFE_OFFSETS).tolist()
-    around = np.linspace(0.0, 2.0 * math.pi, ROUND, endpoint=False).tolist()
-    strokes = [(v, a, 0.0, left, 0.0) for a in thin for v in speeds for left in SAFE_LEFTS]
-    return np.array(strokes + [(v, a, 0.0, 0.0, 0.0) for a in around for v in speeds])

@@ -6,9 +6,10 @@ that falls by 5 to 15 rad/s each second, cushions of restitution 0.6 to 0.9. A h
 at the low end of friction; the cloth of a club is slower. The cushion is Han's (2005), who measured carom
 tables.
 
-Of snooker: restitution and friction of the cushion are those that Mathavan, Jackson and Parkin (2010) found on a
-snooker table, with their law of it; friction of cloth and balls, and the balls' restitution, those of their
-Numerical simulations of the frictional collisions of solid balls on a rough surface (2014), from memory.
+Of snooker: restitution and friction of the cushion are those that Mathavan, Jackson and Parkin (2010) found
+on a snooker table, with their law of it; friction of cloth and balls, and the balls' restitution, those of
+their Numerical simulations of the frictional collisions of solid balls on a rough surface (2014), from
+memory.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """What lies on a snooker table, and where: 15 reds, six colours, their spots, the baulk line and the D.
 
-Balls by number: 0 the cue ball, 1 to 15 the reds, 16 to 21 yellow, green, brown, blue, pink, black. Numbers such
-as 1.1(e) are those of the WPBSA's Official Rules of the Games of Snooker and Billiards (2019).
+Balls by number: 0 the cue ball, 1 to 15 the reds, 16 to 21 yellow, green, brown, blue, pink, black. Numbers
+such as 1.1(e) are those of the WPBSA's Official Rules of the Games of Snooker and Billiards (2019).
 
-The balls' mass is that of Mathavan, Jackson and Parkin (2010, A theoretical analysis of billiard ball dynamics
-under cushion impacts).
+The balls' mass is that of Mathavan, Jackson and Parkin (2010, A theoretical analysis of billiard ball
+dynamics under cushion impacts).
 """
 
 from __future__ import annotations

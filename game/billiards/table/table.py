@@ -47,7 +47,8 @@ POCKET_NAMES = ("lower left", "lower right", "middle left", "middle right", "upp
 class PocketCut(NamedTuple):
     """How the cushions are cut at a pocket, and its hole. mouth m: between the points in which the lines of
     noses and facings meet. facing rad: angle between nose and facing. jaw_radius m: of the rounding between
-    them. radius m: of the hole and the circle of capture; set_out m: its centre lies so far outside the rails.
+    them. radius m: of the hole and the circle of capture; set_out m: its centre lies so far outside the
+    rails.
     """
 
     mouth: float
@@ -62,9 +63,10 @@ POOL_CUTS = (
     PocketCut(CORNER_MOUTH, CORNER_FACING, CORNER_JAW_RADIUS, CORNER_RADIUS, CORNER_SET_OUT),
     PocketCut(SIDE_MOUTH, SIDE_FACING, SIDE_JAW_RADIUS, SIDE_RADIUS, SIDE_SET_OUT),
 )
-# The WPBSA's templates (1.1(c)) are not published. The openings, 3 3/8 and 3 7/8 inches, are usual ones, from memory;
-# the curves, and where the slate falls, are chosen so that a slow straight ball may brush the jaws and one that
-# comes fast or aslant may not: tests/billiards/table/test_snooker_pockets.py measures by how much.
+# The WPBSA's templates (1.1(c)) are not published. The openings, 3 3/8 and 3 7/8 inches, are usual ones,
+# from memory; the curves, and where the slate falls, are chosen so that a slow straight ball may brush the
+# jaws and one that comes fast or aslant may not: tests/billiards/table/test_snooker_pockets.py measures by
+# how much.
 SNOOKER_CUTS = (
     PocketCut(0.0857, math.radians(137.0), 0.060, 0.0425, 0.025),
     PocketCut(0.0984, math.radians(100.0), 0.040, 0.0500, 0.050),

@@ -1,7 +1,8 @@
-"""Where everything round the snooker table lies, in the world's metres, so that the hand finds it at every size.
+"""Where everything round the snooker table lies, in the world's metres, so that the hand finds it at every
+size.
 
-The picture is turned: x runs down and y to the right. Measures are design px of a table drawn with PIXELS to a
-metre; the frame has the sides of a window of 16 : 9.
+The picture is turned: x runs down and y to the right. Measures are design px of a table drawn with PIXELS
+to a metre; the frame has the sides of a window of 16 : 9.
 """
 
 from __future__ import annotations

@@ -37,10 +37,10 @@ class PlacedBall(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_onl
 class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw_only=True):
     """[content] of a level of snooker.
 
-    balls: where they lie; left out, all are set up for the break-off. spotted: colours on their spots besides.
-    after_red: a colour is on. free_ball: the striker has one. points: of both at the start. practice: one
-    player; drill: a break that a miss ends, one pot, or one ball on to be hit, again and again. saved: a
-    game under way, as msgspec writes it.
+    balls: where they lie; left out, all are set up for the break-off. spotted: colours on their spots
+    besides. after_red: a colour is on. free_ball: the striker has one. points: of both at the start.
+    practice: one player; drill: a break that a miss ends, one pot, or one ball on to be hit, again and
+    again. saved: a game under way, as msgspec writes it.
     """
 
     game: Literal["snooker", "six-red"] = "snooker"
@@ -56,12 +56,14 @@ class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw
 
 
 def game_of(content: SnookerContent, places: Places | None, lot: int) -> Snooker:
-    """The game that a level begins with. ValueError for a saved one that cannot be read, or a contradiction."""
+    """The game that a level begins with. ValueError for a saved one that cannot be read, or a
+    contradiction.
+    """
     if content.saved:
         return read_game(content.saved)
     alone = content.practice or bool(content.drill)
-    game = new_snooker(("Player",) if alone else tuple(content.players), 6 if content.game == "six-red" else 15,
-                       lot=lot)  # fmt: skip
+    players = ("Player",) if alone else tuple(content.players)
+    game = new_snooker(players, 6 if content.game == "six-red" else 15, lot=lot)
     if places is None:
         if content.after_red or content.free_ball or content.drill or any(content.points):
             raise ValueError("balls: give their places, if a frame is to begin in its midst")
@@ -108,8 +110,8 @@ def read_game(saved: dict[str, Any]) -> Snooker:
 
 
 def places_of(content: SnookerContent) -> Places | None:
-    """Where the balls of a level lie, m by number; None: as before the break-off. ValueError for a ball that is
-    there twice, outside or in another.
+    """Where the balls of a level lie, m by number; None: as before the break-off. ValueError for a ball
+    that is there twice, outside or in another.
     """
     if not content.balls and not content.spotted:
         return None

@@ -13,7 +13,9 @@ from game.stage import Readout
 
 
 def readouts(course: Course) -> tuple[Readout, ...]:
-    """Break, points left, energy (of motion along the cloth), speed of the cue ball, events, time of the shot."""
+    """Break, points left, energy (of motion along the cloth), speed of the cue ball, events, time of the
+    shot.
+    """
     game, played = course.model.game, course.model.played
     energy, speed, count, time = 0.0, 0.0, 0, 0.0
     if played is not None and course.phase in (ROLLING, REPLAY):

@@ -58,12 +58,13 @@ class SnookerState(NamedTuple):
 
 
 class SnookerScene(Scene):
-    """A twelve-foot table. Red and colour in turn, a red for 1 point, the colours for 2 to 7; when the reds are
-    gone, the colours in order. Who misses, sits down.
+    """A twelve-foot table. Red and colour in turn, a red for 1 point, the colours for 2 to 7; when the reds
+    are gone, the colours in order. Who misses, sits down.
 
     The rules are those of the World Professional Billiards and Snooker Association, with free ball, touching
-    ball, foul and a miss, and the black that is put back after a tie; in six-red snooker nobody may be snookered
-    behind a nominated colour. Every stroke is computed to its end by the exact table when the tip meets the ball.
+    ball, foul and a miss, and the black that is put back after a tie; in six-red snooker nobody may be
+    snookered behind a nominated colour. Every stroke is computed to its end by the exact table when the tip
+    meets the ball.
     """
 
     name, task, title = SNOOKER.names

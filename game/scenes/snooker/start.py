@@ -10,7 +10,8 @@ START = (
         "novice",
     ),
     StartLine(
-        "game", "Game", "how many reds there are", (("snooker", "15 reds"), ("six-red", "Six-red")), "snooker",
+        "game", "Game", "how many reds there are",
+        (("snooker", "15 reds"), ("six-red", "Six-red")), "snooker",
     ),
     StartLine(
         "best_of", "Best of", "frames of the match",

@@ -15,7 +15,9 @@ DISTANCE = 0.8  # m, of the ball from there
 
 
 def taken(corner: bool, speed: float, aslant: float) -> float:
-    """Width m of the strip, at the opening, in which a ball falls. aslant rad from straight into the pocket."""
+    """Width m of the strip, at the opening, in which a ball falls. aslant rad from straight into the
+    pocket.
+    """
     opening = np.array((0.0, 0.0 if corner else 0.5 * 3.569))
     angle = (0.25 * math.pi if corner else 0.0) + aslant
     along = np.array((math.cos(angle), math.sin(angle)))

@@ -107,8 +107,8 @@ def _curve_distance(start: Point, end: Point, curves: Discs) -> float:
 
 
 def snookered(places: Places, on: tuple[int, ...], curves: Discs = ()) -> bool:
-    """True if the cue ball is snookered (2.17): both extreme edges of no ball on can be hit. Without a cue ball
-    it is in hand, and snookered only if it is from everywhere in the D (2.17(a)).
+    """True if the cue ball is snookered (2.17): both extreme edges of no ball on can be hit. Without a cue
+    ball it is in hand, and snookered only if it is from everywhere in the D (2.17(a)).
     """
     on = tuple(ball for ball in on if ball in places)
     if not on:

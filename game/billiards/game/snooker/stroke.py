@@ -1,4 +1,5 @@
-"""A stroke of snooker as the referee sees it: what was on, what was hit, which fouls it had and what they cost.
+"""A stroke of snooker as the referee sees it: what was on, what was hit, which fouls it had and what they
+cost.
 
 Numbers are those of the WPBSA's Official Rules of the Games of Snooker and Billiards (2019).
 """

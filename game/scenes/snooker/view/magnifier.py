@@ -30,8 +30,8 @@ def magnifies(chosen: str, canvas: Canvas) -> bool:
 def box_beside(
     cue_ball: tuple[float, float], ghost: tuple[float, float], places: list[tuple[float, float]]
 ) -> Box:
-    """Where the magnifier lies: in the corner of the bed nearest to the cue ball that hides neither it nor the
-    contact, and few balls.
+    """Where the magnifier lies: in the corner of the bed nearest to the cue ball that hides neither it nor
+    the contact, and few balls.
     """
     best, worth = None, -math.inf
     for top in (EDGE, SNOOKER_WIDTH - SIDE - EDGE):

@@ -214,7 +214,8 @@ def test_the_free_ball_must_be_hit_first_or_with_the_ball_on():
 
 def test_nobody_may_be_snookered_behind_the_free_ball():
     rest = {0: (0.889, 2.0), 1: (0.889, 3.4), YELLOW: (0.889, 2.2),
-            **{ball: SPOTS[ball] for ball in (GREEN, BROWN, BLUE)}, PINK: (0.3, 0.4), BLACK: (1.4, 0.4)}  # fmt: skip
+            GREEN: SPOTS[GREEN], BROWN: SPOTS[BROWN], BLUE: SPOTS[BLUE], PINK: (0.3, 0.4),
+            BLACK: (1.4, 0.4)}  # fmt: skip
     state = game(on_table=(1, *ALL), free_ball=True)
     verdict = state.judge(shot(YELLOW, rest=rest), Call(YELLOW))
     assert [foul.kind for foul in verdict.fouls] == ["behind the ball"] and verdict.game.points == (0, 4)
@@ -374,7 +375,8 @@ def test_six_red_begins_with_six():
 
 def test_six_red_nobody_is_snookered_behind_a_nominated_colour():
     rest = {0: (0.889, 2.0), 1: (0.889, 3.4), YELLOW: (0.889, 2.2),
-            **{ball: SPOTS[ball] for ball in (GREEN, BROWN, BLUE)}, PINK: (0.3, 0.4), BLACK: (1.4, 0.4)}  # fmt: skip
+            GREEN: SPOTS[GREEN], BROWN: SPOTS[BROWN], BLUE: SPOTS[BLUE], PINK: (0.3, 0.4),
+            BLACK: (1.4, 0.4)}  # fmt: skip
     state = game(on_table=(1, *ALL), stage="colour")
     assert state.judge(shot(YELLOW, rest=rest), Call(YELLOW)).legal
     six = msgspec.structs.replace(state, reds=6)
