@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL, Call
 from game.billiards.shot.cue import speed_ratio
 from game.billiards.table.aim import first_contact
@@ -236,11 +237,11 @@ class Course(Part):
             self.cue.data[1:3] = 0.0
             self.start_phase(AIMING)
             return
-        taken = self.model.frame
+        taken: Frame = self.model.frame
         if taken.earlier is None:
             self.messages.say("Nothing to undo. No stroke has been played.")
             return
-        while taken.earlier is not None:  # type: ignore[unreachable]
+        while taken.earlier is not None:
             taken = taken.earlier
             if self.grade_of(taken.game.turn) == PERSON or self.plays_itself:
                 break

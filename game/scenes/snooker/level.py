@@ -40,7 +40,7 @@ class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw
     balls: where they lie; left out, all are set up for the break-off. spotted: colours on their spots
     besides. after_red: a colour is on. free_ball: the striker has one. points: of both at the start.
     practice: one player; drill: a break that a miss ends, one pot, or one ball on to be hit, again and
-    again. saved: a game under way, as msgspec writes it.
+    again. saved: a game under way, as msgspec writes it; put_back: where the balls lay before a miss in it.
     """
 
     game: Literal["snooker", "six-red"] = "snooker"
@@ -53,6 +53,7 @@ class SnookerContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, kw
     practice: bool = False
     drill: Literal["", "break", "pot", "escape"] = ""
     saved: dict[str, Any] = {}
+    put_back: Annotated[list[PlacedBall], msgspec.Meta(max_length=22)] = []
 
 
 def game_of(content: SnookerContent, places: Places | None, lot: int) -> Snooker:

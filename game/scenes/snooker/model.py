@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame, Played, Struck
 from game.billiards.game.rules import Call, Verdict
-from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame
+from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
 from game.billiards.game.snooker.rules import Snooker
 from game.billiards.shot.cloths import SNOOKER_CLOTH
 from game.billiards.shot.shot import Physics
@@ -50,7 +50,9 @@ class SnookerModel(Part):
 
     def _begin(self, table: Table, physics: Physics) -> SnookerFrame:
         game, places = begun(self.content, self.seed_of_lots)
-        return new_snooker_frame(self._set(game), places, table, physics)
+        frame = new_snooker_frame(self._set(game), places, table, physics)
+        before = {ball.number: ball.position for ball in self.content.put_back}
+        return self._as_snooker(frame.replace(put_back=snooker_layout(before) if before else None))
 
     def _set(self, game: Snooker) -> Snooker:
         """The game with what the parameters say of it."""

@@ -13,8 +13,16 @@ def content_of(model: SnookerModel) -> SnookerContent:
     balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in model.frame.layout.places]
     return SnookerContent(
         game=model.content.game, players=model.content.players, balls=balls, practice=model.content.practice,
-        drill=model.content.drill, saved=msgspec.to_builtins(model.game),
+        drill=model.content.drill, saved=msgspec.to_builtins(model.game), put_back=_put_back(model),
     )  # fmt: skip
+
+
+def _put_back(model: SnookerModel) -> list[PlacedBall]:
+    """Where the balls lay before a miss that may have to be played again."""
+    before = model.frame.before_miss if model.game.before is not None else None
+    if before is None:
+        return []
+    return [PlacedBall(number=number, position=(x, y)) for number, x, y in before.places]
 
 
 def worth_keeping(model: SnookerModel, plays_itself: bool) -> object:

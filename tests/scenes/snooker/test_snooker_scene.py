@@ -27,6 +27,8 @@ AFTER_RED = f"""{COLOURS}after_red = true
 balls = [{{ number = 0, position = [0.4, 2.3] }}, {{ number = 1, position = [1.5, 1.2] }}]
 """
 
+RED_BEYOND = AFTER_RED.replace("after_red = true\n", "")
+
 
 def strike(stage, aim, power=2.0, **set_up):
     """Play a stroke by hand, to its end."""
@@ -102,9 +104,7 @@ def test_aimed_at_a_cushion_a_colour_must_be_nominated_by_hand():
 
 
 def test_a_foul_is_foretold_and_what_follows_is_said_first():
-    stage = level_of(
-        COLOURS + "balls = [{ number = 0, position = [0.4, 2.3] }, { number = 1, position = [1.5, 1.2] }]\n"
-    )
+    stage = level_of(RED_BEYOND)
     course = stage.scene.course
     assert foul_to_come(course, BLUE) == "foul: a red is on" and foul_to_come(course, 1) == ""
     strike(stage, aim_at(stage, BLUE), 1.5)
@@ -113,9 +113,7 @@ def test_a_foul_is_foretold_and_what_follows_is_said_first():
 
 
 def test_options_after_a_miss_by_buttons_and_put_back_exactly():
-    stage = level_of(
-        COLOURS + "balls = [{ number = 0, position = [0.4, 2.3] }, { number = 1, position = [1.5, 1.2] }]\n"
-    )
+    stage = level_of(RED_BEYOND)
     before = stage.scene.model.frame.layout.places
     strike(stage, aim_at(stage, BLUE), 1.5)
     options = stage.scene.model.game.options
@@ -221,6 +219,20 @@ def test_what_is_saved_is_read_again():
     second = Stage(SnookerScene, level=parse_level(text, "snooker", SnookerScene.content_type))
     assert second.scene.model.game == stage.scene.model.game
     assert second.scene.model.frame.layout.places == stage.scene.model.frame.layout.places
+
+
+def test_a_miss_that_was_saved_can_still_be_put_back():
+    stage = level_of(RED_BEYOND)
+    before = stage.scene.model.frame.layout.places
+    strike(stage, aim_at(stage, BLUE), 1.5)
+    text = format_level(Level(scene="snooker", content=stage.scene.save_content()))
+    second = Stage(SnookerScene, level=parse_level(text, "snooker", SnookerScene.content_type))
+    again = second.scene.save_content()
+    assert again == stage.scene.save_content() and again.put_back
+    second.post(Action("third"))
+    seconds(second, 0.02)
+    assert second.scene.model.frame.layout.places == before and second.scene.model.game.turn == 0
+    assert not second.scene.save_content().put_back
 
 
 @pytest.mark.parametrize("path", list(level_files("snooker")), ids=lambda path: path.stem)

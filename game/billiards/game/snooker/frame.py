@@ -37,7 +37,16 @@ FINE_EDGE = math.radians(75.0)  # a cut so thin is the fine edge that 2.19(b) le
 
 
 class SnookerFrame(Frame, frozen=True, eq=False):
-    """A frame whose game is a `Snooker`."""
+    """A frame whose game is a `Snooker`. put_back: where the balls lay before a miss that was read from a
+    file, and so has no last stroke.
+    """
+
+    put_back: Arrangement | None = None
+
+    @property
+    def before_miss(self) -> Arrangement | None:
+        """Where the balls lay before the last stroke."""
+        return self.last.frame.layout if self.last is not None else self.put_back
 
     @property
     def snooker(self) -> Snooker:
@@ -110,9 +119,9 @@ class SnookerFrame(Frame, frozen=True, eq=False):
     def choose(self, name: str, seed: int | None = None) -> Frame:
         """The frame after a choice; with `REPLAY` the balls lie as they did before the miss (3.14(a))."""
         following = super().choose(name, seed)
-        if name == REPLAY.name and self.last is not None:
-            return following.replace(layout=self.last.frame.layout)
-        return following
+        if name == REPLAY.name and self.before_miss is not None:
+            following = following.replace(layout=self.before_miss)
+        return following.replace(put_back=None)
 
     def ruled(self, verdict: Verdict) -> SnookerFrame:
         """The frame after what no stroke brought about: a concession, a claim, a restart."""

@@ -111,8 +111,8 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
         )  # fmt: skip
         if not after.on_table:
             return after._frame_ends((), scored)
-        words = f"{points} for {self.shooter}: a break of {run}."
-        return Verdict(after, (), scored, (words, after.on_sentence()))
+        said = f"{points} for {self.shooter}: a break of {run}."
+        return Verdict(after, (), scored, (said, after.on_sentence()))
 
     def _drilled(self, verdict: Verdict, scored: bool) -> Verdict:
         """A drill's attempt is over: with a miss, with a single stroke, or with the table cleared."""
@@ -152,8 +152,8 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
         why = tuple(foul.words for foul in fouls)
         if len(self.players) == 1:
             after = self._to_play(0)
-            lead = (f"Foul: {points} away. Play on.", *why)
-            return self._drilled(Verdict(after, fouls, (), lead, spot), False)
+            said = (f"Foul: {points} away. Play on.", *why)
+            return self._drilled(Verdict(after, fouls, (), said, spot), False)
         gains = _with(self.points, self.other, self.points[self.other] + points)
         after = msgspec.structs.replace(self._to_play(self.other), points=gains)
         if was.stage == "order" and was.on_table == (BLACK,):
