@@ -184,7 +184,9 @@ class _Mind:
         """The stroke at a ball on after which the other has least, under noise; an escape if none is open."""
         strokes = safe_strokes(view, idea.aims.first, speeds)
         outcomes = view.board.play(strokes, self.pool)
-        best = np.argsort(-self.values(view, idea, outcomes)[0], kind="stable")[: self.grade.safe]
+        first, kinds = self.values(view, idea, outcomes)
+        first = np.where(kinds == SCORED, -np.inf, first)  # a fluke, which no hand repeats
+        best = np.argsort(-first, kind="stable")[: self.grade.safe]
         draws = self.draws[: max(self.grade.effort.samples, 8)]
         noisy = with_noise(strokes[best], draws, view.noise, view.board.radius)
         values, kinds = self.values(view, idea, view.board.play(noisy, self.pool))

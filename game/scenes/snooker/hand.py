@@ -33,7 +33,7 @@ class SnookerHand(Part):
         course, game = self.course, self.course.model.game
         rows = [("undo", "Undo", False), ("replay", "Replay", course.phase == REPLAY),
                 ("view", GUIDE_BUTTONS[course.guide], False)]  # fmt: skip
-        if len(game.players) == 2 and not game.over:
+        if len(game.players) == 2 and not game.over and course.person_plays:
             claims = game.may_claim and not game.options
             sure = course.asked == course.model.word
             rows.append(("concede", "Claim" if claims else "Sure?" if sure else "Concede", claims or sure))

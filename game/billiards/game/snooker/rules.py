@@ -42,9 +42,9 @@ QUIET = 12  # strokes without a point; then a restart can be agreed upon (3.16 l
 
 PLAY = Option("play", "Play from here.")
 FREE = Option("play", "Play from here, with a free ball.")
-AGAIN = Option("again", "Let the other play again from here.")
-REPLAY = Option("replay", "Have the balls put back, the other plays again.")
-ANYWHERE = Option("anywhere", "Put the cue ball anywhere and play.")
+AGAIN = Option("again", "Let the other play again.")
+REPLAY = Option("replay", "Put the balls back: again.")
+ANYWHERE = Option("anywhere", "Play, the cue ball anywhere.")
 GO_FIRST = Option("first", "Play first at the black.")
 GO_SECOND = Option("second", "Let the other play first.")
 

@@ -61,7 +61,8 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
         draw_disc(picture, place, px(15), FELT_GREEN)
         picture.blit(_chip(look, standing.chip), _chip(look, standing.chip).get_rect(center=place))
     at = middle - px(24)
-    look.text(picture, standing.on, (at, 0.5 * height - px(9)), 13, "semibold", "text1")
+    on = look.fonts.fit(standing.on, 13, "semibold", round(right - px(6) - at))
+    look.text(picture, on, (at, 0.5 * height - px(9)), 13, "semibold", "text1")
     look.text(picture, standing.left, (at, 0.5 * height + px(10)), 12, "medium", "text2")
     return picture
 

@@ -76,9 +76,9 @@ def _on(course: Course) -> tuple[int | None, str]:
     ball = course.call.ball if course.may_aim else None
     if game.free_ball:
         free = ball if ball is not None and ball not in game.balls_on() else None
-        return (free, "free ball") if free is not None else (game.balls_on()[0], "free ball, or on")
+        return (free, "free ball") if free is not None else (game.balls_on()[0], "free ball")
     if game.stage == "colour":
-        return (ball, "nominated") if ball is not None else (None, "nominate a colour")
+        return (ball, "nominated") if ball is not None else (None, "a colour on")
     return game.balls_on()[0], f"{name_of(game.balls_on()[0])} on"
 
 
@@ -137,6 +137,8 @@ def line_of(course: Course) -> Line:
     if frame.words:
         lead, *why = frame.words
         return Line(lead, " ".join(why), frame.foul)
+    if game.options:
+        return Line(f"{game.shooter} chooses.", "A free ball." if game.free_ball else "")
     if not course.person_plays or game.over:
         return Line("")
     if game.in_hand:
