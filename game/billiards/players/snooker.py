@@ -25,13 +25,14 @@ from game.billiards.players.snooker_ideas import (
     moved,
     places_in_hand,
     safe_strokes,
+    strokes_all_around,
 )
 from game.billiards.search.candidates import CHANCE
 from game.billiards.search.finding import DRAWS, FoundShot, named_shots, processors, thread_pool
 from game.billiards.search.looking import Effort, look
 from game.billiards.search.next_pot import best_chances
 from game.billiards.search.outcomes import SCRATCH, Outcomes
-from game.billiards.search.rating import FOULED, SCORED
+from game.billiards.search.rating import FOULED, MISSED, SCORED
 from game.billiards.search.strokes import Board, Noise, draw_noise, with_noise
 from game.billiards.search.view import Clock, View
 from game.billiards.table.snooker import BALL_RADIUS, BAULK, D_RADIUS, MIDDLE
@@ -46,6 +47,7 @@ GOOD, POOR = 0.5, 0.2  # chances of the best pot: worth playing for, and better 
 COLOURS_TRIED = 3  # of those that can be nominated, the likeliest
 HOPELESS = 5  # fouls that a player would need; it concedes once all reds are gone
 SAFE_SPEEDS = (0.5, 0.9, 1.4, 2.0, 2.8)  # m/s of the cue
+FEWEST_OPEN = 8  # strokes straight at balls on that are no foul; with fewer, all directions are tried
 BREAK_SPEEDS = (1.8, 2.2, 2.6, 3.0)  # m/s of the cue
 SHOWN = 6
 
@@ -183,8 +185,12 @@ class _Mind:
     def safe_stroke(self, view: View, idea: Idea, speeds: tuple[float, ...] = SAFE_SPEEDS) -> Safe:
         """The stroke at a ball on after which the other has least, under noise; an escape if none is open."""
         strokes = safe_strokes(view, idea.aims.first, speeds)
-        outcomes = view.board.play(strokes, self.pool)
-        first, kinds = self.values(view, idea, outcomes)
+        first, kinds = self.values(view, idea, view.board.play(strokes, self.pool))
+        if int((kinds == MISSED).sum()) < FEWEST_OPEN:
+            more = strokes_all_around(speeds)
+            found = self.values(view, idea, view.board.play(more, self.pool))
+            strokes = np.concatenate([strokes, more])
+            first, kinds = np.concatenate([first, found[0]]), np.concatenate([kinds, found[1]])
         first = np.where(kinds == SCORED, -np.inf, first)  # a fluke, which no hand repeats
         best = np.argsort(-first, kind="stable")[: self.grade.safe]
         draws = self.draws[: max(self.grade.effort.samples, 8)]

@@ -119,16 +119,20 @@ def idea_for_safety(frame: SnookerFrame, view: View) -> Idea:
 
 
 def safe_strokes(view: View, first: int, speeds: tuple[float, ...]) -> Array:
-    """Strokes (m, 5) at the nearest balls on, thick and thin, and all around for what is hidden."""
+    """Strokes (m, 5) at the nearest balls on, and the last ones, thick and thin. first: of `Aims`."""
     cue_ball = view.places[view.board.cue]
     rows = [ball for ball in range(view.board.count) if first >> ball & 1]
     rows.sort(key=lambda ball: float(np.hypot(*(view.places[ball] - cue_ball))))
-    edges = rows[:SAFE_BALLS] + rows[SAFE_BALLS:][-2:]
     thin: list[float] = []
-    for ball in edges:
+    for ball in rows[:SAFE_BALLS] + rows[SAFE_BALLS:][-2:]:
         dx, dy = view.places[ball] - cue_ball
         half = math.asin(min(1.0, 2.0 * BALL_RADIUS / math.hypot(dx, dy)))
         thin += (math.atan2(dy, dx) + half * SAFE_OFFSETS).tolist()
-    around = np.linspace(0.0, 2.0 * math.pi, ROUND, endpoint=False).tolist()
     strokes = [(v, a, 0.0, left, 0.0) for a in thin for v in speeds for left in SAFE_LEFTS]
-    return np.array(strokes + [(v, a, 0.0, 0.0, 0.0) for a in around for v in speeds])
+    return np.array(strokes).reshape(-1, 5)
+
+
+def strokes_all_around(speeds: tuple[float, ...]) -> Array:
+    """Strokes (m, 5) in every direction, for what is hidden."""
+    around = np.linspace(0.0, 2.0 * math.pi, ROUND, endpoint=False).tolist()
+    return np.array([(v, a, 0.0, 0.0, 0.0) for a in around for v in speeds])

@@ -62,7 +62,9 @@ def test_the_same_is_decided_for_the_same_seed():
     frame = lying(game(), {0: (0.3, 1.5), 1: (0.5, 2.9), **ALL})
     first, second = (decide_snooker(frame, SMALL, 5, threads=1) for _ in range(2))
     assert first.stroke == second.stroke and first.call == second.call
-    assert hand_of(first.stroke, SMALL, 1) == hand_of(first.stroke, SMALL, 1) != hand_of(first.stroke, SMALL, 2)
+    assert (
+        hand_of(first.stroke, SMALL, 1) == hand_of(first.stroke, SMALL, 1) != hand_of(first.stroke, SMALL, 2)
+    )
 
 
 def test_a_player_plays_away_from_a_touching_ball():
@@ -116,6 +118,7 @@ def test_stronger_grades_have_steadier_hands():
     assert noises == sorted(noises, reverse=True) and len(noises) == 4
     meant = Stroke(2.0, 1.0)
     off = [
-        np.std([hand_of(meant, grade, seed).azimuth for seed in range(60)]) for grade in SNOOKER_GRADES.values()
+        np.std([hand_of(meant, grade, seed).azimuth for seed in range(60)])
+        for grade in SNOOKER_GRADES.values()
     ]
     assert off == sorted(off, reverse=True)
