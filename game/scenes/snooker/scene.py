@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import Call
 from game.billiards.shot_effects import EXACT_EFFECTS
+from game.lab.studies.billiards.long_pot import long_pot_study
 from game.levels import Level
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
@@ -71,6 +72,7 @@ class SnookerScene(Scene):
     parameters_type = SnookerParameters
     parameters: SnookerParameters
     effects = EXACT_EFFECTS
+    study = long_pot_study
     covers = True
     quarter_turns = 1
     takes = frozenset(("wheel", "right"))
