@@ -178,7 +178,7 @@ class Snooker(SnookerStanding, frozen=True, kw_only=True, tag="snooker"):
         """What the player who comes to the table after a foul may choose (3.12, 3.13, 3.14(a))."""
         options = [FREE if self.free_ball else PLAY, AGAIN]
         if missed and self.six_red and self.misses >= MOST_SIX_RED:
-            return (*options, *(() if self.excused else (ANYWHERE,)))
+            return (*options, ANYWHERE)  # where snookers are needed no miss is called, and so none counts
         return (*options, REPLAY) if missed else tuple(options)
 
     def _warnings(self) -> tuple[str, ...]:

@@ -200,6 +200,7 @@ def test_free_ball_and_ball_on_down_together():
     assert both.game.points == (2, 0)  # 3.12(f): each, where red is on
     both = order(BLUE, PINK, BLACK, free_ball=True).judge(shot(PINK, down=(PINK, BLUE)), Call(PINK))
     assert both.game.points == (5, 0) and both.spot == (PINK,)  # else the ball on alone
+    assert both.scored == (BLUE,)
     assert both.game.on_table == (PINK, BLACK)
 
 
@@ -277,6 +278,7 @@ def test_no_miss_is_called_where_a_player_needs_snookers():
         assert not missed(game(points=points)).game.misses
     assert not missed(game(points=(0, 40))).game.misses  # needed as a result of the stroke
     assert missed(game(points=(0, 38))).game.misses
+    assert game(points=(0, 43)).excused and not game(points=(0, 42)).excused
 
 
 def test_after_a_miss_another_one_is_called_whatever_the_scores():

@@ -32,7 +32,7 @@ def test_one_hidden_edge_is_a_snooker_but_part_of_the_ball_can_be_hit():
 
 def test_balls_on_hide_nothing_and_one_open_ball_is_enough():
     places = {0: (0.9, 1.0), 1: (0.9, 3.0), 2: (0.9, 1.5)}
-    assert not snookered(places, (1, 2))
+    assert not snookered(places, (1, 2)) and obstructions(places, (1, 2), 1) == ()
     places = {0: (0.9, 1.0), 1: (0.9, 3.0), BLUE: (0.9, 1.5), 2: (0.2, 1.0)}
     assert not snookered(places, (1, 2)) and snookered(places, (1,))
 
@@ -55,6 +55,8 @@ def test_a_curved_cushion_that_is_nearer_than_the_ball_is_no_snooker():
 def test_a_touching_ball_on_is_not_hidden():
     places = {0: (0.9, 1.0), 1: (0.9 + 2.0 * R, 1.0), BLUE: (0.9, 1.0 + 2.0 * R)}
     assert not snookered(places, (1,))
+    nearly = {0: (0.9, 1.0), 1: (0.9 + 2.0 * R + 5e-5, 1.0), BLUE: (0.9, 1.0 + 2.0 * R + 1e-3)}
+    assert not snookered(nearly, (1,))
     away = {0: (0.9, 1.0), 1: (0.2, 1.0), BLUE: (0.9 + 2.0 * R, 1.0)}
     assert not snookered(away, (1,))  # a touching ball behind hides nothing
 
