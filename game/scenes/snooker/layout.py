@@ -32,7 +32,10 @@ FRAME = Frame(TABLE.top - ROW, TABLE.left - SIDE, TABLE.bottom + ROW, TABLE.righ
 BOARD = Box(TABLE.top - ROW + metres(6.0), TABLE.left, TABLE.top - metres(5.0), TABLE.right)
 FOOT = Box(TABLE.bottom + metres(2.0), TABLE.left, TABLE.bottom + metres(29.0), TABLE.right)
 
-CARD, CARD_FROM = 358.0, 150.0  # design px: width of a player's card, and where it begins
+CARD, CARD_FROM = (
+    296.0,
+    146.0,
+)  # design px: width of a card, and of what lies beside both: title, window's bar
 ASKED = 300.0  # design px: width of the words before the options
 LEFT_MIDDLE, RIGHT_MIDDLE = TABLE.left - 0.5 * SIDE, TABLE.right + 0.5 * SIDE
 POWER = Box(TABLE.top, TABLE.left - SIDE, TABLE.bottom, TABLE.left - metres(4.0))
@@ -64,7 +67,7 @@ def option_box(row: int, count: int) -> Box:
 def card_box(player: int) -> Box:
     """The card of a player on the score board."""
     width = metres(CARD)
-    left = BOARD.left + metres(CARD_FROM) if player == 0 else BOARD.right - width
+    left = BOARD.left + metres(CARD_FROM) if player == 0 else BOARD.right - metres(CARD_FROM) - width
     return Box(BOARD.top, left, BOARD.bottom, left + width)
 
 

@@ -44,7 +44,7 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
     look.text(picture, standing.title, (px(4), 0.5 * height - px(10)), 15, "semibold", "text1")
     look.text(picture, standing.under, (px(4), 0.5 * height + px(10)), 12, "medium", "text3")
     width, left = px(layout.CARD), px(layout.CARD_FROM)
-    boxes = [pygame.Rect(left, 0, width, height), pygame.Rect(size[0] - width, 0, width, height)]
+    boxes = [pygame.Rect(left, 0, width, height), pygame.Rect(size[0] - left - width, 0, width, height)]
     for player, card in enumerate(standing.cards):
         _draw_card(picture, boxes[player], card, player, look)
     right = boxes[1].left if len(standing.cards) == 2 else size[0]
@@ -63,7 +63,8 @@ def _board_picture(standing: Standing, size: tuple[int, int], look: Look) -> pyg
     at = middle - px(24)
     on = look.fonts.fit(standing.on, 13, "semibold", round(right - px(6) - at))
     look.text(picture, on, (at, 0.5 * height - px(9)), 13, "semibold", "text1")
-    look.text(picture, standing.left, (at, 0.5 * height + px(10)), 12, "medium", "text2")
+    points = look.fonts.fit(standing.left, 12, "medium", round(right - px(6) - at))
+    look.text(picture, points, (at, 0.5 * height + px(10)), 12, "medium", "text2")
     return picture
 
 
