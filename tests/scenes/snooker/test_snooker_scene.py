@@ -154,7 +154,7 @@ def test_a_concession_is_asked_once_and_a_claim_is_not():
 def test_the_board_says_what_is_on_what_is_left_and_who_needs_snookers():
     stage = open_level("hard-03-snookers-needed")
     board = standing_of(stage.scene.course, stage.scene.opponents.thinker, "")
-    assert board.on == "brown on" and board.left == "22 points left" and board.chip == BROWN
+    assert board.on == "brown on" and board.left == "22 left" and board.chip == BROWN
     assert "needs 2 snookers" in board.cards[0].status and "needs" not in board.cards[1].status
     assert (board.cards[0].points, board.cards[1].points) == ("38", "68")
 
