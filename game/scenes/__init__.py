@@ -22,6 +22,7 @@ from game.scenes import (
     real_table,
     rigid_body,
     skeletons,
+    snooker,
     solids,
     spheres,
     springs,
@@ -35,6 +36,7 @@ CATALOGUE = Catalogue(
     (
         *billiards.ENTRIES,
         *carom.ENTRIES,
+        *snooker.ENTRIES,
         *two_balls.ENTRIES,
         *lecture_table.ENTRIES,
         *three_tables.ENTRIES,

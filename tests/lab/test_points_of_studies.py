@@ -26,6 +26,7 @@ ELSEWHERE = {
     "c08": {"principal"},
     "p22": {"random"},
     "carom-chances": {"stepped", "lecture"},
+    "snooker-long-pot": {"geometry"},
 }
 # what is turned is nothing that the scene has, so that it has no place among the points
 NO_PLACE = {"c02-joints", "c01", "c01-uneven", "bounds-gap", "solver-race"}

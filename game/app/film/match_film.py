@@ -20,8 +20,8 @@ from game.billiards.shot.trajectory import rotation_matrices
 from game.billiards.table.table import CUSHION_DEPTH, Table
 from game.levels import Level
 from game.scenes.billiards.layout import pocket_words
-from game.scenes.billiards.view.balls import FALL_S
 from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.shared.tables.rolling import FALL_S
 from game.scenes.shared.tables.sounds import sounds_of
 from game.scenes.shared.tables.view import WOOD, Balls, draw_balls
 from game.stage import Frame, Hearing, Readout, Scene, Sound

@@ -142,7 +142,7 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         before, _, call = self.last
         trajectory = trajectory_of(self.last)
         summary = summarize(trajectory)
-        verdict = before.game.judge(summary, call)
+        verdict = before.judged(trajectory, summary, call)
         layout = before._layout_after(verdict, after_shot(before.layout, summary), None)
         following = self._following(verdict, layout)
         tallies = list(self.tallies)
@@ -151,6 +151,10 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         if worth > 0.0 and (self.best is None or worth >= self.best.merit):
             following = following.replace(best=BestStroke(self.last, summary, worth))
         return Played(trajectory, summary, verdict, following.replace(tallies=(tallies[0], tallies[1])))
+
+    def judged(self, trajectory: Trajectory, summary: ShotSummary, call: Call) -> Verdict:
+        """What the game says of a stroke that was played from this frame."""
+        return self.game.judge(summary, call)
 
     def choose(self, name: str, seed: int | None = None) -> Frame:
         """The frame after the player at turn has chosen an option; ValueError if there is no such option.

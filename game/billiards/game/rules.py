@@ -19,7 +19,7 @@ CUE_BALL = 0
 NEEDED_AT_BREAK = 4  # object balls that reach a cushion, if none goes down (2.3, 3.3)
 MOST_FOULS = 3  # in a row lose a rack of nine-ball (2.8)
 
-Hand = Literal["", "behind the line", "anywhere"]
+Hand = Literal["", "behind the line", "anywhere", "in the D"]
 
 
 class Pocketing(NamedTuple):

@@ -1,10 +1,15 @@
-"""Conditions of carom tables: what cloth and cushions do to the balls.
+"""Conditions of carom and snooker tables: what cloth and cushions do to the balls.
 
 Numbers lie within the ranges that Alciatore gives for billiard equipment ("Physical properties", billiards.
 colostate.edu): sliding friction 0.15 to 0.4, rolling resistance 0.005 to 0.015, a spin about the vertical
 that falls by 5 to 15 rad/s each second, cushions of restitution 0.6 to 0.9. A heated cloth is dry and fast,
 at the low end of friction; the cloth of a club is slower. The cushion is Han's (2005), who measured carom
 tables.
+
+Of snooker: restitution and friction of the cushion are those that Mathavan, Jackson and Parkin (2010) found
+on a snooker table, with their law of it; friction of cloth and balls, and the balls' restitution, those of
+their Numerical simulations of the frictional collisions of solid balls on a rough surface (2014), from
+memory.
 """
 
 from __future__ import annotations
@@ -21,3 +26,8 @@ CLOTHS: dict[str, Physics] = {
     ),
 }  # fmt: skip
 CLOTH_LABELS = {HEATED: "Heated cloth", CLUB: "Club cloth"}
+
+SNOOKER_CLOTH = Physics(
+    cushion="mathavan-2010", sliding=0.21, rolling=0.01, ball_restitution=0.89,
+    cushion_friction=0.14, cushion_restitution=0.98,
+)  # fmt: skip

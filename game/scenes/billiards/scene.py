@@ -30,8 +30,8 @@ from game.scenes.billiards.readouts import readouts
 from game.scenes.billiards.sounds import StrokeSounds
 from game.scenes.billiards.stroke.aiming import Aiming
 from game.scenes.billiards.stroke.motion import warm_ups as cue_warm_ups
-from game.scenes.billiards.stroke.odds import warm_up as warm_up_odds
 from game.scenes.billiards.view.picture import BilliardsView
+from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
 from game.stage import (
     Action,

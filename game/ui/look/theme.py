@@ -29,12 +29,14 @@ __all__ = [
     "FELT",
     "FELT_BLUE",
     "FELT_COOL",
+    "FELT_GREEN",
     "FELT_LINE",
     "FELT_WARM",
     "INLAY",
     "LIGHT",
     "POCKET_RING",
     "SERIES",
+    "SNOOKER_COLORS",
     "THEMES",
     "WOOD_DARK",
     "WOOD_LIGHT",
@@ -204,6 +206,7 @@ THEMES = {theme.name: theme for theme in (DARK, LIGHT)}
 
 # The billiard table keeps its colours in both themes.
 FELT = Color("#1E6E66")
+FELT_GREEN = Color("#1F6444")  # of snooker
 FELT_BLUE = Color("#1F4F80")  # of carom; the three inks are legible on it too
 FELT_LINE = Color("#F4EDE0")  # on felt only these three are legible: 5.2 to 1,
 FELT_WARM = Color("#FFC05A")  # 3.7,
@@ -226,6 +229,9 @@ BALL_COLORS = (
 
 
 CAROM_COLORS = (CUE_BALL, Color("#F3BE2C"), Color("#BE1E16"))  # white, yellow, red
+SNOOKER_COLORS = tuple(
+    Color("#" + c) for c in ("BE1A1C", "F4C62F", "12924E", "7A431F", "1F63CC", "F193AB", "17191D")
+)  # red, yellow, green, brown, blue, pink, black
 CAROM_SPOT = Color("#F1DCC8")  # of the red ball; the others have those of a cue ball
 
 

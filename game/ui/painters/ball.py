@@ -58,6 +58,8 @@ def _digit(texture: Any, number: int, x: float, y: float) -> float:
 def _resin(texture: Any, number: int, x: float, y: float, z: float, px: float) -> Any:
     """Colour in linear light of the resin at a unit vector of the ball's frame; ``px`` pixels a radius."""
     red, green, blue = look.BASE[number, 0], look.BASE[number, 1], look.BASE[number, 2]
+    if number >= look.SNOOKER_RED:
+        return red, green, blue
     if number == 0 or number >= look.NUMBERS:
         red_ball = number == look.CAROM_RED
         ink_red = look.RED_BALL_INK[0] if red_ball else look.SPOT_INK[0]

@@ -12,7 +12,14 @@ import numpy as np
 import pygame
 
 from game.ui.look.assets import asset
-from game.ui.look.theme import BALL_COLORS, BALL_WHITE, CAROM_COLORS, CAROM_SPOT, CUE_BALL_SPOT
+from game.ui.look.theme import (
+    BALL_COLORS,
+    BALL_WHITE,
+    CAROM_COLORS,
+    CAROM_SPOT,
+    CUE_BALL_SPOT,
+    SNOOKER_COLORS,
+)
 
 STRIPE = 0.60  # of the radius: beyond this height a striped ball is white
 DISC = 0.55  # radius of the number disc, of the ball's
@@ -41,7 +48,8 @@ INK_STRENGTH = 1.3  # digits a few pixels high are printed bolder than they are
 SMALLEST_TEXTURE, LARGEST_TEXTURE = 5, 256
 NUMBERS = 16  # 0 is the cue ball
 CAROM_WHITE, CAROM_YELLOW, CAROM_RED = range(16, 19)  # balls of carom, with spots and without a number
-KINDS = 19  # of balls
+SNOOKER_RED = 19  # then yellow, green, brown, blue, pink and black: plain balls
+KINDS = 26  # of balls
 
 
 def _linear(color: pygame.Color) -> tuple[float, float, float]:
@@ -49,7 +57,7 @@ def _linear(color: pygame.Color) -> tuple[float, float, float]:
     return (color.r / 255.0) ** 2, (color.g / 255.0) ** 2, (color.b / 255.0) ** 2
 
 
-BASE = np.array([_linear(color) for color in (*BALL_COLORS, *CAROM_COLORS)])  # (19, 3)
+BASE = np.array([_linear(color) for color in (*BALL_COLORS, *CAROM_COLORS, *SNOOKER_COLORS)])  # (26, 3)
 WHITE = np.array(_linear(BALL_WHITE))
 SPOT_INK = np.array(_linear(CUE_BALL_SPOT))
 RED_BALL_INK = np.array(_linear(CAROM_SPOT))  # of the spots of the red ball

@@ -109,6 +109,8 @@ def _surface(number: int, radius: float, body: Array, facing: Array) -> Array:
         return below + cover * (above.reshape(3, 1, 1) - below)
 
     color = look.BASE[number].reshape(3, 1, 1) + np.zeros_like(body)
+    if number >= look.SNOOKER_RED:
+        return color
     if number == 0 or number >= look.NUMBERS:
         ink = look.RED_BALL_INK if number == look.CAROM_RED else look.SPOT_INK
         rim = np.sqrt(np.maximum(0.0, 1.0 - np.max(np.abs(body), axis=0) ** 2))

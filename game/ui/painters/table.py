@@ -85,7 +85,8 @@ def fit_table(area: pygame.Rect, table: Table) -> TableView:
 class Dress(NamedTuple):
     """What a table wears: the cloth's colour; of its cushions 0xRRGGBB on the slope towards the lamp, the
     other slopes, the top of the short rails and of the long ones, under the nose. spots: places as shares
-    of width and length; line: share of the length at which a line is drawn across, None for none.
+    of width and length; line: share of the length at which a line is drawn across, None for none. sights: the
+    frame has diamonds.
     """
 
     felt: pygame.Color
@@ -96,6 +97,7 @@ class Dress(NamedTuple):
     nose: int
     spots: tuple[tuple[float, float], ...]
     line: float | None
+    sights: bool = True
 
 
 POOL = Dress(colors.FELT, 0x1E6A63, 0x1A5A54, 0x24726A, 0x28756D, 0x0E3C37, ((0.5, 0.25), (0.5, 0.75)), 0.25)
@@ -149,7 +151,8 @@ def table_picture(
     for shape in shapes:
         _draw_cushion(pixels, clip, view, shape, dress)
     _draw_pockets(pixels, clip, table, view, theme)
-    _draw_sights(pixels, clip, table, view)
+    if dress.sights:
+        _draw_sights(pixels, clip, table, view)
     return picture
 
 

@@ -15,8 +15,8 @@ from game.billiards.game.rules import CUE_BALL
 from game.scenes import CATALOGUE
 from game.scenes.billiards import layout
 from game.scenes.billiards.opponents.thinking import decision_of, simple_stroke
-from game.scenes.billiards.stroke.prediction import foresee
 from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.prediction import foresee
 from game.scenes.shared.thinker import Thinker, Thought
 from game.stage import Decision
 from tests.app.tests_app import Driver

@@ -11,8 +11,8 @@ from game.scenes.billiards import layout
 from game.scenes.billiards.parameters import LARGEST_TIP
 from game.scenes.billiards.stroke.aiming import NOTCH, TIP_STEP
 from game.scenes.billiards.stroke.motion import cue_speed_of, power_of, pull_of, stroke_motion
-from game.scenes.billiards.stroke.prediction import foresee
 from game.scenes.shared.tables.cue import FULL_PULL, MAX_SPEED
+from game.scenes.shared.tables.prediction import foresee
 from game.stage import Action, SetParameter
 from tests.scenes.billiards.billiards_stages import (
     AT_THE_CORNER,

@@ -10,7 +10,9 @@ from game.billiards.game.arrangement import Stroke
 from game.billiards.game.summary import summarize
 from game.billiards.search.strokes import Board, draw_noise, with_noise
 from game.billiards.table.rack import BALL_RADIUS
-from game.scenes.billiards.stroke.odds import (
+from game.scenes.billiards.view.instruments import odds_numbers
+from game.scenes.billiards.view.words import aim_words
+from game.scenes.shared.tables.odds import (
     FIRST_SAMPLES,
     HAND,
     OFFSETS,
@@ -20,8 +22,6 @@ from game.scenes.billiards.stroke.odds import (
     OddsMeter,
     measure,
 )
-from game.scenes.billiards.view.instruments import odds_numbers
-from game.scenes.billiards.view.words import aim_words
 from tests.billiards.search.search_tables import POOL
 from tests.scenes.billiards.billiards_stages import AT_THE_CORNER, level_of, straight_pot
 

@@ -11,8 +11,8 @@ from game.billiards.search.strokes import Noise
 from game.billiards.shot.cue import strike
 from game.billiards.table.rack import BALL_RADIUS
 from game.scenes.billiards.scene import Billiards
-from game.scenes.billiards.stroke.prediction import FIRST_BALL, foresee
-from game.scenes.billiards.view.sight import fan_of
+from game.scenes.shared.tables.prediction import FIRST_BALL, foresee
+from game.scenes.shared.tables.sight import fan_of
 from game.scenes.shared.tables.unsteady import HANDS, shaken, spread_of
 from game.stage import Action, Decision, SetParameter, replay_scene
 from tests.scenes.billiards.billiards_stages import (

@@ -11,7 +11,7 @@ from game.billiards.shot.trajectory import Trajectory
 from game.billiards.table.table import Table
 from game.scenes.billiards import layout
 from game.scenes.billiards.play import AIMING, Play
-from game.scenes.billiards.view.balls import balls_at
+from game.scenes.shared.tables.rolling import balls_at
 from game.scenes.shared.tables.view import draw_balls, draw_table, frame_of
 from game.ui.canvas.camera import Camera
 from game.ui.canvas.canvas import Canvas

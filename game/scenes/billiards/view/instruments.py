@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 from typing import NamedTuple
 
 import pygame
@@ -15,9 +14,10 @@ from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.motion import power_of
-from game.scenes.billiards.stroke.odds import HAND, OFFSETS, Odds
 from game.scenes.billiards.view.words import aim_words
+from game.scenes.shared.tables.buttons import draw_button
 from game.scenes.shared.tables.cue import MAX_SPEED
+from game.scenes.shared.tables.odds import HAND, OFFSETS, Odds
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import NOTHING
@@ -132,34 +132,6 @@ def _draw_numbers(canvas: Canvas, look: Look, numbers: tuple[Number, ...]) -> No
         look.text(canvas.surface, words, (x, y + look.px(19)), letters, "semibold", "text1", "center")
         if number.under and roomy:
             look.text(canvas.surface, number.under, (x, y + look.px(36)), 11, "medium", "text3", "center")
-
-
-def draw_button(
-    canvas: Canvas, look: Look, box: layout.Box, words: str, on: bool = False, pressed: bool = False
-) -> None:
-    """A button with words, filled when it is on."""
-    rect = layout.rect_of(canvas, box)
-    if rect.w > 0 and rect.h > 0:
-        canvas.surface.blit(_button_picture(rect.size, look, words, on, pressed), rect)
-
-
-@lru_cache(maxsize=64)
-def _button_picture(size: tuple[int, int], look: Look, words: str, on: bool, pressed: bool) -> pygame.Surface:
-    """A button, made again only when it looks otherwise."""
-    picture = pygame.Surface(size, pygame.SRCALPHA, 32)
-    rect, theme = picture.get_rect(), look.theme
-    fill = theme.accent if on else theme.hover if pressed else theme.inset
-    draw_box(picture, rect, look.px(8), fill, None if on else theme.line2, look.border)
-    color = theme.on_accent if on else theme.text1
-    letters, space = 12, rect.w - look.px(8)
-    lines = [words]
-    if rect.h >= look.px(32) and look.fonts.size(words, 12, "semibold")[0] > space:
-        letters, lines = 11, look.fonts.wrap(words, 11, "semibold", space)[:2]
-    for row, line in enumerate(lines):
-        y = rect.centery + (row - 0.5 * (len(lines) - 1)) * look.px(14)
-        fitted = look.fonts.fit(line, letters, "semibold", space)
-        look.text(picture, fitted, (rect.centerx, y), letters, "semibold", color, "center")
-    return picture
 
 
 def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:

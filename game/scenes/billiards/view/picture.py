@@ -13,19 +13,20 @@ from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
 from game.scenes.billiards.stroke.guide import FIRST, NONE
-from game.scenes.billiards.stroke.odds import Odds, OddsMeter
-from game.scenes.billiards.stroke.prediction import FIRST_BALL, Foresight, Sight
-from game.scenes.billiards.view.balls import balls_at, balls_at_rest
+from game.scenes.billiards.view.balls import balls_at_rest
 from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
 from game.scenes.billiards.view.instruments import Instruments
 from game.scenes.billiards.view.marks import draw_marks
 from game.scenes.billiards.view.score_board import draw_board, draw_line, key_rows
-from game.scenes.billiards.view.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.billiards.view.standing import standing_of
 from game.scenes.billiards.view.words import foul_of, line_of
 from game.scenes.shared.tables import boxes
+from game.scenes.shared.tables.odds import Odds, OddsMeter
+from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.shared.tables.rolling import balls_at
+from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
 from game.scenes.shared.tables.unsteady import SURE, spread_of
 from game.scenes.shared.tables.view import Balls, draw_balls, draw_table
 from game.ui.canvas.canvas import Canvas

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from game.billiards.game.arrangement import Places
 from game.billiards.game.rules import CUE_BALL
 from game.billiards.table.table import Table
-from game.scenes.billiards.stroke.prediction import Sight
+from game.scenes.shared.tables.prediction import Sight
 from game.scenes.shared.tables.view import cut_words
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.theme import FELT, FELT_COOL, FELT_LINE, FELT_WARM

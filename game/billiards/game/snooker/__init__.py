@@ -1,0 +1,1 @@
+"""Snooker: sight lines, a stroke as the referee sees it, the rules, and the frame."""

@@ -1,0 +1,203 @@
+"""What lies on the snooker table: the frame that is played, where the balls are, how they are turned."""
+
+from __future__ import annotations
+
+import hashlib
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.frame import Frame, Played, Struck
+from game.billiards.game.rules import Call, Verdict
+from game.billiards.game.snooker.frame import SnookerFrame, new_snooker_frame, snooker_layout
+from game.billiards.game.snooker.rules import Snooker
+from game.billiards.shot.cloths import SNOOKER_CLOTH
+from game.billiards.shot.shot import Physics
+from game.billiards.shot.trajectory import rotation_matrices
+from game.billiards.shot_effects import physics_of, table_of
+from game.billiards.table.snooker import BALLS
+from game.billiards.table.table import Table
+from game.physics.effects import EffectSet
+from game.scenes.shared.tables.demo_shots import scattered_orientations
+from game.scenes.snooker.level import SnookerContent, begun
+from game.scenes.snooker.parameters import SnookerParameters
+from game.stage import Part
+
+Array = NDArray[np.float64]
+
+
+class SnookerModel(Part):
+    """The frame, and the balls as they move.
+
+    places (22, 2) m by number; turns, turns_before (22, 3, 3): how the balls are turned, and were before the
+    last stroke. These arrays belong to the state; frames are immutable.
+    """
+
+    def __init__(
+        self, content: SnookerContent, parameters: SnookerParameters, active: EffectSet, seed: int
+    ) -> None:
+        self.content = content
+        self.parameters = parameters
+        self.seed_of_lots = seed
+        self.frame = self._begin(*self._table_and_physics(active))
+        self.places = np.zeros((BALLS, 2))
+        self.turns = rotation_matrices(scattered_orientations(BALLS, seed))
+        self.turns_before = self.turns.copy()
+        self._outcome = _Outcome()
+        self._lay_out()
+
+    def _begin(self, table: Table, physics: Physics) -> SnookerFrame:
+        game, places = begun(self.content, self.seed_of_lots)
+        frame = new_snooker_frame(self._set(game), places, table, physics)
+        before = {ball.number: ball.position for ball in self.content.put_back}
+        return self._as_snooker(frame.replace(put_back=snooker_layout(before) if before else None))
+
+    def _set(self, game: Snooker) -> Snooker:
+        """The game with what the parameters say of it."""
+        best_of = 0 if self.parameters.best_of == "open" else int(str(self.parameters.best_of))
+        return msgspec.structs.replace(game, best_of=best_of, miss_rule=str(self.parameters.miss))
+
+    def configure(self, active: EffectSet) -> None:
+        """Let parameters and effects act from the next stroke on."""
+        table, physics = self._table_and_physics(active)
+        self.frame = self._as_snooker(
+            self.frame.replace(table=table, physics=physics, game=self._set(self.game))
+        )
+
+    def _table_and_physics(self, active: EffectSet) -> tuple[Table, Physics]:
+        chosen = self.parameters
+        physics = SNOOKER_CLOTH._replace(
+            sliding=chosen.sliding, rolling=chosen.rolling,
+            ball_restitution=chosen.ball_restitution, cushion_restitution=chosen.cushion_restitution,
+        )  # fmt: skip
+        return table_of(active, Table.snooker()), physics_of(active, physics)
+
+    @staticmethod
+    def _as_snooker(frame: Frame) -> SnookerFrame:
+        assert isinstance(frame, SnookerFrame)
+        return frame
+
+    @property
+    def game(self) -> Snooker:
+        """The rules' state."""
+        return self.frame.snooker
+
+    @property
+    def played(self) -> Played | None:
+        """What comes, or came, of the last stroke; None before the first."""
+        return self._outcome.played(self.frame)
+
+    @property
+    def word(self) -> str:
+        """A word that stands for the frame, for the digest: equal frames, equal words."""
+        return self._outcome.word(self.frame)
+
+    def _lay_out(self) -> None:
+        self.places[list(self.frame.layout.numbers)] = self.frame.layout.positions
+
+    # -- strokes ------------------------------------------------------------------------------------
+
+    def strike(self, stroke: Stroke, call: Call) -> None:
+        """Play a stroke. ValueError if it cannot be played; then the frame is what it was."""
+        before = self.frame
+        self.frame = self._as_snooker(before.strike(stroke, call))
+        try:
+            self._outcome.played(self.frame)
+        except ValueError:
+            self.frame = before
+            raise
+        self.turns_before[:] = self.turns
+
+    @property
+    def numbers(self) -> list[int]:
+        """Numbers of the balls of the last stroke, in its trajectory's order."""
+        return list(self.frame.last.frame.layout.numbers) if self.frame.last is not None else []
+
+    def roll(self, time: float) -> None:
+        """The balls where they are at a time of the shot, s."""
+        played = self.played
+        if played is not None:
+            self.places[self.numbers] = played.trajectory.state_at(time).positions
+
+    def settle(self) -> None:
+        """The shot is over: its verdict holds."""
+        played = self.played
+        assert played is not None
+        numbers, now = self.numbers, self.frame
+        end = played.trajectory.orientations_at(played.trajectory.end_time, self.turns_before[numbers])
+        self.turns[numbers] = end
+        following = played.frame.with_cue_ball().replace(table=now.table, physics=now.physics)
+        self.frame = self._as_snooker(following)
+        self._lay_out()
+
+    # -- choices, and what no stroke brings about ---------------------------------------------------
+
+    def go_back_to(self, frame: Frame) -> None:
+        """A frame before the last stroke, the balls turned as they were."""
+        self.frame = self._as_snooker(frame)
+        self.turns[:] = self.turns_before
+        self._lay_out()
+
+    def move_cue_ball(self, x: float, y: float) -> None:
+        """The cue ball in hand put at (x, y) m, or near it. ValueError if it is not in hand."""
+        self.frame = self._as_snooker(self.frame.move_cue_ball(x, y))
+        self._lay_out()
+
+    def choose(self, row: int) -> None:
+        """The player at turn chooses one of the options, counted from 0."""
+        following = self.frame.choose(self.game.options[row].name).with_cue_ball()
+        self.frame = self._as_snooker(following)
+        self._lay_out()
+
+    def rule(self, verdict: Verdict) -> None:
+        """A concession, a claim, or a restart."""
+        self.frame = self._as_snooker(self.frame.ruled(verdict).with_cue_ball())
+        self._lay_out()
+
+    def next_frame(self) -> None:
+        """The next frame if this one is over; a drill, or a frame that is not, from its beginning."""
+        game = self.game
+        if game.over and not game.drill and len(game.players) == 2:
+            self.frame = self._as_snooker(self.frame.next_rack().with_cue_ball())
+        else:
+            content = self.content
+            if not game.drill:
+                content = msgspec.structs.replace(content, saved={})
+            fresh, places = begun(content, self.seed_of_lots)
+            fresh = msgspec.structs.replace(
+                self._set(fresh), attempts=game.attempts, made=game.made, high=game.high, winner=None,
+            )  # fmt: skip
+            self.frame = new_snooker_frame(fresh, places, self.frame.table, self.frame.physics)
+        self._lay_out()
+
+
+class _Outcome:
+    """What is computed from a frame and kept while that holds; no part of the state."""
+
+    def __init__(self) -> None:
+        self._word_of: Frame | None = None
+        self._word = ""
+        self._played_of: Struck | None = None
+        self._played: Played | None = None
+
+    def word(self, frame: Frame) -> str:
+        """A hash of all that a frame says, but for the frames before it."""
+        if self._word_of is not frame:
+            last = frame.last
+            said = (
+                msgspec.to_builtins(frame.game), frame.layout.places, frame.conditions, frame.strokes,
+                None if last is None
+                else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
+            )  # fmt: skip
+            self._word = hashlib.blake2b(repr(said).encode(), digest_size=8).hexdigest()
+            self._word_of = frame
+        return self._word
+
+    def played(self, frame: Frame) -> Played | None:
+        """What comes, or came, of a frame's last stroke; None before the first."""
+        if self._played_of is not frame.last:
+            self._played = frame.outcome() if frame.last is not None else None
+            self._played_of = frame.last
+        return self._played

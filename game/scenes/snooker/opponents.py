@@ -1,0 +1,161 @@
+"""What computer players decide at snooker, and what the table plays by itself."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.rules import CUE_BALL, Call
+from game.billiards.game.snooker.frame import SnookerFrame
+from game.billiards.shot.cue import strike as struck_ball
+from game.billiards.table.snooker import COLOURS
+from game.scenes.shared.tables.demo_shots import choose_stroke
+from game.scenes.shared.thinker import Question, Thinker, Thought
+from game.scenes.snooker.course import AIMING, BALL_PER_CUE, Course
+from game.scenes.snooker.parameters import GRADES
+from game.stage import Decision
+
+if TYPE_CHECKING:
+    from game.billiards.search.finding import FoundShot
+
+NEXT_STROKE_S = 0.7  # s of rest before the next stroke of a computer player, or of the table itself
+NEW_FRAME_S = 3.0
+THINK_S = 3.0  # s, that a player thinks at most
+HAND_SEED = 50_021
+
+
+def think(question: Question) -> Thought:
+    """The decisions of a player of some grade. One in a hurry uses one processor: the other one draws."""
+    from game.billiards.players.snooker import SNOOKER_GRADES, decide_snooker, hand_of
+
+    frame, grade = question.frame, SNOOKER_GRADES[question.grade]
+    limits = (None, None) if question.patient else (THINK_S, 1)
+    made = decide_snooker(frame, grade, question.seed, *limits)
+    if made.option == "concede":
+        return Thought((Decision("concede", ()),))
+    if made.option:
+        names = [option.name for option in frame.game.options]
+        return Thought((Decision("option", (float(names.index(made.option)),)),))
+    decisions = [Decision("white", made.place)] if made.place is not None else []
+    if made.stroke is not None:
+        decisions.append(decision_of(hand_of(made.stroke, grade, question.seed + HAND_SEED), made.call))
+    return Thought(tuple(decisions), made.considered)
+
+
+def warm_up(grade: str) -> None:
+    """Compile what a player of a grade needs to think, by letting it think about a small table."""
+    from game.billiards.game.snooker.frame import new_snooker_frame
+    from game.billiards.game.snooker.rules import Snooker
+    from game.billiards.players.snooker import SNOOKER_GRADES, decide_snooker
+
+    places = {0: (0.9, 1.0), COLOURS[-2]: (0.5, 2.0), COLOURS[-1]: (0.889, 3.245)}
+    game = Snooker(on_table=COLOURS[-2:], stage="order", opening=False, in_hand="")
+    decide_snooker(new_snooker_frame(game, places), SNOOKER_GRADES[grade], 0, 0.1, 1)
+
+
+WARM_UPS = tuple(partial(warm_up, grade) for grade in GRADES[:1])  # what it compiles the others need
+
+
+def simple_stroke(frame: SnookerFrame, seed: int) -> tuple[Stroke, Call]:
+    """The straightest open pot of a ball that is on, or a hit at the nearest; the same for a seed."""
+    layout, on = frame.layout, set(frame.snooker.balls_on())
+    in_play = np.array([number == CUE_BALL or number in on for number in layout.numbers])
+    chosen = choose_stroke(layout.positions, layout.radii, in_play, frame.table, seed, 1)
+    offset = layout.positions - layout.positions[0]
+    along = offset @ (np.cos(chosen.aim), np.sin(chosen.aim))
+    across = np.abs(offset @ (-np.sin(chosen.aim), np.cos(chosen.aim)))
+    rows = [
+        k for k in range(1, len(along)) if along[k] > 0.0 and across[k] < 2.0 * layout.radii[k] and in_play[k]
+    ]
+    ball = layout.numbers[min(rows, key=lambda k: float(along[k]))] if rows else None
+    call = Call(ball) if frame.snooker.needs_call() and ball in COLOURS else Call()
+    return Stroke(chosen.speed / BALL_PER_CUE, chosen.aim), call
+
+
+def decision_of(stroke: Stroke, call: Call) -> Decision:
+    """A stroke and what is nominated with it, as a decision."""
+    return Decision("stroke", (*stroke, -1.0 if call.ball is None else float(call.ball)))
+
+
+class SnookerOpponents:
+    """Who thinks for computer players, and what was considered last; no part of the state."""
+
+    def __init__(self, course: Course, seed: int) -> None:
+        self.course = course
+        self.thinker = Thinker(think, *WARM_UPS)
+        self.considered: tuple[FoundShot, ...] = ()
+        self._seed = seed
+
+    @property
+    def question(self) -> Question:
+        """What a computer player at turn is asked."""
+        model = self.course.model
+        key = (model.frame.strokes, model.word)
+        seed = int.from_bytes(key[1].encode()[:6], "little")
+        return Question(key, model.frame, self.course.grade_of(model.game.turn), seed)
+
+    def decisions(self, at_once: bool = False) -> list[Decision]:
+        """What the computer player at turn has decided, if it is one and has. at_once: it does so now."""
+        course, game = self.course, self.course.model.game
+        if not at_once and any(course.grade_of(player) in GRADES for player in range(len(game.players))):
+            self.thinker.prepare()
+        computer = not course.person_plays and not course.plays_itself and not game.over
+        if not computer or course.phase != AIMING or course.grip:
+            self.thinker.forget()
+            return []
+        rested = course.rest_s > NEXT_STROKE_S
+        if at_once:
+            thought = self.thinker.answer(self.question) if rested else None
+        else:
+            thought = self.thinker.ask(self.question)
+        if thought is None:
+            return []
+        self.considered = thought.considered
+        if not rested:
+            return []
+        if not thought.decisions:  # it failed; the game goes on
+            if game.options:
+                return [Decision("option", (0.0,))]
+            return [decision_of(*simple_stroke(course.model.frame, course.model.frame.strokes))]
+        return list(thought.decisions)
+
+    def decide(self, event: Decision) -> None:
+        """Let a decision act. ValueError for one that cannot be."""
+        values, course = event.values, self.course
+        if course.phase != AIMING:
+            raise ValueError(f"{event.name}: nothing is to be decided now")
+        if event.name == "stroke" and len(values) == 6:
+            stroke = Stroke(*values[:5])
+            struck_ball(*stroke)  # refuses what no stroke can be
+            course.begin_stroke(stroke, Call(None if values[5] < 0.0 else int(values[5])))
+        elif event.name == "white" and len(values) == 2:
+            course.model.move_cue_ball(*values)
+        elif event.name == "option" and len(values) == 1:
+            options = course.model.game.options
+            if not 0 <= int(values[0]) < len(options):
+                raise ValueError(f"option {int(values[0])}: there are {len(options)}")
+            course.take_option(int(values[0]))
+        elif event.name == "concede" and not values:
+            course.concede(at_once=True)
+        else:
+            raise ValueError(
+                f"{event.name}: expected stroke, white, option or concede, each with its numbers"
+            )
+
+    def play_on(self) -> None:
+        """A new frame when one is over and nobody is there; the table's own strokes while it plays itself."""
+        course = self.course
+        frame = course.model.frame
+        if course.phase != AIMING or not (course.plays_itself or course.plays_alone):
+            return
+        if frame.game.over:
+            if course.rest_s > NEW_FRAME_S:
+                course.next_frame()
+        elif course.plays_itself and course.rest_s > NEXT_STROKE_S:
+            if frame.game.options:
+                course.take_option(0)
+            elif frame.playable:
+                course.begin_stroke(*simple_stroke(frame, self._seed + frame.strokes))

@@ -1,0 +1,193 @@
+"""Snooker: frames on the exact twelve-foot table, six-red, and practice."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.arrangement import Stroke
+from game.billiards.game.rules import Call
+from game.billiards.shot_effects import EXACT_EFFECTS
+from game.lab.studies.billiards.long_pot import long_pot_study
+from game.levels import Level
+from game.scenes.shared.tables.odds import warm_up as warm_up_odds
+from game.scenes.shared.tables.view import warm_ups as table_warm_ups
+from game.scenes.snooker import SNOOKER, layout, saving
+from game.scenes.snooker.actions import ACTIONS, HINTS
+from game.scenes.snooker.course import Course
+from game.scenes.snooker.figure import draw_table_of_values
+from game.scenes.snooker.hand import SnookerHand
+from game.scenes.snooker.level import SnookerContent
+from game.scenes.snooker.model import SnookerModel
+from game.scenes.snooker.opponents import SnookerOpponents
+from game.scenes.snooker.parameters import SnookerParameters
+from game.scenes.snooker.readouts import readouts
+from game.scenes.snooker.sounds import SnookerSounds
+from game.scenes.snooker.view.picture import SnookerView
+from game.stage import (
+    Action,
+    Decision,
+    Equation,
+    Frame,
+    Hearing,
+    Pointer,
+    Readout,
+    Scene,
+    Stamped,
+    Strip,
+    WarmUp,
+)
+
+Array = NDArray[np.float64]
+
+
+class SnookerState(NamedTuple):
+    """What is on the table at this moment.
+
+    clock (1,) s of the phase. places (22, 2) m by number; turns, turns_before (22, 3, 3): how the balls are
+    turned, and were before the last stroke. cue (7,). word: of the frame.
+    """
+
+    clock: Array
+    places: Array
+    turns: Array
+    turns_before: Array
+    cue: Array
+    word: str
+
+
+class SnookerScene(Scene):
+    """A twelve-foot table. Red and colour in turn, a red for 1 point, the colours for 2 to 7; when the reds
+    are gone, the colours in order. Who misses, sits down.
+
+    The rules are those of the World Professional Billiards and Snooker Association, with free ball, touching
+    ball, foul and a miss, and the black that is put back after a tie; in six-red snooker nobody may be
+    snookered behind a nominated colour. Every stroke is computed to its end by the exact table when the tip
+    meets the ball.
+    """
+
+    name, task, title = SNOOKER.names
+    parameters_type = SnookerParameters
+    parameters: SnookerParameters
+    effects = EXACT_EFFECTS
+    study = long_pot_study
+    covers = True
+    quarter_turns = 1
+    takes = frozenset(("wheel", "right"))
+    content_type = SnookerContent
+
+    strips = (
+        Strip("Energy", "J", ("energy",)),
+        Strip("Cue ball", "m/s", ("cue ball",)),
+        Strip("Break", "", ("break",)),
+    )
+    hints = HINTS
+    actions = ACTIONS
+    figure = staticmethod(draw_table_of_values)
+    equations = (
+        Equation(
+            "Sliding", r"\v{r} = \v{r}_0 + \v{v}_0 t - \frac{1}{2} \mu g t^2 \v{u}", "Leckie, Greenspan 2006"
+        ),
+        Equation("Cushion", r"W_r = e^2 W_c", "Mathavan, Jackson, Parkin 2010"),
+        Equation("Points left", r"8 n_{\text{red}} + 27", "WPBSA 3.1"),
+    )
+    try_this = (
+        "Stun the cue ball behind the black after a red, so that it lies for the next one.",
+        "After a foul let the other play again, or have the balls put back if a miss was called.",
+        "Set Miss to Club: an escape that passes a ball on closely is good enough then.",
+        "Let two masters play, and see their breaks.",
+    )
+    demo = (Stamped(12, Action("demo")),)  # and it goes on playing
+
+    def build(self, level: Level | None) -> None:
+        given = level.content if level is not None else None
+        content: SnookerContent = given or SnookerContent()
+        if self.parameters.game not in ("level", content.game):
+            content = SnookerContent(game=self.parameters.game, players=content.players)  # type: ignore[arg-type]
+        self.model = SnookerModel(content, self.parameters, self.active, self.seed)
+        self.course = Course(self.parameters, self.model, self.seed)
+        self.hand = SnookerHand(self.course)
+        self.opponents = SnookerOpponents(self.course, self.seed)
+        self.sounds = SnookerSounds(self.course)
+        title = level.title if level is not None else ""
+        self.view = SnookerView(self.course, self.hand, self.opponents, title)
+
+    def state(self) -> SnookerState:
+        model, course = self.model, self.course
+        return SnookerState(
+            course.clock, model.places, model.turns, model.turns_before, course.cue.data,
+            f"{course.phase} {model.word}",
+        )  # fmt: skip
+
+    def restore(self, state: SnookerState) -> None:
+        for mine, then in zip(self.state()[:-1], state[:-1], strict=True):
+            mine[...] = then  # the frame comes back with the plain attributes
+
+    def parameter_changed(self, name: str) -> None:
+        if name in ("best_of", "miss", "sliding", "rolling", "ball_restitution", "cushion_restitution"):
+            self.model.configure(self.active)
+
+    def effects_changed(self) -> None:
+        self.model.configure(self.active)
+
+    @classmethod
+    def warm_ups(cls) -> list[WarmUp]:
+        return [
+            WarmUp("exact table", lambda: _warm_up(cls())), WarmUp("odds of a stroke", warm_up_odds),
+            *table_warm_ups(),
+        ]  # fmt: skip
+
+    # -- stepping, and what comes in ----------------------------------------------------------------
+
+    def advance(self, dt: float) -> None:
+        self.course.advance(dt)
+        self.opponents.play_on()
+
+    def pointer(self, event: Pointer) -> None:
+        self.hand.take(event)
+
+    def action(self, name: str) -> None:
+        self.hand.act(name)
+
+    def decisions(self, at_once: bool = False) -> list[Decision]:
+        return self.opponents.decisions(at_once)
+
+    @property
+    def plays_alone(self) -> bool:
+        return self.course.plays_alone
+
+    def decide(self, event: Decision) -> None:
+        self.opponents.decide(event)
+
+    # -- what is shown, and kept --------------------------------------------------------------------
+
+    def frame(self) -> Frame:
+        return layout.FRAME
+
+    def draw(self, canvas: Any, alpha: float) -> None:
+        self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
+
+    def hearing(self) -> Hearing | None:
+        return self.sounds.hearing()
+
+    def readouts(self) -> tuple[Readout, ...]:
+        return readouts(self.course)
+
+    def messages(self) -> tuple[str, ...]:
+        return self.course.messages.take()
+
+    def worth_keeping(self) -> object:
+        return saving.worth_keeping(self.model, self.course.plays_itself)
+
+    def save_content(self) -> SnookerContent:
+        return saving.content_of(self.model)
+
+
+def _warm_up(scene: SnookerScene) -> None:
+    """Play one stroke, so that all kernels of the table are compiled."""
+    scene.course.begin_stroke(Stroke(3.0, 0.5 * np.pi), Call())
+    for _ in range(100):
+        scene.advance(0.02)
+    scene.readouts()

@@ -1,0 +1,1 @@
+"""How snooker is drawn."""

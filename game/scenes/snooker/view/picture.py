@@ -1,0 +1,124 @@
+"""How snooker is drawn: table, balls at any moment, cue, aim, and what stands round the table."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.table.snooker import BALL_RADIUS, SPOTS
+from game.billiards.table.table import SNOOKER_LENGTH, SNOOKER_WIDTH
+from game.scenes.shared.tables.boxes import look_of
+from game.scenes.shared.tables.odds import Odds, OddsMeter
+from game.scenes.shared.tables.prediction import FIRST_BALL, Foresight, Sight
+from game.scenes.shared.tables.rolling import balls_at
+from game.scenes.shared.tables.sight import draw_considered, draw_fan, draw_label, draw_sight
+from game.scenes.shared.tables.unsteady import SURE, spread_of
+from game.scenes.shared.tables.view import Balls, draw_balls, draw_cue_behind, draw_table
+from game.scenes.snooker import layout
+from game.scenes.snooker.course import AIMING, REPLAY, ROLLING, STRIKING, Course
+from game.scenes.snooker.hand import SnookerHand
+from game.scenes.snooker.opponents import SnookerOpponents
+from game.scenes.snooker.parameters import FIRST, NONE
+from game.scenes.snooker.view.board import draw_board, draw_foot, look_number
+from game.scenes.snooker.view.instruments import draw_instruments
+from game.scenes.snooker.view.magnifier import Magnifier, box_beside, magnifies
+from game.scenes.snooker.view.marks import draw_lines, draw_marks
+from game.scenes.snooker.view.words import foul_to_come, line_of, standing_of
+from game.ui.canvas.canvas import Canvas
+from game.ui.look.theme import FELT_GREEN
+from game.ui.painters.table import carom_dress
+
+Array = NDArray[np.float64]
+
+DRESS = carom_dress(
+    FELT_GREEN, tuple((x / SNOOKER_WIDTH, y / SNOOKER_LENGTH) for x, y in SPOTS.values())
+)._replace(sights=False)
+LOOKS = np.array([look_number(ball) for ball in range(22)])
+CUE_WORDS = 22.0  # design px below the ball
+
+
+class SnookerView:
+    """The picture of the game. title: of the level."""
+
+    def __init__(self, course: Course, hand: SnookerHand, opponents: SnookerOpponents, title: str) -> None:
+        self.course = course
+        self.hand = hand
+        self.opponents = opponents
+        self.title = title
+        self._foresight = Foresight()
+        self._odds = OddsMeter()
+        self._magnifier = Magnifier()
+
+    def draw(self, canvas: Canvas, alpha: float, clock_before: Array | None) -> None:
+        """The game, ``alpha`` of the step from the clock before to the clock now."""
+        course, frame = self.course, self.course.model.frame
+        draw_table(canvas, frame.table, dress=DRESS)
+        canvas.halo = FELT_GREEN
+        draw_lines(canvas)
+        draw_marks(canvas, course)
+        sight = self._sight()
+        foul = foul_to_come(course, sight.target) if sight is not None else ""
+        if sight is not None:
+            spread = SURE * spread_of(course.stroke, str(course.parameters.hand), BALL_RADIUS)
+            draw_fan(canvas, sight, spread)
+            draw_sight(canvas, sight, BALL_RADIUS, BALL_RADIUS, bool(foul))
+        balls = self._balls(alpha, clock_before)
+        draw_balls(canvas, balls, frame.table, felt=FELT_GREEN)
+        if sight is not None:
+            draw_label(canvas, sight, frame.layout.places, frame.table, BALL_RADIUS, foul)
+        if course.parameters.considered and course.phase == STRIKING and not course.person_plays:
+            draw_considered(canvas, self.opponents.considered, frame.layout.places, frame.table, played=False)
+        place = frame.cue_ball
+        if place is not None and (course.may_aim or course.phase == STRIKING) and course.grip != "cue ball":
+            draw_cue_behind(canvas, frame.table, np.array(place), BALL_RADIUS, course.cue, CUE_WORDS)
+        if sight is not None and place is not None:
+            self._magnify(canvas, sight, balls, place, bool(foul))
+        if canvas.pixels_per_unit >= layout.LEAST_PIXELS:
+            look = look_of(canvas, layout.PIXELS)
+            draw_board(canvas, look, standing_of(course, self.opponents.thinker, self.title))
+            draw_foot(canvas, look, course, line_of(course))
+            draw_instruments(canvas, look, course, self.hand, self._odds_of(sight))
+
+    def _magnify(
+        self, canvas: Canvas, sight: Sight, balls: Balls, place: tuple[float, float], foul: bool
+    ) -> None:
+        """The contact from near, where the picture is small."""
+        if sight.ghost is None or not magnifies(str(self.course.parameters.magnifier), canvas):
+            return
+        others = [(x, y) for number, x, y in self.course.model.frame.layout.places if number != CUE_BALL]
+        self._magnifier.draw(canvas, box_beside(place, sight.ghost, others), balls, sight, foul)
+
+    def _sight(self) -> Sight | None:
+        """What is foreseen of the stroke that is aimed."""
+        course = self.course
+        if not course.may_aim or course.guide == NONE or course.grip == "cue ball":
+            return None
+        events = FIRST_BALL if course.guide == FIRST else int(course.parameters.events)
+        return self._foresight.of(course.model.frame, course.stroke, events)
+
+    def _odds_of(self, sight: Sight | None) -> Odds | None:
+        """Of the stroke that is aimed at a ball that is on."""
+        course, frame = self.course, self.course.model.frame
+        if sight is None or sight.target is None or frame.game.opening or course.phase != AIMING:
+            return None
+        if foul_to_come(course, sight.target):
+            return None
+        return self._odds.of(frame, course.stroke, sight.target)
+
+    def _balls(self, alpha: float, clock_before: Array | None) -> Balls:
+        """The balls as they lie, or on their paths."""
+        course, model = self.course, self.course.model
+        played = model.played
+        if course.phase not in (ROLLING, REPLAY) or played is None or model.frame.last is None:
+            placed = model.frame.layout
+            numbers = np.array(placed.numbers, dtype=np.int64)
+            return Balls(
+                placed.positions, placed.radii, LOOKS[numbers], model.turns[numbers], np.ones(len(numbers))
+            )
+        time = float(course.clock[0])
+        before = time if clock_before is None else float(clock_before[0])
+        if before <= time <= before + 0.1:
+            time = before + alpha * (time - before)
+        balls = balls_at(model.frame.last.frame, played.trajectory, model.turns_before, time)
+        return balls._replace(numbers=LOOKS[balls.numbers])
