@@ -8,7 +8,7 @@ digest are made from the declarations.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -30,6 +30,9 @@ from game.stage.parameters import (
 from game.stage.part import structures_of
 from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
+
+if TYPE_CHECKING:
+    from game.stage.records.excerpt import Excerpt
 
 
 class Scene(SceneDeclaration):
@@ -291,6 +294,10 @@ class Scene(SceneDeclaration):
 
     def save_content(self) -> msgspec.Struct | None:
         """The present content as a level's [content], or None if the scene keeps none."""
+        return None
+
+    def excerpt(self) -> Excerpt | None:
+        """The last thing that is worth passing on by itself, such as a stroke; None: the session is."""
         return None
 
     def check(self) -> None:

@@ -81,6 +81,7 @@ class ScenePlay:
             "faster": lambda: self.change_speed(1),
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
             "save": self.shelf.save,
+            "copy": self.shelf.copy,
             **(self.story.actions if self.story is not None else {}),
         }
 

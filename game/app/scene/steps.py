@@ -35,6 +35,8 @@ class Steps:
         self._gate.post_hand()
         if record.script is not None:
             record.script.advance(elapsed_s)
+            if ending := record.ending():
+                self._host.tell(ending[0], "", ending[1])
         else:
             if not record.scripted:
                 self._gate.listen()

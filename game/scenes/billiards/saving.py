@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import msgspec
 
 from game.billiards.game.games import Drill
+from game.levels import Level
 from game.scenes.billiards.level import BilliardsContent, PlacedBall
 from game.scenes.billiards.model import BilliardsModel
+from game.scenes.billiards.opponents.thinking import decision_of
+from game.scenes.billiards.play import SLOW, SLOW_AFTER_S, SLOW_BEFORE_S, Play
+from game.scenes.billiards.stroke.motion import stroke_motion
+from game.stage.records.excerpt import Excerpt
+
+if TYPE_CHECKING:
+    from game.stage import Scene
+
+REST_S = 0.25  # s that the balls are shown at rest after the stroke
+WHO_PLAYS = ("game", "first_player", "second_player")  # parameters that a single stroke does not depend on
 
 
 def content_of(model: BilliardsModel) -> BilliardsContent:
@@ -17,6 +30,31 @@ def content_of(model: BilliardsModel) -> BilliardsContent:
         balls=balls, solution=model.content.solution,
         saved=msgspec.to_builtins(model.frame.game), tallies=model.frame.tallies,
     )  # fmt: skip
+
+
+def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
+    """The last stroke from the position before it, to its end as it is shown; None if there is none, or if
+    balls, table or cloth have been changed since.
+    """
+    model = play.model
+    last = model.frame.last
+    if last is None or last.frame.conditions != model.frame.conditions:
+        return None
+    declared = scene.declared_parameters()
+    changed = {
+        name: value for name, value in scene.values.items()
+        if value != declared[name].default and name not in WHO_PLAYS
+    }  # fmt: skip
+    balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in last.frame.layout.places]
+    content = BilliardsContent(
+        game=model.content.game, players=model.content.players, calling=model.content.calling, balls=balls,
+        saved=msgspec.to_builtins(last.frame.game),
+    )  # fmt: skip
+    level = Level(scene=scene.name, title="A stroke", parameters=changed, content=content)
+    event = decision_of(last.stroke, last.call)
+    slowed_s = (SLOW_BEFORE_S + SLOW_AFTER_S) * (1.0 / SLOW - 1.0)
+    longest_s = stroke_motion(last.stroke.cue_speed, True).hit_s + play.shown_s + slowed_s + REST_S
+    return Excerpt("stroke", level, scene.seed, scene.active, (event,), round(longest_s / scene.dt))
 
 
 def worth_keeping(model: BilliardsModel, plays_itself: bool) -> object:

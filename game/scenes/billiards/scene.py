@@ -45,6 +45,7 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.stage.records.excerpt import Excerpt
 
 Array = NDArray[np.float64]
 
@@ -218,6 +219,9 @@ class Billiards(Scene):
 
     def save_content(self) -> BilliardsContent:
         return saving.content_of(self.model)
+
+    def excerpt(self) -> Excerpt | None:
+        return saving.stroke_excerpt(self.play, self)
 
 
 def _warm_up(scene: Billiards) -> None:
