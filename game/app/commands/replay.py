@@ -16,9 +16,7 @@ def add(commands: Any) -> None:
     parser.add_argument("file", metavar="FILE", help="recording (made by run --record, or Ctrl+S in a scene)")
     parser.add_argument("--json", metavar="FILE", help="write what was measured; - is standard output")
     parser.add_argument("--screenshot", metavar="FILE.png", help="write a picture of the end")
-    parser.add_argument(
-        "--text", metavar="FILE", help="write the run as a short text (see open); - is output"
-    )
+    parser.add_argument("--text", metavar="FILE", help="write the run as a text (see open); - is output")
     parser.add_argument("--size", default="1280x720", metavar="WxH", help="size of the picture (1280x720)")
     parser.set_defaults(execute=execute)
 

@@ -2,8 +2,8 @@
 
     carom1.SCENE.DIGEST.PAYLOAD
 
-Format 1, all in ASCII. SCENE is the scene's name. DIGEST is that of the run's end, which a replay must come to
-(`game.stage.states.state.digest_of`). PAYLOAD is base64url without padding (RFC 4648, section 5) of a zlib
+Format 1, all in ASCII. SCENE is the scene's name. DIGEST is that of the run's end, which a replay must come
+to (`game.stage.states.state.digest_of`). PAYLOAD is base64url without padding (RFC 4648, section 5) of a zlib
 stream (RFC 1950) with the preset dictionary WORDS; the stream holds the recording as JSON in UTF-8 (see
 `recording.Recording`), without the fields that have their default, and without scene and digest, which stand
 before it. Digests on the way are left out. White space anywhere, and ``>`` at the beginning of lines, as mail
@@ -12,13 +12,12 @@ adds them, is passed over. WORDS belongs to the format: another dictionary would
 
 from __future__ import annotations
 
-import base64
 import re
-import zlib
 from typing import Any
 
 import msgspec
 
+from game.packed_text import pack, unpack
 from game.stage.records.recording import Recording, RecordingError
 
 NAME = "text of a run"  # in errors, in place of a file
@@ -26,29 +25,27 @@ FORMAT = 1
 PREFIX = "carom"
 MOST_LETTERS = 4 << 20  # of a text that is read
 MOST_BYTES = 32 << 20  # of the JSON in it, however small it is packed
-LEVEL = 9  # of zlib, which packs a minute of play in some 20 ms
 
 # What many recordings say, the most frequent last (RFC 1950 lets a stream refer to it). Part of format 1.
 WORDS = (
-    b'"kind":"up","kind":"cancel","kind":"wheel","wheel":1.0,"wheel":-1.0,"shift":true,"control":true,'
-    b'"effects_off":[],"version":"0.1.0","seed":0,"dt":0.008333333333333333,"steps":'
-    b'true,"false,"none","person","novice","club","expert","master","auto","level","open",'
-    b'"level":"scene = \\"title = \\"about = \\"\\n\\n[parameters]\\n\\n[effects]\\noff = []\\n[content]\\n'
-    b'game = \\"eight-ball\\"\\nnine-ball\\"\\ncombination\\"\\npractice\\"\\ndrill\\"\\ncalling = \\"none\\"\\n'
-    b'players = [\\n    \\"Ada\\",\\n    \\"Ben\\",\\n]\\nballs = [\\n    { number = 0, position = [\\n        '
-    b"0.,\\n        1.,\\n        2.,\\n    ] },\\n    { number = 1, position = [\\n        1.2699999999999998,"
-    b'\\n\\n[content.saved]\\ngame = \\"turn = 0\\non_table = [\\n    1,\\n    2,\\n    3,\\n    4,\\n    5,\\n'
-    b"    6,\\n    7,\\n    8,\\n    9,\\n    10,\\n    11,\\n    12,\\n    13,\\n    14,\\n    15,\\n]\\n"
-    b'in_hand = \\"behind the line\\"anywhere\\"\\"\\nopening = false\\noptions = []\\nfouls_in_row = [\\n    0,'
-    b"\\n    0,\\n]\\nwon = [\\n    0,\\n    0,\\n]\\nbreaker = 0\\n"
-    b'"parameters":{"game":"first_player":"second_player":"race":"considered":false,"power":4.0,"tip_left":0.0,'
-    b'"tip_up":0.0,"elevation":0.0,"guide":"events":30,"hand":"sliding":0.2,"rolling":0.01,'
-    b'"ball_restitution":0.95,"cushion_restitution":0.85,"radius_spread":0.0,"mass_spread":0.0},'
-    b'"events":[{"step":0,"event":{"type":"decision","name":"stroke","values":['
-    b'{"type":"action","name":"strike"}},{"type":"effect","name":"on":true}},'
-    b'{"type":"knob","name":"power","value":4.0}},'
-    b'{"step":1,"event":{"type":"pointer","kind":"down","x":0.1,"y":0.1,"button":1}},'
-    b'{"step":10,"event":{"type":"pointer","kind":"move","x":0.,"y":1.,"button":0}},'
+    b'"kind":"up","kind":"cancel","kind":"wheel","wheel":1.0,"wheel":-1.0,"shift":true,"control"'
+    b':true,"effects_off":[],"version":"0.1.0","seed":0,"dt":0.008333333333333333,"steps":true,"'
+    b'false,"none","person","novice","club","expert","master","auto","level","open","level":"sce'
+    b'ne = \\"title = \\"about = \\"\\n\\n[parameters]\\n\\n[effects]\\noff = []\\n[content]\\ngame = '
+    b'\\"eight-ball\\"\\nnine-ball\\"\\ncombination\\"\\npractice\\"\\ndrill\\"\\ncalling = \\"none\\"'
+    b'\\nplayers = [\\n    \\"Ada\\",\\n    \\"Ben\\",\\n]\\nballs = [\\n    { number = 0, position = ['
+    b"\\n        0.,\\n        1.,\\n        2.,\\n    ] },\\n    { number = 1, position = [\\n       "
+    b' 1.2699999999999998,\\n\\n[content.saved]\\ngame = \\"turn = 0\\non_table = [\\n    1,\\n    2,\\'
+    b"n    3,\\n    4,\\n    5,\\n    6,\\n    7,\\n    8,\\n    9,\\n    10,\\n    11,\\n    12,\\n   "
+    b' 13,\\n    14,\\n    15,\\n]\\nin_hand = \\"behind the line\\"anywhere\\"\\"\\nopening = false\\n'
+    b"options = []\\nfouls_in_row = [\\n    0,\\n    0,\\n]\\nwon = [\\n    0,\\n    0,\\n]\\nbreaker ="
+    b' 0\\n"parameters":{"game":"first_player":"second_player":"race":"considered":false,"power":'
+    b'4.0,"tip_left":0.0,"tip_up":0.0,"elevation":0.0,"guide":"events":30,"hand":"sliding":0.2,"'
+    b'rolling":0.01,"ball_restitution":0.95,"cushion_restitution":0.85,"radius_spread":0.0,"mass'
+    b'_spread":0.0},"events":[{"step":0,"event":{"type":"decision","name":"stroke","values":[{"t'
+    b'ype":"action","name":"strike"}},{"type":"effect","name":"on":true}},{"type":"knob","name":'
+    b'"power","value":4.0}},{"step":1,"event":{"type":"pointer","kind":"down","x":0.1,"y":0.1,"b'
+    b'utton":1}},{"step":10,"event":{"type":"pointer","kind":"move","x":0.,"y":1.,"button":0}},'
 )
 
 
@@ -63,9 +60,7 @@ def text_of(recording: Recording) -> str:
         if document[name] == default:
             del document[name]
     document["events"] = [_brief(stamped) for stamped in document["events"]]
-    packer = zlib.compressobj(LEVEL, zdict=WORDS)
-    packed = packer.compress(msgspec.json.encode(document)) + packer.flush()
-    payload = base64.urlsafe_b64encode(packed).decode("ascii").rstrip("=")
+    payload = pack(msgspec.json.encode(document), WORDS)
     return f"{PREFIX}{FORMAT}.{recording.scene}.{recording.digest}.{payload}"
 
 
@@ -124,20 +119,11 @@ def _parts(text: str) -> tuple[str, str, str]:
 
 
 def _unpacked(payload: str) -> bytes:
-    """The bytes of a payload, MOST_BYTES of them at most, whatever the stream would grow to."""
+    """The bytes of a payload, MOST_BYTES of them at most."""
     try:
-        packed = base64.b64decode(payload + "=" * (-len(payload) % 4), altchars=b"-_", validate=True)
-        unpacker = zlib.decompressobj(zdict=WORDS)
-        data = unpacker.decompress(packed, MOST_BYTES)
-    except (ValueError, zlib.error):
-        raise RecordingError(NAME, "", "damaged: the packed part cannot be unpacked") from None
-    if unpacker.unconsumed_tail or len(data) >= MOST_BYTES:
-        raise RecordingError(NAME, "", f"unpacks to more than {MOST_BYTES} bytes")
-    if not unpacker.eof:
-        raise RecordingError(NAME, "", "damaged: its end is missing")
-    if unpacker.unused_data:
-        raise RecordingError(NAME, "", "damaged: there is more behind its end")
-    return data
+        return unpack(payload, MOST_BYTES, WORDS)
+    except ValueError as error:
+        raise RecordingError(NAME, "", str(error)) from None
 
 
 def _document(data: bytes) -> dict[str, Any]:

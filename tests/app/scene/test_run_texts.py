@@ -36,9 +36,7 @@ def said(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return lines
 
 
-def test_a_session_is_copied_and_watched_again_to_its_digest(
-    driver: Driver, said: list[str], board: dict[str, str]
-):
+def test_a_session_is_copied_and_watched_again_to_its_digest(driver: Driver, said, board):
     driver.open("example")
     driver.frames(30)
     driver.stage.post(KICK)
@@ -62,7 +60,7 @@ def test_a_session_is_copied_and_watched_again_to_its_digest(
     assert "The replay came to the recorded digest." in " ".join(said)
 
 
-def test_a_wrong_digest_is_told_at_the_end(driver: Driver, said: list[str], board: dict[str, str]):
+def test_a_wrong_digest_is_told_at_the_end(driver: Driver, said, board):
     driver.open("example")
     driver.frames(20)
     driver.app.perform("copy")
@@ -76,21 +74,17 @@ def test_a_wrong_digest_is_told_at_the_end(driver: Driver, said: list[str], boar
 
 @pytest.mark.parametrize(
     ("text", "why"),
-    [("", "expected carom1"), ("Good morning", "expected carom1"), ("carom9.example.00.AA", "later one is needed"),
+    [("", "expected carom1"), ("Good morning", "expected carom1"), ("carom9.a.00.AA", "later one is needed"),
      ("carom1.elsewhere." + "0" * 32 + ".AAAA", "damaged")],
 )  # fmt: skip
-def test_what_is_no_run_leaves_everything_as_it_is(
-    driver: Driver, said: list[str], board: dict[str, str], text: str, why: str
-):
+def test_what_is_no_run_leaves_everything_as_it_is(driver: Driver, said, board, text: str, why: str):
     board["text"] = text
     assert driver.app.perform("paste")
     driver.frames(2)
     assert isinstance(driver.top, MenuScreen) and why in " ".join(said)
 
 
-def test_a_clipboard_that_there_is_not_is_told(
-    driver: Driver, said: list[str], monkeypatch: pytest.MonkeyPatch
-):
+def test_a_clipboard_that_there_is_not_is_told(driver: Driver, said, monkeypatch):
     monkeypatch.setattr(clipboard, "put", lambda text: "There is no clipboard: none")
     driver.open("example")
     driver.app.perform("copy")

@@ -101,8 +101,10 @@ class TestHostileTexts:
         assert line.startswith("text of a run: ") and "\n" not in line and len(line) <= 500
         return line
 
-    @pytest.mark.parametrize("text", ["", "hello", "carom", "carom1", "carom1.", "carom1..", "\x00", "carom1.a.b.c",
-                                      "carom1.example." + 32 * "0" + ".", "carom1.EXAMPLE." + 32 * "0" + ".AA"])  # fmt: skip
+    @pytest.mark.parametrize("text", [
+        "", "hello", "carom", "carom1", "carom1.", "carom1..", "\x00", "carom1.a.b.c",
+        "carom1.example." + 32 * "0" + ".", "carom1.EXAMPLE." + 32 * "0" + ".AA",
+    ])  # fmt: skip
     def test_no_run_at_all(self, text: str) -> None:
         assert "expected carom1.SCENE.DIGEST.PAYLOAD" in self.refused(text)
 
@@ -155,7 +157,8 @@ class TestHostileTexts:
             ({}, "Object missing required field"), ({**document, "more": 1}, "unknown field"),
             ({**document, "digest": "0" * 32}, "does not belong into the packed part"),
             ({**document, "steps": 10}, "is out of order"), ({**document, "seed": -1}, "seed"),
-            ({**document, "dt": 0.0}, "dt"), ({**document, "events": [{"step": 0, "event": {"type": "no"}}]}, "events"),
+            ({**document, "dt": 0.0}, "dt"),
+            ({**document, "events": [{"step": 0, "event": {"type": "no"}}]}, "events"),
         ):  # fmt: skip
             assert reason in self.refused(with_payload(text, packed(wrong))), wrong
 
