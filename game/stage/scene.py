@@ -32,6 +32,7 @@ from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
+    from game.stage.history import Practised
     from game.stage.records.excerpt import Excerpt
 
 
@@ -291,6 +292,16 @@ class Scene(SceneDeclaration):
     def stars(self) -> tuple[int, int] | None:
         """Most stars won by a person in this level, and how many there are; None: it has none."""
         return None
+
+    @property
+    def practised(self) -> Practised | None:
+        """How the set stands that a person practises, to be kept with its history; None: it is no practice."""
+        return None
+
+    @property
+    def level_title(self) -> str:
+        """Title of a level that the scene is saved as; "": any will do."""
+        return ""
 
     def save_content(self) -> msgspec.Struct | None:
         """The present content as a level's [content], or None if the scene keeps none."""

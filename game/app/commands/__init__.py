@@ -37,8 +37,8 @@ from game.app.window.words import printable, speak_what_is_understood
 from game.definition import DefinitionError
 
 COMMANDS = (
-    play, run, listing, stories, replay, open_text, selftest, accuracy, shot, fit, tracks, match, record, fuzz,
-    bench,
+    play, run, listing, stories, replay, open_text, selftest, accuracy, shot, fit, tracks, match, record,
+    fuzz, bench,
 )  # fmt: skip
 
 

@@ -46,7 +46,7 @@ def save_all(stage: Stage) -> Path:
     path, number = folder / f"{name}.toml", 2
     while path.exists():
         path, number = folder / f"{name}-{number}.toml", number + 1
-    save_level(present_level(stage, f"Saved {now:%d %b %Y, %H:%M}"), path)
+    save_level(present_level(stage, stage.scene.level_title or f"Saved {now:%d %b %Y, %H:%M}"), path)
     stage.recording.save(recordings_folder() / f"{stage.scene.name}-{path.stem}.json")
     return path
 

@@ -243,7 +243,8 @@ def trajectory_of(struck: Struck) -> Trajectory:
 
 def rack_for(game: Game, table: Table, balls: BallSet | None = None, seed: int | None = None) -> Arrangement:
     """The balls racked for a game, those that it is played with."""
-    full = racked(table, "nine-ball" if max(game.on_table, default=0) <= 9 else "eight-ball", balls, seed)
+    kind = {10: "ten-ball"}.get(highest := max(game.on_table, default=0), "eight-ball")
+    full = racked(table, "nine-ball" if highest <= 9 else kind, balls, seed)
     return full.without(*(n for n in full.numbers if n != CUE_BALL and n not in game.on_table))
 
 

@@ -153,6 +153,16 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
         """True if the rack has been won."""
         return self.winner is not None
 
+    @property
+    def final(self) -> bool:
+        """True if strokes count for good, so that none is taken back."""
+        return False
+
+    @property
+    def set_over(self) -> bool:
+        """True if the last rack of a set of racks has been played, where the game has sets."""
+        return False
+
     def legal_first(self) -> tuple[int, ...]:
         """Numbers of the balls that the cue ball may touch first."""
         return self.on_table

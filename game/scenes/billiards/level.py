@@ -10,7 +10,8 @@ import numpy as np
 
 from game.billiards.game.arrangement import Arrangement, BallSet, Stroke
 from game.billiards.game.frame import rack_for
-from game.billiards.game.games import GAMES, AnyGame, Drill
+from game.billiards.game.games import GAMES, AnyGame, Drill, Ghost
+from game.billiards.game.games.ghost import GHOST
 from game.billiards.game.goals import Goal
 from game.billiards.game.rules import CUE_BALL, Game
 from game.billiards.game.tally import Tally
@@ -56,11 +57,15 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     """[content] of a billiards level.
 
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
-    the second and third star. in_hand: the cue ball may be moved before each try. saved: a game under way,
+    the second and third star. in_hand: the cue ball may be moved before each try. tries, needed: a drill is
+    met if so many of so many tries meet its goal (0: there are no sets). log: see practice/log_text.py. saved: a game under way,
     as msgspec writes it; tallies: what has been counted of its players.
     """
 
-    game: Literal["eight-ball", "nine-ball", "combination", "practice", "drill"] = "eight-ball"
+    game: Literal[
+        "eight-ball", "nine-ball", "combination", "practice", "drill", "ghost-nine-ball", "ghost-ten-ball",
+        "ghost-eight-ball",
+    ] = "eight-ball"  # fmt: skip
     players: tuple[Name, Name] = ("Ada", "Ben")
     calling: Literal["all", "eight", "none"] = "none"
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=16)] = []
@@ -68,6 +73,9 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     more: Annotated[list[Goal], msgspec.Meta(max_length=2)] = []
     solution: Solution | None = None
     in_hand: Literal["", "behind the line", "anywhere"] = ""
+    tries: Annotated[int, msgspec.Meta(ge=0, le=100)] = 0
+    needed: Annotated[int, msgspec.Meta(ge=0, le=100)] = 0
+    log: Annotated[str, msgspec.Meta(max_length=400_000)] = ""
     saved: dict[str, Any] = {}
     tallies: tuple[Tally, Tally] = (Tally(), Tally())
 
@@ -90,17 +98,21 @@ def game_of(content: BilliardsContent) -> AnyGame:
         return read_game(content.saved)
     numbers = tuple(sorted(ball.number for ball in content.balls if ball.number != CUE_BALL))
     placed = bool(content.balls)
+    if content.needed > content.tries:
+        raise ValueError(f"needed: {content.needed} of {content.tries} tries cannot be met")
     if content.game == "drill":
         if not content.goal or not placed:
             raise ValueError("goal: a drill needs a goal, and balls")
         return Drill(
             goal=content.goal, more=tuple(content.more), set_up=numbers, on_table=numbers,
-            in_hand=content.in_hand,
+            in_hand=content.in_hand, tries=content.tries, needed=content.needed,
         )  # fmt: skip
     if content.goal is not None:
         raise ValueError(f"goal: only a drill has one, not {content.game}")
     game: Any = GAMES[content.game]()
-    if content.game != "practice":
+    if isinstance(game, Ghost):
+        game = msgspec.structs.replace(game, players=(content.players[0], game.players[GHOST]))
+    elif content.game != "practice":
         game = msgspec.structs.replace(game, players=tuple(content.players))
     if content.game == "eight-ball":
         game = msgspec.structs.replace(game, calling=content.calling)

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from game.billiards.game.games import Drill
+from game.billiards.game.log import Log
 from game.levels import Level
 from game.scenes.billiards.level import BilliardsContent, PlacedBall
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.opponents.thinking import decision_of
 from game.scenes.billiards.play import SLOW, SLOW_AFTER_S, SLOW_BEFORE_S, Play
+from game.scenes.billiards.practice.log_text import text_of_log
 from game.scenes.billiards.stroke.motion import stroke_motion
 from game.stage.records.excerpt import Excerpt
 
@@ -22,13 +24,21 @@ REST_S = 0.25  # s that the balls are shown at rest after the stroke
 WHO_PLAYS = ("game", "first_player", "second_player")  # parameters that a single stroke does not depend on
 
 
-def content_of(model: BilliardsModel) -> BilliardsContent:
-    """Game and table as they are; in the midst of a stroke, as they were before it."""
+def content_of(model: BilliardsModel, log: Log = Log()) -> BilliardsContent:  # noqa: B008  (immutable)
+    """Game, table and log as they are; in the midst of a stroke, as they were before it. A drill is kept as it
+    begins, for it is to be tried again.
+    """
+    game = model.frame.game
+    if isinstance(game, Drill):
+        return BilliardsContent(
+            game="drill", balls=model.content.balls, goal=game.goal, more=list(game.more), tries=game.tries,
+            needed=game.needed, in_hand=model.content.in_hand, solution=model.content.solution,
+        )  # fmt: skip
     balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in model.frame.layout.places]
     return BilliardsContent(
         game=model.content.game, players=model.content.players, calling=model.content.calling,
         balls=balls, solution=model.content.solution,
-        saved=msgspec.to_builtins(model.frame.game), tallies=model.frame.tallies,
+        saved=msgspec.to_builtins(game), tallies=model.frame.tallies, log=text_of_log(log),
     )  # fmt: skip
 
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from game.billiards.game.games.combination import CombinationMatch
 from game.billiards.game.games.drill import Drill
 from game.billiards.game.games.eight_ball import EightBall
+from game.billiards.game.games.ghost import BALLS as GHOST_BALLS
+from game.billiards.game.games.ghost import Ghost
 from game.billiards.game.games.nine_ball import NineBall
 from game.billiards.game.games.practice import Practice
 
-AnyGame = EightBall | NineBall | CombinationMatch | Practice | Drill  # for msgspec, which reads it by its tag
+AnyGame = (
+    EightBall | NineBall | CombinationMatch | Practice | Drill | Ghost
+)  # for msgspec, which reads it by its tag
 
 GAMES = {
     "eight-ball": EightBall,
@@ -16,8 +22,12 @@ GAMES = {
     "combination": CombinationMatch,
     "practice": Practice,
     "drill": Drill,
+    **{
+        f"ghost-{kind}": partial(Ghost, discipline=kind, on_table=balls)
+        for kind, balls in GHOST_BALLS.items()
+    },
 }
 
 __all__ = [
-    "GAMES", "AnyGame", "CombinationMatch", "Drill", "EightBall", "NineBall", "Practice",
+    "GAMES", "AnyGame", "CombinationMatch", "Drill", "EightBall", "Ghost", "NineBall", "Practice",
 ]  # fmt: skip

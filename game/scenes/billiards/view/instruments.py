@@ -10,6 +10,8 @@ import pygame
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.shot.roll import free_run
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
@@ -42,7 +44,8 @@ class Instruments:
         """Draw them round the table. odds: of the stroke that is aimed."""
         play = self.play
         swinging = play.phase == STRIKING and play.pending is not None
-        _draw_stroke(canvas, look, play.pending if swinging and play.pending else play.aiming.stroke)
+        stroke = play.pending if swinging and play.pending else play.aiming.stroke
+        _draw_stroke(canvas, look, stroke, play.model.frame)
         locked = play.aiming.locked and play.may_aim
         aim = Number("Aim locked" if locked else "Aim", aim_words(play.aiming.cue.aim), locked)
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
@@ -56,15 +59,25 @@ class Instruments:
             _draw_scrubber(canvas, look, self.replay)
 
 
-def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:
+def lengths_words(power: float, frame: Frame) -> str:
+    """How far a ball of that speed (m/s) would go if no cushion took anything, in lengths of the table."""
+    lengths = free_run(power, frame.physics) / frame.table.length
+    return f"{lengths:.1f} lengths" if math.isfinite(lengths) else "no cloth"
+
+
+def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> None:
     """Power, spin and elevation of a stroke."""
     surface, book, theme = canvas.surface, look.fonts, look.theme
     power = power_of(stroke.cue_speed)
-    draw_power(surface, layout.rect_of(canvas, layout.POWER), power, MAX_SPEED, theme, book)
+    bar = layout.rect_of(canvas, layout.POWER)
+    draw_power(surface, bar, power, MAX_SPEED, theme, book)
+    below = (bar.centerx, bar.bottom + look.px(6))
+    look.text(surface, lengths_words(power, frame), below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
-    _draw_offsets(look, surface, (x, y + look.px(46)), stroke.tip_left, stroke.tip_up)
+    radius = float(frame.layout.balls.radii[CUE_BALL])
+    _draw_offsets(look, surface, (x, y + look.px(46)), stroke.tip_left, stroke.tip_up, radius)
     px, py = canvas.camera.to_screen(*layout.ELEVATION)
     look.text(surface, "Elevation", (x, py - look.px(56)), 13, "medium", "text2", "center")
     draw_elevation(surface, (px, py), stroke.elevation, theme, book)
@@ -73,12 +86,12 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:
 
 
 def _draw_offsets(
-    look: Look, surface: pygame.Surface, at: tuple[float, float], left: float, up: float
+    look: Look, surface: pygame.Surface, at: tuple[float, float], left: float, up: float, radius: float
 ) -> None:
-    """Where the tip strikes, in ball radii."""
+    """Where the tip strikes, mm from the middle of the ball. left, up: in ball radii; radius m."""
     lines = (("top" if up >= 0.0 else "draw", abs(up)), ("left" if left >= 0.0 else "right", abs(left)))
     for row, (word, value) in enumerate(lines):
-        text = f"{word} {value:.2f} R"
+        text = f"{word} {1000.0 * value * radius:.1f} mm"
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
 
 

@@ -16,6 +16,7 @@ from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, Foresight, Sight
 from game.scenes.billiards.view.balls import balls_at, balls_at_rest
+from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
@@ -41,11 +42,18 @@ class BilliardsView:
     """The picture of the game. title: of the level."""
 
     def __init__(
-        self, play: Play, replay: Replay, buttons: Buttons, opponents: Opponents, title: str
+        self,
+        play: Play,
+        replay: Replay,
+        buttons: Buttons,
+        opponents: Opponents,
+        on_cloth: OnCloth,
+        title: str,
     ) -> None:
         self.play = play
         self.buttons = buttons
         self.opponents = opponents
+        self.on_cloth = on_cloth
         self.title = title
         self.instruments = Instruments(play, replay, buttons)
         self._foresight = Foresight()
@@ -73,11 +81,14 @@ class BilliardsView:
         """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""
         play, frame = self.play, self.play.model.frame
         draw_marks(canvas, play)
+        self.on_cloth.draw(canvas)
         shows_aim = play.may_aim and play.guide != NONE and play.grip != "cue ball"
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
             self._draw_hint(canvas, self.hint)
+        landing = self.on_cloth.draw_cloud(canvas)
         draw_balls(canvas, self.balls_at(time), frame.table)
+        self.on_cloth.draw_cloud_words(canvas, landing)
         if sight is not None:
             foul = foul_of(frame.game, play.aiming.call, sight.target)
             radius = float(frame.layout.balls.radii[CUE_BALL])
