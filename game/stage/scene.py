@@ -32,8 +32,8 @@ from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
 
 if TYPE_CHECKING:
-    from game.stage.history import Practised
     from game.stage.records.excerpt import Excerpt
+    from game.stage.records.history import Practised
 
 
 class Scene(SceneDeclaration):
@@ -295,7 +295,9 @@ class Scene(SceneDeclaration):
 
     @property
     def practised(self) -> Practised | None:
-        """How the set stands that a person practises, to be kept with its history; None: it is no practice."""
+        """How the set stands that a person practises, to be kept with its history; None: it is no
+        practice.
+        """
         return None
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from game.stage.history import PracticeSet, Practised, keep_set, read_history
+from game.stage.records.history import PracticeSet, Practised, keep_set, read_history
 
 if TYPE_CHECKING:
     from game.stage import Stage

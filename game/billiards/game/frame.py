@@ -16,6 +16,7 @@ from game.billiards.game.arrangement import (
     BallSet,
     Stroke,
     after_shot,
+    arrange,
     is_free,
     nearest_free,
     racked,
@@ -170,6 +171,8 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         """What a verdict makes of the balls as they came to rest; this frame is the one before the stroke."""
         if verdict.reset:
             return self.layout
+        if verdict.places:
+            return arrange({ball: (x, y) for ball, x, y in verdict.places}, self.layout.balls)
         if verdict.rack:
             return rack_for(verdict.game, self.table, self.layout.balls, seed)
         return spotted(layout, self.table, verdict.spot)

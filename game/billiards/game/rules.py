@@ -101,7 +101,7 @@ class Verdict(NamedTuple):
     game: the state to go on with. fouls: of this stroke. scored: balls that count for the shooter. words:
     messages in order, fouls among them, the last says what follows. spot: balls to be put back on the foot
     spot. rack: all balls are to be racked again; the cue ball is in hand behind the line. reset: all balls
-    are to be put back where they were before the stroke.
+    are to be put back where they were before the stroke. places: ball, x, y m, where all balls are to be put.
     """
 
     game: Game
@@ -111,6 +111,7 @@ class Verdict(NamedTuple):
     spot: tuple[int, ...] = ()
     rack: bool = False
     reset: bool = False
+    places: tuple[tuple[int, float, float], ...] = ()
 
     @property
     def legal(self) -> bool:

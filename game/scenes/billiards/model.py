@@ -192,7 +192,9 @@ class BilliardsModel(Part):
         self._lay_out()
 
     def show(self, frame: Frame) -> None:
-        """Another frame in play, on the table and the cloth that there are now; the balls turned as they are."""
+        """Another frame in play, on the table and the cloth that there are now; the balls turned as they
+        are.
+        """
         self.frame = frame.replace(table=self.frame.table, physics=self.frame.physics)
         self._lay_out()
 

@@ -22,8 +22,8 @@ class BilliardsParameters(Parameters):
     game = Choice(
         "level",
         (
-            "level", "eight-ball", "nine-ball", "combination", "practice", "ghost-nine-ball", "ghost-ten-ball",
-            "ghost-eight-ball",
+            "level", "eight-ball", "nine-ball", "combination", "practice",
+            "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
         ),
         labels=(
             "As the level says", "8-ball", "9-ball", "Combination match", "Practice", "9-ball ghost",

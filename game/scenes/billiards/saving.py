@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from game.billiards.game.games import Drill
+from game.billiards.game.games import Drill, RunDrill
 from game.billiards.game.log import Log
 from game.levels import Level
 from game.scenes.billiards.level import BilliardsContent, PlacedBall
@@ -25,15 +25,12 @@ WHO_PLAYS = ("game", "first_player", "second_player")  # parameters that a singl
 
 
 def content_of(model: BilliardsModel, log: Log = Log()) -> BilliardsContent:  # noqa: B008  (immutable)
-    """Game, table and log as they are; in the midst of a stroke, as they were before it. A drill is kept as it
-    begins, for it is to be tried again.
+    """Game, table and log as they are; in the midst of a stroke, as they were before it. A drill is kept as
+    it begins, for it is to be tried again.
     """
     game = model.frame.game
-    if isinstance(game, Drill):
-        return BilliardsContent(
-            game="drill", balls=model.content.balls, goal=game.goal, more=list(game.more), tries=game.tries,
-            needed=game.needed, in_hand=model.content.in_hand, solution=model.content.solution,
-        )  # fmt: skip
+    if isinstance(game, Drill | RunDrill):
+        return model.content
     balls = [PlacedBall(number=number, position=(x, y)) for number, x, y in model.frame.layout.places]
     return BilliardsContent(
         game=model.content.game, players=model.content.players, calling=model.content.calling,
@@ -70,6 +67,6 @@ def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
 def worth_keeping(model: BilliardsModel, plays_itself: bool) -> object:
     """Game and places once a stroke has been played; None for a drill, which begins again with each."""
     frame = model.frame
-    if isinstance(frame.game, Drill) or plays_itself or not frame.strokes:
+    if isinstance(frame.game, Drill | RunDrill) or plays_itself or not frame.strokes:
         return None
     return frame.game, frame.layout.places

@@ -52,8 +52,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
-from game.stage.history import Practised
 from game.stage.records.excerpt import Excerpt
+from game.stage.records.history import Practised
 
 Array = NDArray[np.float64]
 
@@ -144,9 +144,8 @@ class Billiards(Scene):
         self.hand = BilliardsHand(self.play, self.replay, self.set_up, self.buttons)
         self.opponents = Opponents(self.play, self.seed)
         self.sounds = StrokeSounds(self.play, self.replay)
-        title = level.title if level is not None else ""
         on_cloth = OnCloth(self.play, self.advisor, self.maker)
-        self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, on_cloth, title)
+        self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, on_cloth, level)
         self.column = ColumnView(self.play, self.side, self.advisor, level)
 
     def state(self) -> BilliardsState:

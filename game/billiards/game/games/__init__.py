@@ -11,9 +11,10 @@ from game.billiards.game.games.ghost import BALLS as GHOST_BALLS
 from game.billiards.game.games.ghost import Ghost
 from game.billiards.game.games.nine_ball import NineBall
 from game.billiards.game.games.practice import Practice
+from game.billiards.game.games.run_drill import RunDrill
 
 AnyGame = (
-    EightBall | NineBall | CombinationMatch | Practice | Drill | Ghost
+    EightBall | NineBall | CombinationMatch | Practice | Drill | RunDrill | Ghost
 )  # for msgspec, which reads it by its tag
 
 GAMES = {
@@ -22,6 +23,7 @@ GAMES = {
     "combination": CombinationMatch,
     "practice": Practice,
     "drill": Drill,
+    "run-drill": RunDrill,
     **{
         f"ghost-{kind}": partial(Ghost, discipline=kind, on_table=balls)
         for kind, balls in GHOST_BALLS.items()
@@ -30,4 +32,5 @@ GAMES = {
 
 __all__ = [
     "GAMES", "AnyGame", "CombinationMatch", "Drill", "EightBall", "Ghost", "NineBall", "Practice",
+    "RunDrill",
 ]  # fmt: skip

@@ -5,8 +5,8 @@ the discipline asks wins the rack; one miss or foul, and the ghost has it. Balls
 down. After ten racks the count is a measure of one's play: see `game.billiards.game.rating`.
 
 What counts in a stroke follows the World Pool-Billiard Association, as far as one stroke goes: nine-ball
-(2.), ten-ball with its called shots (9., the 10 at the break is put back), eight-ball (3.) with the group that
-falls first.
+(2.), ten-ball with its called shots (9., the 10 at the break is put back), eight-ball (3.) with the group
+that falls first.
 """
 
 from __future__ import annotations
@@ -93,35 +93,27 @@ class Ghost(Game, frozen=True, kw_only=True, tag="ghost"):
         if why:
             return self._ghost_wins(shot, fouls, why)
         if self.last in shot.balls_down and self._wins(call):
-            won = msgspec.structs.replace(self._after(shot), winner=PLAYER, won=rack_won(self, PLAYER))
-            return Verdict(won, (), shot.balls_down, (f"{self.shooter} clears the table and wins the rack.",))
+            return self._player_wins(shot, f"{self.shooter} clears the table and wins the rack.")
         back = (self.last,) if self.last in shot.balls_down else ()
         words = [f"The {self.last} was not called, and is put back."] * len(back)
         after = self._after(shot, back)
         if self.discipline == "eight-ball" and not self.group:
-            after = msgspec.structs.replace(
-                after, group="solids" if self._first_down(shot) < EIGHT else "stripes"
-            )
+            first = next(ball for ball in shot.balls_down if ball != EIGHT)
+            after = msgspec.structs.replace(after, group="solids" if first < EIGHT else "stripes")
             words.append(f"{self.shooter} has the {after.group}.")
         return Verdict(after, (), shot.balls_down, (*words, f"{self.shooter} plays on."), back)
 
     def _judge_break(self, shot: ShotSummary) -> Verdict:
-        """The cue ball in hand, whatever came; the 9 wins if it falls without a foul (2.), else it is put back."""
+        """The cue ball in hand, whatever came. The 9 wins if it falls without a foul (2.)."""
         fouls = common_fouls(self, shot, self.legal_first(), False)
         fouls = tuple(foul for foul in fouls if foul.kind != "no cushion")
         if self.discipline == "nine-ball" and NINE in shot.balls_down and not fouls:
-            won = msgspec.structs.replace(self._after(shot), winner=PLAYER, won=rack_won(self, PLAYER))
-            return Verdict(won, (), shot.balls_down, (f"{self.shooter} pots the 9 at the break and wins.",))
+            return self._player_wins(shot, f"{self.shooter} pots the 9 at the break and wins.")
         back = tuple({self.last} & {*shot.balls_down, *shot.off_table})
         after = msgspec.structs.replace(self._after(shot, back), in_hand="anywhere")
         words = [foul.words for foul in fouls] + [f"The {self.last} is put back."] * len(back)
-        return Verdict(
-            after,
-            fouls,
-            (),
-            (*words, f"{self.shooter} has the cue ball in hand; one miss, and the ghost wins."),
-            back,
-        )
+        words.append(f"{self.shooter} has the cue ball in hand; one miss, and the ghost wins.")
+        return Verdict(after, fouls, (), tuple(words), back)
 
     def _why_nothing(self, shot: ShotSummary, call: Call) -> str:
         """Why a stroke without a foul has lost the rack; empty if it has not."""
@@ -151,13 +143,14 @@ class Ghost(Game, frozen=True, kw_only=True, tag="ghost"):
             return tuple(ball for ball in self.on_table if ball in GROUPS[self.group])
         return tuple(ball for ball in self.on_table if ball != EIGHT)
 
-    def _first_down(self, shot: ShotSummary) -> int:
-        return next(ball for ball in shot.balls_down if ball != EIGHT)
-
     def _after(self, shot: ShotSummary, back: tuple[int, ...] = ()) -> Ghost:
         """The rack after a stroke. back: balls that are put back at once."""
         on_table = tuple(sorted({*remaining(self, shot), *back}))
         return msgspec.structs.replace(self, on_table=on_table, in_hand="", opening=False)
+
+    def _player_wins(self, shot: ShotSummary, words: str) -> Verdict:
+        won = msgspec.structs.replace(self._after(shot), winner=PLAYER, won=rack_won(self, PLAYER))
+        return Verdict(won, (), shot.balls_down, (words,))
 
     def _ghost_wins(self, shot: ShotSummary, fouls: tuple[Foul, ...], why: str) -> Verdict:
         lost = msgspec.structs.replace(self._after(shot), winner=GHOST, won=rack_won(self, GHOST))
@@ -167,9 +160,8 @@ class Ghost(Game, frozen=True, kw_only=True, tag="ghost"):
         """The next rack; the player breaks again."""
         state = new_ghost(self.discipline, self.players[PLAYER], self.racks)
         state = msgspec.structs.replace(state, won=self.won)
-        return Verdict(
-            state, words=(f"Rack {sum(self.won) + 1} of {self.racks}: {state.shooter} breaks.",), rack=True
-        )
+        words = f"Rack {sum(self.won) + 1} of {self.racks}: {state.shooter} breaks."
+        return Verdict(state, words=(words,), rack=True)
 
 
 def new_ghost(discipline: Discipline, player: str = "Player", racks: int = RACKS) -> Ghost:

@@ -94,8 +94,8 @@ class PoolAdvisor:
         return self._chosen[1:]
 
     def click(self, row: int) -> None:
-        """A row is clicked: its stroke is aimed and its map shown, at the second click, or while the balls are
-        set up, it is played.
+        """A row is clicked: its stroke is aimed and its map shown, at the second click, or while the balls
+        are set up, it is played.
         """
         latest = self.maker.latest
         if not self.fresh or latest is None or not 0 <= row < len(latest.value.map.pots):

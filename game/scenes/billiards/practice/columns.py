@@ -18,7 +18,7 @@ COLUMN = Box(
     layout.FOOT.bottom + metres(16.0), layout.FRAME.top + metres(4.0 + WIDTH),
 )  # fmt: skip
 WIDE_FRAME = layout.FRAME._replace(top=COLUMN.right + metres(10.0))
-HEAD, PITCH = metres(58.0), metres(42.0)
+HEAD, PITCH = metres(76.0), metres(42.0)
 ROWS = int((COLUMN.bottom - COLUMN.top - HEAD - metres(10.0)) / PITCH)
 
 

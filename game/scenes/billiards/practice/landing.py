@@ -1,5 +1,5 @@
-"""Where the cue ball ends for the noise of a hand: strokes of the exact table, a few in each picture, until there
-are enough or the stroke is another one. Nothing of it belongs to the state.
+"""Where the cue ball ends for the noise of a hand: strokes of the exact table, a few in each picture, until
+there are enough or the stroke is another one. Nothing of it belongs to the state.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ SEED = 91
 
 
 class Landing(NamedTuple):
-    """ends (k, 2) m: where the cue ball came to rest. scratches: how often it went down; tried: strokes so far."""
+    """ends (k, 2) m: where the cue ball came to rest. scratches: how often it went down; tried: strokes
+    so far.
+    """
 
     ends: Array
     scratches: int

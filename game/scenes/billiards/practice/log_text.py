@@ -52,7 +52,9 @@ class _Document(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 def text_of_log(log: Log) -> str:
-    """The log without what was left; empty if nothing was played. The oldest strokes go where it is too long."""
+    """The log without what was left; empty if nothing was played. The oldest strokes go where it is too
+    long.
+    """
     entries = [_entry_of(entry) for entry in log.entries]
     while entries:
         text = f"{FORMAT}.{pack(msgspec.json.encode(_Document(log.at, entries)))}"
@@ -71,8 +73,8 @@ def _entry_of(entry: Logged) -> _Entry:
 
 
 def log_in(text: str, like: Frame) -> Log:
-    """The log that a text says, on the table, with the balls and the cloth of ``like``. ValueError, in a line,
-    for what is damaged, of a later format, or cannot be.
+    """The log that a text says, on the table, with the balls and the cloth of ``like``. ValueError, in a
+    line, for what is damaged, of a later format, or cannot be.
     """
     if not text:
         return Log()

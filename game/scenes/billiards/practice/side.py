@@ -21,7 +21,9 @@ DECISIONS = (SHOW, PLAY)
 
 
 class LogRow(NamedTuple):
-    """A row of the log: a stroke, or the head of a rack (number), or the way back to the frame that was left."""
+    """A row of the log: a stroke, or the head of a rack (number), or the way back to the frame that was
+    left.
+    """
 
     stroke: Logged | None = None
     rack: int = 0

@@ -11,7 +11,7 @@ import pygame
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
 from game.billiards.game.rules import CUE_BALL
-from game.billiards.shot.roll import free_run
+from game.billiards.game.table_lengths import table_lengths
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
@@ -29,6 +29,8 @@ from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
 ROOM_FOR_CAPTIONS = 0.85  # scale
+PLACING = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
+MAKING = "Click a ball and its pocket; drag a zone. Wheel: how many, Ctrl: of how many."
 MOST_LINES = 3  # of words before options
 
 
@@ -54,15 +56,16 @@ class Instruments:
         if play.phase == AIMING and play.model.frame.game.options:
             _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
-            _draw_tray(canvas, look, play.model.frame.layout.numbers)
+            words = MAKING if self.buttons.maker.active else PLACING
+            _draw_tray(canvas, look, play.model.frame.layout.numbers, words)
         elif play.phase == REPLAY:
             _draw_scrubber(canvas, look, self.replay)
 
 
-def lengths_words(power: float, frame: Frame) -> str:
-    """How far a ball of that speed (m/s) would go if no cushion took anything, in lengths of the table."""
-    lengths = free_run(power, frame.physics) / frame.table.length
-    return f"{lengths:.1f} lengths" if math.isfinite(lengths) else "no cloth"
+def lengths_words(power: float, frame: Frame) -> tuple[str, ...]:
+    """How far a ball of that speed (m/s) goes up and down the table, in its lengths."""
+    lengths = table_lengths(round(power, 2), frame.physics, frame.table.width, frame.table.length)
+    return (f"{lengths:.1f} table", "lengths") if math.isfinite(lengths) else ()
 
 
 def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> None:
@@ -71,8 +74,9 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> No
     power = power_of(stroke.cue_speed)
     bar = layout.rect_of(canvas, layout.POWER)
     draw_power(surface, bar, power, MAX_SPEED, theme, book)
-    below = (bar.centerx, bar.bottom + look.px(6))
-    look.text(surface, lengths_words(power, frame), below, 12, "medium", "text2", "center")
+    for row, words in enumerate(lengths_words(power, frame)):
+        below = (bar.centerx, bar.bottom + look.px(2 + 14 * row))
+        look.text(surface, words, below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
@@ -173,8 +177,8 @@ def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
         draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, grip == f"button option-{row}")
 
 
-def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:
-    """The balls that are not on the table, below it."""
+def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...], words: str) -> None:
+    """The balls that are not on the table, below it; beside them what can be done."""
     rect = layout.rect_of(canvas, layout.FOOT)
     theme = look.theme
     draw_box(canvas.surface, rect, look.px(10), theme.inset, theme.line, look.border)
@@ -185,7 +189,6 @@ def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:
         else:
             chip = ball_chip(number, max(10.5 * look.k, 2.0), (theme.inset.r, theme.inset.g, theme.inset.b))
             canvas.surface.blit(chip, chip.get_rect(center=(round(x), round(y))))
-    words = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
     look.text(canvas.surface, words, (rect.right - look.px(14), rect.centery), 12, "medium", "text2", "right")
 
 

@@ -7,11 +7,13 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import CUE_BALL
+from game.levels import Level
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.practice.sets import drill_title
 from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.stroke.odds import Odds, OddsMeter
 from game.scenes.billiards.stroke.prediction import FIRST_BALL, Foresight, Sight
@@ -39,7 +41,7 @@ HINT_EVENTS = 200  # to the end of its shot
 
 
 class BilliardsView:
-    """The picture of the game. title: of the level."""
+    """The picture of the game. level: the one it began with."""
 
     def __init__(
         self,
@@ -48,13 +50,13 @@ class BilliardsView:
         buttons: Buttons,
         opponents: Opponents,
         on_cloth: OnCloth,
-        title: str,
+        level: Level | None,
     ) -> None:
         self.play = play
         self.buttons = buttons
         self.opponents = opponents
         self.on_cloth = on_cloth
-        self.title = title
+        self.level = level
         self.instruments = Instruments(play, replay, buttons)
         self._foresight = Foresight()
         self._hint_foresight = Foresight()
@@ -155,7 +157,8 @@ class BilliardsView:
     def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
-        draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
+        title = drill_title(play.model.frame.game, self.level)
+        draw_board(canvas, look, standing_of(play, self.opponents.thinker, title))
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
             shaky = play.parameters.hand != "none"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from game.billiards.game.games import CombinationMatch, Drill, EightBall, Ghost, NineBall, Practice
+from game.billiards.game.games import CombinationMatch, Drill, EightBall, Ghost, NineBall, Practice, RunDrill
 from game.billiards.game.games.eight_ball import GROUPS
 from game.billiards.game.rules import Game, listed
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
@@ -13,7 +13,7 @@ from game.scenes.shared.thinker import Thinker
 
 GAME_TITLES = {
     EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination", Practice: "Practice",
-    Drill: "Drill",
+    Drill: "Drill", RunDrill: "Drill",
 }  # fmt: skip
 MOST_CHIPS = 9
 
@@ -128,6 +128,13 @@ def _single(game: Game, level_title: str) -> Card:
         if game.tries:
             tries = f"{tries}   ·   {game.needed} of {game.tries} needed"
         return Card(level_title or game.players[0], f"{stars}   {tries}", True)
+    if isinstance(game, RunDrill):
+        tries = f"try {min(game.attempts + 1, game.tries or 1_000_000)}" + f" of {game.tries}" * (
+            game.tries > 0
+        )
+        balls = f"{game.run} of {game.count} balls, best {max(game.best, game.run)}"
+        needed = f"   ·   {game.potted} in all, {game.needed} needed" if game.tries else ""
+        return Card(level_title or game.players[0], f"{tries}   {balls}{needed}", True)
     if isinstance(game, Practice):
         strokes = f"{game.strokes} stroke{'s' * (game.strokes != 1)}"
         status = f"{game.potted} potted with {strokes}, run of {game.run}"

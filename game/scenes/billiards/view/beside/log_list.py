@@ -44,7 +44,7 @@ def row_of(row: LogRow, log: Log, line: frozenset[int]) -> Row:
         won = f", {result.winner} won" if result.winner else ""
         return Row("", f"Rack {row.rack}: {count}{won}", head=True)
     number = log.left[1] if log.left is not None else 0
-    return Row("↵", f"Back to where you were, after stroke {number}" if number else "Back to where you were")
+    return Row("↵", "Back to where you were" + f", after stroke {number}" * (number > 0))
 
 
 def _stroke_row(entry: Logged, log: Log, line: frozenset[int]) -> Row:
@@ -52,7 +52,8 @@ def _stroke_row(entry: Logged, log: Log, line: frozenset[int]) -> Row:
     what = "foul" if entry.foul else down
     branch = ("from the beginning, " if not entry.after else f"after {entry.after}, ") * entry.branches
     how = stroke_words(entry.struck.stroke)[0]
+    color = "vermilion" if entry.foul else "text1"
     return Row(
-        str(entry.number), f"{entry.shooter}: {what}", f"{branch}{how}", "vermilion" if entry.foul else "text1",
+        str(entry.number), f"{entry.shooter}: {what}", f"{branch}{how}", color,
         lit=entry.number == log.at, faint=entry.number not in line,
     )  # fmt: skip

@@ -1,4 +1,6 @@
-"""What practice puts on the cloth: where the cue ball may end, the landing cloud, a drill that is being made."""
+"""What practice puts on the cloth: where the cue ball may end, the landing cloud, a drill that is being
+made.
+"""
 
 from __future__ import annotations
 
@@ -48,8 +50,8 @@ class OnCloth:
             draw_making(canvas, self.maker)
 
     def cells(self, drawn: Drawn) -> Array:
-        """Share (ROWS, COLUMNS) of the potting strokes whose cue ball ends in each cell: of all, or those of the
-        row that was clicked.
+        """Share (ROWS, COLUMNS) of the potting strokes whose cue ball ends in each cell: of all, or those of
+        the row that was clicked.
         """
         chosen = self.advisor.chosen
         if self._cells_of is None or self._cells_of[0] is not drawn or self._cells_of[1] != chosen:  # type: ignore[index]
@@ -68,7 +70,9 @@ class OnCloth:
         canvas.surface.blit(heat_picture(cells, size), (round(left), round(top)))
 
     def draw_cloud(self, canvas: Canvas) -> Landing | None:
-        """The ends of the aimed stroke for a hand, above the lines and below the balls; what is known of them."""
+        """The ends of the aimed stroke for a hand, above the lines and below the balls; what is known of
+        them.
+        """
         play, frame = self.play, self.play.model.frame
         if not (play.parameters.cloud and play.may_aim) or play.grip == "cue ball":
             return None
@@ -78,7 +82,9 @@ class OnCloth:
         if len(landing.ends):
             canvas.discs(landing.ends, SPOT, FELT_WARM, alpha=0.55)
             x, y = landing.middle.tolist()
-            canvas.circle((x, y), landing.half_within, outline=FELT_WARM, width=1.5, dash=(5.0, 4.0))
+            table = frame.table
+            with canvas.within((0.0, 0.0), (table.width, table.length)):
+                canvas.circle((x, y), landing.half_within, outline=FELT_WARM, width=1.5, dash=(5.0, 4.0))
         return landing
 
     def draw_cloud_words(self, canvas: Canvas, landing: Landing | None) -> None:
@@ -88,7 +94,7 @@ class OnCloth:
         table = self.play.model.frame.table
         x, y = landing.middle.tolist() if len(landing.ends) else (0.5 * table.width, 0.5 * table.length)
         below = 0.0 if math.isnan(landing.half_within) else landing.half_within
-        x = min(x + below + canvas.px(14.0), table.width - canvas.px(12.0))
+        x = min(x + below + canvas.px(14.0), table.width - canvas.px(22.0))
         y = min(max(y, canvas.px(90.0)), table.length - canvas.px(90.0))
         draw_cloth_label(canvas.surface, canvas.fonts, cloud_words(landing), canvas.camera.to_screen(x, y))
 

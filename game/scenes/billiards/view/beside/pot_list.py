@@ -34,16 +34,17 @@ def heading(advisor: PoolAdvisor, drawn: Drawn | None) -> tuple[str, str]:
         return "Every pot", waits
     scoring, tried = int(np.count_nonzero(drawn.map.keys)), len(drawn.map.strokes)
     hand = hand_of(advisor.play).words
-    return f"Every pot: {scoring} of {tried} strokes", f"{hand}. Click: aim it; again: play it."
+    said = f"{hand}. Light: where the cue ball may end. A click aims a pot, another one plays it."
+    return f"Every pot: {scoring} of {tried} strokes", said
 
 
 def row_of(pot: Pot, lit: bool, faint: bool) -> Row:
     """One way to pot a ball: how often a hand makes it, by which balls, how it is struck."""
     between = pot.chain[1:-1]
-    by = f" by way of {listed(between)}".replace(" or ", " and ") if between else ""
-    off = f" off {pot.cushions} cushion{'s' * (pot.cushions != 1)}" if pot.cushions else ""
+    by = f" by {listed(between)}".replace(" or ", " and ") if between else ""
+    off = f", {pot.cushions} cushion{'s' * (pot.cushions != 1)}" if pot.cushions else ""
     return Row(
-        f"{round(100.0 * pot.chance)} %", f"{pot.ball}, {layout.POCKETS[pot.pocket]} pocket{by}{off}",
+        f"{round(100.0 * pot.chance)} %", f"{pot.ball}, {layout.POCKETS[pot.pocket]}{by}{off}",
         f"{power_of(pot.stroke.cue_speed):.1f} m/s, {tip_words(pot.stroke)}", lit=lit, faint=faint,
         share=pot.chance,
     )  # fmt: skip

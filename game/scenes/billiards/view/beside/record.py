@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from datetime import datetime
 
@@ -16,7 +17,7 @@ from game.scenes.billiards.practice.columns import ROWS, row_box
 from game.scenes.billiards.practice.sets import standing_set
 from game.scenes.billiards.view.beside.rows import Row, draw_ground, draw_rows
 from game.scenes.shared.tables.boxes import rect_of
-from game.stage.history import PracticeSet, history_path, read_history
+from game.stage.records.history import PracticeSet, history_path, read_history
 from game.ui.canvas.canvas import Canvas
 from game.ui.look.look import Look
 from game.ui.look.numerals import MINUS
@@ -104,7 +105,7 @@ def draw_curve(surface: pygame.Surface, look: Look, rect: pygame.Rect, sets: Seq
         draw_line(surface, theme.line, (left, y), (right, y), look.border)
         look.text(surface, f"{100.0 * share:.0f} %", (left - px(6), y), 11, "medium", "text3", "right")
     places = points_of(sets, (left, right), (foot, top))
-    for a, b in zip(places, places[1:], strict=False):
+    for a, b in itertools.pairwise(places):
         draw_line(surface, look.color("green"), a, b, max(2, px(2)))
     for place, one in zip(places, sets, strict=True):
         whole = not one.of or one.tried == one.of

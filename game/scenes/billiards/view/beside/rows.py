@@ -17,8 +17,8 @@ LEAD = 48.0  # design px of a row before its words
 
 
 class Row(NamedTuple):
-    """A row. lead: at its left end; words, under: its two lines; color: of the words. lit: it is chosen; faint:
-    it is not of the line in play; head: it is a heading over others. share: 0 to 1, drawn as a bar.
+    """A row. lead: at its left end; words, under: its two lines; color: of the words. lit: it is chosen;
+    faint: it is not of the line in play; head: it is a heading over others. share: 0 to 1, drawn as a bar.
     """
 
     lead: str
@@ -39,8 +39,8 @@ def draw_ground(canvas: Canvas, look: Look, title: str, under: str) -> pygame.Re
     look.text(
         canvas.surface, look.fonts.fit(title, 15, "semibold", space), (x, rect.y + px(18)), 15, "semibold"
     )
-    said = look.fonts.fit(under, 12, "medium", space)
-    look.text(canvas.surface, said, (x, rect.y + px(38)), 12, "medium", "text2")
+    for row, said in enumerate(look.fonts.wrap(under, 12, "medium", max(space, 1))[:2]):
+        look.text(canvas.surface, said, (x, rect.y + px(38 + 16 * row)), 12, "medium", "text2")
     return rect
 
 
@@ -55,22 +55,15 @@ def _draw_row(canvas: Canvas, look: Look, rect: pygame.Rect, row: Row) -> None:
     if rect.w < px(LEAD) + px(20):
         return
     if row.head:
-        look.text(surface, look.fonts.fit(row.words, 12, "semibold", rect.w), (rect.x + px(4), rect.centery), 12,
-                  "semibold", "text2")  # fmt: skip
+        words = look.fonts.fit(row.words, 12, "semibold", rect.w)
+        look.text(surface, words, (rect.x + px(4), rect.centery), 12, "semibold", "text2")
         return
     fill, line = (theme.accent_soft, theme.accent) if row.lit else (theme.inset, None)
     draw_box(surface, rect, px(6), fill, line, max(1, px(1.5)))
     quiet = "text3" if row.faint else None
     up = px(4) if row.share is not None else 0
-    look.text(
-        surface,
-        row.lead,
-        (rect.x + px(LEAD / 2), rect.centery - up),
-        13,
-        "semibold",
-        quiet or "text1",
-        "center",
-    )
+    at = (rect.x + px(LEAD / 2), rect.centery - up)
+    look.text(surface, row.lead, at, 13, "semibold", quiet or "text1", "center")
     if row.share is not None:
         bar = pygame.Rect(rect.x + px(8), rect.bottom - px(9), px(LEAD - 16), max(2, px(4)))
         draw_box(surface, bar, px(2), theme.hover)

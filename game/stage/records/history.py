@@ -100,8 +100,8 @@ def read_history() -> tuple[PracticeSet, ...]:
 
 
 def keep_set(one: PracticeSet) -> str:
-    """Keep a set, in place of the one of the same key and beginning if there is such. What there is to complain
-    of, in a line.
+    """Keep a set, in place of the one of the same key and beginning if there is such. What there is to
+    complain of, in a line.
     """
     complaint = ""
     try:
