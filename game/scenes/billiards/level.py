@@ -140,7 +140,8 @@ def _run_drill(content: BilliardsContent, numbers: tuple[int, ...]) -> RunDrill:
     places = tuple(sorted((ball.number, *ball.position) for ball in content.balls))
     return RunDrill(
         on_table=numbers, in_hand=content.in_hand, hand=content.in_hand, set_up=places,
-        ordered=content.ordered, pocket=content.pocket, off_cushions=content.off_cushions, tries=content.tries, needed=content.needed,
+        ordered=content.ordered, pocket=content.pocket, off_cushions=content.off_cushions,
+        tries=content.tries, needed=content.needed,
     )  # fmt: skip
 
 

@@ -30,6 +30,7 @@ from game.stage import Part
 Array = NDArray[np.float64]
 
 
+SETS = ("tries", "needed")  # fields of drills
 LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")
 
 
@@ -281,9 +282,12 @@ def decided_by(played: Played | None) -> Decided | None:
 
 def _word_of(frame: Frame) -> str:
     """A hash of all that a frame says, but for the frames before it."""
-    last = frame.last
+    last, game = frame.last, msgspec.to_builtins(frame.game)
+    for name in SETS:  # the word of a drill without sets stays what it was before there were any
+        if not game.get(name, True):
+            del game[name]
     said = (
-        msgspec.to_builtins(frame.game), frame.layout.places, frame.conditions, Call(), frame.strokes,
+        game, frame.layout.places, frame.conditions, Call(), frame.strokes,
         None if last is None
         else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
     )  # fmt: skip
