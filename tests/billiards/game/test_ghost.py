@@ -40,7 +40,7 @@ class TestBreak:
         verdict = new_ghost(kind).judge(played)
         game = verdict.game
         assert game.in_hand == "anywhere" and not game.opening and not game.over and game.won == (0, 0)
-        assert set(game.on_table) == set(BALLS[kind]) - {ball for ball in played.balls_down}
+        assert set(game.on_table) == set(BALLS[kind]) - set(played.balls_down)
         assert game.turn == 0 and "ghost wins" in verdict.words[-1]
 
     def test_the_9_wins_without_a_foul_and_is_put_back_with_one(self):
@@ -71,7 +71,8 @@ class TestNineBall:
     @pytest.mark.parametrize(
         ("played", "why"),
         [(shot(first=4), "Nothing went down."), (shot(4, first=4, scratch=True), "The cue ball went down."),
-         (shot(7, first=7), "The 7 was hit first, not the 4."), (shot(first=0), "The cue ball touched no ball."),
+         (shot(7, first=7), "The 7 was hit first, not the 4."),
+         (shot(first=0), "The cue ball touched no ball."),
          (shot(first=4, cushioned=()), "After the contact"), (shot(9, first=7), "The 7 was hit first"),
          (shot(9, first=4, scratch=True), "The cue ball went down.")],
     )  # fmt: skip

@@ -60,7 +60,7 @@ def test_one_goes_back_to_a_stroke_and_on_to_where_one_was(game):
 
 
 def test_racks_are_told_apart_by_their_breaks(game):
-    log, frames = game
+    log, _ = game
     assert [(one.rack, one.strokes, one.winner) for one in log.racks] == [(1, 3, "")]
     longer, _ = after(log, new_frame(NineBall(), seed=4), Stroke(7.0, 1.57))
     assert [(one.rack, one.strokes) for one in longer.racks] == [(1, 3), (2, 1)]

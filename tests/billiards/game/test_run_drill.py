@@ -47,7 +47,8 @@ class TestRun:
          ({"ordered": True}, shot(2, first=2), "The 1 was not hit first."),
          ({"ordered": True}, shot(2, first=1), "The 1 did not go down."),
          ({"pocket": 3}, shot(1, pocket=2), "A ball went into another pocket."),
-         ({"off_cushions": True}, shot(1, path=(("ball", 1), ("cushion", 0))), "The cue ball touched a cushion.")],
+         ({"off_cushions": True}, shot(1, path=(("ball", 1), ("cushion", 0))),
+          "The cue ball touched a cushion.")],
     )  # fmt: skip
     def test_what_else_ends_it(self, rule, played, why):
         assert drill(**rule).judge(played).words == (why, "0 of 3.")

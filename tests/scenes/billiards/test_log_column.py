@@ -1,4 +1,6 @@
-"""The log beside the table: a click plays on from a stroke; it is kept with the level, and checked when read."""
+"""The log beside the table: a click plays on from a stroke; it is kept with the level, and checked when
+read.
+"""
 
 import json
 
@@ -6,9 +8,9 @@ import msgspec
 import numpy as np
 import pytest
 
+from game.app.stagehand.files import present_level
 from game.levels import LevelError, format_level, parse_level
 from game.packed_text import pack, unpack
-from game.app.stagehand.files import present_level
 from game.scenes.billiards.beside import LOG
 from game.scenes.billiards.level import BilliardsContent
 from game.scenes.billiards.practice import columns
@@ -45,7 +47,8 @@ def press_row(stage, words: str) -> None:
     """Click the row of a stroke by its number, or "back"."""
     rows = stage.scene.side.rows_seen()
     wanted = next(
-        k for k, row in enumerate(rows)
+        k
+        for k, row in enumerate(rows)
         if (str(row.stroke.number) if row.stroke else "rack" if row.rack else "back") == words
     )
     click(stage, *columns.row_box(wanted).middle)
@@ -59,7 +62,9 @@ def test_a_click_on_a_stroke_plays_on_from_there(stage):
     frame = scene.model.frame
     assert frame.layout.places == before.layout.places and frame.game == before.game
     assert scene.aiming.stroke == pytest.approx(entry.struck.stroke) and scene.aiming.locked
-    assert tuple(scene.model.places[list(frame.layout.numbers)].ravel()) == tuple(frame.layout.positions.ravel())
+    assert tuple(scene.model.places[list(frame.layout.numbers)].ravel()) == tuple(
+        frame.layout.positions.ravel()
+    )
     strike(stage, *entry.struck.stroke[:2])
     assert scene.model.frame.layout.places == after.layout.places
     assert [one.after for one in scene.play.log.entries] == [0, 1, 2, 3, 1]
@@ -116,7 +121,10 @@ def test_the_wheel_shows_the_older_rows(stage):
         entries = stage.scene.play.log.entries
         stage.scene.play.log = msgspec.structs.replace(
             stage.scene.play.log,
-            entries=(*entries, *(msgspec.structs.replace(e, number=e.number + entries[-1].number) for e in entries)),
+            entries=(
+                *entries,
+                *(msgspec.structs.replace(e, number=e.number + entries[-1].number) for e in entries),
+            ),
         )
     rows = log_rows(stage.scene.play.log)
     assert side.rows_seen() == rows[-columns.ROWS :]
@@ -155,7 +163,12 @@ class TestKept:
             assert other.struck.stroke == one.struck.stroke and other.words == one.words
             assert other.struck.frame.game == one.struck.frame.game
             assert other.struck.frame.layout.places == one.struck.frame.layout.places
-            assert (other.number, other.after, other.rack, other.down) == (one.number, one.after, one.rack, one.down)
+            assert (other.number, other.after, other.rack, other.down) == (
+                one.number,
+                one.after,
+                one.rack,
+                one.down,
+            )
         again.scene.side.go_back(2)
         assert again.scene.model.frame.layout.places == mine.find(2).struck.frame.layout.places
 
@@ -175,7 +188,10 @@ class TestKept:
             (lambda d: d["strokes"][0]["places"].pop(), "not those of the game"),
             (lambda d: d["strokes"][0]["places"].pop(0), "its balls are not those of a stroke"),
             (lambda d: d["strokes"][0]["places"][1].__setitem__(1, 99.0), "lies outside"),
-            (lambda d: d["strokes"][0]["places"].__setitem__(2, [2, *d["strokes"][0]["places"][1][1:]]), "stroke 1"),
+            (
+                lambda d: d["strokes"][0]["places"].__setitem__(2, [2, *d["strokes"][0]["places"][1][1:]]),
+                "stroke 1",
+            ),
             (lambda d: d["strokes"][2].update(stroke=[1.0, 0.0, 0.0, 3.0, 0.0]), "stroke 3"),
             (lambda d: d["strokes"][2]["game"].update(turn=7), "is no player"),
             (lambda d: d["strokes"][2]["game"].update(winner=0), "over"),
@@ -188,7 +204,8 @@ class TestKept:
 
     @pytest.mark.parametrize(
         ("text", "why"),
-        [("2.abc", "is of format 2; this Carom reads format 1"), ("abc", "it has no format"), ("1.", "damaged"),
+        [("2.abc", "is of format 2; this Carom reads format 1"), ("abc", "it has no format"),
+         ("1.", "damaged"),
          ("1.AAAA", "damaged"), (f"1.{pack(b' ' * (MOST_BYTES + 1))}", "unpacks to more than"),
          (f"1.{pack(b'[' * 100_000)}", "log: ")],
     )  # fmt: skip

@@ -9,7 +9,7 @@ from game.scenes.billiards.practice.columns import WIDE_FRAME, frame_with
 from game.scenes.billiards.scene import Billiards
 from game.scenes.billiards.view.beside.on_cloth import COLUMNS, ROWS, heat_of, heat_picture
 from game.scenes.billiards.view.beside.pot_list import heading, row_of
-from game.stage import Action, ParameterError, Decision, replay_scene
+from game.stage import Action, Decision, ParameterError, replay_scene
 from tests.scenes.billiards.billiards_stages import click, level_of, point, straight_pot, until_aiming
 
 
@@ -32,7 +32,7 @@ def test_a_first_click_aims_and_a_second_one_plays(stage):
     assert (pot.ball, pot.pocket) == (3, 0) and pot.chance > 0.8
     click_row(stage, 0)
     assert scene.aiming.stroke == pytest.approx(pot.stroke) and scene.play.phase == "aiming"
-    assert scene.advisor.chosen == (3, 0)
+    assert scene.advisor.chosen is pot
     click_row(stage, 0)
     assert scene.play.phase == "striking" and scene.play.pending == pytest.approx(pot.stroke)
     until_aiming(stage)
@@ -105,14 +105,22 @@ def test_one_that_comes_while_balls_roll_is_refused(stage):
 
 def test_the_heat_is_of_all_pots_or_of_the_chosen_one(stage):
     drawn = stage.scene.advisor.now()
-    every, one = heat_of(drawn, None), heat_of(drawn, (3, 0))
+    every, one = heat_of(drawn, None), heat_of(drawn, drawn.map.pots[0])
     assert every.shape == one.shape == (ROWS, COLUMNS)
     assert every.sum() == pytest.approx(1.0) and one.sum() == pytest.approx(1.0)
+    pot = drawn.map.pots[0]
+    own = drawn.map.outcomes.places[pot.rows, drawn.board.cue]
+    assert np.isclose(one[one > 0.0].min() * len(own) % 1.0, (0.0, 1.0), atol=1e-9).any() and len(own) < len(
+        drawn.map.keys
+    )
+    assert ((one > 0.0) <= (every > 0.0)).all() and (one > 0.0).sum() < (every > 0.0).sum()
     counted = drawn.map.keys > 0
     ends = drawn.map.outcomes.places[counted, drawn.board.cue]
     row, column = np.unravel_index(int(np.argmax(every)), every.shape)
     table = drawn.board.table
-    inside = (np.floor(ends[:, 1] / table.length * ROWS) == row) & (np.floor(ends[:, 0] / table.width * COLUMNS) == column)
+    inside = (np.floor(ends[:, 1] / table.length * ROWS) == row) & (
+        np.floor(ends[:, 0] / table.width * COLUMNS) == column
+    )
     assert every[row, column] == pytest.approx(inside.mean())
     picture = heat_picture(every, (4 * ROWS, 4 * COLUMNS))
     brightest = picture.get_at((4 * row + 2, 4 * column + 2))

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+import numpy as np
+
 from game.billiards.map.pool import PoolMap, Pot, pool_map
 from game.billiards.search.strokes import Board
 from game.scenes.billiards.beside import MAP
@@ -18,6 +20,7 @@ from game.scenes.billiards.practice.hands import hand_of
 from game.scenes.shared.newest import Newest
 from game.stage import Decision
 
+SAME = 1e-9  # by which the numbers of an aim may differ that was set for a stroke
 SHOW, PLAY = "show", "pot"  # decisions: cue speed, azimuth, elevation, tip left and up, ball, pocket
 
 
@@ -35,7 +38,7 @@ class PoolAdvisor:
         self.play = play
         self.maker: Newest[Drawn] = Newest("pool map")
         self._clicked: tuple[object, str, Pot] | None = None
-        self._chosen: tuple[object, int, int] | None = None  # of which question; ball, pocket
+        self._chosen: tuple[object, Pot] | None = None  # of which question
 
     @property
     def active(self) -> bool:
@@ -87,11 +90,11 @@ class PoolAdvisor:
         return self.active and latest is not None and latest.key == self.key
 
     @property
-    def chosen(self) -> tuple[int, int] | None:
-        """Ball and pocket of the row that was clicked, while the position is the same."""
+    def chosen(self) -> Pot | None:
+        """The pot of the row that was clicked, while the position is the same."""
         if self._chosen is None or not self.active or self._chosen[0] != self.key:
             return None
-        return self._chosen[1:]
+        return self._chosen[1]
 
     def click(self, row: int) -> None:
         """A row is clicked: its stroke is aimed and its map shown, at the second click, or while the balls
@@ -101,9 +104,9 @@ class PoolAdvisor:
         if not self.fresh or latest is None or not 0 <= row < len(latest.value.map.pots):
             return
         pot = latest.value.map.pots[row]
-        again = self.chosen == (pot.ball, pot.pocket) and self.play.aiming.stroke == pot.stroke
+        again = self.chosen is pot and np.allclose(self.play.aiming.stroke, pot.stroke, rtol=0.0, atol=SAME)
         at_once = again or self.play.phase == SET_UP
-        self._chosen = (self.key, pot.ball, pot.pocket)
+        self._chosen = (self.key, pot)
         self._clicked = (self.key, PLAY if at_once else SHOW, pot)
 
     def decisions(self, at_once: bool) -> list[Decision]:

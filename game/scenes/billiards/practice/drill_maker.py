@@ -124,6 +124,7 @@ class DrillMaker(Part):
             self.play.messages.say(f"The drill cannot be played yet. {self.lacking}")
             return
         self.play.model.begin(self.content)
+        self.play.parameters.game = "level"  # and not another game in its place
         self.making = False
         self.play.let_go()
         self.play.start_phase(AIMING)

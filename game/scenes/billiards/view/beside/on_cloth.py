@@ -11,7 +11,7 @@ import pygame
 from numpy.typing import NDArray
 
 from game.billiards.map.leaving import heat
-from game.billiards.map.pool import cue_ball_heat
+from game.billiards.map.pool import Pot
 from game.scenes.billiards.beside import MAP
 from game.scenes.billiards.play import Play
 from game.scenes.billiards.practice.advisor import Drawn, PoolAdvisor
@@ -37,7 +37,7 @@ class OnCloth:
         self.advisor = advisor
         self.maker = maker
         self._landings = LandingMeter()
-        self._cells_of: object = None
+        self._cells_of: tuple[Drawn, Pot | None] | None = None
         self._cells = np.zeros((ROWS, COLUMNS))
 
     def draw(self, canvas: Canvas) -> None:
@@ -54,7 +54,8 @@ class OnCloth:
         the row that was clicked.
         """
         chosen = self.advisor.chosen
-        if self._cells_of is None or self._cells_of[0] is not drawn or self._cells_of[1] != chosen:  # type: ignore[index]
+        before = self._cells_of
+        if before is None or before[0] is not drawn or before[1] is not chosen:
             self._cells_of = (drawn, chosen)
             self._cells = heat_of(drawn, chosen)
         return self._cells
@@ -99,12 +100,11 @@ class OnCloth:
         draw_cloth_label(canvas.surface, canvas.fonts, cloud_words(landing), canvas.camera.to_screen(x, y))
 
 
-def heat_of(drawn: Drawn, chosen: tuple[int, int] | None) -> Array:
-    """Share of potting strokes by cells; of one ball and pocket if they are chosen."""
+def heat_of(drawn: Drawn, chosen: Pot | None) -> Array:
+    """Share of potting strokes by cells: of all, or of one pot, the whole of its group."""
     board, drawn_map = drawn.board, drawn.map
-    if chosen is not None:
-        return cue_ball_heat(board, drawn_map, *chosen, columns=COLUMNS, rows=ROWS)
-    ends = drawn_map.outcomes.places[drawn_map.keys > 0, board.cue]
+    rows = np.flatnonzero(drawn_map.keys) if chosen is None else chosen.rows
+    ends = drawn_map.outcomes.places[rows, board.cue]
     return heat(ends, COLUMNS, ROWS, board.table.width, board.table.length)
 
 

@@ -23,7 +23,7 @@ def draw_pots(canvas: Canvas, look: Look, advisor: PoolAdvisor, drawn: Drawn | N
     if drawn is None:
         return
     chosen = advisor.chosen
-    rows = [row_of(pot, (pot.ball, pot.pocket) == chosen, not advisor.fresh) for pot in drawn.map.pots[:ROWS]]
+    rows = [row_of(pot, pot is chosen, not advisor.fresh) for pot in drawn.map.pots[:ROWS]]
     draw_rows(canvas, look, rows)
 
 
