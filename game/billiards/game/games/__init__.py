@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from game.billiards.game.games.combination import CombinationMatch
@@ -17,7 +18,7 @@ AnyGame = (
     EightBall | NineBall | CombinationMatch | Practice | Drill | RunDrill | Ghost
 )  # for msgspec, which reads it by its tag
 
-GAMES = {
+GAMES: dict[str, Callable[..., AnyGame]] = {
     "eight-ball": EightBall,
     "nine-ball": NineBall,
     "combination": CombinationMatch,

@@ -33,7 +33,11 @@ from game.billiards.game.rules import (
 TEN = 10
 RACKS = 10  # of a set
 Discipline = Literal["nine-ball", "ten-ball", "eight-ball"]
-BALLS = {"nine-ball": NINE_BALLS, "ten-ball": tuple(range(1, 11)), "eight-ball": tuple(range(1, 16))}
+BALLS: dict[Discipline, tuple[int, ...]] = {
+    "nine-ball": NINE_BALLS,
+    "ten-ball": tuple(range(1, 11)),
+    "eight-ball": tuple(range(1, 16)),
+}
 LAST = {"nine-ball": NINE, "ten-ball": TEN, "eight-ball": EIGHT}
 PLAYER, GHOST = 0, 1
 

@@ -65,10 +65,11 @@ def text_of_log(log: Log) -> str:
 
 
 def _entry_of(entry: Logged) -> _Entry:
-    frame, stroke, call = entry.struck
+    frame, (speed, azimuth, elevation, left, up), (ball, pocket, safety, push_out) = entry.struck
     return _Entry(
         entry.number, entry.after, entry.rack, msgspec.to_builtins(frame.game), list(frame.layout.places),
-        tuple(stroke), tuple(call), list(entry.down), list(entry.words), entry.foul, entry.winner,
+        (speed, azimuth, elevation, left, up), (ball, pocket, safety, push_out), list(entry.down),
+        list(entry.words), entry.foul, entry.winner,
     )  # fmt: skip
 
 

@@ -30,7 +30,8 @@ from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 UNKNOWN = "…"
 ROOM_FOR_CAPTIONS = 0.85  # scale
 PLACING = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
-MAKING = "Click a ball and its pocket; drag a zone. Wheel: how many, Ctrl: of how many."
+MAKING = "Click a ball and its pocket, drag a zone. Wheel: how many."
+TRAY_WIDTH = 610.0  # design px that the balls of the tray take
 MOST_LINES = 3  # of words before options
 
 
@@ -75,7 +76,7 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> No
     bar = layout.rect_of(canvas, layout.POWER)
     draw_power(surface, bar, power, MAX_SPEED, theme, book)
     for row, words in enumerate(lengths_words(power, frame)):
-        below = (bar.centerx, bar.bottom + look.px(2 + 14 * row))
+        below = (bar.centerx, bar.bottom + look.px(2 + 15 * row))
         look.text(surface, words, below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
@@ -189,6 +190,7 @@ def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...], words: str
         else:
             chip = ball_chip(number, max(10.5 * look.k, 2.0), (theme.inset.r, theme.inset.g, theme.inset.b))
             canvas.surface.blit(chip, chip.get_rect(center=(round(x), round(y))))
+    words = look.fonts.fit(words, 12, "medium", max(rect.w - look.px(TRAY_WIDTH + 14.0), 1))
     look.text(canvas.surface, words, (rect.right - look.px(14), rect.centery), 12, "medium", "text2", "right")
 
 

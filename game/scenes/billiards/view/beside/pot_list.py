@@ -8,6 +8,7 @@ from game.billiards.game.rules import listed
 from game.billiards.map.pool import Pot
 from game.billiards.map.words import tip_words
 from game.scenes.billiards import layout
+from game.scenes.billiards.play import SET_UP
 from game.scenes.billiards.practice.advisor import Drawn, PoolAdvisor
 from game.scenes.billiards.practice.columns import ROWS
 from game.scenes.billiards.practice.hands import hand_of
@@ -34,7 +35,10 @@ def heading(advisor: PoolAdvisor, drawn: Drawn | None) -> tuple[str, str]:
         return "Every pot", waits
     scoring, tried = int(np.count_nonzero(drawn.map.keys)), len(drawn.map.strokes)
     hand = hand_of(advisor.play).words
-    said = f"{hand}. Light: where the cue ball may end. A click aims a pot, another one plays it."
+    click = (
+        "A click plays it." if advisor.play.phase == SET_UP else "A click aims a pot, another one plays it."
+    )
+    said = f"{hand}. Light: where the cue ball may end. {click}"
     return f"Every pot: {scoring} of {tried} strokes", said
 
 
