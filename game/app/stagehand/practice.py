@@ -43,7 +43,7 @@ class PracticeKeeper:
 
 
 def _under_way(seen: Practised) -> str:
-    """When the set was begun that has come so far, if the newest of its key is not complete; else empty."""
+    """When the set was begun that has come so far, if it is the newest of its key; else empty."""
     try:
         alike = [one for one in read_history() if one.key == seen.key]
     except ValueError:
@@ -52,4 +52,4 @@ def _under_way(seen: Practised) -> str:
         return ""
     newest = alike[-1]
     goes_on = newest.tried <= seen.tried and newest.made <= seen.made and newest.of == seen.of
-    return newest.when if goes_on and not 0 < newest.of <= newest.tried else ""
+    return newest.when if goes_on else ""

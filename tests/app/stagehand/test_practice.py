@@ -64,6 +64,13 @@ def test_a_game_that_is_gone_on_with_goes_on_with_its_set():
     assert kept() == [("a", 3, 10), ("a", 1, 2)]
 
 
+def test_a_complete_set_that_is_opened_again_is_not_counted_twice():
+    keeper().update(stage(2, 4))
+    keeper().update(stage(3, 10))
+    PracticeKeeper(lambda: datetime(2026, 11, 23)).update(stage(3, 10))
+    assert kept() == [("a", 3, 10)]
+
+
 def test_a_first_try_is_never_an_older_sets():
     keeper().update(stage(0, 1))
     PracticeKeeper(lambda: datetime(2026, 11, 23)).update(stage(0, 1))

@@ -1,5 +1,7 @@
 """Drills of many strokes, and drills in sets, against written cases."""
 
+from itertools import pairwise
+
 import pytest
 from msgspec.structs import replace
 
@@ -59,7 +61,7 @@ class TestRun:
         assert game.final and not drill().final
         game = game.judge(shot(1, 2, 3)).game
         verdict = game.judge(shot(2, first=2)).game.judge(shot(first=1))
-        assert verdict.game.over and verdict.game.set_over
+        assert verdict.game.over and verdict.game.set_over and verdict.game.best == 3
         assert verdict.words[0] == "4 of 6 balls: 4 were needed, met."
         fresh = verdict.game.next_rack()
         assert (fresh.game.attempts, fresh.game.potted, fresh.game.over) == (0, 0, False)
@@ -83,7 +85,8 @@ class TestDrillInSets:
         assert verdict.game.over and verdict.words[0] == "2 of 3: 2 were needed, met."
         with pytest.raises(ValueError, match="over"):
             verdict.game.judge(shot(1))
-        assert (verdict.game.next_rack().game.attempts, verdict.game.next_rack().game.over) == (0, False)
+        fresh = verdict.game.next_rack().game
+        assert (fresh.attempts, fresh.made, fresh.streak, fresh.over) == (0, 0, 0, False)
         missed = game.judge(shot())
         assert missed.words[:2] == ("1 of 3: 2 were needed, not met.", "The 1 did not go down.")
 
@@ -98,6 +101,12 @@ class TestTableLengths:
             assert table_lengths(speed, cloth, BED_WIDTH, BED_LENGTH) == pytest.approx(
                 way / BED_LENGTH, rel=1e-9
             )
+
+    def test_it_grows_evenly_with_the_speed_across_the_cushions(self):
+        speeds = [0.5 + 0.05 * k for k in range(80)]
+        lengths = [table_lengths(round(v, 2), Physics(), BED_WIDTH, BED_LENGTH) for v in speeds]
+        steps = [b - a for a, b in pairwise(lengths)]
+        assert min(steps) >= 0.0 and max(steps) < 0.12 and lengths[-1] > 2.0
 
     def test_cushions_take_their_part(self):
         hard, soft = (Physics(cushion_restitution=e) for e in (0.95, 0.5))
