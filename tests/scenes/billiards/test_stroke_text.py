@@ -32,7 +32,10 @@ def test_the_last_stroke_alone_does_the_same_again():
     stage = open_level("nine-ball", sliding=0.3)
     struck(stage, 7.0, np.pi / 2 + 0.01)
     assert stage.scene.model.frame.strokes == 1
+    for _ in range(3):  # fouls, which are counted in a row
+        struck(stage, 0.2, -0.5)
     struck(stage, 3.0, 1.3, (0.0, 0.2, -0.3))
+    assert stage.scene.model.frame.last.frame.game.fouls_in_row == (2, 1)
     text = text_of_stroke(stage)
     assert len(text) < 1400
     again = replay_scene(recording_in(text), Billiards)
