@@ -17,6 +17,7 @@ FLOORS = (
         "trust",
         "folders",
         "files",
+        "packed_text",
     ),  # where things lie and how they are read and written: for every floor
     *("physics", "billiards", "level_checks", "levels", "lab", "stage", "ui", "scenes", "app", "__main__"),
 )

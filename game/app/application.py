@@ -25,6 +25,7 @@ from game.app.screens.settings_card import SettingsCard
 from game.app.screens.stack import ScreenStack
 from game.app.screens.start_card import Below, StartCard
 from game.app.stagehand.opening import Opening
+from game.app.window import clipboard
 from game.app.window.commands import Actions, perform
 from game.app.window.frames import FrameMeter
 from game.app.window.gamepad import Gamepads
@@ -36,7 +37,9 @@ from game.app.window.settings import Settings, save_settings
 from game.app.window.transition import OVERLAY_S, SCENE_S
 from game.app.window.window import Window
 from game.files import FileProblem
+from game.stage import RecordingError
 from game.stage.catalogue import Catalogue
+from game.stage.records.run_text import recording_in
 from game.ui.look.layout import Layout, auto_scale
 from game.ui.look.look import Look
 from game.ui.sound import SoundPlayer
@@ -149,6 +152,7 @@ class App:
             "screenshot": self.screenshot,
             "settings": self.open_settings,
             "papers": self.open_papers,
+            "paste": self.open_clipboard,
             "quit": self.quit,
         }
 
@@ -208,6 +212,17 @@ class App:
         """Let a scene go on loading under a card, and show it when it is there."""
         if screen.load(elapsed_s):
             self._composition.forget()
+
+    def open_clipboard(self) -> None:
+        """Watch the run whose text lies in the clipboard; a message says why not, if it cannot be."""
+        try:
+            opening = Opening(recording=recording_in(clipboard.get()))
+            assert opening.recording is not None
+            self.open_scene(self.catalogue[opening.recording.scene].name, opening=opening)
+        except RecordingError as error:
+            self.tell("Not opened.", str(error), "warning")
+        except KeyError as error:
+            self.tell("Not opened.", str(error.args[0]), "warning")
 
     def open_welcome(self) -> None:
         """The card of the very first start, over the menu; it is not shown again."""

@@ -8,7 +8,7 @@ digest are made from the declarations.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -30,6 +30,10 @@ from game.stage.parameters import (
 from game.stage.part import structures_of
 from game.stage.scene_declaration import SceneDeclaration
 from game.stage.states.memory import OWN
+
+if TYPE_CHECKING:
+    from game.stage.records.excerpt import Excerpt
+    from game.stage.records.history import Practised
 
 
 class Scene(SceneDeclaration):
@@ -289,8 +293,24 @@ class Scene(SceneDeclaration):
         """Most stars won by a person in this level, and how many there are; None: it has none."""
         return None
 
+    @property
+    def practised(self) -> Practised | None:
+        """How the set stands that a person practises, to be kept with its history; None: it is no
+        practice.
+        """
+        return None
+
+    @property
+    def level_title(self) -> str:
+        """Title of a level that the scene is saved as; "": any will do."""
+        return ""
+
     def save_content(self) -> msgspec.Struct | None:
         """The present content as a level's [content], or None if the scene keeps none."""
+        return None
+
+    def excerpt(self) -> Excerpt | None:
+        """The last thing that is worth passing on by itself, such as a stroke; None: the session is."""
         return None
 
     def check(self) -> None:

@@ -20,6 +20,7 @@ from game.app.commands import (
     fuzz,
     listing,
     match,
+    open_text,
     play,
     record,
     replay,
@@ -36,7 +37,8 @@ from game.app.window.words import printable, speak_what_is_understood
 from game.definition import DefinitionError
 
 COMMANDS = (
-    play, run, listing, stories, replay, selftest, accuracy, shot, fit, tracks, match, record, fuzz, bench,
+    play, run, listing, stories, replay, open_text, selftest, accuracy, shot, fit, tracks, match, record,
+    fuzz, bench,
 )  # fmt: skip
 
 

@@ -143,15 +143,16 @@ def default_level(scene_type: type[Scene]) -> Level | None:
 
 
 def read_recording(word: str, scene_name: str = "") -> Recording:
-    """A recording from its file, of that scene if one is named."""
+    """A recording from its file, or from the text of a run, of that scene if one is named."""
     from game.stage import Recording, RecordingError
+    from game.stage.records.run_text import looks_like_a_run, recording_in
 
     try:
-        recording = Recording.load(word)
+        recording = recording_in(word) if looks_like_a_run(word) else Recording.load(word)
     except RecordingError as error:
         raise MistakeError(str(error)) from None
     if scene_name and recording.scene != scene_name:
-        raise MistakeError(f"{word}: a recording of {recording.scene}, not of {scene_name}")
+        raise MistakeError(f"{word[:80]}: a recording of {recording.scene}, not of {scene_name}")
     return recording
 
 

@@ -55,13 +55,18 @@ def execute(options: argparse.Namespace) -> int:
         recording=recording,
         story=_story_word(options.story),
     )
+    return open_window(scene_type.name, opening, "run does the same without a window")
+
+
+def open_window(scene_name: str, opening: Any, instead: str) -> int:
+    """A scene in the window; MistakeError, saying what else there is, where there is no display."""
     reason = display_missing()
     if reason:
-        raise MistakeError(f"no display: {reason}; run does the same without a window")
+        raise MistakeError(f"no display: {reason}; {instead}")
     try:
-        return _run_window(scene_type.name, opening)
+        return _run_window(scene_name, opening)
     except NoDisplayError as error:
-        raise MistakeError(f"no display: {error}; run does the same without a window") from None
+        raise MistakeError(f"no display: {error}; {instead}") from None
 
 
 def _story_word(word: str | None) -> str | Path | None:

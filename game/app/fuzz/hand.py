@@ -30,7 +30,7 @@ def any_event(hand: Random, size: tuple[int, int], chords: Sequence[Chord] = ())
         own = bool(chords) and hand.random() < 0.4
         chord = hand.choice(SELDOM if hand.random() < 0.01 else chords if own else KEYS)
         code = hand.choice([pygame.K_RETURN, pygame.K_UP, pygame.K_DOWN, pygame.K_a, pygame.K_TAB])
-        modifier = pygame.KMOD_CTRL if chord.control else 0
+        modifier = (pygame.KMOD_CTRL if chord.control else 0) | (pygame.KMOD_SHIFT if chord.shift else 0)
         fields: dict[str, Any] = {"key": code, "scancode": chord.scancode, "mod": modifier}
         return [pygame.Event(pygame.KEYDOWN, unicode="", **fields), pygame.Event(pygame.KEYUP, **fields)]
     if kind < 7:

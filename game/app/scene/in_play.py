@@ -30,7 +30,9 @@ class InPlay:
         self.stage = stage
         self.variants = Variants(stage)
         self.meter = EffectMeter(stage)
-        self.script = Script(stage, recording.events) if recording is not None else None
+        end = (recording.steps, recording.digest) if recording is not None else None
+        self.script = Script(stage, recording.events, end=end) if recording is not None else None
+        self.told = False  # how the recording ended
         self.recorded_steps = recording.steps if recording is not None else 0
         self.try_steps()
 
@@ -51,6 +53,15 @@ class InPlay:
         if self.script is None or step >= self.recorded_steps:
             return ""
         return f"Replay, step {step} of {self.recorded_steps}"
+
+    def ending(self) -> tuple[str, str] | None:
+        """How a recording that was watched has ended, in words and kind, once; None while there is no end."""
+        if self.script is None or self.script.same is None or self.told:
+            return None
+        self.told = True
+        if self.script.same:
+            return "The replay came to the recorded digest.", "info"
+        return "The replay ended otherwise: its digest is not the recorded one.", "warning"
 
     def begin_level(self) -> None:
         """The stage has begun with another level: nothing of what was before is gone on with."""

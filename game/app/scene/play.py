@@ -48,6 +48,7 @@ class ScenePlay:
         self.stopping = Stopping()
         self.standstill = Standstill()
         self._pace = 1.0  # of the level in play
+        self._frame = stage.scene.frame()  # that the view was fitted to
         self.story: StoryPlay | None = None
         self._unseen_s = 0.0  # that a thread has been at work in the scene
         self._chords = {parse_chord(action.key): action.name for action in stage.scene_type.actions}
@@ -81,6 +82,7 @@ class ScenePlay:
             "faster": lambda: self.change_speed(1),
             "view": lambda: self.view.camera.home(smooth=not self.host.look.less_motion),
             "save": self.shelf.ask_and_save,
+            "copy": self.shelf.copy,
             **(self.story.actions if self.story is not None else {}),
         }
 
@@ -259,6 +261,10 @@ class ScenePlay:
     def _follow(self, elapsed_s: float, still: bool) -> None:
         """Sounds, camera, messages and shell as the scene is now."""
         stage = self.stage
+        if stage.scene.frame() != self._frame and type(stage.scene).refits:
+            self._frame = stage.scene.frame()
+            self._place_view()
+            self.view.camera.home(smooth=False)
         self.host.sounds.follow(None if still else stage.scene.hearing())
         if self.story is None or self.story.free or self.story.runner.finished:
             self.view.camera.update(0.0 if self.host.look.less_motion else elapsed_s)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from game.app.scene.in_play import InPlay
 from game.app.scene.variants import Variants
@@ -15,9 +16,13 @@ from game.app.screens.host import Host
 from game.app.screens.question import Question
 from game.app.stagehand import files
 from game.app.stagehand.opening import Opening
+from game.app.window import clipboard
 from game.levels import Level, LevelError, load_level
 from game.stage import ParameterError, Recording, RecordingError, Scene, Stage
 from game.ui.widgets.list_row import ListRow
+
+if TYPE_CHECKING:
+    from game.stage.records.excerpt import Excerpt
 
 Act = Callable[[], object]
 STORY_PREFIX = "story-"
@@ -33,6 +38,7 @@ class Shelf:
         self._host = host
         self._opened = opened
         self._saved = saved
+        self._copied: Excerpt | None = None  # what was copied last, if it was a part of the session
 
     @property
     def present(self) -> Path | None:
@@ -65,6 +71,39 @@ class Shelf:
     def save(self, title: str = "") -> None:
         """Keep the present content as a level, and the session as a recording; "": titled by the date."""
         self._record.errands.work(lambda: self._write(title), kept=True)
+
+    def copy(self) -> None:
+        """Put the last stroke (of a scene that gives such excerpts), or the session, into the clipboard as a
+        text; for the second time in a row the session.
+        """
+        self._record.errands.work(self._pack)
+
+    def _pack(self) -> Act:
+        """Make the text; what is then to be done with it."""
+        from game.stage.records.replaying import recording_of_excerpt
+        from game.stage.records.run_text import text_of
+
+        stage = self._record.stage
+        try:
+            excerpt = stage.scene.excerpt()
+            whole = excerpt is None or excerpt == self._copied
+            if whole or excerpt is None:
+                text = text_of(stage.recording)
+            else:
+                text = text_of(recording_of_excerpt(stage.scene_type, excerpt))
+        except PROBLEMS as error:
+            return self._refusal("Not copied.", str(error))
+        self._copied = None if whole else excerpt
+        what = "The session is copied" if whole or excerpt is None else f"The {excerpt.name} is copied"
+        again = "" if whole else f" {self._host.keys.label('copy')} once more copies the whole session."
+        return lambda: self._have_copied(text, what, f"{len(text)} letters.{again}")
+
+    def _have_copied(self, text: str, what: str, more: str) -> None:
+        why = clipboard.put(text)
+        if why:
+            self._host.tell("Not copied.", why, "warning")
+        else:
+            self._host.tell(f"{what} as text.", more)
 
     def _read(self, path: Path) -> Act:
         """Read and build what is in a file; what is then to be done with it."""

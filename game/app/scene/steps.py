@@ -6,6 +6,7 @@ from game.app.scene.gate import Gate
 from game.app.scene.in_play import InPlay
 from game.app.scene.keeping import Keeper
 from game.app.screens.host import Host
+from game.app.stagehand.practice import PracticeKeeper
 from game.app.stagehand.stars import StarKeeper
 from game.stage import Scene
 
@@ -22,6 +23,7 @@ class Steps:
         self._host = host
         self._gate = gate
         self._stars = StarKeeper()
+        self._practice = PracticeKeeper()
         keeps = type(record.stage.scene).worth_keeping is not Scene.worth_keeping
         self._keeper = Keeper(record.stage.scene_type.name) if keeps else None
         self.seen = True
@@ -35,6 +37,8 @@ class Steps:
         self._gate.post_hand()
         if record.script is not None:
             record.script.advance(elapsed_s)
+            if ending := record.ending():
+                self._host.tell(ending[0], "", ending[1])
         else:
             if not record.scripted:
                 self._gate.listen()
@@ -44,6 +48,8 @@ class Steps:
                 self._keeper.update(record.stage)
             if complaint := self._stars.update(record.stage):
                 self._host.tell("Stars.", complaint, "warning")
+            if complaint := self._practice.update(record.stage):
+                self._host.tell("Practice.", complaint, "warning")
         if measuring and not record.stage.paused:
             record.meter.slice(METER_BUDGET_S)
 

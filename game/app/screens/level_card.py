@@ -21,7 +21,10 @@ from game.ui.look.look import Look
 from game.ui.look.shapes import draw_box
 from game.ui.widgets.hotspots import Hotspot
 
-GROUPS = (("drill-", "Drills"), ("trick-", "Trick shots"), ("hard-", "Hard cases"))  # by names of files
+GROUPS = (
+    ("ghost-", "Against the ghost"), ("set-", "Drills in sets"), ("drill-", "Drills"),
+    ("trick-", "Trick shots"), ("hard-", "Hard cases"),
+)  # fmt: skip  # by names of files
 OWN, OTHERS = "Your own", "Games"
 TILE, WORDS, GAP, TITLE, MARGIN, FOOT = 152, 44, 12, 32, 32, 56  # design px
 SHAPE = 0.54  # height of a picture to its width

@@ -51,7 +51,7 @@ def save_all(stage: Stage, title: str = "") -> Path:
     path, number = folder / f"{name}.toml", 2
     while path.exists():
         path, number = folder / f"{name}-{number}.toml", number + 1
-    save_level(present_level(stage, title or date_title()), path)
+    save_level(present_level(stage, title or stage.scene.level_title or date_title()), path)
     stage.recording.save(recordings_folder() / f"{stage.scene.name}-{path.stem}.json")
     return path
 

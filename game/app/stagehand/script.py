@@ -31,8 +31,17 @@ class Script:
     ``players``: the scene's own players have their say before each step, see `Stage.run`.
     """
 
-    def __init__(self, stage: Stage, events: Sequence[Stamped], players: bool = False):
+    def __init__(
+        self,
+        stage: Stage,
+        events: Sequence[Stamped],
+        players: bool = False,
+        end: tuple[int, str] | None = None,
+    ):
+        """``end``: step and digest that are to be come to, if that is known."""
         self.stage = stage
+        self.same: bool | None = None  # whether it came to that digest; None: that step has not come
+        self._end = end
         self._players = players
         self._events = events
         self._next = 0
@@ -75,3 +84,5 @@ class Script:
             self._next += 1
             if stamped.step == self.stage.step_number:
                 self.stage.post(stamped.event)
+        if self._end is not None and self._end[0] == self.stage.step_number:
+            self.same = self.stage.digest() == self._end[1]

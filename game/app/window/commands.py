@@ -55,6 +55,8 @@ COMMANDS = (
     Command("previous", "previous scene", "pageup"),
     Command("save", "save level and recording", "ctrl+s", helps=True, choice=True),
     Command("open", "open what was saved", "ctrl+o", helps=True, choice=True),
+    Command("copy", "copy the stroke or the run as text", "ctrl+shift+c", helps=True, choice=True),
+    Command("paste", "open a run from the clipboard", "ctrl+v", helps=True, choice=True),
     Command("favourite", "favourite or not, in the menu", "ctrl+f", foot="favourite"),
     Command("help", "help", "f1", "help", "keys", choice=True),
     Command("tour", "tour of the window", "f3", choice=True),

@@ -18,10 +18,11 @@ from game.ui.widgets.keycap import CAPS
 
 
 class Chord(NamedTuple):
-    """A key by its place, with or without Ctrl (Cmd on a Mac)."""
+    """A key by its place, with or without Ctrl (Cmd on a Mac), and with that also with Shift."""
 
     scancode: int
     control: bool = False
+    shift: bool = False
 
 
 _PLACES = {
@@ -35,10 +36,13 @@ NO_KEY = "–"
 def parse_chord(text: str) -> Chord:
     """The chord that a settings word names; ValueError if there is no such key."""
     words = [word.strip().lower() for word in text.split("+")]
-    control = len(words) == 2 and words[0] in ("ctrl", "cmd")
-    if len(words) != 1 + control or words[-1] not in _PLACES:
-        raise ValueError(f'{text!r} is not a key; keys are named as "a", "space", "f5" or "ctrl+s"')
-    return Chord(_PLACES[words[-1]], control)
+    control = len(words) >= 2 and words[0] in ("ctrl", "cmd")
+    shift = control and len(words) == 3 and words[1] == "shift"
+    if len(words) != 1 + control + shift or words[-1] not in _PLACES:
+        raise ValueError(
+            f'{text!r} is not a key; keys are named as "a", "space", "f5", "ctrl+s" or "ctrl+shift+s"'
+        )
+    return Chord(_PLACES[words[-1]], control, shift)
 
 
 class Keys:
@@ -71,8 +75,9 @@ class Keys:
         self._commands[chord] = name
 
     def command(self, event: pygame.Event) -> str | None:
-        """The command of a KEYDOWN event, or None."""
-        return self._commands.get(chord_of(event))
+        """The command of a KEYDOWN event, or None. Shift that no command asks for is passed over."""
+        chord = chord_of(event)
+        return self._commands.get(chord) or self._commands.get(chord._replace(shift=False))
 
     def label(self, name: str) -> str:
         """What is printed on the command's key in the present layout; a dash if it has none."""
@@ -99,21 +104,22 @@ class Keys:
 
 
 def chord_word(chord: Chord) -> str:
-    """The chord as the settings name it: "space", "ctrl+s"."""
+    """The chord as the settings name it: "space", "ctrl+s", "ctrl+shift+s"."""
     name = _place_name(chord.scancode)
-    return f"ctrl+{name}" if chord.control else name
+    return f"ctrl+{'shift+' * chord.shift}{name}" if chord.control else name
 
 
 def chord_of(event: pygame.Event) -> Chord:
     """The chord of a KEYDOWN event."""
-    return Chord(event.scancode, bool(event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META)))
+    control = bool(event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META))
+    return Chord(event.scancode, control, control and bool(event.mod & pygame.KMOD_SHIFT))
 
 
 def chord_label(chord: Chord) -> str:
     """The key's name in the present keyboard layout, e.g. "Ctrl+S", "Esc", "."."""
     name = pygame.key.name(_keycodes(_layout()).get(chord.scancode, 0)) or _place_name(chord.scancode) or "?"
     shown = CAPS.get(name) or name.capitalize()
-    return f"Ctrl+{shown}" if chord.control else shown
+    return f"Ctrl+{'Shift+' * chord.shift}{shown}" if chord.control else shown
 
 
 def _place_name(scancode: int) -> str:

@@ -19,6 +19,7 @@ from game.billiards.table.rack import (
     HEAD_SPOT,
     eight_ball_rack,
     nine_ball_rack,
+    ten_ball_rack,
 )
 from game.billiards.table.table import Table
 
@@ -131,7 +132,7 @@ def after_shot(before: Arrangement, summary: ShotSummary) -> Arrangement:
 def racked(
     table: Table, game: str = "eight-ball", balls: BallSet | None = None, seed: int | None = None
 ) -> Arrangement:
-    """The rack of a game ("nine-ball" or any other), the cue ball on the head spot.
+    """The rack of a game ("nine-ball", "ten-ball" or any other), the cue ball on the head spot.
 
     Balls of different radii lie on the lattice of the largest, those of one radius touch: apart by a tenth of
     a millimetre only they would be struck one after the other, and half of them would hardly leave their
@@ -139,7 +140,7 @@ def racked(
     """
     balls = equal_balls() if balls is None else balls
     radius = float(balls.radii.max())
-    rack = nine_ball_rack if game == "nine-ball" else eight_ball_rack
+    rack = {"nine-ball": nine_ball_rack, "ten-ball": ten_ball_rack}.get(game, eight_ball_rack)
     positions = rack(table, radius, seed=seed)
     return Arrangement(tuple(range(len(positions))), positions, balls)
 

@@ -16,6 +16,7 @@ from game.billiards.game.arrangement import (
     BallSet,
     Stroke,
     after_shot,
+    arrange,
     is_free,
     nearest_free,
     racked,
@@ -174,6 +175,8 @@ class Frame(msgspec.Struct, frozen=True, eq=False):
         """What a verdict makes of the balls as they came to rest; this frame is the one before the stroke."""
         if verdict.reset:
             return self.layout
+        if verdict.places:
+            return arrange({ball: (x, y) for ball, x, y in verdict.places}, self.layout.balls)
         if verdict.rack:
             return rack_for(verdict.game, self.table, self.layout.balls, seed)
         return spotted(layout, self.table, verdict.spot)
@@ -247,7 +250,8 @@ def trajectory_of(struck: Struck) -> Trajectory:
 
 def rack_for(game: Game, table: Table, balls: BallSet | None = None, seed: int | None = None) -> Arrangement:
     """The balls racked for a game, those that it is played with."""
-    full = racked(table, "nine-ball" if max(game.on_table, default=0) <= 9 else "eight-ball", balls, seed)
+    kind = {10: "ten-ball"}.get(highest := max(game.on_table, default=0), "eight-ball")
+    full = racked(table, "nine-ball" if highest <= 9 else kind, balls, seed)
     return full.without(*(n for n in full.numbers if n != CUE_BALL and n not in game.on_table))
 
 

@@ -111,7 +111,7 @@ class Verdict(NamedTuple):
     game: the state to go on with. fouls: of this stroke. scored: balls that count for the shooter. words:
     messages in order, fouls among them, the last says what follows. spot: balls to be put back on the foot
     spot. rack: all balls are to be racked again; the cue ball is in hand behind the line. reset: all balls
-    are to be put back where they were before the stroke.
+    are to be put back where they were before the stroke. places: ball, x, y m, where all balls are to be put.
     """
 
     game: Game
@@ -121,6 +121,7 @@ class Verdict(NamedTuple):
     spot: tuple[int, ...] = ()
     rack: bool = False
     reset: bool = False
+    places: tuple[tuple[int, float, float], ...] = ()
 
     @property
     def legal(self) -> bool:
@@ -162,6 +163,16 @@ class Game(msgspec.Struct, frozen=True, kw_only=True, tag_field="game"):
     def over(self) -> bool:
         """True if the rack has been won."""
         return self.winner is not None
+
+    @property
+    def final(self) -> bool:
+        """True if strokes count for good, so that none is taken back."""
+        return False
+
+    @property
+    def set_over(self) -> bool:
+        """True if the last rack of a set of racks has been played, where the game has sets."""
+        return False
 
     def legal_first(self) -> tuple[int, ...]:
         """Numbers of the balls that the cue ball may touch first."""

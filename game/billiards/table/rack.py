@@ -18,6 +18,7 @@ BALL_MASS = 0.170097  # kg; 6 ounces
 
 EIGHT_BALL_ORDER = (1, 9, 2, 3, 8, 10, 11, 4, 12, 5, 6, 13, 7, 14, 15)  # rows of 1, 2, 3, 4, 5 from the apex
 NINE_BALL_ORDER = (1, 2, 3, 4, 9, 5, 6, 7, 8)  # rows of 1, 2, 3, 2, 1
+TEN_BALL_ORDER = (1, 2, 3, 4, 10, 5, 6, 7, 8, 9)  # rows of 1, 2, 3, 4
 EIGHT_PLACE = 4  # the middle of both racks
 BACK_CORNERS = (10, 14)
 HEAD_SPOT = 0.25  # of the table's length
@@ -59,6 +60,20 @@ def nine_ball_rack(
         rest = rng.permutation(range(2, 9)).tolist()
         order = [1, *rest[:3], 9, *rest[3:]]
     return _rack(table, radius, gap, (1, 2, 3, 2, 1), order, rng)
+
+
+def ten_ball_rack(
+    table: Table, radius: float = BALL_RADIUS, gap: float = 0.0, seed: int | None = None
+) -> NDArray[np.float64]:
+    """Positions (11, 2) m of a ten-ball rack (WPA 9.2): a triangle, the 1 on the foot spot, the 10 in the
+    middle. `gap`, `seed` and errors as in `eight_ball_rack`.
+    """
+    order = list(TEN_BALL_ORDER)
+    rng = None if seed is None else np.random.default_rng(seed)
+    if rng is not None:
+        rest = rng.permutation(range(2, 10)).tolist()
+        order = [1, *rest[:3], 10, *rest[3:]]
+    return _rack(table, radius, gap, (1, 2, 3, 4), order, rng)
 
 
 def _rack(

@@ -18,6 +18,10 @@ HINTS = (
     Hint(("R",), "replay"),
     Hint(("E",), "set up"),
     Hint(("V",), "guide"),
+    Hint(("M",), "every pot"),
+    Hint(("G",), "log"),
+    Hint(("T",), "record"),
+    Hint(("J",), "landing cloud"),
 )
 ACTIONS = (
     SceneAction("strike", "strike with the power that is set, or skip to the end", "return"),
@@ -31,6 +35,10 @@ ACTIONS = (
     SceneAction("safety", "announce a safety or a push-out", "B"),
     SceneAction("hint", "show how a puzzle is solved", "H"),
     SceneAction("lock", "lock or free the aim", "K"),
+    SceneAction("map", "map: every pot, and where the cue ball may end", "M"),
+    SceneAction("log", "log: go back to any stroke", "G"),
+    SceneAction("record", "what was practised, over time", "T"),
+    SceneAction("cloud", "landing cloud of a hand's noise", "J"),
     SceneAction("left", "turn the cue left", "left"),
     SceneAction("right", "turn the cue right", "right"),
     SceneAction("harder", "more power", "up"),

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from game.billiards.game.games import Ghost
 from game.scenes.billiards import layout
+from game.scenes.billiards.beside import BESIDE
 from game.scenes.billiards.modes import Replay, SetUp, leave
 from game.scenes.billiards.opponents.thinking import GRADES
 from game.scenes.billiards.play import AIMING, PERSON, REPLAY, ROLLING, SET_UP, Play
+from game.scenes.billiards.practice.drill_maker import DrillMaker
+from game.scenes.billiards.practice.side import Side
 from game.scenes.billiards.stroke.calling import announced
 from game.scenes.billiards.stroke.guide import GUIDE_BUTTONS, next_guide
 from game.stage import Part
@@ -17,17 +21,24 @@ OPTIONS = ("first", "second", "third", "fourth")
 class Buttons(Part):
     """What buttons and keys do. hint_shown: the solution of a puzzle."""
 
-    def __init__(self, play: Play, replay: Replay, set_up: SetUp) -> None:
+    def __init__(self, play: Play, replay: Replay, set_up: SetUp, side: Side, maker: DrillMaker) -> None:
         self.play = play
         self.replay = replay
         self.set_up = set_up
+        self.side = side
+        self.maker = maker
         self.hint_shown = False
 
     def rows(self) -> list[tuple[str, str, bool]]:
         """Buttons right of the table, from below: action, words, whether it is on."""
         play = self.play
+        if self.maker.active:
+            needed = f"{self.maker.needed} of {self.maker.tries}"
+            return [("drill-play", "Play drill", not self.maker.lacking), ("drill-needed", needed, False),
+                    ("drill-zone", "No zone", False), ("drill", "Balls only", False)]  # fmt: skip
         if play.phase == SET_UP:
-            return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False)]
+            return [("set-up", "Done", True), ("clear", "Clear", False), ("full", "Rack", False),
+                    ("drill", "Drill", False)]  # fmt: skip
         if play.phase == REPLAY:
             return [("replay", "Back", True)]
         back = play.model.match_behind
@@ -38,7 +49,8 @@ class Buttons(Part):
         if play.model.content.solution is not None:
             rows.append(("hint", "Hint", self.hint_shown))
         if game.over:
-            rows.append(("rack", "New match" if play.match_over else "Next rack", True))
+            again = "Again" if len(game.players) == 1 else "New match"
+            rows.append(("rack", again if play.match_over else "Next rack", True))
         elif game.may_push_out():
             rows.append(("safety", "Push out", play.aiming.call.push_out))
         elif game.needs_call():
@@ -54,7 +66,7 @@ class Buttons(Part):
                 return name
         game = self.play.model.frame.game
         if len(game.players) == 2:
-            for player in range(2):
+            for player in range(1 if isinstance(game, Ghost) else 2):
                 if layout.card_box(player).holds(x, y):
                     return f"card-{player}"
         if self.play.phase == AIMING and self.play.person_plays:
@@ -80,6 +92,11 @@ class Buttons(Part):
             self.replay.change_speed()
         elif name in ("clear", "full"):
             self.set_up.fill(name == "full")
+        elif name.startswith("drill"):
+            {
+                "drill": self.maker.toggle, "drill-play": self.maker.finish,
+                "drill-zone": self.maker.clear_zone, "drill-needed": lambda: self.maker.change_needed(1),
+            }[name]()  # fmt: skip
         else:
             self.act(name)
 
@@ -100,6 +117,10 @@ class Buttons(Part):
         elif name in ("left", "right"):
             if play.person_plays and play.phase == AIMING:
                 aiming.nudge(name)
+        elif name in BESIDE:
+            self.side.turn(name)
+        elif name == "cloud":
+            play.parameters.cloud = not play.parameters.cloud
         elif name.startswith("spin-"):
             aiming.nudge_tip(name)
         elif name in ("harder", "softer"):

@@ -6,7 +6,14 @@ from typing import Any
 
 import pygame
 
-from game.billiards.table.rack import BALL_RADIUS, EIGHT_BALL_ORDER, FOOT_SPOT, HEAD_SPOT, NINE_BALL_ORDER
+from game.billiards.table.rack import (
+    BALL_RADIUS,
+    EIGHT_BALL_ORDER,
+    FOOT_SPOT,
+    HEAD_SPOT,
+    NINE_BALL_ORDER,
+    TEN_BALL_ORDER,
+)
 from game.billiards.table.table import BED_LENGTH, BED_WIDTH
 from game.stage.catalogue import CloseUp
 from game.ui.canvas.pen import Pen
@@ -16,7 +23,7 @@ TO_PEN = 56.0  # lengths of the pen to a metre
 BED_LEFT, BED_TOP = 80.0 - 0.5 * TO_PEN * BED_LENGTH, 43.2 - 0.5 * TO_PEN * BED_WIDTH
 BALL = 3.2  # a ball is drawn twice as large as it is, to be told from others
 HOLE = pygame.Color("#0A0B0C")
-ROWS = {"nine-ball": (1, 2, 3, 2, 1)}  # of a rack; others have a triangle
+ROWS = {"nine-ball": (1, 2, 3, 2, 1), "ten-ball": (1, 2, 3, 4)}  # of a rack; others have a triangle
 
 CLOSE_UPS = {"billiards": CloseUp(shown_s=4.1, zoom=2.2, across=0.7, down=0.48)}
 
@@ -68,7 +75,8 @@ def _at(x: float, y: float) -> tuple[float, float]:
 
 def _racked(game: str) -> list[tuple[int, float, float]]:
     """Number and place, m, of the balls before a break, spread as far as they are enlarged."""
-    order = NINE_BALL_ORDER if game == "nine-ball" else EIGHT_BALL_ORDER
+    game = game.removeprefix("ghost-")
+    order = {"nine-ball": NINE_BALL_ORDER, "ten-ball": TEN_BALL_ORDER}.get(game, EIGHT_BALL_ORDER)
     pitch, numbers = BALL / TO_PEN * 2.0, iter(order)
     placed = [(0, 0.5 * BED_WIDTH, HEAD_SPOT * BED_LENGTH)]
     for row, count in enumerate(ROWS.get(game, (1, 2, 3, 4, 5))):

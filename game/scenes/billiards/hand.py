@@ -12,6 +12,8 @@ from game.scenes.billiards.buttons import POWER_STEP, Buttons
 from game.scenes.billiards.modes import Replay, SetUp
 from game.scenes.billiards.parameters import LARGEST_TIP
 from game.scenes.billiards.play import AIMING, REPLAY, SET_UP, Play
+from game.scenes.billiards.practice.drill_maker import ZONE
+from game.scenes.billiards.practice.side import GRIP as COLUMN_GRIP
 from game.scenes.shared.tables.cue import MAX_SPEED
 from game.stage import Part, Pointer
 
@@ -25,6 +27,8 @@ class BilliardsHand(Part):
         self.replay = replay
         self.set_up = set_up
         self.buttons = buttons
+        self.side = buttons.side
+        self.maker = buttons.maker
         self.spin_from = (0.0, 0.0)  # m; where the tip would be in the middle of the ball
 
     def take(self, event: Pointer) -> None:
@@ -61,7 +65,9 @@ class BilliardsHand(Part):
         """Take hold of what lies under the pointer."""
         play, x, y = self.play, event.x, event.y
         name = self.buttons.at(x, y)
-        if name:
+        if self.side.holds(x, y):
+            play.grip = COLUMN_GRIP
+        elif name:
             play.grip = f"button {name}"
             if play.may_aim and name in ("strike", "safety", "view", "hint"):
                 self.play.keep_aim()
@@ -70,13 +76,22 @@ class BilliardsHand(Part):
                 play.grip = "scrub"
                 self._move(event)
         elif play.phase == SET_UP:
-            ball = self.set_up.ball_at(x, y)
-            play.grip = f"ball {ball}" if ball >= 0 else ""
+            self._press_set_up(x, y)
         elif play.plays_itself:
             play.plays_itself = False
             play.messages.say("The cue is yours. Pull back and let go.")
         elif play.person_plays:
             self._take_instrument(event)
+
+    def _press_set_up(self, x: float, y: float) -> None:
+        """A ball; while a drill is made also a pocket, or a zone on the bare cloth."""
+        play, maker = self.play, self.maker
+        ball = self.set_up.ball_at(x, y)
+        maker.moved = False
+        if ball >= 0:
+            play.grip = f"ball {ball}"
+        elif maker.active and not maker.click(x, y) and maker.begin_zone(x, y):
+            play.grip = ZONE
 
     def _take_instrument(self, event: Pointer) -> None:
         """Power bar, spin, elevation; or on the table the cue ball in hand, or the cue."""
@@ -121,8 +136,12 @@ class BilliardsHand(Part):
             name = grip.removeprefix("button ")
             if self.buttons.at(event.x, event.y) == name:
                 self.buttons.press(name)
+        elif grip == COLUMN_GRIP:
+            self.side.click(event)
         elif grip.startswith("ball "):
             self.set_up.put_down(int(grip.removeprefix("ball ")), event.x, event.y)
+            if self.maker.active and not self.maker.moved:
+                self.maker.click(event.x, event.y)
         elif grip == "cue":
             self._release_cue(event)
 
@@ -159,7 +178,10 @@ class BilliardsHand(Part):
         elif play.grip == "cue ball":
             if play.model.frame.game.in_hand and play.phase == AIMING:
                 play.model.move_cue_ball(x, y)
+        elif play.grip == ZONE:
+            self.maker.draw_zone(x, y)
         elif play.grip.startswith("ball "):
+            self.maker.moved = True
             self.set_up.drag(int(play.grip.removeprefix("ball ")), x, y)
         elif play.may_aim:
             self._aim(event)
@@ -186,7 +208,11 @@ class BilliardsHand(Part):
     def _wheel(self, event: Pointer) -> None:
         """The wheel turns the cue finely; over the power bar, or with Control, it sets the power."""
         play = self.play
-        if play.phase != AIMING or not play.person_plays:
+        if self.side.holds(event.x, event.y):
+            self.side.wheel(event)
+        elif self.maker.active:
+            (self.maker.change_tries if event.control else self.maker.change_needed)(round(event.wheel))
+        if play.phase != AIMING or not play.person_plays or self.side.holds(event.x, event.y):
             return
         if event.control or layout.POWER.holds(event.x, event.y):
             self.aiming.set_power(play.parameters.power + POWER_STEP * event.wheel)

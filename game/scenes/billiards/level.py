@@ -10,7 +10,8 @@ import numpy as np
 
 from game.billiards.game.arrangement import Arrangement, BallSet, Stroke
 from game.billiards.game.frame import BestStroke, Frame, rack_for
-from game.billiards.game.games import GAMES, AnyGame, Drill
+from game.billiards.game.games import GAMES, AnyGame, Drill, Ghost, RunDrill
+from game.billiards.game.games.ghost import GHOST
 from game.billiards.game.goals import Goal
 from game.billiards.game.rules import CUE_BALL, Call, Game
 from game.billiards.game.tally import Tally
@@ -69,11 +70,16 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     """[content] of a billiards level.
 
     balls: where they lie; left out, they are racked. goal, more, solution: of a drill or a puzzle, `more` for
-    the second and third star. in_hand: the cue ball may be moved before each try. saved: a game under way,
-    as msgspec writes it; tallies: what has been counted of its players; best: the best stroke of the rack.
+    the second and third star. in_hand: the cue ball may be moved before each try. tries, needed: a drill is
+    met if so many of so many tries meet its goal (0: there are no sets); of a run-drill, `needed` are balls.
+    ordered, pocket, off_cushions: see `RunDrill`. log: see practice/log_text.py. saved: a game under way, as
+    msgspec writes it; tallies: what has been counted of its players; best: the best stroke of the rack.
     """
 
-    game: Literal["eight-ball", "nine-ball", "combination", "practice", "drill"] = "eight-ball"
+    game: Literal[
+        "eight-ball", "nine-ball", "combination", "practice", "drill", "run-drill",
+        "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
+    ] = "eight-ball"  # fmt: skip
     players: tuple[Name, Name] = ("Ada", "Ben")
     calling: Literal["all", "eight", "none"] = "none"
     balls: Annotated[list[PlacedBall], msgspec.Meta(max_length=16)] = []
@@ -81,6 +87,12 @@ class BilliardsContent(msgspec.Struct, forbid_unknown_fields=True, frozen=True, 
     more: Annotated[list[Goal], msgspec.Meta(max_length=2)] = []
     solution: Solution | None = None
     in_hand: Literal["", "behind the line", "anywhere"] = ""
+    tries: Annotated[int, msgspec.Meta(ge=0, le=100)] = 0
+    needed: Annotated[int, msgspec.Meta(ge=0, le=1500)] = 0
+    ordered: bool = False
+    pocket: Annotated[int, msgspec.Meta(ge=0, le=5)] | None = None
+    off_cushions: bool = False
+    log: Annotated[str, msgspec.Meta(max_length=400_000)] = ""
     saved: dict[str, Any] = {}
     tallies: tuple[Tally, Tally] = (Tally(), Tally())
     best: BestPlayed | None = None
@@ -104,17 +116,24 @@ def game_of(content: BilliardsContent) -> AnyGame:
         return read_game(content.saved)
     numbers = tuple(sorted(ball.number for ball in content.balls if ball.number != CUE_BALL))
     placed = bool(content.balls)
+    most = content.tries * (len(numbers) if content.game == "run-drill" else 1)
+    if content.needed > most:
+        raise ValueError(f"needed: {content.needed} of {most} cannot be met")
     if content.game == "drill":
         if not content.goal or not placed:
             raise ValueError("goal: a drill needs a goal, and balls")
         return Drill(
             goal=content.goal, more=tuple(content.more), set_up=numbers, on_table=numbers,
-            in_hand=content.in_hand,
+            in_hand=content.in_hand, tries=content.tries, needed=content.needed,
         )  # fmt: skip
+    if content.game == "run-drill":
+        return _run_drill(content, numbers)
     if content.goal is not None:
         raise ValueError(f"goal: only a drill has one, not {content.game}")
     game: Any = GAMES[content.game]()
-    if content.game != "practice":
+    if isinstance(game, Ghost):
+        game = msgspec.structs.replace(game, players=(content.players[0], game.players[GHOST]))
+    elif content.game != "practice":
         game = msgspec.structs.replace(game, players=tuple(content.players))
     if content.game == "eight-ball":
         game = msgspec.structs.replace(game, calling=content.calling)
@@ -123,6 +142,20 @@ def game_of(content: BilliardsContent) -> AnyGame:
         hand = content.in_hand or ("" if _has_cue_ball(content) else "anywhere")
         game = msgspec.structs.replace(game, on_table=numbers, opening=False, in_hand=hand, **own)
     return game
+
+
+def _run_drill(content: BilliardsContent, numbers: tuple[int, ...]) -> RunDrill:
+    """A drill of many strokes at its beginning. ValueError without a ball, or without the cue ball."""
+    if not numbers or not _has_cue_ball(content):
+        raise ValueError("balls: a run-drill needs the cue ball (number 0) and another one")
+    if content.goal is not None:
+        raise ValueError("goal: a run-drill has none")
+    places = tuple(sorted((ball.number, *ball.position) for ball in content.balls))
+    return RunDrill(
+        on_table=numbers, in_hand=content.in_hand, hand=content.in_hand, set_up=places,
+        ordered=content.ordered, pocket=content.pocket, off_cushions=content.off_cushions,
+        tries=content.tries, needed=content.needed,
+    )  # fmt: skip
 
 
 def read_game(saved: dict[str, Any]) -> AnyGame:

@@ -31,6 +31,7 @@ Array = NDArray[np.float64]
 
 
 NO_TALLIES = (Tally(), Tally())
+SETS = ("tries", "needed")  # fields of drills
 LEFT_MATCH = ("What you set up is practice: nothing is forbidden.", "U, or To match, goes back to the match.")
 
 
@@ -190,11 +191,23 @@ class BilliardsModel(Part):
         if before.layout.places == self.frame.layout.places:
             self.frame = before
             return
-        numbers = tuple(number for number in self.frame.layout.numbers if number != CUE_BALL)
-        hand: Hand = "" if self.frame.cue_ball is not None else "anywhere"
-        game = Practice(rack="", on_table=numbers, opening=False, in_hand=hand)
         words = LEFT_MATCH if len(before.game.players) == 2 else ()
-        self.frame = self.frame.replace(game=game, last=None, words=words, foul=False).with_cue_ball()
+        self.frame = as_practice(self.frame).replace(last=None, words=words, foul=False).with_cue_ball()
+        self._lay_out()
+
+    def show(self, frame: Frame) -> None:
+        """Another frame in play, on the table and the cloth that there are now; the balls turned as they
+        are.
+        """
+        self.frame = frame.replace(table=self.frame.table, physics=self.frame.physics)
+        self._lay_out()
+
+    def begin(self, content: BilliardsContent) -> None:
+        """Another content in place of the game, on the same table. ValueError if it contradicts itself."""
+        now, game = self.frame, game_of(content)
+        layout = layout_for(content, game, now.table, now.layout.balls, self._next_seed())
+        self.content = content
+        self.frame = Frame(game, layout, now.table, now.physics).with_cue_ball()
         self._lay_out()
 
     @property
@@ -202,6 +215,13 @@ class BilliardsModel(Part):
         """True if what was done last has left a game between two, to which undoing it leads back."""
         before = self.frame.earlier
         return before is not None and len(before.game.players) == 2 and len(self.frame.game.players) == 1
+
+
+def as_practice(frame: Frame) -> Frame:
+    """The same balls to practise with: nothing is forbidden, and nothing counted."""
+    numbers = tuple(number for number in frame.layout.numbers if number != CUE_BALL)
+    hand: Hand = "" if frame.cue_ball is not None else "anywhere"
+    return frame.replace(game=Practice(rack="", on_table=numbers, opening=False, in_hand=hand))
 
 
 @lru_cache(maxsize=1)
@@ -265,9 +285,12 @@ def decided_by(played: Played | None) -> Decided | None:
 
 def _word_of(frame: Frame) -> str:
     """A hash of all that a frame says, but for the frames before it."""
-    last = frame.last
+    last, game = frame.last, msgspec.to_builtins(frame.game)
+    for name in SETS:  # the word of a drill without sets stays what it was before there were any
+        if not game.get(name, True):
+            del game[name]
     said = (
-        msgspec.to_builtins(frame.game), frame.layout.places, frame.conditions, Call(), frame.strokes,
+        game, frame.layout.places, frame.conditions, Call(), frame.strokes,
         None if last is None
         else (last.frame.layout.places, last.stroke, last.call, last.frame.conditions),
     )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from game.scenes.billiards.beside import BESIDE, BESIDE_LABELS
 from game.scenes.billiards.level import MOST_RADIUS_SPREAD
 from game.scenes.billiards.opponents.thinking import GRADE_LABELS, GRADES
 from game.scenes.billiards.stroke.guide import GUIDE_LABELS, GUIDES
@@ -9,6 +10,7 @@ from game.scenes.shared.tables.cue import MAX_SPEED
 from game.scenes.shared.tables.unsteady import HANDS
 from game.stage import Choice, Param, Parameters, Toggle
 
+OWN = "own"  # hand
 LEAST_POWER = 0.1  # m/s
 LARGEST_TIP = 0.6  # ball radii
 STEEPEST_DEG = 80.0
@@ -22,8 +24,14 @@ class BilliardsParameters(Parameters):
 
     game = Choice(
         "level",
-        ("level", "eight-ball", "nine-ball", "combination", "practice"),
-        labels=("As the level says", "8-ball", "9-ball", "Combination match", "Practice"),
+        (
+            "level", "eight-ball", "nine-ball", "combination", "practice",
+            "ghost-nine-ball", "ghost-ten-ball", "ghost-eight-ball",
+        ),
+        labels=(
+            "As the level says", "8-ball", "9-ball", "Combination match", "Practice", "9-ball ghost",
+            "10-ball ghost", "8-ball ghost",
+        ),
         group="Game", rebuild=True,
     )  # fmt: skip
     first_player = Choice(
@@ -33,6 +41,10 @@ class BilliardsParameters(Parameters):
     second_player = Choice(
         "person", ("person", *GRADES), labels=("A person", *GRADE_LABELS),
         group="Game", label="Second player", help="you, or a computer player",
+    )  # fmt: skip
+    beside = Choice(
+        "none", BESIDE, labels=BESIDE_LABELS, group="Game", label="Beside the table",
+        help="strokes to go back to, every pot there is, or what was practised",
     )  # fmt: skip
     race = Choice(
         "open", ("open", "1", "3", "5", "7"), labels=("No end", "1 rack", "3 racks", "5 racks", "7 racks"),
@@ -60,6 +72,13 @@ class BilliardsParameters(Parameters):
     hand = Choice(
         "none", tuple(HANDS), group="Stroke", label="Noise of the hand",
         help="how far a person's tip, elevation, azimuth and speed stray, as a computer player's do",
+    )  # fmt: skip
+    cloud = Toggle(
+        False, group="Stroke", label="Landing cloud", help="where the cue ball ends for the noise of a hand"
+    )
+    odds = Choice(
+        "club", (*GRADES, OWN), labels=(*GRADE_LABELS, "Your own, measured"), group="Stroke",
+        label="Hand of map and cloud", help="your own is measured from your strokes with a noise of the hand",
     )  # fmt: skip
     sliding = Param(0.2, 0.02, 0.6, group="Table", label="Sliding friction", help="of ball and cloth")
     rolling = Param(0.01, 0.002, 0.05, group="Table", label="Rolling resistance")

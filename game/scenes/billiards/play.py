@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.games import Drill
+from game.billiards.game.games import Drill, Ghost
+from game.billiards.game.log import Log
 from game.billiards.game.rules import CUE_BALL, Call
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.parameters import BilliardsParameters
@@ -20,6 +21,7 @@ from game.stage.messages import Messages
 AIMING, STRIKING, ROLLING, REPLAY, SET_UP = "aiming", "striking", "rolling", "replay", "set-up"
 PHASE_S, REPLAY_S = range(2)
 PERSON = "person"
+MOST_OWN = 200  # strokes from which one's own hand is measured
 SLOW, SLOW_BEFORE_S, SLOW_AFTER_S = 0.25, 0.30, 0.12  # of the pace; s of the shot before and after the pot
 
 
@@ -29,7 +31,8 @@ class Play(Part):
     clock (2,) s: time of the phase, place in the replay; it belongs to the state. pending: the stroke for
     which the cue swings; practised: with strokes in the air first. grip: what the pointer holds, which a new
     phase takes from it. rest_s: how long nobody has done anything, s. by_hand: how many strokes a hand has
-    played; meant, done: the last of them as it was aimed, and as the hand did it.
+    played; meant, done: the last of them as it was aimed, and as the hand did it. own: the last such pairs of
+    strokes by a hand that strays. log: of all strokes.
     """
 
     def __init__(
@@ -49,6 +52,8 @@ class Play(Part):
         self.by_hand = 0
         self.meant: Stroke | None = None
         self.done: Stroke | None = None
+        self.own: tuple[tuple[Stroke, Stroke], ...] = ()
+        self.log = Log()
         self._seed = seed
         self.messages = Messages()
 
@@ -78,14 +83,15 @@ class Play(Part):
     @property
     def racks_to_win(self) -> int:
         """Racks that win the match; 0 if it has no end."""
-        two = len(self.model.frame.game.players) == 2
+        game = self.model.frame.game
+        two = len(game.players) == 2 and not isinstance(game, Ghost)
         return int(self.parameters.race) if two and self.parameters.race != "open" else 0
 
     @property
     def match_over(self) -> bool:
         """True if a player has won the match."""
         game = self.model.frame.game
-        return game.over and 0 < self.racks_to_win <= max(game.won)
+        return game.over and (game.set_over or 0 < self.racks_to_win <= max(game.won))
 
     @property
     def plays_alone(self) -> bool:
@@ -168,6 +174,8 @@ class Play(Part):
         self.begin_stroke(done, call, practised=False)
         self.by_hand += 1
         self.meant, self.done = meant, done
+        if done != meant:
+            self.own = (*self.own, (meant, done))[-MOST_OWN:]
 
     def _swing(self) -> None:
         """When the tip has met the ball, the stroke is played."""
@@ -191,6 +199,9 @@ class Play(Part):
         time = float(self.clock[PHASE_S])
         self.model.roll(time)
         if time >= self.shown_s:
+            struck, played = self.model.frame.last, self.model.played
+            assert struck is not None and played is not None
+            self.log = self.log.with_stroke(struck, played)
             self.model.settle()
             self.aiming.forget_pull()
             self.start_phase(AIMING)
@@ -231,6 +242,9 @@ class Play(Part):
             self.start_phase(AIMING)
             return
         taken = self.model.frame
+        if taken.game.final and taken.last is not None:
+            self.messages.say("Nothing is taken back. This is counted.")
+            return
         if taken.earlier is None:
             self.messages.say("Nothing to undo. No stroke has been played.")
             return
@@ -239,6 +253,8 @@ class Play(Part):
             taken = taken.earlier
             if self.grade_of(taken.game.turn) == PERSON or self.plays_itself:
                 break
+        strokes = self.model.frame.strokes - taken.strokes - (self.phase == ROLLING)
+        self.log = self.log.taken_back(strokes)
         self.model.go_back_to(taken)
         if last is not None and self.grade_of(taken.game.turn) == PERSON:
             self.aiming.aim_as(self.meant if self.meant and last.stroke == self.done else last.stroke)

@@ -2,22 +2,42 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import msgspec
 
 from game.billiards.game.arrangement import Arrangement
 from game.billiards.game.frame import BestStroke
-from game.billiards.game.games import Drill
+from game.billiards.game.games import Drill, RunDrill
+from game.billiards.game.log import Log
+from game.levels import Level
 from game.scenes.billiards.level import BestPlayed, BilliardsContent, PlacedBall
 from game.scenes.billiards.model import BilliardsModel
+from game.scenes.billiards.opponents.thinking import decision_of
+from game.scenes.billiards.play import SLOW, SLOW_AFTER_S, SLOW_BEFORE_S, Play
+from game.scenes.billiards.practice.log_text import text_of_log
+from game.scenes.billiards.stroke.motion import stroke_motion
+from game.stage.records.excerpt import Excerpt
+
+if TYPE_CHECKING:
+    from game.stage import Scene
+
+REST_S = 0.25  # s that the balls are shown at rest after the stroke
+WHO_PLAYS = ("game", "first_player", "second_player")  # parameters that a single stroke does not depend on
 
 
-def content_of(model: BilliardsModel) -> BilliardsContent:
-    """Game and table as they are; in the midst of a stroke, as they were before it."""
+def content_of(model: BilliardsModel, log: Log = Log()) -> BilliardsContent:  # noqa: B008  (immutable)
+    """Game, table and log as they are; in the midst of a stroke, as they were before it. A drill is kept as
+    it begins, for it is to be tried again.
+    """
+    game = model.frame.game
+    if isinstance(game, Drill | RunDrill):
+        return model.content
     best = model.frame.best
     return BilliardsContent(
         game=model.content.game, players=model.content.players, calling=model.content.calling,
         balls=_placed(model.frame.layout), solution=model.content.solution,
-        saved=msgspec.to_builtins(model.frame.game), tallies=model.frame.tallies,
+        saved=msgspec.to_builtins(game), tallies=model.frame.tallies, log=text_of_log(log),
         best=_told(best) if best is not None else None,
     )  # fmt: skip
 
@@ -35,9 +55,34 @@ def _told(best: BestStroke) -> BestPlayed:
     )  # fmt: skip
 
 
+def stroke_excerpt(play: Play, scene: Scene) -> Excerpt | None:
+    """The last stroke from the position before it, to its end as it is shown; None if there is none, or if
+    balls, table or cloth have been changed since.
+    """
+    model = play.model
+    last = model.frame.last
+    if last is None or last.frame.conditions != model.frame.conditions:
+        return None
+    declared = scene.declared_parameters()
+    changed = {
+        name: value for name, value in scene.values.items()
+        if value != declared[name].default and name not in WHO_PLAYS
+    }  # fmt: skip
+    balls = _placed(last.frame.layout)
+    content = BilliardsContent(
+        game=model.content.game, players=model.content.players, calling=model.content.calling, balls=balls,
+        saved=msgspec.to_builtins(last.frame.game),
+    )  # fmt: skip
+    level = Level(scene=scene.name, title="A stroke", parameters=changed, content=content)
+    event = decision_of(last.stroke, last.call)
+    slowed_s = (SLOW_BEFORE_S + SLOW_AFTER_S) * (1.0 / SLOW - 1.0)
+    longest_s = stroke_motion(last.stroke.cue_speed, True).hit_s + play.shown_s + slowed_s + REST_S
+    return Excerpt("stroke", level, scene.seed, scene.active, (event,), round(longest_s / scene.dt))
+
+
 def worth_keeping(model: BilliardsModel, plays_itself: bool) -> object:
     """Game and places once a stroke has been played; None for a drill, which begins again with each."""
     frame = model.frame
-    if isinstance(frame.game, Drill) or plays_itself or not frame.strokes:
+    if isinstance(frame.game, Drill | RunDrill) or plays_itself or not frame.strokes:
         return None
     return frame.game, frame.layout.places

@@ -19,17 +19,24 @@ from game.scenes.billiards.actions import ACTIONS, HINTS
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.figure import draw_aim
 from game.scenes.billiards.hand import BilliardsHand
-from game.scenes.billiards.layout import FRAME
 from game.scenes.billiards.level import BilliardsContent
 from game.scenes.billiards.model import BilliardsModel
 from game.scenes.billiards.modes import Replay, SetUp
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.parameters import TABLE_PARAMETERS, BilliardsParameters
 from game.scenes.billiards.play import REPLAY, SET_UP, Play
+from game.scenes.billiards.practice.advisor import PoolAdvisor
+from game.scenes.billiards.practice.columns import frame_with
+from game.scenes.billiards.practice.drill_maker import DrillMaker
+from game.scenes.billiards.practice.log_text import log_in
+from game.scenes.billiards.practice.sets import drill_title, standing_set
+from game.scenes.billiards.practice.side import DECISIONS, Side
 from game.scenes.billiards.readouts import readouts
 from game.scenes.billiards.sounds import StrokeSounds
 from game.scenes.billiards.stroke.aiming import Aiming
 from game.scenes.billiards.stroke.motion import warm_ups as cue_warm_ups
+from game.scenes.billiards.view.beside.column import ColumnView
+from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.picture import BilliardsView
 from game.scenes.shared.tables.odds import warm_up as warm_up_odds
 from game.scenes.shared.tables.view import warm_ups as table_warm_ups
@@ -46,6 +53,8 @@ from game.stage import (
     Strip,
     WarmUp,
 )
+from game.stage.records.excerpt import Excerpt
+from game.stage.records.history import Practised
 
 Array = NDArray[np.float64]
 
@@ -87,6 +96,7 @@ class Billiards(Scene):
     effects = GAME_EFFECTS
     study = game_study
     covers = True
+    refits = True
     quarter_turns = 1
     takes = frozenset(("wheel", "middle", "right"))
     content_type = BilliardsContent
@@ -131,13 +141,18 @@ class Billiards(Scene):
         self.aiming = Aiming(self.parameters)
         self.play = Play(self.parameters, self.model, self.aiming, self.seed)
         self.replay = Replay(self.play)
+        self.play.log = log_in(content.log, self.model.frame)
         self.set_up = SetUp(self.play)
-        self.buttons = Buttons(self.play, self.replay, self.set_up)
+        self.advisor = PoolAdvisor(self.play)
+        self.side = Side(self.play, self.advisor)
+        self.maker = DrillMaker(self.play, self.set_up)
+        self.buttons = Buttons(self.play, self.replay, self.set_up, self.side, self.maker)
         self.hand = BilliardsHand(self.play, self.replay, self.set_up, self.buttons)
         self.opponents = Opponents(self.play, self.seed)
         self.sounds = StrokeSounds(self.play, self.replay)
-        title = level.title if level is not None else ""
-        self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, title)
+        on_cloth = OnCloth(self.play, self.advisor, self.maker)
+        self.view = BilliardsView(self.play, self.replay, self.buttons, self.opponents, on_cloth, level)
+        self.column = ColumnView(self.play, self.side, self.advisor, level)
 
     def state(self) -> BilliardsState:
         model = self.model
@@ -185,22 +200,26 @@ class Billiards(Scene):
         return {REPLAY: "replay", SET_UP: "set-up"}.get(self.play.phase, "")
 
     def decisions(self, at_once: bool = False) -> list[Decision]:
-        return self.opponents.decisions(at_once)
+        return [*self.advisor.decisions(at_once), *self.opponents.decisions(at_once)]
 
     @property
     def plays_alone(self) -> bool:
         return self.play.plays_alone
 
     def decide(self, event: Decision) -> None:
-        self.opponents.decide(event)
+        if event.name in DECISIONS:
+            self.side.decide(event)
+        else:
+            self.opponents.decide(event)
 
     # -- what is shown ------------------------------------------------------------------------------
 
     def frame(self) -> Frame:
-        return FRAME
+        return frame_with(self.side.beside)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, alpha, None if self.previous is None else self.previous.clock)
+        self.column.draw(canvas)
 
     def hearing(self) -> Hearing | None:
         return self.sounds.hearing()
@@ -224,7 +243,18 @@ class Billiards(Scene):
         return game.best, 1 + len(game.more)
 
     def save_content(self) -> BilliardsContent:
-        return saving.content_of(self.model)
+        return saving.content_of(self.model, self.play.log)
+
+    @property
+    def practised(self) -> Practised | None:
+        return standing_set(self.play, self.level)
+
+    @property
+    def level_title(self) -> str:
+        return drill_title(self.model.frame.game, self.level)
+
+    def excerpt(self) -> Excerpt | None:
+        return saving.stroke_excerpt(self.play, self)
 
 
 def _warm_up(scene: Billiards) -> None:

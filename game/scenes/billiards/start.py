@@ -13,7 +13,7 @@ START = (
     StartLine(
         "game", "Game", "of the pool table",
         (("eight-ball", "8-ball"), ("nine-ball", "9-ball"), ("combination", "Combination"),
-         ("practice", "Practice")),
+         ("ghost-nine-ball", "Ghost"), ("practice", "Practice")),
         "eight-ball",
     ),
     StartLine(

@@ -71,6 +71,11 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
             text = read_text(path, MAX_BYTES)
         except FileProblem as problem:
             raise RecordingError(path, "", str(problem)) from None
+        return cls.read(text, path)
+
+    @classmethod
+    def read(cls, text: str, path: Path | str) -> Recording:
+        """The recording that a JSON text says; ``path`` is only named in a RecordingError."""
         try:
             recording = msgspec.json.decode(text, type=cls)
         except msgspec.ValidationError as error:
@@ -81,7 +86,7 @@ class Recording(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
         recording._check(path)
         return recording
 
-    def _check(self, path: Path) -> None:
+    def _check(self, path: Path | str) -> None:
         """Refuse what the types allow and no session can hold."""
         last = 0
         for index, stamped in enumerate(self.events):

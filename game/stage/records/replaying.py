@@ -5,6 +5,7 @@ from __future__ import annotations
 from game.levels import LevelError, parse_level
 from game.stage.catalogue import Catalogue
 from game.stage.parameters import ParameterError
+from game.stage.records.excerpt import Excerpt
 from game.stage.records.recording import Recording, RecordingError
 from game.stage.scene import Scene
 from game.stage.stage import Stage
@@ -73,3 +74,17 @@ def begin(recording: Recording, scene_type: type[Scene], *, record: bool = True)
         raise RecordingError(None, "parameters", str(error)) from None
     except ValueError as error:
         raise RecordingError(None, "", str(error)) from None
+
+
+def recording_of_excerpt(scene_type: type[Scene], excerpt: Excerpt) -> Recording:
+    """The excerpt played from its level and recorded; RecordingError if it cannot be."""
+    try:
+        stage = Stage(scene_type, level=excerpt.level, effects=excerpt.active, seed=excerpt.seed)
+        for event in excerpt.events:
+            stage.post(event)
+    except ValueError as error:
+        raise RecordingError(None, excerpt.name, str(error)) from None
+    stage.run(excerpt.steps)
+    if stage.fault is not None:
+        raise RecordingError(None, excerpt.name, stage.fault.message)
+    return stage.recording

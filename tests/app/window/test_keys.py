@@ -25,7 +25,7 @@ def test_every_command_has_a_key_of_its_own(command):
         pygame.KEYDOWN,
         key=0,
         scancode=chord.scancode,
-        mod=pygame.KMOD_LCTRL if chord.control else 0,
+        mod=(pygame.KMOD_LCTRL if chord.control else 0) | (pygame.KMOD_LSHIFT if chord.shift else 0),
         unicode="",
     )
     assert keys.command(event) == command.name
@@ -79,3 +79,18 @@ def test_labels_are_short():
     assert chord_label(parse_chord("ctrl+s")) == "Ctrl+S"
     assert chord_label(parse_chord("left")) == "←"
     assert chord_label(Chord(0)) != ""
+
+
+def test_shift_makes_another_chord_of_ctrl_and_is_else_passed_over():
+    keys = Keys()
+    both = pygame.KMOD_LCTRL | pygame.KMOD_LSHIFT
+
+    def command(scancode: int, mod: int) -> str | None:
+        return keys.command(pygame.Event(pygame.KEYDOWN, key=0, scancode=scancode, mod=mod))
+
+    assert command(pygame.KSCAN_C, both) == "copy" and command(pygame.KSCAN_C, pygame.KMOD_LCTRL) is None
+    assert command(pygame.KSCAN_S, both) == command(pygame.KSCAN_S, pygame.KMOD_LCTRL) == "save"
+    assert command(pygame.KSCAN_PERIOD, pygame.KMOD_LSHIFT) == "step"
+    assert chord_label(parse_chord("ctrl+shift+c")) == "Ctrl+Shift+C"
+    assert Keys({"pause": "ctrl+shift+p"}).label("pause") == "Ctrl+Shift+P"
+    assert Keys().changed_by("pause", parse_chord("ctrl+shift+p")) == {"pause": "ctrl+shift+p"}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from game.billiards.game.games import Drill, Practice
+from game.billiards.game.games import Drill, Practice, RunDrill
 from game.billiards.game.rules import Game
 
 WHOLE, FIRST, NONE = "whole", "first", "none"
@@ -15,7 +15,7 @@ def guide_of(chosen: str, game: Game) -> str:
     """One of GUIDES: the one chosen, or for "auto" the one that suits a game."""
     if chosen in GUIDES:
         return chosen
-    return WHOLE if isinstance(game, (Practice, Drill)) else FIRST
+    return WHOLE if isinstance(game, (Practice, Drill, RunDrill)) else FIRST
 
 
 def next_guide(guide: str) -> str:

@@ -9,6 +9,8 @@ import pygame
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.frame import Frame
+from game.billiards.game.rules import CUE_BALL
+from game.billiards.game.table_lengths import table_lengths
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
@@ -27,6 +29,9 @@ from game.ui.painters.gauges import draw_elevation, draw_power, draw_spin
 
 UNKNOWN = "…"
 ROOM_FOR_CAPTIONS = 0.85  # scale
+PLACING = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
+MAKING = "Click a ball and its pocket, drag a zone. Wheel: how many."
+TRAY_WIDTH = 610.0  # design px that the balls of the tray take
 MOST_LINES = 3  # of words before options
 
 
@@ -42,7 +47,8 @@ class Instruments:
         """Draw them round the table. odds: of the stroke that is aimed."""
         play = self.play
         swinging = play.phase == STRIKING and play.pending is not None
-        _draw_stroke(canvas, look, play.pending if swinging and play.pending else play.aiming.stroke)
+        stroke = play.pending if swinging and play.pending else play.aiming.stroke
+        _draw_stroke(canvas, look, stroke, play.model.frame)
         locked = play.aiming.locked and play.may_aim
         aim = Number("Aim locked" if locked else "Aim", aim_words(play.aiming.cue.aim), locked)
         _draw_numbers(canvas, look, (aim, *odds_numbers(odds)))
@@ -51,20 +57,32 @@ class Instruments:
         if play.phase == AIMING and play.model.frame.game.options:
             _draw_options(canvas, look, play.model.frame, play.grip)
         if play.phase == SET_UP:
-            _draw_tray(canvas, look, play.model.frame.layout.numbers)
+            words = MAKING if self.buttons.maker.active else PLACING
+            _draw_tray(canvas, look, play.model.frame.layout.numbers, words)
         elif play.phase == REPLAY:
             _draw_scrubber(canvas, look, self.replay)
 
 
-def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:
+def lengths_words(power: float, frame: Frame) -> tuple[str, ...]:
+    """How far a ball of that speed (m/s) goes up and down the table, in its lengths."""
+    lengths = table_lengths(round(power, 2), frame.physics, frame.table.width, frame.table.length)
+    return (f"{lengths:.1f} table", "lengths") if math.isfinite(lengths) else ()
+
+
+def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke, frame: Frame) -> None:
     """Power, spin and elevation of a stroke."""
     surface, book, theme = canvas.surface, look.fonts, look.theme
     power = power_of(stroke.cue_speed)
-    draw_power(surface, layout.rect_of(canvas, layout.POWER), power, MAX_SPEED, theme, book)
+    bar = layout.rect_of(canvas, layout.POWER)
+    draw_power(surface, bar, power, MAX_SPEED, theme, book)
+    for row, words in enumerate(lengths_words(power, frame)):
+        below = (bar.centerx, bar.bottom + look.px(2 + 15 * row))
+        look.text(surface, words, below, 12, "medium", "text2", "center")
     x, y = canvas.camera.to_screen(*layout.SPIN)
     look.text(surface, "Spin", (x, y - look.px(44)), 13, "medium", "text2", "center")
     draw_spin(surface, (x, y), -stroke.tip_left, stroke.tip_up, theme, book)
-    _draw_offsets(look, surface, (x, y + look.px(46)), stroke.tip_left, stroke.tip_up)
+    radius = float(frame.layout.balls.radii[CUE_BALL])
+    _draw_offsets(look, surface, (x, y + look.px(46)), stroke.tip_left, stroke.tip_up, radius)
     px, py = canvas.camera.to_screen(*layout.ELEVATION)
     look.text(surface, "Elevation", (x, py - look.px(56)), 13, "medium", "text2", "center")
     draw_elevation(surface, (px, py), stroke.elevation, theme, book)
@@ -73,12 +91,12 @@ def _draw_stroke(canvas: Canvas, look: Look, stroke: Stroke) -> None:
 
 
 def _draw_offsets(
-    look: Look, surface: pygame.Surface, at: tuple[float, float], left: float, up: float
+    look: Look, surface: pygame.Surface, at: tuple[float, float], left: float, up: float, radius: float
 ) -> None:
-    """Where the tip strikes, in ball radii."""
+    """Where the tip strikes, mm from the middle of the ball. left, up: in ball radii; radius m."""
     lines = (("top" if up >= 0.0 else "draw", abs(up)), ("left" if left >= 0.0 else "right", abs(left)))
     for row, (word, value) in enumerate(lines):
-        text = f"{word} {value:.2f} R"
+        text = f"{word} {1000.0 * value * radius:.1f} mm"
         look.text(surface, text, (at[0], at[1] + look.px(18 * row)), 12, "medium", "text2", "center")
 
 
@@ -147,8 +165,8 @@ def _draw_options(canvas: Canvas, look: Look, frame: Frame, grip: str) -> None:
         draw_button(canvas, look, box, f"{row + 1}  {option.words}", False, grip == f"button option-{row}")
 
 
-def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:
-    """The balls that are not on the table, below it."""
+def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...], words: str) -> None:
+    """The balls that are not on the table, below it; beside them what can be done."""
     rect = layout.rect_of(canvas, layout.FOOT)
     theme = look.theme
     draw_box(canvas.surface, rect, look.px(10), theme.inset, theme.line, look.border)
@@ -159,7 +177,7 @@ def _draw_tray(canvas: Canvas, look: Look, on_table: tuple[int, ...]) -> None:
         else:
             chip = ball_chip(number, max(10.5 * look.k, 2.0), (theme.inset.r, theme.inset.g, theme.inset.b))
             canvas.surface.blit(chip, chip.get_rect(center=(round(x), round(y))))
-    words = "Drag balls to the table and back. Done: E. Save: Ctrl+S."
+    words = look.fonts.fit(words, 12, "medium", max(rect.w - look.px(TRAY_WIDTH + 14.0), 1))
     look.text(canvas.surface, words, (rect.right - look.px(14), rect.centery), 12, "medium", "text2", "right")
 
 

@@ -7,13 +7,16 @@ from numpy.typing import NDArray
 
 from game.billiards.game.arrangement import Stroke
 from game.billiards.game.rules import CUE_BALL
+from game.levels import Level
 from game.scenes.billiards import layout
 from game.scenes.billiards.buttons import Buttons
 from game.scenes.billiards.modes import Replay
 from game.scenes.billiards.opponents.deciding import Opponents
 from game.scenes.billiards.play import AIMING, PHASE_S, REPLAY, REPLAY_S, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.practice.sets import drill_title
 from game.scenes.billiards.stroke.guide import FIRST, NONE
 from game.scenes.billiards.view.balls import balls_at_rest
+from game.scenes.billiards.view.beside.on_cloth import OnCloth
 from game.scenes.billiards.view.close_up import CloseUpView
 from game.scenes.billiards.view.cue import draw_players_cue
 from game.scenes.billiards.view.end_card import EndCard, is_shown
@@ -39,15 +42,22 @@ HINT_EVENTS = 200  # to the end of its shot
 
 
 class BilliardsView:
-    """The picture of the game. title: of the level."""
+    """The picture of the game. level: the one it began with."""
 
     def __init__(
-        self, play: Play, replay: Replay, buttons: Buttons, opponents: Opponents, title: str
+        self,
+        play: Play,
+        replay: Replay,
+        buttons: Buttons,
+        opponents: Opponents,
+        on_cloth: OnCloth,
+        level: Level | None,
     ) -> None:
         self.play = play
         self.buttons = buttons
         self.opponents = opponents
-        self.title = title
+        self.on_cloth = on_cloth
+        self.level = level
         self.instruments = Instruments(play, replay, buttons)
         self._foresight = Foresight()
         self._hint_foresight = Foresight()
@@ -74,11 +84,14 @@ class BilliardsView:
         """What lies and moves on the table at a time of the phase, s; what is foreseen of an aimed stroke."""
         play, frame = self.play, self.play.model.frame
         draw_marks(canvas, play)
+        self.on_cloth.draw(canvas)
         shows_aim = play.may_aim and play.guide != NONE and play.grip != "cue ball"
         sight = self._draw_aim(canvas) if shows_aim else None
         if self.hint is not None and play.phase == AIMING:
             self._draw_hint(canvas, self.hint)
+        landing = self.on_cloth.draw_cloud(canvas)
         draw_balls(canvas, self.balls_at(time), frame.table)
+        self.on_cloth.draw_cloud_words(canvas, landing)
         if sight is not None:
             foul = foul_of(frame.game, play.aiming.call, sight.target)
             radius = float(frame.layout.balls.radii[CUE_BALL])
@@ -145,7 +158,8 @@ class BilliardsView:
     def _draw_around(self, canvas: Canvas, look: Look, odds: Odds | None) -> None:
         """Score board, line of words, instruments."""
         play = self.play
-        draw_board(canvas, look, standing_of(play, self.opponents.thinker, self.title))
+        title = drill_title(play.model.frame.game, self.level)
+        draw_board(canvas, look, standing_of(play, self.opponents.thinker, title))
         if play.phase not in (SET_UP, REPLAY):
             line = line_of(play, self.hint)
             shaky = play.parameters.hand != "none"

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from game.billiards.game.games import CombinationMatch, Drill, EightBall, NineBall, Practice
+from game.billiards.game.games import CombinationMatch, Drill, EightBall, Ghost, NineBall, Practice, RunDrill
 from game.billiards.game.games.eight_ball import GROUPS
 from game.billiards.game.rules import Game, listed
 from game.scenes.billiards.play import REPLAY, ROLLING, SET_UP, STRIKING, Play
+from game.scenes.billiards.practice.sets import GHOST_TITLES
 from game.scenes.shared.thinker import Thinker
 
 GAME_TITLES = {
     EightBall: "8-ball", NineBall: "9-ball", CombinationMatch: "Combination", Practice: "Practice",
-    Drill: "Drill",
+    Drill: "Drill", RunDrill: "Drill",
 }  # fmt: skip
 MOST_CHIPS = 9
 
@@ -39,7 +40,7 @@ class Standing(NamedTuple):
 def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
     """How the game stands. title: of the level, which names a drill."""
     game = play.model.frame.game
-    game_title = GAME_TITLES.get(type(game), "")
+    game_title = GHOST_TITLES[game.discipline] if isinstance(game, Ghost) else GAME_TITLES.get(type(game), "")
     if play.phase == SET_UP:
         game_title, under = "Set up", "free placing"
     elif play.phase == REPLAY:
@@ -51,6 +52,8 @@ def standing_of(play: Play, thinker: Thinker, title: str = "") -> Standing:
     cards = tuple(_card(play, thinker, player) for player in range(2))
     score = f"{game.won[0]} : {game.won[1]}"
     caption = f"racks, race to {play.racks_to_win}" if play.racks_to_win else "racks"
+    if isinstance(game, Ghost):
+        caption = f"{sum(game.won)} of {game.racks} racks"
     if isinstance(game, CombinationMatch):
         score, caption = f"{game.points[0]} : {game.points[1]}", "balls"
     return Standing(game_title, under, cards, score, caption)
@@ -71,7 +74,7 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
     game = play.model.frame.game
     active = game.turn == player and not game.over
     won = game.over and game.winner == player
-    prize = "won the match" if play.match_over else "won the rack"
+    prize = "won the match" if play.match_over and not isinstance(game, Ghost) else "won the rack"
     doing = _doing(play, thinker) if active else prize if won else ""
     parts = []
     chips: tuple[tuple[int, bool], ...] = ()
@@ -82,7 +85,9 @@ def _card(play: Play, thinker: Thinker, player: int) -> Card:
         count = "" if doing else f", {len(left)} left"  # at the turn the chips alone tell it: space is scarce
         if not won:
             parts.append(f"{game.groups[player]}{count}" if left else "on the 8")
-    elif isinstance(game, NineBall) and active and not game.options:
+    elif (isinstance(game, Ghost) and game.group and active) or (
+        isinstance(game, NineBall | Ghost) and active and not game.options and not game.opening
+    ):
         parts.append(f"on {listed(game.legal_first())}")
     if game.fouls_in_row[player] and isinstance(game, NineBall):
         parts.append(f"{game.fouls_in_row[player]} foul{'s' * (game.fouls_in_row[player] > 1)} in a row")
@@ -120,7 +125,16 @@ def _single(game: Game, level_title: str) -> Card:
         tries = (
             f"{game.made} of {game.attempts} made, {game.streak} in a row" if game.attempts else "first try"
         )
+        if game.tries:
+            tries = f"{tries}   ·   {game.needed} of {game.tries} needed"
         return Card(level_title or game.players[0], f"{stars}   {tries}", True)
+    if isinstance(game, RunDrill):
+        tries = f"try {min(game.attempts + 1, game.tries or 1_000_000)}" + f" of {game.tries}" * (
+            game.tries > 0
+        )
+        balls = f"{game.run} of {game.count} balls, best {max(game.best, game.run)}"
+        needed = f"   ·   {game.potted} in all, {game.needed} needed" if game.tries else ""
+        return Card(level_title or game.players[0], f"{tries}   {balls}{needed}", True)
     if isinstance(game, Practice):
         strokes = f"{game.strokes} stroke{'s' * (game.strokes != 1)}"
         status = f"{game.potted} potted with {strokes}, run of {game.run}"

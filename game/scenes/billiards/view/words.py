@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple
 
 from game.billiards.game.arrangement import Stroke
-from game.billiards.game.games import Drill
+from game.billiards.game.games import Drill, RunDrill
 from game.billiards.game.goals import described
 from game.billiards.game.rules import Call, Game, listed
 from game.scenes.billiards import layout
@@ -67,9 +67,19 @@ def line_of(play: Play, hint: Stroke | None) -> Line:
     if isinstance(game, Drill):
         lead, *rest = described(game.goal, layout.POCKETS)
         return Line(lead, " ".join(rest))
+    if isinstance(game, RunDrill):
+        return Line(run_words(game), "The cue ball is in hand: drag it." if game.in_hand else "")
     if play.phase != AIMING or not play.person_plays:
         return Line("")
     return Line(_what_to_do(game), " ".join(_call_due(play)))
+
+
+def run_words(game: RunDrill) -> str:
+    """What a drill of many strokes asks for."""
+    order = "in order" if game.ordered else "in any order"
+    where = f" into the {layout.pocket_words(game.pocket)}" if game.pocket is not None else ""
+    off = ", and touch no cushion with the cue ball" if game.off_cushions else ""
+    return f"Pot all {game.count} {order}{where} without a miss{off}."
 
 
 def _what_to_do(game: Game) -> str:

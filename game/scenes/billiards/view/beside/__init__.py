@@ -1,0 +1,1 @@
+"""What stands beside the table: log, map, practice record; and the map on the cloth."""
