@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.physics.solids import SolidWorld
-from game.physics.solids.joints.layout import BROKEN, NO_JOINT
+from game.physics.solids.joints.layout import BROKEN, JOINT_NAMES, NO_JOINT
 from game.physics.solids.state import DYNAMIC
 from game.scenes.solids.level import GaugeEntry
 from game.stage import Part
@@ -16,7 +16,7 @@ from game.stage import Part
 Floats = NDArray[np.float64]
 NOTHING = 0  # what a gauge is of whose body is gone: it stays as it is
 OF_JOINTS = ("force", "moment")
-OF_ALL = ("passed", "fallen", "highest", "broken")
+OF_ALL = ("passed", "fallen", "highest", "broken", "fastest", "gap")
 ANGLE, SINCE, PASSES = range(3)  # of a mark: angle (rad) after the last step; s when last passed; how often
 
 
@@ -54,7 +54,7 @@ class Gauges(Part):
         entry, of, before = self.entries[k], self._of[k], float(self.values[k])
         measure = entry.measure
         if measure in OF_ALL:
-            return _of_all(world, measure, entry.level)
+            return _of_all(world, measure, entry.level, before)
         if measure in OF_JOINTS:
             return _load(world, of, measure == "moment")
         if of == NOTHING:
@@ -101,9 +101,13 @@ def _pose(world: SolidWorld, body: int) -> tuple[float, float, float]:
     return x, y, float(rows.angles[body])
 
 
-def _of_all(world: SolidWorld, measure: str, level: float) -> float:
-    rows = world.bodies
-    places = rows.positions[rows.flags & DYNAMIC != 0]
+def _of_all(world: SolidWorld, measure: str, level: float, before: float) -> float:
+    rows, dynamic = world.bodies, world.bodies.flags & DYNAMIC != 0
+    places = rows.positions[dynamic]
+    if measure == "fastest":
+        return max(before, math.sqrt((rows.velocities[dynamic] ** 2).sum(axis=1).max(initial=0.0)))
+    if measure == "gap":
+        return max(before, _largest_gap(world))
     if measure == "broken":
         return int(np.count_nonzero((world.joints.kinds != NO_JOINT) & (world.joints.flags & BROKEN != 0)))
     if measure == "passed":
@@ -111,6 +115,20 @@ def _of_all(world: SolidWorld, measure: str, level: float) -> float:
     if measure == "fallen":
         return int(np.count_nonzero(places[:, 1] < level))
     return float(places[:, 1].max()) if len(places) else 0.0
+
+
+def _largest_gap(world: SolidWorld) -> float:
+    """Between the two points of a pin, motor or weld that holds, m."""
+    rows = world.joints
+    kinds = [JOINT_NAMES.index(name) for name in ("pin", "motor", "weld")]
+    holds = np.isin(rows.kinds, kinds) & (rows.flags & BROKEN == 0)
+    ends = []
+    for end in (0, 1):
+        bodies, anchors = rows.bodies[holds, end], rows.anchors[holds, 2 * end : 2 * end + 2]
+        c, s = world.bodies.rotations[bodies].T
+        x, y = anchors.T
+        ends.append(world.bodies.positions[bodies] + np.stack([c * x - s * y, s * x + c * y], axis=1))
+    return math.sqrt(((ends[0] - ends[1]) ** 2).sum(axis=1).max(initial=0.0))
 
 
 def _load(world: SolidWorld, joint: int, moment: bool) -> float:

@@ -237,13 +237,14 @@ class GaugeEntry(LevelEntry, frozen=True, kw_only=True):
     right, up, way (m), turn (degrees): since the beginning; speed, spin; sink: -up; force (N), moment (N m):
     of a joint; passed: bodies right of x (fallen: below y) = ``level``; when: s, at which a body first had
     moved by ``level`` m; period: s, between the last two times that it turned through ``level`` degrees,
-    anticlockwise; highest: of all bodies; broken: joints.
+    anticlockwise; highest: of all bodies; broken: joints. The largest since the beginning: fastest (m/s) of
+    all bodies; gap (m) between the points of a pin, motor or weld.
     """
 
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
     measure: Literal[
         "right", "up", "sink", "way", "turn", "speed", "spin", "force", "moment", "passed", "fallen", "when",
-        "period", "highest", "broken",
+        "period", "highest", "broken", "fastest", "gap",
     ]  # fmt: skip
     of: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
     until: Moment = 0.0

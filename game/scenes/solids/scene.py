@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from game.lab.studies.stacks import stack_study
 from game.levels import Level
 from game.physics.solids.effects import USUAL
-from game.scenes.shared.expectations import captions_of, draw_captions
+from game.scenes.shared.expectations import captions_of, draw_captions, with_headroom
 from game.scenes.shared.polygons import warm_up_painter
 from game.scenes.solids import SOLIDS as ROW
 from game.scenes.solids.figure import draw_contact
@@ -181,12 +181,13 @@ class Solids(Scene):
         return self.view.legend()
 
     def frame(self) -> Frame:
-        view = self.model.content.view
-        return Frame(view.left, view.bottom, view.right, view.top)
+        view, lines = self.model.content.view, len(self.model.content.expected)
+        return with_headroom(Frame(view.left, view.bottom, view.right, view.top), lines)
 
     def draw(self, canvas: Any, alpha: float) -> None:
         self.view.draw(canvas, self.previous, alpha)
         content = self.model.content
         if content.expected:
-            top = (0.5 * (content.view.left + content.view.right), content.view.top)
+            frame = self.frame()
+            top = (0.5 * (frame.left + frame.right), frame.top)
             draw_captions(canvas, top, captions_of(content.expected, self.readouts()))
