@@ -46,7 +46,14 @@ class _Tone(NamedTuple):
 BALL = (_Tone(3100.0, 1.0, 0.0045), _Tone(4900.0, 0.65, 0.0035), _Tone(7300.0, 0.40, 0.0025))
 TIP = (_Tone(700.0, 1.0, 0.008), _Tone(2200.0, 0.55, 0.005))
 WOOD = (_Tone(1250.0, 1.0, 0.011), _Tone(2680.0, 0.55, 0.007), _Tone(4300.0, 0.3, 0.004))
-KINDS = ("tip", "ball", "cushion", "pocket", "wood", "thud", "mortar", "burst", "crackle")
+STEEL = (
+    _Tone(1730.0, 1.0, 0.055),
+    _Tone(2890.0, 0.7, 0.040),
+    _Tone(4610.0, 0.45, 0.025),
+    _Tone(6400.0, 0.3, 0.015),
+)
+STONE = (_Tone(980.0, 1.0, 0.007), _Tone(1710.0, 0.7, 0.005), _Tone(3350.0, 0.4, 0.003))
+KINDS = ("tip", "ball", "cushion", "pocket", "wood", "thud", "stone", "steel", "mortar", "burst", "crackle")
 
 
 def gain_of(speed: float) -> float:
@@ -73,6 +80,10 @@ def sample_of(kind: str, layer: int) -> Array:
         made = thump + (0.5 + 0.5 * bright) * _noise(0.11, 350.0 + 900.0 * bright, 0.018, 2)
     elif kind == "wood":
         made = _tones(WOOD, 0.06, bright) + 0.12 * bright * _noise(0.06, 4000.0, 0.002, 4)
+    elif kind == "stone":
+        made = _tones(STONE, 0.05, bright) + 0.35 * bright * _noise(0.05, 2600.0, 0.003, 8)
+    elif kind == "steel":
+        made = _tones(STEEL, 0.22, bright) + 0.06 * bright * _noise(0.22, 6000.0, 0.002, 9)
     elif kind == "thud":
         made = _tones((_Tone(310.0, 1.0, 0.02), _Tone(160.0, 0.6, 0.03)), 0.12, 1.0) + 0.3 * bright * _noise(
             0.12, 900.0, 0.01, 5

@@ -49,7 +49,8 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
             raise ValueError(f"expected[{i}].readout: no readout {entry.readout!r}; there are {known}")
         _, value, unit = measured[entry.readout]
         if entry.at_most:
-            words = f"{entry.readout}: at most {format_si(entry.value, unit)}, measured {format_si(value, unit)}"
+            bound, shown = format_si(entry.value, unit), format_si(value, unit)
+            words = f"{entry.readout}: at most {bound}, measured {shown}"
             found.append(Caption(words, abs(value) <= entry.value))
             continue
         met = abs(value - entry.value) <= entry.within

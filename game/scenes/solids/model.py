@@ -13,6 +13,7 @@ from game.physics.solids import Disc, Material, SolidSettings, SolidState, Solid
 from game.physics.solids.state import ASLEEP, DYNAMIC
 from game.scenes.shared.stopwatch import Stopwatch
 from game.scenes.solids.bodies import (
+    COLOURS,
     HIDDEN,
     OWN_FRICTION,
     OWN_RESTITUTION,
@@ -22,6 +23,7 @@ from game.scenes.solids.bodies import (
 )
 from game.scenes.solids.gauges import Gauges
 from game.scenes.solids.level import BodyEntry, JointEntry, Point, SolidContent
+from game.scenes.solids.measures import HEARD_WIDTH, STEEL, STONE, THUD, WOOD, heard_now
 from game.scenes.solids.parameters import SolidParameters
 from game.scenes.solids.structures import make
 from game.stage import ParameterError, Part
@@ -29,15 +31,19 @@ from game.stage import ParameterError, Part
 Floats = NDArray[np.float64]
 ANCHOR = 0  # the body that joints to the ground hang on
 GROUND_DEPTH, WALL_WIDTH, ENDLESS = 20.0, 4.0, 4000.0  # m
+SOUNDS = np.array([{"stone": STONE, "steel": STEEL}.get(name, WOOD) for name in COLOURS], dtype=np.int64)
 
 
 class ModelState(NamedTuple):
-    """world; tints: colour and own materials of each body; gauges: what they show; marks: see `Gauges`."""
+    """world; tints: colour and own materials of each body; gauges: what they show; marks: see `Gauges`;
+    heard: see `heard_now`.
+    """
 
     world: SolidState
     tints: NDArray[np.int64]
     gauges: Floats
     marks: Floats
+    heard: Floats
 
 
 class Shake(NamedTuple):
@@ -51,10 +57,7 @@ class Shake(NamedTuple):
 
 
 class SolidModel(Part):
-    """Bodies and joints of a level in a world.
-
-    ids: of the level's bodies. time: s. snapped, bumps: of the last step.
-    """
+    """Bodies and joints of a level in a world. floors: bodies of the ground and the walls; time: s."""
 
     def __init__(self, content: SolidContent, parameters: SolidParameters, active: EffectSet, seed: int):
         self.content, self.parameters, self.active = content, parameters, active
@@ -71,6 +74,7 @@ class SolidModel(Part):
         self.freed = [(entry.free_at, body) for entry, body in bodies if entry.free_at > 0.0]
         joints = [self.join(entry, ids) for entry in made.joints]
         self.time = 0.0
+        self.heard: Floats = np.zeros((0, HEARD_WIDTH))
         self.gauges = Gauges(self.world, content.gauges, ids, joints)
 
     # -- building -------------------------------------------------------------------------------------
@@ -186,6 +190,9 @@ class SolidModel(Part):
             self.world.step(dt)
         self.time += dt
         self.gauges.measure(self.world, self.time, dt)
+        kinds = SOUNDS[self.tints & 255]
+        kinds[self.floors] = THUD
+        self.heard = heard_now(self.world, self.heard, self.time - dt, kinds)
         return len(self.world.joints_broken())
 
     def _set_free(self, body: int) -> None:
@@ -218,10 +225,11 @@ class SolidModel(Part):
 
     def state(self) -> ModelState:
         """All that later steps depend on."""
-        return ModelState(self.world.state(), self.tints, self.gauges.values, self.gauges.marks)
+        return ModelState(self.world.state(), self.tints, self.gauges.values, self.gauges.marks, self.heard)
 
     def restore(self, state: Any) -> None:
         """Take over a copy of a state."""
         self.world.restore(state.world)
         self.tints = state.tints.copy()
         self.gauges.restore(state.gauges, state.marks)
+        self.heard = state.heard.copy()

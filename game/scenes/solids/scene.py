@@ -18,10 +18,12 @@ from game.scenes.solids.model import ModelState, SolidModel
 from game.scenes.solids.parameters import OF_PICTURE, OF_TOOLS, TOOLS, SolidParameters
 from game.scenes.solids.readouts import readouts
 from game.scenes.solids.saving import content_of
+from game.scenes.solids.sounds import hearing_of
 from game.scenes.solids.view import WHAT_NEXT, SolidView
 from game.stage import (
     Equation,
     Frame,
+    Hearing,
     Hint,
     Pointer,
     Readout,
@@ -163,6 +165,10 @@ class Solids(Scene):
 
     def messages(self) -> Sequence[str]:
         return self.said.take()
+
+    def hearing(self) -> Hearing:
+        """Impacts of the last moments, by their materials."""
+        return hearing_of(self.model)
 
     # -- what there is to see -----------------------------------------------------------------------
 
