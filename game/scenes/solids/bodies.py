@@ -30,6 +30,7 @@ from game.scenes.solids.level import BodyEntry, Colour, JointEntry, Point, Shape
 
 COLOURS: tuple[Colour, ...] = (
     "plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow",
+    "brass",
 )  # fmt: skip
 OWN_FRICTION, OWN_RESTITUTION = 256, 512  # bits of a tint beside the colour's number
 HIDDEN = 1024  # what joints to the ground hang on

@@ -27,17 +27,19 @@ class Gauges(Part):
         self.entries = entries
         self.values: Floats = np.zeros(len(entries))
         self.marks: Floats = np.zeros((len(entries), 3))
-        self._of = [_found(entry, ids, joints) for entry in entries]
+        self._of = [_found(entry, entry.of, ids, joints) for entry in entries]
+        self._others = [_found(entry, entry.other, ids, joints) for entry in entries]
         self._starts = [_pose(world, of) for of in self._of]
+        self._other_starts = [_pose(world, of) for of in self._others]
         self.marks[:, ANGLE] = [angle for _, _, angle in self._starts]
         self.measure(world, 0.0, 0.0)
 
     def forget(self, body: int) -> None:
         """A body goes: its gauges stay as they are."""
-        self._of = [
-            NOTHING if of == body and entry.measure not in OF_JOINTS else of
-            for of, entry in zip(self._of, self.entries, strict=True)
-        ]
+        for ids in (self._of, self._others):
+            for k, entry in enumerate(self.entries):
+                if ids[k] == body and entry.measure not in OF_JOINTS:
+                    ids[k] = NOTHING
 
     def measure(self, world: SolidWorld, time: float, dt: float) -> None:
         """All of them, at a time (s) that a step of dt (s) has come to."""
@@ -57,10 +59,12 @@ class Gauges(Part):
             return _of_all(world, measure, entry.level, before)
         if measure in OF_JOINTS:
             return _load(world, of, measure == "moment")
-        if of == NOTHING:
+        if of == NOTHING or (measure == "between" and self._others[k] == NOTHING):
             return before
         if measure == "period":
             return self._period(k, world, time, dt)
+        if measure == "between":
+            return self._between(k, world, time)
         x, y, angle = (now - then for now, then in zip(_pose(world, of), self._starts[k], strict=True))
         if measure == "when":
             return time if before == 0.0 and math.hypot(x, y) >= entry.level else before
@@ -69,6 +73,16 @@ class Gauges(Part):
             "right": x, "up": y, "sink": -y, "way": math.hypot(x, y), "turn": math.degrees(angle),
             "speed": math.hypot(*rows.velocities[of].tolist()), "spin": float(rows.spins[of]),
         }[measure])  # fmt: skip
+
+    def _between(self, k: int, world: SolidWorld, time: float) -> float:
+        """From when the one first had moved so far until the other had."""
+        level, mark = self.entries[k].level, self.marks[k]
+        if not mark[PASSES] and _way(_pose(world, self._of[k]), self._starts[k]) >= level:
+            mark[SINCE], mark[PASSES] = time, 1.0
+        if mark[PASSES] == 1.0 and _way(_pose(world, self._others[k]), self._other_starts[k]) >= level:
+            mark[PASSES] = 2.0
+            return time - float(mark[SINCE])
+        return float(self.values[k])
 
     def _period(self, k: int, world: SolidWorld, time: float, dt: float) -> float:
         """Between the last two times that the angle was passed, each found within its step."""
@@ -83,14 +97,14 @@ class Gauges(Part):
         return period
 
 
-def _found(entry: GaugeEntry, ids: list[int], joints: list[int]) -> int:
+def _found(entry: GaugeEntry, number: int, ids: list[int], joints: list[int]) -> int:
     """Id of the body or joint that it is of."""
     if entry.measure in OF_ALL:
         return NOTHING
     things = joints if entry.measure in OF_JOINTS else ids
-    if entry.of >= len(things):
-        raise ValueError(f"gauges: {entry.name!r} is of {entry.of}; there are {len(things)}")
-    return things[entry.of]
+    if number >= len(things):
+        raise ValueError(f"gauges: {entry.name!r} is of {number}; there are {len(things)}")
+    return things[number]
 
 
 def _pose(world: SolidWorld, body: int) -> tuple[float, float, float]:
@@ -99,6 +113,10 @@ def _pose(world: SolidWorld, body: int) -> tuple[float, float, float]:
         return 0.0, 0.0, 0.0
     x, y = rows.positions[body].tolist()
     return x, y, float(rows.angles[body])
+
+
+def _way(now: tuple[float, float, float], then: tuple[float, float, float]) -> float:
+    return math.hypot(now[0] - then[0], now[1] - then[1])
 
 
 def _of_all(world: SolidWorld, measure: str, level: float, before: float) -> float:

@@ -20,7 +20,9 @@ Index = Annotated[int, msgspec.Meta(ge=-1, le=100_000)]
 Count = Annotated[int, msgspec.Meta(ge=1, le=400)]
 Point = tuple[Metre, Metre]
 Points = Annotated[tuple[Point, ...], msgspec.Meta(max_length=400)]
-Colour = Literal["plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow"]
+Colour = Literal[
+    "plain", "wood", "stone", "steel", "chalk", "green", "vermilion", "pink", "violet", "yellow", "brass"
+]
 MOST_BODIES, MOST_JOINTS = 12_000, 12_000
 GROUND = -1  # stands for what never moves, in joints
 
@@ -236,17 +238,19 @@ class GaugeEntry(LevelEntry, frozen=True, kw_only=True):
 
     right, up, way (m), turn (degrees): since the beginning; speed, spin; sink: -up; force (N), moment (N m):
     of a joint; passed: bodies right of x (fallen: below y) = ``level``; when: s, at which a body first had
-    moved by ``level`` m; period: s, between the last two times that it turned through ``level`` degrees,
-    anticlockwise; highest: of all bodies; broken: joints. The largest since the beginning: fastest (m/s) of
-    all bodies; gap (m) between the points of a pin, motor or weld.
+    moved by ``level`` m; between: s, from then until ``other`` had; period: s, between the last two times
+    that it turned through ``level`` degrees, anticlockwise; highest: of all bodies; broken: joints. The
+    largest since the beginning: fastest (m/s) of all bodies; gap (m) between the points of a pin, motor or
+    weld.
     """
 
     name: Annotated[str, msgspec.Meta(min_length=1, max_length=40)]
     measure: Literal[
         "right", "up", "sink", "way", "turn", "speed", "spin", "force", "moment", "passed", "fallen", "when",
-        "period", "highest", "broken", "fastest", "gap",
+        "between", "period", "highest", "broken", "fastest", "gap",
     ]  # fmt: skip
     of: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
+    other: Annotated[int, msgspec.Meta(ge=0, le=100_000)] = 0
     until: Moment = 0.0
     level: Metre = 0.0
 

@@ -120,9 +120,7 @@ def add_escapement(entry: EscapementEntry, made: Made) -> None:
     reach = entry.radius * math.tan(half)  # of the anchor: its arms are tangents to the wheel
     turn, wheel = math.radians(entry.swing), len(made.bodies)
     own = material_of(entry)
-    made.bodies.append(
-        BodyEntry(shapes=_wheel(entry, half), position=entry.at, **{**own, "colour": "yellow"})
-    )
+    made.bodies.append(BodyEntry(shapes=_wheel(entry, half), position=entry.at, **{**own, "colour": "brass"}))
     made.bodies.append(
         BodyEntry(shapes=_anchor(entry, half, reach), position=pivot, angle=entry.swing, **own)
     )
@@ -138,7 +136,7 @@ def add_escapement(entry: EscapementEntry, made: Made) -> None:
     made.bodies.append(
         BodyEntry(
             shapes=(ShapeEntry(disc=entry.bob),), position=bob, angle=entry.swing, ghost=True,
-            **{**own, "density": entry.weight, "colour": "yellow"},
+            **{**own, "density": entry.weight, "colour": "brass"},
         )
     )  # fmt: skip
     made.joints.append(

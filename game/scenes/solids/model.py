@@ -31,7 +31,9 @@ from game.stage import ParameterError, Part
 Floats = NDArray[np.float64]
 ANCHOR = 0  # the body that joints to the ground hang on
 GROUND_DEPTH, WALL_WIDTH, ENDLESS = 20.0, 4.0, 4000.0  # m
-SOUNDS = np.array([{"stone": STONE, "steel": STEEL}.get(name, WOOD) for name in COLOURS], dtype=np.int64)
+SOUNDS = np.array(
+    [{"stone": STONE, "steel": STEEL, "brass": STEEL}.get(name, WOOD) for name in COLOURS], dtype=np.int64
+)
 
 
 class ModelState(NamedTuple):

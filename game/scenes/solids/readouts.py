@@ -11,7 +11,7 @@ from game.stage import Readout
 UNITS = {
     "right": "m", "up": "m", "sink": "m", "way": "m", "turn": "°", "speed": "m/s", "spin": "rad/s",
     "force": "N", "passed": "", "fallen": "", "when": "s", "highest": "m",
-    "moment": "N m", "period": "s", "broken": "", "fastest": "m/s", "gap": "m",
+    "moment": "N m", "period": "s", "between": "s", "broken": "", "fastest": "m/s", "gap": "m",
 }  # fmt: skip
 COUNTED = ("passed", "fallen", "broken")
 
