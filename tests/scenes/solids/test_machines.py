@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from game.physics.dominoes import domino_wave_speed
+from game.physics.solids.joints.layout import BREAK_FORCE
 from game.scenes.shared.expectations import captions_of
 from game.scenes.solids.scene import Solids
 from game.stage import SetParameter
@@ -17,8 +18,8 @@ from tests.scenes.solids.test_hard_levels import ALL, after
 G = 9.81
 
 
-def pendulum_period(arm, bob, weight, radius, teeth, swing):
-    """Of a rod of density 1 that carries a disc, about the pivot of the anchor; the anchor itself is light."""
+def pendulum_period(arm, bob, weight, swing):
+    """Of a rod of density 1 that carries a disc, about the pivot of the anchor, which itself is light."""
     rod = 0.02 * arm * (arm - bob)
     ball = weight * math.pi * bob**2
     # the rod's box reaches from the pivot to the rim of the bob
@@ -31,13 +32,13 @@ def pendulum_period(arm, bob, weight, radius, teeth, swing):
 
 def test_the_clock_goes_by_its_pendulum_and_lets_one_tooth_go_in_a_period():
     stage = open_level(Solids, "clock")
-    exact = pendulum_period(4.0, 0.35, 8.0, 1.0, 15, math.radians(6.6))
+    exact = pendulum_period(4.0, 0.35, 8.0, math.radians(6.6))
     (entry,) = ALL["clock"].content.expected
     assert entry.value == pytest.approx(exact, rel=3e-3)
-    found = after(stage, 10.0)
+    found = after(stage, 8.5)
     assert found["period"] == pytest.approx(exact, rel=5e-3)
     before = found["the wheel has turned"]
-    periods = 4
+    periods = 2
     found = after(stage, periods * found["period"])
     assert before - found["the wheel has turned"] == pytest.approx(periods * 360.0 / 15.0, abs=4.0)
 
@@ -47,16 +48,12 @@ def test_the_clock_stops_without_its_spring():
     after(stage, 1.0)
     world = stage.scene.model.world
     world.drive(0, 0.0, 0.0)
-    assert not world.joint_load(0)[1]
-    spins = []
-    for _ in range(8):
-        after(stage, 4.0)
-        spins.append(abs(readouts(stage)["the wheel has turned"]))
-    assert spins[-1] - spins[3] < 12.0  # it goes on for a few teeth at most
+    turned = [abs(after(stage, 4.0)["the wheel has turned"]) for _ in range(4)]
+    assert turned[-1] - turned[0] < 3.0
 
 
 def truss_forces(n, a, h, t, rho, load):
-    """Forces in the bars of a Warren truss with a load in its middle: equilibrium of all knots; N."""
+    """Of the bars of a Warren truss with a load in its middle, N: pulls, and what their first pins carry."""
     knots = np.array([(a * k, 0.0) for k in range(n + 1)] + [(a * (k + 0.5), h) for k in range(n)])
     bars = [(k, k + 1) for k in range(n)] + [(n + 1 + k, n + 2 + k) for k in range(n - 1)]
     bars += [pair for k in range(n) for pair in ((k, n + 1 + k), (n + 1 + k, k + 1))]
@@ -72,7 +69,12 @@ def truss_forces(n, a, h, t, rho, load):
     weights = np.zeros(2 * len(knots))
     weights[1::2] = G * masses
     weights[2 * (n // 2) + 1] += load
-    return np.linalg.solve(rows, weights)[: len(bars)]
+    forces = np.linalg.solve(rows, weights)[: len(bars)]
+    ways = np.array([knots[q] - knots[p] for p, q in bars])
+    lengths = np.hypot(*ways.T)
+    ends = -forces[:, None] * ways / lengths[:, None]  # on the bar, at its first end, with half of its weight
+    ends[:, 1] += 0.5 * G * (lengths - 2.4 * t) * t * rho
+    return forces, np.hypot(*ends.T)
 
 
 def bridge_forces():
@@ -83,25 +85,20 @@ def bridge_forces():
 
 
 def test_the_bars_of_the_bridge_carry_what_statics_says():
-    forces, stage = bridge_forces(), open_level(Solids, "bridge")
+    (forces, pins), stage = bridge_forces(), open_level(Solids, "bridge")
     found = after(stage, 2.0)
     assert found["middle bar above"] == pytest.approx(-forces[8], rel=1e-4)
     assert found["middle bar below"] == pytest.approx(forces[2], rel=1e-4)
     world = stage.scene.model.world
-    for bar in range(
-        len(forces)
-    ):  # two joints each, after both supports; half of a bar's weight hangs on each
-        carried = world.joint_load(2 + 2 * bar)[0]
-        assert carried == pytest.approx(abs(forces[bar]), rel=2e-3), bar
+    carried = [world.joint_load(2 + 2 * bar)[0] for bar in range(len(forces))]  # after both supports
+    assert carried == pytest.approx(pins.tolist(), rel=1e-4)
 
 
 @pytest.mark.parametrize(("part", "stands"), [(1.02, True), (0.98, False)])
 def test_the_bridge_breaks_first_in_the_middle_above(part, stands):
     stage = open_level(Solids, "bridge")
-    limit = part * abs(bridge_forces()).max()
+    limit = part * bridge_forces()[1].max()
     model = stage.scene.model
-    from game.physics.solids.joints.layout import BREAK_FORCE
-
     pins = np.arange(2, 2 + 2 * 23)
     model.world.joints.parameters[pins, BREAK_FORCE] = limit
     first = []
@@ -170,6 +167,6 @@ def test_what_machines_expect_is_theory():
     lean = math.radians(20.0)
     storey = math.cos(lean) + 0.03 * math.sin(lean)
     assert expected["card-house"]["top"] == pytest.approx(2.5 * storey + 2 * 0.03, abs=1e-4)
-    forces = bridge_forces()
+    forces, _ = bridge_forces()
     assert expected["bridge"]["middle bar above"] == pytest.approx(-forces[8], abs=0.1)
     assert expected["bridge"]["middle bar below"] == pytest.approx(forces[2], abs=0.1)
