@@ -21,7 +21,6 @@ from game.physics.solids.state import DA, DISC, DX, DY, DYNAMIC, SEGMENT, VX, VY
 MOST_ADVANCES = 64
 LOOKS = 16  # at the way of two that touch
 FAST = 4.0  # times what is deep: slower motion of two that touch is left to the contacts
-DEEP = 0.5  # of both cores together: a thin plate that goes flat through a thin wall is never deeper than 1
 THIN = 0.5  # of both cores together: how far two may approach in a step and be left to the contacts
 
 
@@ -142,7 +141,7 @@ def stop_fast_bodies(bodies, shapes, pool, contacts, scratch, numbers):
         a, b = contacts.shapes[p, 0], contacts.shapes[p, 1]
         size = min(shapes.sizes[a], shapes.sizes[b])
         target = min(0.1 * min(numbers.near, 0.25 * size), 0.25 * cores)
-        t = meeting_time(bodies, shapes, pool, scratch, (a, b), target, DEEP * cores)
+        t = meeting_time(bodies, shapes, pool, scratch, (a, b), target, cores)
         if t < 1.0:
             for k in (i, j):
                 if bodies.flags[k] & DYNAMIC:

@@ -80,12 +80,16 @@ class BodyEntry(MaterialEntry, frozen=True, kw_only=True):
 
 
 class JointEntry(LevelEntry, frozen=True, kw_only=True):
-    """A joint of two bodies, by their numbers (-1: the ground), at points of the world, m; None: no limit."""
+    """A joint of two bodies, by their numbers (-1: the ground), at points of the world, m; None: no limit.
+
+    axis: of a slider, in the world. limits: rad of a pin or motor, from how the bodies stand; m of others.
+    """
 
     kind: Literal["pin", "slider", "weld", "distance", "rope", "spring", "motor"]
     bodies: tuple[Index, Index]
     at: Point
     other: Point | None = None
+    axis: Point = (1.0, 0.0)
     length: Annotated[float, msgspec.Meta(ge=0.0, le=1e5)] | None = None
     limits: tuple[Rate, Rate] | None = None
     hertz: Annotated[float, msgspec.Meta(ge=0.0, le=1e4)] = 0.0
