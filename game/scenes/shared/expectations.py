@@ -49,8 +49,8 @@ def captions_of(expected: Sequence[Expectation], readouts: Sequence[Readout]) ->
             raise ValueError(f"expected[{i}].readout: no readout {entry.readout!r}; there are {known}")
         _, value, unit = measured[entry.readout]
         if entry.at_most:
-            bound, shown = format_si(entry.value, unit), format_si(value, unit)
-            words = f"{entry.readout}: at most {bound}, measured {shown}"
+            bound, found_now = format_si(entry.value, unit), format_si(value, unit)
+            words = f"{entry.readout}: at most {bound}, measured {found_now}"
             found.append(Caption(words, abs(value) <= entry.value))
             continue
         met = abs(value - entry.value) <= entry.within

@@ -46,7 +46,7 @@ def _at(centre: Point, radius: float, angle: float) -> Point:
 def add_beam(entry: BeamEntry, made: Made) -> None:
     """Blocks end to end; they turn about the start as one where there is a spin."""
     turn, (length, _) = math.radians(entry.direction), entry.size
-    breaking = {"break_force": entry.break_force, "break_torque": entry.break_torque}
+    breaking: dict[str, Any] = {"break_force": entry.break_force, "break_torque": entry.break_torque}
     for k in range(entry.count):
         number, arm = len(made.bodies), (k + 0.5) * length
         speed = entry.spin * arm

@@ -94,6 +94,8 @@ class Solids(Scene):
         "Draw a boat, a hook, a spoon: concave outlines are cut into convex parts.",
         "Cut a wheel in two with the right button while it rolls.",
         "Show the contact forces, and build a tower until it falls.",
+        "Load the bridge until it breaks: statics says which bar is the first.",
+        "Make the clock's bob lighter, or its pendulum shorter: cut it, and read the period.",
     )
     default_content: ClassVar[SolidContent] = SolidContent(
         arches=(ArchEntry(at=(0.0, 0.0), radius=3.0, thickness=0.6, blocks=13, colour="stone"),),

@@ -65,8 +65,8 @@ def test_no_shot_of_a_plate_gets_through_a_wall_or_gains_energy():
 
 
 @pytest.mark.xfail(
-    reason="3 of 3,000 shots get through: flat in the wall, the plate is never deeper than both are thick, "
-    "and only what is deeper is stopped; with half of that none does, but cards that lie over each other hang",
+    reason="3 of 3,000 shots get through: flat in the wall, a plate is never deeper than both are thick, "
+    "and only what is deeper is stopped; with half of that none does, but cards on cards hang",
     strict=True,
 )
 @pytest.mark.parametrize("seed", THROUGH)

@@ -7,11 +7,13 @@ import math
 import numpy as np
 import pytest
 
+from game.levels import parse_level
 from game.physics.dominoes import domino_wave_speed
 from game.physics.solids.joints.layout import BREAK_FORCE
 from game.scenes.shared.expectations import captions_of
+from game.scenes.solids.level import SolidContent
 from game.scenes.solids.scene import Solids
-from game.stage import SetParameter
+from game.stage import SetParameter, Stage
 from tests.scenes.particle_stages import open_level, press, readouts, release
 from tests.scenes.solids.test_hard_levels import ALL, after
 
@@ -170,3 +172,42 @@ def test_what_machines_expect_is_theory():
     forces, _ = bridge_forces()
     assert expected["bridge"]["middle bar above"] == pytest.approx(-forces[8], abs=0.1)
     assert expected["bridge"]["middle bar below"] == pytest.approx(forces[2], abs=0.1)
+
+
+SWING = """
+scene = "solids"
+title = "A swing"
+about = "A rod on a pin."
+[parameters]
+step_length = 0.05
+tier = "own"
+substeps = 64
+[content]
+floor = -9.0
+[[content.bodies]]
+shapes = [{ box = [0.01, 1.0] }]
+position = [0.00436, -0.49998]
+angle = 0.5
+[[content.joints]]
+kind = "pin"
+bodies = [-1, 0]
+at = [0.0, 0.0]
+[[content.gauges]]
+name = "period"
+measure = "period"
+[content.view]
+"""
+
+
+def test_a_period_is_found_between_steps():
+    """Of a rod on its end, 2 pi sqrt(2 L/(3 g)), though steps are a thirtieth of it."""
+    stage = Stage(Solids, level=parse_level(SWING, "solids", SolidContent, "swing.toml"))
+    exact = 2.0 * math.pi * math.sqrt(2.0 / (3.0 * G))
+    found = []
+    for _ in range(200):
+        before = readouts(stage)["period"]
+        now = after(stage, stage.dt)["period"]
+        if now != before:
+            found.append(now)
+    assert len(found) >= 5
+    assert found[1:] == pytest.approx([exact] * (len(found) - 1), rel=2e-3)

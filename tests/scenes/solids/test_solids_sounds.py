@@ -92,6 +92,16 @@ def test_a_clock_ticks_twice_in_a_period():
     assert 4 <= len(heard) <= 12
 
 
+def test_steps_back_take_back_what_was_heard():
+    stage = pair("wood", "wood")
+    while not stage.scene.hearing().sounds:
+        stage.run(1)
+    stage.step_back()
+    assert not stage.scene.hearing().sounds
+    stage.run(1)
+    assert len(stage.scene.hearing().sounds) == 1
+
+
 def test_every_kind_has_its_sound():
     assert {"wood", "stone", "steel", "thud", "crackle"} <= set(KINDS)
     assert abs(sample_of("steel", 3) - 0.0).max() == 1.0
