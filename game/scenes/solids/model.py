@@ -75,9 +75,13 @@ class SolidModel(Part):
         self.leaving = [(entry.gone_at, body) for entry, body in bodies if entry.gone_at > 0.0]
         self.freed = [(entry.free_at, body) for entry, body in bodies if entry.free_at > 0.0]
         joints = [self.join(entry, ids) for entry in made.joints]
-        self.time = 0.0
         self.heard: Floats = np.zeros((0, HEARD_WIDTH))
         self.gauges = Gauges(self.world, content.gauges, ids, joints)
+
+    @property
+    def time(self) -> float:
+        """s; the world's own, which goes back with its state."""
+        return self.world.time
 
     # -- building -------------------------------------------------------------------------------------
 
@@ -190,7 +194,6 @@ class SolidModel(Part):
             self._drive(shake, dt)
         with self.watch.time("step"):
             self.world.step(dt)
-        self.time += dt
         self.gauges.measure(self.world, self.time, dt)
         kinds = SOUNDS[self.tints & 255]
         kinds[self.floors] = THUD
