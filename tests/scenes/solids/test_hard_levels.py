@@ -123,7 +123,7 @@ def test_what_a_hard_level_expects_comes_true(name):
 
 
 @pytest.mark.xfail(
-    reason="after 60 s its top leans by 0.068 of a box: the lean grows 17 times in 5 s from rounding",
+    reason="after 60 s its top leans by 0.068 of a box: the lean grows 17 times in 5 s", strict=True
     strict=True,
 )
 def test_the_column_of_forty_leans_by_no_more_than_a_twentieth_in_a_minute():
